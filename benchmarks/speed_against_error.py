@@ -138,7 +138,7 @@ def _levels(study: Study) -> str:
         lines += ["", head("other physics: difference instead of error", outputs)]
         lines += [row(level, outputs) for level in study.other_physics]
     failed = [f"- {level.name}: {level.message}" for level in study.levels if not level.errors]
-    return "\n".join(lines + (["", "Without an answer:", "", *failed] if failed else []))
+    return "\n".join(lines + (["", "Not computed:", "", *failed] if failed else []))
 
 
 def main() -> None:

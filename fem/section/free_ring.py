@@ -223,6 +223,6 @@ def _require_all_harmonics(ring: FreeRing, slenderness: float) -> None:
         rest = slenderness * np.abs(answer[-1]).max() / np.abs(answer[2:]).sum(axis=0).max()
         if not rest <= REST:
             raise NotSolved(
-                f"{rest:.2g} of the answers through the ring lies beyond harmonic {len(answer) - 1}, "
+                f"{rest:.2g} of the deflection of the ring lies beyond harmonic {len(answer) - 1}, "
                 f"allowed {REST:g}: take more harmonics, on elements of a smaller raceway_size"
             )

@@ -96,7 +96,7 @@ class Evaluations:
         (numbers,) = self.of_settings([{}], (goal.measure,))
         if isinstance(numbers, NotComputed):
             raise BadCase(
-                f"{self.problem.study.path.name}: a linear scale needs an answer of the case: {numbers}"
+                f"{self.problem.study.path.name}: a linear scale needs the case to be solved: {numbers}"
             )
         return replace(goal, size=abs(goal.value(goal.measure.terms(numbers))) or 1.0)
 

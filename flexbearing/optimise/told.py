@@ -1,4 +1,4 @@
-"""What people read of an optimisation."""
+"""The text that an optimisation prints."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -8,7 +8,7 @@ from flexbearing.optimise.gradients import EXACT
 from flexbearing.optimise.run import CASE, TABLE
 from flexbearing.optimise.search import End, Found
 
-MOST = 20  # points without an answer, and others, that are told
+MOST = 20  # lines of reasons that are printed
 
 
 def start(found: Found, optimum: str = "") -> str:
@@ -55,7 +55,7 @@ def _design(optimum: Optimum) -> Iterator[str]:
         bounds = f"{each.low:g} .. {each.high:g}{unit}"
         yield f"  {each.name} = {value:.6g}{unit}   (of {bounds})"
     if optimum.best.end is End.INFEASIBLE:
-        yield f"  it misses a constraint by {optimum.best.missed:.2%}; no start came nearer"
+        yield f"  it misses a constraint by {optimum.best.missed:.2%}; no start came closer"
 
 
 def _numbers(optimum: Optimum) -> Iterator[str]:
@@ -74,9 +74,9 @@ def _numbers(optimum: Optimum) -> Iterator[str]:
 
 def _objective(case: Measured, best: Measured, unit: str) -> str:
     if best.objective is None:
-        return f"no answer: {best.message}"
+        return f"not solved: {best.message}"
     if case.objective is None:
-        return f"{best.objective:.6g}{unit} (the case has no answer: {case.message})"
+        return f"{best.objective:.6g}{unit} (the case was not solved: {case.message})"
     change = f" ({best.objective / case.objective - 1:+.1%})" if case.objective else ""
     return f"{case.objective:.6g} -> {best.objective:.6g}{unit}{change}"
 
@@ -84,13 +84,13 @@ def _objective(case: Measured, best: Measured, unit: str) -> str:
 def _limits(optimum: Optimum) -> Iterator[str]:
     """What is active, and what one unit more of it would give."""
     if not optimum.active:
-        yield "no constraint and no bound of a key is active: the optimum lies inside"
+        yield "no constraint and no bound of a key is active: the optimum lies inside all limits"
         return
-    yield "active:"
+    yield "active limits:"
     for each in optimum.active:
         one = "1" if each.unit == "1" else f"1 {each.unit}"
-        change = f"{100 * each.gain:+.3g} % of {optimum.goal.measure.name}"
-        yield f"  {each.words}: {one} beyond it would give {change}"
+        change = f"{optimum.goal.measure.name} by {100 * each.gain:+.3g} %"
+        yield f"  {each.words}: {one} more room would change {change}"
 
 
 def _starts(optimum: Optimum) -> Iterator[str]:
@@ -99,7 +99,7 @@ def _starts(optimum: Optimum) -> Iterator[str]:
     yield f"{agreeing} of {count} starts end within 0.1 % of the best:"
     for found in optimum.starts:
         values = ", ".join(f"{value:.5g}" for value in found.point)
-        left = "" if found.optimality is None else f", gain left {found.optimality.gain:.1e}"
+        left = "" if found.optimality is None else f", gain still possible {found.optimality.gain:.1e}"
         told = "" if found.end is End.CONVERGED else f" ({found.message})"
         yield f"  {found.end} after {found.iterations} iterations{left}{told}: {values}"
 

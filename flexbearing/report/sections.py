@@ -151,7 +151,7 @@ def ordered_levels(choices: dict[str, Any], errors: dict[str, Any]) -> Iterator[
         table.add_row(Text(name), *percent, f"{100 * choice['allowed']:.2g}", Text(level))
     yield table
     unusable = [f"{level}: {why}" for choice in choices.values() for level, why in choice["unusable"].items()]
-    yield from listed("levels without an answer", unusable)
+    yield from listed("levels not computed", unusable)
 
 
 def matrices(block: dict[str, Any] | None) -> Iterator[RenderableType]:

@@ -190,7 +190,7 @@ def _reference(done: Done) -> Timed:
     if done.raised and not isinstance(done.raised, ENDS):
         raise done.raised
     if answer is None:
-        raise NoReference(f"{case}: the reference has no answer: {done.raised or DIED}") from done.raised
+        raise NoReference(f"{case}: the reference was not computed: {done.raised or DIED}") from done.raised
     if answer.message:
         raise NoReference(f"{case}: the reference is not converged: {answer.message}")
     return answer

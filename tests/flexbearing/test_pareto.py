@@ -84,7 +84,7 @@ def test_failed_level_is_told_and_drawn_nowhere():
     assert "| broken" not in words
     assert "- smeared: there are no bars" in words
     assert "| 0.1 % in all | slow, 5 s | slow, 0.2 s |" in words
-    assert "without an answer: broken" in draw_pareto(STUDY).get_suptitle()
+    assert "not computed: broken" in draw_pareto(STUDY).get_suptitle()
 
 
 def test_table_holds_times_and_errors_under_their_names(tmp_path):
@@ -321,7 +321,7 @@ def test_reference_whose_process_dies_is_no_reference(command, monkeypatch):
     monkeypatch.setattr(pareto, "richest", lambda case: Level("5 slices"))
     code, _, complaint = command(CONFIGS / "nu209.toml")
     assert code == 1
-    assert "the reference has no answer: its worker process died" in complaint
+    assert "the reference was not computed: its worker process died" in complaint
 
 
 @pytest.mark.usefixtures("in_this_process")

@@ -155,8 +155,8 @@ def test_a_cycle_without_any_load_lasts_for_ever():
 def test_a_row_without_an_answer_leaves_the_cycle_without_a_life():
     found = list(cycles(2.0, None, 4.0).of_cycles())
     assert isnan(column(found, "life [h]")[0])
-    assert column(found, "status") == ("rows without an answer",)
-    assert column(found, "message") == ("no answer of row 2",)
+    assert column(found, "status") == ("rows not solved",)
+    assert column(found, "message") == ("not solved: row 2",)
 
 
 def test_a_row_that_takes_no_time_needs_no_answer():

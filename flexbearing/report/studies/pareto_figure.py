@@ -55,7 +55,7 @@ def draw_pareto(study: Study) -> Figure:
     lines = [titled(study.title, 90), f"errors against a reference of {study.reference.times['cold']:.2g} s"]
     failed = [level.name for level in study.levels if not level.errors]
     if failed:
-        lines.append(fill(f"without an answer: {', '.join(failed)}", 110))
+        lines.append(fill(f"not computed: {', '.join(failed)}", 110))
     figure.suptitle("\n".join(lines), fontsize=12, parse_math=False)
     handles, labels = panels[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=len(labels), frameon=False)

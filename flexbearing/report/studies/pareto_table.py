@@ -134,7 +134,7 @@ def text(study: Study) -> str:
         lines += [picked_row(level) for level in picked]
     failed = [f"- {level.name}: {level.message}" for level in study.levels if not level.errors]
     if failed:
-        lines += ["", "Without an answer:", "", *failed]
+        lines += ["", "Not computed:", "", *failed]
     if study.left_out:
         lines += ["", "Left out:", "", *(f"- {words}" for words in study.left_out)]
     return "\n".join(lines) + "\n"

@@ -23,7 +23,7 @@ from quasidynamic.outcome.load_spectrum import (
 
 RPM, HOUR, MREV = pi / 30, 3600.0, 1e6
 RACEWAYS = {"inner": "raceway_life.inner [Mrev]", "outer": "raceway_life.outer [Mrev]"}
-INCOMPLETE = "rows without an answer"  # status of a cycle
+INCOMPLETE = "rows not solved"  # status of a cycle
 
 
 @dataclass(frozen=True)
@@ -102,7 +102,7 @@ class Cycles:
     def _message(self, cycle: int) -> str:
         counts = zip(self.rows[cycle], self.spectrum.shares, strict=True)
         failed = [number for number, (row, share) in enumerate(counts, 1) if share and not row.converged]
-        return f"no answer of row {', '.join(map(str, failed))}" if failed else ""
+        return f"not solved: row {', '.join(map(str, failed))}" if failed else ""
 
 
 def texts(spectrum: Spectrum) -> dict[str, str]:
