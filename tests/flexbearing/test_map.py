@@ -6,11 +6,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matplotlib.contour import ContourSet
 from pytest import approx
 
 from flexbearing import __main__ as program, check, run
 from flexbearing.build import roller_bearing
 from flexbearing.progress import Logged
+from flexbearing.report.html.map import LIMIT, MapPlane, of_map
+from flexbearing.report.studies.map_figure import Along, Field, MapLines, draw_fields
 from flexbearing.studies.maps import pages
 from flexbearing.studies.maps.axes import axes
 from flexbearing.studies.maps.grid import grid
@@ -44,7 +47,7 @@ def test_every_point_has_a_row_that_is_the_answer_of_its_run(plane, tmp_path):
     )
     settings = (*FEW, "operation.radial_load=8 kN", "operation.inner_speed=2000 rpm")
     alone = run(TEXTBOOK, settings, output=tmp_path / "r.h5")
-    for name in ("cage_slip [%]", "max_roller_load [N]", "life_L10 [Mrev]"):
+    for name in ("cage_slip [%]", "max_roller_load [N]", "life_L10 [h]"):
         assert float(table[3][name]) == approx(float(alone[name]), rel=1e-9, abs=0)
     assert {row["stable"] for row in table} == {"1"}
 
@@ -65,6 +68,30 @@ def test_arrays_are_those_of_the_table(plane):
     assert dict(arrays.sizes) == {"operation.radial_load": 3, "operation.inner_speed": 2, "state": 1}
     assert arrays["cage_slip"].values.ravel() == approx(plane.found.outputs["cage_slip [%]"], rel=0, abs=0)
     assert arrays["cage_slip"].attrs["units"] == "%"
+
+
+X, Y = np.array([1.0, 2.0, 3.0]), np.array([10.0, 20.0])
+LIFE = np.array([[0.5, 2.0], [20.0, 50.0], [np.nan, 300.0]])
+PLANE = MapPlane(
+    "", ("a", "b"), tuple(X), tuple(Y), {"life_L10 [h]": LIFE}, np.zeros((0, 2, 2)), (False, False),
+    {"life_L10 [h]": pages.contours("life_L10 [h]")},
+)  # fmt: skip
+
+
+def test_page_has_the_limit_and_the_decades_of_the_life_as_contours():
+    figure = of_map("t", (), [PLANE], False, ("m.csv", "")).sections[1].blocks[0]
+    lines = {t["contours"]["start"]: t["line"] for t in figure.traces if t["type"] == "contour"}
+    assert sorted(lines) == [1.0, 10.0, 100.0]
+    assert lines[1.0] == LIMIT != lines[10.0]
+    assert "limits" in figure.caption
+
+
+def test_picture_has_the_limit_and_the_decades_of_the_life_as_contours():
+    field = Field("life_L10 [h]", LIFE, PLANE.contours["life_L10 [h]"])
+    lines = MapLines(np.ones((3, 2)), PLANE.folds, np.zeros((0, 2)))
+    figure = draw_fields("t", "w", Along("a", X, False), Along("b", Y, False), [field], lines)
+    sets = [each for each in figure.axes[0].collections if isinstance(each, ContourSet)]
+    assert [list(each.levels) for each in sets] == [[10.0, 100.0], [1.0]]
 
 
 def test_points_that_failed_are_marked_and_counted(plane, monkeypatch):

@@ -7,7 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.printable import printable
+from flexbearing.report.contours import Contours
 from flexbearing.report.html.document import Block, Document, Figure, Section, Words
+
+LEVEL = {"color": "#fff", "width": 1.0}
+LIMIT = {"color": "#D55E00", "width": 2.0}
 
 
 @dataclass(frozen=True)
@@ -21,6 +25,7 @@ class MapPlane:
     fields: dict[str, NDArray]  # (x, y) by headings
     folds: NDArray  # (n, 2, 2) both ends of each piece
     logarithmic: tuple[bool, bool]
+    contours: dict[str, Contours]  # by headings
 
 
 def of_map(
@@ -62,14 +67,40 @@ def _figures(plane: MapPlane, number: int) -> Iterator[Block]:
             "type": "heatmap", "x": list(plane.x), "y": list(plane.y), "z": _rows(values),
             "colorbar": {"title": {"text": heading, "side": "right"}}, "colorscale": "Viridis",
             "hovertemplate": f"%{{x}}, %{{y}}: %{{z}}<extra>{heading}</extra>", "meta": heading,
-        }, *_folds(plane)]  # fmt: skip
-        caption = f"{heading}: of several stable states the largest value. Lines are folds."
+        }, *_contours(plane, heading), *_folds(plane)]  # fmt: skip
+        caption = f"{heading}: of several stable states the largest value.{_lines(plane, heading)}"
         yield Figure(f"map-{number}-{place}", caption, tuple(traces), layout | {"showlegend": False})
 
 
 def _rows(values: NDArray) -> list[list[float | None]]:
     """Numbers as a figure takes them, row by row of y."""
     return [[float(f"{value:.5g}") if np.isfinite(value) else None for value in row] for row in values.T]
+
+
+def _contours(plane: MapPlane, heading: str) -> Iterator[dict]:
+    contours = plane.contours.get(heading, Contours()).within(plane.fields[heading])
+    for values, line in ((contours.levels, LEVEL), (contours.limits, LIMIT)):
+        for value in values:
+            yield {
+                "type": "contour", "x": list(plane.x), "y": list(plane.y), "z": _rows(plane.fields[heading]),
+                "contours": {
+                    "start": value, "end": value, "size": 1.0, "coloring": "none", "showlabels": True,
+                    "labelfont": {"color": line["color"]},
+                },
+                "autocontour": False, "showscale": False, "hoverinfo": "skip", "line": line,
+                "name": f"{value:g}", "meta": heading,
+            }  # fmt: skip
+
+
+def _lines(plane: MapPlane, heading: str) -> str:
+    """What the lines of a figure are."""
+    contours = plane.contours.get(heading, Contours()).within(plane.fields[heading])
+    each = {
+        " Black lines are folds.": len(plane.folds),
+        " Orange lines are limits.": len(contours.limits),
+        " White lines are levels.": len(contours.levels),
+    }
+    return "".join(words for words, count in each.items() if count)
 
 
 def _folds(plane: MapPlane) -> Iterator[dict]:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.report.axes_look import NUMBERS, plain_grid
+from flexbearing.report.contours import Contours
 from flexbearing.report.picture import set_heading
 from flexbearing.report.roller.figures import BLUE, ORANGE
 
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
 LEVELS = 24  # of colours
 DECADES = 2.0  # of values from where colours are logarithmic
 ABREAST = 2  # panels
+LEVEL = {"colors": "white", "linewidths": 0.8}
+LIMIT = {"colors": ORANGE, "linewidths": 1.6}
 
 
 @dataclass(frozen=True)
@@ -37,7 +40,7 @@ class Field:
 
     heading: str
     values: NDArray  # (x, y), of the stable state with the largest one; NaN where a point is not solved
-    limits: tuple[float, ...] = ()  # from where or below which the bearing is in danger
+    contours: Contours
 
 
 @dataclass(frozen=True)
@@ -102,10 +105,11 @@ def _draw_field(figure: Figure, axes: Axes, x: Along, y: Along, field: Field) ->
         x.values, y.values, values, norm=norm, cmap="viridis", shading="nearest", rasterized=True
     )
     figure.colorbar(shown, ax=axes, label=field.heading)
-    for limit in field.limits:
-        if values.count() and values.min() < limit < values.max():
-            drawn = axes.contour(x.values, y.values, values, [limit], colors=ORANGE, linewidths=1.6)
-            axes.clabel(drawn, fmt=lambda value: f"{value:g}", fontsize=8)
+    drawn = field.contours.within(field.values)
+    for levels, look in ((drawn.levels, LEVEL), (drawn.limits, LIMIT)):
+        if levels:
+            lines = axes.contour(x.values, y.values, values, sorted(levels), **look)
+            axes.clabel(lines, fmt=lambda value: f"{value:g}", fontsize=8)
     axes.set_xscale("log" if x.logarithmic else "linear")
     axes.set_yscale("log" if y.logarithmic else "linear")
 

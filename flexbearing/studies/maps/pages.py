@@ -1,14 +1,17 @@
 """Tables, picture and page of a map."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import product
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.report.contours import Contours
 from flexbearing.report.html.document import Document
 from flexbearing.report.html.map import MapPlane, of_map
+from flexbearing.runs.dangers import SHORT_LIFE
 from flexbearing.studies.file import Axis
 from flexbearing.studies.maps.axes import MapAxis
 from flexbearing.studies.maps.solved import SolvedMap
@@ -22,12 +25,16 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 STATE = "state"  # axis of the states of a point
-LIMITS = {
-    "peak_pressure.inner [MPa]": (ROLLERS / 1e6,),
-    "static_safety": (1.0,),
-    "minimum_lambda.inner": (1.0,),
+CONTOURS = {
+    "cage_slip [%]": Contours(levels=(0.1, 1.0, 10.0, 50.0)),
+    "life_L10 [h]": Contours(limits=(SHORT_LIFE / 3600.0,)),
+    "peak_pressure.inner [MPa]": Contours(limits=(ROLLERS / 1e6,)),
+    "static_safety": Contours(limits=(1.0,)),
+    "minimum_lambda.inner": Contours(limits=(1.0,)),
 }
-PANELS = 6  # of a picture
+LIFE = "life"  # begins the names of lives, which have a level at each power of ten
+DECADES = tuple(10.0**power for power in range(-3, 10))
+PANELS = 8  # of a picture
 PLANES = 5  # of a page, spread over the first axis of three
 
 
@@ -126,7 +133,7 @@ def picture(found: SolvedMap) -> "Figure":
         Along(label, np.array(values), log)
         for label, values, log in zip(plane.labels, (plane.x, plane.y), plane.logarithmic, strict=True)
     )
-    fields = [Field(name, values, LIMITS.get(name, ())) for name, values in plane.fields.items()]
+    fields = [Field(name, values, plane.contours[name]) for name, values in plane.fields.items()]
     several = plane.fields[COUNT]
     unsolved = np.argwhere(several == 0)
     where = np.array([x.values[unsolved[:, 0]], y.values[unsolved[:, 1]]]).T
@@ -170,7 +177,16 @@ def _plane(found: SolvedMap, name: str, fields: dict[str, NDArray], pieces: NDAr
     x, y = found.axes[-2:]
     ends = np.stack([_at(axis, pieces[..., number]) for number, axis in enumerate((x, y))], axis=-1)
     logarithmic = (x.logarithmic, y.logarithmic)
-    return MapPlane(name, (x.words, y.words), x.numbers, y.numbers, fields, ends, logarithmic)
+    drawn = {heading: contours(heading) for heading in fields}
+    return MapPlane(name, (x.words, y.words), x.numbers, y.numbers, fields, ends, logarithmic, drawn)
+
+
+def contours(heading: str) -> Contours:
+    """Limits and levels of an output."""
+    known = CONTOURS.get(heading, Contours())
+    if not heading.startswith(LIFE):
+        return known
+    return replace(known, levels=tuple(level for level in DECADES if level not in known.limits))
 
 
 def _at(axis: MapAxis, steps: NDArray) -> NDArray:

@@ -24,8 +24,8 @@ from quasidynamic.solve.outcome import SolverOutcome
 
 AT_ONCE = 32  # states whose matrices fit into the processor's cache
 OUTPUTS = (
-    "cage_slip [%]", "max_roller_load [N]", "life_L10 [Mrev]", "peak_pressure.inner [MPa]", "static_safety",
-    "minimum_film.inner [um]", "minimum_lambda.inner", "driving_torque [N m]",
+    "cage_slip [%]", "max_roller_load [N]", "life_L10 [h]", "peak_pressure.inner [MPa]", "static_safety",
+    "minimum_lambda.inner", "minimum_film.inner [um]", "driving_torque [N m]",
 )  # fmt: skip
 
 
