@@ -44,11 +44,11 @@ class Bearing:
 
     def command(self, name: str) -> str:
         """As typed."""
-        settings = (f'--set "{setting}"' for setting in self.settings)
+        quoted = (f"'{setting}'" if '"' in setting else f'"{setting}"' for setting in self.settings)
         return " ".join(
             (
                 f"flexbearing pareto {self.case} -o docs/images --name {name}",
-                *settings,
+                *(f"--set {setting}" for setting in quoted),
                 *["--solid"] * self.solid,
             )
         )
