@@ -177,19 +177,20 @@ def solve_many(bearings: Sequence[RollerBearing]) -> Equilibria:
 
 
 def side_by_side_batches(
-    bearings: Sequence[RollerBearing], at_once: int
+    bearings: Sequence[RollerBearing], at_once: int, *, tilting_apart: bool = True
 ) -> Iterator[tuple[NDArray, RollerBearing]]:
     """Yield the places (C) of at most so many bearings of one kind, and the one bearing that stands for them.
 
     Its numbers that differ are columns (C, 1), see `kind_and_numbers`. Bearings of about the same load over
-    squared speed stand together: they slip alike, and take about as many steps.
+    squared speed stand together: they slip alike, and take about as many steps. Those whose rings tilt stand
+    apart, as the rollers of others may be aligned.
     """
     kinds: dict[Hashable, list[int]] = {}
     numbers = []
     for place, bearing in enumerate(bearings):
         kind, own = kind_and_numbers(bearing)
         numbers.append(own)
-        kinds.setdefault((kind, bearing.operation.tilts), []).append(place)
+        kinds.setdefault((kind, tilting_apart and bearing.operation.tilts), []).append(place)
     for places in kinds.values():
         places.sort(key=lambda place: _pressed(bearings[place].operation))
         for first in range(0, len(places), at_once):

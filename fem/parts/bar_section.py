@@ -1,6 +1,7 @@
 """Section of a bar of a squirrel cage: between two radii, with parallel sides."""
 
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
@@ -58,13 +59,16 @@ def bar_section(cage: SquirrelCage) -> BarSection:
 
 def _points(cage: SquirrelCage) -> tuple[NDArray, NDArray, NDArray]:
     """Gauss points t, n (points,) [m] of a bar at azimuth 0, tangential and radial, and weights [m^2]."""
-    node, weight = leggauss(POINTS)
+    node, weight = _gauss_rule(POINTS)
     t = cage.bar_width / 2 * node
     low, high = _sides(cage, t)
     half = (high - low) / 2
     n = (low + high)[:, None] / 2 + half[:, None] * node
     area = cage.bar_width / 2 * weight[:, None] * half[:, None] * weight
     return np.repeat(t, POINTS), n.ravel(), area.ravel()
+
+
+_gauss_rule = cache(leggauss)  # takes longer than the rest of a section
 
 
 def _sides(cage: SquirrelCage, t) -> tuple[NDArray, NDArray]:

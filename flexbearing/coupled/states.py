@@ -247,13 +247,19 @@ def block(end: EndState, **further: Any) -> dict[str, NDArray]:
 def with_supports(states: BearingStates, rings: LinearPair) -> Tangent:
     """Tangent of states `between_elastic_raceways`, from base to shaft ends: with the elastic supports.
 
-    Raceways that also translate have the same approaches where they are, and no others in a linear solve.
-    Freed of their translation, answers and loads are not of one kind, and the tangent is not symmetric;
-    from base to shaft ends it is.
+    Raceways that translate on their supports take the ring with them: approaches and forces stay. Freed of
+    their translation, answers and loads are not of one kind, and the tangent is not symmetric; from base to
+    shaft ends it is.
     """
     if rings.rigid:
         return states.tangent
-    return states.tangent_between(_matrices(states, rings.absolute))
+    of_elastic = states.raceway_forces_by_load
+    forces = np.zeros((*of_elastic.shape[:2], 2, *of_elastic.shape[3:]))
+    forces[:, :, states.balance.layout.elastic_raceways] = of_elastic
+    inner, outer = np.moveaxis(rings.translation_by(forces), -2, 0)
+    response = states.tangent.response.copy()
+    response[:, :2] += (outer - inner).swapaxes(1, 2)
+    return replace(states.tangent, response=response)
 
 
 def between_elastic_raceways(states: BearingStates, rings: LinearPair) -> BearingStates:

@@ -40,7 +40,12 @@ def linear_answer(raceway: LinearRaceway, outward: NDArray) -> tuple[NDArray, ND
 
 def mean_translation(raceway: LinearRaceway, outward: NDArray) -> NDArray:
     """Mean translation (..., 2) [m] under outward forces (..., Z, M) [N]."""
-    return raceway.initial_translation + np.tensordot(outward, raceway.translation, axes=([-2, -1], [1, 2]))
+    return raceway.initial_translation + translation_by(raceway, outward)
+
+
+def translation_by(raceway: LinearRaceway, outward: NDArray) -> NDArray:
+    """What outward forces (..., Z, M) [N] add to the mean translation (..., 2) [m]."""
+    return np.tensordot(outward, raceway.translation, axes=([-2, -1], [1, 2]))
 
 
 @dataclass(frozen=True)
@@ -70,12 +75,6 @@ class LinearPair:
         return inner, outer
 
     @property
-    def absolute(self) -> Compliance:
-        """Outward deviation from the ground per outward force (Z, M, Z, M) [m/N]."""
-        inner, outer = (None if raceway is None else raceway.absolute for raceway in self.raceways)
-        return inner, outer
-
-    @property
     def initial_deviation(self) -> NDArray | None:
         """Outward deviations (2, Z, M) [m] without roller loads, such as those of tooth forces."""
         shapes = [
@@ -98,10 +97,18 @@ class LinearPair:
 
     def translation(self, forces: NDArray) -> NDArray:
         """Mean translations (..., 2, 2) of both raceways along (y, z) [m] under forces (..., 2, Z, M) [N]."""
+        translation = self.translation_by(forces)
+        for race, raceway in enumerate(self.raceways):
+            if raceway is not None:
+                translation[..., race, :] += raceway.initial_translation
+        return translation
+
+    def translation_by(self, forces: NDArray) -> NDArray:
+        """What forces (..., 2, Z, M) [N] of the rollers add to these translations (..., 2, 2) [m]."""
         translation = np.zeros((*forces.shape[:-2], 2))
         for race, raceway in enumerate(self.raceways):
             if raceway is not None:
-                translation[..., race, :] = mean_translation(raceway, OUTWARD[race] * forces[..., race, :, :])
+                translation[..., race, :] = translation_by(raceway, OUTWARD[race] * forces[..., race, :, :])
         return translation
 
 

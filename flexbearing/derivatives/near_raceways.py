@@ -36,7 +36,7 @@ class NearRaceways:
         if self.pair.rigid:
             return case
         moved = case.on_nodes_of(self.case)
-        return case if all(shape_of(moved, race) == shape_of(self.case, race) for race in RACES) else moved
+        return case if all(shape_of(moved, race) == shape for race, shape in self._shapes.items()) else moved
 
     def of(self, case: Case, azimuths: NDArray, forces: NDArray) -> LinearPair:
         """Raceways of a case from `meshed_alike` under rollers at other azimuths, near other forces.
@@ -61,6 +61,10 @@ class NearRaceways:
         if shape == slopes.shape:
             case = case.on_nodes_of(None)  # whose growth is known
         return with_growth(slopes.near(shape), case, race, Logged())
+
+    @cached_property
+    def _shapes(self) -> dict[Race, Shape | None]:
+        return {race: shape_of(self.case, race) for race in RACES}
 
     @cached_property
     def slopes(self) -> dict[Race, RingSlopes]:

@@ -57,10 +57,10 @@ class RingSlopes:
         ImpossiblePart, BadCase
             where the dimensions have no room to change
         """
+        if shape == self.shape:
+            return self.raceway
         change = self._change(shape)
         size = np.abs(change).max()
-        if size == 0.0:
-            return self.raceway
         weights, raceways = self._slope(change / size)
         return combined([self.raceway, *raceways], [1.0, *(size / STEP * weight for weight in weights)])
 

@@ -71,16 +71,17 @@ class RollerSlopes:
 
     @cached_property
     def _variants(self) -> list[Variant]:
-        return [variant for each in self.differences for variant in each.variants]
+        """Variants (V) of all keys, then the state's own case."""
+        return [*(variant for each in self.differences for variant in each.variants), self.state.base]
 
     @cached_property
     def _key(self) -> NDArray:
-        """Which key (V) each variant belongs to."""
+        """Which key (V) each variant of a key belongs to."""
         return np.repeat(np.arange(len(self.differences)), [len(each.variants) for each in self.differences])
 
     @cached_property
     def _place(self) -> NDArray:
-        """Steps (V) that each variant is away."""
+        """Steps (V) that each variant of a key is away."""
         return np.concatenate([each.stencil.places for each in self.differences])
 
     @cached_property
@@ -100,7 +101,7 @@ class RollerSlopes:
         alike = np.array([self._same_compliance(variant) for variant in self._variants])
         places = np.flatnonzero(alike)
         models = [self._variants[place].model for place in places]
-        for some, together in side_by_side_batches(models, AT_ONCE):
+        for some, together in side_by_side_batches(models, AT_ONCE, tilting_apart=False):
             balance = together.balance(len(some), aligned=self._aligned)
             if not self.state.base.pair.rigid:
                 deviations = [self._variants[place].pair.initial_deviation for place in places[some]]
@@ -133,19 +134,18 @@ class RollerSlopes:
 
     def outputs(self, outputs: Sequence[Wanted]) -> OutputSlopes:
         """Derivatives of outputs, by differences along the keys and the unknowns together."""
-        base = self._base.layout.joined(self.state.unknowns)
+        unknowns = self._base.layout.joined(self.state.unknowns).repeat(len(self._variants), axis=0)
+        unknowns[:-1] += self.by_step[:, self._key].T * self._place[:, None]
         values = np.empty((len(self._variants), len(outputs)))
-        gaps = slice_approaches(self._base, base / self._base.scales.unknown).reshape(-1)
+        gaps = slice_approaches(self._base, unknowns[-1:] / self._base.scales.unknown).reshape(-1)
         approach = np.empty((len(self._variants), len(gaps)))
         for group in self._groups:
-            moved = self.by_step[:, self._key[group.places]].T * self._place[group.places, None]
-            scaled = (base + moved) / group.balance.scales.unknown
+            scaled = unknowns[group.places] / group.balance.scales.unknown
             values[group.places] = self._numbers(group, scaled, outputs)
             approach[group.places] = slice_approaches(group.balance, scaled).reshape(len(scaled), -1)
-        here = numbers(self.state, outputs, aligned=self._aligned)
-        below, above = self._sides(values, here)
+        below, above = self._sides(values)
         switch = nearest_switch(gaps, self._slopes(approach))
-        return OutputSlopes(here, self._slopes(values).T, below.T, above.T, switch)
+        return OutputSlopes(values[-1], self._slopes(values).T, below.T, above.T, switch)
 
     @cached_property
     def _base(self) -> BearingBalance:
@@ -155,17 +155,17 @@ class RollerSlopes:
         return _numbers([self._variants[place] for place in group.places], group.balance, scaled, outputs)
 
     def _slopes(self, values: NDArray) -> NDArray:
-        """Derivatives (K, ...) by a step of each key, from values (V, ...) of the variants."""
+        """Derivatives (K, ...) by a step of each key, from values (V + 1, ...) of all variants."""
         slopes = np.zeros((len(self.differences), *values.shape[1:]))
-        np.add.at(slopes, self._key, self._weight[:, None] * values)
+        np.add.at(slopes, self._key, self._weight[:, None] * values[:-1])
         return slopes
 
-    def _sides(self, values: NDArray, here: NDArray) -> tuple[NDArray, NDArray]:
+    def _sides(self, values: NDArray) -> tuple[NDArray, NDArray]:
         """Differences (K, O) by a step, on the side of smaller keys and on that of larger ones."""
-        sides = np.full((2, len(self.differences), len(here)), np.nan)
+        sides = np.full((2, len(self.differences), values.shape[1]), np.nan)
         for side, place in enumerate((-1.0, 1.0)):
             at = np.flatnonzero(self._place == place)
-            sides[side, self._key[at]] = place * (values[at] - here)
+            sides[side, self._key[at]] = place * (values[at] - values[-1])
         return sides[0], sides[1]
 
 

@@ -1,8 +1,9 @@
 """Roller cases that converged side by side: outputs and dangers of their end states."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cache, cached_property
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -90,21 +91,16 @@ class Together:
 
     def all_numbers(self, outputs: Sequence[Wanted]) -> list[NDArray]:
         """Numbers (C) of outputs of one of these blocks each; a quantity that several need is taken once."""
-        each = [[QUANTITIES[name] for name in datasets(output)] for output in outputs]
-        of_all = {
-            entry.name: entry for quantities in each if not _by_case(quantities) for entry in quantities
-        }
-        arrays = self._arrays(list(of_all.values()))
+        names = [datasets(output) for output in outputs]
+        together = self._arrays(_quantities(each for each in names if not _by_case(each)))
+        apart = _quantities(each for each in names if _by_case(each))
+        by_case = [case.quantities(apart) for case in self._each] if apart else []
         return [
-            self._case_by_case(output, quantities)
-            if _by_case(quantities)
-            else np.broadcast_to(output.numbers({output.block or ANSWER[1]: arrays}), len(self.cases))
-            for output, quantities in zip(outputs, each, strict=True)
+            np.array([_numbers(output, block) for block in by_case])
+            if _by_case(each)
+            else np.broadcast_to(_numbers(output, together), len(self.cases))
+            for output, each in zip(outputs, names, strict=True)
         ]
-
-    def _case_by_case(self, output: Wanted, quantities: list[Quantity]) -> NDArray:
-        block = output.block or ANSWER[1]
-        return np.array([output.number({block: case.quantities(quantities)}) for case in self._each])
 
     def _arrays(self, quantities: list[Quantity]) -> dict[str, NDArray]:
         """Quantities of all cases at once."""
@@ -214,12 +210,23 @@ def _not_searched(case: int) -> Iterator[Note]:
     )
 
 
-def _by_case(quantities: list[Quantity]) -> bool:
-    """Whether some of the quantities are found case by case."""
-    return any(entry.source.startswith(BY_CASE) for entry in quantities)
+def _numbers(output: Wanted, block: Mapping[str, NDArray]) -> Any:
+    """Numbers of an output, from quantities of the block that it means."""
+    return output.numbers({output.block or ANSWER[1]: block})
 
 
-def datasets(output: Wanted) -> list[str]:
+def _quantities(names: Iterable[Sequence[str]]) -> list[Quantity]:
+    """Quantities by their names, each once."""
+    return [QUANTITIES[name] for name in dict.fromkeys(chain.from_iterable(names))]
+
+
+@cache
+def _by_case(names: tuple[str, ...]) -> bool:
+    """Whether some of these quantities are found case by case."""
+    return any(QUANTITIES[name].source.startswith(BY_CASE) for name in names)
+
+
+def datasets(output: Wanted) -> tuple[str, ...]:
     """Names of the quantities that an output is computed from."""
     declared = output.output.declared
-    return list(dict.fromkeys([*declared.of, *([declared.speed] if declared.speed else [])]))
+    return tuple(dict.fromkeys([*declared.of, *([declared.speed] if declared.speed else [])]))

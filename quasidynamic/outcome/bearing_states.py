@@ -14,7 +14,12 @@ from quasidynamic.contact.cage import displacement_in_pocket, land_torque
 from quasidynamic.contact.line import Slices, palmgren, peak_pressure
 from quasidynamic.outcome.life import basic_life, raceway_lives, turning_share
 from quasidynamic.outcome.losses import Losses
-from quasidynamic.outcome.ring_stiffness import Tangent, free_to_tilt
+from quasidynamic.outcome.ring_stiffness import (
+    Tangent,
+    change_by_load,
+    free_to_tilt,
+    raceway_forces_by_load,
+)
 
 LOADED = 3e-4  # of the largest load of a raceway: contacts above it carry load and have a film worth telling
 
@@ -354,15 +359,22 @@ class BearingStates:
     @cached_property
     def tangent(self) -> Tangent:
         """Compliance and stiffness of the ring in these states."""
-        return self.tangent_between(self.balance.compliance)
+        held = ~self.balance.points.free_tilt[:, 0]
+        return Tangent.of(self._free_to_tilt.balance, self._change_by_load, held)
 
-    def tangent_between(self, compliance: tuple[NDArray | None, NDArray | None]) -> Tangent:
-        """The same between elastic raceways of another compliance (Z M, Z M) [m/N], in the same shape."""
+    @property
+    def raceway_forces_by_load(self) -> NDArray:
+        """Change of the roller forces on elastic raceways (C, 4, E, Z, M) by unit loads on a ring free to tilt.
+
+        Loads are those of `Tangent.response`: forces along y and z, moments on the slopes dz/dx and dy/dx.
+        """
         free = self._free_to_tilt
-        balance = free.balance
-        if compliance is not balance.compliance:
-            balance = replace(balance, compliance=compliance)
-        return Tangent.at(balance, free.system, ~self.balance.points.free_tilt[:, 0])
+        return raceway_forces_by_load(free.balance, free.system, self._change_by_load)
+
+    @cached_property
+    def _change_by_load(self) -> NDArray:
+        free = self._free_to_tilt
+        return change_by_load(free.balance, free.system)
 
     @cached_property
     def _free_to_tilt(self) -> "BearingStates":

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
-from quasidynamic.balance.rollers.unknowns import CAGE, TILT_Z, Y, Z
+from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, TILT_Z, Y, Z
 from quasidynamic.solve.rollers import bordered_system
 
 RING = (Y, Z, TILT_Z, TILT_Z + 1)  # the ring's places among the unknowns
@@ -28,9 +28,9 @@ class Tangent:
     held: NDArray  # (...) whether a guide holds the tilts of the real ring
 
     @classmethod
-    def at(cls, balance: BearingBalance, system: Linearisation, held: NDArray) -> "Tangent":
-        """Tangents of C cases whose ring is `free_to_tilt`, `held` (C) in truth: one linear solve."""
-        return cls(_ring_response(balance, system), _direction(balance.points), held)
+    def of(cls, balance: BearingBalance, change: NDArray, held: NDArray) -> "Tangent":
+        """Tangents of C cases from `change_by_load` of a ring that is `free_to_tilt`, `held` (C) in truth."""
+        return cls(change[:, :CAGE], _direction(balance.points), held)
 
     def __getitem__(self, case: int) -> "Tangent":
         return Tangent(self.response[case], self.direction[case], self.held[case])
@@ -93,12 +93,28 @@ def free_to_tilt(balance: BearingBalance) -> BearingBalance:
     return replace(balance, roller=roller, points=replace(points, free_tilt=np.ones_like(points.free_tilt)))
 
 
-def _ring_response(balance: BearingBalance, system: Linearisation) -> NDArray:
-    """Change of the ring's place (C, 4, 4) per newton along y and z, per newton metre on dz/dx and dy/dx."""
+def change_by_load(balance: BearingBalance, system: Linearisation) -> NDArray:
+    """Change of all unknowns (C, N, 4), in SI, per newton along y and z, per newton metre on dz/dx, dy/dx."""
     loads = np.zeros((*system.residual.shape, len(RING)))
     loads[:, RING, range(len(RING))] = -1.0 / balance.scales.residual[:, RING]
-    change = bordered_system.solve(balance, system, loads)
-    return change[:, :CAGE] * balance.scales.unknown[:, :CAGE, None]
+    return bordered_system.solve(balance, system, loads) * balance.scales.unknown[..., None]
+
+
+def raceway_forces_by_load(balance: BearingBalance, system: Linearisation, change: NDArray) -> NDArray:
+    """Forces of the rollers on elastic raceways (C, 4, E, Z, M) [N] that go with a `change_by_load`.
+
+    E elastic raceways, in their order.
+    """
+    layout, scaled = balance.layout, change / balance.scales.unknown[..., None]
+    (cases, _, loads), ring, rollers = scaled.shape, layout.per_roller, layout.rollers
+    border = np.broadcast_to(scaled[:, :BORDER, :, None], (cases, BORDER, loads, rollers))
+    own = scaled[:, BORDER : layout.fields_end].reshape(cases, ring, rollers, loads).transpose(0, 1, 3, 2)
+    deviation = scaled[:, layout.fields_end :].reshape(cases, -1, rollers, layout.axial_modes, loads)
+    felt = np.einsum("fem,cezml->cflz", balance.kinematics.felt.reshape(layout.felt, -1, layout.axial_modes), deviation)
+    columns = np.concatenate([own, border, felt], axis=1)
+    forces = np.einsum("dkcz,cklz->cldz", system.table[ring + BORDER :], columns)
+    forces *= balance.scales.row[ring + BORDER :].T[:, None, :, None]
+    return forces.reshape(cases, loads, -1, layout.axial_modes, rollers).swapaxes(-1, -2)
 
 
 def _direction(points: OperatingPoints) -> NDArray:
