@@ -1,6 +1,7 @@
 """The shape along the roller that heat, speed and pressing give the raceway of a bonded inner ring."""
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import fem
@@ -55,15 +56,26 @@ def bonded_shape(case: Case, note: Callable[[str], None] = lambda text: None) ->
         nodes_of=nodes_of(case, "inner"),
     )
 
+    try:
+        growth, told = _growth(part, resolution)
+    except fem.ImpossiblePart as problem:
+        raise BadCase(f"{case.source.path}: inner ring: {problem}") from problem
+    except NotSolved as problem:
+        raise BadCase(f"{case.source.path}: growth of the inner ring: {problem}") from problem
+    for text in told:
+        note(text)
+    return growth.under(strains, densities, speed)
+
+
+@lru_cache(maxsize=4)
+def _growth(part: "fem.RingOnShaft", resolution: "fem.Resolution") -> "tuple[BondedGrowth, tuple[str, ...]]":
+    """Growth by unit loads, kept for cases one after the other, and what was noted when it was looked up."""
+
     def computed() -> "BondedGrowth":
         from fem.section.bonded_growth import bonded_growth
 
         return bonded_growth(part, resolution)
 
-    try:
-        growth = configured().cached("BondedGrowth", ("bonded", part, resolution), computed, note)
-    except fem.ImpossiblePart as problem:
-        raise BadCase(f"{case.source.path}: inner ring: {problem}") from problem
-    except NotSolved as problem:
-        raise BadCase(f"{case.source.path}: growth of the inner ring: {problem}") from problem
-    return growth.under(strains, densities, speed)
+    told: list[str] = []
+    growth = configured().cached("BondedGrowth", ("bonded", part, resolution), computed, told.append)
+    return growth, tuple(told)

@@ -44,8 +44,8 @@ def seat_growth(case: Case, note: Callable[[str], None] = lambda text: None) -> 
     BadCase
         if it cannot be computed
     """
-    part = outer_part(case)
-    if not seat_strain(case) or not isinstance(part, fem.OuterRing | fem.SquirrelCage):
+    part = outer_part(case) if seat_strain(case) else None
+    if not isinstance(part, fem.OuterRing | fem.SquirrelCage):
         return None
     resolution = fem.Resolution(
         length=roller_length(case),
