@@ -126,18 +126,17 @@ class RollerSlopes:
     def by_step(self) -> NDArray:
         """Change (N, K) of the unknowns, in SI, by a step of each key."""
         balance = self._base
-        system = balance.evaluate(balance.layout.joined(self.state.unknowns) / balance.scales.unknown)
         residual = np.empty((len(self._variants), balance.layout.size))
         for group in self._groups:
             residual[group.places] = residuals(group.balance, self.state.unknowns)
-        return moved_unknowns(balance, system, self._slopes(residual).T)
+        return moved_unknowns(balance, self._here.system, self._slopes(residual).T)
 
     def outputs(self, outputs: Sequence[Wanted]) -> OutputSlopes:
         """Derivatives of outputs, by differences along the keys and the unknowns together."""
-        unknowns = self._base.layout.joined(self.state.unknowns).repeat(len(self._variants), axis=0)
+        unknowns = (self._here.scaled * self._base.scales.unknown).repeat(len(self._variants), axis=0)
         unknowns[:-1] += self.by_step[:, self._key].T * self._place[:, None]
         values = np.empty((len(self._variants), len(outputs)))
-        gaps = slice_approaches(self._base, unknowns[-1:] / self._base.scales.unknown).reshape(-1)
+        gaps = slice_approaches(self._base, self._here.scaled).reshape(-1)
         approach = np.empty((len(self._variants), len(gaps)))
         for group in self._groups:
             scaled = unknowns[group.places] / group.balance.scales.unknown
@@ -152,7 +151,14 @@ class RollerSlopes:
         return self.state.base.balance(aligned=self._aligned)
 
     def _numbers(self, group: _Group, scaled: NDArray, outputs: Sequence[Wanted]) -> NDArray:
-        return _numbers([self._variants[place] for place in group.places], group.balance, scaled, outputs)
+        variants = [self._variants[place] for place in group.places]
+        states = BearingStates(group.balance, scaled, self.state.base.model.axial_modes, self._here)
+        return _numbers(variants, states, outputs)
+
+    @cached_property
+    def _here(self) -> BearingStates:
+        """The state itself, whose tangent is that of the variants to first order."""
+        return _state_of(self.state, self._base)
 
     def _slopes(self, values: NDArray) -> NDArray:
         """Derivatives (K, ...) by a step of each key, from values (V + 1, ...) of all variants."""
@@ -171,16 +177,16 @@ class RollerSlopes:
 
 def numbers(state: SolvedState, outputs: Sequence[Wanted], *, aligned: bool) -> NDArray:
     """Numbers (O) of outputs of a state."""
-    balance = state.base.balance(aligned=aligned)
+    return _numbers([state.base], _state_of(state, state.base.balance(aligned=aligned)), outputs)[0]
+
+
+def _state_of(state: SolvedState, balance: BearingBalance) -> BearingStates:
     scaled = balance.layout.joined(state.unknowns) / balance.scales.unknown
-    return _numbers([state.base], balance, scaled, outputs)[0]
+    return BearingStates(balance, scaled, state.base.model.axial_modes)
 
 
-def _numbers(
-    variants: Sequence[Variant], balance: BearingBalance, scaled: NDArray, outputs: Sequence[Wanted]
-) -> NDArray:
+def _numbers(variants: Sequence[Variant], states: BearingStates, outputs: Sequence[Wanted]) -> NDArray:
     """Numbers (C, O) of outputs of states."""
-    states = BearingStates(balance, scaled, variants[0].model.axial_modes)
     count = len(variants)
     batch = Batch(np.arange(count), states, (SolverOutcome.CONVERGED,) * count, np.zeros(count, int))
     cases, models, pairs = ([getattr(each, name) for each in variants] for name in ("case", "model", "pair"))

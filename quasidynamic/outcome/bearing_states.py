@@ -17,6 +17,7 @@ from quasidynamic.outcome.losses import Losses
 from quasidynamic.outcome.ring_stiffness import (
     Tangent,
     change_by_load,
+    change_by_load_near,
     free_to_tilt,
     raceway_forces_by_load,
 )
@@ -34,6 +35,7 @@ class BearingStates:
     balance: BearingBalance  # of C cases
     scaled: NDArray  # (C, N) unknowns
     axial_modes: int  # M, axial modes that loads are handed on with
+    near: "BearingStates | None" = None  # a state that these hardly differ from: tangents are of first order
 
     def take(self, cases: NDArray) -> "BearingStates":
         """Some of the cases."""
@@ -374,7 +376,11 @@ class BearingStates:
     @cached_property
     def _change_by_load(self) -> NDArray:
         free = self._free_to_tilt
-        return change_by_load(free.balance, free.system)
+        if self.near is None:
+            return change_by_load(free.balance, free.system)
+        one = self.near._free_to_tilt
+        near = one.balance, one.system, self.near._change_by_load
+        return change_by_load_near(free.balance, free.system, near)
 
     @cached_property
     def _free_to_tilt(self) -> "BearingStates":

@@ -105,16 +105,34 @@ def raceway_forces_by_load(balance: BearingBalance, system: Linearisation, chang
 
     E elastic raceways, in their order.
     """
-    layout, scaled = balance.layout, change / balance.scales.unknown[..., None]
-    (cases, _, loads), ring, rollers = scaled.shape, layout.per_roller, layout.rollers
-    border = np.broadcast_to(scaled[:, :BORDER, :, None], (cases, BORDER, loads, rollers))
-    own = scaled[:, BORDER : layout.fields_end].reshape(cases, ring, rollers, loads).transpose(0, 1, 3, 2)
-    deviation = scaled[:, layout.fields_end :].reshape(cases, -1, rollers, layout.axial_modes, loads)
-    felt = np.einsum("fem,cezml->cflz", balance.kinematics.felt.reshape(layout.felt, -1, layout.axial_modes), deviation)
-    columns = np.concatenate([own, border, felt], axis=1)
-    forces = np.einsum("dkcz,cklz->cldz", system.table[ring + BORDER :], columns)
-    forces *= balance.scales.row[ring + BORDER :].T[:, None, :, None]
-    return forces.reshape(cases, loads, -1, layout.axial_modes, rollers).swapaxes(-1, -2)
+    layout, (cases, _, loads) = balance.layout, change.shape
+    first = layout.per_roller + BORDER  # row of the forces
+    scaled = bordered_system.rows_by(balance, system, change / balance.scales.unknown[..., None])[first:]
+    forces = scaled * balance.scales.row[first:, None, :, None]
+    shape = (-1, layout.axial_modes, loads, cases, layout.rollers)
+    return forces.reshape(shape).transpose(3, 2, 0, 4, 1)
+
+
+def change_by_load_near(
+    balance: BearingBalance, system: Linearisation, near: tuple[BearingBalance, Linearisation, NDArray]
+) -> NDArray:
+    r"""`change_by_load` (C, N, 4) of cases that differ little from one, to first order: one elimination for all.
+
+    .. math:: X \approx X_0 - J_0^{-1} (J - J_0) X_0
+
+    `near` is that one's balance, derivatives and `change_by_load`.
+    """
+    one, of_one, change = near
+    more = _by_change(balance, system, change) - _by_change(one, of_one, change)
+    right = -more.transpose(1, 0, 2).reshape(1, more.shape[1], -1) / one.scales.residual[..., None]
+    further = bordered_system.solve(one, of_one, right) * one.scales.unknown[..., None]
+    return change + further[0].reshape(more.shape[1], len(more), -1).transpose(1, 0, 2)
+
+
+def _by_change(balance: BearingBalance, system: Linearisation, change: NDArray) -> NDArray:
+    """Change of the residuals (C, N, R) by a change of the unknowns (1, N, R), both in SI."""
+    scaled = change / balance.scales.unknown[..., None]
+    return bordered_system.product(balance, system, scaled) * balance.scales.residual[..., None]
 
 
 def _direction(points: OperatingPoints) -> NDArray:

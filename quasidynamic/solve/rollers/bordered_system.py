@@ -6,9 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
+from quasidynamic.balance.rollers.scales import LARGE_DEVIATION
 from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, TILT_Y, TILT_Z, Y, Z
 from quasidynamic.solve.rollers import small_systems
-from quasidynamic.solve.rollers.elastic_system import between_elastic_raceways
+from quasidynamic.solve.rollers.elastic_system import between_elastic_raceways, deflections, felt_of
 
 
 class Shift(NamedTuple):
@@ -76,6 +77,36 @@ def solve(balance: BearingBalance, system: Linearisation, right: NDArray, shift:
         substitute(table, unknowns, spin)
     rollers = unknowns[:ring].transpose(2, 0, 3, 1).reshape(cases, -1, count)
     return np.concatenate([of_border.transpose(2, 0, 1), rollers, deviations], axis=1)
+
+
+def rows_by(balance: BearingBalance, system: Linearisation, change: NDArray) -> NDArray:
+    """What changes of the unknowns (C, N, R) add to the rows of the table (rows, R, C, Z), both scaled."""
+    layout, (cases, _, count) = balance.layout, change.shape
+    ring = layout.per_roller
+    rollers = change[:, BORDER : layout.fields_end].reshape(cases, ring, layout.rollers, count)
+    border = change[:, :BORDER].transpose(1, 2, 0)[..., None]
+    columns = [rollers.transpose(1, 3, 0, 2), np.broadcast_to(border, (*border.shape[:3], layout.rollers))]
+    if layout.elastic_raceways:
+        columns.append(felt_of(balance, change[:, layout.fields_end :]))
+    rows = np.einsum("dkcz,krcz->drcz", system.table, np.concatenate(columns))
+    spins = columns[0][ring - 1]
+    rows[ring - 1] += system.before * np.roll(spins, 1, axis=-1) + system.after * np.roll(spins, -1, axis=-1)
+    return rows
+
+
+def product(balance: BearingBalance, system: Linearisation, change: NDArray) -> NDArray:
+    """Changes of the residuals (C, N, R) by changes of the unknowns (C, N, R), both scaled.
+
+    The matrix is that of `solve`.
+    """
+    layout, (cases, _, count) = balance.layout, change.shape
+    ring, rows = layout.per_roller, rows_by(balance, system, change)
+    border = rows[ring : ring + BORDER].sum(-1).transpose(2, 0, 1) + system.border @ change[:, :BORDER]
+    parts = [border, rows[:ring].transpose(2, 0, 3, 1).reshape(cases, -1, count)]
+    if layout.elastic_raceways:
+        deflected = deflections(balance, rows[ring + BORDER :])
+        parts.append(change[:, layout.fields_end :] / LARGE_DEVIATION - deflected)
+    return np.concatenate(parts, axis=1)
 
 
 def eliminate(table: NDArray, pivots: int) -> None:

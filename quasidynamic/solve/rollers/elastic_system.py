@@ -99,14 +99,14 @@ def _solved(
     matrix, side = _reduced(table, chain, closed)
     matrix[:, :BORDER, :BORDER] += border
     side[:, :BORDER] += right[:, :BORDER]
-    side[:, BORDER:] += _felt(balance, given)[closed.combination, :, :, closed.roller].transpose(2, 0, 1)
+    side[:, BORDER:] += felt_of(balance, given)[closed.combination, :, :, closed.roller].transpose(2, 0, 1)
     unknowns = dense(matrix, side).transpose(1, 2, 0)
     felt = np.zeros((table.shape[1] - FELT - count, count, *table.shape[2:]))
     felt[closed.combination, :, :, closed.roller] = unknowns[BORDER:]
     spins = _spins(chain, unknowns[:BORDER], np.einsum("pcz,prcz->rcz", table[0, FELT:-count], felt))
     forces = _forces(table, spins, unknowns[:BORDER], felt)
-    deviations = given + LARGE_DEVIATION * _deflections(balance, forces)
-    return Solution(unknowns[:BORDER], spins, _felt(balance, deviations), deviations)
+    deviations = given + LARGE_DEVIATION * deflections(balance, forces)
+    return Solution(unknowns[:BORDER], spins, felt_of(balance, deviations), deviations)
 
 
 def _chain(around: tuple[NDArray, NDArray], table: NDArray, count: int) -> Chain:
@@ -170,7 +170,7 @@ def _forces(table: NDArray, spins: NDArray, border: NDArray, felt: NDArray) -> N
     return moved - table[FELT:, len(unknowns) :]
 
 
-def _deflections(balance: BearingBalance, forces: NDArray) -> NDArray:
+def deflections(balance: BearingBalance, forces: NDArray) -> NDArray:
     """Deviations (C, Z D, R) under contact forces (D, R, C, Z), scaled alike."""
     m, (_, count, cases, _) = balance.layout.axial_modes, forces.shape
     deviations = []
@@ -180,7 +180,7 @@ def _deflections(balance: BearingBalance, forces: NDArray) -> NDArray:
     return np.concatenate(deviations).reshape(-1, cases, count).transpose(1, 0, 2)
 
 
-def _felt(balance: BearingBalance, deviations: NDArray) -> NDArray:
+def felt_of(balance: BearingBalance, deviations: NDArray) -> NDArray:
     """What rollers feel (P, R, C, Z) of deviations (C, Z D, R)."""
     layout, (cases, _, count) = balance.layout, deviations.shape
     shape = (cases, len(layout.elastic_raceways), layout.rollers, layout.axial_modes, count)
