@@ -1,7 +1,7 @@
 """Section of a bar of a squirrel cage: between two radii, with parallel sides."""
 
 from dataclasses import dataclass
-from functools import cache
+from functools import lru_cache
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
@@ -23,6 +23,7 @@ class BarSection:
     torsion_modulus: float  # torque over the largest shear stress that it makes [m^3]
 
 
+@lru_cache(maxsize=8)  # cases side by side mostly have the same cage
 def bar_section(cage: SquirrelCage) -> BarSection:
     r"""Section of the bars of a cage, without fillets.
 
@@ -59,16 +60,13 @@ def bar_section(cage: SquirrelCage) -> BarSection:
 
 def _points(cage: SquirrelCage) -> tuple[NDArray, NDArray, NDArray]:
     """Gauss points t, n (points,) [m] of a bar at azimuth 0, tangential and radial, and weights [m^2]."""
-    node, weight = _gauss_rule(POINTS)
+    node, weight = leggauss(POINTS)
     t = cage.bar_width / 2 * node
     low, high = _sides(cage, t)
     half = (high - low) / 2
     n = (low + high)[:, None] / 2 + half[:, None] * node
     area = cage.bar_width / 2 * weight[:, None] * half[:, None] * weight
     return np.repeat(t, POINTS), n.ravel(), area.ravel()
-
-
-_gauss_rule = cache(leggauss)  # takes longer than the rest of a section
 
 
 def _sides(cage: SquirrelCage, t) -> tuple[NDArray, NDArray]:

@@ -98,9 +98,13 @@ class Together:
         return [
             np.array([_numbers(output, block) for block in by_case])
             if _by_case(each)
-            else np.broadcast_to(_numbers(output, together), len(self.cases))
+            else self._of_each(_numbers(output, together))
             for output, each in zip(outputs, names, strict=True)
         ]
+
+    def _of_each(self, numbers: Any) -> NDArray:
+        """Numbers (C), also where all cases have the same."""
+        return numbers if np.shape(numbers) else np.full(len(self.cases), numbers)
 
     def _arrays(self, quantities: list[Quantity]) -> dict[str, NDArray]:
         """Quantities of all cases at once."""
