@@ -72,7 +72,14 @@ class NominalStresses:
     """Section forces of the bars at a state, with the discretisation error of their stresses."""
 
     forces: BarForces
-    error: Any  # [Pa] or (C), of the largest nominal stress, estimated; None where bars are spread
+    of_other_order: BarForces | None = None  # by displacements of another order; None where bars are spread
+
+    @property
+    def error(self) -> Any:
+        """Estimated error of the largest nominal stress [Pa] or (C); None where bars are spread."""
+        if self.of_other_order is None:
+            return None
+        return np.abs(self.forces.stress - self.of_other_order.stress).max(axis=(-2, -1))
 
     @property
     def largest(self) -> Any:
@@ -103,10 +110,9 @@ def nominal_stresses(
     """
     these, others = response.under(azimuths, forces)
     bars = _bar_forces(cage, response, these)
-    if others is None:
-        return NominalStresses(forces=bars, error=None)
-    change = bars.stress - _bar_forces(cage, response, others).stress
-    return NominalStresses(forces=bars, error=np.abs(change).max(axis=(-2, -1)))
+    return NominalStresses(
+        forces=bars, of_other_order=None if others is None else _bar_forces(cage, response, others)
+    )
 
 
 def _bar_forces(cage: SquirrelCage, response: BarResponse, section_forces: NDArray) -> BarForces:

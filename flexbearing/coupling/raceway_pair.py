@@ -10,6 +10,7 @@ only.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -74,7 +75,7 @@ class LinearPair:
         )
         return inner, outer
 
-    @property
+    @cached_property
     def initial_deviation(self) -> NDArray | None:
         """Outward deviations (2, Z, M) [m] without roller loads, such as those of tooth forces."""
         shapes = [

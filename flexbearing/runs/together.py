@@ -61,8 +61,9 @@ class SolvedCase:
 
     def quantities(self, wanted: list[Quantity]) -> dict[str, NDArray]:
         """Quantities of `BY_CASE` and the speed; nothing else is computed."""
-        parts = {entry.source.partition(".")[0] for entry in wanted} - {"end"}
-        return taken(wanted, {"end": self} | {part: getattr(self, part) for part in parts})
+        parts = {str(entry.path[0]) for entry in wanted} - {"end"}
+        there = {"end": self} | {part: getattr(self, part) for part in parts}
+        return taken([entry for entry in wanted if there[str(entry.path[0])] is not None], there)
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,7 @@ from quasidynamic.contact.line import Slices, palmgren, peak_pressure
 from quasidynamic.outcome.life import basic_life, raceway_lives, turning_share
 from quasidynamic.outcome.losses import Losses
 from quasidynamic.outcome.ring_stiffness import (
+    LoadChange,
     Tangent,
     change_by_load,
     change_by_load_near,
@@ -366,7 +367,7 @@ class BearingStates:
 
     @property
     def raceway_forces_by_load(self) -> NDArray:
-        """Change of the roller forces on elastic raceways (C, 4, E, Z, M) by unit loads on a ring free to tilt.
+        """Change of roller forces on elastic raceways (C, 4, E, Z, M) by unit loads on a ring free to tilt.
 
         Loads are those of `Tangent.response`: forces along y and z, moments on the slopes dz/dx and dy/dx.
         """
@@ -378,9 +379,13 @@ class BearingStates:
         free = self._free_to_tilt
         if self.near is None:
             return change_by_load(free.balance, free.system)
-        one = self.near._free_to_tilt
-        near = one.balance, one.system, self.near._change_by_load
-        return change_by_load_near(free.balance, free.system, near)
+        return change_by_load_near(free.balance, free.system, self.near._load_change)
+
+    @cached_property
+    def _load_change(self) -> LoadChange:
+        """The same for other states near this one."""
+        free = self._free_to_tilt
+        return LoadChange(free.balance, free.system, self._change_by_load)
 
     @cached_property
     def _free_to_tilt(self) -> "BearingStates":

@@ -1,6 +1,7 @@
 """Tangent compliance and stiffness of the ring at an equilibrium."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -93,6 +94,20 @@ def free_to_tilt(balance: BearingBalance) -> BearingBalance:
     return replace(balance, roller=roller, points=replace(points, free_tilt=np.ones_like(points.free_tilt)))
 
 
+@dataclass(frozen=True)
+class LoadChange:
+    """How one state changes under unit loads."""
+
+    balance: BearingBalance
+    system: Linearisation
+    change: NDArray  # (1, N, 4), of `change_by_load`
+
+    @cached_property
+    def balanced(self) -> NDArray:
+        """J X (1, N, 4) in SI, the unit loads but for rounding."""
+        return _by_change(self.balance, self.system, self.change)
+
+
 def change_by_load(balance: BearingBalance, system: Linearisation) -> NDArray:
     """Change of all unknowns (C, N, 4), in SI, per newton along y and z, per newton metre on dz/dx, dy/dx."""
     loads = np.zeros((*system.residual.shape, len(RING)))
@@ -113,20 +128,17 @@ def raceway_forces_by_load(balance: BearingBalance, system: Linearisation, chang
     return forces.reshape(shape).transpose(3, 2, 0, 4, 1)
 
 
-def change_by_load_near(
-    balance: BearingBalance, system: Linearisation, near: tuple[BearingBalance, Linearisation, NDArray]
-) -> NDArray:
-    r"""`change_by_load` (C, N, 4) of cases that differ little from one, to first order: one elimination for all.
+def change_by_load_near(balance: BearingBalance, system: Linearisation, near: "LoadChange") -> NDArray:
+    r"""`change_by_load` (C, N, 4) of cases near one, to first order: one elimination for all.
 
     .. math:: X \approx X_0 - J_0^{-1} (J - J_0) X_0
 
-    `near` is that one's balance, derivatives and `change_by_load`.
     """
-    one, of_one, change = near
-    more = _by_change(balance, system, change) - _by_change(one, of_one, change)
+    one = near.balance
+    more = _by_change(balance, system, near.change) - near.balanced
     right = -more.transpose(1, 0, 2).reshape(1, more.shape[1], -1) / one.scales.residual[..., None]
-    further = bordered_system.solve(one, of_one, right) * one.scales.unknown[..., None]
-    return change + further[0].reshape(more.shape[1], len(more), -1).transpose(1, 0, 2)
+    further = bordered_system.solve(one, near.system, right) * one.scales.unknown[..., None]
+    return near.change + further[0].reshape(more.shape[1], len(more), -1).transpose(1, 0, 2)
 
 
 def _by_change(balance: BearingBalance, system: Linearisation, change: NDArray) -> NDArray:

@@ -178,7 +178,7 @@ def test_nothing_is_computed_but_what_is_wanted(monkeypatch):
     def never(*given):
         raise AssertionError("not asked for")
 
-    monkeypatch.setattr(Tangent, "at", never)
+    monkeypatch.setattr(Tangent, "of", never)
     monkeypatch.setattr("flexbearing.runs.together.estimated_errors", never)
     monkeypatch.setattr("flexbearing.runs.together.skew.at", never)
     cases = variants(CONFIGS / "nu209.toml", FLANGE)

@@ -202,3 +202,28 @@ def differing(model, numbers):
     """The same bearing with other numbers."""
     both = with_columns(model, np.array([kind_and_numbers(model)[1], numbers]))
     return taken(both, np.array([1]))
+
+
+@pytest.mark.parametrize("elastic", [False, True])
+def test_tangent_of_a_near_state_is_of_first_order(elastic):
+    """Taken from a state near by, its error falls with the square of how far the other state is away."""
+    model = paper_bearing(axial_modes=2)
+    state = model.solve()
+    if elastic:
+        both = 1e-9 * soft(model.bearing.rollers, 2)
+        *_, state = model.iterate((both, 2 * both), state)
+
+    def error(share):
+        points = OperatingPoints.of(
+            replace(model.operation, radial_load=(1 + share) * model.operation.radial_load)
+        )
+        scaled = state.scaled[None] * (1 + share)
+        there = BearingStates(replace(state.balance, points=points), scaled, state.axial_modes)
+        tangents = replace(there, near=state.cases).tangent, state.tangent, there.tangent
+        near, here, exact = (tangent.radial_stiffness for tangent in tangents)
+        return abs(near / exact - 1).item(), abs(here / exact - 1).item()
+
+    (far, of_far), (half, of_half) = error(1e-5), error(5e-6)
+    assert of_far > 20 * far > 0  # the change itself is seen
+    assert far / half == approx(4, rel=0.2)
+    assert of_far / of_half == approx(2, rel=0.2)

@@ -93,6 +93,14 @@ def test_solve_inverts_the_difference_jacobian(state, differenced):
     assert np.abs(back).max() < 1e-6
 
 
+def test_product_is_that_of_the_difference_jacobian(state, differenced):
+    balance, unknowns = state
+    change = np.random.default_rng(7).normal(size=(1, balance.layout.size, 2))
+    found = bordered_system.product(balance, balance.evaluate(unknowns), change)[0]
+    expected = differenced @ change[0]
+    assert found == approx(expected, rel=0, abs=1e-6 * np.abs(expected).max())
+
+
 def test_shifted_solve_is_that_of_the_shifted_matrix(state, differenced):
     balance, unknowns = state
     system, shift = balance.evaluate(unknowns), bordered_system.Shift(3.0, 5.0, 7.0)
