@@ -133,6 +133,13 @@ def change_by_load_near(balance: BearingBalance, system: Linearisation, near: "L
 
     .. math:: X \approx X_0 - J_0^{-1} (J - J_0) X_0
 
+    Source
+    ------
+    J X = J_0 X_0, to first order; derived here.
+
+    Valid
+    -----
+    Where J - J_0 is small and no contact has opened or closed between.
     """
     one = near.balance
     more = _by_change(balance, system, near.change) - near.balanced
