@@ -16,6 +16,7 @@ from flexbearing.catalogue.roller_set import roller_set
 from flexbearing.catalogue.weights import NO_RESULT, told, weighed
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, require_output, write
+from flexbearing.quantities.effects import LIVES
 from flexbearing.runs import assumed_effects
 from quasidynamic import ImpossiblePart, OutOfRange
 
@@ -93,7 +94,7 @@ def _case(page: Page, file: Path, title: str, source: str) -> tuple[str, str]:
     def measured(settings: Settings) -> dict[str, float]:
         case = understood(plain, file, as_settings(comparable | settings), FAMILIES)
         values = assumed_effects.measured(api.compute(case))
-        life = [("life", values[each]) for each in assumed_effects.LIVES if each in values]
+        life = [("life", values[each]) for each in LIVES if each in values]
         return dict([*life[:1], *((named[each], values[each]) for each in named if each in values)])
 
     try:

@@ -35,28 +35,20 @@ GRADES = ("danger", "outside validity", "information")  # of notes, gravest firs
 NOTES = ListOf(Record({"grade": OneOf(GRADES), "code": TEXT, "text": TEXT}))
 
 
+OTHER_CASE = Record(  # a case with other values, or why it has no answer
+    {"words": TEXT, "settings": ListOf(TEXT), "values": Each("output", NUMBER), "problem": TEXT}
+)
 EFFECTS = Record(
     {
         "of": Each("output", NUMBER),
         "keys": ListOf(
             Record(
-                {
-                    "key": TEXT,
-                    "source": TEXT,
-                    "others": ListOf(
-                        Record(
-                            {
-                                "words": TEXT,
-                                "settings": ListOf(TEXT),
-                                "values": Each("output", NUMBER),
-                                "problem": TEXT,
-                            }
-                        )
-                    ),
-                }
+                {"key": TEXT, "source": TEXT, "others": ListOf(OTHER_CASE)},
+                optional={"role": OneOf(("input", "choice", "comparison"))},
             )
         ),
-    }
+    },
+    optional={"together": ListOf(OTHER_CASE)},
 )
 
 
@@ -112,7 +104,8 @@ COMMON = (
         "json",
         "lives and weighed outputs of the last end state, in the units of the summary, and with other values "
         "of assumed or calibrated keys, each with the settings that give it and the source of its range; "
-        "absent without outputs.assumed_effects",
+        "role: input, choice of a rule, or comparison that no range counts; together: all changes at once that "
+        "shorten the life, and all that lengthen it; absent without outputs.assumed_effects",
         optional=True,
         form=EFFECTS,
     ),

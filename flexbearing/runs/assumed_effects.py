@@ -1,17 +1,18 @@
 """How much every input that no source gives matters: outputs of the same case with other values."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from math import isfinite
 from typing import Any
 
 from flexbearing.case import BadCase, Head
 from flexbearing.outputs import AbsentOutput, outputs
 from flexbearing.progress import Report
+from flexbearing.quantities.effects import COMPARISON, LIVES, about
 from flexbearing.results import Result
 from flexbearing.runs.plausible import Other, plausible
 
-LIVES = ("modified_life", "life_L10")
 STAGE = "effects of assumed inputs"
+UNCHANGED = 5e-3  # relative change of the life that is left out where changes are combined
 
 
 def assumed_effects(
@@ -33,8 +34,9 @@ def assumed_effects(
     Returns
     -------
     dict
-        "of", names of lives and weighed outputs to their values in the case, and "keys", for each
-        key its other values, each with the same outputs or a "problem"
+        "of", names of lives and weighed outputs to their values in the case; "keys", for each
+        key its other values, each with the same outputs or a "problem"; "together", of results with a
+        life, all changes at once that shorten it, then all that lengthen it
 
     Raises
     ------
@@ -44,17 +46,45 @@ def assumed_effects(
     report.stage(STAGE, None)
     of = measured(solved(_alone(read(()))))
     keys = list(plausible(case))
-    count, done = sum(len(each.others) for each in keys), 0
+    count, done = sum(len(each.others) for each in keys) + 2, 0
     rows = []
     for each in keys:
         found = []
         for other in each.others:
-            if row := _compared(other, case, read, solved):
+            if row := _compared(other, case, read, solved, of):
                 found.append(row)
             done += 1
             report.stage(STAGE, done / count)
-        rows.append({"key": each.key, "source": each.source, "others": found})
-    return {"of": of, "keys": rows}
+        rows.append({"key": each.key, "source": each.source, "others": found, "role": each.role})
+    together = []
+    for other in _at_once(rows, of):
+        if row := _compared(other, case, read, solved, of):
+            together.append(row)
+        done += 1
+        report.stage(STAGE, done / count)
+    return {"of": of, "keys": rows} | ({"together": together} if together else {})
+
+
+def _at_once(rows: list[dict[str, Any]], of: dict[str, float]) -> Iterator[Other]:
+    """All changes that shorten the life at once, then all that lengthen it; none without a life.
+
+    Of keys that describe one thing, such as the drop and the profile of rollers, the one that changes the
+    life most; changes within `UNCHANGED` are left out.
+    """
+    name = next((name for name in LIVES if name in of), "")
+    if not name:
+        return
+    for words, better in (("shortest life", min), ("longest life", max)):
+        chosen: dict[str, tuple[float, tuple[str, ...]]] = {}
+        for row in (row for row in rows if row["role"] != COMPARISON):
+            told = [(other["values"][name] / of[name], tuple(other["settings"]))
+                    for other in row["others"] if name in other["values"]]  # fmt: skip
+            known = [*told, *filter(None, [chosen.get(about(row["key"]))])]
+            ratio, settings = better(known, default=(1.0, ()))
+            if better(ratio, 1.0) == ratio and abs(ratio - 1) > UNCHANGED:
+                chosen[about(row["key"])] = ratio, settings
+        if chosen:
+            yield Other(words, tuple(setting for _, settings in chosen.values() for setting in settings))
 
 
 def _compared(
@@ -62,6 +92,7 @@ def _compared(
     case: Any,
     read: Callable[[Sequence[str]], Any],
     solved: Callable[[Any], Result],
+    of: dict[str, float],
 ) -> dict[str, Any] | None:
     """Lives and weighed outputs with another value; None where it is that of the case."""
     row: dict[str, Any] = {"words": other.words, "settings": list(other.settings)}
@@ -69,9 +100,17 @@ def _compared(
         changed = read(other.settings)
         if _values(changed) == _values(case):
             return None
-        return row | {"values": measured(solved(_alone(changed))), "problem": ""}
+        return row | {"values": _of_same_rule(measured(solved(_alone(changed))), of), "problem": ""}
     except BadCase as problem:
         return row | {"values": {}, "problem": str(problem).splitlines()[0]}
+
+
+def _of_same_rule(values: dict[str, float], of: dict[str, float]) -> dict[str, float]:
+    """A life after factors in place of a basic one, where the case itself has no factors."""
+    modified, basic = LIVES
+    if modified in values and modified not in of and basic in of:
+        values[basic] = values.pop(modified)
+    return values
 
 
 def _values(case: Any) -> dict[str, Any]:

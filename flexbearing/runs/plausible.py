@@ -8,12 +8,14 @@ from typing import Any
 
 from flexbearing.build.clearance import operating
 from flexbearing.case.declarations import Declaration, by_path, toml
+from flexbearing.quantities.effects import CHOICE, COMPARISON, INPUT
 
 Range = Callable[[float], tuple[float, ...]]  # of a value in SI units
 
 THUMB = "rule of thumb"
 LIMITING_RATIO = 0.05  # usual, where a law needs one
 CHOICES = "other choices of the key"
+EDGE_SLICES = 30  # that the edge stress of ISO/TS 16281 needs at least
 FEW = 5  # choices of which all others are tried; of more the neighbours in their list
 STEELS, BODIES = ("100Cr6", "M50"), ("structural steel", "grey cast iron")
 MATERIALS = {"shaft": BODIES, "housing": BODIES}  # by parts; of all others bearing steels
@@ -34,6 +36,7 @@ class Plausible:
     key: str
     others: tuple[Other, ...]
     source: str
+    role: str = INPUT
 
 
 def times(*factors: float) -> Range:
@@ -91,7 +94,7 @@ FROM_ZERO = {  # of keys that are zero, by their unit
 
 
 def plausible(case: Any) -> Iterator[Plausible]:
-    """Say what every assumed or calibrated key of a case might be instead, and its tolerances.
+    """Say what every assumed or calibrated key of a case might be instead, its tolerances, rules and loads.
 
     Parameters
     ----------
@@ -108,8 +111,47 @@ def plausible(case: Any) -> Iterator[Plausible]:
         yield Plausible(
             "bearing.fits.at", tuple(_at_ends(case)), "classes of the case, ISO 5753-1 and ISO 286"
         )
-    for path in dict.fromkeys((*case.calibrated, *case.assumed)):
+    marked = tuple(dict.fromkeys((*case.calibrated, *case.assumed)))
+    for path in marked:
         yield from _of_key(case, known, path)
+    yield from (each for each in (*_choices(case), *_loads(case)) if each.key not in marked)
+
+
+def _choices(case: Any) -> Iterator[Plausible]:
+    """Rules of the life that a case of rollers could choose otherwise, and how the shaft holds the ring."""
+    if not hasattr(case.bearing, "roller") or not case.operation.radial_load:
+        return
+    life, operation = case.life, case.operation
+    if any(ring.kind != "rigid" for ring in (case.outer, case.inner)):
+        tilt = "fixed" if operation.free_tilt else "free"
+        without = tuple(
+            f"operation.{name}=" for name in ("misalignment", "moment") if getattr(operation, name)
+        )
+        yield Plausible(
+            "operation.tilt", (Other(tilt, (f"operation.tilt={tilt}", *without)),), CHOICES, CHOICE
+        )
+    if not operation.free_tilt and operation.misalignment == 0:
+        yield Plausible(
+            "operation.misalignment", (_set("operation.misalignment", "1 arcmin"),),
+            f"1 arcmin of a mounted shaft: {THUMB}", CHOICE,
+        )  # fmt: skip
+    if life.loads != "rollers":
+        return
+    if life.capacity != "iso281":
+        yield Plausible("life.capacity", (_set("life.capacity", "iso281"),), "rule of ISO/TS 16281", CHOICE)
+    if not life.edge_stress and case.bearing.relieved and case.bearing.contact == "slices":
+        slices = (f"accuracy.slices={EDGE_SLICES}",) if case.accuracy.slices < EDGE_SLICES else ()
+        edge = Other("true", ("life.edge_stress=true", *slices))
+        yield Plausible("life.edge_stress", (edge,), "rule of ISO/TS 16281", CHOICE)
+
+
+def _loads(case: Any) -> Iterator[Plausible]:
+    """Loads a tenth less and more, for comparison: a case knows its loads."""
+    for name in ("radial_load", "axial_load"):
+        load = getattr(case.operation, name, None)
+        if load:
+            others = tuple(_set(f"operation.{name}", f"{factor * load:.6g} N") for factor in (0.9, 1.1))
+            yield Plausible(f"operation.{name}", others, "10 %, for comparison", COMPARISON)
 
 
 def _at_ends(case: Any) -> Iterator[Other]:

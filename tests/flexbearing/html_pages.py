@@ -148,29 +148,61 @@ class Numbers:
     def combined(self, rest):
         """Least or most of a result by all inputs together over that of the case."""
         how, side, word = rest.split("/")
-        end = max if int(side) else min
-        changes = np.array([end(1.0, *values) for values in self.changes(word) if values])
-        if how == "worst":
-            return changes.prod()
-        return np.exp((1 if int(side) else -1) * np.sqrt((np.log(changes) ** 2).sum()))
+        sign = 1 if int(side) else -1
+        solved = self.together(word, sign)
+        if how == "worst" and solved is not None:
+            return np.exp(sign * solved)
+        ends = [max(values, key=lambda each: sign * each[0]) for values in self.changes(word).values()]
+        sizes = np.array([(sign * whole, sign * factors) for whole, factors in ends if sign * whole > 0])
+        sizes = sizes.reshape(-1, 2)
+        total = np.sum if how == "worst" else np.linalg.norm
+        by_factors = np.maximum(sizes[:, 1], 0.0)
+        room = self.room(sign) if word == "life" else np.inf
+        kept = min(1.0, room / total(by_factors)) if by_factors.any() else 1.0
+        reached = total(np.maximum(sizes[:, 0] - (1 - kept) * by_factors, 0.0))
+        return np.exp(sign * min(reached, np.inf if solved is None else solved))
+
+    def room(self, sign):
+        """How far the a_ISO of the result may shrink to 0.1, or grow to 50, as a logarithm."""
+        states = json.loads(self.file.attrs.get("life", "{}")) or {}
+        block = "flexible" if "flexible" in states else "rigid"
+        for factor in states.get(block, {}).get("factors", ()):
+            if factor["name"] in ("a_ISO", "film"):
+                least, most = (0.1, 50.0) if factor["name"] == "a_ISO" else (0.19, 3.03)
+                return np.log(most / factor["value"] if sign > 0 else factor["value"] / least)
+        return np.inf
+
+    def together(self, word, sign):
+        """The life with all changes at once, as a logarithm in one direction; None where not solved."""
+        found = self.result.attributes.get("assumed_effects") or {}
+        cases = found.get("together", ())
+        name = next((name for name in ("modified_life", "life_L10") if name in found.get("of", {})), "")
+        if word != "life" or not cases or any(name not in each["values"] for each in cases):
+            return None
+        return max(0.0, *(sign * np.log(each["values"][name] / found["of"][name]) for each in cases))
 
     def changes(self, word):
-        """What other values of each key make of a result, over that of the case."""
-        about = self.result.attributes
+        """Changes of a result by each key, and the part that the factors of a life have, as logarithms."""
+        about, collected = self.result.attributes, {}
         if "assumed_effects" not in about:
-            return [
-                [float(ratio) for segment in text.split("; ") if segment.startswith(f"{word} ")
-                 for ratio in re.findall(r"([0-9.]+) times with", segment)]
-                for text in comments(about["case_text"]).values()
-            ]  # fmt: skip
+            for key, text in comments(about["case_text"]).items():
+                for segment in (each for each in text.split("; ") if each.startswith(f"{word} ")):
+                    for ratio in re.findall(r"([0-9.]+) times with", segment):
+                        part = word == "life" and key.partition(".")[0] in ("life", "lubricant")
+                        size = np.log(float(ratio))
+                        collected.setdefault(key.replace("drop", "profile"), []).append((size, part * size))
+            return collected
         found = about["assumed_effects"]
         names = {label: name for name, label in self.result.family.layout().weighed}
         lives = (name for name in ("modified_life", "life_L10") if name in found["of"])
         name = next(lives) if word == "life" else names[word]
-        return [
-            [other["values"][name] / found["of"][name] for other in key["others"] if name in other["values"]]
-            for key in found["keys"]
-        ]
+        for key in (key for key in found["keys"] if key.get("role") != "comparison"):
+            for values in (other["values"] for other in key["others"] if name in other["values"]):
+                whole = np.log(values[name] / found["of"][name])
+                basic = np.log(values["life_L10"] / found["of"]["life_L10"]) if "life_L10" in values else 0.0
+                part = whole - basic if name == "modified_life" else 0.0
+                collected.setdefault(key["key"].replace("drop", "profile"), []).append((whole, part))
+        return collected
 
     def stored(self, place):
         """What the file or its summary has at a place."""

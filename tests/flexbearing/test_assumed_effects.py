@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from itertools import pairwise
+from math import inf
 
 import pytest
 from pytest import approx
@@ -9,8 +10,12 @@ from pytest import approx
 from flexbearing import api
 from flexbearing.case.read import written
 from flexbearing.pages.make import report
-from flexbearing.report.html import IMPERIAL, METRIC, html, of_result
+from flexbearing.quantities.effects import about
+from flexbearing.report.html import IMPERIAL, METRIC, assumed_effects, combined, html, of_result, verdict
+from flexbearing.report.html.assumptions import comments
+from flexbearing.report.html.reader import Reader
 from flexbearing.runs.plausible import plausible
+from quasidynamic.outcome import life_factors
 from tests.flexbearing.hostile_cases import CONFIGS
 from tests.flexbearing.html_pages import Numbers, Page, require_equal
 
@@ -32,14 +37,17 @@ def weighed(tmp_path_factory):
 
 def test_each_value_is_that_of_the_case_with_its_settings(weighed):
     found = api.read(weighed).attributes["assumed_effects"]
-    assert [each["key"] for each in found["keys"]] == [*FEW["calibrated"], *FEW["assumed"]]
+    keys = [each["key"] for each in found["keys"] if each["role"] == "input"]
+    assert keys == [*FEW["calibrated"], *FEW["assumed"]]
     assert found["of"]["life_L10"] == approx(
         api.run(CASE, FEW)["rigid.life_L10"].to("Mrev").number, rel=1e-12
     )
     for key in found["keys"]:
         for other in key["others"]:
             again = api.run(CASE, (*written(FEW), *other["settings"]))
-            assert other["values"]["life_L10"] == approx(again["rigid.life_L10"].to("Mrev").number, rel=1e-12)
+            lives = "modified_life" if key["key"].startswith("life.") else "life_L10"  # rules with factors
+            life = again[f"rigid.{lives}"].to("Mrev").number
+            assert other["values"]["life_L10"] == approx(life, rel=1e-12)
             assert other["values"]["max_roller_load"] == approx(again.rigid["inner_load"].max(), rel=1e-12)
 
 
@@ -47,7 +55,7 @@ def test_tolerance_classes_are_tried_at_both_ends():
     case = CONFIGS / "catalogue" / "nu210.toml"
     settings = {"assumed": [], "outputs.assumed_effects": True}
     result = api.run(case, settings)
-    (key,) = result.attributes["assumed_effects"]["keys"]
+    (key,) = [each for each in result.attributes["assumed_effects"]["keys"] if each["role"] == "input"]
     tight, loose = key["others"]
     assert (tight["words"], loose["words"]) == ("tightest, clearance 8.9 um", "loosest, clearance 58.3 um")
     loosest = api.run(case, {"bearing.fits.at": "loosest"})
@@ -68,9 +76,68 @@ def test_numbers_of_the_page_are_those_of_the_file_and_the_largest_effect_is_fir
     effects = {}
     for row, ratio in zip(table.rows[1:], ratios, strict=True):
         effects[row[0]] = max(effects.get(row[0], 1), ratio, 1 / ratio)
-    assert list(effects) == ["bearing.clearance", "lubricant.traction", "bearing.cage.pocket_friction"]
+    asked = [key for key in effects if key in (*FEW["assumed"], *FEW["calibrated"])]
+    assert asked == ["bearing.clearance", "lubricant.traction", "bearing.cage.pocket_friction"]
     assert all(first >= second for first, second in pairwise(effects.values()))
     assert "assumed-effects" in {figure.name for figure in document.figures}
+
+
+def test_all_changes_at_once_are_solved_together(weighed):
+    found = api.read(weighed).attributes["assumed_effects"]
+    shorter, longer = found["together"]
+    for each in (shorter, longer):
+        again = api.run(CASE, (*written(FEW), *each["settings"]))
+        name = "modified_life" if "life.capacity=iso281" in each["settings"] else "life_L10"
+        assert each["values"]["life_L10"] == approx(again[f"rigid.{name}"].to("Mrev").number, rel=1e-12)
+    assert not set(shorter["settings"]) & set(longer["settings"])
+    assert not any("radial_load" in text for each in (shorter, longer) for text in each["settings"])
+    singles = [other["values"]["life_L10"] for key in found["keys"] if key["role"] != "comparison"
+               for other in key["others"] if other["values"]]  # fmt: skip
+    assert shorter["values"]["life_L10"] <= min(singles)
+    assert longer["values"]["life_L10"] >= max(singles)
+
+
+def test_loads_are_compared_and_in_no_range(weighed):
+    reader = Reader(api.read(weighed), METRIC)
+    assert assumed_effects.keys(reader, "comparison") == ["operation.radial_load"]
+    assert "operation.radial_load" not in combined.changes(reader, combined.LIFE)
+    (table,) = [block for block in verdict.blocks(reader) if getattr(block, "caption", "") == "Main results"]
+    assert "How the shaft holds the ring and the rules of the life count as inputs here" in table.note
+
+
+def test_the_range_of_a_modified_life_keeps_a_iso_within_its_limits(tmp_path):
+    settings = {
+        "assumed": ["lubricant.inlet_temperature", "life.cleanliness"],
+        "outputs.assumed_effects": True,
+    }
+    api.run(CONFIGS / "catalogue" / "nu210.toml", settings, output=tmp_path / "oil.h5")
+    reader = Reader(api.read(tmp_path / "oil.h5"), METRIC)
+    (factor,) = [
+        each["value"] for each in reader.attributes["life"]["rigid"]["factors"] if each["name"] == "a_ISO"
+    ]
+    of_oil = {key: changes for key, changes in combined.changes(reader, combined.LIFE).items()
+              if key in settings["assumed"]}  # fmt: skip
+    unbound, bound = (combined.span_of(of_oil, room) for room in ((inf, inf), combined._room(reader)))
+    assert unbound.squares[1] * factor > 50
+    assert bound.squares[1] * factor == approx(50, rel=0.03)  # the basic life grows by 2 % in colder oil
+    assert bound.squares[0] == unbound.squares[0]
+    of_all = combined.of(reader, combined.LIFE)
+    solved = reader.attributes["assumed_effects"]["together"][1]["values"]["modified_life"]
+    assert of_all.worst[1] == approx(solved / reader.attributes["assumed_effects"]["of"]["modified_life"])
+
+
+def test_drop_and_profile_of_rollers_count_once():
+    assert about("bearing.roller.drop") == about("bearing.roller.profile")
+    path = CONFIGS / "mao2016.toml"
+    said = {"bearing.roller.drop", "bearing.roller.profile"}
+    assert said <= set(comments(path.read_text("utf-8")))
+
+
+def test_limits_of_factors_are_those_of_their_rules():
+    assert combined._LIMITS["a_ISO"][1] == life_factors.LARGEST_MODIFICATION
+    least = life_factors.modification_factor(1.0, 0.0).value
+    assert combined._LIMITS["a_ISO"][0] == approx(float(least))
+    assert combined._LIMITS["film"] == (min(life_factors.FILM_FACTORS), max(life_factors.FILM_FACTORS))
 
 
 def test_a_page_without_effects_names_the_command_that_computes_them(tmp_path):

@@ -134,11 +134,12 @@ def _lived(reader: Reader) -> str:
         (first.hours, "h") if isinstance(first.hours, Number) else (first.turns, "million revolutions")
     )
     words = f" The life to compare with a requirement: {rounded(number)} {unit}"
-    span = combined.span_of(combined.ratios(reader, combined.LIFE))
+    span = combined.of(reader, combined.LIFE)
     if span is None:
         return f"{words}."
     low, high = (rounded(number, times) for times in span.squares)
-    return f"{words}, {low} to {high} {unit} by what is assumed, fitted or toleranced (see Main results)."
+    by = "by what is assumed, fitted, toleranced or chosen (see Main results)"
+    return f"{words}, {low} to {high} {unit} {by}."
 
 
 def rounded(number: Number, times: float = 1.0) -> str:
@@ -189,7 +190,7 @@ def to_do(reader: Reader) -> Iterator[Items]:
     others = [check.do for check in checks if check.do not in broken]
     moved: dict[str, list[str]] = {}
     for word in (combined.LIFE, *dict(reader.layout.weighed).values()):
-        span = combined.span_of(combined.ratios(reader, word))
+        span = combined.of(reader, word)
         if span is not None and max(span.squares[1], 1 / span.squares[0]) > WORTH:
             moved.setdefault(span.most, []).append(word)
     measure = [

@@ -5,6 +5,7 @@ from math import log
 from typing import Any
 
 from flexbearing.outputs import Output, outputs
+from flexbearing.quantities.effects import COMPARISON, INPUT, LIVES
 from flexbearing.report.html import assumptions
 from flexbearing.report.html.assumptions import TOLERANCES, WORTH
 from flexbearing.report.html.document import Block, Cell, Figure, Items, Number, Table, Words
@@ -13,7 +14,6 @@ from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import NOTHING, printed, units_in_words, with_unit
 from flexbearing.report.rows import unit_of
 
-LIVES = ("modified_life", "life_L10")  # the first that a result has is ranked by
 SMALLEST = 5e-3  # relative change that is drawn
 _WIDE = 1.5  # ratio of the ends of an axis from which it is logarithmic
 _TICKS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5, 7, 10, 20, 50, 100]
@@ -22,6 +22,9 @@ _NOT_COMPUTED = "How much each of them matters was not computed. "
 _TOLD = (
     "How much each of them matters was computed when the case was written, and stands in its comments below. "
     "To compute it for this result: "
+)
+_COMPARED = (
+    " Loads are given: their rows show how results follow the load, and no range of this page counts them."
 )
 _HOW = (
     "`flexbearing run {case} --set outputs.assumed_effects=true` solves the case again with other values "
@@ -117,8 +120,18 @@ def moving(reader: Reader) -> list[str]:
             f"{other['values'][name] / base:.3g} times with {units_in_words(other['words'])}"
             for other in key["others"] if other["values"].get(name) is not None
         ]  # fmt: skip
-        told.append(f"{assumptions.named(key['key'])}: life {', '.join(others)}")
+        compared = " (for comparison)" * (key.get("role") == COMPARISON)
+        told.append(f"{assumptions.named(key['key'])}{compared}: life {', '.join(others)}")
     return told
+
+
+def keys(reader: Reader, role: str) -> list[str]:
+    """Keys of a role whose effects were computed: "input", "choice" or "comparison"."""
+    found = reader.attributes.get("assumed_effects") or {}
+    return [
+        each["key"] for each in found.get("keys", ())
+        if each.get("role", INPUT) == role and any(other["values"] for other in each["others"])
+    ]  # fmt: skip
 
 
 def ranked_by(reader: Reader) -> str:
@@ -195,11 +208,15 @@ def _table(reader: Reader, found: dict[str, Any], ranked: list[int], name: str) 
     label, *others = (_heading(reader, each) for each in shown)
     head = ("key", "with", label, "times", *others, "range from")
     life = label.partition(" [")[0]
-    caption = f"With other values of assumed, calibrated or toleranced inputs; by effect on the {life}"
+    caption = (
+        f"With other values of assumed, calibrated, toleranced or chosen inputs; by effect on the {life}"
+    )
     note = (
         "Each row is the case solved again with that one value; keys that belong to it change with it. A "
         "rule of thumb is a range of this program without a published source."
     )
+    if keys(reader, COMPARISON):
+        note += _COMPARED
     return Table(caption, head, tuple(rows), note)
 
 
@@ -237,7 +254,9 @@ def _drawn(reader: Reader, found: dict[str, Any], ranked: list[int], name: str) 
     }  # fmt: skip
     below = len(found["keys"]) - len(keys)
     rest = f" {below} keys change it by less than {100 * SMALLEST:g} % and are not drawn." if below else ""
-    caption = f"Change of the {label} with other values of assumed, calibrated or toleranced inputs.{rest}"
+    caption = (
+        f"Change of the {label} with other values of assumed, calibrated, toleranced or chosen inputs.{rest}"
+    )
     return Figure("assumed-effects", caption, (trace,), layout, tall=len(keys) > _TALL)
 
 

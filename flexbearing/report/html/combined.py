@@ -1,8 +1,9 @@
 """How sure the results of a case are: what all inputs together make of them that are not known exactly."""
 
 from dataclasses import dataclass
-from math import exp, hypot, log
+from math import exp, hypot, inf, log
 
+from flexbearing.quantities.effects import CHOICE, COMPARISON, LIVES, about
 from flexbearing.report.html import assumed_effects, assumptions
 from flexbearing.report.html.document import Cell
 from flexbearing.report.html.reader import Reader
@@ -11,7 +12,7 @@ LIFE = "life"
 HEAD = (
     "by inputs: least [times]",
     "most [times]",
-    "worst sum: least [times]",
+    "all at once: least [times]",
     "most [times]",
     "moved most by",
 )
@@ -19,11 +20,30 @@ _COMPUTED = "computed with this result"
 _TOLD = "as comments of the case tell it, which leave out changes below 1 %"
 _NOTE = (
     "By inputs: the result over that of this case with other values of all that is assumed, fitted or "
-    "toleranced, {by}; root of the sum of squares of the largest changes by each input, as logarithms, for "
-    "inputs that are independent of each other. Worst sum: all of these changes at once. What the model "
-    "leaves out comes on top."
+    "toleranced, {by}: root of the sum of squares of the largest change by each input, as logarithms, for "
+    "inputs that are independent of each other. All at once: {worst}. What the model leaves out comes on top."
 )
+_SUMMED = "the product of the largest changes by all inputs"
+_SOLVED = (
+    "of the life, the case solved again with all changes that shorten it, and with all that lengthen it; of "
+    "the other results, the product of the largest changes"
+)
+_CHOSEN = " How the shaft holds the ring and the rules of the life count as inputs here: {}."
+_CAPPED = " {} stays between {:g} and {:g}, however many inputs change it."
 _MISSING = " Not counted, since their effect is not told: {}."
+_LIMITS = {  # of factors of a life that a rule bounds
+    "a_ISO": (0.1, 50.0),  # ISO 281
+    "film": (0.19, 3.03),  # STLE
+}
+_OF_FACTORS = ("lubricant.", "life.")  # keys that act on the factors of a life alone, where only it is told
+
+
+@dataclass(frozen=True)
+class Change:
+    """A result with another value of an input over that of the case, as logarithms."""
+
+    whole: float
+    factors: float = 0.0  # the part that the factors of the life have in it
 
 
 @dataclass(frozen=True)
@@ -44,7 +64,7 @@ def cells(reader: Reader, word: str) -> tuple[Cell, ...]:
     word : str
         of the result in comments of a case, `LIFE` for that to compare with a requirement
     """
-    span = span_of(ratios(reader, word))
+    span = of(reader, word)
     if span is None:
         return ()
     numbers = [
@@ -54,51 +74,122 @@ def cells(reader: Reader, word: str) -> tuple[Cell, ...]:
     return (*numbers, span.most)
 
 
+def of(reader: Reader, word: str) -> Span | None:
+    """Span of a result; None where no effect on it is known."""
+    room = _room(reader) if word == LIFE else (inf, inf)
+    span = span_of(changes(reader, word), room)
+    solved = _at_once(reader) if word == LIFE else None
+    if span is None or solved is None:
+        return span
+    low, high = span.squares
+    return Span((max(low, solved[0]), min(high, solved[1])), solved, span.most)
+
+
 def note(reader: Reader) -> str:
     """What the spans mean, and which inputs are not in them."""
     computed = bool(reader.attributes.get("assumed_effects"))
     missing = [] if computed else _untold(reader)
-    words = _NOTE.format(by=_COMPUTED if computed else _TOLD)
+    by, worst = (_COMPUTED if computed else _TOLD), (_SOLVED if _at_once(reader) else _SUMMED)
+    words = _NOTE.format(by=by, worst=worst)
+    if chosen := assumed_effects.keys(reader, CHOICE):
+        words += _CHOSEN.format(", ".join(chosen))
+    if bounded := _bounded(reader):
+        words += _CAPPED.format(bounded[0], *_LIMITS[bounded[0]])
     return words + (_MISSING.format(", ".join(missing)) if missing else "")
 
 
-def ratios(reader: Reader, word: str) -> dict[str, list[float]]:
-    """An output with other values of each key over that of the case: as computed, else as comments tell."""
+def changes(reader: Reader, word: str) -> dict[str, list[Change]]:
+    """Changes of an output by each input, those of one thing together; as computed, else as comments tell."""
     found = reader.attributes.get("assumed_effects")
+    collected: dict[str, list[Change]] = {}
     if not found:
         said = assumptions.comments(reader.result.attributes["case_text"])
-        return {key: values for key, text in said.items() if (values := assumptions.ratios(text, word))}
+        for key, text in said.items():
+            for whole in map(log, assumptions.ratios(text, word)):
+                of_factors = whole if word == LIFE and key.startswith(_OF_FACTORS) else 0.0
+                collected.setdefault(about(key), []).append(Change(whole, of_factors))
+        return collected
     named = {word: name for name, word in reader.layout.weighed}
     name = assumed_effects.ranked_by(reader) if word == LIFE else named[word]
-    base = found["of"].get(name)
-    if not base or (word == LIFE and name not in assumed_effects.LIVES):
+    if not found["of"].get(name) or (word == LIFE and name not in LIVES):
         return {}
-    return {
-        key["key"]: [other["values"][name] / base for other in key["others"] if name in other["values"]]
-        for key in found["keys"]
-    }
+    for key in (key for key in found["keys"] if key.get("role") != COMPARISON):
+        for values in (other["values"] for other in key["others"]):
+            if values.get(name, 0.0) > 0:
+                collected.setdefault(about(key["key"]), []).append(_change(values, found["of"], name))
+    return collected
 
 
-def span_of(changes: dict[str, list[float]]) -> Span | None:
+def _change(values: dict[str, float], base: dict[str, float], name: str) -> Change:
+    """A change with the part of the factors of a modified life, which its basic life does not have."""
+    modified, basic = LIVES
+    whole = log(values[name] / base[name])
+    both = name == modified and all(each.get(basic, 0.0) > 0 for each in (values, base))
+    return Change(whole, whole - log(values[basic] / base[basic]) if both else 0.0)
+
+
+def span_of(changes: dict[str, list[Change]], room: tuple[float, float] = (inf, inf)) -> Span | None:
     """Combine changes by single inputs; None without any.
 
-    >>> span_of({"a": [0.5, 2.0], "b": [2.0]}).worst
-    (0.5, 4.0)
-    >>> span_of({"a": [0.5, 2.0], "b": [2.0]}).squares == (0.5, 2 ** 2 ** 0.5)
-    True
+    Parameters
+    ----------
+    changes : dict
+        of each input
+    room : tuple of float
+        logarithms by which the factors of a life may shrink and grow to their limits: what single changes
+        of them add up to beyond it is taken from all of them in proportion
+
+    >>> halved_and_doubled = {"a": [Change(log(0.5)), Change(log(2.0))], "b": [Change(log(2.0))]}
+    >>> [round(each, 9) for each in span_of(halved_and_doubled).worst]
+    [0.5, 4.0]
+    >>> round(span_of({"a": [Change(2.0, 2.0)], "b": [Change(2.0, 2.0)]}, (inf, 2.0)).worst[1] / exp(2.0), 9)
+    1.0
     """
-    sides = {
-        key: (min([0.0, *map(log, values)]), max([0.0, *map(log, values)]))
-        for key, values in changes.items() if values and min(values) > 0
-    }  # fmt: skip
-    if not sides:
+    if not any(changes.values()):
         return None
-    low, high = zip(*sides.values(), strict=True)
-    return Span(
-        squares=(exp(-hypot(*low)), exp(hypot(*high))),
-        worst=(exp(sum(low)), exp(sum(high))),
-        most=max(sides, key=lambda key: max(map(abs, sides[key]))),
-    )
+    ends = {key: [_end(values, sign) for sign in (-1, 1)] for key, values in changes.items() if values}
+    squares, worst = [], []
+    for side, sign in enumerate((-1, 1)):
+        of_side = [pair[side] for pair in ends.values()]
+        for results, total in ((squares, hypot), (worst, lambda *sizes: sum(sizes))):
+            reached = total(*(max(0.0, sign * each.factors) for each in of_side))
+            excess = max(0.0, 1 - room[side] / reached) if reached else 0.0
+            sizes = (sign * each.whole - excess * max(0.0, sign * each.factors) for each in of_side)
+            results.append(exp(sign * total(*(max(0.0, size) for size in sizes))))
+    most = max(ends, key=lambda key: max(abs(each.whole) for each in ends[key]))
+    return Span((squares[0], squares[1]), (worst[0], worst[1]), most)
+
+
+def _end(values: list[Change], sign: int) -> Change:
+    """The largest change in one direction; none where all go the other way."""
+    return max([Change(0.0), *values], key=lambda each: sign * each.whole)
+
+
+def _bounded(reader: Reader) -> tuple[str, float] | None:
+    """The factor of the life that a rule bounds, with its value; None without one."""
+    factors = ((reader.attributes.get("life") or {}).get(reader.last) or {}).get("factors", ())
+    return next(((each["name"], each["value"]) for each in factors if each["name"] in _LIMITS), None)
+
+
+def _room(reader: Reader) -> tuple[float, float]:
+    """Logarithms by which a bounded factor may shrink and grow."""
+    bounded = _bounded(reader)
+    if bounded is None:
+        return inf, inf
+    name, value = bounded
+    least, most = _LIMITS[name]
+    return max(0.0, log(value / least)), max(0.0, log(most / value))
+
+
+def _at_once(reader: Reader) -> tuple[float, float] | None:
+    """The life with all changes at once over that of the case; None where it was not solved."""
+    found = reader.attributes.get("assumed_effects") or {}
+    name = assumed_effects.ranked_by(reader) if found else ""
+    lives = [each["values"][name] for each in found.get("together", ()) if name in each["values"]]
+    if not lives or len(lives) < len(found["together"]):
+        return None
+    ratios = (1.0, *(life / found["of"][name] for life in lives))
+    return min(ratios), max(ratios)
 
 
 def _untold(reader: Reader) -> list[str]:

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
+from flexbearing.quantities.effects import CHOICE, INPUT
 from flexbearing.report.html import assumed_effects, assumptions, ratings
 from flexbearing.report.html.document import Block, Cell, Items, Number, Table, Words
 from flexbearing.report.html.reader import Reader
@@ -20,6 +21,7 @@ _PRESSED_ENDS = {"pressed-end", "sharp-roller-end"}  # codes of notes
 _OF_BASIC = ("tilt", "roller-position")  # of these, those that tell the basic life L10
 _BASIC = " (of the basic life L10{power})"
 _POWER = "; a_ISO follows the load, so the modified life changes with its power {:.3g}"
+_BY_KEY = {"tilt": "operation.tilt", "fit-tolerances": "bearing.fits.at"}  # told by effects of these keys
 _MOVED = ("tilt", "roller-position", "fit-tolerances")  # codes of notes that tell other lives
 
 
@@ -81,11 +83,13 @@ def _moved(reader: Reader) -> Iterator[str]:
     case, rated = reader.attributes["case_si"], ratings.found(reader)
     if not isinstance(rated, str) and rated[0]["load_N"] > rated[0]["ratings_N"]["C_r"] / 2:
         yield "load: P is above C_r/2, where ISO 281 leaves it to the maker whether a formula of life holds"
-    if codes & _PRESSED_ENDS and case["life"].get("edge_stress") is False:
+    solved = {key for role in (INPUT, CHOICE) for key in assumed_effects.keys(reader, role)}
+    left_out = case["life"].get("edge_stress") is False and "life.edge_stress" not in solved
+    if codes & _PRESSED_ENDS and left_out:
         yield "edge stress: left out of the life (life.edge_stress = false), though roller ends are pressed"
     modified = next(life.key == "modified" for life in lives(reader) if life.chosen)
     for note in reader.attributes["notes"]:
-        if note["code"] in _MOVED:
+        if note["code"] in _MOVED and _BY_KEY.get(note["code"]) not in solved:
             basic = _BASIC.format(power=_power(reader)) if modified and note["code"] in _OF_BASIC else ""
             yield units_in_words(note["text"]) + basic
     if reader.attributes.get("assumed_effects"):
