@@ -85,6 +85,10 @@ class Numbers:
             "told": self.told,
             "warmth": self.warmth,
             "ratings_at": self.ratings_at,
+            "own_life_at": self.own_life_at,
+            "part": self.part,
+            "torque_error": self.torque_error,
+            "viscosity_ratio": self.viscosity_ratio,
         }
         if kind in derived:
             return derived[kind](rest)
@@ -220,6 +224,36 @@ class Numbers:
         """A rating of the case with oil of another temperature."""
         kelvin, name = rest.split("/")
         return self.rated(f"lubricant.inlet_temperature={float(kelvin) - 273.15:.8g} degC")[name]
+
+    def own_life_at(self, kelvin):
+        """Life of the case with the a_ISO of another temperature, at the load that has its reference life."""
+        block = "flexible" if "flexible" in json.loads(self.file.attrs["life"]) else "rigid"
+        life = json.loads(self.file.attrs["life"])[block]
+        reference = float(self.file[f"{block}/reference_life"][()]) / 1e6
+        load = self.ratings["ratings_N"]["C_r"] / reference ** (3 / 10)
+        oil = f"lubricant.inlet_temperature={float(kelvin) - 273.15:.8g} degC"
+        a_iso = self.rated(oil, f"operation.radial_load={load:.12g} N")["a_ISO"]
+        (used,) = (factor["value"] for factor in life["factors"] if factor["name"] == "a_ISO")
+        hours = self.ratings["life_h"] / self.ratings["life_Mrev"]
+        return life["modified_Mrev"] * hours * a_iso / used
+
+    def part(self, rest):
+        """A number over another one that is no output."""
+        of, path = rest.split("/", 1)
+        return self(path) / float(of)
+
+    def torque_error(self, rest):
+        """Of the grid, and the power that no cause of heat explains."""
+        block, path = rest.split("/", 1)
+        power, left = (
+            float(self.file[f"{block}/{name}"][()]) for name in ("driving_power", "loss_transport")
+        )
+        return 100 * (self.stored(f"attributes/{path}") + abs(left) / power)
+
+    def viscosity_ratio(self, _):
+        """Viscosity ratio of a case whose life does not use it."""
+        cleanliness = "life.cleanliness=oil, no or off-line filter, -/13/10"
+        return self.rated("life.lubrication=a_ISO", cleanliness)["viscosity_ratio"]
 
     @property
     def ratings(self):

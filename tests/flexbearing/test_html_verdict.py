@@ -229,7 +229,7 @@ def test_films_are_held_to_their_regime_and_without_roughness_not_checked(reader
     assert rough["Smallest film ratio Λ, inner raceway"].verdict == "met: mixed"
     plain = {check.what: check.verdict for check in ranked(readers("plain"))}
     assert plain["Smallest film ratio Λ"] == "not checked: no roughness given (bearing.roughness)"
-    assert plain["Viscosity ratio κ"] == 'not checked: life.lubrication = "a_ISO" computes it'
+    assert plain["Viscosity ratio κ"] == "met"
     assert {check.what: check.verdict for check in ranked(readers("oil"))}["Viscosity ratio κ"] == "met"
 
 
@@ -436,7 +436,7 @@ def test_what_to_do_next_keeps_limits_first_then_measures_then_checks(readers):
 
     assert steps("heavy")[0] == "take a bearing with C_r of at least 60 kN, or a load P of at most 24.21 kN"
     assert steps("catalogue")[:3] == (
-        "measure or specify lubricant inlet temperature (lubricant.inlet_temperature): moves life, torque "
+        "measure or specify oil temperature at the inlets (lubricant.inlet_temperature): moves life, torque "
         "most",
         "measure or specify bearing rollers (bearing.rollers): moves largest load most",
         "give bearing.roughness for the film ratio",

@@ -18,7 +18,7 @@ from flexbearing.report.html.units import printed
 
 DENTING, DENTING_OF_BALLS = 4000.0, 4200.0  # [MPa] static limits of roller and ball bearings by ISO 76
 USUAL_OF_ROLLERS = 1.5  # static safety in normal running, SKF
-USUAL_TILT = 4 / 60 * pi / 180  # [rad] guideline of SKF, full complement cylindrical roller bearings
+USUAL_TILT = 4 / 60 * pi / 180  # [rad] range of the edge stress of ISO/TS 16281
 LEAST_OF_ROLLERS, LEAST_OF_BALLS = 0.02, 0.01  # P/C_r in SKF's rule of thumb against smearing
 FULL_FILM = 3  # film ratio
 DEEP_GROOVE = "deep_groove_ball"
@@ -43,9 +43,9 @@ _SLIP = (
     "no standard limits it; a minimum load is the usual rule against smearing. Drag of the oil-air mixture "
     "and friction of the cage slow the rollers, traction of the oil film drives them: see Heat by cause"
 )
-_YIELD = "yield stress not given; [materials] takes it as yield_stress of the part. No fatigue limit either"
+_YIELD = "yield_stress of the part is not given in [materials], and a case has no fatigue limit"
 _TILT = "no standard limits it; makers give the tilt that a bearing may have"
-_SKF_TILT = "4 arcmin: guideline of SKF for full complement cylindrical roller bearings, 3 of wide series"
+_USUAL_TILT = "4 arcmin, rule of thumb: the edge stress of ISO/TS 16281 holds below; the maker's limit counts"
 _TILT_OF_ROLLERS = {
     "ring_tilt": "this is the slope against the unloaded axis, and an outer ring on an elastic support leans "
     "along: see the slope between the raceways",
@@ -59,6 +59,8 @@ _ROLLING = (
 )
 _ENDS = 'set bearing.contact = "half_space" for the peak pressure at the ends of the rollers'
 _GIVE_YIELD = "give yield_stress of [materials] for the parts whose stress has no limit here"
+_COUNT_OIL = 'set life.lubrication = "a_ISO" for a life that counts oil and cleanliness'
+_THICKER = "take a more viscous oil, or cool it, for a viscosity ratio of 1; else oil with additives"
 _HEAT = "the case has no limits of steel, cage and lubricant"
 
 
@@ -87,17 +89,16 @@ class Check:
     do: str = ""  # what keeps a limit that is exceeded, or checks one that was not
 
     @property
-    def rank(self) -> tuple[bool, bool, float]:
-        """Limits that are not kept first, then those that are, what was not checked last; by their shares."""
+    def rank(self) -> tuple[bool, int, float]:
+        """Limits that are not kept first, then missed aims, then the others; last what was not checked."""
         broken = self.verdict.startswith(tuple(_BROKEN.values()))
-        return self.verdict.startswith(NOT_CHECKED), not broken, -self.used
+        return self.verdict.startswith(NOT_CHECKED), (1 if self.aim else 0) if broken else 2, -self.used
 
 
 def summary(reader: Reader) -> Iterator[Words]:
     """In a sentence whether limits are kept, and which is the nearest."""
     checks, life = ranked(reader), _lived(reader)
-    broken = [check for check in checks if check.verdict.startswith(tuple(_BROKEN.values()))]
-    limits, aims = ([check for check in broken if check.aim == aim] for aim in (False, True))
+    limits, aims = _broken(checks)
     nearest = next((check for check in checks if check.used), None)
     left = sum(check.verdict.startswith(NOT_CHECKED) for check in checks)
     without = f" {left} more could not be checked, each for the reason in its line." if left else ""
@@ -115,14 +116,30 @@ def summary(reader: Reader) -> Iterator[Words]:
     yield from _urgent(checks)
 
 
+def _broken(checks: list[Check]) -> tuple[list[Check], list[Check]]:
+    """Limits that are not kept, and usual aims that are missed."""
+    broken = [check for check in checks if check.verdict.startswith(tuple(_BROKEN.values()))]
+    return [check for check in broken if not check.aim], [check for check in broken if check.aim]
+
+
+def judged(reader: Reader) -> str:
+    """Whether the bearing can be used, in a few words."""
+    limits, aims = _broken(ranked(reader))
+    if limits or reader.notes(GRADES[0]):
+        return "No."
+    return "Only with a reason for what misses a usual aim." if aims else "Yes, as far as checked."
+
+
 def _urgent(checks: list[Check]) -> Iterator[Words]:
     """Values that must be compared with a limit which the case does not give."""
-    urgent = [
-        f"{check.what}: {check.value.text} {printed(check.value.unit)} ({check.verdict.partition(': ')[2]})"
-        for check in checks if check.urgent and isinstance(check.value, Number)
-    ]  # fmt: skip
-    if urgent:
-        yield Words((f"Compare with limits of your own before use: {'; '.join(urgent)}.",), "danger")
+    reasons: dict[str, list[str]] = {}
+    for check in checks:
+        if check.urgent and isinstance(check.value, Number):
+            value = f"{check.what}: {check.value.text} {printed(check.value.unit)}"
+            reasons.setdefault(check.verdict.partition(": ")[2], []).append(value)
+    for why, values in reasons.items():
+        words = f"Compare with limits of your own before use: {'; '.join(values)}. Reason: {why}."
+        yield Words((words,), "danger")
 
 
 def _lived(reader: Reader) -> str:
@@ -168,7 +185,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
         for check in checks
     )
     head = ("checked", "value", "unit", "limit", "share of the limit [%]", "verdict")
-    yield Table("What limits most", head, rows, _NOTE)
+    yield Table("What limits most", head, rows, _NOTE, name="limits-most")
     if "static_safety" in reader.blocks[reader.last]:
         yield Words((_TWO,))
 
@@ -178,13 +195,19 @@ def ranked(reader: Reader) -> list[Check]:
     found = (
         *_pressures(reader), *_static(reader), *_load(reader), *_stresses(reader), *_films(reader),
         *_spin(reader), *_clearance(reader), *_noted(reader), *_life(reader),
-        *_tilts(reader), *_slip(reader), *_heat(reader),
+        *_tilts(reader), *_slip(reader), *_heat(reader), *_never(reader),
     )  # fmt: skip
     return sorted(found, key=lambda check: check.rank)
 
 
 def to_do(reader: Reader) -> Iterator[Items]:
-    """What to do next: keep limits, find out what moves results most, check what was not checked."""
+    """What to do next."""
+    if told := steps(reader):
+        yield Items("What to do next", told, name="to-do")
+
+
+def steps(reader: Reader) -> tuple[str, ...]:
+    """Keep limits, find out what moves results most, check what was not checked."""
     checks = ranked(reader)
     broken = [check.do for check in checks if check.verdict.startswith(tuple(_BROKEN.values()))]
     others = [check.do for check in checks if check.do not in broken]
@@ -196,8 +219,7 @@ def to_do(reader: Reader) -> Iterator[Items]:
     measure = [
         f"measure or specify {named(key)}: moves {', '.join(words)} most" for key, words in moved.items()
     ]
-    if steps := tuple(dict.fromkeys(filter(None, (*broken, *measure, *others)))):
-        yield Items("What to do next", steps)
+    return tuple(dict.fromkeys(filter(None, (*broken, *measure, *others))))
 
 
 def _unit(value: Cell) -> str:
@@ -326,14 +348,14 @@ def yield_stress(reader: Reader, part: str, body: str) -> float | None:
 
 def _films(reader: Reader) -> Iterator[Check]:
     yield from _film_ratio(reader)
-    found = ratings.found(reader)
-    rated, at = ({}, "") if isinstance(found, str) else found
+    found = ratings.viscosity_ratio(reader)
     what, words = "Viscosity ratio κ", "at least 1 (usual aim; ISO 281 rates from 0.1)"
-    if "viscosity_ratio" in rated:
-        path = f"{at}/viscosity_ratio"
-        value = reader.units.number(rated["viscosity_ratio"], "", "", ".3g", path)
-        yield _against(reader, what, value, rated["viscosity_ratio"], Limit(1.0, LEAST, words, True))
-    elif rated:
+    if found is not None:
+        value = reader.units.number(found[0], "", "", ".3g", found[1])
+        check = _against(reader, what, value, found[0], Limit(1.0, LEAST, words, True))
+        counted = (reader.attributes["case_si"].get("life") or {}).get("lubrication")
+        yield replace(check, do=("" if counted else _COUNT_OIL) if check.verdict == "met" else _THICKER)
+    elif not isinstance(ratings.found(reader), str):
         how = 'life.lubrication = "a_ISO"'
         do = f"set {how} for the viscosity ratio and a life with oil and cleanliness"
         yield Check(what, "", words, verdict=f"{NOT_CHECKED}: {how} computes it", do=do)
@@ -392,6 +414,12 @@ def _clearance(reader: Reader) -> Iterator[Check]:
     yield Check(f"Diametral {reader.clearance_words}", value, "at least 0", verdict=verdict)
 
 
+_NEVER = {
+    "Strength of the cage": "no stress of the cage is computed; pocket forces stand under Rollers or Balls",
+    "Creep of the rings in their seats": "compare the fits with the maker's for a load that turns or stands",
+    "Hoop stress of the rings by fit and speed": "not among these numbers; the stress of a flexible ring, if "
+    "computed, has its own line",
+}
 _NOTED = {  # what, by the code of a note: limit, verdict
     "overlapping-dimensions": (
         "Dimensions of the cage", "no overlap",
@@ -411,6 +439,12 @@ def _noted(reader: Reader) -> Iterator[Check]:
         if code in _NOTED:
             what, limit, verdict = _NOTED[code]
             yield Check(what, "", limit, verdict=verdict)
+
+
+def _never(reader: Reader) -> Iterator[Check]:
+    """What no run computes."""
+    for what, why in _NEVER.items():
+        yield Check(what, verdict=f"{NOT_CHECKED}: {why}")
 
 
 def _life(reader: Reader) -> Iterator[Check]:
@@ -439,7 +473,7 @@ def _tilts(reader: Reader) -> Iterator[Check]:
     found = between_raceways(reader)
     if found and np.any(block["ring_tilt"]):
         what, limit = "Slope between the raceways at the most loaded roller", 1e3 * USUAL_TILT
-        words = f"at most {limit:.3g} ({_SKF_TILT})"
+        words = f"at most {limit:.3g} ({_USUAL_TILT})"
         value, size = found
         yield _against(reader, what, value, size, Limit(USUAL_TILT, MOST, words, True))
     for name, what in (("ring_tilt", "Tilt of the inner ring"), ("roller_tilt", "Largest tilt of a roller")):

@@ -12,6 +12,17 @@ from flexbearing.report.html.units import units_in_words
 _TIMES = re.compile(r"(\d+(?:\.\d+)?) times with")
 _MARKS = ("assumed: ", "calibrated: ", "tolerances: ")
 TOLERANCES = "bearing.fits.at"  # stands for all classes of clearance and fits
+_NAMES = {
+    TOLERANCES: "tolerances of clearance and fits",
+    "operation.tilt": "whether the shaft lets the inner ring tilt",
+    "operation.misalignment": "misalignment of the inner ring",
+    "operation.radial_load": "radial load",
+    "operation.axial_load": "axial load",
+    "life.edge_stress": "edge stress in the life",
+    "life.capacity": "rule of the load capacity",
+    "lubricant.inlet_temperature": "oil temperature at the inlets",
+    "life.cleanliness": "cleanliness of the oil",
+}
 _TABLE, _KEY = re.compile(r"\[([^\]\[]+)\]"), re.compile(r'"?([\w.-]+)"?\s*=')
 _TITLE = "Assumed: the source does not give these inputs"
 WORTH = 1.25  # change of a life by an assumed input that is told beside the life, as a factor
@@ -40,8 +51,8 @@ def named(key: str) -> str:
     >>> named("bearing.roller.drop"), named("lubricant.oil_fraction")
     ('roller drop (bearing.roller.drop)', 'lubricant oil fraction (lubricant.oil_fraction)')
     """
-    if key == TOLERANCES:
-        return f"tolerances of clearance and fits ({key})"
+    if key in _NAMES:
+        return f"{_NAMES[key]} ({key})"
     return f"{' '.join(key.split('.')[-2:]).replace('_', ' ')} ({key})"
 
 

@@ -6,7 +6,7 @@ from typing import Any
 from flexbearing.report.html import assumed_effects
 from flexbearing.report.html.document import Block, Cell, Figure, Items, Table, Words
 from flexbearing.report.html.reader import Reader
-from flexbearing.report.html.units import units_in_words, with_unit
+from flexbearing.report.html.units import printed, units_in_words, with_unit
 
 _EQUALLY_WARM = (
     "The case gives no [operation.temperatures], so all parts are equally warm and heat changes nothing. A "
@@ -24,11 +24,9 @@ _WARMTH = (
     "Warmer than the outer ring, beyond the temperatures of the case; rollers half way between them, "
     "expansion of the inner ring times the pitch diameter. From there on the bearing is preloaded."
 )
-_OF_THE_CASE = (
-    "The operating clearance is that of the case (bearing.clearance): no fits and temperatures lead to it. "
-    "It is the diametral one, warm and running: the play of the inner ring across the bearing, twice the "
-    "radial one; negative is a preload. Catalogues give another, that of the bearing before it is mounted, "
-    "which fits and heat mostly make smaller."
+_DIAMETRAL = (
+    "All clearances are diametral: the play of the inner ring across the bearing, twice the radial one; "
+    "negative is a preload."
 )
 SMALLEST = 5e-10  # [m] smaller changes are zeros in the table
 
@@ -38,8 +36,9 @@ def blocks(reader: Reader) -> Iterator[Block]:
     found = reader.attributes.get("clearance")
     if not found:
         return
+    if told := which(reader):
+        yield Items("Which clearance", told)
     if not found["steps"]:
-        yield Words((_OF_THE_CASE,))
         yield _stated(reader)
         yield from _used_up(reader, found)
         return
@@ -56,6 +55,55 @@ def blocks(reader: Reader) -> Iterator[Block]:
         yield _tolerances(reader, found)
         yield from assumed_effects.at_ends(reader)
     yield from _used_up(reader, found)
+
+
+def which(reader: Reader) -> tuple[str, ...]:
+    """Clearance before mounting, mounted, in operation, a line each with its number; empty without one."""
+    found = reader.attributes.get("clearance") or {}
+    if found.get("operating_m") is None:
+        return ()
+    used = _micrometres(reader, found["operating_m"])
+    if not found["steps"]:
+        return (
+            _DIAMETRAL,
+            "Before mounting, as in a catalogue, and mounted at rest: not in the case. [bearing.fits] with a "
+            "clearance before mounting, in place of bearing.clearance, computes both.",
+            f"In operation, warm and turning: {used} ({_origin(reader)}). All results use it.",
+        )
+    bands = {each["name"]: each for each in found.get("tolerances", {}).get("classes", ())}
+    of_class = f", class {bands['clearance']['class']}" if "clearance" in bands else ""
+    lines = [
+        _DIAMETRAL,
+        f"Before mounting, as in a catalogue: {_micrometres(reader, found['cold_m'])}{of_class}.",
+    ]
+    if mounted := [step for step in found["steps"] if step["name"].endswith("fit")]:
+        by = ", ".join(f"{step['name']} {_micrometres(reader, step['change_m'], '+.1f')}" for step in mounted)
+        after = _micrometres(reader, mounted[-1]["clearance_m"])
+        lines.append(f"Mounted at rest, parts equally warm: {after} ({by}).")
+    if reader.attributes["case_si"]["operation"].get("temperatures"):
+        lines.append(f"In operation, warm and turning: {used}. All results use it.")
+    else:
+        lines.append("In operation: not known, as the case gives no temperatures.")
+        lines.append(f"All results use the clearance mounted and turning, parts equally warm: {used}.")
+    if "ends" in found.get("tolerances", {}):
+        ends = (
+            _micrometres(reader, found["tolerances"]["ends"][f"{end}_m"]) for end in ("tightest", "loosest")
+        )
+        lines.append(f"Tolerances of clearance and fits leave {' to '.join(ends)} of it.")
+    return tuple(lines)
+
+
+def _micrometres(reader: Reader, length: float, digits: str = ".1f") -> str:
+    number = reader.units.number(length, "m", "um", digits, "")
+    return f"{number.text} {printed(number.unit)}"
+
+
+def _origin(reader: Reader) -> str:
+    """Where a stated clearance comes from."""
+    fitted = reader.attributes["calibrated"].get("bearing.clearance")
+    if fitted:
+        return "fitted, see Inputs"
+    return "assumed" if "bearing.clearance" in reader.attributes["assumed"] else "given by the case"
 
 
 def _used_up(reader: Reader, found: dict[str, Any]) -> Iterator[Table]:

@@ -131,6 +131,12 @@ def _change(values: dict[str, float], base: dict[str, float], name: str) -> Chan
 def span_of(changes: dict[str, list[Change]], room: tuple[float, float] = (inf, inf)) -> Span | None:
     """Combine changes by single inputs; None without any.
 
+    >>> halved_and_doubled = {"a": [Change(log(0.5)), Change(log(2.0))], "b": [Change(log(2.0))]}
+    >>> [round(each, 9) for each in span_of(halved_and_doubled).worst]
+    [0.5, 4.0]
+    >>> round(span_of({"a": [Change(2.0, 2.0)], "b": [Change(2.0, 2.0)]}, (inf, 2.0)).worst[1] / exp(2.0), 9)
+    1.0
+
     Parameters
     ----------
     changes : dict
@@ -138,12 +144,6 @@ def span_of(changes: dict[str, list[Change]], room: tuple[float, float] = (inf, 
     room : tuple of float
         logarithms by which the factors of a life may shrink and grow to their limits: what single changes
         of them add up to beyond it is taken from all of them in proportion
-
-    >>> halved_and_doubled = {"a": [Change(log(0.5)), Change(log(2.0))], "b": [Change(log(2.0))]}
-    >>> [round(each, 9) for each in span_of(halved_and_doubled).worst]
-    [0.5, 4.0]
-    >>> round(span_of({"a": [Change(2.0, 2.0)], "b": [Change(2.0, 2.0)]}, (inf, 2.0)).worst[1] / exp(2.0), 9)
-    1.0
     """
     if not any(changes.values()):
         return None

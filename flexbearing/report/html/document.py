@@ -28,6 +28,7 @@ class Table:
     note: str = ""
     sortable: bool = False
     folded: bool = False  # shown when the caption is clicked
+    name: str = ""  # of its element, for links
 
 
 @dataclass(frozen=True)
@@ -69,6 +70,7 @@ class Items:
     items: tuple[str, ...]
     grade: str = ""
     link: tuple[str, str] | None = None  # below the list: to where on the page, and its words
+    name: str = ""  # of its element, for links
 
 
 @dataclass(frozen=True)

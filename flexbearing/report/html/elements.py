@@ -12,7 +12,8 @@ from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import NOTHING, with_unit
 
 _SIGNED = {  # whose sign is told below the table, with their headings
-    "roller_tilt": "roller tilt", "cage_force": "pocket force", "roller_skew": "roller skew",
+    "roller_slip": "roller slip", "roller_tilt": "roller tilt", "cage_force": "pocket force",
+    "roller_skew": "roller skew",
 }  # fmt: skip
 
 

@@ -10,6 +10,7 @@ from flexbearing.report.html.document import Block, Cell, Number, Table, Words
 from flexbearing.report.html.reader import Reader
 
 NOT_ESTIMATED = "not estimated"
+TORQUE, _RESIDUAL = "driving_torque", "loss_transport"
 PRESSURE_NOTES = {"pressed-end", "sharp-roller-end", "sliced-peak", "profile-corner"}
 _MEANING = (
     "A numerical error says how far a number is from the exact answer of this model, not from a "
@@ -51,8 +52,20 @@ def known(reader: Reader, entry: SummaryValue) -> Number | None:
     """Estimated error of an output in percent; None where it was not estimated."""
     if entry.error == "total_stiffness" and (whole := with_supports(reader)):
         return whole
+    if entry.error == TORQUE and (whole := of_torque(reader)):
+        return whole
     path = reader.error_path(entry.error)
     return reader.of_attribute(path, "1", "%", ".2g") if path else None
+
+
+def of_torque(reader: Reader) -> Number | None:
+    """Error [%] of the driving torque by its grid and by power that no cause explains; None: not known."""
+    path, block = reader.error_path(TORQUE), reader.blocks.get(reader.last, {})
+    if not path or _RESIDUAL not in block or not float(block["driving_power"]):
+        return None
+    error = float(reader.attributes[path.partition("/")[0]][TORQUE])
+    error += abs(float(block[_RESIDUAL]) / float(block["driving_power"]))
+    return reader.units.number(100 * error, "%", "%", ".2g", f"torque_error/{reader.last}/{path}")
 
 
 def with_supports(reader: Reader) -> Number | None:
@@ -82,7 +95,8 @@ def blocks(reader: Reader) -> Iterator[Block]:
     """Errors that are estimated, how the balance ended, what is not estimated."""
     rows = [*_of_target(reader), *_of_single_outputs(reader)]
     rows.append(("balance of forces at the end", reader.attributes["message"], "of the run"))
-    yield Table(_caption(reader), ("number", "error [%] or remark", "estimated by"), tuple(rows), _MEANING)
+    head = ("number", "error [%] or remark", "estimated by")
+    yield Table(_caption(reader), head, tuple(rows), _MEANING, name="errors")
     if _exact(reader):
         yield Words((_BALLS,))
     elif not (reader.attributes.get("error_estimate") or {}) and "accuracy" in reader.attributes["case_si"]:
@@ -138,7 +152,7 @@ def _of_target(reader: Reader) -> Iterator[tuple[Cell, ...]]:
             "finer slices, and the meshes of the supports by their share",
         )
     for name in (name for name in words if reader.error_path(name)):
-        yield words[name], reader.of_attribute(reader.error_path(name), "1", "%", ".2g"), by
+        yield _by_grid(reader, name, words[name], by)
     if estimates.get("life") is None:
         yield (
             words["life"],
@@ -148,6 +162,13 @@ def _of_target(reader: Reader) -> Iterator[tuple[Cell, ...]]:
     left = [text for name, text in words.items() if name != "life" and not reader.error_path(name)]
     if left:
         yield "; ".join(left), NOT_ESTIMATED, ""
+
+
+def _by_grid(reader: Reader, name: str, words: str, by: str) -> tuple[Cell, ...]:
+    """Error of an output by its grid; that of the torque has the residual of the losses in it."""
+    if name == TORQUE and (whole := of_torque(reader)):
+        return words, whole, f"{by}, and the discretisation residual over the power (see Heat by cause)"
+    return words, reader.of_attribute(reader.error_path(name), "1", "%", ".2g"), by
 
 
 def _of_pressures(reader: Reader) -> Iterator[tuple[Cell, ...]]:

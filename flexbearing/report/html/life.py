@@ -17,10 +17,10 @@ from flexbearing.report.html.units import printed
 _STEPS = {  # by end state: name, why of rollers, why of balls
     "rigid": (
         "loads of all rolling elements, rigid rings",
-        "joint factor of all that ISO 281 supposes otherwise, whose parts may cancel: load shared by "
-        "clearance, profile and centrifugal force; capacities of Lundberg and Palmgren instead of C_r",
-        "joint factor of all that ISO 281 supposes otherwise, whose parts may cancel: load shared by "
-        "clearance, contact angles and centrifugal force",
+        "several influences in one factor, which one solution cannot split: clearance, profile, centrifugal "
+        "force, and capacities of Lundberg and Palmgren instead of C_r",
+        "several influences in one factor, which one solution cannot split: clearance, contact angles and "
+        "centrifugal force",
     ),
     "flexible": (
         "flexible rings",
@@ -48,7 +48,7 @@ _OWN = (
     "computed here; that of a catalogue holds at P of the ratings."
 )
 _HOW = (
-    "The table above has their joint effect. Each alone needs a further solution of the case: "
+    "The first factor above holds these influences together. To split it, each needs a solution of its own: "
     "`flexbearing run {case} --set outputs.catalogue_life=true -o OUT.h5`, then `flexbearing report OUT.h5`."
 )
 

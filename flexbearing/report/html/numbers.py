@@ -54,10 +54,15 @@ def _rows(reader: Reader, entry: SummaryValue, errors: bool, compared: bool) -> 
         numbers = [reader.declared(entry, block, *steps) for block in reader.blocks]
         if all(number.text == NOTHING for number in numbers):
             continue
+        shown: list[Cell] = [
+            NOTHING if compared and of_supports(entry) and block == "rigid" else number
+            for block, number in zip(reader.blocks, numbers, strict=True)
+        ]
         label = f"{_AXES.sub('', entry.label)}, {words.replace('_', ' ')}" if words else entry.label
-        row: list[Cell] = [label, *numbers, printed(numbers[-1].unit)]
+        row: list[Cell] = [label, *shown, printed(numbers[-1].unit)]
         if errors:
             row.append(exactness.known(reader, entry) or "")
         if compared:
-            row.append(reader.change(numbers[0].of, numbers[-1].of) if entry.compared else "")
+            both = entry.compared and NOTHING not in shown
+            row.append(reader.change(numbers[0].of, numbers[-1].of) if both else "")
         yield tuple(row)

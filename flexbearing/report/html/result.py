@@ -1,6 +1,7 @@
 """The report of a result: its sections in their order."""
 
 from collections.abc import Iterator
+from itertools import chain
 
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.report.html import (
@@ -8,6 +9,7 @@ from flexbearing.report.html import (
     elements,
     inputs,
     life,
+    lubrication,
     numbers,
     origin,
     others,
@@ -62,7 +64,10 @@ def of_result(result: Result, units: Units = METRIC, further: tuple[Section, ...
         ),
         "others": ("Other states of this case", others.blocks(reader)),
         "elements": (f"{shown.word.capitalize()}s" if shown else "", elements.blocks(reader, shown)),
-        "contacts": ("Contacts: loads, pressures, films", elements.contacts(reader, shown)),
+        "contacts": (
+            "Contacts: loads, pressures, films",
+            chain(lubrication.blocks(reader) if reader.last else (), elements.contacts(reader, shown)),
+        ),
         "heat": ("Heat by cause", _heat(reader)),
         "clearance": ("Clearance", clearance.blocks(reader)),
         "rings": ("Rings: deformation and stresses", rings.blocks(reader)),
@@ -83,18 +88,17 @@ def _heat(reader: Reader) -> Iterator[Block]:
     if not (reader.last and causes):
         return
     unit = reader.units.of("W")
+    known = {entry.of[0]: entry.label.strip() for entry in reader.layout.summary if len(entry.of) == 1}
+    labels = {name: known.get(name) or name.removeprefix("loss_") for name in causes}
     series = {
-        block: {
-            name.removeprefix("loss_"): reader.units.value(float(values[name]), "W", "W") for name in causes
-        }
+        block: {labels[name]: reader.units.value(float(values[name]), "W", "W") for name in causes}
         for block, values in reader.blocks.items()
     }
-    labels = {entry.of[0]: entry.label.strip() for entry in reader.layout.summary if len(entry.of) == 1}
     yield bars("heat", "Power lost by cause.", with_unit("power", unit), series)
     rows = []
     for name in causes:
         each = (reader.element(block, name, digits=",.2f") for block in reader.blocks)
-        rows.append((labels.get(name) or name.removeprefix("loss_"), *each, reader.layout[name].meaning))
+        rows.append((labels[name], *each, reader.layout[name].meaning))
     powers = (reader.element(block, "driving_power", digits=",.2f") for block in reader.blocks)
     rows.append(("total: driving power", *powers, reader.layout["driving_power"].meaning))
     head = ("cause", *(f"{block} [{printed(unit)}]" for block in reader.blocks), "meaning")

@@ -15,6 +15,12 @@ _FATIGUE = (
 )
 
 
+NOT_COMPUTED = (
+    "Not computed at all: strength of the cage, creep of rings in their seats, hoop stress of rigid rings by "
+    "fit and speed, load on ribs, seals, the speeds at which oil or cage fail, natural frequencies."
+)
+
+
 def simplifications(reader: Reader) -> tuple[str, ...]:
     """Sentences on what is left out, for the keys of the case."""
     if not (reader.of_rollers or reader.of_balls):
@@ -22,7 +28,7 @@ def simplifications(reader: Reader) -> tuple[str, ...]:
     case: dict[str, Any] = reader.attributes["case_si"]
     of_family = _of_rollers if reader.of_rollers else _of_balls
     lived = "life_L10" in reader.blocks.get(reader.last, {})
-    return (*of_family(case), *_mounting(case), _ONE_STATE, *([_FATIGUE] if lived else []))
+    return (*of_family(case), *_mounting(case), _ONE_STATE, *([_FATIGUE] if lived else []), NOT_COMPUTED)
 
 
 def _of_rollers(case: dict[str, Any]) -> Iterator[str]:

@@ -15,11 +15,11 @@ AXES = ("x", "y", "z", "about y", "about z")
 _FORCES = ("force along x", "force along y", "force along z", "moment about y", "moment about z")
 _UNITS = (("N/m", "kN/mm"), ("N/rad", "kN/rad"), ("N m/m", "kN m/m"), ("N m/rad", "kN m/rad"))
 _WHICH = (
-    "Which to hand to a rotor or shaft model depends on what else that model has. Shaft, housing and "
-    "squirrel cage: the bearing alone. The shaft, but no housing or squirrel cage: the bearing alone in "
-    "series with the support of the outer ring, a row of its own below. Neither: that with supports, which "
-    "includes the bending of the shaft between the ends that the case gives it. Whatever the rotor model "
-    "has beside the one that includes it counts twice."
+    "Which stiffness to give to a rotor or shaft model depends on what that model has of its own. If it has "
+    "shaft, housing and squirrel cage: the bearing alone. If it has the shaft only: the bearing alone in "
+    "series with the support of the outer ring, a row below. If it has neither: the stiffness with supports, "
+    "which includes the bending of the shaft between the ends of the case. A part in both models would count "
+    "twice."
 )
 _NO_SUPPORTS = (
     "Rings, shaft and housing are rigid in this case: there is one stiffness, that of the bearing alone, and "
@@ -27,18 +27,17 @@ _NO_SUPPORTS = (
 )
 _MATRIX = (
     "The matrix includes rings and supports, from the base that holds the outer ring to the ends of the "
-    "shaft. Of the bearing alone the radial part stands above, over y and z. With rotations there is none: "
-    "of raceways that deform only the mean translation can be told from the deformation of the contacts, not "
-    "the rotation, and loads and displacements of such a matrix would not belong to each other."
+    "shaft. Of the bearing alone only the radial part is given, in the table above: the rotation of a "
+    "raceway that deforms cannot be told from the deformation of its contacts."
 )
 _UNSYMMETRIC = (
     "Entries across the diagonal differ: rollers that turn and rub are no elastic spring alone. No damping is"
     " computed; a rotor model needs it from elsewhere."
 )
 _TILT = (
-    "The entries of the matrix hold the tilt of the inner ring. The stiffnesses in the table above let it "
-    'follow where operation.tilt = "free", and that along the load also lets the ring move aside: then they '
-    "are smaller."
+    "The entries of the matrix hold the tilt of the inner ring. The stiffnesses in the table above are "
+    'smaller where operation.tilt = "free": there the tilt follows. That along the load also lets the ring '
+    "move aside."
 )
 _NEAR = (
     "All of them are tangents: slopes at this load, speed, clearance and roller position. Contacts of "
@@ -137,7 +136,7 @@ def _free(reader: Reader) -> str:
     return f", tilt {'free' if held == 'free' else 'held'}" if held else ""
 
 
-def _entry(reader: Reader, row: int, column: int) -> Number:
+def entry(reader: Reader, row: int, column: int) -> Number:
     """An entry of the matrix of the last end state; what rounding leaves of nothing is printed as zero."""
     matrix = reader.blocks[reader.last]["stiffness_matrix"]
     stored, people = _UNITS[2 * (row > 2) + (column > 2)]
@@ -154,7 +153,7 @@ def _matrix(reader: Reader) -> Table:
     for row, axis in enumerate(_FORCES):
         cells: list[Cell] = [axis]
         for column in range(5):
-            cells.append(_entry(reader, row, column))
+            cells.append(entry(reader, row, column))
         rows.append(tuple(cells))
     forces, mixed, moments, turns = (printed(reader.units.of(people)) for _, people in _UNITS)
     note = (

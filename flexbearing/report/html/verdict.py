@@ -5,7 +5,7 @@ from typing import Any
 
 from flexbearing.outputs import outputs
 from flexbearing.quantities.attributes import GRADES
-from flexbearing.report.html import against_limits, combined, exactness, inputs, lives, stiffness
+from flexbearing.report.html import against_limits, answers, combined, exactness, inputs, lives, stiffness
 from flexbearing.report.html.document import Block, Cell, Items, Number, Table, Words
 from flexbearing.report.html.reader import OUTSIDE, Reader
 from flexbearing.report.html.units import NOTHING, printed
@@ -17,6 +17,8 @@ def blocks(reader: Reader) -> Iterator[Block]:
     converged = reader.attributes["status"] == "converged"
     if converged and reader.blocks:
         yield from against_limits.summary(reader)
+    if converged and reader.blocks:
+        yield from answers.blocks(reader)
     yield Words((_ending(reader.attributes),), "" if converged else "danger")
     dangers = reader.notes(GRADES[0])
     if dangers:
@@ -57,12 +59,12 @@ def _main(reader: Reader) -> Table:
     spans = [combined.cells(reader, word) if word else () for _, word in rows]
     head = ("quantity", "value", "unit", "numerical error [%]")
     if not any(spans):
-        return Table("Main results", head, tuple(cells for cells, _ in rows))
+        return Table("Main results", head, tuple(cells for cells, _ in rows), name="main")
     told = tuple(
         (*cells, *(span or (NOTHING,) * len(combined.HEAD)))
         for (cells, _), span in zip(rows, spans, strict=True)
     )
-    return Table("Main results", (*head, *combined.HEAD), told, combined.note(reader))
+    return Table("Main results", (*head, *combined.HEAD), told, combined.note(reader), name="main")
 
 
 def _rows(reader: Reader) -> Iterator[tuple[tuple[Cell, ...], str]]:

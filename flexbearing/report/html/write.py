@@ -8,6 +8,7 @@ from importlib.resources import files
 from flexbearing.report.html.document import Document
 
 _CODE = re.compile(r"`([^`]+)`")
+_LINK = re.compile(r"\[([^\[\]]+)\]\(#([\w-]+)\)")
 PLOTLY = "plotly-cartesian-4.1.1.min.js"  # scatter, bars, heatmaps; its licence lies beside it
 
 
@@ -46,12 +47,14 @@ def html(document: Document) -> str:
 
 
 def marked(text: str) -> str:
-    """Escape a text for the page; what stands between backticks becomes code.
+    """Escape a text for the page; what stands between backticks becomes code, [words](#place) a link in it.
 
     >>> marked("a < b: `run --set`")
     'a &lt; b: <code>run --set</code>'
+    >>> marked("see [Life](#life), [bearing](other)")
+    'see <a href="#life">Life</a>, [bearing](other)'
     """
-    return _CODE.sub(r"<code>\1</code>", escape(text))
+    return _LINK.sub(r'<a href="#\2">\1</a>', _CODE.sub(r"<code>\1</code>", escape(text)))
 
 
 def in_script(value: object) -> str:

@@ -1,0 +1,78 @@
+"""Lubrication in one place: viscosity ratio, film, film ratio, and how they differ."""
+
+from collections.abc import Iterator
+
+from flexbearing.report.html import ratings
+from flexbearing.report.html.document import Block, Cell, Number, Table, Words
+from flexbearing.report.html.reader import Reader
+
+FULL_FILM = 3  # film ratio
+_DIFFER = (
+    "κ and the film are two measures. κ is the viscosity of the oil at the inlet temperature over that which "
+    "a bearing of this size and speed needs by ISO 281: load, roughness and lack of oil do not count in it. "
+    "The film is computed in each contact, with its load, speeds and heated inlet. The film ratio Λ is "
+    "the film over the combined roughness of both surfaces. So κ may be sufficient, and rough surfaces touch "
+    "all the same. The life by ISO 281 uses κ."
+)
+_EXTRAPOLATED = "The oil is used outside the temperatures of its data: both κ and films are extrapolated."
+_MEANINGS = {
+    "kappa": "1 or more is the usual aim",
+    "film": "in the thinnest contact with load",
+    "ratio": "from 1 on surfaces seldom touch, from 3 on the film is full",
+    "touching": "a rougher pair has Λ below 1: compare with that of your surfaces",
+    "full": "a smoother pair has a full film",
+}
+
+
+def blocks(reader: Reader) -> Iterator[Block]:
+    """Viscosity ratio, smallest films, and film ratios or the roughness that they would need."""
+    rows: list[tuple[Cell, ...]] = []
+    if (kappa := viscosity_ratio(reader)) is not None:
+        rows.append(("viscosity ratio κ", kappa, "", _MEANINGS["kappa"]))
+    for race, film in films(reader).items():
+        rows.append((f"smallest film, {race} raceway", film, film.unit, _MEANINGS["film"]))
+        if (ratio := film_ratio(reader, race)) is not None:
+            rows.append((f"smallest film ratio Λ, {race} raceway", ratio, "", _MEANINGS["ratio"]))
+            continue
+        for label, needed, key in (("Λ = 1", 1, "touching"), (f"Λ = {FULL_FILM}", FULL_FILM, "full")):
+            value = needed_roughness(reader, race, needed)
+            rows.append(
+                (f"combined roughness for {label}, {race} raceway", value, value.unit, _MEANINGS[key])
+            )
+    if not rows:
+        return
+    yield Table("Lubrication", ("quantity", "value", "unit", "meaning"), tuple(rows))
+    extrapolated = any("is extrapolated" in note["text"] for note in reader.attributes["notes"])
+    if films(reader):
+        yield Words((_DIFFER, *([_EXTRAPOLATED] if extrapolated else [])))
+
+
+def viscosity_ratio(reader: Reader) -> Number | None:
+    """Viscosity ratio of ISO 281; None without an oil, or at rest."""
+    found = ratings.viscosity_ratio(reader)
+    return None if found is None else reader.units.number(found[0], "", "", ".3g", found[1])
+
+
+def films(reader: Reader) -> dict[str, Number]:
+    """Smallest film of each raceway that has one."""
+    known = reader.summary.get(reader.last, {}).get("minimum_film_um") or {}
+    path = f"summary/{reader.last}/minimum_film_um"
+    return {
+        race: reader.units.number(film, "um", "um", ".3f", f"{path}/{race}")
+        for race, film in known.items() if film
+    }  # fmt: skip
+
+
+def film_ratio(reader: Reader, race: str) -> Number | None:
+    """Smallest film ratio of a raceway; None without roughness."""
+    found = reader.summary[reader.last].get("minimum_lambda") or {}
+    if found.get(race) is None:
+        return None
+    return reader.units.number(found[race], "", "", ".2f", f"summary/{reader.last}/minimum_lambda/{race}")
+
+
+def needed_roughness(reader: Reader, race: str, ratio: float) -> Number:
+    """Combined roughness with which the smallest film of a raceway has a film ratio."""
+    film = reader.summary[reader.last]["minimum_film_um"][race]
+    path = f"part/{float(ratio)!r}/summary/{reader.last}/minimum_film_um/{race}"
+    return reader.units.number(film / ratio, "um", "um", ".3f", path)

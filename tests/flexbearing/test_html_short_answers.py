@@ -1,0 +1,119 @@
+"""Short answers of a report: every question, links that lead somewhere, numbers of the tables they name."""
+
+import re
+from functools import cache
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from flexbearing import api
+from flexbearing.report.html import METRIC, answers, html, lubrication, of_result, ratings
+from flexbearing.report.html.reader import Reader
+from tests.flexbearing.hostile_cases import CONFIGS
+from tests.flexbearing.html_pages import Numbers, Page, require_equal
+
+CASES = {
+    "catalogue": ("catalogue/nu210.toml", ()),
+    "rings": ("mao2016.toml", ("accuracy.structure=beam",)),
+    "ball": ("6209.toml", ()),
+    "four-point": ("joshi2015_qj309.toml", ()),
+    "warm": ("nu209_fits.toml", ()),
+}
+
+
+@pytest.fixture(scope="module")
+def readers(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("answers")
+
+    @cache
+    def computed(name):
+        file, settings = CASES[name]
+        api.run(CONFIGS / file, settings, output=folder / f"{name}.h5")
+        return Reader(api.read(folder / f"{name}.h5"), METRIC)
+
+    return computed
+
+
+def told(reader):
+    (table,) = answers.blocks(reader)
+    return {question: answer for question, answer, _ in table.rows}
+
+
+@pytest.mark.parametrize(
+    ("name", "missing"), [("catalogue", 0), ("rings", 0), ("warm", 0), ("ball", 1), ("four-point", 2)]
+)
+def test_the_ten_questions_are_answered_and_every_link_leads_somewhere(readers, name, missing):
+    """Balls have no film, slow ones no life either."""
+    assert len(told(readers(name))) == 10 - missing
+    page = Page(html(of_result(readers(name).result)))
+    places = {given["id"] for _, given in page.tags if "id" in given}
+    links = {given["href"] for tag, given in page.tags if tag == "a" and given["href"].startswith("#")}
+    assert {link.removeprefix("#") for link in links} <= places
+    assert len(links) > 12
+
+
+def test_each_clearance_has_its_number_in_a_line(readers):
+    answer = told(readers("catalogue"))["Which clearance?"]
+    assert "Before mounting, as in a catalogue: 45.0 µm, class CN. Mounted at rest" in answer
+    assert "not known, as the case gives no temperatures" in answer
+    found = readers("warm").attributes["clearance"]
+    warm = told(readers("warm"))["Which clearance?"]
+    assert f"In operation, warm and turning: {1e6 * found['operating_m']:.1f} µm." in warm
+    given = told(readers("rings"))["Which clearance?"]
+    assert "In operation, warm and turning: 75.5 µm (fitted, see Inputs)." in given
+
+
+def test_the_most_loaded_element_is_that_of_the_inner_raceway(readers):
+    for name, dataset in (("catalogue", "inner_load"), ("rings", "inner_load")):
+        reader = readers(name)
+        loads = np.asarray(reader.blocks[reader.last][dataset])
+        words = told(reader)["Where is the load, and which signs?"]
+        place, load, carry = re.match(
+            r"Roller (\d+) of .* bears most: ([\d,]+) N .* (\d+) carry", words
+        ).groups()
+        assert int(place) == np.argmax(loads) + 1
+        assert float(load.replace(",", "")) == approx(loads.max(), rel=1e-3)
+        assert int(carry) == reader.summary[reader.last]["loaded_rollers"] < loads.size
+    assert (
+        "Ball 1 of 9, at azimuth 0.0 °, bears most: 4,527 N"
+        in told(readers("ball"))["Where is the load, and which signs?"]
+    )
+
+
+def test_an_exceeded_limit_stands_before_a_missed_aim(readers):
+    safe, first = (
+        told(readers("rings"))[key] for key in ("Is it safe?", "What limits it first, and what to change?")
+    )
+    assert safe.startswith("No. Equivalent load P against C_r/2 19.62 kN")
+    assert safe.index("EXCEEDED") < safe.index("NOT MET")
+    assert "take a bearing with C_r of at least 39.24 kN" in first
+
+
+def test_viscosity_ratio_and_films_are_told_where_the_life_does_not_use_them(readers):
+    reader = readers("rings")
+    (table,) = [block for block in lubrication.blocks(reader) if block.kind == "table"]
+    rows = {row[0]: row[1] for row in table.rows}
+    assert 0.1 < float(rows["viscosity ratio κ"].text) < 1
+    film, full = (
+        float(rows[f"{what}, inner raceway"].text)
+        for what in ("smallest film", "combined roughness for Λ = 3")
+    )
+    assert film == approx(3 * full, abs=2e-3)
+    cells = [
+        ({"data-of": cell.of, "data-stored": cell.stored, "data-unit": cell.unit}, cell.text)
+        for cell in rows.values()
+    ]
+    require_equal(cells, Numbers(reader.result.path))
+
+
+def test_life_of_the_case_at_other_oil_temperatures_ends_at_its_own(readers):
+    reader = readers("catalogue")
+    (table,) = ratings.at_other_temperatures(reader)
+    lives = [float(row[-1].text.replace(",", "")) for row in table.rows]
+    assert lives == sorted(lives, reverse=True)
+    assert lives[2] == approx(float(reader.result["modified_life [h]"].number), rel=1e-3)
+
+
+def test_error_of_the_torque_has_the_power_that_no_cause_explains(readers):
+    assert "driving torque 0.86 %" in told(readers("catalogue"))["How exact are the numbers?"]
