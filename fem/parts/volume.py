@@ -1,11 +1,13 @@
 """Volume of an outer ring and of a squirrel cage in closed form."""
 
+from functools import lru_cache
 from math import pi
 
 from fem.parts.bar_section import bar_section
 from fem.parts.rings import OuterRing, SquirrelCage
 
 
+@lru_cache(maxsize=64)  # most variants of a study have the rings of the one before
 def volume(part: OuterRing | SquirrelCage) -> float:
     r"""Volume of a ring with its bars, flanges and collars.
 

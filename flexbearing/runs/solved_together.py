@@ -106,11 +106,7 @@ class _Resolved:
 def _model(resolved: _Resolved) -> RollerBearing | None:
     """Bearing of a case that may be solved beside others; None where it needs a run of its own."""
     case = resolved.case
-    if case.operation.roller_positions is not None or case.bearing.contact == "half_space":
-        return None
-    if case.outputs.subsurface_stresses:
-        return None
-    if _elastic(case) and (case.coupling.method != "newton" or case.outputs.stresses or not is_linear(case)):
+    if not side_by_side(case):
         return None
     try:
         model = resolved.model()
@@ -118,6 +114,27 @@ def _model(resolved: _Resolved) -> RollerBearing | None:
     except (ImpossiblePart, OutOfRange):  # which its own run tells
         return None
     return model
+
+
+def side_by_side(case: Case) -> bool:
+    """Whether a case may be solved beside others, as far as its choices tell.
+
+    Parameters
+    ----------
+    case : Case
+        as it was read
+
+    Returns
+    -------
+    bool
+    """
+    if case.operation.roller_positions is not None or case.bearing.contact == "half_space":
+        return False
+    if case.outputs.subsurface_stresses:
+        return False
+    if not _elastic(case):
+        return True
+    return case.coupling.method == "newton" and not case.outputs.stresses and is_linear(case)
 
 
 def _elastic(case: Case) -> bool:

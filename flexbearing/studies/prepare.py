@@ -1,11 +1,13 @@
 """A study file, settled and computed with the bearings of this program."""
 
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from shutil import rmtree
-from typing import Any
 
 from flexbearing.cache import configured
+from flexbearing.case import Head
+from flexbearing.case.roller import Case
 from flexbearing.families import FAMILIES
 from flexbearing.program.threads import limited_to
 from flexbearing.studies.file import Study, read
@@ -49,8 +51,10 @@ def settle(study: Study) -> Prepared:
 
     family = FAMILIES[study.kind]
     settled = plan(study, FAMILIES, lambda case: require_possible(case, family), rings, levels)
-    elastic = any(variant.rings for variant in settled.variants)
-    columns = collected(study, FAMILIES, elastic=elastic, rollers=_rollers(settled))
+    elastic, first = any(variant.rings for variant in settled.variants), _first(settled)
+    settled = replace(settled, side_by_side=not study.full and _is_side_by_side(first))
+    rollers = 0 if "bearing.rollers" in settled.base.keys else _rollers(first)
+    columns = collected(study, FAMILIES, elastic=elastic, rollers=rollers)
     lives = duty.texts(study.spectrum).values() if study.spectrum else ()
     require_outputs(study, lives, "duty", FAMILIES)
     plot, columns = drawn(study, columns, FAMILIES)
@@ -60,14 +64,24 @@ def settle(study: Study) -> Prepared:
     return Prepared(study, settled, with_errors(columns, layout), plot, estimated(lives, layout))
 
 
-def _rollers(settled: Plan) -> int:
-    """How many rollers every variant has; 0 where they differ, or no case can be read."""
-    base = settled.base
-    sound = [variant for variant in settled.variants if variant.identity][:1]
-    if "bearing.rollers" in base.keys or not sound:
-        return 0
-    bearing: Any = variants_of(base).known(sound[0].values, sound[0].in_si)
-    return getattr(getattr(bearing, "bearing", None), "rollers", 0)
+def _first(settled: Plan) -> Head | None:
+    """The first case that can be computed."""
+    for variant in settled.variants:
+        if variant.identity:
+            return variants_of(settled.base).known(variant.values, variant.in_si)
+    return None
+
+
+def _rollers(case: Head | None) -> int:
+    """How many rollers a case has."""
+    return getattr(getattr(case, "bearing", None), "rollers", 0)
+
+
+def _is_side_by_side(case: Head | None) -> bool:
+    """Whether cases like this one are solved together."""
+    from flexbearing.runs.solved_together import side_by_side
+
+    return isinstance(case, Case) and side_by_side(case)
 
 
 def compute(

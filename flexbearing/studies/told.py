@@ -15,7 +15,7 @@ from flexbearing.studies.scatter import PICTURE as SCATTER_PICTURE
 from flexbearing.studies.settled import Prepared, Progress
 from flexbearing.studies.table import Table
 from flexbearing.studies.table.forms import EXTRA, FORMS, missing
-from flexbearing.studies.where import ELASTIC, RIGID, RING, expected
+from flexbearing.studies.where import ALONE, RING, SIDE_BY_SIDE, Cost, expected
 
 LIFE_ERROR = "life error [%]"  # column of duty cycles with a target
 ADVICE = "the next study condenses its rings again, FLEXBEARING_CACHE names another folder"
@@ -69,10 +69,20 @@ def _choices(settled: Prepared) -> list[str]:
 
 def _expected(settled: Prepared) -> str:
     """Expected time by a rule that is said with it."""
+    plan = settled.plan
+    costs = SIDE_BY_SIDE if plan.side_by_side else ALONE
+    elastic, rigid = _of_a_variant(costs[True]), _of_a_variant(costs[False])
+    together = "solved side by side" if plan.side_by_side else "in a run of its own"
+    search = ", without the search for other equilibria" if settled.study.search else ""
     return (
-        f"expected time: about {duration(expected(settled.plan))} on one core "
-        f"({RING:g} s a ring, {ELASTIC:g} s a variant between elastic rings, {RIGID:g} s between rigid ones)"
+        f"expected time: about {duration(expected(plan))} on one core{search} ({RING:g} s a ring; a variant "
+        f"{together} {elastic} between elastic rings, {rigid} between rigid ones)"
     )
+
+
+def _of_a_variant(cost: Cost) -> str:
+    """What a variant costs, and the task that it is in."""
+    return f"{1e3 * cost.variant:g} ms" + (f" and {1e3 * cost.task:g} ms a task" if cost.task else "")
 
 
 def status(settled: Prepared, folder: Path) -> str:

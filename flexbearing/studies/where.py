@@ -16,8 +16,21 @@ from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.file.slurm_profile import SlurmProfile, profile
 from flexbearing.studies.plan import Plan
 
-RING, ELASTIC, RIGID = 5.0, 0.1, 0.005  # [s] a ring, a variant between elastic rings and between rigid ones
+RING = 2.0  # [s] of a processor for an elastic ring
 WORTH_WORKERS = 10.0  # [s] of work; starting worker processes takes two
+
+
+@dataclass(frozen=True)
+class Cost:
+    """Usual processor time of a task [s]."""
+
+    task: float  # of its own, whatever it holds
+    variant: float  # of each variant in it
+
+
+# By whether the rings are elastic: solved side by side, or each in a run of its own.
+SIDE_BY_SIDE = {True: Cost(0.04, 0.004), False: Cost(0.01, 0.0015)}
+ALONE = {True: Cost(0.0, 0.1), False: Cost(0.0, 0.02)}
 
 
 @dataclass(frozen=True)
@@ -75,10 +88,10 @@ def _connected(address: str, tasks: int) -> Engine:
 
 
 def expected(plan: Plan) -> float:
-    """Usual time of all variants of a study on one core [s]."""
-    elastic = sum(bool(variant.rings) for variant in plan.variants)
-    rigid = len(plan.variants) - elastic
-    choices = sum(
-        len(corners.variants) for corners in plan.corners
-    )  # some solves each, as an elastic variant
-    return RING * len(plan.rings()) + ELASTIC * (elastic + choices) + RIGID * rigid
+    """Usual processor time of all variants of a study [s]."""
+    costs, time = SIDE_BY_SIDE if plan.side_by_side else ALONE, RING * len(plan.rings())
+    for task in plan.tasks(lambda variant: True):
+        cost = costs[bool(task.variants[0].rings)]
+        time += cost.task + cost.variant * len(task.variants)
+    choices = sum(len(corners.variants) for corners in plan.corners)  # some solves each
+    return time + ALONE[True].variant * choices

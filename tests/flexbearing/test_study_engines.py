@@ -18,6 +18,7 @@ from flexbearing.studies.engine.on_dask import connected
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan import Ring
 from flexbearing.studies.plan.task import Base, Variant, involves
+from flexbearing.studies.prepare import prepared
 from flexbearing.studies.run import Work, run
 from flexbearing.studies.where import Where, expected
 from tests.flexbearing import toy_studies
@@ -38,6 +39,22 @@ def test_one_job_and_short_studies_start_no_process(tmp_path):
     for where in (Where(jobs=1), Where()):
         assert isinstance(where.engine(plan)(10), Serial)
     assert isinstance(Where(jobs=4).engine(plan)(1), Serial)
+
+
+@pytest.mark.parametrize(
+    ("first", "over"),
+    [
+        ('results = "final"', ""),
+        ("", '"bearing.contact" = "half_space"'),
+        ("", '"outputs.subsurface_stresses" = true'),
+    ],
+    ids=["result files", "half-spaces", "stresses below contacts"],
+)
+def test_variants_that_need_runs_of_their_own_are_expected_to_take_longer(first, over, tmp_path):
+    loads = '"operation.radial_load" = "2 kN .. 41 kN, 400"'
+    file = tmp_path / "alone.toml"
+    file.write_text(f'case = "{toy_studies.CASE}"\n{first}\n[over]\n{loads}\n{over}\n')
+    assert expected(prepared(file).plan) > 5 * expected(toy(tmp_path, loads).plan)
 
 
 def test_several_jobs_without_dask_say_what_to_install(tmp_path, monkeypatch):

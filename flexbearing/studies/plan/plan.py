@@ -41,6 +41,7 @@ class Plan:
     problems: tuple[Problem, ...]
     corners: tuple[Corners, ...] = ()  # where levels are chosen that variants share
     fewest: int = FEWEST  # tasks into which a small study is cut
+    side_by_side: bool = False  # whether the variants of a task are solved together
 
     def tasks(self, wanted: Callable[[Variant], bool]) -> tuple[Task, ...]:
         """Bundle variants that are still wanted, each identity once, those between the same rings together.
