@@ -41,7 +41,7 @@ _FLANGED = "absent without [bearing.flange]"
 _NO_BARS = "absent without bars"
 _NO_ROUGHNESS = "absent without roughness"
 _PRESSURE = (
-    "by Hertz, with the edge stress factor where life.edge_stress asks for it; that of half-spaces for the "
+    "by Hertz, with the edge stress factor where life.edge_stress is on; that of half-spaces for the "
     'most loaded roller with bearing.contact = "half_space"'
 )
 _SLICED = 'absent without bearing.contact = "half_space"'
@@ -108,7 +108,7 @@ QUANTITIES = (
                               speed="relative_speed"),)),
     Quantity("reference_life", "L_10r", "", "rev", "block",
         "reference life by ISO/TS 16281: C_r of the maker or of ISO 281, with the edge stress where "
-        'life.edge_stress asks for it, 90 % survival; absent without life.capacity = "iso281"',
+        'life.edge_stress is on, 90 % survival; absent without life.capacity = "iso281"',
         source="life.reference", people=MREV, optional=True,
         summary=(SummaryValue("reference_life_Mrev", label="reference life L10r, ISO/TS 16281",
                               digits=",.2f", speed="relative_speed"),)),
@@ -123,7 +123,8 @@ QUANTITIES = (
 
     # stiffness and place of the ring
     Quantity("stiffness", "k", "", "N/m", "block",
-        "radial tangent stiffness between raceways freed of their translation",
+        "radial tangent stiffness between raceways without the mean translation of the rings on their "
+        "supports",
         source="end.between_raceways.radial_stiffness", people=KN_PER_MM,
         summary=(SummaryValue("stiffness_N_per_m", label="stiffness of the bearing", digits=",.1f",
                               in_si=True, error="stiffness"),)),
@@ -133,8 +134,9 @@ QUANTITIES = (
         summary=(SummaryValue("total_stiffness_N_per_m", label="stiffness with supports", digits=",.1f",
                               in_si=True, error="total_stiffness"),)),
     Quantity("radial_stiffness", "", "radial_force transverse", "N/m", "block",
-        "radial tangent stiffness between raceways freed of their translation, forces along y and z by "
-        "displacements along y and z; the tilt follows, or stays where operation.tilt holds it",
+        "radial tangent stiffness between raceways without the mean translation of the rings on their "
+        "supports, forces along y and z by displacements along y and z; the tilt follows, or stays "
+        "where operation.tilt holds it",
         source="end.between_raceways.radial_matrix", people=KN_PER_MM),
     Quantity("total_radial_stiffness", "", "radial_force transverse", "N/m", "block",
         "radial tangent stiffness from base to shaft ends, supports included, forces along y and z by "
@@ -337,7 +339,7 @@ QUANTITIES = (
         f"load per length along the roller, >= 0; {_SLICED}", source="whole.line_load", optional=True),
     Quantity("whole_roller_tilt", "t", "race", "rad", "block",
         "tilt of the roller against the raceway on half-spaces, that of its slices or, where the ring tilts "
-        f"freely, the one its moment asks for, positive: +x end pressed in; {_SLICED}",
+        f"freely, the one that its moment causes, positive: +x end pressed in; {_SLICED}",
         source="whole.tilt", people=MRAD, optional=True),
     Quantity("peak_pressure_error", "", "race", "Pa", "block",
         "estimated discretisation error of the whole roller's peak pressure: its change with cells of twice "
@@ -465,7 +467,7 @@ QUANTITIES = (
                               section=SKEW),)),
     Quantity("skew_load_shift", "", "", "m", "block",
         "largest shift between outer and inner load of a roller that axial tractions and flange forces "
-        f"ask for, which the tilt does not know of; {_FLANGED}", source="skew.load_shift", people=MM,
+        f"cause, which is neglected in the tilt; {_FLANGED}", source="skew.load_shift", people=MM,
         optional=True,
         summary=(SummaryValue("skew.load_shift_mm", label="left out: shift of the loads", digits=".4f",
                               section=SKEW),)),
