@@ -69,11 +69,11 @@ class Command:
 
 
 def consoles(path: Path) -> list[list[Command]]:
-    """Console blocks of a page: lines that begin with a dollar, each with its output."""
+    """Console blocks of a page: lines that begin with a dollar, or go on after a backslash, each with its output."""
     blocks = []
     for language, body in FENCE.findall(path.read_text("utf-8")):
         if language == "console":
-            pieces = re.split(r"^\$ ", body, flags=re.M)[1:]
+            pieces = re.split(r"^\$ ", re.sub(r"\\\n *", "", body), flags=re.M)[1:]
             lines = [piece.rstrip("\n").split("\n") for piece in pieces]
             blocks.append([Command(first, tuple(rest)) for first, *rest in lines])
     return blocks
