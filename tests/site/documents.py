@@ -16,7 +16,7 @@ GENERATED = (
 FENCE = re.compile(r"^```(\w*)[^\n]*\n(.*?)^```", re.M | re.S)
 FIGURE = re.compile(r"\d\.\d|\d %|\d (?:m?s|h|N|kN|GiB|MB)\b")
 COMMAND = re.compile(
-    r"`(?:python -m|flexbearing|pytest|make) ?[\w.]|^(?:    )?(?:python -m|flexbearing|pytest|make) "
+    r"`(?:python -m|flexbearing|pytest|make) ?[\w.]|^(?:    |\$ )?(?:python -m|flexbearing|pytest|make) "
     r"|\{code-cell\}|tests/\S+\.py|`benchmarks[./]\w+|`test_\w+\.py`",
     re.M,
 )
@@ -69,7 +69,7 @@ class Command:
 
 
 def consoles(path: Path) -> list[list[Command]]:
-    """Console blocks of a page: lines that begin with a dollar, or go on after a backslash, each with its output."""
+    """Console blocks of a page: lines after a dollar, continued by a backslash, each with its output."""
     blocks = []
     for language, body in FENCE.findall(path.read_text("utf-8")):
         if language == "console":
