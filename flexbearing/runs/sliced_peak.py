@@ -76,9 +76,8 @@ def _pressed_end(state: Equilibrium, peak: LargestSlice) -> Note:
     return outside(
         "pressed-end",
         f"{sliced} may be more than 5 % too low: near an end of {contact} the pressure is still "
-        f"{peak.end_share:.0%} of the largest one, and slices leave out its rise at the end, which has no "
-        "bound where the end is sharp: the profile of this case does not relieve that end enough under this "
-        'load and tilt; bearing.contact = "half_space" computes the rise',
+        f"{peak.end_share:.0%} of the largest one, so the profile does not relieve that end enough, and "
+        'slices leave out the rise of the pressure there; bearing.contact = "half_space" computes it',
     )
 
 

@@ -140,9 +140,9 @@ def _flooding(state: Equilibrium) -> Iterator[Note]:
     elif lubrication.oil_fraction < SPARSE:
         yield outside(
             "flooding",
-            "film: flooded contacts, though only "
-            f"{lubrication.oil_fraction:.2g} of the mixture around the rollers is oil; "
-            "lubricant.inlet_length starves them",
+            "film: inlets are computed as full of oil, though only "
+            f"{lubrication.oil_fraction:.2g} of the mixture around the rollers is oil, so films may be "
+            "thinner; lubricant.inlet_length computes short inlets",
         )
 
 

@@ -223,7 +223,10 @@ class Numbers:
     def ratings_at(self, rest):
         """A rating of the case with oil of another temperature."""
         kelvin, name = rest.split("/")
-        return self.rated(f"lubricant.inlet_temperature={float(kelvin) - 273.15:.8g} degC")[name]
+        life = json.loads(self.file.attrs["case_si"])["life"]
+        oil = ("life.lubrication=a_ISO", "life.cleanliness=oil, in-line filter, -/13/10")
+        settings = () if life.get("lubrication") == "a_ISO" else oil
+        return self.rated(f"lubricant.inlet_temperature={float(kelvin) - 273.15:.8g} degC", *settings)[name]
 
     def own_life_at(self, kelvin):
         """Life of the case with the a_ISO of another temperature, at the load that has its reference life."""

@@ -436,9 +436,9 @@ def test_what_to_do_next_keeps_limits_first_then_measures_then_checks(readers):
 
     assert steps("heavy")[0] == "take a bearing with C_r of at least 60 kN, or a load P of at most 24.21 kN"
     assert steps("catalogue")[:3] == (
-        "measure or specify oil temperature at the inlets (lubricant.inlet_temperature): moves life, torque "
-        "most",
-        "measure or specify bearing rollers (bearing.rollers): moves largest load most",
+        "find out and specify oil temperature at the inlets (lubricant.inlet_temperature): moves life, "
+        "torque most",
+        "find out and specify bearing rollers (bearing.rollers): moves largest load most",
         "give bearing.roughness for the film ratio",
     )
     assert "give bearing.roughness for the film ratio" in steps("plain")

@@ -40,22 +40,22 @@ _TWO = (
 )
 _MAKER = "ISO 281 leaves to the maker whether its life formula holds"
 _SLIP = (
-    "no standard limits it; a minimum load is the usual rule against smearing. Drag of the oil-air mixture "
-    "and friction of the cage slow the rollers, traction of the oil film drives them: see Heat by cause"
+    "no standard limits it; a minimum load is the usual rule against smearing. It is how far the cage lags "
+    "behind pure rolling: drag of the oil-air mixture and friction slow the rollers, traction drives them"
 )
 _YIELD = "yield_stress of the part is not given in [materials], and a case has no fatigue limit"
 _TILT = "no standard limits it; makers give the tilt that a bearing may have"
 _USUAL_TILT = "4 arcmin, rule of thumb: the edge stress of ISO/TS 16281 holds below; the maker's limit counts"
 _TILT_OF_ROLLERS = {
-    "ring_tilt": "this is the slope against the unloaded axis, and an outer ring on an elastic support leans "
-    "along: see the slope between the raceways",
-    "roller_tilt": "no standard limits it; it presses the ends of the roller, see the notes on peak pressure "
-    "and the figure of the pressure",
+    "ring_tilt": "this is the slope of its axis, dz/dx (dy/dx where that is larger), against the unloaded "
+    "axis; an outer ring on an elastic support leans along: see the slope between the raceways",
+    "roller_tilt": "no standard limits it, positive: +x end further out; it presses the ends of the roller, "
+    "see the notes on peak pressure and the figure of the pressure",
 }
 _FITTED = "lubricant.oil_fraction was fitted to a cage slip, so this is no prediction"
 _ROLLING = (
-    "zero to the printed digit: the traction that the oil film between the loaded rollers and the raceways "
-    "can take is far above the drag of the mixture and the friction of the cage, so that they roll"
+    "zero to the printed digit: the traction of the oil film is far above the drag of the mixture and the "
+    "friction of the cage, so that the loaded rollers roll"
 )
 _ENDS = 'set bearing.contact = "half_space" for the peak pressure at the ends of the rollers'
 _GIVE_YIELD = "give yield_stress of [materials] for the parts whose stress has no limit here"
@@ -217,7 +217,7 @@ def steps(reader: Reader) -> tuple[str, ...]:
         if span is not None and max(span.squares[1], 1 / span.squares[0]) > WORTH:
             moved.setdefault(span.most, []).append(word)
     measure = [
-        f"measure or specify {named(key)}: moves {', '.join(words)} most" for key, words in moved.items()
+        f"find out and specify {named(key)}: moves {', '.join(words)} most" for key, words in moved.items()
     ]
     return tuple(dict.fromkeys(filter(None, (*broken, *measure, *others))))
 
@@ -414,6 +414,7 @@ def _clearance(reader: Reader) -> Iterator[Check]:
     yield Check(f"Diametral {reader.clearance_words}", value, "at least 0", verdict=verdict)
 
 
+_CORRECT = {"overlapping-dimensions": "correct the dimensions of the cage or of the ribs, which overlap"}
 _NEVER = {
     "Strength of the cage": "no stress of the cage is computed; pocket forces stand under Rollers or Balls",
     "Creep of the rings in their seats": "compare the fits with the maker's for a load that turns or stands",
@@ -438,7 +439,7 @@ def _noted(reader: Reader) -> Iterator[Check]:
     for code in dict.fromkeys(note["code"] for note in reader.attributes["notes"]):
         if code in _NOTED:
             what, limit, verdict = _NOTED[code]
-            yield Check(what, "", limit, verdict=verdict)
+            yield Check(what, "", limit, verdict=verdict, do=_CORRECT.get(code, ""))
 
 
 def _never(reader: Reader) -> Iterator[Check]:

@@ -5,8 +5,10 @@ from math import log
 
 import numpy as np
 
+from flexbearing.quantities.effects import COMPARISON, LIVES
 from flexbearing.report.html import (
     against_limits,
+    assumed_effects,
     assumptions,
     clearance,
     combined,
@@ -28,7 +30,11 @@ _SIGNS = (
     "the way that a positive speed turns. Positive along a roller is +x; other signs stand below the tables."
 )
 _AXES = "Axes: x along the shaft, z at azimuth 0°, y at 90°; forces are positive along them."
-_TANGENT = "Slopes at this load and speed; no damping."
+_MODEL = (
+    "What is assumed usually changes more. How far the model is from measurements is not in these errors: "
+    "the evidence pages of the program compare it with published ones, not with this bearing."
+)
+_TANGENT = "Slopes at this load and speed; no damping. With tilt and signs: the matrix over five directions."
 
 
 def blocks(reader: Reader) -> Iterator[Table]:
@@ -43,11 +49,20 @@ def blocks(reader: Reader) -> Iterator[Table]:
         ("Which clearance?", _clearance, "[Clearance](#clearance)"),
         ("Which stiffness for a rotor program?", _stiffness, "[Stiffness](#stiffness)"),
         ("Is the lubrication sufficient?", _lubrication, "[Contacts](#contacts), [Life](#life)"),
-        ("Where is the load, and which signs?", _load, "[Elements](#elements), [drawings](#computed)"),
+        (
+            "Where is the load, and which signs?",
+            _load,
+            f"[{_elements(reader)}](#elements), [drawings](#computed)",
+        ),
         ("What was not checked?", _unchecked, "[What limits most](#limits-most), [Limits](#limits)"),
     )
     rows = [(question, words, where) for question, answer, where in asked if (words := answer(reader))]
     yield Table(CAPTION, ("question", "answer", "more in"), tuple(rows))
+
+
+def _elements(reader: Reader) -> str:
+    shown = reader.result.family.report().elements
+    return f"{shown.word.capitalize()}s" if shown else "Elements"
 
 
 def _text(number: Number) -> str:
@@ -55,13 +70,18 @@ def _text(number: Number) -> str:
 
 
 def _safe(reader: Reader) -> str:
-    """Which limits are kept, with the share that is used of them."""
+    """Which limits are kept, with the share that is used of them, and what has none."""
+    urgent = [
+        f"{check.what} {_text(check.value)}" for check in against_limits.ranked(reader)
+        if check.urgent and isinstance(check.value, Number)
+    ]  # fmt: skip
+    without = f" Without a limit in the case, so compare with yours: {'; '.join(urgent)}." if urgent else ""
     told = [
         f"{check.what} {_text(check.value)}, {check.limit}: {check.share.text} % used, {check.verdict}"
         for check in against_limits.ranked(reader)[: _LARGEST + 1]
         if isinstance(check.value, Number) and isinstance(check.share, Number)
     ]  # fmt: skip
-    return f"{against_limits.judged(reader)} {'; '.join(told)}." if told else ""
+    return f"{against_limits.judged(reader)} {'; '.join(told)}.{without}" if told else without.strip()
 
 
 def _first(reader: Reader) -> str:
@@ -104,7 +124,22 @@ def _assumed(reader: Reader) -> str:
         if (span := combined.of(reader, word)) is not None:
             low, high = (f"{value:.3g}" for value in span.squares)
             told.append(f"{label} {low} to {high} times, most by {assumptions.named(span.most)}")
-    return f"{words} All together they make: {'; '.join(told)}." if told else words
+    words += f" All together they make: {'; '.join(told)}." if told else ""
+    return words + _heavier(reader)
+
+
+def _heavier(reader: Reader) -> str:
+    """The life under a tenth more load, for comparison; empty where it was not computed."""
+    found = reader.attributes.get("assumed_effects") or {}
+    name = assumed_effects.ranked_by(reader) if found else ""
+    for key in (key for key in found.get("keys", ()) if key.get("role") == COMPARISON and name in LIVES):
+        ratios = [
+            each["values"][name] / found["of"][name] for each in key["others"] if name in each["values"]
+        ]
+        if ratios:
+            load = key["key"].rpartition(".")[2].replace("_", " ")
+            return f" For comparison: 10 % more {load} makes the life {min(ratios):.3g} times."
+    return ""
 
 
 def _exact(reader: Reader) -> str:
@@ -125,7 +160,7 @@ def _exact(reader: Reader) -> str:
         words = f"Numerical errors, from the exact answer of this model: {', '.join(told)}."
     else:
         words = "Closed formulas, without a grid: only the balance of forces has an error."
-    return f"{words} What is assumed, and what the model leaves out, usually changes more."
+    return f"{words} {_MODEL}"
 
 
 def _clearance(reader: Reader) -> str:
@@ -160,8 +195,10 @@ def _lubrication(reader: Reader) -> str:
     kappa, films = lubrication.viscosity_ratio(reader), lubrication.films(reader)
     words = []
     if kappa is not None:
-        enough = "enough" if float(kappa.text) >= 1 else "less than the usual aim"
-        words.append(f"Viscosity ratio κ {kappa.text}: {enough}, aim 1.")
+        judged = "Yes by" if float(kappa.text) >= 1 else "No by"
+        words.append(f"{judged} the viscosity ratio κ: {kappa.text}, usual aim at least 1.")
+        if "lubricant.inlet_temperature" in reader.attributes["assumed"]:
+            words.append("The oil temperature is assumed: κ at others stands under Life.")
     for race, film in films.items():
         ratio = lubrication.film_ratio(reader, race)
         if ratio is not None:
@@ -172,6 +209,8 @@ def _lubrication(reader: Reader) -> str:
                 f"Smallest film, {race} raceway: {_text(film)}; Λ is 1 with a combined roughness of "
                 f"{_text(film)}, and {lubrication.FULL_FILM} with {_text(full)}; the case gives none."
             )
+    if "flooding" in {note["code"] for note in reader.attributes["notes"]}:
+        words.append("Films are those of inlets full of oil; with little oil they are thinner.")
     return " ".join(words)
 
 
@@ -207,4 +246,4 @@ def _unchecked(reader: Reader) -> str:
         told.append(f"Computed, but without a limit in the case: {', '.join(computed)}.")
     if others:
         told.append(f"Not computed: {', '.join(others)}.")
-    return " ".join([*told, "Compare these yourself."])
+    return " ".join([*told, "Compare these with the maker's data or by rules of your own."])

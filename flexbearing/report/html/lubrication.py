@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from flexbearing.report.html import ratings
 from flexbearing.report.html.document import Block, Cell, Number, Table, Words
 from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.units import printed
 
 FULL_FILM = 3  # film ratio
 _DIFFER = (
@@ -30,14 +31,19 @@ def blocks(reader: Reader) -> Iterator[Block]:
     if (kappa := viscosity_ratio(reader)) is not None:
         rows.append(("viscosity ratio κ", kappa, "", _MEANINGS["kappa"]))
     for race, film in films(reader).items():
-        rows.append((f"smallest film, {race} raceway", film, film.unit, _MEANINGS["film"]))
+        rows.append((f"smallest film, {race} raceway", film, printed(film.unit), _MEANINGS["film"]))
         if (ratio := film_ratio(reader, race)) is not None:
             rows.append((f"smallest film ratio Λ, {race} raceway", ratio, "", _MEANINGS["ratio"]))
             continue
         for label, needed, key in (("Λ = 1", 1, "touching"), (f"Λ = {FULL_FILM}", FULL_FILM, "full")):
             value = needed_roughness(reader, race, needed)
             rows.append(
-                (f"combined roughness for {label}, {race} raceway", value, value.unit, _MEANINGS[key])
+                (
+                    f"combined roughness for {label}, {race} raceway",
+                    value,
+                    printed(value.unit),
+                    _MEANINGS[key],
+                )
             )
     if not rows:
         return

@@ -17,7 +17,7 @@ _KEYS = {"C_r": "dynamic_rating", "C_0r": "static_rating", "C_u": "fatigue_limit
 _STANDARDS = {"C_r": "ISO 281", "C_0r": "ISO 76", "C_u": "ISO 281, from C_0"}
 APART = 0.05  # of a rating from its formula that is worth a remark
 _WARMER = (-20.0, -10.0, 0.0, 10.0, 20.0)  # [K]
-_AT_P = "By formulas. a_ISO and L10m at the load P are those of the catalogue."
+_AT_P = " a_ISO and L10m at the load P are those of the catalogue."
 _OF_CASE = (
     " The last column is the life to compare with a requirement: the life of this case without a_ISO, times "
     "a_ISO at its own equivalent load. Loads are kept: solved again, 20 K away, it may differ by 5 %."
@@ -69,33 +69,42 @@ def _hours(reader: Reader) -> float:
 
 
 def at_other_temperatures(reader: Reader) -> Iterator[Table]:
-    """Viscosity ratio and a_ISO with warmer and colder oil, by formulas; none where the case has no a_ISO."""
-    known, catalogue = found(reader), reader.result.family.catalogue
-    if isinstance(known, str) or catalogue is None or "viscosity_ratio" not in known[0]:
+    """Viscosity ratio with warmer and colder oil, and lives where they have an a_ISO; by formulas."""
+    if viscosity_ratio(reader) is None:
         return
     given = reader.attributes["case_si"]["lubricant"]["inlet_temperature"]
-    rows: list[tuple[Cell, ...]] = []
-    for step in _WARMER:
-        asked = f"{given + step:.6g}"
-        rated = with_oil_at(reader, asked)
-        if rated is not None:
-            row = (("viscosity_ratio", ".3g"), ("a_ISO", ".3g"), ("modified_Mrev", ",.4g"))
-            cells = (
-                reader.units.number(rated[name], unit, unit, form, f"ratings_at/{asked}/{name}")
-                for (name, form), unit in zip(row, ("", "", "Mrev"), strict=True)
-            )
-            oil = reader.units.number(given + step, "K", "degC", ".4g", "")
-            own = own_life_at(reader, asked)
-            further = () if own is None else (
-                reader.units.number(own * _hours(reader), "h", "h", ",.4g", f"own_life_at/{asked}"),
-            )  # fmt: skip
-            rows.append((f"{oil.text} {printed(oil.unit)}{' (this case)' * (step == 0)}", *cells, *further))
-    head = ["oil at the inlets", "viscosity ratio κ", "a_ISO at P", "L10m, ISO 281 [10⁶ revolutions]"]
-    note = _AT_P
-    if own_life_at(reader, f"{given:.6g}") is not None:
+    known = found(reader)
+    modified = not isinstance(known, str) and "a_ISO" in known[0]
+    rows = [row for step in _WARMER if (row := _with_oil(reader, given, step, modified))]
+    head, note = ["oil at the inlets", "viscosity ratio κ"], "By the formulas of ISO 281."
+    if modified:
+        head += ["a_ISO at P", "L10m, ISO 281 [10⁶ revolutions]"]
+        note += _AT_P
+    if rows and len(rows[0]) > len(head):
         head.append("modified life of this case [h]")
         note += _OF_CASE
     yield Table("Viscosity ratio at other oil temperatures", tuple(head), tuple(rows), note)
+
+
+def _with_oil(reader: Reader, given: float, step: float, modified: bool) -> tuple[Cell, ...]:
+    """A row with oil so much warmer [K]; empty where its data do not reach there."""
+    asked = f"{given + step:.6g}"
+    rated = with_oil_at(reader, asked, *(() if modified else BY_A_ISO))
+    if rated is None:
+        return ()
+    oil = reader.units.number(given + step, "K", "degC", ".4g", "")
+    label = f"{oil.text} {printed(oil.unit)}{' (this case)' * (step == 0)}"
+    place = f"ratings_at/{asked}"
+    ratio = reader.units.number(rated["viscosity_ratio"], "", "", ".3g", f"{place}/viscosity_ratio")
+    if not modified:
+        return label, ratio
+    factor = reader.units.number(rated["a_ISO"], "", "", ".3g", f"{place}/a_ISO")
+    life = reader.units.number(rated["modified_Mrev"], "Mrev", "Mrev", ",.4g", f"{place}/modified_Mrev")
+    own = own_life_at(reader, asked)
+    if own is None:
+        return label, ratio, factor, life
+    hours = reader.units.number(own * _hours(reader), "h", "h", ",.4g", f"own_life_at/{asked}")
+    return label, ratio, factor, life, hours
 
 
 def _equivalent_load(reader: Reader) -> float | None:
