@@ -81,6 +81,13 @@ def test_the_most_loaded_element_is_that_of_the_inner_raceway(readers):
     )
 
 
+def test_assumed_and_fitted_inputs_are_named(readers):
+    words = told(readers("rings"))["What was assumed, and what does it change?"]
+    assert words.startswith("22 inputs are assumed, 2 fitted")
+    assert "Fitted: bearing clearance, lubricant oil fraction." in words
+    assert "inner shaft length" in words.partition("Fitted")[0]
+
+
 def test_an_exceeded_limit_stands_before_a_missed_aim(readers):
     safe, first = (
         told(readers("rings"))[key] for key in ("Is it safe?", "What limits it first, and what to change?")

@@ -24,6 +24,7 @@ from flexbearing.report.html.units import printed
 from flexbearing.report.rows import of_supports
 
 CAPTION = "Short answers"
+_TINY = 1e-3  # [%] error below which its size does not matter
 _LARGEST, _STEPS = 4, 3  # factors or limits, and things to do, that an answer names
 _SIGNS = (
     "Azimuth 0° is the z axis, along the load unless operation.load_direction turns it. It grows towards y, "
@@ -117,10 +118,13 @@ def _catalogue(reader: Reader) -> str:
 def _assumed(reader: Reader) -> str:
     """How many inputs are not known, what they make of the main results, and which matter most."""
     counts = [len(reader.attributes[mark]) for mark in ("assumed", "calibrated")]
-    words = f"{counts[0]} inputs are assumed, {counts[1]} fitted; they are marked in the table of inputs."
-    names = [(combined.LIFE, "life"), *((word, word) for word in dict(reader.layout.weighed).values())]
+    words = f"{counts[0]} inputs are assumed, {counts[1]} fitted, each marked in the table of inputs."
+    for label, mark in (("Assumed", "assumed"), ("Fitted", "calibrated")):
+        names = [assumptions.named(key).partition(" (")[0] for key in reader.attributes[mark]]
+        words += f" {label}: {', '.join(names)}." if names else ""
+    results = [(combined.LIFE, "life"), *((word, word) for word in dict(reader.layout.weighed).values())]
     told = []
-    for word, label in names:
+    for word, label in results:
         if (span := combined.of(reader, word)) is not None:
             low, high = (f"{value:.3g}" for value in span.squares)
             told.append(f"{label} {low} to {high} times, most by {assumptions.named(span.most)}")
@@ -155,12 +159,17 @@ def _exact(reader: Reader) -> str:
             and (error := exactness.known(reader, entry))
         ):
             found.setdefault(entry.label.strip(), error)
-    told = [f"{label} {error.text} %" for label, error in found.items() if isinstance(error, Number)]
+    told = [f"{label} {_percent(error)}" for label, error in found.items() if isinstance(error, Number)]
     if told:
         words = f"Numerical errors, from the exact answer of this model: {', '.join(told)}."
     else:
         words = "Closed formulas, without a grid: only the balance of forces has an error."
     return f"{words} {_MODEL}"
+
+
+def _percent(error: Number) -> str:
+    """An error in percent, without digits that nobody needs."""
+    return f"{error.text} %" if float(error.text) >= _TINY else f"below {_TINY:g} %"
 
 
 def _clearance(reader: Reader) -> str:
