@@ -48,7 +48,7 @@ def variants(settled: Prepared) -> str:
         *lines,
         f"columns: {columns}",
         f"{len(plan.variants)} variants, {f'{bad} of them cannot' if bad else 'all of them can'} be computed",
-        f"{_rings(settled)} to be condensed, less those in the cache",
+        _rings(settled),
         *_choices(settled),
         _expected(settled),
     ])  # fmt: skip
@@ -57,7 +57,8 @@ def variants(settled: Prepared) -> str:
 def _rings(settled: Prepared) -> str:
     """How many rings of which kind."""
     counts = Counter(ring.race for ring in settled.plan.rings())
-    return " and ".join(f"{count} {race} rings" for race, count in counts.items()) or "no elastic rings"
+    kinds = ", ".join(f"{count} {race}" for race, count in counts.items())
+    return f"rings to condense: {kinds}, except those in the cache" if kinds else "no rings to condense"
 
 
 def _choices(settled: Prepared) -> list[str]:
