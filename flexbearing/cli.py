@@ -60,9 +60,7 @@ def _print_version(wanted: bool) -> None:
 def options(
     version: Annotated[
         bool,
-        typer.Option(
-            "--version", callback=_print_version, is_eager=True, help="the version, and nothing else"
-        ),
+        typer.Option("--version", callback=_print_version, is_eager=True, help="print the version"),
     ] = False,
     debug: Annotated[bool, typer.Option("--debug", help="show the traceback of an error")] = False,
 ) -> None:
@@ -74,9 +72,9 @@ app.command(name="new")(new)
 
 @app.command()
 def check(case: CaseFile, settings: Settings = None) -> None:
-    """Say whether a case can be computed, without computing it."""
+    """Check a case for errors, without computing it."""
     title = api.check(case, settings or []).title
-    _say(f"{case}: {title}: nothing wrong with it")
+    _say(f"{case}: {title}: no errors found")
 
 
 @app.command()
@@ -88,7 +86,7 @@ def run(
         Path | None,
         typer.Option("--start", metavar="OTHER.h5", help="result of a neighbouring case where newton begins"),
     ] = None,
-    quiet: Annotated[bool, typer.Option("--quiet", help="only what went wrong")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", help="print errors only")] = False,
     strict: Annotated[bool, typer.Option("--strict", help="exit code 1 where a danger is noted")] = False,
 ) -> None:
     """Compute a case and store every iteration; prints a summary."""

@@ -48,7 +48,7 @@ def reduced_body(case: Case) -> "fem.ReducedBody":
     on_seat = np.flatnonzero((away <= ON_SEAT * radius) & (beside <= OVER * outer.width / 2))
     if not on_seat.size:
         raise fem.ImpossiblePart(
-            f"{nodes_file.name}: no node stands on the outer surface of the ring, radius "
+            f"{nodes_file.name}: no node is on the outer surface of the ring, radius "
             f"{1e3 * radius:.6g} mm and width {1e3 * outer.width:.6g} mm; outer.axis, outer.zenith, "
             "outer.centre_x, _y, _z and outer.length_unit say where the mesh is"
         )

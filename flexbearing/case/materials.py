@@ -31,7 +31,7 @@ class Elastic(Section):
     def _of_its_name(cls, given: Any) -> Any:
         """Take the values of a named material from the list."""
         if isinstance(given, Mapping) and given.get("name") in tuple(MATERIALS):
-            allowed = f"another name: {given['name']} stands as text in place of the table"
+            allowed = f"another name: {given['name']} is written as text in place of the table"
             raise impossible("name", allowed)
         if not isinstance(given, str):
             return given

@@ -154,7 +154,7 @@ def nearest(path: str, model: type[Section], families: Families) -> str:
     if hint := model.hints.get(path):
         return f" {hint}"
     if kinds := kinds_with(path, families):
-        return f" It belongs to kind = {' or '.join(map(toml, kinds))}, which stands first in a file."
+        return f" It belongs to kind = {' or '.join(map(toml, kinds))}, which is the first key of a file."
     if meant := _meant(name, section, model):
         return f" Did you mean {' or '.join(meant)}?"
     if section and find(section, model) is None:

@@ -190,7 +190,7 @@ def model_of(raw: Mapping[str, Any], settings: Sequence[str], file: str, familie
     named = inside.get("kind") if isinstance(inside, Mapping) and "kind" not in raw else None
     if isinstance(named, str) and named in families and named != kind:
         raise BadCase(
-            f"{file}: [bearing] kind = {toml(named)} stands in the wrong place: write it "
+            f"{file}: [bearing] kind = {toml(named)} is in the wrong place: write it "
             "first in the file, above every [section]."
         )
     if isinstance(kind, str) and kind in families:

@@ -23,7 +23,7 @@ def optimise(
         int | None,
         typer.Option("--jobs", metavar="N", min=1, help="processes that compute; else by cores and work"),
     ] = None,
-    quiet: Annotated[bool, typer.Option("--quiet", help="only what went wrong")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", help="print errors only")] = False,
 ) -> None:
     """Find the design with the best output within limits; a second start goes on where the first ended."""
     from flexbearing.optimise import told

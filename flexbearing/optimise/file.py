@@ -114,7 +114,7 @@ def _require_apart(found: tuple[Variable, ...], study: Study, fixed: Settings) -
     others = dict.fromkeys(study.keys, "[over] or [duty]") | dict.fromkeys(fixed, "[set]")
     for each in found:
         if each.entry is None and each.key in others:
-            raise BadValues(f"{each.name} stands in {others[each.key]}, too")
+            raise BadValues(f"{each.name} is given in {others[each.key]}, too")
         if study.spectrum and each.key.startswith("operation.") and each.key.endswith("speed"):
             raise BadValues(f"{each.name} cannot be varied: speeds weigh the rows of [duty]")
 

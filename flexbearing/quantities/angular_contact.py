@@ -83,7 +83,7 @@ QUANTITIES = (
         "friction along the groove section, which holds the gyroscopic moment", source="state.tractions"),
     Quantity("needed_friction", "", "race Z", "1", "block", "that traction over the load, 0 without load",
         summary=(SummaryValue("needed_friction", _largest_of_races,
-            "friction that holds the gyroscopic moment", ".4f", parts=RACES),)),
+            "friction for the gyroscopic moment", ".4f", parts=RACES),)),
 
     # motion
     Quantity("orbital_speed", "omega_m", "Z", "rad/s", "block",
@@ -185,7 +185,7 @@ QUANTITIES = (
             SummaryValue("ring_displacement_um", displacements, "displacement x, y, z", ".3f", unit=UM,
                 entries=XYZ,
                 section=RING),
-            SummaryValue("ring_tilt_mrad", tilts, "turn about y, z", ".4f", unit=MRAD,
+            SummaryValue("ring_tilt_mrad", tilts, "tilt about y, z", ".4f", unit=MRAD,
                 section=RING, entries=ABOUT_YZ),
         )),
     Quantity("stiffness_matrix", "K", "force displacement", "N/m, N/rad, N m/m, N m/rad", "block",

@@ -176,7 +176,7 @@ QUANTITIES = (
             SummaryValue("ring_displacement_um", displacements, "displacement x, y, z", ".3f", unit=UM,
                 entries=XYZ,
                 section=RING),
-            SummaryValue("ring_tilt_mrad", tilts, "turn about y, z", ".4f", unit=MRAD,
+            SummaryValue("ring_tilt_mrad", tilts, "tilt about y, z", ".4f", unit=MRAD,
                 section=RING, entries=ABOUT_YZ),
         )),
     Quantity("ring_yield", "s", "Z G race", "m", "block",

@@ -97,10 +97,12 @@ def _way(stages: list[dict[str, Any]]) -> Iterator[RenderableType]:
         factor = "" if stage["factor"] is None else f"{stage['factor']:.4g}"
         table.add_row(Text(stage["name"]), factor, f"{stage['life_Mrev']:,.4g}", f"{stage['life_h']:,.4g}")
     yield table
-    yield from listed("why, where a factor is off 1 by more than 1 %", list(why(stages)))
+    yield from listed("reasons of the factors that differ from 1 by more than 1 %", list(why(stages)))
     lines = [f"{stage['name']}: {_options(stage['left_out_by'])}" for stage in stages if stage["left_out_by"]]
-    yield from listed("a line is left out of `flexbearing run` by", lines)
-    yield Text("A life is that of the case without what stands in the lines below it. The first one alone:")
+    yield from listed("settings of `flexbearing run` that leave an influence out", lines)
+    yield Text(
+        "Each life contains the influences of its line and of those above. Settings for the first line:"
+    )
     yield Text(f"  {_options(stages[0]['settings'])}\n")
 
 

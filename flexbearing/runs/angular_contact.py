@@ -208,8 +208,8 @@ def notes(case: FastCase, solution: Solution) -> tuple[Note, ...]:
         lines += (
             outside(
                 "unguided-balls",
-                f"{unguided} balls touch the inner race too lightly{far} for both races to guide them: "
-                "their orbit, spin and tractions are estimates",
+                f"{unguided} balls are loaded too lightly on the inner race{far} for both races to guide "
+                "them: their orbit, spin and tractions are estimates",
             ),
         )
     return (

@@ -24,7 +24,7 @@ RATING = (
     Influence(
         "ISO 281: (C_r/P)^3, P = X F_r + Y F_a",
         {"life.loads": "rating"},
-        "One load P stands for radial and axial load; nothing else of the case counts.",
+        "One load P replaces radial and axial load; nothing else of the case counts.",
     ),
     Influence(
         "loads of all balls, without inertia, tilt or clearance",

@@ -56,7 +56,7 @@ def _notes(state: Equilibrium, whole: "WholeRoller") -> Iterator[Note]:
     yield information(
         "whole-roller",
         f"most loaded roller, at {azimuth:.4g} deg: solved on half-spaces; peak pressures {pressure[0]:+.1%} "
-        f"(inner) and {pressure[1]:+.1%} (outer), life {whole.life / state.life - 1:+.1%} beside slices "
+        f"(inner) and {pressure[1]:+.1%} (outer), life {whole.life / state.life - 1:+.1%} against slices "
         f"alone; loads and {_kept(state)} are those of the slices, free end faces and flanges are left out",
     )
     yield from _sharp_end(state, whole)
@@ -78,7 +78,7 @@ def _sharp_end(state: Equilibrium, whole: "WholeRoller") -> Iterator[Note]:
         yield outside(
             "sharp-roller-end",
             "the contact of the most loaded roller reaches an end of it, where a sharp end has pressure "
-            f"without bound; on these cells the largest stands elsewhere, but {rest}",
+            f"without bound; on these cells the largest is elsewhere, but {rest}",
         )
         return
     cell = state.balance.roller.bearing.roller.length / len(whole.positions)
@@ -90,7 +90,7 @@ def _sharp_end(state: Equilibrium, whole: "WholeRoller") -> Iterator[Note]:
     )
     yield outside(
         "sharp-roller-end",
-        "peak pressure: no number to rely on; the largest pressure of the most loaded roller stands in the "
+        "peak pressure: not usable; the largest pressure of the most loaded roller is in the "
         f"cells at an end without relief left, where it has no bound: {places}. It is the mean of a cell of "
         f"{cell / MICROMETRE:.3g} um along the roller, and overstated as free end faces are softer; {rest}",
     )

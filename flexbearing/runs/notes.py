@@ -86,9 +86,9 @@ def _teeth(case: Case) -> Iterator[Note]:
     if left > UNBALANCED * load:
         yield outside(
             "unbalanced-teeth",
-            f"outer.tooth_radial and tooth_tangential leave {left:,.0f} N beside the load of "
-            f"{load:,.0f} N (operation.radial_load): forces of teeth and pin must add up to zero, or the rim "
-            "bends as no planet gear does",
+            f"tooth forces and the load of {load:,.0f} N (operation.radial_load) leave {left:,.0f} N "
+            "unbalanced: outer.tooth_radial, outer.tooth_tangential and the load must add up to zero, else "
+            "the rim bends differently from that of a planet gear",
         )
 
 

@@ -28,8 +28,8 @@ RATING = (
     Influence(
         "lambda nu = 0.83 taken out of C_r",
         {"life.loads": "rating", "life.load_exponent": "4", "life.stress_reduction": "false"},
-        "C_r holds a factor 0.83 for loads that are uneven along the rollers. Here every slice carries its "
-        "own load, so ISO/TS 16281 takes it out; tilt, profile and edge stress below replace it.",
+        "C_r contains a factor 0.83 for loads that are uneven along the rollers. Here every slice carries "
+        "its own load, so ISO/TS 16281 takes it out; tilt, profile and edge stress below replace it.",
     ),
     Influence(
         "loads of all rollers at speed, straight, without clearance or tilt, rigid rings",

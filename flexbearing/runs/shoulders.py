@@ -32,12 +32,12 @@ def reached_over(
     if shoulder is None:
         text = (
             f"contacts reach {heights.max() / ball_diameter:.3g} ball diameters up the {race} race, {at}; "
-            f"shoulders end at some {USUAL_SHOULDER:g}, and beyond theirs contacts are cut off, "
-            "which is left out"
+            f"shoulders usually end at {USUAL_SHOULDER:g}; that contacts are cut off there is neglected"
         )
         return (outside("shoulder-not-given", text),)
     text = (
         f"{int(over.sum())} contacts are cut off on the shoulder of the {race} race, {1e3 * shoulder:.4g} mm "
-        f"high: they reach up to {1e3 * heights.max():.4g} mm, {at}; that is left out, as if the race went on"
+        f"high: they reach up to {1e3 * heights.max():.4g} mm, {at}; "
+        "that is neglected, as if the race continued"
     )
     return (danger("truncated-contact", text),)

@@ -36,7 +36,7 @@ def at(case: Case, state: Equilibrium) -> Skew | None:
 
 
 def notes(skew: Skew, state: Equilibrium, minimum_film: ArrayLike) -> tuple[Note, ...]:
-    """What the equilibrium would have to know of the skew, where not negligible beside films (2) [m]."""
+    """Effects of the skew that the equilibrium neglects, where they are not small against films (2) [m]."""
     films = np.asarray(minimum_film)
     smallest_gap = min(GAP, *films[films > 0])
     length = skew.balance.bearing.roller.length
@@ -45,17 +45,17 @@ def notes(skew: Skew, state: Equilibrium, minimum_film: ArrayLike) -> tuple[Note
         f"changes the gap at the ends of the rollers by up to {skew.end_gap * 1e6:.3f} um": (
             skew.end_gap > smallest_gap
         ),
-        f"asks for loads shifted by up to {skew.load_shift * 1e3:.3f} mm along the rollers": (
+        f"shifts loads by up to {skew.load_shift * 1e3:.3f} mm along the rollers": (
             skew.load_shift > SHIFT * length
         ),
         f"changes tractions by up to {100 * skew.traction_change:.0f} % of the largest": (
             skew.traction_change > SHARE
         ),
-        f"costs {power:.3g} W at flanges and raceways beside {state.driving_power:.4g} W": (
+        f"costs {power:.3g} W at flanges and raceways in addition to {state.driving_power:.4g} W": (
             power > POWER * abs(state.driving_power)
         ),
     }
-    beginning = "skew: not fed back into loads and speeds, though it"
+    beginning = "skew: its effect on loads and speeds is neglected, though it"
     return tuple(
         outside("skew", f"{beginning} {effect}")
         for effect, worth_telling in left_out.items()

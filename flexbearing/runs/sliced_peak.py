@@ -93,12 +93,12 @@ def _of_slices(state: Equilibrium, peak: "SlicedPeak") -> Iterator[Note]:
             "has a peak",
         )
         return
-    instead = " instead of life.edge_stress, which is made for the life" if peak.edge_stress else ""
+    instead = " instead of life.edge_stress, which is meant for the life" if peak.edge_stress else ""
     place = peak.whole.positions[peak.whole.largest_along.argmax()]
     yield outside(
         "sliced-peak",
         f"{sliced} is {abs(peak.error):.0%} {'below' if peak.error < 0 else 'above'} the "
         f"{peak.whole.peak_pressure / GIGAPASCAL:.3g} GPa that {contact} has as a whole, "
-        f"{abs(place) / MILLIMETRE:.3g} mm from its middle: slices know neither their neighbours nor the "
+        f"{abs(place) / MILLIMETRE:.3g} mm from its middle: slices neglect their neighbours and the "
         f'ends; bearing.contact = "half_space"{instead}',
     )

@@ -40,7 +40,7 @@ def sensitivity(
         bool, typer.Option("--json", help="one JSON object instead of text and files")
     ] = False,
 ) -> None:
-    """Tell how strongly each key of a case moves its outputs: derivatives, strongest first."""
+    """Compute how much each key of a case changes its outputs: derivatives, largest first."""
     from flexbearing import api
     from flexbearing.files import require_output
     from flexbearing.printable import all_printable, printable

@@ -174,7 +174,7 @@ def _first_to_tighten(shares: Sequence[Mapping[str, Any]]) -> Iterator[str]:
         first = max(known, key=lambda share: share["narrower [%]"])
         total = "" if isnan(first["total"]) else f", total index {first['total']:.2g}"
         yield (
-            f"  tighten first: {first['key']}; half its scatter brings P10 and P90 nearer by "
+            f"  tighten first: {first['key']}; half its scatter brings P10 and P90 closer by "
             f"{first['narrower [%]']:.2g} %{total}"
         )
 

@@ -74,7 +74,7 @@ class Equilibrium:
         if self.status is SolverOutcome.UNDETERMINED:
             return (
                 "neither load nor moment, and clearance: no roller touches the inner ring, "
-                "the cage stands still and the ring position is undetermined"
+                "the cage is at rest and the ring position is undetermined"
             )
         force, moment = self.unbalanced
         return (

@@ -100,8 +100,8 @@ def _asperity_slip(state: Equilibrium) -> Iterator[Note]:
         if share > 1.0:
             yield outside(
                 "slice-creep",
-                f"asperity friction: half-width up to {share:.2g} widths of a slice; that slices shear each "
-                "other is left out",
+                f"asperity friction: half-width up to {share:.2g} widths of a slice; shear between "
+                "slices is neglected",
             )
     if isinstance(friction, RoundedCoulomb):
         carried = law.share(state.film / np.reshape(law.roughness, (-1, 1)))[0]
@@ -161,7 +161,9 @@ def _materials(state: Equilibrium) -> Iterator[Note]:
     ]
     if other:
         law = "load law and " if bearing.contact_law == "iso16281" else ""
-        yield outside("material", f"{law}life: made for bearing steel; Young's modulus of {', '.join(other)}")
+        yield outside(
+            "material", f"{law}life: their laws are for bearing steel; Young's modulus of {', '.join(other)}"
+        )
 
 
 def _proportions(state: Equilibrium) -> Iterator[Note]:
@@ -189,7 +191,7 @@ def _contact_size(state: Equilibrium) -> Iterator[Note]:
     if share > SMALL:
         yield outside(
             "contact-size",
-            f"contact: half-width up to {share:.2g} of its radius or length; Hertz asks for far less",
+            f"contact: half-width up to {share:.2g} of its radius or length; Hertz requires far less",
         )
 
 
@@ -241,7 +243,7 @@ def _churning(state: Equilibrium) -> Iterator[Note]:
     if gap is not None and gap > SMALL * radius:
         yield outside(
             "churning-gap",
-            f"churning: gap of {gap / radius:.2g} roller radii; its law asks for a gap far below the radius",
+            f"churning: gap of {gap / radius:.2g} roller radii; its law requires a gap far below the radius",
         )
 
 

@@ -329,7 +329,7 @@ def test_contacts_of_rigid_four_point_races_reach_over_their_shoulders(run):
 
 def test_balls_that_no_race_guides_are_told(run):
     light = run(RIVERA, "operation.load.axial=2 N")
-    assert any("18 balls touch the inner race too lightly" in n for n in texts(light))
+    assert any("18 balls are loaded too lightly on the inner race" in n for n in texts(light))
 
 
 def test_friction_too_low_for_the_gyroscopic_moment_is_told(run):
@@ -552,7 +552,7 @@ def test_computed_pressure_ends_at_a_shoulder(run):
     hertz, cut = (
         run("heras2017_a1", *shoulder, f"friction.contact_pressure={each}") for each in ("hertz", "offset")
     )
-    assert "as if the race went on" in shoulder_notes(hertz)[0]
+    assert "as if the race continued" in shoulder_notes(hertz)[0]
     assert not [note for note in shoulder_notes(cut) if "inner race" in note]
     (note,) = [note for note in shoulder_notes(cut) if note.startswith("shoulders cut")]
     assert note.startswith("shoulders cut 1 contacts of the inner and 0 of the outer ring")

@@ -394,7 +394,7 @@ def test_text_names_what_was_assumed_fitted_and_left_its_range():
     ("run", "words"),
     [
         (result, "converged in 5 iterations, 12.3 s"),
-        (rigid_only, "converged; no part is flexible, so nothing was iterated, 12.3 s"),
+        (rigid_only, "converged; no part is flexible, so no iterations, 12.3 s"),
         (
             unsolved,
             "NOT CONVERGED: not solved (stalled) after 0 iterations, 12.3 s: no equilibrium",
@@ -487,11 +487,11 @@ def test_polar_plot_of_rigid_rings_has_one_curve_that_is_named_so():
 
 
 EMPTY = {
-    rigid_only: ["convergence: no part is flexible, so nothing was iterated",
+    rigid_only: ["convergence: no part is flexible, so no iterations",
                  "raceway_deviation: no part is flexible"],
-    rigid_alone: ["convergence: nothing was iterated",
+    rigid_alone: ["convergence: no iterations",
                   "raceway_deviation: the flexible state was not solved"],
-    result_without_iterations: ["convergence: the result holds no iterations"],
+    result_without_iterations: ["convergence: the result contains no iterations"],
 }  # fmt: skip
 
 

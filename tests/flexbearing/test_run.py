@@ -299,7 +299,7 @@ def test_run_prints_and_ends_with_zero(tmp_path):
     pictures = command("plot", tmp_path / "out.h5", "-o", tmp_path)
     assert pictures.returncode == 0
     assert len(list(tmp_path.glob("*.png"))) == 3
-    assert "no picture out_convergence: no part is flexible, so nothing was iterated\n" in pictures.stdout
+    assert "no picture out_convergence: no part is flexible, so no iterations\n" in pictures.stdout
     drawing = command("plot", tmp_path / "out.h5", "-o", tmp_path, "--format", "svg", "--no-titles")
     assert drawing.returncode == 0
     assert len(list(tmp_path.glob("*.svg"))) == 3

@@ -67,7 +67,7 @@ def compared(rigid: dict[str, Any], elastic: dict[str, Any]) -> Table:
 
 
 def _torque_parts(block: dict[str, Any]) -> Table:
-    table = right_aligned("", "all balls", "mean ball", "heaviest ball")
+    table = right_aligned("", "all balls", "mean ball", "most loaded ball")
     columns = ("torque_parts_Nm", "mean_ball_torque_parts_Nm", "largest_ball_torque_parts_Nm")
     for part in TORQUE_PARTS:
         table.add_row(part, *(formatted(block[column][part], ".5g") for column in columns))

@@ -264,8 +264,8 @@ def _nothing_flexible(result: Result) -> bool:
 
 def _without_iterations(result: Result) -> str:
     if _nothing_flexible(result):
-        return "no part is flexible, so nothing was iterated"
-    return "the result holds no iterations" if result.attributes["iterations"] else "nothing was iterated"
+        return "no part is flexible, so no iterations"
+    return "the result contains no iterations" if result.attributes["iterations"] else "no iterations"
 
 
 def _without_flexible(result: Result) -> str:

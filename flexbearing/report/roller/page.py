@@ -54,7 +54,7 @@ def ending(numbers: dict[str, Any]) -> str:
         how = f" ({numbers['ending']})" if numbers["status"] == "not solved" and numbers["ending"] else ""
         return f"NOT CONVERGED: {numbers['status']}{how} after {iterations}, {seconds}{message}"
     if count == 0:
-        return f"converged; no part is flexible, so nothing was iterated, {seconds}"
+        return f"converged; no part is flexible, so no iterations, {seconds}"
     return f"converged in {iterations}, {seconds}"
 
 

@@ -55,7 +55,7 @@ def spectrum(duty: Duty, folder: Path, find: Callable[[str], Declaration]) -> tu
     if duty.file is not None:
         keys, table = rows(folder / duty.file, lambda key: key in MEASURES or find(key).kind is not None)
         if twice := columns.keys() & {*keys}:
-            raise BadValues(f"{min(twice)} stands here and in {duty.file}")
+            raise BadValues(f"{min(twice)} is given here and in {duty.file}")
         columns |= zip(keys, zip(*table, strict=True), strict=True)
     measures = [name for name in MEASURES if name in columns]
     if len(measures) != 1 or len(columns) < 2:

@@ -105,9 +105,7 @@ class FollowedMap:
             value = point.value / self.axis.size
             lines.append(f"fold at {value:.6g} {self.axis.unit}, cage slip {100 * point.slip:.4g} %")
         if self.branch.folds:
-            lines.append(
-                "between two folds there are several equilibria: the slip depends on what was before"
-            )
+            lines.append("between two folds there are several equilibria: the slip depends on the history")
         lines.append(f"end: {self.branch.end} at {values[-1]:.6g} {self.axis.unit}")
         if self.complete and values[-1] == values[0]:
             lines.append("the branch came back to where it began: a wider range shows the rest of it")

@@ -95,7 +95,7 @@ def _words(found: SolvedMap) -> Iterator[str]:
     if found.several:
         yield (
             f"{found.several} points with several stable equilibria, up to {count.max()}: which of them a "
-            "bearing is in depends on what was before"
+            "bearing is in depends on its history"
         )
         yield f"{len(found.solved.ends[0])} places between points where stable equilibria end"
     else:
