@@ -169,7 +169,7 @@ CASES: Sequence[Case] = (
         subject=SUBJECT,
         source=TABLE_SOURCE,
         known="J_r(ε) = (1/2π) ∫ [1 - (1 - cos ψ)/(2ε)]^n cos ψ dψ, with F = Z Q_max J_r, printed for line contact to four digits.",
-        run=f"{MANY} rollers stand for the integral; the load of the integral with n = 10/9 on a static bearing with the clearance of ε.",
+        run=f"{MANY} rollers approximate the integral; the load of the integral with n = 10/9 on a static bearing with the clearance of ε.",
         numbers_from="tests/literature/test_sjovall.py",
         compute=sjovall_rollers,
         error="Half as many rollers.",
@@ -210,7 +210,7 @@ CASES: Sequence[Case] = (
         source="inputs of Harris, Rolling Bearing Analysis (bearing 209, 4450 N); outputs of independent solutions of the same equations; "
         "1915 N is the textbook's largest load, recalled.",
         known="Shift of the ring, load zone and roller loads by three contact laws, roller by roller and by Sjövall's integral.",
-        run="Static bearings of 14 rollers, 41 µm of clearance; 1400 rollers under 100 times the load stand for the integral.",
+        run="Static bearings of 14 rollers, 41 µm of clearance; 1400 rollers under 100 times the load approximate the integral.",
         numbers_from="tests/literature/test_harris209.py",
         compute=harris_209,
         error="Loads balance to rounding; what is left is the printed digits. Between the three contact laws the largest load differs "

@@ -321,7 +321,7 @@ CASES: Sequence[Case] = (
         compute=over_thickness_held,
         error="As with the tilt free.",
         reason=LEFT_OUT
-        + "With bars at one end the section cones under load; where the tilt is held rollers bear on one end, and a thicker ring cones less: life rises with "
+        + "With bars at one end the ring becomes conical under load; where the tilt is held rollers bear on one end, and a thicker ring becomes less conical: life rises with "
         "the thickness.",
         moves=5e-3,
         slow=True,

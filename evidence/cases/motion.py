@@ -338,7 +338,7 @@ CASES: Sequence[Case] = (
         "(recalled); Harris and Aaronson, ASLE Trans. 10 (1967), preload by an out-of-round ring (recalled).",
         known="In high-speed cylindrical roller bearings slip grows with the oil flow, and with speed where there is too little load; load and preload "
         "end it.",
-        run="The bearing of Mao et al. between rigid rings; oil flow stands as the fraction of oil in the mixture, preload as a negative clearance.",
+        run="The bearing of Mao et al. between rigid rings; oil flow is represented by the fraction of oil in the mixture, preload as a negative clearance.",
         case_files=(PAPER,),
         numbers_from="tests/literature/test_skidding.py",
         compute=skidding,

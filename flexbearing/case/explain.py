@@ -136,7 +136,7 @@ def _limits() -> list[str]:
 def _sizes(families: Families) -> list[str]:
     """Between which sizes quantities must be, whatever key they stand at."""
     kinds = {item.kind.name: item.kind for item in declarations(families) if item.kind}
-    lines = ["", "A quantity that is not zero has a size that a bearing can have, whatever its sign:", ""]
+    lines = ["", "A quantity that is not zero has a size that a bearing can have, of either sign:", ""]
     return [
         *lines,
         "| quantity | size |",

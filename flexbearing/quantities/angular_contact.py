@@ -112,7 +112,7 @@ QUANTITIES = (
         summary=(SummaryValue("gyroscopic_moment_range_Nm", finite_range, "gyroscopic moment", ".4f",
             in_si=True, entries=EXTENT),)),
     Quantity("friction_torque", "", "", "N m", "block", "torque between the rings by Coulomb friction in "
-        f"the contacts, by friction.model, whatever the race control; {_FRICTION}",
+        f"the contacts, by friction.model, with any race control; {_FRICTION}",
         source="friction.friction_torque", optional=True,
         summary=(SummaryValue("friction_torque_Nm", label="friction torque", digits=".4g"),)),
     Quantity("friction_heat", "Phi", "Z", "W", "block", f"heat of friction of both contacts; {_FRICTION}",

@@ -80,14 +80,12 @@ COMMON = (
     ),
     Attribute("wall_time_s", "number", "time from case to result [s]"),
     Attribute("case_text", "text", "the case file, letter by letter", longest=100_000_000),
-    Attribute("case_file", "text", "where the case file was; drawings lie beside it", optional=True),
+    Attribute("case_file", "text", "path of the case file; drawings are in its folder", optional=True),
     Attribute("case_overrides", "texts", "keys set on the command line, key=value"),
     Attribute(
         "case_si", "json", "the whole case with its defaults, in SI units", form=Each("key", Anything())
     ),
-    Attribute(
-        "versions", "json", "versions of the program and of what it stands on", form=Each("package", TEXT)
-    ),
+    Attribute("versions", "json", "versions of the program and of its libraries", form=Each("package", TEXT)),
     Attribute(
         "machine",
         "json",
@@ -111,7 +109,10 @@ COMMON = (
     ),
     Attribute("calibrated", "json", "keys whose values were fitted, each to what", form=Each("key", TEXT)),
     Attribute(
-        "notes", "records", "what a reader must know besides the numbers, the gravest first", form=NOTES
+        "notes",
+        "records",
+        "what a reader must know in addition to the numbers, the gravest first",
+        form=NOTES,
     ),
     Attribute("created", "text", "time the run began, ISO 8601"),
 )

@@ -219,7 +219,7 @@ QUANTITIES = (
 LAYOUT = Layout(
     conventions="""\
 Directions: x axial, z along the load, azimuth from z towards y, left-handed about +x; rotations about y
-and z are right-handed. There are one or two diagonals; the first leans outwards to positive x.
+and z are right-handed. There are one or two diagonals; the first runs outwards to positive x.
 Torques are what must be put in so that the inner ring runs ahead: positive there, negative at the outer ring.
 """,
     axes=(

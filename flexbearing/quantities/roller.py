@@ -370,7 +370,7 @@ QUANTITIES = (
         "moment that bends the bar tangentially, at its ends (ring, flange), positive: tension at larger "
         f"azimuth; {_NO_BARS}", source="bars.forces.tangential_moment", optional=True),
     Quantity("bar_torque", "T", "B", "N m", "block",
-        "torque in the bar, of the part nearer to the flange on that nearer to the ring, positive about +x; "
+        "torque in the bar, of the part towards the flange on that towards the ring, positive about +x; "
         f"{_NO_BARS}", source="bars.forces.torque", optional=True),
     Quantity("nominal_bar_stress", "sigma", "B bar_end", "Pa", "block",
         "largest nominal normal stress at the ends of the bar (ring, flange) by magnitude, from axial force "
@@ -461,7 +461,7 @@ QUANTITIES = (
         summary=(SummaryValue("skew.sideways_power_W", label="axial sliding on the raceways", digits=".4g",
                               section=SKEW),)),
     Quantity("skew_gap", "", "", "m", "block",
-        f"largest change of the gap at a roller's end by skew, which the loads do not know of; {_FLANGED}",
+        f"largest change of the gap at a roller's end by skew, neglected in the loads; {_FLANGED}",
         source="skew.end_gap", people=UM, optional=True,
         summary=(SummaryValue("skew.end_gap_um", label="left out: gap at the roller ends", digits=".4f",
                               section=SKEW),)),
@@ -472,8 +472,8 @@ QUANTITIES = (
         summary=(SummaryValue("skew.load_shift_mm", label="left out: shift of the loads", digits=".4f",
                               section=SKEW),)),
     Quantity("skew_traction_change", "", "", "1", "block",
-        "largest change of a traction by skew at the same sliding / largest traction, which the speeds "
-        f"do not know of; {_FLANGED}", source="skew.traction_change", people=PERCENT, optional=True,
+        "largest change of a traction by skew at the same sliding / largest traction, neglected in the "
+        f"speeds; {_FLANGED}", source="skew.traction_change", people=PERCENT, optional=True,
         summary=(SummaryValue("skew.traction_change_percent", label="left out: change of tractions",
                               digits=".3g", section=SKEW),)),
 

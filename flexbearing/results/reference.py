@@ -10,9 +10,9 @@ from flexbearing.quantities.quantity import Place
 _BEGINNING = """\
 # The result file
 
-One HDF5 file holds one run. A name without `.part` promises a complete file, also when the run did not
-converge (`status`). What a run has finished so far stands in `OUT.h5.HOST-PROCESS-NUMBER.part` beside
-it, at most a second old and always whole; `flexbearing summary` reads it, with the status `unfinished`. A
+One HDF5 file contains one run. A name without `.part` promises a complete file, also when the run did not
+converge (`status`). What a run has finished so far is in `OUT.h5.HOST-PROCESS-NUMBER.part` in the same
+folder, at most a second old and always whole; `flexbearing summary` reads it, with the status `unfinished`. A
 run that is interrupted leaves it, the next complete result of that name removes it. `OUT.h5.lock` names
 host, process and start of the run that is writing. Everything is in SI units.
 Every dataset carries its `units` as an attribute and HDF5 dimension scales along its axes; the root attribute
@@ -31,7 +31,7 @@ with h5py.File("OUT.h5") as file:
 `xarray.open_datatree("OUT.h5", engine="h5netcdf")` gives the same with named dimensions and coordinates, and
 so does netCDF4.
 
-| group | holds |
+| group | contains |
 |---|---|
 | `iterations` | iterations of the coupling, a row each along the first axis; absent without flexible parts |
 | `rigid` | the solution with rigid raceways |
@@ -51,7 +51,7 @@ content is another, that links to other files, or that does not follow the table
 The file needs HDF5 1.10.
 
 Scalars of a block also have names, as in `result["flexible.max_roller_load [kN]"]` in Python: the keys of the
-summary with the unit apart. In brackets stands any unit of the same kind; without brackets it is the unit
+summary with the unit apart. The brackets may contain any unit of the same kind; without them it is the unit
 below. Without `rigid.` or `flexible.` a name means the flexible block where there is one, else the rigid one.
 Lives also become hours, `[h]`, at the speed of the block.
 """

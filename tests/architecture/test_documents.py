@@ -18,7 +18,11 @@ IDIOMS = re.compile(
     | known\ rings | rings\ that\ yield | (?:ring|rings|raceway|raceways)\ yields?
     | alternations? | no\ number\ to\ rely\ on | knows?\ nothing\ of | of\ one's\ own
     | walk\ through\ the\ house | falls?\ off | strangers? | ending\ of\ its\ own
-    | loaded\ program | have\ no\ end
+    | loaded\ program | have\ no\ end | by\ lot | at\ hand | asks?\ for | asked\ for | feels? | leans?
+    | freed\ of | neither\ of\ both | an\ information | nearer | in\ turn | whatever | machinery | mended
+    | (?:without\ an|has\ no|has\ an|have\ no|have\ an)\ answer | do(?:es)?\ not\ know\ of
+    | stands?\ (?:beside|in|above|below|here|by|on|as) | (?:section|ring|raceway)s?\ cones? | this\ very
+    | takes?\ back | acts?\ back | fed\ back | beside\ (?:the\ (?:file|case|study)|ours|a\ rigid)
     )\b""",
     re.VERBOSE,
 )

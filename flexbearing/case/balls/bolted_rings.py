@@ -55,7 +55,7 @@ class BoltedRing(Section):
     outward: ClassVar[int]  # sign of the radial direction from the balls into the ring
 
     kind: Literal["rigid", "bolted"] = key(
-        "rigid; or a ring of rectangular section with the groove cut out, one end face of which stands as a "
+        "rigid; or a ring of rectangular section with the groove cut out, one end face of which is held as a "
         "whole on something rigid or on springs",
         "rigid",
     )

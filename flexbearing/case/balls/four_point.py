@@ -165,7 +165,7 @@ class SlowOperation(Section):
         'load on the inner ring, for operation.mode = "ring_load"', {}, only={"mode": ("ring_load",)}
     )
     contact_loads: tuple[Force, ...] | None = key(
-        "load of the first and of the second diagonal of every ball; the first leans outwards to positive x",
+        "load of the first and of the second diagonal of every ball; the first runs outwards to positive x",
         None,
         example=["26 kN", "0 N"],
         strict=False,

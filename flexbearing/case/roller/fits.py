@@ -21,7 +21,7 @@ class Housing(Section):
     """The housing around the outer ring."""
 
     diameter: Length | None = key(
-        "outside diameter of the housing; only beside a rigid outer part, else by outer.housing_thickness",
+        "outside diameter of the housing; only with a rigid outer part, else by outer.housing_thickness",
         None,
         example="120 mm",
         gt=0,
@@ -82,21 +82,21 @@ class Fits(Section):
         ),
     )
     bore: Length | None = key(
-        "bore of the inner ring; only beside a rigid inner part, else inner.bore",
+        "bore of the inner ring; only with a rigid inner part, else inner.bore",
         None,
         example="45 mm",
         gt=0,
         only=MOUNTED,
     )
     shaft_bore: Length | None = key(
-        "bore of the shaft; only beside a rigid inner part, without it the shaft is solid",
+        "bore of the shaft; only with a rigid inner part, without it the shaft is solid",
         None,
         example="20 mm",
         gt=0,
         only=MOUNTED,
     )
     outer_diameter: Length | None = key(
-        "outside diameter of the outer ring; only beside a rigid outer part, else by outer.thickness",
+        "outside diameter of the outer ring; only with a rigid outer part, else by outer.thickness",
         None,
         example="85 mm",
         gt=0,

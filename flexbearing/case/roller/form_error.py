@@ -22,8 +22,8 @@ class Waves(Section):
         le=FINEST,
     )
     amplitude: Length = key(
-        "half of the height from valley to crest; positive where the raceway stands out of its ring at "
-        "the crest, nearer to the rollers, inner as outer",
+        "half of the height from valley to crest; positive where the crest is closer "
+        "to the rollers, at either raceway",
         example="10 um",
     )
     crest: Angle = key("azimuth of a crest, from z towards y, at the moment that is solved", "0 deg")

@@ -14,13 +14,13 @@ class Coupling(Section):
     """How bearing and rings come to agree."""
 
     method: Literal["newton", "iqn-ils", "anderson", "aitken", "relaxed"] = key(
-        "newton: bearing and rings in one system; the others solve them in turn and correct the deviations "
-        "by interface quasi-Newton (iqn-ils), Anderson mixing of the last twelve changes (anderson), Aitken "
-        "relaxation (aitken) or constant relaxation (relaxed)",
+        "newton: bearing and rings in one system; the others solve them one after the "
+        "other and correct the deviations by interface quasi-Newton (iqn-ils), Anderson mixing of the last "
+        "twelve changes (anderson), Aitken relaxation (aitken) or constant relaxation (relaxed)",
         "newton",
     )
     structure: Literal["condensed", "full"] = key(
-        "condensed: rings are condensed once to what rollers feel of them; full: the whole solid of every "
+        "condensed: rings are condensed once to their raceways; full: the whole solid of every "
         "flexible ring is factored once and solved anew in every iteration, for all methods but newton",
         "condensed",
     )
@@ -94,7 +94,7 @@ class Accuracy(Section):
         gt=0,
     )
     harmonics: int | None = key(
-        "highest azimuthal harmonic; by default what the axial shapes ask for",
+        "highest azimuthal harmonic; by default as many as the axial shapes require",
         None,
         example=60,
         ge=8,

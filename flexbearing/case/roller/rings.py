@@ -38,7 +38,7 @@ class Outer(Section):
     )
     raceway_offset: Length = key(
         "axial distance from the middle of the ring's width to the middle of the rollers, positive towards "
-        "+x, where bars stand or the side face is held",
+        "+x, where the bars are or the side face is held",
         "0 mm",
         example="1 mm",
         only=(_HELD, _CAGE, _MATRIX),
@@ -135,7 +135,7 @@ class Outer(Section):
     fillet: Length = key("fillet radius where bars meet ring and flange", "0 mm", ge=0, only=_CAGE)
     flange_length: Length | None = key("axial length of the flange behind the bars", None, gt=0, only=_CAGE)
     bar_ends: Literal["one", "both"] = key(
-        "ends of the ring on which bars stand, with their flange: that at +x, or both alike",
+        "ends of the ring at which there are bars, with their flange: that at +x, or both alike",
         "one",
         only=_CAGE,
     )

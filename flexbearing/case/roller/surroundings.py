@@ -94,7 +94,7 @@ class Temperatures(Section):
         only=({"bearing.fits.housing": GIVEN}, {"outer.housing_clearance": GIVEN}),
     )
     outer_seat: Temperature | None = key(
-        "of what the clamped face or the seat of the outer part stands on, which expands like the material "
+        "of what carries the clamped face or the seat of the outer part, which expands like the material "
         "of the outer ring; without it as warm as that",
         None,
         gt=0,

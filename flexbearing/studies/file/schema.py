@@ -18,7 +18,7 @@ class Over(Section):
         "whether the first values belong together, the second ones and so on; else crossed", False
     )
     file: str | None = key(
-        "table of variants (CSV) beside the study file, whose header holds keys, with units in brackets",
+        "table of variants (CSV) next to the study file; its header has keys with units in brackets",
         None,
         example="variants.csv",
     )
@@ -58,7 +58,7 @@ class Duty(Section):
         "shares of the revolutions instead", None, example=["30 %", "70 %"], strict=False
     )
     file: str | None = key(
-        'table of rows (CSV) beside the study file; its header holds keys and "time [%]" or "revolutions"',
+        'table of rows (CSV) next to the study file; its header has keys and "time [%]" or "revolutions"',
         None,
         example="spectrum.csv",
     )
