@@ -81,7 +81,7 @@ def test_a_name_takes_the_place_of_a_table_and_of_what_was_assumed_of_it():
     ("given", "said"),
     [
         ("steel", 'roller = "steel" is no material of the list; it must be "100Cr6" or "M50" or'),
-        ({"name": "M50"}, 'name = "M50" cannot be; it must be another name: M50 stands as text in place'),
+        ({"name": "M50"}, 'name = "M50" cannot be; it must be another name: M50 is written as text in place'),
         (7, "[materials] roller = 7 is not allowed"),
         ({"name": ["M50"]}, "[materials.roller] name"),
     ],

@@ -85,8 +85,8 @@ WRONG = {
     "no matrix": ({"outer.matrix": "none.sti"}, "none.dof: cannot be read|none.sti: cannot be read"),
     "no nodes": ({"outer.nodes": "none.inp"}, "none.inp: cannot be read"),
     "another program": ({"outer.matrix": str(PAPER)}, "a matrix has the ending"),
-    "a ring of another size": ({"outer.thickness": "7 mm"}, "no node stands on the outer surface"),
-    "another length": ({"outer.length_unit": "1 m"}, "no node stands on the outer surface"),
+    "a ring of another size": ({"outer.thickness": "7 mm"}, "no node is on the outer surface"),
+    "another length": ({"outer.length_unit": "1 m"}, "no node is on the outer surface"),
     "axes along each other": ({"outer.zenith": "x"}, "at right angles to outer.axis"),
     "the whole solids": (
         {"coupling.structure": "full", "coupling.method": "aitken"},

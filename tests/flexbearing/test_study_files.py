@@ -249,7 +249,7 @@ WRONG = {
     '[duty]\ntime = [0, 0]\n' + LOAD: "[duty] time has no share above zero",
     '[duty]\ntime = ["much", 1]\n' + LOAD: '[duty] time has "much"; a share is a number',
     '[duty]\nfile = "gap.csv"': "[duty] time has an empty cell; every row has a share",
-    '[duty]\nfile = "loads.csv"\n' + LOAD: "[duty] operation.radial_load stands here and in loads.csv",
+    '[duty]\nfile = "loads.csv"\n' + LOAD: "[duty] operation.radial_load is given here and in loads.csv",
     OVER + LOAD + '[duty]\nfile = "loads.csv"': "[duty] operation.radial_load is varied twice",
 }  # fmt: skip
 TABLES = {
