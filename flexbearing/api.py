@@ -167,7 +167,9 @@ def against_catalogue(case: str | Path, overrides: Overrides = ()) -> dict[str, 
     return compared(wanted, catalogue(), lambda further: read_case(case, [*given, *further]), compute)
 
 
-def sensitivities(case: Any, of: Sequence[str] = (), by: Sequence[str] = ()) -> "Sensitivities":
+def sensitivities(
+    case: Any, of: Sequence[str] = (), by: Sequence[str] = (), report: "Report | None" = None
+) -> "Sensitivities":
     """Differentiate outputs of a case by its keys, at its equilibrium.
 
     Parameters
@@ -179,6 +181,8 @@ def sensitivities(case: Any, of: Sequence[str] = (), by: Sequence[str] = ()) -> 
         main ones
     by : sequence of str
         keys; by default all continuous ones that the case states
+    report : Report, optional
+        hears of what is computed; the log, unless given
 
     Returns
     -------
@@ -197,7 +201,7 @@ def sensitivities(case: Any, of: Sequence[str] = (), by: Sequence[str] = ()) -> 
     from flexbearing.derivatives.any_family import sensitivities as differentiated
     from flexbearing.families import FAMILIES
 
-    return differentiated(case, FAMILIES[case.kind], of, by)
+    return differentiated(case, FAMILIES[case.kind], of, by, report)
 
 
 def drawings(case: Any, *, values: bool = True) -> "list[Drawing]":

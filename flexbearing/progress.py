@@ -1,6 +1,7 @@
 """What a person sees while a case runs: stages, iterations, the end."""
 
 import logging
+from collections.abc import Callable
 from time import perf_counter
 from typing import TYPE_CHECKING, Protocol, Self
 
@@ -29,11 +30,25 @@ class Report(Protocol):
         ...
 
 
-class Logged:
-    """Sends every stage and iteration to the log, one line each, and how far a long stage is."""
+class Silent:
+    """Listens to what is only a part of a stage, and tells nobody."""
 
-    def __init__(self):
-        self._last, self._told = "", 0.0
+    def stage(self, text: str, fraction: float | None) -> None:
+        """Take no note of a stage."""
+
+    def iteration(self, iteration: "Iteration") -> None:
+        """Take no note of an iteration."""
+
+
+def _to_the_log(text: str) -> None:
+    log.info("%s", text)
+
+
+class Logged:
+    """Tells every stage and iteration, to the log or elsewhere, a line each, and how far a long stage is."""
+
+    def __init__(self, tell: Callable[[str], None] = _to_the_log):
+        self._tell, self._last, self._told = tell, "", 0.0
 
     def __enter__(self) -> Self:
         return self
@@ -45,16 +60,16 @@ class Logged:
         """Log a stage when it begins, and its part that is done, if there is one, every `EVERY` seconds."""
         now = perf_counter()
         if text != self._last:
-            log.info("%s", text)
+            self._tell(text)
         elif fraction is not None and now - self._told >= EVERY:
-            log.info("%s: %.0f %% done", text, 100 * fraction)
+            self._tell(f"{text}: {100 * fraction:.0f} % done")
         else:
             return
         self._last, self._told = text, now
 
     def iteration(self, iteration: "Iteration") -> None:
         """Log number, largest load change and largest load of an iteration."""
-        log.info("%s", line(iteration))
+        self._tell(line(iteration))
 
 
 def line(iteration: "Iteration") -> str:

@@ -7,11 +7,14 @@ from flexbearing.case.family import Family
 from flexbearing.derivatives.keys import keys_of
 from flexbearing.derivatives.table import Sensitivities
 from flexbearing.outputs import wanted
+from flexbearing.progress import Report
 
 COLLECTIVE = "all", "life"  # what a family has its own names for
 
 
-def sensitivities(case: Head, family: Family, of: Sequence[str], by: Sequence[str]) -> Sensitivities:
+def sensitivities(
+    case: Head, family: Family, of: Sequence[str], by: Sequence[str], report: Report | None = None
+) -> Sensitivities:
     """Derivatives of outputs of a case by its keys, see the function of its family.
 
     Parameters
@@ -24,6 +27,8 @@ def sensitivities(case: Head, family: Family, of: Sequence[str], by: Sequence[st
         outputs
     by : sequence of str
         keys
+    report : Report, optional
+        hears of what is computed; the log, unless given
 
     Returns
     -------
@@ -42,7 +47,7 @@ def sensitivities(case: Head, family: Family, of: Sequence[str], by: Sequence[st
             "vary the key in a study instead"
         )
     _require_names(case, family, of, by)
-    return family.sensitivities()(case, of, by)
+    return family.sensitivities()(case, of, by, report)
 
 
 def _require_names(case: Head, family: Family, of: Sequence[str], by: Sequence[str]) -> None:

@@ -13,7 +13,9 @@ from flexbearing.derivatives.keys import Key, given_keys, keys_of, with_value
 from flexbearing.derivatives.sides import tabled, with_sides
 from flexbearing.derivatives.stencil import CENTRAL, STENCILS, Stencil
 from flexbearing.derivatives.table import Sensitivities
+from flexbearing.derivatives.told import told
 from flexbearing.outputs import Wanted, outputs, wanted
+from flexbearing.progress import Logged, Report
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.runs import angular_contact, ball_life
 from quasidynamic import AngularContactBallBearing, ImpossiblePart, NotSolved, OutOfRange, RingOperation
@@ -30,7 +32,9 @@ REACH = 1e-4 / RELATIVE_STEP  # steps: balls that lift off within 0.01 % make a 
 BEYOND = 2 * REACH  # where the derivatives of both sides are taken
 
 
-def sensitivities(case: FastCase, of: Sequence[str] = (), by: Sequence[str] = ()) -> Sensitivities:
+def sensitivities(
+    case: FastCase, of: Sequence[str] = (), by: Sequence[str] = (), report: Report | None = None
+) -> Sensitivities:
     """Derivatives of outputs by continuous keys at the equilibrium of a case.
 
     Parameters
@@ -42,6 +46,8 @@ def sensitivities(case: FastCase, of: Sequence[str] = (), by: Sequence[str] = ()
         the case has one, "all" every output; by default life, largest load, pressure, stiffness
     by : sequence of str
         keys; by default all continuous ones that the case states
+    report : Report, optional
+        hears of every key; the log, unless given
 
     Returns
     -------
@@ -66,7 +72,7 @@ def sensitivities(case: FastCase, of: Sequence[str] = (), by: Sequence[str] = ()
             )
     keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
     asked, shorter = _asked(case, of), [replace(key, relative_step=RELATIVE_STEP) for key in keys]
-    return _table(_State.solved(case), asked, shorter)
+    return _table(_State.solved(case), asked, told(shorter, report or Logged()))
 
 
 def _asked(case: FastCase, of: Sequence[str]) -> list[Wanted]:

@@ -13,7 +13,7 @@ from flexbearing.case.roller import Case
 from flexbearing.coupling import LinearPair
 from flexbearing.coupling.raceway_pair import OUTWARD
 from flexbearing.derivatives.ring_slopes import RingSlopes, shape_of
-from flexbearing.progress import Logged
+from flexbearing.progress import Silent
 from flexbearing.rings.condensed import RACES, raceway, with_growth
 from flexbearing.rings.fits import is_in_fit
 from flexbearing.rings.moved import raceway_of_shape
@@ -55,14 +55,14 @@ class NearRaceways:
         if self.pair.raceways[place] is None:
             return None
         if is_in_fit(case, race) or not np.array_equal(azimuths, self.azimuths):
-            return raceway(case, race, azimuths, Logged()).linearised(OUTWARD[place] * forces[place])
+            return raceway(case, race, azimuths, Silent()).linearised(OUTWARD[place] * forces[place])
         slopes = self.slopes[race]
         unmoved = case.nodes_of is self.case.nodes_of  # `meshed_alike` found the same shapes
         shape = slopes.shape if unmoved else shape_of(case, race)
         assert shape  # as it is flexible
         if shape == slopes.shape:
             case = case.on_nodes_of(None)  # whose growth is known
-        return with_growth(slopes.near(shape), case, race, Logged())
+        return with_growth(slopes.near(shape), case, race, Silent())
 
     @cached_property
     def _shapes(self) -> dict[Race, Shape | None]:
@@ -83,6 +83,6 @@ class NearRaceways:
         assert shape  # as it is flexible
 
         def of_shape(other: Shape) -> "RacewayCompliance":
-            return raceway_of_shape(self.case, race, other, outward, self.azimuths, Logged())
+            return raceway_of_shape(self.case, race, other, outward, self.azimuths, Silent())
 
-        return RingSlopes(shape, with_growth(linear, self.case, race, Logged(), -1.0), of_shape)
+        return RingSlopes(shape, with_growth(linear, self.case, race, Silent(), -1.0), of_shape)

@@ -12,7 +12,7 @@ from flexbearing.coupled.coupled import BearingPartner, equilibrium
 from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.derivatives.keys import Key, with_value
 from flexbearing.derivatives.near_raceways import NearRaceways
-from flexbearing.progress import Logged
+from flexbearing.progress import Logged, Report
 from flexbearing.rings.condensed import condensed_raceways
 from quasidynamic import Equilibrium, NotSolved, RollerBearing
 from quasidynamic.balance.rollers.bearing import BearingBalance
@@ -94,17 +94,19 @@ class SolvedState:
             raise NotSolved(f"no equilibrium near {key.path}", last.outcomes[0])
         state = Equilibrium(
             balance, last.unknowns[0], last.outcomes[0], last.number, variant.model.axial_modes
-        )
+        ).refined()
         return SolvedState(variant, self.rings, self.near, state.unknowns, state.forces)
 
 
-def solved(case: Case) -> SolvedState:
+def solved(case: Case, report: Report | None = None) -> SolvedState:
     """The equilibrium that a run of the case finds.
 
     Parameters
     ----------
     case : Case
         as it was read
+    report : Report, optional
+        hears of the parts that are condensed; the log, unless given
 
     Returns
     -------
@@ -120,7 +122,7 @@ def solved(case: Case) -> SolvedState:
     _require_differentiable(case)
     model = roller_bearing.bearing(case)
     try:
-        rings = condensed_raceways(case, model.bearing.azimuths, Logged())
+        rings = condensed_raceways(case, model.bearing.azimuths, report or Logged())
         if rings.rigid:
             state, pair = model.solve(), LinearPair(None, None)
         else:

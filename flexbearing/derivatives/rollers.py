@@ -16,19 +16,23 @@ from flexbearing.derivatives.roller_state import SolvedState, solved
 from flexbearing.derivatives.sides import tabled, with_sides
 from flexbearing.derivatives.stencil import STENCILS
 from flexbearing.derivatives.table import Sensitivities
+from flexbearing.derivatives.told import told
 from flexbearing.outputs import Wanted, outputs, wanted
 from flexbearing.program.threads import linear_algebra_alone
+from flexbearing.progress import Logged, Report
 from flexbearing.quantities.roller import CAGE_SLIP, LAYOUT
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 
 DEFAULT = ("life", "max_roller_load", CAGE_SLIP.name, "stiffness_zz")
 ALL, LIFE = "all", "life"
 ESTIMATES = ("life_error", "peak_pressure_error", "nominal_bar_stress_error")  # no outputs of the bearing
-REACH = 20.0  # steps, 0.01 % of a value: contacts that open or close within make a derivative one-sided
+REACH = 50.0  # steps, 0.01 % of a value: contacts that open or close within make a derivative one-sided
 BEYOND = 2 * REACH  # where the derivatives of both sides are taken
 
 
-def sensitivities(case: Case, of: Sequence[str] = (), by: Sequence[str] = ()) -> Sensitivities:
+def sensitivities(
+    case: Case, of: Sequence[str] = (), by: Sequence[str] = (), report: Report | None = None
+) -> Sensitivities:
     """Derivatives of outputs by continuous keys at the equilibrium of a case.
 
     Parameters
@@ -40,6 +44,8 @@ def sensitivities(case: Case, of: Sequence[str] = (), by: Sequence[str] = ()) ->
         the case has one, "all" every output; by default life, largest roller load, cage slip, stiffness
     by : sequence of str
         keys; by default all continuous ones that the case states
+    report : Report, optional
+        hears of parts that are condensed, and of every key; the log, unless given
 
     Returns
     -------
@@ -57,11 +63,13 @@ def sensitivities(case: Case, of: Sequence[str] = (), by: Sequence[str] = ()) ->
     keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
     asked = wanted_of(case, of)
     with linear_algebra_alone():  # its threads would only wait for each other
-        state = solved(case)
-        return differentiated(state, asked, keys)
+        report = report or Logged()
+        return differentiated(solved(case, report), asked, keys, report)
 
 
-def differentiated(state: SolvedState, of: Sequence[Wanted], by: Iterable[Key]) -> Sensitivities:
+def differentiated(
+    state: SolvedState, of: Sequence[Wanted], by: Iterable[Key], report: Report | None = None
+) -> Sensitivities:
     """Derivatives at a state that is known.
 
     Parameters
@@ -72,8 +80,10 @@ def differentiated(state: SolvedState, of: Sequence[Wanted], by: Iterable[Key]) 
         outputs, see `wanted_of`
     by : iterable of Key
         keys of the case
+    report : Report, optional
+        hears of every key
     """
-    return _Differentiated(state, of).table(by)
+    return _Differentiated(state, of).table(told(list(by), report or Logged()))
 
 
 def wanted_of(case: Case, of: Sequence[str]) -> list[Wanted]:

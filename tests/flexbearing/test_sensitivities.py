@@ -14,6 +14,7 @@ from flexbearing import __main__ as program, api
 from flexbearing.case import BadCase
 from flexbearing.derivatives.rollers import BEYOND, REACH, sensitivities
 from flexbearing.families import FAMILIES
+from flexbearing.progress import Silent
 from flexbearing.report.tornado_figure import draw_tornado
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -166,7 +167,7 @@ def test_where_a_slice_opens_both_sides_are_given():
 def test_reach_is_a_hundredth_of_a_percent():
     load = at_a_contact_switch(0.0)
     far = sensitivities(
-        rigid_case(f"operation.radial_load={load * (1 + 3 * REACH * 5e-6)!r} N"),
+        rigid_case(f"operation.radial_load={load * (1 + 3 * REACH * 2e-6)!r} N"),
         ["life"], ["operation.radial_load"],
     )  # fmt: skip
     assert not far["life_L10", "operation.radial_load"].one_sided
@@ -313,8 +314,24 @@ def test_command_writes_a_table_and_a_picture(tmp_path, capsys):
 
 def test_command_prints_json(capsys):
     assert command("--of", "life", "--by", "bearing.clearance", "--json") == 0
-    (found,) = json.loads(capsys.readouterr().out)["derivatives"]
+    said = capsys.readouterr()
+    (found,) = json.loads(said.out)["derivatives"]
+    assert "derivatives by bearing.clearance" in said.err
     assert (found["output"], found["one_sided"], found["derivative_below"]) == ("life_L10", False, None)
+
+
+@pytest.mark.parametrize("case", ["mao2016", "6209"])
+def test_a_person_hears_how_many_keys_are_done(case):
+    settings = RIGID[:2] if case == "mao2016" else ()
+    heard = []
+
+    class Ear(Silent):
+        def stage(self, text, fraction):
+            heard.append((text, fraction))
+
+    keys = ["bearing.clearance", "operation.inner_speed"]
+    api.sensitivities(api.read_case(CONFIGS / f"{case}.toml", settings), ["life"], keys, Ear())
+    assert heard == [("derivatives by 2 keys", done) for done in (0.0, 0.5, 1.0)]
 
 
 def test_command_refuses_a_picture_of_no_known_form(capsys):
