@@ -13,14 +13,14 @@ from flexbearing.case.text import setting_value, tables
 
 NUMERICS = ("coupling.", "accuracy.", "outputs.")  # tables whose numbers say how it is computed, not what
 # Small against the nanometres by which a slice is pressed that just carries load: of a clearance of 60 um and
-# of fits that grow the steps are 0.1 nm. Shorter ones lose the digits of a stiffness between flexible rings.
-RELATIVE_STEP = 2e-6  # of a value
-TEMPERATURE_STEP = 2e-4  # [K]
-# Steps of values that are zero, by SI unit: what moves a usual bearing about as far as 4e-6 of a value.
+# of fits that grow the steps are 60 pm. Shorter ones lose the digits of a stiffness between flexible rings.
+RELATIVE_STEP = 1e-6  # of a value
+TEMPERATURE_STEP = 1e-4  # [K]
+# Steps of values that are zero, by SI unit: what moves a usual bearing about as far as 2e-6 of a value.
 STEPS_FROM_ZERO = {
-    "m": 4e-11, "rad": 4e-9, "N": 4e-3, "N m": 4e-6, "m/s^2": 4e-5, "rad/s": 4e-4, "kg": 4e-8,
+    "m": 2e-11, "rad": 2e-9, "N": 2e-3, "N m": 2e-6, "m/s^2": 2e-5, "rad/s": 2e-4, "kg": 2e-8,
 }  # fmt: skip
-STEP_FROM_ZERO = 4e-7  # of other units
+STEP_FROM_ZERO = 2e-7  # of other units
 
 Table = TypeVar("Table", bound=Section)
 

@@ -26,7 +26,7 @@ from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 DEFAULT = ("life", "max_roller_load", CAGE_SLIP.name, "stiffness_zz")
 ALL, LIFE = "all", "life"
 ESTIMATES = ("life_error", "peak_pressure_error", "nominal_bar_stress_error")  # no outputs of the bearing
-REACH = 50.0  # steps, 0.01 % of a value: contacts that open or close within make a derivative one-sided
+REACH = 100.0  # steps, 0.01 % of a value: contacts that open or close within make a derivative one-sided
 BEYOND = 2 * REACH  # where the derivatives of both sides are taken
 
 

@@ -167,7 +167,7 @@ def test_where_a_slice_opens_both_sides_are_given():
 def test_reach_is_a_hundredth_of_a_percent():
     load = at_a_contact_switch(0.0)
     far = sensitivities(
-        rigid_case(f"operation.radial_load={load * (1 + 3 * REACH * 2e-6)!r} N"),
+        rigid_case(f"operation.radial_load={load * (1 + 3 * REACH * 1e-6)!r} N"),
         ["life"], ["operation.radial_load"],
     )  # fmt: skip
     assert not far["life_L10", "operation.radial_load"].one_sided
