@@ -95,7 +95,11 @@ def _listener() -> "Logged | OnTerminal":
         from rich.console import Console
 
         return OnTerminal(Console(stderr=True))
-    return Logged(lambda text: sys.stderr.write(printable(text) + "\n"))
+
+    def tell(text: str) -> None:
+        sys.stderr.write(printable(text) + "\n")
+
+    return Logged(tell)
 
 
 def _form_of(picture: Path) -> str:
