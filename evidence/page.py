@@ -148,8 +148,9 @@ of the largest one. `-` marks cases of statements alone. A verdict is computed b
 one rule for all pages; the reason of a difference is written by its author.
 
 **"Agrees" does not mean "measured".** Most cases compare with formulas of standards, closed forms or other
-programs. Measured are the friction torques of slow ball bearings and, as sign and trend, skidding: the
-torques and one of the trends are not met. Nothing measured is here of a bearing with flexible rings.
+programs. The only measured numbers are friction torques of slow ball bearings, which are not met. Skidding is
+compared with the direction of trends that publications report, known from abstracts or from memory, without
+numbers; one of them is not met. Nothing measured is here of a bearing with flexible rings.
 """
 
 HEADING = "| case | verdict | misfit that decides [%] | allowed for it [%] |"

@@ -306,7 +306,7 @@ CASES: Sequence[Case] = (
         numbers_from="configs/mao2016.toml",
         compute=life_of_slices,
         error="320 slices against 640.",
-        reason="Life goes with the power 4 of line loads, which slices average; at the loaded ends of tilted straight rollers the line load "
+        reason="Life goes with the power -4 of line loads, which slices average; at the loaded ends of tilted straight rollers the line load "
         "changes within one slice. Between rigid rings life falls by 1.3 % from 20 to 640 slices, more between flexible ones. Results state this error "
         "(`life_error_percent`), and `accuracy.target` chooses the slices.",
         slow=True,

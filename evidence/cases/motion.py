@@ -332,7 +332,7 @@ CASES: Sequence[Case] = (
     ),
     Case(
         name="skidding",
-        title="Measured skidding, by sign: oil, speed, load, preload",
+        title="Published trends of skidding: oil, speed, load, preload",
         subject=SUBJECT,
         source="Smith, Proc. Instn Mech. Engrs 176 (1962) 566, high speed and light load (abstract read); Boness, J. Lubr. Technol. 92 (1970) 39, oil flow "
         "(recalled); Harris and Aaronson, ASLE Trans. 10 (1967), preload by an out-of-round ring (recalled).",
@@ -342,7 +342,8 @@ CASES: Sequence[Case] = (
         case_files=(PAPER,),
         numbers_from="tests/literature/test_skidding.py",
         compute=skidding,
-        error="Signs only: bearings, oils and flows of the measurements are others. The oil fraction of the case was fitted to 6.28 %.",
+        error="Directions only, as the abstract of one publication and memory of two have them: no measured number is compared. Bearings, oils and flows of the "
+        "measurements are others, and no rule leads from a flow to an oil fraction. The oil fraction of the case was fitted to 6.28 %.",
         moves=1e-2,
         draw=draw_skidding,
         caption="Cage slip over each range, from its first to its last place.",
@@ -350,7 +351,7 @@ CASES: Sequence[Case] = (
     ),
     Case(
         name="skidding-guidance",
-        title="Measured skidding, by sign: guidance of the cage",
+        title="A published trend of skidding: guidance of the cage",
         subject=SUBJECT,
         source="Anderson, Macks and Nemeth, NACA Report 1177 (1954), cages of 75 mm roller bearings at high speed (its statement on guidance is "
         "recalled, not read).",
@@ -359,7 +360,7 @@ CASES: Sequence[Case] = (
         case_files=(PAPER,),
         numbers_from="tests/literature/test_skidding.py",
         compute=guidance,
-        error="Signs only. All three differ by less than 0.3 % of the slip: oil drag on the rollers outweighs the land in this bearing.",
+        error="Directions only. All three differ by less than 0.3 % of the slip: oil drag on the rollers outweighs the land in this bearing.",
         remarks="Here an inner land drives the cage, because the inner ring turns faster, so that it slips less than one guided by rollers; an outer "
         "land brakes it. Lands are laminar and centred (Petroff); oil that is flung out of an inner land is not in the model. "
         "Which of these makes the difference is not known.",
@@ -367,13 +368,14 @@ CASES: Sequence[Case] = (
     ),
     Case(
         name="gearbox-slip",
-        title="Slip in a wind turbine gearbox, as a trend",
+        title="Slip in a wind turbine gearbox, as a trend from 20 to 60 °C",
         subject=SUBJECT,
         source="Guo and Keller, Validation of combined analytical methods to predict slip in cylindrical roller bearings, Tribology International (2020), "
         "abstract of the preprint.",
         known="At low wind and low oil temperature cage and rollers slip up to 60 %; slip falls as temperature and wind grow.",
         run="The 209 bearing at 1800 rpm in a gear oil of ISO VG 320, loads standing for wind: the bearings of the gearbox are larger and their loads "
-        "are not printed in what was read. 50 N, 200 N and 1 kN are round numbers, chosen before.",
+        "are not printed in what was read. 50 N, 200 N and 1 kN are round numbers, chosen before. Temperatures begin at 20 °C, as the trend reverses below "
+        "(remarks).",
         case_files=("configs/nu209.toml",),
         numbers_from="tests/literature/test_skidding.py",
         compute=gearbox,
