@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -82,15 +83,32 @@ class GridPoints:
     def between(self, first: NDArray, second: NDArray, share: NDArray) -> BearingBalance:
         """Balance of bearings at shares (n) of the ways from some points (n) to others (n).
 
-        Numbers of the bearings are interpolated linearly: exact for loads, speeds and dimensions, nearly so
-        for what follows from temperatures.
+        See `within`.
         """
-        part, rest = share[:, None], 1 - share[:, None]
-        numbers = rest * self.numbers[first] + part * self.numbers[second]
-        if self.deviation is None:
-            return self._with(numbers, None)
-        part, rest = part[..., None, None], rest[..., None, None]
-        return self._with(numbers, rest * self.deviation[first] + part * self.deviation[second])
+        ends = (np.transpose(np.unravel_index(each, self.shape)) for each in (first, second))
+        one, other = ends
+        return self.within(one + share[:, None] * (other - one))
+
+    def within(self, places: NDArray) -> BearingBalance:
+        """Balance of bearings at places (n, d) within the grid, in steps from its first point.
+
+        Numbers of the bearings are interpolated linearly along each axis: exact for loads, speeds and
+        dimensions, nearly so for what follows from temperatures.
+        """
+        last = np.array(self.shape) - 1
+        first = np.clip(np.floor(places).astype(int), 0, np.maximum(last - 1, 0))
+        share, corners = places - first, list(product((0, 1), repeat=len(self.shape)))
+        points = [
+            np.ravel_multi_index(tuple(np.minimum(first + each, last).T), self.shape) for each in corners
+        ]
+        parts = [np.where(each, share, 1 - share).prod(axis=1) for each in corners]
+
+        def interpolated(values: NDArray) -> NDArray:
+            each = zip(parts, points, strict=True)
+            return np.sum([(part * values[at].T).T for part, at in each], axis=0)
+
+        deviation = None if self.deviation is None else interpolated(self.deviation)
+        return self._with(interpolated(self.numbers), deviation)
 
     def _with(self, numbers: NDArray, deviation: NDArray | None) -> BearingBalance:
         # Numbers that all points share are those of the first bearing, which therefore is one of them.

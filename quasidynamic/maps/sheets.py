@@ -178,6 +178,10 @@ def _arrive(states: States, ways: _Ways) -> None:
 
 
 def _end(states: States, ways: _Ways) -> None:
-    """Take note of where states end."""
+    """Take note of where states end, and of the last state before."""
     states.continues[ways.states, ways.sides] = ENDS
     states.share[ways.states, ways.sides] = ways.share + ways.step
+    for state, side, share, scaled in zip(
+        ways.states.tolist(), ways.sides.tolist(), ways.share, ways.here.scaled, strict=True
+    ):
+        states.last[state, side] = share, scaled

@@ -24,8 +24,30 @@ class SolvedGrid:
     stable: NDArray  # (S) whether small disturbances of cage and spins decay
     continues: NDArray  # (S, 2 d) as which state down and up each axis; negative where it does not
     share: NDArray  # (S, 2 d) of the way on which it ends there; NaN elsewhere
+    last: dict[
+        tuple[int, int], tuple[float, NDArray]
+    ]  # of states and sides that end: share and unknowns before
     rounds: int  # of searches for other sheets
     quiet: bool  # whether the last of them found nothing more
+
+    @classmethod
+    def of(cls, points: GridPoints, states: States, rounds: int = 0, quiet: bool = True) -> "SolvedGrid":
+        """States in the order of their points."""
+        order = np.argsort(states.point, kind="stable")
+        renamed = np.empty(len(order), int)
+        renamed[order] = np.arange(len(order))
+        continues = states.continues[order]
+        return cls(
+            points=points,
+            point=states.point[order],
+            scaled=states.reached.scaled[order],
+            stable=states.stable[order],
+            continues=np.where(continues >= 0, renamed[continues], continues),
+            share=states.share[order],
+            last={(int(renamed[state]), side): end for (state, side), end in states.last.items()},
+            rounds=rounds,
+            quiet=quiet,
+        )
 
     @property
     def stable_count(self) -> NDArray:
@@ -77,17 +99,4 @@ def solve(
     connect_all(points, states, mapped)
     tell("other sheets")
     rounds, quiet = search(points, states, mapped)
-    order = np.argsort(states.point, kind="stable")
-    renamed = np.empty(len(order), int)
-    renamed[order] = np.arange(len(order))
-    continues = states.continues[order]
-    return SolvedGrid(
-        points=points,
-        point=states.point[order],
-        scaled=states.reached.scaled[order],
-        stable=states.stable[order],
-        continues=np.where(continues >= 0, renamed[continues], continues),
-        share=states.share[order],
-        rounds=rounds,
-        quiet=quiet,
-    )
+    return SolvedGrid.of(points, states, rounds, quiet)

@@ -30,6 +30,7 @@ class States:
         self.doubtful = np.zeros(0, bool)  # (S) whether they are likely to be one of several
         self.continues = np.zeros((0, 2 * len(points.shape)), int)
         self.share = np.zeros((0, 2 * len(points.shape)))
+        self.last: dict[tuple[int, int], tuple[float, NDArray]] = {}  # share and unknowns before a side ends
         solved = np.flatnonzero(first.converged)
         self._append(solved, first.take(solved), each_examined(points, first, mapped)[solved])
 

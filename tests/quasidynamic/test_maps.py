@@ -8,13 +8,12 @@ import pytest
 from pytest import approx
 
 from quasidynamic import OutOfRange
-from quasidynamic.maps import GridPoints, fold_curves, solve
-from quasidynamic.maps.curves import end_places
+from quasidynamic.maps import GridPoints, SolvedGrid, folds, solve
 from quasidynamic.maps.examined import each_examined, examined, implied
 from quasidynamic.maps.filled import nested, one_state_each, through
 from quasidynamic.maps.reached import Reached
 from quasidynamic.maps.sheets import FINEST, connect_all
-from quasidynamic.maps.states import ENDS, States
+from quasidynamic.maps.states import States
 from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.trace import trace
@@ -58,12 +57,19 @@ def test_both_stable_states_are_at_every_load_between_the_folds(line, exact):
 
 
 def test_sheets_end_at_the_folds_of_the_branch(line, exact):
-    ended = np.argwhere((line.continues == ENDS) & line.stable[:, None])
-    places = [line.point[s] + (2 * side - 1) * line.share[s, side] for s, side in ended]
-    folds = [np.interp(place, np.arange(len(LOADS)), LOADS) for place in sorted(places)]
-    cells = [np.diff(LOADS)[np.searchsorted(LOADS, fold) - 1] for fold in exact]
-    assert len(folds) == 2
-    assert all(abs(f - e) < FINEST * c for f, e, c in zip(folds, exact, cells, strict=True))
+    ended = folds(SolvedGrid.of(over((len(LOADS),), LOADS), line))
+    assert ended.located.all()
+    assert np.interp(np.sort(ended.places[:, 0]), np.arange(len(LOADS)), LOADS) == approx(
+        exact, rel=1e-6, abs=0
+    )
+
+
+def test_ends_that_are_no_folds_are_not_located(line):
+    solved = SolvedGrid.of(over((len(LOADS),), LOADS), line)
+    ended = folds(replace(solved, last={}))
+    assert not ended.located.any()
+    whole = folds(solved)
+    assert np.abs(ended.places - whole.places).max() < 2 * FINEST
 
 
 def test_states_continue_forth_and_back(line):
@@ -153,19 +159,32 @@ def few_rounds(monkeypatch):
 @pytest.mark.slow
 @pytest.mark.usefixtures("few_rounds")
 def test_fold_curves_bound_the_points_with_several_states():
-    """They pass between neighbouring points with different numbers of states."""
+    """They pass between points with different numbers of states, and are followed to the edges of a map."""
     speeds = np.linspace(25e3, 38e3, 4) * RPM
     points = over((len(LOADS), len(speeds)), LOADS, speeds)
     solved = solve(points)
     count = solved.stable_count.reshape(points.shape)
     assert (count > 1).any()
-    places = end_places(solved)
+    ended = folds(solved)
+    assert ended.located.mean() > 0.9
+    assert ended.curves
+    assert ended.cut == 0
+    pieces = [
+        piece for curve in ended.curves for piece in zip(curve.places[:-1], curve.places[1:], strict=True)
+    ]
     for column in range(len(speeds)):
-        changes = np.flatnonzero(np.diff(count[:, column]))
-        along = places[places[:, 1] == column, 0]
-        assert all(((along > change) & (along <= change + 1)).any() for change in changes)
-    pieces = fold_curves(solved, (0, 1))
-    assert np.abs(np.diff(pieces, axis=1)).max() <= 2.0
+        crossings = np.array([crossing for piece in pieces for crossing in crossed(*piece, column)])
+        for change in np.flatnonzero(np.diff(count[:, column])):
+            assert ((crossings > change - 0.05) & (crossings < change + 1.05)).any()
+    for curve in ended.curves:
+        assert curve.errors.max() < 1e-6
+
+
+def crossed(one, other, column):
+    """Places along the first axis at which a piece passes a column of the grid."""
+    before, after = one[1] - column, other[1] - column
+    if before * after <= 0 and before != after:
+        yield one[0] + before / (before - after) * (other[0] - one[0])
 
 
 @pytest.mark.slow

@@ -87,6 +87,8 @@ def map_case(request: MapRequest, report: Report) -> WrittenMap:
         "page": table.with_suffix(".html"),
         "folds": table.with_name(f"{table.stem}_folds.csv"),
     }
+    if len(over) > 1:
+        files["fold curves"] = table.with_name(f"{table.stem}_fold_curves.csv")
     if not missing(".nc"):
         files["arrays"] = table.with_suffix(".nc")
     first = check(case, overrides)
@@ -131,6 +133,8 @@ def _write(found: "SolvedMap", files: dict[str, Path], form: Format) -> None:
     write(files["table"].resolve(), table)
     try:
         write(files["folds"].resolve(), csv_bytes(pages.folds(found)))
+        if "fold curves" in files:
+            write(files["fold curves"].resolve(), csv_bytes(pages.curves(found)))
         if "arrays" in files:
             write(files["arrays"].resolve(), netcdf_bytes(pages.arrays(found)))
         write(files["picture"].resolve(), picture_bytes(pages.picture(found), form))

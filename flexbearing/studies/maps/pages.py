@@ -17,8 +17,7 @@ from flexbearing.studies.maps.axes import MapAxis
 from flexbearing.studies.maps.solved import SolvedMap
 from flexbearing.studies.table import Table
 from flexbearing.studies.table.column import Column
-from quasidynamic.maps import fold_curves
-from quasidynamic.maps.curves import end_places
+from quasidynamic.maps.sheets import FINEST
 from quasidynamic.outcome.static_pressure import ROLLERS
 
 if TYPE_CHECKING:
@@ -76,10 +75,24 @@ def arrays(found: SolvedMap) -> Table:
 def folds(found: SolvedMap) -> Table:
     """Where sheets of stable states end, between two points of the map."""
     states, _ = found.solved.ends
-    places = end_places(found.solved)
-    columns = [_key(axis, _at(axis, along)) for axis, along in zip(found.axes, places.T, strict=True)]
+    columns = [
+        _key(axis, _at(axis, along)) for axis, along in zip(found.axes, found.folds.places.T, strict=True)
+    ]
+    columns.append(Column("located", "", found.folds.located.astype(int).tolist()))
     columns += [_column(name, values[states]) for name, values in found.outputs.items()]
     return Table(f"{found.title}, folds", tuple(columns), ())
+
+
+def curves(found: SolvedMap) -> Table:
+    """Fold curves point by point."""
+    each = found.folds.curves
+    places = np.concatenate([np.zeros((0, len(found.axes))), *(curve.places for curve in each)])
+    columns = [_key(axis, _at(axis, along)) for axis, along in zip(found.axes, places.T, strict=True)]
+    numbers = [number + 1 for number, curve in enumerate(each) for _ in curve.places]
+    cusps = [int(cusp) for curve in each for cusp in curve.cusps]
+    errors = [float(error) for curve in each for error in curve.errors]
+    columns += [Column("curve", "", numbers), Column("cusp", "", cusps), Column("error", "steps", errors)]
+    return Table(f"{found.title}, fold curves", tuple(columns), ())
 
 
 def text(found: SolvedMap) -> str:
@@ -97,7 +110,7 @@ def _words(found: SolvedMap) -> Iterator[str]:
             f"{found.several} points with several stable equilibria, up to {count.max()}: which of them a "
             "bearing is in depends on its history"
         )
-        yield f"{len(found.solved.ends[0])} places between points where stable equilibria end"
+        yield from _fold_words(found)
     else:
         yield "no point with several stable equilibria was found"
     unstable = int((~found.solved.stable).sum())
@@ -108,6 +121,21 @@ def _words(found: SolvedMap) -> Iterator[str]:
             f"the search still found other equilibria in its last rounds, of {found.solved.rounds}: "
             "there may be more"
         )
+
+
+def _fold_words(found: SolvedMap) -> Iterator[str]:
+    folds, missing = found.folds, int((~found.folds.located).sum())
+    yield f"{len(folds.places)} places between points where stable equilibria end"
+    if missing:
+        yield (
+            f"{missing} of them are not located as folds: the equilibrium loses its stability there, meets "
+            f"another one, or its fold was not found; they are given to 1/{round(1 / FINEST)} of a step"
+        )
+    if folds.curves:
+        cusps = sum(int(curve.cusps.sum()) for curve in folds.curves)
+        yield f"{len(folds.curves)} fold curves, with {cusps} cusps"
+    if folds.cut:
+        yield f"{folds.cut} fold curves end within the map because they could not be followed further"
 
 
 def picture(found: SolvedMap) -> "Figure":
@@ -126,7 +154,7 @@ def picture(found: SolvedMap) -> "Figure":
         (axis,) = found.axes
         name, values = next(iter(found.outputs.items()))
         x = Along(axis.words, np.array(axis.numbers)[found.solved.point], axis.logarithmic)
-        ends = np.unique(_at(axis, end_places(found.solved)[:, 0]))
+        ends = np.unique(_at(axis, found.folds.places[:, 0]))
         return draw_states(found.title, what, x, StatesOver(name, values, found.solved.stable, ends))
     plane = _planes(found)[len(_planes(found)) // 2]
     x, y = (
@@ -159,8 +187,8 @@ def _planes(found: SolvedMap) -> list[MapPlane]:
     first = next(iter(fields))
     fields = {first: fields[first], COUNT: fields[COUNT]} | fields
     if len(shape) == 2:
-        return [_plane(found, "", fields, fold_curves(found.solved, (0, 1)))]
-    pieces = fold_curves(found.solved, (1, 2))
+        return [_plane(found, "", fields, _pieces(found))]
+    pieces = _pieces(found)
     steps = np.unique(np.linspace(0, shape[0] - 1, PLANES).astype(int))
     return [
         _plane(
@@ -171,6 +199,12 @@ def _planes(found: SolvedMap) -> list[MapPlane]:
         )
         for step in steps
     ]
+
+
+def _pieces(found: SolvedMap) -> NDArray:
+    """Both ends (n, 2, d) of each piece of the fold curves, in steps of the grid."""
+    each = [np.stack([curve.places[:-1], curve.places[1:]], axis=1) for curve in found.folds.curves]
+    return np.concatenate([np.zeros((0, 2, len(found.axes))), *each])
 
 
 def _plane(found: SolvedMap, name: str, fields: dict[str, NDArray], pieces: NDArray) -> MapPlane:

@@ -17,7 +17,7 @@ from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs.together import Together
 from flexbearing.studies.maps.axes import MapAxis
 from flexbearing.studies.maps.grid import MapGrid, grid
-from quasidynamic.maps import GridPoints, SolvedGrid, solve
+from quasidynamic.maps import GridPoints, MapFolds, SolvedGrid, folds, solve
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.equilibria import Batch
 from quasidynamic.solve.outcome import SolverOutcome
@@ -37,6 +37,7 @@ class SolvedMap:
     raceways: str
     axes: tuple[MapAxis, ...]
     solved: SolvedGrid
+    folds: MapFolds
     outputs: dict[str, NDArray]  # (S) by headings, for people; left out are those that the case does not have
 
     @property
@@ -99,10 +100,12 @@ def solved_map(first: Case, axes: Sequence[MapAxis], texts: Sequence[str], repor
     with linear_algebra_alone(), shared_map() as mapped:
         whole = grid(first, axes, Logged())  # its rings tell of every point
         solved = solve(whole.points, mapped, lambda stage: report.stage(stage, None))
+        report.stage("folds", None)
+        ended = folds(solved)
         report.stage("outputs", None)
         outputs = _outputs(whole, solved, texts)
     raceways = "rigid raceways" if whole.points.rigid else "flexible rings"
-    return SolvedMap(first.title, raceways, whole.axes, solved, outputs)
+    return SolvedMap(first.title, raceways, whole.axes, solved, ended, outputs)
 
 
 def _require_outputs(texts: Sequence[str]) -> None:

@@ -33,6 +33,16 @@ def between(
     return replace(balance, compliance=(inner, outer), deviation=deviation)
 
 
+def slip_weight(balance: BearingBalance) -> NDArray:
+    """Weights (N): slip of the cage, mean slip of the spins, ring; approaches and films follow these."""
+    weight = np.zeros(balance.layout.size)
+    weight[[Y, Z]] = RING_SIZE**-2
+    weight[TILT_Z:CAGE] = TILT_SIZE**-2
+    weight[CAGE] = 1.0
+    weight[balance.layout.field(-1)] = 1.0 / balance.layout.rollers
+    return weight
+
+
 @dataclass(frozen=True)
 class ParametricBalance:
     """Balance of one case; a parameter says which operating point it is.
@@ -46,13 +56,8 @@ class ParametricBalance:
 
     @property
     def weight(self) -> NDArray:
-        """Weights (N): slip of the cage, mean slip of the spins, ring; approaches and films follow these."""
-        weight = np.zeros(self.balance.layout.size)
-        weight[[Y, Z]] = RING_SIZE**-2
-        weight[TILT_Z:CAGE] = TILT_SIZE**-2
-        weight[CAGE] = 1.0
-        weight[self.balance.layout.field(-1)] = 1.0 / self.balance.layout.rollers
-        return weight
+        """Weights (N) of `slip_weight`."""
+        return slip_weight(self.balance)
 
     def balance_at(self, parameter: float) -> BearingBalance:
         """Balance at a parameter."""

@@ -1,0 +1,411 @@
+"""Folds of equilibria over two parameters: where one lies, and the curve on which they lie, around cusps."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+CORRECTIONS = 12  # of a fold
+TOLERANCE = 1e-7  # of the last correction, in the units of state and place
+LARGEST = 1.0  # correction, in the same units
+DIFFERENCE = 1e-4  # of state and place: equations are singular at a fold, and are solved on both sides of it
+FIRST_STEP, LONGEST_STEP, SHORTEST_STEP = 0.2, 1.0, 1e-3  # along the curve, in the same units
+FEW_CORRECTIONS = 5  # up to which the next step may be longer
+SMALLEST_COSINE = 0.9  # between the tangents at both ends of a step
+SAGITTA = 0.02  # of the curve over its chord, in units of the place
+MOST_STEPS = 400
+LONGEST_WAY = 1.0  # of solutions to a fold, in the same units
+HALVINGS = 24  # of a step to it
+CUSP_CORRECTIONS = 12  # steps to a cusp between two points
+
+
+class CurveEnd(StrEnum):
+    """Why a curve is not followed further."""
+
+    RANGE_LEFT = "range left"
+    CLOSED = "closed"
+    STEP_TOO_SHORT = "step too short"
+    LIMIT = "step limit"
+
+
+@dataclass(frozen=True)
+class PlaneLinearisation:
+    """Equations at n states and places, with their derivatives."""
+
+    residual: NDArray  # (n, N)
+    by_place: NDArray  # (n, N, 2)
+    solve: Callable[[NDArray], NDArray]  # unknowns (n, N, R) for right-hand sides (n, N, R)
+    balanced: NDArray  # (n) whether the residual is small enough
+
+
+class PlaneEquations(Protocol):
+    """Equations in N unknowns that depend on a place in a plane."""
+
+    @property
+    def weight(self) -> NDArray:
+        """Weight (N) of the square of each unknown in the length of a curve; places have one."""
+        ...
+
+    def at(self, states: NDArray, places: NDArray) -> PlaneLinearisation:
+        """Equations at states (n, N) and places (n, 2)."""
+        ...
+
+    def nearest(self, place: NDArray) -> NDArray:
+        """The place within the range that is nearest to a place (2)."""
+        ...
+
+
+@dataclass(frozen=True)
+class Frame:
+    """Coordinates of the solutions around a fold: s along their null vector, t along a line of the plane."""
+
+    null: NDArray  # (N) of length one
+    measure: NDArray  # (N) by which a change of state is measured: s = measure . (x - x0)
+    across: NDArray  # (2) unit vector, in which the place gives way
+    along: NDArray  # (2) unit vector, of t
+
+    @classmethod
+    def along_solutions(
+        cls, equations: "PlaneEquations", state: NDArray, place: NDArray, across: NDArray
+    ) -> "Frame | None":
+        """Coordinates at a solution, the place moving across the fold with s; None at a singular one."""
+        system = equations.at(state[None], place[None])
+        null = -system.solve(system.by_place @ across[None, :, None])[0, :, 0]  # by the place
+        null = null / _length(equations, null)
+        if not np.isfinite(null).all():
+            return None
+        return cls(null, equations.weight * null, across, np.array([-across[1], across[0]]))
+
+
+@dataclass(frozen=True)
+class Fold:
+    """A fold over two parameters."""
+
+    state: NDArray  # (N)
+    place: NDArray  # (2)
+    null: NDArray  # (N) null vector of the equations by the state, of length one
+    tangent: NDArray  # (2) unit vector along which folds go on in the plane
+    direction: NDArray  # (2) along the curve in (s, t)
+    bend: float  # derivative of the slope by s; it passes through zero at a cusp
+    error: float  # last correction, in units of state and place
+    corrections: int
+    cusp: bool = False
+
+
+@dataclass(frozen=True)
+class FoldCurve:
+    """Folds in their order along a curve."""
+
+    folds: tuple[Fold, ...]
+    ends: tuple[CurveEnd, CurveEnd]
+
+    @property
+    def places(self) -> NDArray:
+        """Places (n, 2)."""
+        return np.array([fold.place for fold in self.folds])
+
+
+def fold_near(equations: PlaneEquations, state: NDArray, place: NDArray, across: NDArray) -> Fold | None:
+    """The fold at which solutions end on a line through a place; None where none is found.
+
+    Solutions are followed along their own length until the place moves back.
+
+    Parameters
+    ----------
+    equations : PlaneEquations
+        that the state solves
+    state : array (N)
+        a solution before the fold
+    place : array (2)
+        where it is
+    across : array (2)
+        unit vector of the line, towards the fold
+    """
+    frame = Frame.along_solutions(equations, state, place, across)
+    step, length = FIRST_STEP / 10, 0.0
+    with np.errstate(all="ignore"):
+        while frame and length < LONGEST_WAY and step > SHORTEST_STEP / 100:
+            following = _solution(equations, state, place, frame, step)
+            if following is None:
+                step /= 2
+                continue
+            if following[2] <= 0:
+                return _between(equations, (state, place), frame, step)
+            (state, place, _), length, step = following, length + step, 1.5 * step
+            frame = Frame.along_solutions(equations, state, place, across)
+    return None
+
+
+def fold_at(equations: PlaneEquations, near: Fold, state: NDArray, place: NDArray, axis: int) -> Fold | None:
+    """The fold on a line along an axis of the plane through a place, from a guess beside a known fold."""
+    across = np.eye(2)[axis]
+    frame = Frame(near.null, equations.weight * near.null, across, np.array([-across[1], across[0]]))
+    with np.errstate(all="ignore"):
+        return _corrected(equations, state, place, frame, np.array([0.0, 1.0]))
+
+
+def _solution(
+    equations: PlaneEquations, state: NDArray, place: NDArray, frame: Frame, step: float
+) -> tuple[NDArray, NDArray, float] | None:
+    """The solution further along s, and its slope; None where Newton's method does not converge."""
+    surface = _Surface.at(equations, state, place, frame)
+    change = surface.moved(np.array([step, 0.0]))
+    for _ in range(CORRECTIONS):
+        state, place = state + change[0], place + change[1]
+        surface = _Surface.at(equations, state, place, frame)
+        change = surface.correction
+        size = _size(equations, *change)
+        if not size < LARGEST:  # nor a number
+            return None
+        if size < TOLERANCE and surface.balanced:
+            slope, _ = _slope(equations, state, place, frame, surface.by_t)
+            return state, place, float(slope)
+    return None
+
+
+def _between(
+    equations: PlaneEquations, begin: tuple[NDArray, NDArray], frame: Frame, step: float
+) -> Fold | None:
+    """The fold within a step along s, at the end of which the place moves back."""
+    inside, outside = 0.0, step
+    for _ in range(HALVINGS):
+        middle = (inside + outside) / 2
+        following = _solution(equations, *begin, frame, middle)
+        if following is None:
+            return None
+        found = _corrected(equations, *following[:2], frame, np.array([0.0, 1.0]))
+        if (
+            found
+            and _size(equations, found.state - following[0], found.place - following[1]) < outside - inside
+        ):
+            return found
+        inside, outside = (middle, outside) if following[2] > 0 else (inside, middle)
+    return None
+
+
+def followed(equations: PlaneEquations, first: Fold) -> FoldCurve:
+    r"""The curve of folds through one of them, both ways.
+
+    Solutions near a fold are a surface over (s, t), with the slope h of the place across the curve by s:
+
+    .. math:: F(x, u) = 0,\quad c \cdot (x - x_0) = s,\quad T \cdot (u - u_0) = t,\quad
+        h = -\frac{1}{c \cdot F_x^{-1} F_u n}
+
+    Folds are where h = 0. Predictor along that curve in (s, t), corrector across it. At a cusp the curve is
+    smooth in (s, t) and turns back in the plane of the places.
+
+    Parameters
+    ----------
+    equations : PlaneEquations
+        whose solutions fold
+    first : Fold
+        of `fold_near`
+
+    Returns
+    -------
+    FoldCurve
+
+    Source
+    ------
+    Minimally augmented systems, Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria (2000),
+    ch. 3 and 4; pseudo-arclength, Keller (1977).
+    """
+    with np.errstate(all="ignore"):
+        ahead, end = _one_way(equations, first, 1.0)
+        if end is CurveEnd.CLOSED:
+            return FoldCurve((first, *ahead), (end, end))
+        behind, begin = _one_way(equations, first, -1.0)
+    return FoldCurve((*reversed(behind), first, *ahead), (begin, end))
+
+
+def _one_way(equations: PlaneEquations, first: Fold, sense: float) -> tuple[list[Fold], CurveEnd]:
+    fold, folds, step = replace(first, direction=sense * first.direction), [], FIRST_STEP
+    while len(folds) < MOST_STEPS:
+        following = _next(equations, fold, step)
+        if following is None or not _near(equations, fold, following):
+            step /= 2
+            if step < SHORTEST_STEP:
+                return folds, CurveEnd.STEP_TOO_SHORT
+            continue
+        if not _inside(equations, following.place):
+            last = _at_the_edge(equations, fold, following)
+            return [*folds, last] if last else folds, CurveEnd.RANGE_LEFT
+        if following.bend * fold.bend < 0 and (cusp := _cusp(equations, fold, following, step)):
+            folds.append(cusp)
+        folds.append(following)
+        away = _size(equations, following.state - first.state, following.place - first.place)
+        if len(folds) > 2 and away < step / 2:
+            return [*folds[:-1], first], CurveEnd.CLOSED
+        fold = following
+        if following.corrections <= FEW_CORRECTIONS:
+            step = min(1.5 * step, LONGEST_STEP)
+    return folds, CurveEnd.LIMIT
+
+
+def _next(equations: PlaneEquations, fold: Fold, step: float) -> Fold | None:
+    """The fold a step further; None where corrections do not converge."""
+    frame = Frame(fold.null, equations.weight * fold.null, _across(fold.tangent), fold.tangent)
+    surface = _Surface.at(equations, fold.state, fold.place, frame)
+    state, place = surface.moved(step * fold.direction)
+    found = _corrected(equations, fold.state + state, fold.place + place, frame, fold.direction)
+    if found is None or found.direction @ fold.direction >= 0:
+        return found
+    return replace(found, direction=-found.direction)
+
+
+def _across(tangent: NDArray) -> NDArray:
+    return np.array([tangent[1], -tangent[0]])
+
+
+def _corrected(
+    equations: PlaneEquations, state: NDArray, place: NDArray, frame: Frame, kept: NDArray
+) -> Fold | None:
+    """The fold that Newton's method finds with `kept` . (s, t) as it is; None where it does not converge."""
+    for number in range(1, CORRECTIONS + 1):
+        surface = _Surface.at(equations, state, place, frame)
+        correction = surface.correction
+        state, place = state + correction[0], place + correction[1]
+        slope, by = _slope(equations, state, place, frame, surface.by_t)
+        determinant = by[0] * kept[1] - by[1] * kept[0]
+        change = surface.moved(-slope / determinant * np.array([kept[1], -kept[0]]))
+        size = max(_size(equations, *correction), _size(equations, *change))
+        if not size < LARGEST:  # nor a number
+            return None
+        state, place = state + change[0], place + change[1]
+        if size < TOLERANCE and surface.balanced:
+            return _fold(equations, state, place, surface, by, (size, number))
+    return None
+
+
+def _fold(
+    equations: PlaneEquations,
+    state: NDArray,
+    place: NDArray,
+    surface: "_Surface",
+    by: NDArray,
+    how: tuple[float, int],
+) -> Fold:
+    """A fold with its own coordinates, from those of the frame in which it was found."""
+    (by_s, _), (by_t, along) = surface.by_s, surface.by_t
+    length, speed = _length(equations, by_s), np.sqrt(_squared(along))
+    null = by_s / length
+    curve = by[0] * by_t - by[1] * by_s  # along it the slope stays zero
+    direction = np.array([null @ (equations.weight * curve), by[0] * speed])
+    direction /= np.sqrt(_squared(direction))
+    return Fold(state, place, null, along / speed, direction, by[0] / length**2, *how)
+
+
+def _length(equations: PlaneEquations, state: NDArray) -> float:
+    return float(np.sqrt(equations.weight @ state**2))
+
+
+def _squared(place: NDArray) -> float:
+    return float(place @ place)
+
+
+def _size(equations: PlaneEquations, state: NDArray, place: NDArray) -> float:
+    return float(np.sqrt(equations.weight @ state**2 + _squared(place)))
+
+
+def _inside(equations: PlaneEquations, place: NDArray) -> bool:
+    return bool((equations.nearest(place) == place).all())
+
+
+def _near(equations: PlaneEquations, one: Fold, other: Fold) -> bool:
+    """Whether a curve bends little between two folds."""
+    if (
+        other.null @ (equations.weight * one.null) < SMALLEST_COSINE
+        or one.direction @ other.direction < SMALLEST_COSINE
+    ):
+        return False
+    chord = other.place - one.place
+    turn = abs(one.tangent[0] * other.tangent[1] - one.tangent[1] * other.tangent[0])
+    return turn * np.sqrt(_squared(chord)) / 8 <= SAGITTA
+
+
+def _at_the_edge(equations: PlaneEquations, fold: Fold, beyond: Fold) -> Fold | None:
+    """The fold at which the curve leaves the range; None where it is not found."""
+    edge = equations.nearest(beyond.place)
+    axis = int(np.argmax(np.abs(edge - beyond.place)))
+    share = (edge[axis] - fold.place[axis]) / (beyond.place[axis] - fold.place[axis])
+    place = fold.place + share * (beyond.place - fold.place)
+    place[axis] = edge[axis]
+    found = fold_at(equations, fold, fold.state + share * (beyond.state - fold.state), place, 1 - axis)
+    return found if found and _inside(equations, found.place) else None
+
+
+def _cusp(equations: PlaneEquations, fold: Fold, following: Fold, step: float) -> Fold | None:
+    """The cusp between two folds, where the bend passes through zero; None where it is not found."""
+    ends, bends, found = [0.0, step], [fold.bend, following.bend], None
+    for _ in range(CUSP_CORRECTIONS):
+        share = np.clip(bends[0] / (bends[0] - bends[1]), 0.1, 0.9)
+        middle = ends[0] + share * (ends[1] - ends[0])
+        found = _next(equations, fold, middle)
+        if found is None:
+            return None
+        side = 0 if found.bend * bends[0] > 0 else 1
+        ends[side], bends[side] = middle, found.bend
+        if ends[1] - ends[0] < SHORTEST_STEP:
+            break
+    return replace(found, cusp=True) if found else None
+
+
+def _slopes(system: PlaneLinearisation, frame: Frame) -> tuple[NDArray, NDArray]:
+    """Slopes (n), and what they are computed from: changes (n, N, 2) by the place across and along."""
+    solved = system.solve(system.by_place @ np.stack([frame.across, frame.along], axis=1))
+    return -1.0 / (solved[:, :, 0] @ frame.measure), solved
+
+
+def _slope(
+    equations: PlaneEquations, state: NDArray, place: NDArray, frame: Frame, by_t: tuple[NDArray, NDArray]
+) -> tuple[float, NDArray]:
+    """The slope at a solution, and its derivatives (2) by s and t."""
+    sides, further = (
+        DIFFERENCE * np.array([1.0, -1.0, 1.0, -1.0]),
+        DIFFERENCE * np.array([0.0, 0.0, 1.0, 1.0]),
+    )
+    states = state + np.outer(sides, frame.null) + np.outer(further, by_t[0])
+    slopes, _ = _slopes(equations.at(states, place + np.outer(further, by_t[1])), frame)
+    slope, moved = slopes[:2].mean(), slopes[2:].mean()
+    return slope, np.array([slopes[0] - slopes[1], 2 * (moved - slope)]) / (2 * DIFFERENCE)
+
+
+@dataclass(frozen=True)
+class _Surface:
+    """Linearised solutions near a state and a place, each of these a pair of changes of both."""
+
+    balanced: bool
+    correction: tuple[NDArray, NDArray]  # towards the solutions, with neither s nor t
+    by_s: tuple[NDArray, NDArray]
+    by_t: tuple[NDArray, NDArray]
+
+    @classmethod
+    def at(cls, equations: PlaneEquations, state: NDArray, place: NDArray, frame: Frame) -> "_Surface":
+        """From the equations there, and from their derivatives on both sides."""
+        states = state + DIFFERENCE * np.outer([0.0, 1.0, -1.0], frame.null)
+        system = equations.at(states, np.broadcast_to(place, (3, 2)))
+        slope, solved = _slopes(system, frame)
+        rest = system.solve(np.broadcast_to(system.residual[0], states.shape)[..., None])[..., 0]
+        across, along = solved[..., 0], solved[..., 1]
+
+        def change(rest: NDArray, along: float) -> tuple[NDArray, NDArray]:
+            """Without s, where `rest` is left over; the mean of both sides."""
+            gives_way = slope * (rest @ frame.measure)
+            state = -rest - across * gives_way[:, None]
+            return state[1:].mean(axis=0), gives_way[1:].mean() * frame.across + along * frame.along
+
+        by_s = -across * slope[:, None]
+        return cls(
+            balanced=bool(system.balanced[0]),
+            correction=change(rest, 0.0),
+            by_s=(by_s[1:].mean(axis=0), slope[1:].mean() * frame.across),
+            by_t=change(along, 1.0),
+        )
+
+    def moved(self, by: NDArray) -> tuple[NDArray, NDArray]:
+        """Changes of state (N) and place (2) by s and t."""
+        state, place = (by[0] * s + by[1] * t for s, t in zip(self.by_s, self.by_t, strict=True))
+        return state, place
