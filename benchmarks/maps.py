@@ -28,7 +28,7 @@ from flexbearing.rings.condensed import condensed_raceways
 from flexbearing.studies.maps.axes import axes
 from flexbearing.studies.maps.solved import OUTPUTS, solved_map
 from quasidynamic import RollerBearing, SolverOutcome
-from quasidynamic.maps import GridPoints, SolvedGrid, solve
+from quasidynamic.maps import GridPoints, SolvedGrid, folds, solve
 from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.solve.rollers.strategy import solve_each
 from tests.cold_oil import cold_bearing
@@ -139,11 +139,25 @@ def checked(name: str, points: GridPoints, count: int) -> list[Checked]:
         f"{solved.stable_count.max()}; {solved.rounds} rounds, quiet {solved.quiet}",
         flush=True,
     )
+    report_folds(name, solved)
     some = rng.choice(several, min(len(several), count // 2), replace=False)
     some = np.concatenate([some, rng.choice(np.unique(solved.point), count - len(some), replace=False)])
     rows = [compared(solved, int(point), rng) for point in some]
     report(name, rows)
     return rows
+
+
+def report_folds(name: str, solved: SolvedGrid) -> None:
+    """Print how many ends of states are located as folds, and how their curves end."""
+    processor = time.process_time()
+    ended = folds(solved)
+    cusps = sum(int(curve.cusps.sum()) for curve in ended.curves)
+    print(
+        f"{name}: {ended.located.sum()} of {len(ended.located)} ends are located as folds; "
+        f"{len(ended.curves)} curves, {cusps} cusps, {ended.cut} not followed to an "
+        f"end, in {time.process_time() - processor:.0f} s of processor time",
+        flush=True,
+    )
 
 
 def compared(solved: SolvedGrid, point: int, rng: np.random.Generator) -> Checked:

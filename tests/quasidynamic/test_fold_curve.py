@@ -41,6 +41,12 @@ class Toy:
 CUSP = Toy(lambda x, p, q: x**3 + q * x + p, lambda x, p, q: 3 * x**2 + q, lambda x, p, q: (1.0, x))
 SPHERE = Toy(lambda x, p, q: x**2 + p**2 + q**2 - 1, lambda x, p, q: 2 * x, lambda x, p, q: (2 * p, 2 * q))
 PLANE = Toy(lambda x, p, q: x - p - q, lambda x, p, q: 1 + 0 * x, lambda x, p, q: (-1.0, -1.0))
+ROUNDED = 1e-3  # of the corner of a solution where a contact opens
+CORNER = Toy(
+    lambda x, p, q: p - x + 1.5 * (x + np.hypot(x, ROUNDED)),
+    lambda x, p, q: 0.5 + 1.5 * x / np.hypot(x, ROUNDED),
+    lambda x, p, q: (1.0, 0.0),
+)
 RIGHT = np.array([1.0, 0.0])
 
 
@@ -55,6 +61,12 @@ def test_fold_on_a_line_is_where_solutions_turn_back(cusp):
     fold, _ = cusp
     assert fold.place == approx([2 / 3**1.5, -1.0], rel=0, abs=1e-9)
     assert fold.state == approx([3**-0.5], rel=0, abs=1e-7)
+
+
+def test_sharp_fold_is_found_from_far():
+    fold = fold_near(CORNER, np.array([-0.5]), np.array([-0.5, 0.0]), RIGHT)
+    assert fold
+    assert fold.place == approx([-np.sqrt(2) * ROUNDED, 0.0], rel=0, abs=2e-7)
 
 
 def test_curve_goes_around_the_cusp_to_both_edges(cusp):
