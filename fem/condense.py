@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 HARMONICS, SMEARED, BEAM, SOLID = Discretisation
 Condensed = TypeVar("Condensed")
 
+COUPLED = 2  # numbers of bars by which harmonics differ that are coupled: with more, loads change by 1e-5
+
 _log = logging.getLogger(__name__)
 
 
@@ -230,17 +232,53 @@ def _in_harmonics(
     """Compliance of a raceway that is held, from what its harmonics are answered with."""
     from fem.raceway.harmonics import harmonic_compliance
 
+    if isinstance(part, SquirrelCage) and discretisation is HARMONICS:
+        return _cage_in_space(part, resolution, stage, seconds)
+
     def up_to(last: int) -> "HarmonicCompliance":
         return harmonic_compliance(
             _responses_of(part, discretisation)(part, resolution, last, stage),
             radius=part.raceway_diameter / 2,
             length=resolution.length,
             elastic=part.materials["ring"],
-            bars=part.bars if discretisation is HARMONICS else None,
+            bars=None,
             seconds=seconds,
         )
 
     return _with_enough_harmonics(up_to, lambda compliance: compliance, part, discretisation, resolution)
+
+
+def _cage_in_space(
+    cage: SquirrelCage, resolution: Resolution, stage: Stage, seconds: dict
+) -> "HarmonicCompliance":
+    """A cage by its elements in space, and what these do not resolve from an axial section.
+
+    A wave too short for them is still coupled to long ones by the bars: an answer to the long wave, which
+    they resolve, tells how much. What the short wave answers to itself comes from the section.
+    """
+    from fem.cage.cyclic_symmetry import cage_responses
+    from fem.raceway.harmonics import FEWEST, harmonic_compliance, needed_harmonics, with_short_waves
+    from fem.section.smeared_cage import short_waves
+
+    shape = resolution.nodes_of or Shape(part=cage, length=resolution.length)  # the same with moved nodes
+    resolved = coupled = _last_harmonic(cage, HARMONICS, resolution)
+    needed = needed_harmonics(shape.part.raceway_diameter / 2, shape.length / resolution.axial_modes)
+    is_coarse = resolution.harmonics is None and resolved + 1 < needed
+    if is_coarse:
+        coupled = min(needed, max(resolved, COUPLED * cage.bars + FEWEST))
+    responses = cage_responses(cage, resolution, coupled, stage)
+    if is_coarse:
+        with stage("short waves"):
+            waves = short_waves(cage, resolution, resolved + 1, needed)
+            responses = with_short_waves(responses, resolved, waves)
+    return harmonic_compliance(
+        responses,
+        radius=cage.raceway_diameter / 2,
+        length=resolution.length,
+        elastic=cage.materials["ring"],
+        bars=cage.bars,
+        seconds=seconds,
+    )
 
 
 def _with_enough_harmonics(
@@ -273,8 +311,6 @@ def _responses_of(part: Part, discretisation: Discretisation) -> Any:
             from fem.beam.thin_ring import beam_responses as responses
         case SquirrelCage(), Discretisation.SMEARED:
             from fem.section.smeared_cage import smeared_responses as responses
-        case SquirrelCage(), Discretisation.HARMONICS:
-            from fem.cage.cyclic_symmetry import cage_responses as responses
         case _, Discretisation.HARMONICS:
             from fem.section.revolved import section_responses as responses
         case _:

@@ -6,7 +6,7 @@ square of the residual.
 """
 
 import logging
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any
 
@@ -68,6 +68,19 @@ class HarmonicStiffness:
             )
         except NotSolved as problem:
             raise NotSolved(f"harmonic {harmonic}: {problem}") from problem
+
+    def beginning_at(self, first: int) -> "HarmonicStiffness":
+        """The same stiffness, its harmonics counted from another one, n = first at 0."""
+        none, once, twice = (part.data for part in self.parts)
+        pattern = self.parts[0]
+        parts = (none + first * once + first**2 * twice, once + 2 * first * twice, twice)
+        return replace(
+            self,
+            parts=tuple(
+                sparse.csr_array((part, pattern.indices, pattern.indptr), shape=pattern.shape)
+                for part in parts
+            ),
+        )
 
     def on_free(self, values: NDArray) -> NDArray:
         """Values (unknowns, L) with zeros on the clamped unknowns."""

@@ -59,13 +59,31 @@ def highest_harmonic(radius: float, detail: float, mesh: MeshSize, wish: int | N
     """
     limit = floor(RESOLVED * mesh.order * radius / mesh.raceway_size)
     if wish is None:
-        return _usual(ceil(FINENESS * radius / detail), limit)
+        return _usual(needed_harmonics(radius, detail), limit)
     if not FEWEST <= wish <= limit:
         raise NotSolved(
             f"{wish} harmonics are impossible on this mesh of the raceway, allowed are {FEWEST} to {limit}: "
             "a smaller raceway_size or a higher order resolves more"
         )
     return wish
+
+
+def needed_harmonics(radius: float, detail: float) -> int:
+    """Last harmonic that loads of some axial detail need.
+
+    Parameters
+    ----------
+    radius : float
+        R of the raceway [m]
+    detail : float
+        length l/M that an axial shape resolves [m]
+
+    Returns
+    -------
+    int
+        N
+    """
+    return ceil(FINENESS * radius / detail)
 
 
 def _usual(needed: int, limit: int) -> int:
@@ -110,6 +128,33 @@ class Responses(NamedTuple):
     elements: int
     support_error: float | None = None  # of the support's stiffness, over it; estimated [-]
     bar_response: BarResponse | None = None  # of a squirrel cage
+    short_waves: NDArray | None = None  # (S, M, M) what N + 1 .. N + S answer to themselves [m/N]
+
+
+def with_short_waves(responses: Responses, resolved: int, waves: NDArray) -> Responses:
+    """Answers of a raceway on bars with those of short waves to themselves.
+
+    Parameters
+    ----------
+    responses : Responses
+        to all harmonics up to N, of which the higher ones are too short for the elements
+    resolved : int
+        last harmonic that is not, at most N
+    waves : array (S, M, M)
+        own answers of the harmonics from there on, at least up to N [m/N]
+
+    Returns
+    -------
+    Responses
+        two waves that are both too short are not coupled
+    """
+    response, last = responses.response.copy(), len(responses.response) // 2
+    n = np.arange(-last, last + 1)
+    short = np.flatnonzero(np.abs(n) > resolved)
+    response[np.ix_(short, np.arange(response.shape[1]), short)] = 0.0
+    response[short, :, short] = waves[np.abs(n[short]) - resolved - 1]
+    beyond = waves[last - resolved :]
+    return responses._replace(response=response, short_waves=beyond if len(beyond) else None)
 
 
 def support_error(response: NDArray, neighbour: NDArray) -> float:
@@ -169,6 +214,7 @@ def harmonic_compliance(
         seconds=seconds,
         support_error=responses.support_error,
         bar_response=responses.bar_response,
+        short_waves=responses.short_waves,
     )
 
 
@@ -190,6 +236,7 @@ class HarmonicCompliance:
     seconds: dict[str, float] = field(compare=False)  # by stage: mesh, factor, condense
     support_error: float | None = None  # of the support's stiffness, over it; None: not estimated [-]
     bar_response: BarResponse | None = None  # of a squirrel cage
+    short_waves: NDArray | None = None  # (S, M, M) [m/N] what N + 1 .. N + S answer to themselves, if known
 
     def __post_init__(self):
         K, M = self.response.shape[:2]
@@ -204,7 +251,8 @@ class HarmonicCompliance:
         .. math:: C_{ij} = \sum_{nn'} (W - h)_{nn'} e^{i(n\varphi_i - n'\varphi_j)} + (1 - \delta_{ij}) H_{ij}
 
         with H the answer of a half-space at the chord between two lines and h its harmonics; C_ii is
-        the limit of the answer close to a line less that of the half-space.
+        the limit of the answer close to a line less that of the half-space. Beyond the last harmonic come the
+        short waves, where they are known, and then what follows from how the last harmonics fall.
 
         Parameters
         ----------
@@ -287,11 +335,12 @@ class HarmonicCompliance:
 
         The indentation up to the last harmonic counts as own: on a stiff seat the rest is near zero.
         """
-        beyond = self._tail(np.zeros(1))[0]
-        own_terms = np.abs(self._remainder.sum(axis=0) + beyond) + self._half_space.sum(axis=0)
+        line = np.zeros(1)
+        own_terms = np.abs(self._remainder.sum(axis=0) + self._tail(line)[0]) + self._half_space.sum(axis=0)
         square = 2 * np.arange(own_terms.shape[0]) + 1
         return float(
-            np.max(np.abs(beyond) / np.sqrt(np.outer(square, square))) / np.max(np.diag(own_terms) / square)
+            np.max(np.abs(self._extrapolated(line)[0]) / np.sqrt(np.outer(square, square)))
+            / np.max(np.diag(own_terms) / square)
         )
 
     @cached_property
@@ -309,7 +358,26 @@ class HarmonicCompliance:
 
     def _tail(self, azimuth: NDArray) -> NDArray:
         """Sum of the remainders beyond the last harmonic (..., M, M) [m/N]."""
-        return sum_beyond(self._remainder[self.harmonics[-1] :], azimuth)
+        if self.short_waves is None:
+            return self._extrapolated(azimuth)
+        n = self.harmonics[-1] + 1 + np.arange(len(self.short_waves))
+        waves = 2 * np.cos(np.multiply.outer(azimuth, n))
+        return np.tensordot(waves, self._short_remainder, axes=1) + self._extrapolated(azimuth)
+
+    def _extrapolated(self, azimuth: NDArray) -> NDArray:
+        """Sum of the remainders beyond all that are known (..., M, M) [m/N]."""
+        return sum_beyond(
+            np.concatenate([self._remainder[self.harmonics[-1] :], self._short_remainder]), azimuth
+        )
+
+    @cached_property
+    def _short_remainder(self) -> NDArray:
+        """What short waves answer beside the half-space (S, M, M) [m/N]."""
+        M = self.response.shape[1]
+        if self.short_waves is None:
+            return np.empty((0, M, M))
+        n = self.harmonics[-1] + 1 + np.arange(len(self.short_waves))
+        return self.short_waves - indentation_harmonics(n, self.radius, self.length, M, self.elastic)
 
     def _series(self, phi: NDArray) -> NDArray:
         """Sum of the harmonics less the half-space (Z, M, Z, M) [m/N]."""

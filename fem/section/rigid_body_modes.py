@@ -9,7 +9,6 @@ from dataclasses import replace
 import ngsolve as ngs
 import numpy as np
 from numpy.typing import NDArray
-from scipy import sparse
 
 from fem.assembly.harmonic_stiffness import HarmonicStiffness, compliances
 from fem.mesh.axial_section import sections
@@ -82,7 +81,7 @@ def responses(body: Body, free_motions: FreeMotions, loads: NDArray, last: int) 
     first = 2 if free_motions.across else 1 if free_motions.axial or free_motions.turning else 0
     low = [loads.T @ held_on_points(body, free_motions, n).solve(n, loads) for n in range(first)]
     return np.concatenate(
-        [*np.array(low)[:, None], compliances(_from(body.stiffness, first), loads, last - first)]
+        [*np.array(low)[:, None], compliances(body.stiffness.beginning_at(first), loads, last - first)]
     )
 
 
@@ -117,16 +116,3 @@ def held_on_points(body: Body, free_motions: FreeMotions, harmonic: int) -> Harm
         number = body.space.Range(component).start + body.space.components[component].GetDofNrs(node)[0]
         clamped[number] = True
     return replace(body.stiffness, clamped=clamped)
-
-
-def _from(stiffness: HarmonicStiffness, first: int) -> HarmonicStiffness:
-    """The same stiffness, its harmonics counted from another one."""
-    none, once, twice = (part.data for part in stiffness.parts)
-    pattern = stiffness.parts[0]
-    parts = (none + first * once + first**2 * twice, once + 2 * first * twice, twice)
-    return replace(
-        stiffness,
-        parts=tuple(
-            sparse.csr_array((part, pattern.indices, pattern.indptr), shape=pattern.shape) for part in parts
-        ),
-    )

@@ -14,6 +14,8 @@ Source
 Work of a bar spread over its pitch; derived here.
 """
 
+from dataclasses import replace
+
 import ngsolve as ngs
 import numpy as np
 from numpy.typing import NDArray
@@ -26,12 +28,15 @@ from fem.beam.curved_beam import shear_modulus
 from fem.beam.support_springs import tangential_slide
 from fem.mesh.axial_section import AxialSection, meshed
 from fem.mesh.solid import MILLIMETRES
-from fem.parts.resolution import Resolution
-from fem.parts.rings import SquirrelCage
+from fem.parts.resolution import Resolution, Shape
+from fem.parts.rings import MeshSize, SquirrelCage
 from fem.raceway.bar_response import of_revolution
-from fem.raceway.harmonics import Responses
+from fem.raceway.harmonics import RESOLVED, Responses
 from fem.section.revolved_body import Body, edge_modes
 from fem.stages import Stage
+
+ORDER = 4  # of displacements under short waves
+SIZE = 1.2  # of their elements over the length of the band
 
 
 @threads(1)  # sections are small: a second thread would only wait
@@ -74,6 +79,41 @@ def smeared_responses(cage: SquirrelCage, resolution: Resolution, last: int, sta
     in_bars = np.concatenate([_bar_forces(answers, cage.bar_length) for answers in read], axis=2)
     bars = of_revolution(cage.bars, in_bars)
     return Responses(W[:, :M, :M], body.stiffness.unknowns, body.space.mesh.ne, bar_response=bars)
+
+
+@threads(1)
+def short_waves(cage: SquirrelCage, resolution: Resolution, first: int, last: int) -> NDArray:
+    """Answers of the raceway to harmonics whose waves hardly reach the bars, each to itself.
+
+    Parameters
+    ----------
+    cage : SquirrelCage
+        ring with its collars, bars and flange; fillets are left out
+    resolution : Resolution
+        of the band; elements are of their own sizes
+    first, last : int
+        of the harmonics, last above first
+
+    Returns
+    -------
+    array (last - first + 1, M, M)
+        [m/N]
+
+    Raises
+    ------
+    NotSolved
+        if a solve fails
+
+    Valid
+    -----
+    Waves of a few thicknesses of the ring, or shorter: the bars of `smeared_responses` then matter little.
+    """
+    shape = resolution.nodes_of or Shape(part=cage, length=resolution.length)
+    raceway_size = RESOLVED * ORDER * shape.part.raceway_diameter / 2 / last
+    mesh = MeshSize(order=ORDER, size=SIZE * shape.length, raceway_size=raceway_size)
+    body = _assembled(cage, replace(resolution, mesh_size=mesh))
+    modes = edge_modes(body, "raceway", resolution.axial_modes)
+    return compliances(body.stiffness.beginning_at(first), modes, last - first) / (2 * np.pi)
 
 
 def _bar_readings(body: Body, cage: SquirrelCage, end: int) -> NDArray:

@@ -195,6 +195,7 @@ RECORDS = {
             "seconds": Numbers(),
             "support_error": Number(optional=True),
             "bar_response": Kept("BarResponse", optional=True),
+            "short_waves": Array(("S M M",), optional=True),
         },
     ),
     "BarResponse": Record(

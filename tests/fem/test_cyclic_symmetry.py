@@ -18,8 +18,10 @@ from fem.assembly.elasticity import elastic_energy
 from fem.assembly.factorisation import NotSolved, factorised, threads
 from fem.cage import cyclic_symmetry, loaded_cage
 from fem.cage.half_pitch_stiffness import assembled_half_pitch, reduced_to_cut
+from fem.half_space.line_load import indentation_harmonics
 from fem.mesh import half_pitch
 from fem.mesh.solid import MILLIMETRES, solids
+from fem.raceway.harmonics import RESOLVED
 from fem.solid import condensation
 from fem.solid.extremes import von_mises
 from fem.solid.fields import LoadedSolid
@@ -178,8 +180,27 @@ def test_response_is_reciprocal_and_positive(cage):
 def test_harmonics_meet_only_across_the_number_of_bars(cage):
     n = cage.harmonics
     coupled = np.abs(cage.response).max(axis=(1, 3)) > 0
-    assert np.array_equal(coupled, (n[:, None] - n) % CAGE.bars == 0)
-    assert n[-1] > CAGE.bars / 2
+    resolved = np.abs(n) <= RESOLVED * COARSE.order * CAGE.raceway_diameter / 2 / COARSE.raceway_size
+    across = ((n[:, None] - n) % CAGE.bars == 0) & (resolved[:, None] | resolved | np.eye(n.size, dtype=bool))
+    assert np.array_equal(coupled, across)
+    assert n[-1] > 2 * CAGE.bars
+
+
+@pytest.mark.slow
+def test_short_waves_are_those_of_fine_elements_in_space():
+    """Elements of 2 mm would answer 20 % less to 34 waves, and their tail would be negative."""
+    coarse = by_harmonics(CAGE, L, M, USUAL)
+    fine = by_harmonics(CAGE, L, M, MeshSize(order=4, size=3e-3, raceway_size=1e-3))
+    n = np.arange(34, 54)
+    half_space = indentation_harmonics(n, coarse.radius, L, M, STEEL)[:, 0, 0]
+    found, known = (own_answers(each)[n] - half_space for each in (coarse, fine))
+    assert found == approx(known, rel=0, abs=0.05 * known.max())
+
+
+def own_answers(cage):
+    """What every harmonic from 0 answers to itself, evenly along the band."""
+    own = np.einsum("kmkm->km", cage.response)[cage.harmonics[-1] :, 0]
+    return own if cage.short_waves is None else np.append(own, cage.short_waves[:, 0, 0])
 
 
 def test_cage_is_the_same_one_pitch_further(cage):

@@ -13,7 +13,7 @@ from pytest import approx
 from fem import Elastic, ImpossiblePart
 from fem.assembly.factorisation import NotSolved
 from fem.half_space.line_load import cubic_tail, curvature_tail, indentation, indentation_harmonics
-from fem.raceway.harmonics import HarmonicCompliance
+from fem.raceway.harmonics import HarmonicCompliance, Responses, with_short_waves
 
 STEEL = Elastic(youngs_modulus=203e9, poisson_ratio=0.28)
 UNIT = (1 - 0.28**2) / (np.pi * 203e9)  # [1/Pa]
@@ -72,6 +72,39 @@ def test_curvature_needs_no_more_harmonics():
     assert steep.at([0.3]).absolute[0, :, 0] == approx(
         (1.5 + zeta) * SMOOTH, rel=1e-5, abs=1e-9 * SMOOTH.max()
     )
+
+
+def test_short_waves_of_another_source_are_part_of_the_sum():
+    """A remainder that falls slowly and then ends: harmonics above 20 are known to themselves alone."""
+    n, resolved = np.arange(-N, N + 1), 20
+    amount = np.where(np.abs(n) <= 28, 0.5, 0.0)  # flat, which no extrapolation from 20 on could end
+    whole = raceway(amount[:, None, None] * SMOOTH)
+    near = np.abs(n) <= resolved
+    cut = replace(
+        whole,
+        harmonics=n[near],
+        response=whole.response[near],
+        short_waves=whole.response[N + resolved + 1 :],
+    )
+    phi = np.array([0.1, 0.5, 2.0])
+    assert cut.at(phi).absolute == approx(whole.at(phi).absolute, rel=0, abs=1e-12 * SMOOTH.max())
+    assert cut.truncation == approx(whole.truncation, abs=1e-12)
+
+
+def test_short_waves_replace_what_elements_answer_to_them():
+    """Coupling to the waves that are resolved stays, that among short waves goes."""
+    bars, resolved = 12, 20
+    response = raceway(coupled(bars), bars).response
+    waves = np.arange(1.0, 31.0)[:, None, None] * np.eye(M)
+    changed = with_short_waves(Responses(response, 1, 1), resolved, waves)
+    n = np.arange(-N, N + 1)
+    short = np.abs(n) > resolved
+    kept = ~(short[:, None] & short)
+    assert np.array_equal(np.moveaxis(changed.response, 2, 1)[kept], np.moveaxis(response, 2, 1)[kept])
+    for k in np.flatnonzero(short):
+        assert np.array_equal(changed.response[k, :, k], waves[abs(n[k]) - resolved - 1])
+        assert not changed.response[k, :, short & (np.arange(n.size) != k)].any()
+    assert np.array_equal(changed.short_waves, waves[N - resolved :])
 
 
 @pytest.mark.parametrize("phi", [0.0, 0.3, -2.0])
