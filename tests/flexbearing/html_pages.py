@@ -87,6 +87,7 @@ class Numbers:
             "ratings_at": self.ratings_at,
             "own_life_at": self.own_life_at,
             "part": self.part,
+            "series": self.series,
             "torque_error": self.torque_error,
             "viscosity_ratio": self.viscosity_ratio,
         }
@@ -252,6 +253,13 @@ class Numbers:
             float(self.file[f"{block}/{name}"][()]) for name in ("driving_power", "loss_transport")
         )
         return 100 * (self.stored(f"attributes/{path}") + abs(left) / power)
+
+    def series(self, rest):
+        """The bearing along an axis (y, z), one after the other with the support of a ring."""
+        block, row, part = rest.split("/")
+        support = self.stored("attributes/structure")[part]["support_stiffness_N_per_m"]
+        alone = self.file[f"{block}/radial_stiffness"][int(row), int(row)]
+        return alone * support / (alone + support)
 
     def viscosity_ratio(self, _):
         """Viscosity ratio of a case whose life does not use it."""

@@ -163,7 +163,7 @@ def test_a_load_above_half_the_rating_is_told_first(readers):
     assert check.used == approx(30e3 / (rated / 2), rel=1e-9)
     page = words(readers("heavy"))
     assert page.startswith(
-        "Do not use the bearing on these numbers. Limits that are not kept: Equivalent load P against"
+        "As computed here, the bearing must not be used. Limits that are not kept: Equivalent load P against"
     )
     assert "P is above C_r/2, where ISO 281 leaves it to the maker" in page
     assert "P is above C_r/2" not in words(readers("plain"))
@@ -194,7 +194,7 @@ def test_the_first_sentence_says_whether_the_bearing_is_usable(readers):
     notes = [{"grade": "danger", "code": "anything", "text": "anything"}]
     warned = replace(plain.result, attributes={**plain.result.attributes, "notes": notes})
     assert words(Reader(warned, METRIC)).startswith(
-        "Do not use the bearing on these numbers. See the dangers"
+        "As computed here, the bearing must not be used. See the dangers"
     )
 
 

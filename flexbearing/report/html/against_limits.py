@@ -27,16 +27,17 @@ NOT_CHECKED = "not checked"
 MOST, LEAST = "most", "least"  # a limit from above, from below
 _BROKEN = {MOST: "EXCEEDED", LEAST: "NOT MET"}
 _NOTE = (
-    "Share: value over limit, or limit over value where a value must not be lower; the largest share limits "
-    "first. A contact pressure grows slower than its load: with the square root of the load of a roller, the "
-    "cube root of that of a ball. The limits of ISO 76 are those of a lasting dent of 1e-4 of the diameter "
-    "of a rolling element."
+    "Share: value over limit, or limit over value where a value must not be lower. The largest share limits "
+    "first; usual aims come after limits. A contact pressure grows slower than its load: with the square "
+    "root of the load of a roller, the cube root of that of a ball. The limits of ISO 76 are those of a "
+    "lasting dent of 1e-4 of the diameter of a rolling element."
 )
 _TWO = (
     "There are two static safeties. C_0/P_0 compares the load on the whole bearing with its static rating, "
     "which supposes the usual share of the most loaded rolling element. The static safety by pressure "
     "is that of the most pressed contact as computed here, with clearance, tilt, profile and, where they "
-    "are flexible, the rings: its load at the pressure limit over its load. The smaller one counts."
+    "are flexible, the rings: its load at the pressure limit over its load. Each has its own "
+    "limit, and both count."
 )
 _MAKER = "ISO 281 leaves to the maker whether its life formula holds"
 _SLIP = (
@@ -44,6 +45,10 @@ _SLIP = (
     "behind pure rolling: drag of the oil-air mixture and friction slow the rollers, traction drives them"
 )
 _YIELD = "yield_stress of the part is not given in [materials], and a case has no fatigue limit"
+_FEET = (
+    "N/A + M/W of a bar where it meets ring and flange; for fatigue multiply it by the stress concentration "
+    "factor of the fillet. The von Mises stress of the bars leaves their sharp feet out, so it may be lower"
+)
 _TILT = "no standard limits it; makers give the tilt that a bearing may have"
 _USUAL_TILT = "4 arcmin, rule of thumb: the edge stress of ISO/TS 16281 holds below; the maker's limit counts"
 _TILT_OF_ROLLERS = {
@@ -60,7 +65,10 @@ _ROLLING = (
 _ENDS = 'set bearing.contact = "half_space" for the peak pressure at the ends of the rollers'
 _GIVE_YIELD = "give yield_stress of [materials] for the parts whose stress has no limit here"
 _COUNT_OIL = 'set life.lubrication = "a_ISO" for a life that counts oil and cleanliness'
-_THICKER = "take a more viscous oil, or cool it, for a viscosity ratio of 1; else oil with additives"
+_THICKER = (
+    "take an oil {:.2g} times as viscous at its temperature, or cool it, for a viscosity ratio of 1; else "
+    "oil with additives"
+)
 _HEAT = "the case has no limits of steel, cage and lubricant"
 
 
@@ -103,7 +111,7 @@ def summary(reader: Reader) -> Iterator[Words]:
     left = sum(check.verdict.startswith(NOT_CHECKED) for check in checks)
     without = f" {left} more could not be checked, each for the reason in its line." if left else ""
     if limits or reader.notes(GRADES[0]):
-        words = "Do not use the bearing on these numbers."
+        words = "As computed here, the bearing must not be used."
         words += f" Limits that are not kept: {_named(limits)}." if limits else " See the dangers below."
         also = f" Below what is usually aimed at: {_named(aims)}." if aims else ""
         yield Words((words + also + life + without,), "danger")
@@ -150,13 +158,21 @@ def _lived(reader: Reader) -> str:
     number, unit = (
         (first.hours, "h") if isinstance(first.hours, Number) else (first.turns, "million revolutions")
     )
-    words = f" The life to compare with a requirement: {rounded(number)} {unit}"
+    words = f" The life to compare with a requirement: {rounded(number)} {unit}{_oil(reader)}"
     span = combined.of(reader, combined.LIFE)
     if span is None:
         return f"{words}."
     low, high = (rounded(number, times) for times in span.squares)
     by = "by what is assumed, fitted, toleranced or chosen (see Main results)"
     return f"{words}, {low} to {high} {unit} {by}."
+
+
+def _oil(reader: Reader) -> str:
+    """That a life leaves out an oil that is too thin; empty where it counts it, or the oil is sufficient."""
+    found, life = ratings.viscosity_ratio(reader), reader.attributes["case_si"].get("life") or {}
+    if life.get("lubrication") or found is None or found[0] >= 1:
+        return ""
+    return f', which leaves out the thin oil (κ {found[0]:.3g}; life.lubrication = "a_ISO" counts it)'
 
 
 def rounded(number: Number, times: float = 1.0) -> str:
@@ -318,7 +334,8 @@ def _stresses(reader: Reader) -> Iterator[Check]:
     if nominal is not None:
         path = f"summary/{reader.last}/nominal_bar_stress_MPa"
         limit = yield_stress(reader, "outer", "bars")
-        yield _against_yield(reader, "Nominal stress of the bars", nominal, limit, path)
+        check = _against_yield(reader, "Nominal stress of the bars", nominal, limit, path)
+        yield replace(check, verdict=f"{check.verdict}; {_FEET}")
     if not parts and "flexible" in reader.blocks:
         if "stresses" not in {each.name for each in reader.layout.further_attributes}:
             yield Check("Stress of the flexible rings", verdict=f"{NOT_CHECKED}: not computed for this kind")
@@ -354,7 +371,10 @@ def _films(reader: Reader) -> Iterator[Check]:
         value = reader.units.number(found[0], "", "", ".3g", found[1])
         check = _against(reader, what, value, found[0], Limit(1.0, LEAST, words, True))
         counted = (reader.attributes["case_si"].get("life") or {}).get("lubrication")
-        yield replace(check, do=("" if counted else _COUNT_OIL) if check.verdict == "met" else _THICKER)
+        yield replace(
+            check,
+            do=("" if counted else _COUNT_OIL) if check.verdict == "met" else _THICKER.format(1 / found[0]),
+        )
     elif not isinstance(ratings.found(reader), str):
         how = 'life.lubrication = "a_ISO"'
         do = f"set {how} for the viscosity ratio and a life with oil and cleanliness"
@@ -417,6 +437,7 @@ def _clearance(reader: Reader) -> Iterator[Check]:
 _CORRECT = {"overlapping-dimensions": "correct the dimensions of the cage or of the ribs, which overlap"}
 _NEVER = {
     "Strength of the cage": "no stress of the cage is computed; pocket forces stand under Rollers or Balls",
+    "Heat balance": "temperatures are given, not computed: heat and oil flow must agree with them",
     "Creep of the rings in their seats": "compare the fits with the maker's for a load that turns or stands",
     "Hoop stress of the rings by fit and speed": "not among these numbers; the stress of a flexible ring, if "
     "computed, has its own line",

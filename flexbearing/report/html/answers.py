@@ -5,7 +5,7 @@ from math import log
 
 import numpy as np
 
-from flexbearing.quantities.effects import COMPARISON, LIVES
+from flexbearing.quantities.effects import CHOICE, COMPARISON, LIVES
 from flexbearing.report.html import (
     against_limits,
     assumed_effects,
@@ -24,6 +24,7 @@ from flexbearing.report.html.units import printed
 from flexbearing.report.rows import of_supports
 
 CAPTION = "Short answers"
+SLIP = "cage slip"  # in percent, with its error in percentage points
 _TINY = 1e-3  # [%] error below which its size does not matter
 _LARGEST, _STEPS = 4, 3  # factors or limits, and things to do, that an answer names
 _SIGNS = (
@@ -108,7 +109,7 @@ def _catalogue(reader: Reader) -> str:
     steps.sort(key=lambda step: -abs(log(step[1])))
     if steps:
         told = "; ".join(f"{name}, × {factor:.3g}" for name, factor in steps[:_LARGEST])
-        return f"{words} Largest factors between them: {told}."
+        return f"{words} Largest factors between them, each after those before it in the chain: {told}."
     why = (
         "loads of all rolling elements count, with clearance, profile, tilt and rings; ISO 281 has one load P"
     )
@@ -128,7 +129,9 @@ def _assumed(reader: Reader) -> str:
         if (span := combined.of(reader, word)) is not None:
             low, high = (f"{value:.3g}" for value in span.squares)
             told.append(f"{label} {low} to {high} times, most by {assumptions.named(span.most)}")
-    words += f" All together they make: {'; '.join(told)}." if told else ""
+    chosen = assumed_effects.keys(reader, CHOICE)
+    also = f" and choices of the case ({', '.join(chosen)})" if chosen else ""
+    words += f" Inputs that are not exactly known{also} make together: {'; '.join(told)}." if told else ""
     return words + _heavier(reader)
 
 
@@ -159,7 +162,11 @@ def _exact(reader: Reader) -> str:
             and (error := exactness.known(reader, entry))
         ):
             found.setdefault(entry.label.strip(), error)
-    told = [f"{label} {_percent(error)}" for label, error in found.items() if isinstance(error, Number)]
+    told = [
+        f"{label} {_percent(error)}{' points' * (label == SLIP)}"
+        for label, error in found.items()
+        if isinstance(error, Number)
+    ]
     if told:
         words = f"Numerical errors, from the exact answer of this model: {', '.join(told)}."
     else:

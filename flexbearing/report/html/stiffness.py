@@ -16,8 +16,9 @@ _FORCES = ("force along x", "force along y", "force along z", "moment about y", 
 _UNITS = (("N/m", "kN/mm"), ("N/rad", "kN/rad"), ("N m/m", "kN m/m"), ("N m/rad", "kN m/rad"))
 _WHICH = (
     "Which stiffness to give to a rotor or shaft model depends on what that model has of its own. If it has "
-    "shaft, housing and squirrel cage: the bearing alone. If it has the shaft only: the bearing alone in "
-    "series with the support of the outer ring, a row below. If it has neither: the stiffness with supports, "
+    "shaft, housing and squirrel cage: the bearing alone. If it has the shaft only: the bearing with the "
+    "support of the outer ring; if it has the housing or squirrel cage only: with the support of the inner "
+    "ring, both in rows below. If it has neither: the stiffness with supports, "
     "which includes the bending of the shaft between the ends of the case. A part in both models would count "
     "twice."
 )
@@ -54,6 +55,12 @@ _AXES = (
     "positive speeds turn z towards y, left-handed about +x: a rotor model with right-handed spin about the "
     "same +x takes these speeds with the other sign."
 )
+
+
+_HAS_REST = {
+    "outer": "the shaft is in the rotor model",
+    "inner": "housing or squirrel cage is in the rotor model",
+}
 
 
 def blocks(reader: Reader) -> Iterator[Block]:
@@ -128,6 +135,21 @@ def _supports(reader: Reader) -> Iterator[tuple[Cell, ...]]:
             empty = [NOTHING] * (len(reader.blocks) - 1)
             use = "in series with the bearing alone, where it is not in the rotor model"
             yield f"support of the {part} ring alone", *empty, number, printed(number.unit), use
+            if "radial_stiffness" in reader.blocks[reader.last]:
+                yield from _in_series(reader, part, _support(figures), empty)
+
+
+def _in_series(
+    reader: Reader, part: str, support: float | None, empty: list[str]
+) -> Iterator[tuple[Cell, ...]]:
+    """The bearing with one of its supports, for rotor models that have the other."""
+    assert support is not None
+    for row, axis in reversed(tuple(enumerate("yz"))):
+        alone = float(reader.blocks[reader.last]["radial_stiffness"][row, row])
+        path = f"series/{reader.last}/{row}/{part}"
+        number = reader.units.number(1 / (1 / alone + 1 / support), "N/m", "kN/mm", ",.4g", path)
+        label = f"bearing in series with the support of the {part} ring, along {axis}"
+        yield label, *empty, number, printed(number.unit), _HAS_REST[part]
 
 
 def _free(reader: Reader) -> str:
