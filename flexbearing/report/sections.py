@@ -20,7 +20,7 @@ _STRESSES = (  # column, name, format, name of its error
     ("r", "radius_mm", ".1f", ""),
     ("deg", "azimuth_deg", ".1f", ""),
     ("tension", "tension_MPa", ",.0f", "tension_error_MPa"),
-    ("pressure", "compression_MPa", ",.0f", "compression_error_MPa"),
+    ("compression", "compression_MPa", ",.0f", "compression_error_MPa"),
     ("um", "displacement_um", ",.0f", ""),
 )
 _EQUILIBRIA = (  # column, name, format
@@ -243,7 +243,7 @@ def stresses(parts: dict[str, Any] | None) -> Iterator[RenderableType]:
         return
     yield Text("largest stresses [MPa] away from loaded rollers and sharp edges", style="bold")
     yield Text(
-        "von Mises and where [mm, deg]; tension, pressure, each with its error; displacement anywhere [um]"
+        "von Mises and where [mm, deg]; tension, compression, with their errors; displacement anywhere [um]"
     )
     table = right_aligned("", *(column for column, *_ in _STRESSES))
     for name, part in parts.items():
