@@ -29,6 +29,7 @@ _FOUR_POINT = Family(
     solve=Entry("flexbearing.runs.ball:solve_four_point"),
     layout=Entry("flexbearing.quantities.four_point:LAYOUT"),
     report=Entry("flexbearing.report.balls.four_point_report:REPORT"),
+    sensitivities=Entry("flexbearing.derivatives.slow_balls:sensitivities"),
 )
 _ANGULAR = Family(
     kind="angular_contact_ball",

@@ -21,10 +21,14 @@ from quasidynamic.outcome.ball_torque import hysteresis_torque, race_torques
 from quasidynamic.outcome.slow_balls import RollingBalls, SlidingBalls, rolling_balls
 from quasidynamic.parts.ball import FourPointBearing
 from quasidynamic.parts.ball_friction import FrictionCurve
-from quasidynamic.solve.balls.elastic_load_distribution import elastic_ball_loads
-from quasidynamic.solve.balls.load_distribution import BallLoads, ball_loads
+from quasidynamic.solve.balls.elastic_load_distribution import (
+    ElasticBallLoads,
+    elastic_ball_loads,
+    elastic_ball_loads_near,
+)
+from quasidynamic.solve.balls.load_distribution import BallLoads, ball_loads, ball_loads_near
 from quasidynamic.solve.balls.refined_rolling import RefinedRolling, RollingModel, refined_rolling
-from quasidynamic.solve.balls.sliding_motion import sliding_motion
+from quasidynamic.solve.balls.sliding_motion import sliding_motion, sliding_motion_near
 
 FINER = 2  # cells in each direction on which a pressure is computed, for one on which friction is
 STEEPEST = np.pi / 2  # [rad] a contact angle stays below
@@ -79,7 +83,9 @@ class FourPointBallBearing:
                 f"interface_compliance = {self.interface_compliance!r} m must be finite, >= 0"
             )
 
-    def solve(self, load: RingLoad, compliance: NDArray | None = None) -> FourPointEquilibrium:
+    def solve(
+        self, load: RingLoad, compliance: NDArray | None = None, near: FourPointEquilibrium | None = None
+    ) -> FourPointEquilibrium:
         """Load distribution, then the motion and torque of every ball.
 
         Parameters
@@ -88,24 +94,33 @@ class FourPointBallBearing:
             on the inner ring
         compliance : array (Z, 2, 2, 2, 2), optional
             of elastic rings, see `elastic_ball_loads` [m/N]; rigid rings without it
+        near : FourPointEquilibrium, optional
+            of a bearing and a load that differ little: then one step of Newton's method from there, which is
+            exact to first order in the difference
 
         Raises
         ------
         ImpossiblePart, NotSolved, OutOfRange
             see `ball_loads`, `elastic_ball_loads`, `sliding_motion` and `slide`
         """
-        if compliance is None:
-            distribution = ball_loads(self.bearing, load.vector())
-        else:
-            distribution = elastic_ball_loads(self.bearing, load.vector(), compliance)
+        distribution = self._distribution(load.vector(), compliance, near and near.distribution)
         both_ends = (len(distribution.loads), 2, 2)
         angles, loads = (
             np.broadcast_to(values[..., None], both_ends)
             for values in (distribution.angles, distribution.loads)
         )
-        return FourPointEquilibrium(distribution, self.slide(angles, loads))
+        motion = None if near is None else near.balls.sliding.motion
+        return FourPointEquilibrium(distribution, self.slide(angles, loads, motion))
 
-    def slide(self, angle: NDArray, load: NDArray) -> SlidingBalls:
+    def _distribution(self, load: NDArray, compliance: NDArray | None, near: BallLoads | None) -> BallLoads:
+        if compliance is None:
+            return ball_loads_near(self.bearing, load, near) if near else ball_loads(self.bearing, load)
+        if near is None:
+            return elastic_ball_loads(self.bearing, load, compliance)
+        assert isinstance(near, ElasticBallLoads)  # as it is between elastic rings
+        return elastic_ball_loads_near(self.bearing, load, compliance, near)
+
+    def slide(self, angle: NDArray, load: NDArray, near: NDArray | None = None) -> SlidingBalls:
         """Motion and torque of balls whose contact angles and loads are known.
 
         Parameters
@@ -114,6 +129,8 @@ class FourPointBallBearing:
             contact angles at the inner and the outer race [rad], one or two diagonals
         load : array (N, G, 2)
             contact loads [N], >= 0
+        near : array (N, 3), optional
+            motion of balls that differ little, see `sliding_motion_near` [rad/s]
 
         Raises
         ------
@@ -143,7 +160,11 @@ class FourPointBallBearing:
             angle=angle,
             height=pressed_height(np.asarray(radius), self._surface(angle), across),
         )
-        sliding = sliding_motion(contacts, ellipse)
+        sliding = (
+            sliding_motion(contacts, ellipse)
+            if near is None
+            else sliding_motion_near(contacts, ellipse, near)
+        )
         return SlidingBalls(
             load=load,
             contacts=contacts,

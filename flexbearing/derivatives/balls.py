@@ -1,6 +1,6 @@
 """Sensitivities of a bearing with fast balls between rigid rings."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -9,16 +9,17 @@ from numpy.typing import NDArray
 
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import FastCase
+from flexbearing.derivatives.by_keys import Differences, columns
 from flexbearing.derivatives.keys import Key, given_keys, keys_of, with_value
-from flexbearing.derivatives.sides import tabled, with_sides
-from flexbearing.derivatives.stencil import CENTRAL, STENCILS, Stencil
+from flexbearing.derivatives.sides import tabled
+from flexbearing.derivatives.stencil import Stencil
 from flexbearing.derivatives.table import Sensitivities
 from flexbearing.derivatives.told import told
 from flexbearing.outputs import Wanted, outputs, wanted
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.runs import angular_contact, ball_life
-from quasidynamic import AngularContactBallBearing, ImpossiblePart, NotSolved, OutOfRange, RingOperation
+from quasidynamic import AngularContactBallBearing, NotSolved, RingOperation
 from quasidynamic.balance.balls.angular_contact import AngularBalance
 from quasidynamic.solve.balls.implicit_derivative import Places, moved_places
 from quasidynamic.solve.balls.ring_on_balls import RingSolution, newton, solve
@@ -28,8 +29,6 @@ DEFAULT = ("life", "contact_load_range.inner.largest", "peak_pressure.inner", "s
 ALL, LIFE = "all", "life"
 ESTIMATES = ("torque_grid_error",)
 RELATIVE_STEP = 1e-7  # of a value: balls are a thousand times larger than their approaches to the races
-REACH = 1e-4 / RELATIVE_STEP  # steps: balls that lift off within 0.01 % make a derivative one-sided
-BEYOND = 2 * REACH  # where the derivatives of both sides are taken
 
 
 def sensitivities(
@@ -71,8 +70,11 @@ def sensitivities(
                 f"derivatives need another one, see flexbearing explain {key}"
             )
     keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
-    asked, shorter = _asked(case, of), [replace(key, relative_step=RELATIVE_STEP) for key in keys]
-    return _table(_State.solved(case), asked, told(shorter, report or Logged()))
+    asked = _asked(case, of)
+    state = _Differentiated(_State.solved(case), asked)
+    shorter = [replace(key, relative_step=RELATIVE_STEP) for key in keys]
+    found, left_out = columns(state, told(shorter, report or Logged()))
+    return tabled((case.title, "rigid raceways"), asked, state.values, found, left_out)
 
 
 def _asked(case: FastCase, of: Sequence[str]) -> list[Wanted]:
@@ -145,107 +147,42 @@ class _State:
 
 
 @dataclass(frozen=True)
-class _Slopes:
-    """Derivatives of a state by a step of a key."""
+class _Differentiated:
+    """A state and the outputs that are differentiated there."""
 
     state: _State
     outputs: Sequence[Wanted]
-    stencil: Stencil
-    variants: tuple[_Variant, ...]
-
-    @cached_property
-    def by_step(self) -> Places:
-        balances = [variant.balance for variant in self.variants]
-        return moved_places(self.state.base.balance, self.state.places, balances, self.stencil.weights)
-
-    @cached_property
-    def _blocks(self) -> list[dict[str, NDArray]]:
-        """Quantities at the places of the stencil, of variants and unknowns together."""
-        both = zip(self.variants, self.stencil.places, strict=True)
-        return [
-            variant.block(self.state.places.shifted(variant.balance, self.by_step, change))
-            for variant, change in both
-        ]
 
     @cached_property
     def values(self) -> NDArray:
-        """Of the outputs (O), in the state itself."""
-        return _numbers(self.outputs, self.state.block)
+        """Of the outputs (O)."""
+        return self._numbers(self.state.block)
 
-    @cached_property
-    def _numbers(self) -> NDArray:
-        return np.array([_numbers(self.outputs, block) for block in self._blocks])
+    def differences(self, key: Key, stencil: Stencil) -> Differences:
+        """Outputs of variants and unknowns together, at the places of a stencil."""
+        state = self.state
+        variants = [state.variant(key, change) for change in stencil.places]
+        balances = [variant.balance for variant in variants]
+        by_step = moved_places(state.base.balance, state.places, balances, stencil.weights)
+        blocks = [
+            variant.block(state.places.shifted(variant.balance, by_step, change))
+            for variant, change in zip(variants, stencil.places, strict=True)
+        ]
+        return Differences(
+            stencil,
+            self.values,
+            np.array([self._numbers(block) for block in blocks]),
+            self._steps_to_lift(stencil, blocks),
+            lambda change: _Differentiated(state.moved(key, change, by_step), self.outputs),
+        )
 
-    @cached_property
-    def slope(self) -> NDArray:
-        """Derivatives (O)."""
-        return np.tensordot(self.stencil.weights, self._numbers, 1)
+    def _numbers(self, block: dict[str, NDArray]) -> NDArray:
+        return np.array([output.number({"rigid": block}) for output in self.outputs])
 
-    def side(self, change: float) -> NDArray:
-        """Difference (O) of first order to one side; NaN where the stencil has no place there."""
-        if change not in self.stencil.places:
-            return np.full(len(self.outputs), np.nan)
-        return change * (self._numbers[self.stencil.places.index(change)] - self.values)
-
-    @property
-    def steps_to_lift(self) -> float:
+    def _steps_to_lift(self, stencil: Stencil, blocks: Sequence[dict[str, NDArray]]) -> float:
         """Steps after which a ball lifts off the inner race, linearly: loads go with the 3/2 power."""
-        loads = np.array([block["contact_load"][0] for block in self._blocks])
-        change = np.abs(np.tensordot(self.stencil.weights, loads, 1))
+        loads = np.array([block["contact_load"][0] for block in blocks])
+        change = np.abs(np.tensordot(stencil.weights, loads, 1))
         load = self.state.block["contact_load"][0]
         pressed = (load > 0) & (change > 0)
         return float((1.5 * load[pressed] / change[pressed]).min(initial=np.inf))
-
-
-def _numbers(outputs: Sequence[Wanted], block: dict[str, NDArray]) -> NDArray:
-    return np.array([output.number({"rigid": block}) for output in outputs])
-
-
-def _table(state: _State, asked: Sequence[Wanted], keys: Iterable[Key]) -> Sensitivities:
-    columns: dict[Key, NDArray] = {}
-    left_out: list[tuple[str, str]] = []
-    for key in keys:
-        slopes = _slopes(state, asked, key)
-        if isinstance(slopes, str):
-            left_out.append((key.path, slopes))
-        else:
-            columns[key] = _column(slopes, key) * key.size / key.step
-    heading = state.base.case.title, "rigid raceways"
-    return tabled(heading, asked, _numbers(asked, state.block), columns, left_out)
-
-
-def _slopes(state: _State, asked: Sequence[Wanted], key: Key) -> _Slopes | str:
-    """Derivatives of a state by a key, or why there are none."""
-    why = "it has no room to change"
-    for stencil in STENCILS:
-        if all(map(key.allows, stencil.places)):
-            try:
-                variants = tuple(state.variant(key, change) for change in stencil.places)
-                slopes = _Slopes(state, asked, stencil, variants)
-                slopes.slope  # noqa: B018  where friction of a variant is not known
-            except (ImpossiblePart, OutOfRange, BadCase, NotSolved) as problem:
-                why = str(problem)
-            else:
-                return slopes
-    return why
-
-
-def _column(slopes: _Slopes, key: Key) -> NDArray:
-    """Slope and both sides (3, O) by a step."""
-    column = with_sides(key, slopes.values, slopes.slope, slopes.side(-1.0), slopes.side(1.0))
-    if slopes.stencil is CENTRAL and slopes.steps_to_lift <= REACH:
-        sides = [_beyond(slopes, key, change) for change in (-BEYOND, BEYOND)]
-        column = np.where(np.isnan(column[0]), np.nan, [column[0], *sides])
-    return column
-
-
-def _beyond(slopes: _Slopes, key: Key, change: float) -> NDArray:
-    """Derivatives (O) by a step at the equilibrium some steps away; NaN where there is none."""
-    there = replace(key, value=key.value + change * key.step)
-    try:
-        beyond = _slopes(slopes.state.moved(key, change, slopes.by_step), slopes.outputs, there)
-    except (NotSolved, ImpossiblePart, OutOfRange, BadCase):
-        beyond = ""
-    if isinstance(beyond, str):
-        return np.full(len(slopes.outputs), np.nan)
-    return beyond.slope * key.step / there.step

@@ -16,6 +16,7 @@ from flexbearing.quantities.quantity import taken
 from flexbearing.rings import bolted
 from flexbearing.runs import dangers, interface, shoulders
 from flexbearing.runs.subsurface import of_balls
+from quasidynamic.four_point import FourPointEquilibrium
 from quasidynamic.note import Note, danger, information, outside
 from quasidynamic.outcome.static_pressure import BALLS
 from quasidynamic.outcome.worst_point_contact import WorstPointContact
@@ -149,10 +150,12 @@ def solved(
     case: FourPointCase,
     compliance: NDArray | None = None,
     told: Callable[[float], None] = lambda _: None,
+    near: Solution | None = None,
 ) -> Solution:
     """Loads and motion of the balls between rigid rings, or between those of a compliance [m/N].
 
-    The part of the balls whose stick and slip is found is `told`.
+    The part of the balls whose stick and slip is found is `told`. From a solution of a case in full sliding
+    that is `near`, one step of Newton's method is made, which is exact to first order.
 
     Raises
     ------
@@ -160,8 +163,10 @@ def solved(
         see `qd.FourPointBallBearing.solve` and `qd.FourPointBallBearing.roll`
     """
     model = bearing(case)
+    motion = None if near is None else near.balls.sliding.motion
     if case.operation.mode == "ring_load":
         load = case.operation.load
+        known = FourPointEquilibrium(near.distribution, near.balls) if near and near.distribution else None
         equilibrium = model.solve(
             qd.RingLoad(
                 axial=load.axial,
@@ -171,12 +176,15 @@ def solved(
                 moment_z=load.moment_z,
             ),
             compliance,
+            known,
         )
         return _rolled(case, model, (equilibrium.balls, equilibrium.distribution), told)
     loads = np.array(case.operation.contact_loads)
     shape = (case.balls, len(loads), 2)
     angle = np.full(shape, _mounted(case)[0])
-    return _rolled(case, model, (model.slide(angle, np.broadcast_to(loads[:, None], shape)), None), told)
+    return _rolled(
+        case, model, (model.slide(angle, np.broadcast_to(loads[:, None], shape), motion), None), told
+    )
 
 
 def _rolled(

@@ -86,8 +86,3 @@ def test_largest_load_of_balls_alike_has_a_corner_where_the_ring_tilts():
 def test_friction_that_is_iterated_is_refused(setting, words):
     with pytest.raises(BadCase, match=words):
         sensitivities(api.read_case(HARRIS, [setting]), ["life"], ["operation.load.axial"])
-
-
-def test_slow_balls_are_refused():
-    with pytest.raises(BadCase, match="vary the key in a study"):
-        api.sensitivities(api.read_case(CONFIGS / "joshi2015_fag.toml"))

@@ -16,6 +16,7 @@ SIGN = np.array([1.0, -1.0])  # of the axial direction in which the diagonals le
 class LoadedDiagonals(NamedTuple):
     """What the diagonals do at one place of the inner ring; components are (outward, along x)."""
 
+    approach: NDArray  # (Z, 2) [m] of ball and grooves, negative in a gap
     loads: NDArray  # (Z, 2) [N]
     angles: NDArray  # (Z, 2) [rad]
     force: NDArray  # (Z, 2, 2) of the balls on the outer ring [N]; the inner ring has the opposite
@@ -74,12 +75,14 @@ class Diagonals:
         """
         v = self.start + (self.moves @ place)[:, None] - deflection
         length = np.hypot(v[..., 0], v[..., 1])
-        approach = np.maximum(length - self.touching, 0.0)
+        signed = length - self.touching
+        approach = np.maximum(signed, 0.0)
         loads = self.coefficient * approach**1.5
         e = v / length[..., None]
         normal, turning = 1.5 * self.coefficient * np.sqrt(approach), loads / length
         along = e[..., :, None] * e[..., None, :]
         return LoadedDiagonals(
+            approach=signed,
             loads=loads,
             angles=np.arctan2(v[..., 1] * SIGN, v[..., 0]),
             force=loads[..., None] * e,

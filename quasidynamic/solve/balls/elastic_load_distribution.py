@@ -9,7 +9,14 @@ from quasidynamic.balance.balls.elastic_rings import ElasticRings, ElasticRingSt
 from quasidynamic.balance.balls.rigid_rings import RigidRings, ring_levers
 from quasidynamic.errors import NotSolved
 from quasidynamic.parts.ball import FourPointBearing
-from quasidynamic.solve.balls.load_distribution import ROUNDED, STIFFENING, TOLERANCE, BallLoads, balanced
+from quasidynamic.solve.balls.load_distribution import (
+    ROUNDED,
+    STIFFENING,
+    TOLERANCE,
+    BallLoads,
+    balanced,
+    resisted,
+)
 
 STEPS = 100  # rarely more than ten from the rigid rings
 HALVINGS = 30
@@ -79,14 +86,43 @@ def elastic_ball_loads(bearing: FourPointBearing, load: NDArray, compliance: NDA
             f"one of several; the lowest eigenvalue is {lowest:.2g}; is the compliance that of these rings?",
             "not unique",
         )
+    return _shared(bearing, rings, state, count + more)
+
+
+def elastic_ball_loads_near(
+    bearing: FourPointBearing, load: NDArray, compliance: NDArray, near: ElasticBallLoads
+) -> ElasticBallLoads:
+    """`elastic_ball_loads` of a bearing and a load that differ little from those of known ones.
+
+    One step of Newton's method: exact to first order in the difference.
+
+    Raises
+    ------
+    NotSolved
+        where nothing resists some motion of the ring
+    """
+    rigid = RigidRings.of(bearing, load)
+    matrix = dense_compliance(np.asarray(compliance, dtype=float), bearing.balls)
+    rings = ElasticRings(rigid, matrix, rigid.usual_stiffness(near.loads.max()))
+    state = rings.at(near.displacement * ring_levers(bearing), near.deflection.ravel())
+    by_misfit, by_place = rings.responses(state)
+    place = resisted(rings.carried(by_place), state.excess - rings.carried(by_misfit))
+    shape = matrix @ (by_misfit + by_place @ place) - state.misfit
+    return _shared(bearing, rings, rings.at(state.place + place, state.shape + shape), 2)
+
+
+def _shared(
+    bearing: FourPointBearing, rings: ElasticRings, state: ElasticRingState, evaluations: int
+) -> ElasticBallLoads:
     lever = ring_levers(bearing)
     return ElasticBallLoads(
+        approach=state.diagonals.approach,
         loads=state.diagonals.loads,
         angles=state.diagonals.angles,
         displacement=state.place / lever,
         stiffness=rings.stiffness(state) * np.outer(lever, lever),
         imbalance=rings.imbalance(state),
-        iterations=count + more,
+        iterations=evaluations,
         deflection=state.shape.reshape(-1, 2, 2),
     )
 

@@ -20,6 +20,7 @@ STIFFENING = 1e-2  # of the whole stiffness over the relative imbalance, where n
 class BallLoads:
     """How the balls share a load. Z balls, two diagonals: the first leans outwards to positive x."""
 
+    approach: NDArray  # (Z, 2) [m] on a diagonal, both contacts together; negative in a gap
     loads: NDArray  # (Z, 2) [N] the same at both ends of a diagonal
     angles: NDArray  # (Z, 2) [rad] contact angle from the radial plane, loaded
     displacement: NDArray  # (5) x, y, z [m] and tilts about y and z [rad] of the inner against the outer ring
@@ -66,9 +67,38 @@ def ball_loads(bearing: FourPointBearing, load: NDArray) -> BallLoads:
     that of the unloaded contact angle; moments act on the pitch circle. No truncation at the groove edge.
     """
     rings = RigidRings.of(bearing, load)
-    state, evaluations = balanced(rings)
+    return _shared(bearing, rings, *balanced(rings))
+
+
+def ball_loads_near(bearing: FourPointBearing, load: NDArray, near: BallLoads) -> BallLoads:
+    """`ball_loads` of a bearing and a load that differ little from those of known ones.
+
+    One step of Newton's method: exact to first order in the difference.
+
+    Raises
+    ------
+    NotSolved
+        where nothing resists some motion of the ring
+    """
+    rings = RigidRings.of(bearing, load)
+    state = rings.at(near.displacement * ring_levers(bearing))
+    return _shared(bearing, rings, rings.at(state.place + resisted(state.stiffness, state.excess)), 2)
+
+
+def resisted(stiffness: NDArray, force: NDArray) -> NDArray:
+    """Change of the place of a ring (5) under a force (5); raises `NotSolved` where nothing resists it."""
+    try:
+        return np.linalg.solve(stiffness, force)
+    except np.linalg.LinAlgError:
+        raise NotSolved("nothing resists some motion of the ring", "undetermined") from None
+
+
+def _shared(
+    bearing: FourPointBearing, rings: RigidRings, state: RigidRingState, evaluations: int
+) -> BallLoads:
     lever = ring_levers(bearing)
     return BallLoads(
+        approach=state.diagonals.approach,
         loads=state.diagonals.loads,
         angles=state.diagonals.angles,
         displacement=state.place / lever,

@@ -95,9 +95,52 @@ def sliding_motion(contacts: BallContacts, ellipse: Ellipse) -> SlidingMotion:
         minimum = _least_power(moving, starts[best, np.arange(len(best))])
         unknowns[driven], power[driven], imbalance[driven], evaluations = minimum
     _require_balance(imbalance, evaluations)
+    return _of_slow_balls(balls, rolling, unknowns, (power, driven, imbalance), evaluations)
+
+
+def sliding_motion_near(contacts: BallContacts, ellipse: Ellipse, motion: NDArray) -> SlidingMotion:
+    """`sliding_motion` of balls that differ little from those of a known motion (N, 3) [rad/s].
+
+    Whole steps of Newton's method, as long as each leaves less than half of what is unbalanced: to rounding,
+    so that differences of motions that hardly differ keep their digits.
+
+    Raises
+    ------
+    NotSolved
+        when a ball comes to be pressed on both rings or ceases to be, or finds no balance near by
+    """
+    driven = np.all(ellipse.traction.max(axis=1) > 0.0, axis=1)
+    if not np.array_equal(driven, np.isfinite(motion).all(axis=1)):
+        raise NotSolved("a ball begins or ceases to be pressed on both rings", "not the same balls")
+    motions = [rolling_motion(contacts, diagonal) for diagonal in range(contacts.angle.shape[1])]
+    rolling = np.array(motions)[stronger_diagonal(ellipse), np.arange(len(driven))]
+    balls = sliding_ball_balance(contacts, ellipse, rolling)
+    unknowns = np.full_like(rolling, np.nan)
+    (power, imbalance), moving = np.zeros((2, len(rolling))), balls.taken(driven)
+    here, evaluations = np.einsum("nij,nj->ni", moving.by_motion, (motion - rolling)[driven]), 1
+    heat, falling = moving.at(here), driven.any()
+    while falling:
+        there = here + _step(heat, np.zeros(len(here)))
+        new_heat, evaluations = moving.at(there), evaluations + 1
+        better = moving.imbalance(new_heat) < moving.imbalance(heat)
+        falling = bool((moving.imbalance(new_heat) < moving.imbalance(heat) / 2).any())
+        here, heat = np.where(better[:, None], there, here), new_heat.or_else(heat, better)
+    unknowns[driven], power[driven], imbalance[driven] = here, heat.power, moving.imbalance(heat)
+    _require_balance(imbalance, evaluations)
+    return _of_slow_balls(balls, rolling, unknowns, (power, driven, imbalance), evaluations)
+
+
+def _of_slow_balls(
+    balls: SlidingBallBalance,
+    rolling: NDArray,
+    unknowns: NDArray,
+    found: tuple[NDArray, NDArray, NDArray],
+    evaluations: int,
+) -> SlidingMotion:
+    """Motion and slip at unknowns (N, 3), with power, which balls are driven, and imbalance as they are."""
     change = np.linalg.solve(balls.scale, unknowns[..., None])[..., 0]
     motion = rolling + motion_scale(rolling) * change
-    return SlidingMotion(motion, balls.slip(unknowns), power, driven, imbalance, evaluations)
+    return SlidingMotion(motion, balls.slip(unknowns), *found, evaluations)
 
 
 def guided_motion(contacts: BallContacts, ellipse: Ellipse, attitude: NDArray) -> SlidingMotion:

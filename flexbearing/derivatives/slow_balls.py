@@ -1,0 +1,149 @@
+"""Sensitivities of a bearing with slow balls of two or four contact points."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.errors import NotSolved as RingNotSolved
+from flexbearing.case import BadCase
+from flexbearing.case.balls.four_point import FourPointCase
+from flexbearing.derivatives.by_keys import Differences, columns
+from flexbearing.derivatives.keys import Key, given_keys, keys_of, with_value
+from flexbearing.derivatives.sides import tabled
+from flexbearing.derivatives.stencil import Stencil
+from flexbearing.derivatives.table import Sensitivities
+from flexbearing.derivatives.told import told
+from flexbearing.outputs import Wanted, outputs, wanted
+from flexbearing.progress import Logged, Report
+from flexbearing.quantities.four_point import LAYOUT
+from flexbearing.rings import bolted
+from flexbearing.runs import four_point
+from quasidynamic import NotSolved
+
+DEFAULT = ("torque.inner", "max_contact_load", "peak_pressure.inner", "stiffness_zz")
+ALL = "all"
+ESTIMATES = ("torque_grid_error", "max_ball_imbalance")  # no outputs of the bearing
+RACES = ("inner", "outer")
+
+
+def sensitivities(
+    case: FourPointCase, of: Sequence[str] = (), by: Sequence[str] = (), report: Report | None = None
+) -> Sensitivities:
+    """Derivatives of outputs by continuous keys at the equilibrium of a case.
+
+    Parameters
+    ----------
+    case : FourPointCase
+        as it was read
+    of : sequence of str
+        outputs, with units if others than those of the summary are wanted; "all" every output; by default
+        torque, largest load, pressure, stiffness
+    by : sequence of str
+        keys; by default all continuous ones that the case states
+    report : Report, optional
+        hears of rings that are condensed, and of every key; the log, unless given
+
+    Returns
+    -------
+    Sensitivities
+
+    Raises
+    ------
+    BadCase
+        for keys that are none, outputs of rigid rings where rings are elastic, contacts that stick and slip
+    UnknownOutput, WrongUnit
+        for texts that name no output
+    NotSolved
+        where there is no equilibrium
+    """
+    if case.friction.model != "full_sliding":
+        raise BadCase(
+            f"{case.source.path}: friction.model is found by separate iterations without known derivatives; "
+            'derivatives need "full_sliding"'
+        )
+    keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
+    asked, report = _asked(case, of), report or Logged()
+    state = _State(case, _compliance(case, report), asked)
+    found, left_out = columns(state, told(keys, report))
+    raceways = "rigid raceways" if case.rings.rigid else "flexible rings"
+    return tabled((case.title, raceways), asked, state.values, found, left_out)
+
+
+def _asked(case: FourPointCase, of: Sequence[str]) -> list[Wanted]:
+    texts = list(of) or list(DEFAULT)
+    if ALL in texts:
+        texts = [each.name for each in outputs(LAYOUT) if each.name not in ESTIMATES]
+    found = [wanted(LAYOUT, text) for text in dict.fromkeys(texts)]
+    for output in found:
+        if output.block == "rigid" and not case.rings.rigid:
+            raise BadCase(
+                f"--of {output.name}: derivatives are those of the answer between elastic rings; for rigid "
+                "ones --set rings.inner.kind=rigid and rings.outer.kind=rigid"
+            )
+    return found
+
+
+def _compliance(case: FourPointCase, report: Report) -> NDArray | None:
+    """Of elastic rings; None between rigid ones."""
+    try:
+        return None if case.rings.rigid else bolted.compliance(case, report)
+    except RingNotSolved as failure:
+        raise NotSolved(str(failure), "rings not solved") from failure
+
+
+@dataclass(frozen=True)
+class _State:
+    """A case in equilibrium, with the outputs that are differentiated there."""
+
+    case: FourPointCase
+    compliance: NDArray | None  # of its rings, which no variant changes
+    outputs: Sequence[Wanted]
+
+    @cached_property
+    def solution(self) -> four_point.Solution:
+        """Loads and motion of the balls, to rounding."""
+        found = four_point.solved(self.case, self.compliance)
+        return four_point.solved(self.case, self.compliance, near=found)
+
+    @cached_property
+    def values(self) -> NDArray:
+        """Of the outputs (O)."""
+        return self._numbers(self.solution)
+
+    def differences(self, key: Key, stencil: Stencil) -> Differences:
+        """Outputs of variants, each one step of Newton's method from this state: to first order."""
+        ends = [
+            four_point.solved(self._variant(key, change), self.compliance, near=self.solution)
+            for change in stencil.places
+        ]
+        return Differences(
+            stencil,
+            self.values,
+            np.array([self._numbers(end) for end in ends]),
+            self._steps_to_switch(stencil, ends),
+            lambda change: _State(self._variant(key, change), self.compliance, self.outputs),
+        )
+
+    def _variant(self, key: Key, change: float) -> FourPointCase:
+        """The case with a key changed by so many steps; raises `BadCase` where it changes an elastic ring."""
+        variant = with_value(self.case, key.path, key.value + change * key.step)
+        same = all(bolted.ring(variant, name) == bolted.ring(self.case, name) for name in RACES)
+        if not (self.case.rings.rigid or (same and variant.rings == self.case.rings)):
+            raise BadCase("it changes an elastic ring, which is meshed anew; vary it in a study")
+        return variant
+
+    def _numbers(self, solution: four_point.Solution) -> NDArray:
+        block = {"rigid" if self.case.rings.rigid else "flexible": four_point.block(solution)}
+        return np.array([output.number(block) for output in self.outputs])
+
+    def _steps_to_switch(self, stencil: Stencil, ends: Sequence[four_point.Solution]) -> float:
+        """Steps after which a diagonal opens or closes, linearly."""
+        if self.solution.distribution is None:
+            return np.inf  # contact loads are given
+        approaches = [end.distribution.approach for end in ends if end.distribution]
+        change = np.abs(np.tensordot(stencil.weights, np.array(approaches), 1))
+        approach = np.abs(self.solution.distribution.approach)
+        return float((approach[change > 0] / change[change > 0]).min(initial=np.inf))
