@@ -1,4 +1,4 @@
-"""Derivatives of slow balls by keys: against cases that are solved again, identities, both sides, refusals."""
+"""Derivatives of slow balls by keys: against cases solved again, identities, both sides, refusals."""
 
 from pathlib import Path
 
@@ -94,5 +94,5 @@ def test_where_a_diagonal_opens_both_sides_are_given():
 
 
 def test_contacts_that_stick_are_refused():
-    with pytest.raises(BadCase, match="friction.model is found by separate iterations"):
+    with pytest.raises(BadCase, match=r"friction\.model is found by separate iterations"):
         sensitivities(api.read_case(LOADED, ["friction.model=fastsim"]), ["torque.inner"])
