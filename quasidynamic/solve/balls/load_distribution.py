@@ -86,7 +86,13 @@ def ball_loads_near(bearing: FourPointBearing, load: NDArray, near: BallLoads) -
 
 
 def resisted(stiffness: NDArray, force: NDArray) -> NDArray:
-    """Change of the place of a ring (5) under a force (5); raises `NotSolved` where nothing resists it."""
+    """Change of the place of a ring (5) under a force (5).
+
+    Raises
+    ------
+    NotSolved
+        where nothing resists some motion
+    """
     try:
         return np.linalg.solve(stiffness, force)
     except np.linalg.LinAlgError:
