@@ -240,7 +240,9 @@ def _preload(case: FastCase, state: qd.AngularContactState) -> tuple[Note, ...]:
 
 def _by_life(case: FastCase, lives: BallLives | None) -> Iterator[Note]:
     if lives is not None:
-        yield from dangers.heavily_loaded(ball_life.equivalent(case, lives), ball_life.dynamic(case))
+        load, rating = ball_life.equivalent(case, lives), ball_life.dynamic(case)
+        yield from dangers.heavily_loaded(load, rating)
+        yield from dangers.lightly_loaded(load, rating, dangers.LEAST_OF_BALLS)
         life = lives.basic if lives.modified is None else lives.modified
         speed = case.operation.inner_speed - case.operation.outer_speed
         yield from dangers.short_lived(life / MREV, speed)

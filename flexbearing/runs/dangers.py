@@ -7,6 +7,7 @@ import numpy as np
 from quasidynamic.note import Note, danger, information, outside
 
 USUAL_OF_ROLLERS, USUAL_OF_BALLS = 1.5, 1.0  # s_0 of bearings in normal running
+LEAST_OF_ROLLERS, LEAST_OF_BALLS = 0.02, 0.01  # P/C_r below which rolling elements may skid
 SHORT_LIFE = 3600.0  # [s]
 
 
@@ -94,6 +95,35 @@ def heavily_loaded(load: float, rating: float) -> Iterator[Note]:
             "heavy-load",
             f"life: the load of {load:,.0f} N is above half of C_r = {rating:,.0f} N, up to which life "
             "formulas hold (ISO 281); plastic flow shortens the life beyond",
+        )
+
+
+def lightly_loaded(load: float, rating: float, least: float) -> Iterator[Note]:
+    """A load below the minimum that makers ask for.
+
+    Parameters
+    ----------
+    load : float
+        equivalent load P [N]
+    rating : float
+        C_r [N]
+    least : float
+        P/C_r below which there is a note, such as `LEAST_OF_ROLLERS` [-]
+
+    Yields
+    ------
+    Note
+        "light-load" below that share of C_r
+
+    Source
+    ------
+    SKF, Rolling bearings (2018): minimum load of 0.02 C of roller, 0.01 C of ball bearings.
+    """
+    if load < least * rating:
+        yield information(
+            "light-load",
+            f"minimum load: {load:,.0f} N is below {least:g} C_r = {least * rating:,.0f} N, a rule of thumb "
+            "of SKF against skidding; which slip does damage is not computed",
         )
 
 

@@ -111,10 +111,11 @@ def of_state(case: Case, end: EndState, modified_life: float | None) -> tuple[No
     state, whole = end.equilibrium, end.whole
     basic = state.life if whole is None else whole.life
     lived = basic if modified_life is None else modified_life
-    rated = dangers.heavily_loaded(
-        float(np.hypot(*state.applied_load)), life.dynamic(case, state.balance.roller.bearing)
-    )
-    return (*_dangers(end, lived), *rated, *validity(state), *_information(case, state))
+    load = float(np.hypot(*state.applied_load))
+    rating = life.dynamic(case, state.balance.roller.bearing)
+    heavy = dangers.heavily_loaded(load, rating)
+    light = dangers.lightly_loaded(load, rating, dangers.LEAST_OF_ROLLERS)
+    return (*_dangers(end, lived), *heavy, *validity(state), *light, *_information(case, state))
 
 
 def _dangers(end: EndState, lived: float) -> Iterator[Note]:

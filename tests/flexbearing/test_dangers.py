@@ -12,7 +12,17 @@ import flexbearing
 from flexbearing.api import read_case
 from flexbearing.quantities.attributes import GRADES as STORED
 from flexbearing.report import text
-from flexbearing.runs.dangers import heavily_loaded, overloaded, pressed, short_lived, yielding
+from flexbearing.report.html import against_limits
+from flexbearing.runs.dangers import (
+    LEAST_OF_BALLS,
+    LEAST_OF_ROLLERS,
+    heavily_loaded,
+    lightly_loaded,
+    overloaded,
+    pressed,
+    short_lived,
+    yielding,
+)
 from flexbearing.runs.notes import of_case
 from quasidynamic.note import GRADES, Note, danger, graded, information, outside
 from tests.flexbearing.noted import codes, texts
@@ -57,6 +67,18 @@ def test_a_load_above_half_of_the_rating_is_beyond_the_life_formulas(paper):
     assert list(heavily_loaded(50.0, 100.0)) == []
     (note,) = heavily_loaded(50.1, 100.0)
     assert note.code == "heavy-load"
+
+
+def test_a_load_below_the_minimum_is_said():
+    result = flexbearing.run(PLAIN, {"operation.radial_load": "100 N"})
+    assert "light-load" in codes(result, "information")
+    assert list(lightly_loaded(2.0, 100.0, LEAST_OF_ROLLERS)) == []
+    (note,) = lightly_loaded(1.9, 100.0, LEAST_OF_ROLLERS)
+    assert note.text.startswith("minimum load: 2 N is below 0.02 C_r = 2 N")
+    assert (LEAST_OF_ROLLERS, LEAST_OF_BALLS) == (
+        against_limits.LEAST_OF_ROLLERS,
+        against_limits.LEAST_OF_BALLS,
+    )
 
 
 def test_tooth_forces_that_the_pin_does_not_balance_are_outside_validity():
