@@ -98,7 +98,7 @@ def test_what_the_equilibrium_does_not_know_is_noted():
     assert found is not None
     costs, *others = reversed(skew.notes(found, state, [3e-7, 3e-7]))
     assert not others
-    assert f"W at flanges and raceways beside {state.driving_power:.4g} W" in costs.text
+    assert f"W at flanges and raceways in addition to {state.driving_power:.4g} W" in costs.text
     thin = skew.notes(found, state, [0.5 * found.end_gap, 0.0])
     assert f"changes the gap at the ends of the rollers by up to {found.end_gap * 1e6:.3f} um" in thin[0].text
 
