@@ -381,10 +381,11 @@ class HarmonicCompliance:
 
     def _series(self, phi: NDArray) -> NDArray:
         """Sum of the harmonics less the half-space (Z, M, Z, M) [m/N]."""
-        turn = np.exp(1j * np.outer(phi, self.harmonics))
         if self.response.ndim == 3:
-            answer = np.einsum("ik,jk,kmp->ijmp", turn, turn.conj(), self._remainder, optimize=True)
-            return np.real(answer).transpose(0, 2, 1, 3)
+            apart, place = _distinct(phi[:, None] - phi)
+            waves = np.cos(np.outer(apart, self.harmonics))
+            return np.tensordot(waves, self._remainder, axes=1)[place].transpose(0, 2, 1, 3)
+        turn = np.exp(1j * np.outer(phi, self.harmonics))
         left = self.response.astype(complex)
         k = np.arange(self.harmonics.size)
         left[k, :, k] -= self._half_space

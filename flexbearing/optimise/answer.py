@@ -48,9 +48,11 @@ class Optimum:
     how: dict[str, str]  # by the names of variables, how derivatives were found
     refused: dict[str, str]  # keys without derivatives at the equilibrium, and why
     case: Measured  # the case as it stands
+    measured: Measured  # the best point
     verified: tuple[tuple[Measured, Measured], ...]  # of each [[verify]] the case and the best point
     active: tuple[Active, ...]
     designs: int
+    cheap: int  # designs of the surrogate
     rows: int  # that were computed, the others stood in the journal
     table: Table
     settings: Settings  # of the case at the best point
@@ -73,32 +75,35 @@ class Optimum:
             each for each in self.starts if self.best.merit - each.merit <= ALIKE and each.missed <= ALIKE
         )
 
-    @property
-    def measured(self) -> Measured:
-        """The best point."""
-        return measured("best", self.best.numbers, self.goal, self.bounds)
 
-
-def answer(evaluations: Evaluations, starts: Sequence[Found], how: dict[str, str], seconds: float) -> Optimum:
+def answer(
+    evaluations: Evaluations,
+    surrogate: Evaluations | None,
+    starts: Sequence[Found],
+    how: dict[str, str],
+    seconds: tuple[float, float],
+) -> Optimum:
     """Order what the starts found, and compute what is told of the best.
 
     Parameters
     ----------
     evaluations : Evaluations
         of the problem
+    surrogate : Evaluations or None
+        what was searched in its place
     starts : sequence of Found
         at least one
     how : dict
         how derivatives were found, by the names of variables
-    seconds : float
-        that the search took [s]
+    seconds : pair of float
+        that search and verification took so far [s]
 
     Returns
     -------
     Optimum
     """
     began, problem, goal, bounds = perf_counter(), evaluations.problem, evaluations.goal, evaluations.bounds
-    ordered = tuple(sorted(starts, key=_rank))
+    ordered = tuple(sorted(starts, key=rank))
     best = _settings(evaluations, ordered[0].point)
     designs = [{}, *(design for extra in problem.verify for design in ({**extra}, {**best, **extra}))]
     answers = iter(evaluations.of_settings(designs, evaluations.measures))
@@ -119,17 +124,19 @@ def answer(evaluations: Evaluations, starts: Sequence[Found], how: dict[str, str
         how=how,
         refused=evaluations.refused,
         case=case,
+        measured=measured("best", evaluations.at([ordered[0].point])[0], goal, bounds),
         verified=verified,
         active=tuple(_active(evaluations, ordered[0])),
         designs=len(evaluations.designs),
-        rows=evaluations.computed,
+        cheap=len(surrogate.designs) if surrogate else 0,
+        rows=evaluations.computed + (surrogate.computed if surrogate else 0),
         table=evaluations.table(),
         settings=best,
-        seconds=(seconds, perf_counter() - began),
+        seconds=(seconds[0], seconds[1] + perf_counter() - began),
     )
 
 
-def _rank(found: Found) -> tuple[bool, float, float]:
+def rank(found: Found) -> tuple[bool, float, float]:
     """Starts with all constraints met first, the largest merit first; of the others the least missed."""
     infeasible = found.end in (End.INFEASIBLE, End.NO_ANSWER)
     return infeasible, found.missed if infeasible else 0.0, -found.merit

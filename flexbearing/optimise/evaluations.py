@@ -12,7 +12,7 @@ from flexbearing.case import BadCase
 from flexbearing.optimise.file import Problem, Settings
 from flexbearing.optimise.goals import Bound, Goal, Measure, Numbers
 from flexbearing.optimise.variables import keys_of, settings
-from flexbearing.optimise.worker import slope_name
+from flexbearing.optimise.worker import slope_name, with_keys
 from flexbearing.studies.engine import Engine
 from flexbearing.studies.file import Axis
 from flexbearing.studies.file.read import Wanted
@@ -36,7 +36,8 @@ class Workers:
     """What computes rows and slopes."""
 
     values: Work
-    slopes: Callable[[Sequence[str]], Work]  # given the keys
+    slopes: Callable[[Sequence[str]], Work]  # given all keys; a row holds those that its identity names
+    processes: int = 1  # that share the keys of a design
 
 
 def designs_of(problem: Problem, designs: Sequence[Settings]) -> Prepared:
@@ -131,18 +132,29 @@ class Evaluations:
         self._compute(settled, texts, self.workers.values)
         return self._numbers(settled, texts)
 
+    def verified(self, point: Point) -> Numbers | NotComputed:
+        """Outputs of a design with the first settings that verify it."""
+        (numbers,) = self.of_settings([{**self._settings(point), **self.problem.verify[0]}], self.measures)
+        return numbers
+
     def slopes(self, point: Point, keys: Sequence[str]) -> dict[str, dict[str, NDArray]]:
         """Derivatives of outputs of a design by keys: by key those (R) of each text, by the key in SI.
 
         Keys that have none in some row are left out.
         """
         texts = self.texts
-        names = {key: [slope_name(text, key) for text in texts] for key in keys}
-        settled = _named_apart(designs_of(self.problem, [self._settings(point)]), keys)
+        groups = [keys[first :: self.workers.processes] for first in range(self.workers.processes)]
+        groups = [group for group in groups if group]
+        settled = _named_apart(designs_of(self.problem, [self._settings(point)]), groups)
         self._compute(settled, (), self.workers.slopes(keys))
-        rows = [self.rows[variant.identity] for variant in settled.plan.variants]
+        per_group = len(settled.plan.variants) // len(groups)
         found = {}
-        for key, those in names.items():
+        for place, key in ((place, key) for place, group in enumerate(groups) for key in group):
+            variants = settled.plan.variants[place * per_group : (place + 1) * per_group]
+            rows, those = (
+                [self.rows[each.identity] for each in variants],
+                [slope_name(text, key) for text in texts],
+            )
             columns = np.array([[row.values.get(name, np.nan) for name in those] for row in rows])
             if np.isfinite(columns).all():
                 found[key] = dict(zip(texts, columns.T, strict=True))
@@ -211,13 +223,14 @@ class Evaluations:
         return found
 
 
-def _named_apart(settled: Prepared, keys: Sequence[str]) -> Prepared:
-    """The same variants under names of their own, for rows with slopes by some keys."""
+def _named_apart(settled: Prepared, groups: Sequence[Sequence[str]]) -> Prepared:
+    """The same variants under names of their own, once for each group of keys: a task with its slopes."""
     variants = tuple(
-        replace(each, identity=each.identity and f"{each.identity} by {' '.join(keys)}")
+        replace(each, identity=each.identity and with_keys(each.identity, keys))
+        for keys in groups
         for each in settled.plan.variants
     )
-    return replace(settled, plan=replace(settled.plan, variants=variants))
+    return replace(settled, plan=replace(settled.plan, variants=variants, fewest=len(groups)))
 
 
 def _complete(row: Row, texts: Sequence[str]) -> bool:

@@ -25,7 +25,7 @@ from flexbearing.studies.file.values import BadValues
 from flexbearing.studies.table.duty import Cycles
 
 Settings = Mapping[str, Any]  # keys of the case to values in its words
-_TABLES = "set", "vary", "constrain", "over", "duty"
+_TABLES = "set", "vary", "constrain", "over", "duty", "surrogate"
 BOUND = '"<= 2500 MPa", ">= 20000 h" or "100 kN/mm .. 120 kN/mm"'
 _NUMBER = r"([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)\s*([^\s.][^<>]*?)?\s*"
 _ONE = re.compile(rf"\s*(<=|>=)\s*{_NUMBER}")
@@ -44,6 +44,7 @@ class Problem:
     bounds: Callable[[Cycles | None], tuple[Bound, ...]]
     search: Search
     verify: tuple[Settings, ...]
+    surrogate: Settings  # of the cheaper model that is searched; none: the case itself is
 
 
 def read(path: str | Path, families: Families) -> Problem:
@@ -77,14 +78,16 @@ def read(path: str | Path, families: Families) -> Problem:
     try:
         fixed, text = given.set.model_extra or {}, tables(study.text)
         found = variables(given.vary.model_extra or {}, find, lambda key: fixed.get(key, _stated(text, key)))
-        _require_apart(found, study, fixed)
+        _require_apart(found, study, fixed, "[set]")
         entries = [each.key for each in found if each.entry is not None]
         lists = {key: fixed.get(key, _stated(text, key)) for key in entries}
-        where = "set"
-        for key in fixed:
-            find(key)
-        where = "verify"
-        for key in (key for each in given.verify for key in each.model_extra or {}):
+        surrogate, verify = (
+            given.surrogate.model_extra or {},
+            [each.model_extra or {} for each in given.verify],
+        )
+        _require_apart(found, study, surrogate, "[surrogate]")
+        tables_of_keys = [("set", fixed), ("surrogate", surrogate), *(("verify", each) for each in verify)]
+        for where, key in ((table, key) for table, settings in tables_of_keys for key in settings):  # noqa: B007
             find(key)
         where = "maximise" if given.maximise else "minimise"
         goal = _goal(given, study, layout)
@@ -93,8 +96,7 @@ def read(path: str | Path, families: Families) -> Problem:
     except (BadValues, UnknownOutput, WrongUnit) as problem:
         raise BadCase(f"{name}: [{where}] {problem}") from None
     return Problem(
-        study, fixed, found, lists, goal, bounds, given.search,
-        tuple(each.model_extra or {} for each in given.verify),
+        study, fixed, found, lists, goal, bounds, given.search, tuple(verify), surrogate
     )  # fmt: skip
 
 
@@ -106,12 +108,16 @@ def _validated(raw: dict[str, Any], file: Path) -> OptimisationFile:
         raise BadCase(messages(error, raw, name, OptimisationFile, {})) from None
     if (given.maximise is None) == (given.minimise is None):
         raise BadCase(f"{name}: [maximise] or [minimise] is needed, one of them.")
+    if given.search.verified and not given.verify:
+        raise BadCase(
+            f"{name}: search.verified needs [[verify]], whose first settings constraints are met with."
+        )
     return given
 
 
-def _require_apart(found: tuple[Variable, ...], study: Study, fixed: Settings) -> None:
+def _require_apart(found: tuple[Variable, ...], study: Study, fixed: Settings, table: str) -> None:
     """Refuse a key that stands in two tables, and speeds, which weigh the rows of a duty cycle."""
-    others = dict.fromkeys(study.keys, "[over] or [duty]") | dict.fromkeys(fixed, "[set]")
+    others = dict.fromkeys(study.keys, "[over] or [duty]") | dict.fromkeys(fixed, table)
     for each in found:
         if each.entry is None and each.key in others:
             raise BadValues(f"{each.name} is given in {others[each.key]}, too")

@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.optimise.evaluations import Evaluations, NotComputed, Point
-from flexbearing.optimise.goals import Numbers
+from flexbearing.optimise.goals import Bound, Goal, Numbers
+from flexbearing.optimise.schema import Search
 from flexbearing.optimise.variables import Variable
 
 STEP = 1e-3  # of the range of a variable
@@ -27,6 +28,25 @@ class Gradients:
     def variables(self) -> tuple[Variable, ...]:
         """K of them."""
         return self.evaluations.problem.variables
+
+    @property
+    def settings(self) -> Search:
+        """How the best is searched."""
+        return self.evaluations.problem.search
+
+    @property
+    def goal(self) -> Goal:
+        """What is made best."""
+        return self.evaluations.goal
+
+    @property
+    def bounds(self) -> tuple[Bound, ...]:
+        """What stays within bounds."""
+        return self.evaluations.bounds
+
+    def values(self, points: Sequence[Point]) -> list[Numbers | NotComputed]:
+        """Outputs of designs."""
+        return self.evaluations.at(points)
 
     def at(self, point: Point) -> Numbers:
         """Outputs of a design with their derivatives by the shares of the variables.

@@ -23,7 +23,12 @@ class Optimality:
     gain: float  # that the derivatives still promise for `STEP` of every range, over 1
 
 
-def optimality(merits: Terms, margins: Terms, shares: NDArray) -> Optimality:
+def optimality(
+    merits: Terms,
+    margins: Terms,
+    shares: NDArray,
+    limits: tuple[NDArray | float, NDArray | float] = (0.0, 1.0),
+) -> Optimality:
     r"""Multipliers that come closest to the conditions of Karush, Kuhn and Tucker.
 
     .. math::
@@ -37,7 +42,9 @@ def optimality(merits: Terms, margins: Terms, shares: NDArray) -> Optimality:
     margins : Terms (M, K)
         g, at least 0
     shares : array (K)
-        of the variables, from 0 to 1; n is the normal of a bound that is met, inwards
+        of the variables, from 0 to 1; n is the normal of a limit that is met, inwards
+    limits : pair of float or array (K), optional
+        least and largest shares
 
     Returns
     -------
@@ -50,7 +57,8 @@ def optimality(merits: Terms, margins: Terms, shares: NDArray) -> Optimality:
     count = len(shares)
     near = merits.values <= merits.values.min() + ACTIVE
     met = margins.values <= ACTIVE
-    at_end = np.where(shares <= AT_END, 1.0, 0.0) - np.where(shares >= 1 - AT_END, 1.0, 0.0)
+    low, high = limits
+    at_end = np.where(shares <= low + AT_END, 1.0, 0.0) - np.where(shares >= high - AT_END, 1.0, 0.0)
     normals = np.diag(at_end)[at_end != 0].reshape(-1, count)
     columns = np.vstack([merits.slopes[near], margins.slopes[met].reshape(-1, count), normals]).T
     heavy = 1e3 * max(1.0, np.abs(columns).max(initial=0.0))

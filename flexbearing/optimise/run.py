@@ -2,23 +2,35 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
-from functools import partial
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
 from pathlib import Path
 from time import perf_counter
 
 import numpy as np
+from numpy.typing import NDArray
 
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
 from flexbearing.files import require_folder, require_output, write
-from flexbearing.optimise.answer import Optimum, answer
+from flexbearing.optimise.answer import Optimum, answer, rank
 from flexbearing.optimise.case_file import case_text
-from flexbearing.optimise.evaluations import Evaluations, Workers, varied_rings
+from flexbearing.optimise.correction import Corrected
+from flexbearing.optimise.evaluations import Evaluations, Point, Workers, varied_rings
 from flexbearing.optimise.file import Problem, read
+from flexbearing.optimise.goals import Numbers
 from flexbearing.optimise.gradients import Gradients
-from flexbearing.optimise.search import Found, ScaledProblem, search, starts
+from flexbearing.optimise.managed_search import from_design, managed_search
+from flexbearing.optimise.search import (
+    Designs,
+    End,
+    Found,
+    ScaledProblem,
+    examined,
+    search,
+    starts,
+)
 from flexbearing.optimise.worker import SlopeWish, slope_name, slope_rows
 from flexbearing.program.threads import cores, limited_to
 from flexbearing.studies.engine import Engine
@@ -32,6 +44,7 @@ from flexbearing.studies.where import Where
 from flexbearing.studies.worker import Wish, condense, rows
 
 CASE, TABLE = "_optimum.toml", ".csv"  # behind the name: the case at the best point, all designs
+VERIFICATIONS = 4  # of the best design until finer models meet its constraints
 MESHED_DIGITS = 4  # of the share of a range, where another ring is meshed for every value
 Tell = Callable[[Found], None]
 
@@ -79,17 +92,20 @@ def optimise(
     path = require_output(base.journal(folder), inputs)
     meshed = varied_rings(problem)
     processes = jobs or (cores() if meshed else 1)
-    if meshed:  # noise of meshes is all that nearer designs differ by
+    if meshed and not problem.surrogate:  # noise of meshes is all that nearer designs differ by
         rounded = tuple(replace(each, digits=MESHED_DIGITS) for each in problem.variables)
         problem = replace(problem, variables=rounded)
-    workers = (work or _bearings)(problem, folder)
+    workers = replace((work or _bearings)(problem, folder), processes=processes)
     with (
         limited_to(processes),
         journal.opened(path, _names(problem)) as kept,
         _engine(processes, base) as engine,
     ):
         start = partial(guarded, engine, kept, journal.begun(path))
-        found = _searched(Evaluations(problem, workers, start, kept, journal.read(path)), tell)
+        evaluations = Evaluations(problem, workers, start, kept, journal.read(path))
+        cheap = replace(problem, fixed={**problem.fixed, **problem.surrogate})
+        surrogate = replace(evaluations, problem=cheap, designs={}, refused={}) if problem.surrogate else None
+        found = _Search(evaluations, surrogate).optimum(tell)
     write(table, FORMS[TABLE][0](found.table))
     write(case, case_text(problem.study, found.settings, folder))
     return found
@@ -139,12 +155,66 @@ def _engine(processes: int, base: Prepared) -> Iterator[Callable[[int], Engine]]
         close()
 
 
-def _searched(evaluations: Evaluations, tell: Tell) -> Optimum:
-    began, gradients = perf_counter(), Gradients(evaluations)
-    problem, settings = ScaledProblem(gradients), evaluations.problem.search
-    first = np.array([each.start for each in evaluations.problem.variables])
-    found = []
-    for start in starts(settings.starts, first, settings.seed):
-        found.append(search(problem, start))
-        tell(found[-1])
-    return answer(evaluations, found, gradients.how, perf_counter() - began)
+@dataclass(frozen=True)
+class _Search:
+    """The search from all starts."""
+
+    evaluations: Evaluations
+    surrogate: Evaluations | None  # with the same rows; None: the case itself is searched
+
+    def optimum(self, tell: Tell) -> Optimum:
+        """What is found; `tell` hears of the end of each start."""
+        began, found, settings = perf_counter(), [], self._gradients.settings
+        first = np.array([each.start for each in self._gradients.variables])
+        points, seconds = list(starts(settings.starts, first, settings.seed)), 0.0
+        problem = ScaledProblem(self._gradients)
+        if settings.verified:
+            problem, seconds = self._as_verified(problem.point(points[0]))
+        for start in points:
+            found.append(self._from(problem, start, found))
+            tell(found[-1])
+        if settings.verified:
+            seconds += self._until_verified(found)
+        times = perf_counter() - began - seconds, seconds
+        return answer(self.evaluations, self.surrogate, found, self._gradients.how, times)
+
+    @cached_property
+    def _gradients(self) -> Gradients:
+        return Gradients(self.evaluations)
+
+    @cached_property
+    def _cheap(self) -> Gradients | None:
+        return self.surrogate and Gradients(self.surrogate)
+
+    def _as_verified(self, point: Point) -> tuple[ScaledProblem, float]:
+        """The case with the values that finer models have at a design, and the time that these took [s]."""
+        began, numbers = perf_counter(), self.evaluations.verified(point)
+        designs: Designs = self._gradients
+        if isinstance(numbers, Numbers) and isinstance(self.evaluations.at([point])[0], Numbers):
+            designs = Corrected(designs, designs, point, numbers)
+        return ScaledProblem(designs), perf_counter() - began
+
+    def _until_verified(self, found: list[Found]) -> float:
+        """Go on from the best until it is an optimum with the values of finer models; their time [s]."""
+        seconds = 0.0
+        for number in range(VERIFICATIONS):
+            place = min(range(len(found)), key=lambda each: rank(found[each]))
+            best, begin = found[place], found[place].start
+            problem, more = self._as_verified(best.point)
+            there = examined(problem, problem.shares(best.point), best.iterations, best.message)
+            found[place], seconds = replace(there, start=begin), seconds + more
+            if there.end not in (End.STALLED, End.INFEASIBLE) or number == VERIFICATIONS - 1:
+                break
+            found[place] = replace(self._on(problem, there), start=begin)
+        return seconds
+
+    def _from(self, problem: ScaledProblem, start: NDArray, known: Sequence[Found]) -> Found:
+        if self._cheap is None:
+            return search(problem, start)
+        return managed_search(problem, self._cheap, start, known)
+
+    def _on(self, problem: ScaledProblem, there: Found) -> Found:
+        shares = problem.shares(there.point)
+        if self._cheap is None:
+            return search(problem, shares)
+        return from_design(problem, self._cheap, shares, there.iterations)

@@ -55,7 +55,17 @@ class Search(Section):
         gt=0,
         le=0.1,
     )
-    iterations: int = key("limit for each start, which is not convergence", 60, ge=1, le=1000)
+    iterations: int = key(
+        "limit for each start, which is not convergence; with [surrogate] of designs of the case",
+        60,
+        ge=1,
+        le=1000,
+    )
+    verified: bool = key(
+        "whether outputs have the values of the first [[verify]]: those searched are scaled by what it says "
+        "at the first start, then at the best point, until that is an optimum with its values, too",
+        False,
+    )
 
 
 class OptimisationFile(Section):
@@ -80,6 +90,12 @@ class OptimisationFile(Section):
     over: Over | None = key("conditions under which every design is computed, as in a study", None)
     duty: Duty | None = key("duty cycle under which every design is computed, as in a study", None)
     search: Search = key("how the best point is searched", {})
+    surrogate: Keys = key(
+        "settings of a cheaper model with which designs are searched, such as a beam in place of elements; "
+        "its outputs are corrected until they and their derivatives are those of the case at the best point",
+        {},
+        example={"accuracy.structure": "beam"},
+    )
     verify: tuple[Keys, ...] = key(
         "settings with which the case and the best point are computed once more, a table [[verify]] for each "
         "set of them, such as more slices",

@@ -1,20 +1,20 @@
 """The search from several starts, with the optimisers of SciPy."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize
 from scipy.stats import qmc
 
-from flexbearing.optimise.evaluations import Evaluations, NotComputed, Point
-from flexbearing.optimise.goals import NotPositive, Numbers, Terms
-from flexbearing.optimise.gradients import Gradients
+from flexbearing.optimise.evaluations import NotComputed, Point
+from flexbearing.optimise.goals import Bound, Goal, NotPositive, Numbers, Terms
 from flexbearing.optimise.optimality import Optimality, optimality
 from flexbearing.optimise.schema import Search
+from flexbearing.optimise.variables import Variable
 
 FEASIBLE = 1e-4  # how far a bound may be missed, over its size
 RESTARTS = 3  # of an optimiser that stops before an optimum, with a new approximation of the curvature
@@ -58,48 +58,84 @@ class Found:
         return 0.0 if self.margins is None else max(0.0, -float(self.margins.values.min(initial=0.0)))
 
 
+class Designs(Protocol):
+    """Designs and what is wanted of them."""
+
+    @property
+    def variables(self) -> tuple[Variable, ...]:
+        """K of them."""
+        ...
+
+    @property
+    def settings(self) -> Search:
+        """How the best is searched."""
+        ...
+
+    @property
+    def goal(self) -> Goal:
+        """What is made best."""
+        ...
+
+    @property
+    def bounds(self) -> tuple[Bound, ...]:
+        """What stays within bounds."""
+        ...
+
+    def values(self, points: Sequence[Point]) -> list[Numbers | NotComputed]:
+        """Outputs of designs."""
+        ...
+
+    def at(self, point: Point) -> Numbers:
+        """Outputs of a design with their derivatives; raises NotComputed."""
+        ...
+
+
 @dataclass
 class ScaledProblem:
     """The problem as an optimiser sees it: shares x of K variables, and of the worst of several terms t."""
 
-    gradients: Gradients
+    designs: Designs
     nearest: bool = (
         False  # whether the point nearest to meeting all constraints is searched in place of the best
     )
-
-    @property
-    def evaluations(self) -> Evaluations:
-        """Of the designs."""
-        return self.gradients.evaluations
+    about: tuple[NDArray, float] | None = None  # shares (K) and how far from each is searched; None: anywhere
+    inside: float = 0.0  # margin of every constraint that is kept
 
     @property
     def settings(self) -> Search:
         """How it is searched."""
-        return self.evaluations.problem.search
+        return self.designs.settings
+
+    @property
+    def limits(self) -> tuple[NDArray, NDArray]:
+        """Least and largest shares (K)."""
+        count = len(self.designs.variables)
+        middle, reach = self.about or (np.zeros(count), 1.0)
+        return np.maximum(middle - reach, 0.0), np.minimum(middle + reach, 1.0)
 
     def point(self, shares: NDArray) -> Point:
         """The point at some shares of the ranges."""
-        return tuple(each.value(share) for each, share in zip(self.gradients.variables, shares, strict=True))
+        return tuple(each.value(share) for each, share in zip(self.designs.variables, shares, strict=True))
 
     def shares(self, point: Point) -> NDArray:
         """Shares of a point."""
-        both = zip(self.gradients.variables, point, strict=True)
+        both = zip(self.designs.variables, point, strict=True)
         return np.array([each.share(value) for each, value in both])
 
     def terms(self, numbers: Numbers) -> tuple[Terms, Terms]:
         """Merits (T) and margins (M) of a design."""
-        merits = self.evaluations.goal.merits(numbers)
-        margins = [bound.margins(numbers) for bound in self.evaluations.bounds]
+        merits = self.designs.goal.merits(numbers)
+        margins = [bound.margins(numbers) for bound in self.designs.bounds]
         none = Terms(np.zeros(0), np.zeros((0, merits.slopes.shape[1])))
         joined = Terms(
-            np.concatenate([none.values, *(each.values for each in margins)]),
+            np.concatenate([none.values, *(each.values - self.inside for each in margins)]),
             np.vstack([none.slopes, *(each.slopes for each in margins)]),
         )
         return (joined, none) if self.nearest else (merits, joined)
 
     def values(self, shares: NDArray) -> tuple[NDArray, NDArray] | None:
         """Merits and margins; None of a design without an answer."""
-        (numbers,) = self.evaluations.at([self.point(shares)])
+        (numbers,) = self.designs.values([self.point(shares)])
         if isinstance(numbers, NotComputed):
             return None
         merits, margins = self.terms(numbers)
@@ -107,7 +143,7 @@ class ScaledProblem:
 
     def slopes(self, shares: NDArray) -> tuple[NDArray, NDArray]:
         """Derivatives of merits (T, K) and margins (M, K)."""
-        merits, margins = self.terms(self.gradients.at(self.point(shares)))
+        merits, margins = self.terms(self.designs.at(self.point(shares)))
         return merits.slopes, margins.slopes
 
 
@@ -140,7 +176,7 @@ def search(problem: ScaledProblem, start: NDArray) -> Found:
     nearest = _optimised(replace(problem, nearest=True), problem.shares(found.point))
     there, used = problem.shares(nearest.point), found.iterations + nearest.iterations
     if nearest.merit < -FEASIBLE or used >= problem.settings.iterations:
-        return replace(_found(problem, there, used, nearest.message), start=found.start)
+        return replace(examined(problem, there, used, nearest.message), start=found.start)
     again = _optimised(problem, there, used)
     return replace(again, start=found.start)
 
@@ -148,7 +184,7 @@ def search(problem: ScaledProblem, start: NDArray) -> Found:
 def _optimised(problem: ScaledProblem, start: NDArray, used: int = 0) -> Found:
     """What the optimiser finds from a start, called again where it stops before an optimum."""
     settings, shares, message, by_models = problem.settings, start, "", False
-    (first,) = problem.evaluations.at([problem.point(start)])
+    (first,) = problem.designs.values([problem.point(start)])
     if isinstance(first, NotComputed):
         return _unknown(problem, start, str(first), used)
     for _ in range(RESTARTS):
@@ -157,12 +193,13 @@ def _optimised(problem: ScaledProblem, start: NDArray, used: int = 0) -> Found:
         except NotComputed as why:
             message = str(why)
             break
-        shares, used, message = np.clip(ended.x[: len(start)], 0.0, 1.0), used + ended.nit, ended.message
+        shares = np.clip(ended.x[: len(start)], *problem.limits)
+        used, message = used + ended.nit, ended.message
         by_models = settings.method == "cobyqa" and ended.success
-        found = _found(problem, shares, used, message, by_models)
+        found = examined(problem, shares, used, message, by_models)
         if found.end is End.CONVERGED or used >= settings.iterations or ended.nit <= 1:
             break
-    return replace(_found(problem, shares, used, message, by_models), start=problem.point(start))
+    return replace(examined(problem, shares, used, message, by_models), start=problem.point(start))
 
 
 def _ended(problem: ScaledProblem, shares: NDArray, iterations: int) -> Any:
@@ -183,7 +220,7 @@ def _ended(problem: ScaledProblem, shares: NDArray, iterations: int) -> Any:
         return np.column_stack([np.vstack([merits, margins]), by_t])
 
     begin, up = np.append(shares, first[0].min()), np.append(np.zeros(len(shares)), -1.0)
-    bounds = [*((0.0, 1.0) for _ in shares), (None, None)]
+    bounds = [*zip(*problem.limits, strict=True), (None, None)]
     constraint = {"type": "ineq", "fun": constraints}
     if settings.method == "cobyqa":
         options = {"maxiter": iterations * MODELS, "final_tr_radius": 1e-3, "initial_tr_radius": 0.1}
@@ -198,17 +235,17 @@ def _ended(problem: ScaledProblem, shares: NDArray, iterations: int) -> Any:
     )  # fmt: skip
 
 
-def _found(
+def examined(
     problem: ScaledProblem, shares: NDArray, iterations: int, message: str, by_models: bool = False
 ) -> Found:
     """What stands at a point, and whether it is an optimum: by derivatives, or models without any."""
     point, settings = problem.point(shares), problem.settings
     try:
-        numbers = problem.gradients.at(point)
+        numbers = problem.designs.at(point)
         merits, margins = problem.terms(numbers)
     except (NotComputed, NotPositive) as why:
         return _unknown(problem, shares, str(why), iterations)
-    conditions = optimality(merits, margins, shares)
+    conditions = optimality(merits, margins, shares, problem.limits)
     if by_models or conditions.gain <= settings.tolerance:
         end = End.CONVERGED
     else:

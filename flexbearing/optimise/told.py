@@ -6,7 +6,7 @@ from pathlib import Path
 from flexbearing.optimise.answer import Measured, Optimum
 from flexbearing.optimise.gradients import EXACT
 from flexbearing.optimise.run import CASE, TABLE
-from flexbearing.optimise.search import End, Found
+from flexbearing.optimise.search import FEASIBLE, End, Found
 
 MOST = 20  # lines of reasons that are printed
 
@@ -40,12 +40,17 @@ def page(optimum: Optimum, folder: Path) -> str:
         *_limits(optimum),
         *_starts(optimum),
         *_derivatives(optimum),
-        f"{optimum.designs} designs, {optimum.rows} rows computed now: searched in {search:.1f} s, "
+        f"{optimum.designs} designs{_of_surrogate(optimum)}, {optimum.rows} rows computed now: "
+        f"searched in {search:.1f} s, "
         f"verified in {verification:.1f} s",
         f"all designs: {folder / (optimum.name + TABLE)}",
         f"case of the best: {folder / (optimum.name + CASE)}",
     ]
     return "\n".join(lines)
+
+
+def _of_surrogate(optimum: Optimum) -> str:
+    return f" and {optimum.cheap} of the surrogate" if optimum.cheap else ""
 
 
 def _design(optimum: Optimum) -> Iterator[str]:
@@ -70,6 +75,8 @@ def _numbers(optimum: Optimum) -> Iterator[str]:
             if best.bounds:
                 before = f"{case.bounds[place]:.6g} -> " if case.bounds else ""
                 yield f"    {bound.words}: {before}{best.bounds[place]:.6g}"
+        if number > 0 and best.missed > FEASIBLE:
+            yield f"    a constraint is missed by {best.missed:.2%} here"
 
 
 def _objective(case: Measured, best: Measured, unit: str) -> str:

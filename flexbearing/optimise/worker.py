@@ -1,5 +1,6 @@
 """What a worker does for derivatives: outputs of designs with their slopes, as rows of a study."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import isnan
 from time import perf_counter
@@ -15,6 +16,7 @@ from flexbearing.studies.settled import variants_of
 from flexbearing.studies.worker import rings_in
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 
+BY = " by "  # between the identity of a variant and its keys
 NO_SLOPE = "no derivative"  # status of a design without them: differences take their place
 
 
@@ -24,6 +26,11 @@ class SlopeWish:
 
     texts: tuple[str, ...]  # outputs, with units
     keys: tuple[str, ...]  # of the case
+
+
+def with_keys(identity: str, keys: Sequence[str]) -> str:
+    """What a variant is called whose row holds slopes by some keys."""
+    return f"{identity}{BY}{' '.join(keys)}"
 
 
 def slope_name(text: str, key: str) -> str:
@@ -51,9 +58,15 @@ def slope_rows(task: Task, wish: SlopeWish, cache: str | None = None) -> tuple[R
     read = variants_of(task.base)
     with rings_in(cache):
         return tuple(
-            _row(variant.identity, read.known(variant.values, variant.in_si), wish)
+            _row(variant.identity, read.known(variant.values, variant.in_si), _of(variant.identity, wish))
             for variant in task.variants
         )
+
+
+def _of(identity: str, wish: SlopeWish) -> SlopeWish:
+    """What is wanted of a variant: slopes by the keys that it names."""
+    named = identity.rpartition(BY)[2].split()
+    return SlopeWish(wish.texts, tuple(key for key in wish.keys if key in named))
 
 
 def _row(identity: str, case: Head, wish: SlopeWish) -> Row:

@@ -339,7 +339,7 @@ def condensed_part(
     )
 
 
-@lru_cache(maxsize=2)
+@lru_cache(maxsize=16)  # of a design and what its derivatives need
 def _in_memory(part: "Part", discretisation: fem.Discretisation, resolution: fem.Resolution) -> Any:
     """A part condensed once for cases one after the other, such as the designs of a search."""
     return condense(part, discretisation, resolution)
