@@ -10,7 +10,7 @@ and otherwise the difference of both is added, to first order.
 
 Source
 ------
-Chang, Haftka, Giles and Kao (1993), J. Aircraft 30, 283: scaling by values and sensitivities; here of
+Chang, Haftka, Giles and Kao (1991), NASA TM-104042: scaling by values and sensitivities; here of
 logarithms, which keep the sign far from s_0.
 """
 
@@ -34,8 +34,8 @@ class Corrected:
 
     cheap: Designs
     case: Designs  # whose goal and bounds are wanted
-    point: Point | None = None  # of the design at which both agree; None: nothing is corrected
-    there: Numbers | None = None  # of the case at that design; without slopes only values agree
+    point: Point  # of the design at which both agree
+    there: Numbers  # of the case at that design; without slopes only values agree
 
     @property
     def variables(self) -> tuple[Variable, ...]:
@@ -70,8 +70,6 @@ class Corrected:
         return self._corrected(point, self.cheap.at(point))
 
     def _corrected(self, point: Point, numbers: Numbers) -> Numbers:
-        if self.point is None or self.there is None:
-            return numbers
         step, slopes = self._shares(point) - self._shares(self.point), {}
         values = {}
         for text, cheap in numbers.values.items():
@@ -85,8 +83,6 @@ class Corrected:
     @cached_property
     def _corrections(self) -> "dict[str, Correction]":
         """By the texts of outputs."""
-        assert self.point is not None
-        assert self.there is not None
         if self.there.slopes is None:
             (cheap,) = self.cheap.values([self.point])
             if isinstance(cheap, NotComputed):

@@ -19,12 +19,12 @@ from numpy.typing import NDArray
 
 from flexbearing.optimise.correction import Corrected
 from flexbearing.optimise.evaluations import NotComputed
-from flexbearing.optimise.goals import Numbers
 from flexbearing.optimise.search import FEASIBLE, Designs, End, Found, ScaledProblem, examined, search
 
+MOST = 20  # iterations on the cheap model before the case is asked again
 INSIDE = 5e-4  # margin that is kept, over the size of a bound: rings meshed anew scatter by some 1e-4
 NEARER = 0.25  # of the last step, within which is searched after a design that is refused
-LEAST = 1e-4  # largest change of a share that ends the search
+LEAST = 1e-3  # largest change of a share that ends the search
 SAME = 0.02  # largest difference of the shares up to which two starts lead to one optimum
 
 
@@ -36,22 +36,13 @@ class _Rounds:
     cheap: Designs
     filter: list[tuple[float, float]] = field(default_factory=list)  # missed and merit of accepted designs
 
-    def ended(self, centre: Found | None, start: NDArray, reach: float = 1.0) -> NDArray:
-        """Shares at which the search on the cheap model ends.
-
-        It is corrected by what is known of a design; of none, by the values of the case at the start.
-        """
-        corrected, about = Corrected(self.cheap, self.problem.designs), None
-        if centre is None:
-            point = self.problem.point(start)
-            (numbers,) = self.problem.designs.values([point])
-            if isinstance(numbers, Numbers):
-                corrected = replace(corrected, point=point, there=numbers)
-        else:
-            corrected = replace(corrected, point=centre.point, there=centre.numbers)
-            about = self.problem.shares(centre.point), reach
+    def ended(self, centre: Found, start: NDArray, reach: float = 1.0) -> NDArray:
+        """Shares at which the search on the cheap model ends, corrected by what is known of a design."""
+        assert centre.numbers is not None  # where the search goes on
+        corrected = Corrected(self.cheap, self.problem.designs, centre.point, centre.numbers)
+        about = self.problem.shares(centre.point), reach
         try:
-            found = search(ScaledProblem(corrected, about=about, inside=INSIDE), start)
+            found = search(ScaledProblem(corrected, about=about, inside=INSIDE, most=MOST), start)
         except NotComputed:  # by the cheap model, at the design that corrects it
             return start
         return self.problem.shares(found.point)
@@ -99,12 +90,14 @@ def managed_search(
     Found
         whose iterations are designs of the case
     """
-    rounds, converged = _Rounds(problem, cheap), [each for each in known if each.end is End.CONVERGED]
-    best = max(converged, key=lambda found: found.merit, default=None)
-    shares, begin = rounds.ended(best, start), problem.point(start)
-    if best is not None and np.abs(shares - problem.shares(best.point)).max() <= SAME:
-        return replace(best, start=begin, iterations=0)
-    return replace(from_design(problem, cheap, shares, 1), start=begin)
+    begin = problem.point(start)
+    converged = [each for each in known if each.end is End.CONVERGED]
+    if converged:
+        best = max(converged, key=lambda found: found.merit)
+        start = _Rounds(problem, cheap).ended(best, start)
+        if np.abs(start - problem.shares(best.point)).max() <= SAME:
+            return replace(best, start=begin, iterations=0)
+    return replace(from_design(problem, cheap, start, 1), start=begin)
 
 
 def from_design(problem: ScaledProblem, cheap: Designs, shares: NDArray, iterations: int) -> Found:

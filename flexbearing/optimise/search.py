@@ -100,11 +100,14 @@ class ScaledProblem:
     )
     about: tuple[NDArray, float] | None = None  # shares (K) and how far from each is searched; None: anywhere
     inside: float = 0.0  # margin of every constraint that is kept
+    most: int | None = None  # iterations, where they are fewer than those of the settings
 
     @property
     def settings(self) -> Search:
         """How it is searched."""
-        return self.designs.settings
+        settings = self.designs.settings
+        most = settings.iterations if self.most is None else min(self.most, settings.iterations)
+        return settings.model_copy(update={"iterations": most})
 
     @property
     def limits(self) -> tuple[NDArray, NDArray]:
