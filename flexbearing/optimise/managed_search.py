@@ -24,7 +24,7 @@ from flexbearing.optimise.search import FEASIBLE, Designs, End, Found, ScaledPro
 MOST = 20  # iterations on the cheap model before the case is asked again
 INSIDE = 5e-4  # margin that is kept, over the size of a bound: rings meshed anew scatter by some 1e-4
 NEARER = 0.25  # of the last step, within which is searched after a design that is refused
-LEAST = 1e-3  # largest change of a share that ends the search
+LEAST = 1e-4  # largest change of a share that ends the search
 SAME = 0.02  # largest difference of the shares up to which two starts lead to one optimum
 
 
