@@ -171,7 +171,7 @@ def test_slopes_of_a_correction_are_those_of_its_values():
 WRONG = {
     "[search]\nverified = true": "search.verified needs [[verify]]",
     '[surrogate]\n"accuracy.slicez" = 3': "[surrogate] ",
-    '[surrogate]\n"bearing.clearance" = "1 um"': "stands in [surrogate], too",
+    '[surrogate]\n"bearing.clearance" = "1 um"': "is given in [surrogate], too",
 }
 
 
