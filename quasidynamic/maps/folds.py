@@ -82,9 +82,7 @@ class End:
     state: int
     side: int
     place: NDArray  # (d) of the last state before, in steps of the grid
-    last: (
-        NDArray | None
-    )  # (N) that state, scaled; None where the state continues as another sheet's or unstable
+    last: NDArray | None  # (N) that state, scaled; None where it loses its stability or meets another sheet
 
     @property
     def axis(self) -> int:
@@ -95,6 +93,11 @@ class End:
     def sense(self) -> float:
         """Whether upwards."""
         return 1.0 if self.side % 2 else -1.0
+
+    def before_next_point(self, place: float) -> bool:
+        """Whether a place along the axis comes before the point towards which the state is followed."""
+        here = self.place[self.axis]
+        return place <= np.floor(here) + 1 if self.side % 2 else place >= np.ceil(here) - 1
 
 
 @dataclass(frozen=True)
@@ -178,11 +181,13 @@ def _in_plane(equations: MapPlaneEquations, ends: list[End]) -> tuple[list[Fold 
         if end.last is None or found[number] is not None:
             continue
         start = end.place[list(equations.axes)]
-        across = np.zeros(2)
-        across[equations.axes.index(end.axis)] = end.sense
+        across, axis = np.zeros(2), equations.axes.index(end.axis)
+        across[axis] = end.sense
         fold = fold_near(equations, end.last, np.resize(start, 2), across)
+        if fold is None or not end.before_next_point(fold.place[axis]):
+            continue
         found[number] = fold
-        if fold is None or len(equations.axes) == 1 or any(_passes(equations, each, fold) for each in curves):
+        if len(equations.axes) == 1 or any(_passes(equations, each, fold) for each in curves):
             continue
         curve = followed(equations, fold)
         curves.append(curve)

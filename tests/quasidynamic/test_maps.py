@@ -11,6 +11,7 @@ from quasidynamic import OutOfRange
 from quasidynamic.maps import GridPoints, SolvedGrid, folds, solve
 from quasidynamic.maps.examined import each_examined, examined, implied
 from quasidynamic.maps.filled import nested, one_state_each, through
+from quasidynamic.maps.folds import End
 from quasidynamic.maps.reached import Reached
 from quasidynamic.maps.sheets import FINEST, connect_all
 from quasidynamic.maps.states import States
@@ -70,6 +71,12 @@ def test_ends_that_are_no_folds_are_not_located(line):
     assert not ended.located.any()
     whole = folds(solved)
     assert np.abs(ended.places - whole.places).max() < 2 * FINEST
+
+
+def test_folds_of_an_end_come_before_the_next_point():
+    up, down = (End(0, side, np.array([2.25]), None) for side in (1, 0))
+    assert [up.before_next_point(place) for place in (2.9, 3.1)] == [True, False]
+    assert [down.before_next_point(place) for place in (2.1, 1.9)] == [True, False]
 
 
 def test_states_continue_forth_and_back(line):
