@@ -1,11 +1,23 @@
 """Settings for all tests."""
 
+import gc
+
 import pytest
 from hypothesis import settings
 from threadpoolctl import threadpool_limits
 
 settings.register_profile("steady", deadline=None, derandomize=True, max_examples=40)
 settings.load_profile("steady")
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection():
+    """What is collected stays to the end: the garbage collector need not look at it while it grows."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.enable()
 
 
 @pytest.fixture(autouse=True, scope="session")

@@ -16,7 +16,14 @@ QUICK = {"accuracy.structure": "smeared", "inner.kind": "rigid"}
 ELASTIC = {"inner.kind": "ring_on_shaft"}
 
 
-@pytest.mark.parametrize("file", STUDIES, ids=lambda file: file.stem)
+@pytest.mark.parametrize(
+    "file",
+    [
+        pytest.param(file, marks=pytest.mark.slow) if file.stem == "mao2016_tolerances" else file
+        for file in STUDIES
+    ],
+    ids=[file.stem for file in STUDIES],
+)
 def test_every_variant_of_the_studies_can_be_computed(file, capsys):
     assert program.command(["study", str(file), "--check"]) == 0
     assert "all of them can be computed" in capsys.readouterr().out
