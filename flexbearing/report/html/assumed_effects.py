@@ -26,6 +26,14 @@ _TOLD = (
 _COMPARED = (
     " Loads are given: their rows show how results follow the load, and no range of this page counts them."
 )
+_RATED = (
+    " The given C_r stays in every row: more or longer rollers then have less capacity each, which can "
+    "shorten the life."
+)
+_STRAIGHT = (
+    " Slices do not see the stress at the ends of straight or flat rollers: a longer life by less drop is no "
+    "reason to choose it."
+)
 _HOW = (
     "`flexbearing run {case} --set outputs.assumed_effects=true` solves the case again with other values "
     "of each, some two solutions for a key; a report of that result ranks them by their effect on the life."
@@ -215,6 +223,10 @@ def _table(reader: Reader, found: dict[str, Any], ranked: list[int], name: str) 
         "Each row is the case solved again with that one value; keys that belong to it change with it. A "
         "rule of thumb is a range of this program without a published source."
     )
+    if (reader.attributes["case_si"].get("life") or {}).get("dynamic_rating"):
+        note += _RATED
+    if any("profile" in row[0] or "drop" in row[0] for row in rows if isinstance(row[0], str)):
+        note += _STRAIGHT
     if keys(reader, COMPARISON):
         note += _COMPARED
     return Table(caption, head, tuple(rows), note)

@@ -28,8 +28,11 @@ _SOLVED = (
     "of the life, the case solved again with all changes that shorten it, and with all that lengthen it; of "
     "the other results, the product of the largest changes"
 )
-_CHOSEN = " How the shaft holds the ring and the rules of the life count as inputs here: {}."
-_CAPPED = " {} stays between {:g} and {:g}, however many inputs change it."
+_CHOSEN = " Choices of the case count as inputs here: {}."
+_CAPPED = (
+    " {} stays between {:g} and {:g}: of changes that add up to more, only what is left to these limits "
+    "counts, so the range may be narrower than the root of squares of the rows."
+)
 _MISSING = " Not counted, since their effect is not told: {}."
 _LIMITS = {  # of factors of a life that a rule bounds
     "a_ISO": (0.1, 50.0),  # ISO 281

@@ -36,9 +36,9 @@ _UNSYMMETRIC = (
     " computed; a rotor model needs it from elsewhere."
 )
 _TILT = (
-    "The entries of the matrix hold the tilt of the inner ring. The stiffnesses in the table above are "
-    'smaller where operation.tilt = "free": there the tilt follows. That along the load also lets the ring '
-    "move aside."
+    "The entries of the matrix hold the tilt of the inner ring. In the stiffnesses of the table above the "
+    'tilt follows where operation.tilt = "free", which can make them smaller. Along the load means that '
+    "the ring may also move across it."
 )
 _NEAR = (
     "All of them are tangents: slopes at this load, speed, clearance and roller position. Contacts of "
@@ -50,7 +50,8 @@ _BALLS = (
     "needs it from elsewhere."
 )
 _AXES = (
-    "Axes: x along the shaft, z the way of the load unless operation.load_direction turns it, y across. A "
+    "Forces and moments are loads on the inner ring that displace it by one unit along an axis. Axes: x "
+    "along the shaft, z the way of the load unless operation.load_direction turns it, y across. A "
     "positive rotation about y turns z towards x, one about z turns x towards y: right-handed. Azimuth and "
     "positive speeds turn z towards y, left-handed about +x: a rotor model with right-handed spin about the "
     "same +x takes these speeds with the other sign."
