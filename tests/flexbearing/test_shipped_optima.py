@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from flexbearing.optimise.run import optimise
+from flexbearing.optimise.search import FEASIBLE
 
 STUDIES = Path(__file__).parents[2] / "configs" / "studies"
 
@@ -19,6 +20,18 @@ def test_profile_of_a_misaligned_bearing_beats_the_logarithmic_one(tmp_path):
     (sliced, finer), (standard, whole) = optimum.verified
     assert finer.objective > 1.2 * sliced.objective
     assert whole.objective > 1.1 * standard.objective
+
+
+@pytest.mark.slow
+def test_cage_of_least_mass_meets_its_constraints_on_a_finer_model(tmp_path):
+    """Searched on a beam; stiffness, stress and life as elements of order 4 have them."""
+    optimum = optimise(STUDIES / "optimum_cage.toml", tmp_path)
+    assert optimum.converged
+    ((case, finer),) = optimum.verified
+    assert finer.missed <= FEASIBLE < case.missed
+    assert finer.objective < 0.95 * case.objective
+    assert any("support_stiffness <=" in each.words for each in optimum.active)
+    assert optimum.designs < optimum.cheap
 
 
 @pytest.mark.slow
