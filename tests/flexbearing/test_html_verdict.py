@@ -86,13 +86,15 @@ def value(life):
         ("ball", "Reference life L10r, ISO/TS 16281", 'life.lubrication = "a_ISO" adds them'),
     ],
 )
-def test_the_verdict_names_the_life_to_compare_with_a_requirement(readers, name, chosen, told):
+def test_the_verdict_names_the_most_detailed_life_and_which_to_compare(readers, name, chosen, told):
     first, *others = lives(readers(name))
     assert (first.name, first.chosen) == (chosen, True)
     assert not any(life.chosen for life in others)
     page = words(readers(name))
-    assert f"Life to compare with a requirement: {chosen}." in page
+    assert f"Life of this case: {chosen}." in page
     assert page.count(COMPARED) == 1
+    assert "where it says no more than L10h" in page
+    assert ("for requirements that name no other" in page) == (name != "rating")
     assert told in page
 
 
@@ -137,7 +139,7 @@ def test_an_older_result_without_the_growth_of_a_iso_tells_no_error_of_its_life(
 def test_a_bearing_without_a_rating_life_has_no_life_to_use(readers):
     assert lives(readers("four-point")) == ()
     page = words(readers("four-point"))
-    assert "No life to compare with a requirement. ISO 281 and ISO 76 have no ratings for this kind" in page
+    assert "No life of this case. ISO 281 and ISO 76 have no ratings for this kind" in page
 
 
 @pytest.mark.parametrize("name", CASES)

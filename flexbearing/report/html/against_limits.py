@@ -151,20 +151,24 @@ def _urgent(checks: list[Check]) -> Iterator[Words]:
 
 
 def _lived(reader: Reader) -> str:
-    """The life to compare with a requirement, in a sentence; empty where there is none."""
+    """The life of the case, in a sentence, and that of the catalogue; empty where there is none."""
     first = next(iter(lives(reader)), None)
     if first is None or not first.chosen:
         return ""
     number, unit = (
         (first.hours, "h") if isinstance(first.hours, Number) else (first.turns, "million revolutions")
     )
-    words = f" The life to compare with a requirement: {rounded(number)} {unit}{_oil(reader)}"
-    span = combined.of(reader, combined.LIFE)
-    if span is None:
-        return f"{words}."
-    low, high = (rounded(number, times) for times in span.squares)
-    by = "by what is assumed, fitted, toleranced or chosen (see Main results)"
-    return f"{words}, {low} to {high} {unit} {by}."
+    words = f" {first.name} of this case: {rounded(number)} {unit}{_oil(reader)}"
+    if (span := combined.of(reader, combined.LIFE)) is not None:
+        low, high = (rounded(number, times) for times in span.squares)
+        by = "by what is assumed, fitted, toleranced or chosen (see Main results)"
+        words += f", {low} to {high} {unit} {by}"
+    rated = next((life.hours for life in lives(reader) if life.key == "catalogue"), None)
+    if isinstance(rated, Number):
+        words += (
+            f". Catalogue's life L10h of ISO 281, for requirements that name no other: {rounded(rated)} h"
+        )
+    return f"{words}."
 
 
 def _oil(reader: Reader) -> str:

@@ -65,7 +65,7 @@ def cells(reader: Reader, word: str) -> tuple[Cell, ...]:
     ----------
     reader : Reader
     word : str
-        of the result in comments of a case, `LIFE` for that to compare with a requirement
+        of the result in comments of a case, `LIFE` for the most detailed one of the case
     """
     span = of(reader, word)
     if span is None:

@@ -1,4 +1,4 @@
-"""Every life of a bearing: which is to be compared with a requirement, and what the others are."""
+"""Every life of a bearing: the most detailed one of its case, and what the others are."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -10,7 +10,11 @@ from flexbearing.report.html.document import Block, Cell, Items, Number, Table, 
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import units_in_words
 
-COMPARED = "compare this life with a requirement"
+COMPARED = "the most detailed life of this case"
+_NAMED = (
+    " Compare with a requirement the life that it names; where it says no more than L10h or rating life, "
+    "that is the catalogue's life of ISO 281."
+)
 _FORMULA, _NOT_KNOWN = "none: a formula", "not estimated"
 _NO_GRID = "none: balls have no slices"
 _LUNDBERG, _REFERENCE, _RATING = "basic", "reference", "rating"  # what the life of a case is made of
@@ -35,11 +39,11 @@ class Life:
     hours: Cell  # empty where nothing turns
     error: Cell  # numerical, in percent of the life, or why there is none
     meaning: str
-    chosen: bool = False  # the one to compare with a requirement
+    chosen: bool = False  # the most detailed one of the case
 
 
 def lives(reader: Reader) -> tuple[Life, ...]:
-    """All lives that a result and its ratings know, that to compare with a requirement first."""
+    """All lives that a result and its ratings know, the most detailed one of the case first."""
     found = [*_of_case(reader), *_of_catalogue(reader)]
     known = {life.key for life in found}
     wanted = next((key for key in ("modified", "reference", "basic") if key in known), "")
@@ -53,9 +57,9 @@ def blocks(reader: Reader) -> Iterator[Block]:
     if not found or not found[0].chosen:
         why = ratings.found(reader)
         told = why if isinstance(why, str) else "The run computed none."
-        yield Words((f"No life to compare with a requirement. {told}",))
+        yield Words((f"No life of this case. {told}",))
         return
-    yield Words((f"Life to compare with a requirement: {found[0].name}. {_why(reader, found)}",))
+    yield Words((f"Life of this case: {found[0].name}. {_why(reader, found)}{_NAMED}",))
     rows: list[tuple[Cell, ...]] = [
         (life.name, life.turns, life.hours, life.error, (COMPARED + ": ") * life.chosen + life.meaning)
         for life in found
@@ -129,8 +133,8 @@ def _why(reader: Reader, found: tuple[Life, ...]) -> str:
     if found[0].key == "modified":
         basic = "reference" if "reference" in keys else "basic"
         words.append(
-            f"It also counts {_counted(life)}; a requirement that is written as a basic life, L10 or L10h, "
-            f"is compared with the {basic} life instead."
+            f"It also counts {_counted(life)}; a requirement by ISO/TS 16281 without "
+            f"these is compared with the {basic} life instead."
         )
     elif life.get("lubrication") is None:
         words.append(

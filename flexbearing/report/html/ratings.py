@@ -19,7 +19,7 @@ APART = 0.05  # of a rating from its formula that is worth a remark
 _WARMER = (-20.0, -10.0, 0.0, 10.0, 20.0)  # [K]
 _AT_P = " a_ISO and L10m at the load P are those of the catalogue."
 _OF_CASE = (
-    " The last column is the life to compare with a requirement: the life of this case without a_ISO, times "
+    " The last column is the life of this case without a_ISO, times "
     "a_ISO at its own equivalent load. Loads are kept: solved again, 20 K away, it may differ by 5 %."
 )
 BY_A_ISO = (  # whatever the cleanliness: κ does not depend on it
