@@ -102,7 +102,7 @@ def test_loads_are_compared_and_in_no_range(weighed):
     assert assumed_effects.keys(reader, "comparison") == ["operation.radial_load"]
     assert "operation.radial_load" not in combined.changes(reader, combined.LIFE)
     (table,) = [block for block in verdict.blocks(reader) if getattr(block, "caption", "") == "Main results"]
-    assert "How the shaft holds the ring and the rules of the life count as inputs here" in table.note
+    assert "Choices of the case count as inputs here" in table.note
 
 
 def test_the_range_of_a_modified_life_keeps_a_iso_within_its_limits(tmp_path):
