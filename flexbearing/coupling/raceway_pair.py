@@ -75,9 +75,13 @@ class LinearPair:
         )
         return inner, outer
 
-    @cached_property
+    @property
     def initial_deviation(self) -> NDArray | None:
         """Outward deviations (2, Z, M) [m] without roller loads, such as those of tooth forces."""
+        return self._initial_deviation
+
+    @cached_property
+    def _initial_deviation(self) -> NDArray | None:
         shapes = [
             None if r is None else from_mean_place(r.azimuths, r.initial_deviation, r.initial_translation)
             for r in self.raceways
