@@ -75,6 +75,7 @@ def draw_fields(
     matplotlib.figure.Figure
     """
     from matplotlib.figure import Figure  # a second to load: only pictures pay for it
+    from matplotlib.patches import Patch
 
     rows = -(-len(fields) // ABREAST)
     figure = Figure(figsize=(10.0, 1.0 + 3.6 * rows), layout="constrained")
@@ -89,6 +90,9 @@ def draw_fields(
         axes.set_visible(False)
     set_heading(figure, title, what, 90)
     handles, labels = panels[0].get_legend_handles_labels()
+    if (lines.several > 1).any():
+        handles.append(Patch(facecolor="0.5", edgecolor="white", hatch="//", label="several equilibria"))
+        labels.append("several equilibria")
     if handles:
         figure.legend(handles, labels, loc="outside lower center", ncols=3, frameon=False)
     return figure
@@ -118,9 +122,10 @@ def _draw_lines(axes: Axes, x: Along, y: Along, lines: MapLines) -> None:
     from matplotlib.collections import LineCollection
 
     if (lines.several > 1).any():
-        axes.contourf(
+        hatched = axes.contourf(
             x.values, y.values, (lines.several > 1).T.astype(float), [0.5, 2.0], colors="none", hatches=["//"]
         )
+        hatched.set(edgecolor=(1.0, 1.0, 1.0, 0.5), linewidth=0.0)  # the hatching; folds are black
         axes.add_collection(LineCollection(list(lines.folds), colors="black", linewidths=0.6, label="fold"))
     if len(lines.unsolved):
         axes.plot(*lines.unsolved.T, "x", color="red", markersize=4, label="not converged")
