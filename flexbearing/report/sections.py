@@ -20,7 +20,7 @@ _STRESSES = (  # column, name, format, name of its error
     ("r", "radius_mm", ".1f", ""),
     ("deg", "azimuth_deg", ".1f", ""),
     ("tension", "tension_MPa", ",.0f", "tension_error_MPa"),
-    ("compression", "compression_MPa", ",.0f", "compression_error_MPa"),
+    ("compr.", "compression_MPa", ",.0f", "compression_error_MPa"),
     ("um", "displacement_um", ",.0f", ""),
 )
 _EQUILIBRIA = (  # column, name, format

@@ -64,8 +64,11 @@ def assert_equal(found, cases, texts):
     assert found.statuses == tuple(answer.status for answer in expected)
     assert found.messages == tuple(answer.message for answer in expected)
     for text in texts:
-        of_each = [answer.numbers[text] for answer in expected]
-        assert found.numbers[text] == approx(np.array(of_each), rel=1e-9, abs=1e-12, nan_ok=True), text
+        of_each = np.array([answer.numbers[text] for answer in expected])
+        least = 1e-12
+        if text == "power_loss.transport":  # what a sum leaves open: as exact as the sum
+            least = 1e-9 * np.nanmin(found.numbers["driving_power"])
+        assert found.numbers[text] == approx(of_each, rel=1e-9, abs=least, nan_ok=True), text
 
 
 @pytest.mark.parametrize("changes", KINDS.values(), ids=KINDS)

@@ -23,7 +23,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
         if figure := around(reader, "axial force of the bars", names, "bar_azimuth"):
             yield figure
     yield _supports(reader)
-    if "support_translation" in reader.blocks[reader.last]:
+    if "support_translation" in reader.blocks.get(reader.last, {}):
         yield _translations(reader)
     if reader.attributes.get("stresses"):
         yield _stresses(reader)
