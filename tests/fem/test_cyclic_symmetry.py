@@ -370,7 +370,7 @@ def test_agrees_with_gaussian_patches_on_the_whole_solid(shape, monkeypatch):
     """
     monkeypatch.setattr(condensation, "meshed", refined)
     monkeypatch.setattr(half_pitch, "LAYERS", LAYERS)
-    wishes = MeshSize(order=4, size=3e-3, raceway_size=1.2e-3)
+    wishes = MeshSize(order=4, size=3e-3, raceway_size=1e-3)
     azimuths = 2 * np.pi * np.arange(10) / 10
     patches = Patches(azimuths=tuple(azimuths), length=L, axial_modes=M, width=0.3e-3)
     part = replace(STUMPS, **shape)
