@@ -45,6 +45,7 @@ def study(  # noqa: PLR0913  # an argument for each option
     """Compute the variants of a case into one table; a second start goes on where the first one ended."""
     from flexbearing.case import BadCase
     from flexbearing.case.excerpt import excerpt
+    from flexbearing.program.threads import limited_to
     from flexbearing.studies import told
     from flexbearing.studies.job_array import sbatch
     from flexbearing.studies.plan import Part
@@ -54,7 +55,8 @@ def study(  # noqa: PLR0913  # an argument for each option
     wanted = None if part is None else Part.parsed(part)
     if emit not in (None, "sbatch"):
         raise BadCase(f'--emit {excerpt(emit)}: it must be "sbatch"')
-    settled = prepared(file)
+    with limited_to(jobs):
+        settled = prepared(file)
     if check or status:
         _say(told.status(settled, output) if status else told.variants(settled))
         raise typer.Exit(BAD_INPUT if settled.plan.problems else CONVERGED)

@@ -1,17 +1,22 @@
 """A study file, settled and computed with the bearings of this program."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from shutil import rmtree
 
 from flexbearing.cache import configured
-from flexbearing.case import Head
+from flexbearing.case import BadCase, Head
 from flexbearing.case.roller import Case
+from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
 from flexbearing.program.threads import limited_to
+from flexbearing.program.workers import shared_map
 from flexbearing.studies.file import Study, read
-from flexbearing.studies.plan import Plan, plan
+from flexbearing.studies.plan import Impossible, Plan, Variant, plan
+from flexbearing.studies.plan.identity import identity
+from flexbearing.studies.plan.task import Base, Values
 from flexbearing.studies.run import Tell, Work, run
 from flexbearing.studies.scatter import told_of_scatter
 from flexbearing.studies.settled import Prepared, variants_of
@@ -46,11 +51,9 @@ def prepared(file: str | Path) -> Prepared:
 
 def settle(study: Study) -> Prepared:
     """Settle what a study computes, see `prepared`."""
-    from flexbearing.runs.validate import require_possible
-    from flexbearing.studies.rings import levels, rings
-
     family = FAMILIES[study.kind]
-    settled = plan(study, FAMILIES, lambda case: require_possible(case, family), rings, levels)
+    with shared_map() as mapped:
+        settled = plan(study, _checked, mapped)
     elastic, first = any(variant.rings for variant in settled.variants), _first(settled)
     settled = replace(settled, side_by_side=not study.full and _is_side_by_side(first))
     rollers = 0 if "bearing.rollers" in settled.base.keys else _rollers(first)
@@ -62,6 +65,24 @@ def settle(study: Study) -> Prepared:
         return Prepared(study, settled, columns, plot)
     layout = family.layout()
     return Prepared(study, settled, with_errors(columns, layout), plot, estimated(lives, layout))
+
+
+def _checked(base: Base, rows: Sequence[Values]) -> list[Variant | Impossible]:
+    """Variants with some values of the keys each, or why there is no such case."""
+    read = variants_of(base)
+    return [_variant(read, values) for values in rows]
+
+
+def _variant(read: Variants, values: Values) -> Variant | Impossible:
+    from flexbearing.runs.validate import require_possible
+    from flexbearing.studies.rings import levels, rings
+
+    try:
+        case = read.case(values)
+        require_possible(case, FAMILIES[case.kind])
+    except BadCase as problem:
+        return Impossible("; ".join(str(problem).splitlines()))
+    return Variant(values, identity(case), rings(case), levels(case), read.in_si(case))
 
 
 def _first(settled: Plan) -> Head | None:

@@ -59,8 +59,11 @@ def study(  # noqa: PLR0913  # an argument for each option
     >>> table = study("thickness.toml")                                      # doctest: +SKIP
     >>> table["life [h]"].values                                             # doctest: +SKIP
     """
+    from flexbearing.program.threads import limited_to
     from flexbearing.studies.prepare import compute, prepared
     from flexbearing.studies.where import Where
 
     where = Where(jobs, scheduler, None if slurm is None else Path(slurm))
-    return compute(prepared(file), Path(output), where, retry_failed=retry_failed, tell=tell)
+    with limited_to(jobs):
+        settled = prepared(file)
+    return compute(settled, Path(output), where, retry_failed=retry_failed, tell=tell)

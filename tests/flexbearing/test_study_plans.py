@@ -3,6 +3,7 @@
 import json
 from dataclasses import replace
 from hashlib import sha256
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -132,7 +133,6 @@ def test_the_plan_names_the_rings_that_are_condensed(tmp_path):
 
 
 def test_a_plan_needs_no_bearing():
-    from flexbearing.families import FAMILIES
     from flexbearing.studies.file import Axis, Study
 
     load = "operation.radial_load"
@@ -140,5 +140,27 @@ def test_a_plan_needs_no_bearing():
         path=Path("s.toml"), name="s", case=CASE, text=CASE.read_text(), kind="cylindrical_roller",
         inputs=(), axes=(Axis(load, (load,), (("1 kN",), ("2 kN",))),), collect=None,
     )  # fmt: skip
-    settled = plan(study, FAMILIES, lambda case: None, lambda case: ("ring",))
-    assert [variant.rings for variant in settled.variants] == [("ring",)] * 2
+
+    def checked(base, rows):
+        return [Variant(values, values[0], ("ring",)) for values in rows]
+
+    settled = plan(study, checked)
+    assert [(each.identity, each.rings) for each in settled.variants] == [
+        ("1 kN", ("ring",)),
+        ("2 kN", ("ring",)),
+    ]
+
+
+def test_a_plan_by_several_processes_is_that_by_one(tmp_path, monkeypatch):
+    file = tmp_path / "clearances.toml"
+    file.write_text(
+        f'case = "{CASE}"\n[over]\n"bearing.clearance" = "10 um .. 90 um, 30"\n'
+        '"operation.radial_load" = ["1 kN", "0 kN", "-2 kN"]'
+    )
+    monkeypatch.setattr(import_module("flexbearing.studies.plan.plan"), "CHECKED_AT_ONCE", 4)
+    plans = []
+    for processes in ("1", "2"):
+        monkeypatch.setenv("FLEXBEARING_THREADS", processes)
+        plans.append(prepared(file).plan)
+    assert plans[0] == plans[1]
+    assert [problem.number for problem in plans[1].problems] == list(range(2, 90, 3))

@@ -1,25 +1,31 @@
 """The plan of a study, a frozen value: every variant with its identity, and what is wrong with it."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import chain, islice, product
 from typing import Any
 
-from flexbearing.case import BadCase, Head
+from flexbearing.case import BadCase
 from flexbearing.case.declarations import toml
 from flexbearing.case.excerpt import excerpt
-from flexbearing.case.family import Families
 from flexbearing.case.problems import MOST
-from flexbearing.case.variants import Variants
 from flexbearing.studies.file import Axis, Study
 from flexbearing.studies.plan.corners import sharing_levels
-from flexbearing.studies.plan.identity import identity
-from flexbearing.studies.plan.task import Base, Corners, Ring, Task, Variant
+from flexbearing.studies.plan.task import Base, Corners, Ring, Task, Values, Variant
 
 LARGEST_RIGID, LARGEST_ELASTIC = 128, 256  # variants of a task: up to 1 s of work
 FEWEST = 8  # tasks into which a small study is cut, so that several workers have some
 # Most variants of a task between elastic rings start from solved neighbours in it; the first ones have none.
 ENOUGH, OF_LARGE = 16, 8  # a task of more than ENOUGH is at most this part of a worker's share
+CHECKED_AT_ONCE = 256  # variants, a tenth of a second of work
+
+
+@dataclass(frozen=True)
+class Impossible:
+    """What is told of values that make no case, or one that cannot be computed."""
+
+    why: str  # one line
 
 
 @dataclass(frozen=True)
@@ -115,10 +121,8 @@ class Plan:
 
 def plan(
     study: Study,
-    families: Families,
-    require_possible: Callable[[Head], None],
-    rings: Callable[[Head], tuple[str, ...]],
-    levels: Callable[[Head], str] = lambda case: "",
+    checked: Callable[[Base, Sequence[Values]], Iterable[Variant | Impossible]],
+    mapped: Callable[..., Iterable[Any]] = map,
 ) -> Plan:
     """Settle what a study computes.
 
@@ -126,14 +130,10 @@ def plan(
     ----------
     study : Study
         as it was read
-    families : mapping
-        kind to family
-    require_possible : callable (case)
-        raises BadCase where physics or geometry forbid a case
-    rings : callable (case)
-        races and digests of the elastic rings of a case
-    levels : callable (case), optional
-        names the parts and the choices of a case with a target, empty of any other one
+    checked : callable (base, values of several variants)
+        gives each variant, or why it cannot be computed
+    mapped : callable, optional
+        `map`, or one that shares calls among processes
 
     Returns
     -------
@@ -141,17 +141,20 @@ def plan(
         also with variants that cannot be computed: `Plan.require_sound` refuses them
     """
     base = Base(study.case.resolve(), study.text, study.keys)
-    read, variants, problems = Variants(base.path, base.text, base.keys, families), [], []
-    for number, values in enumerate(_crossed(study.axes)):
-        try:
-            case = read.case(values)
-            require_possible(case)
-            variants.append(Variant(values, identity(case), rings(case), levels(case), read.in_si(case)))
-        except BadCase as problem:
-            variants.append(Variant(values, ""))
-            problems.append(Problem(number, "; ".join(str(problem).splitlines())))
-    found, corners = sharing_levels(base, variants)
-    return Plan(study.name, base, study.axes, found, tuple(problems), corners)
+    rows, variants, problems = list(_crossed(study.axes)), [], []
+    for values, found in zip(
+        rows, chain.from_iterable(mapped(partial(checked, base), _cut(rows))), strict=True
+    ):
+        if isinstance(found, Impossible):
+            problems.append(Problem(len(variants), found.why))
+            found = Variant(values, "")
+        variants.append(found)
+    levelled, corners = sharing_levels(base, variants)
+    return Plan(study.name, base, study.axes, levelled, tuple(problems), corners)
+
+
+def _cut(rows: list[Values]) -> list[list[Values]]:
+    return [rows[first : first + CHECKED_AT_ONCE] for first in range(0, len(rows), CHECKED_AT_ONCE)]
 
 
 def _crossed(axes: tuple[Axis, ...]) -> Iterator[tuple[Any, ...]]:

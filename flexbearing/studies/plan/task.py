@@ -7,6 +7,7 @@ from typing import Any
 
 CONVERGED, BAD_INPUT, WORKER_DIED, ERROR = "converged", "bad input", "worker died", "error"
 NOT_STORED = "not stored"  # the result file of a variant: that ends the study
+Values = tuple[Any, ...]  # of the keys of a study, in the words of a case file
 
 
 @dataclass(frozen=True)
@@ -22,7 +23,7 @@ class Base:
 class Variant:
     """One row of the table."""
 
-    values: tuple[Any, ...]  # of the keys, in the words of a case file
+    values: Values
     identity: str
     rings: tuple[str, ...] = ()  # race and digest of its elastic rings, "outer 5f3a..."
     levels: str = ""  # names the levels that it shares with others; empty without accuracy.target
