@@ -173,8 +173,8 @@ class _Alike:
             rings = self._raceways()
         except (BadCase, PartnerFailed):  # which the run of each of them tells
             return
-        starts = solve_many(self.models)
-        if with_rigid:
+        starts = solve_many(self.models) if with_rigid else None
+        if starts is not None:
             yield from self._converged(starts, self._no_rings, (RIGID,))
         initial = [pair.initial_deviation for pair in rings]
         known = [each for each in initial if each is not None]

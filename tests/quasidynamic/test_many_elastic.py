@@ -129,6 +129,28 @@ def test_start_that_is_not_solved_is_the_answer():
     assert many.unsolved == (1,)
 
 
+def test_starts_are_solved_where_they_are_needed(monkeypatch):
+    models = map_of(np.geomspace(5e3, 3e4, 8), np.linspace(1e4, 4e4, 6), axial_modes=2)
+    compliance, solved = raceways(models[0]), []
+
+    def counted(bearings):
+        solved.append(len(bearings))
+        return solve_many(bearings)
+
+    known = solve_many_elastic(models, compliance, solve_many(models))
+    monkeypatch.setattr("quasidynamic.many_elastic.solve_many", counted)
+    lazy = solve_many_elastic(models, compliance)
+    assert sum(solved) == len(models) - lazy.ways[Way.FITTED] < len(models)
+    for one, other in zip(known, lazy, strict=True):
+        assert np.array_equal(one.scaled, other.scaled)
+
+
+def test_start_that_is_needed_and_not_solved_is_the_answer():
+    models = map_of([3e3, 0.0, 2e4], [1e4], axial_modes=2)
+    many = solve_many_elastic(models, raceways(models[0]))
+    assert [state.status for state in many] == ["converged", "undetermined", "converged"]
+
+
 @pytest.mark.parametrize("damped", [False, True], ids=["full steps", "damped"])
 def test_searches_side_by_side_end_where_each_ends_alone(damped):
     """After 3 to 7 full steps, after 5 to 9 damped ones."""

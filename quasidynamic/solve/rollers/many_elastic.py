@@ -19,6 +19,7 @@ FIRST = 8  # cases that are solved by contact searches, or twice the root of the
 ALIKE = 1e-6  # scaled difference of unknowns of one equilibrium
 GROWTH = 4  # of the number of solved cases, before others are solved from them
 
+Starts = Callable[[NDArray], NDArray]  # scaled unknowns (n, N) that some cases begin with alone; NaN: none
 Alone = Callable[[int], tuple[NDArray, SolverOutcome, int]]  # unknowns (N), outcome, evaluations of a case
 
 
@@ -38,16 +39,18 @@ class ManyCases:
 
     balance: BearingBalance  # of C cases
     coordinates: NDArray  # (C, P) of what differs between them
-    starts: NDArray  # (C, N) scaled, each what a solve alone begins with
+    starts: Starts
     alone: Alone
     solved: SolvedCases
     ways: list[Way]  # (C)
 
     @classmethod
-    def of(cls, balance: BearingBalance, coordinates: NDArray, starts: NDArray, alone: Alone) -> "ManyCases":
+    def of(cls, balance: BearingBalance, coordinates: NDArray, starts: Starts, alone: Alone) -> "ManyCases":
         """Cases that are not solved yet."""
-        count = len(starts)
-        solved = SolvedCases(starts.copy(), [SolverOutcome.RUNNING] * count, np.zeros(count, int))
+        count = len(coordinates)
+        solved = SolvedCases(
+            np.zeros((count, balance.layout.size)), [SolverOutcome.RUNNING] * count, np.zeros(count, int)
+        )
         return cls(balance, coordinates, starts, alone, solved, [Way.NONE] * count)
 
     def solve(self) -> None:
@@ -67,7 +70,9 @@ class ManyCases:
     def search(self, cases: NDArray, way: Way = Way.SEARCHED) -> None:
         """Solve some cases as each is solved alone: by contact searches side by side, failures one by one."""
         for some in a_few(cases):
-            found = self.starts[some]
+            found = self.starts(some)
+            begun = np.isfinite(found).all(axis=1)
+            some, found = some[begun], found[begun]
             for iterate in contact_search(self.balance.take(some), found):
                 self.solved.evaluations[some[iterate.cases]] += 1
                 found[iterate.cases] = iterate.unknowns
