@@ -224,7 +224,7 @@ JOBS = {
     ),
     "changed cases, check": Job("no fault", *CHANGED, of_changed("check")),
     "changed cases, run": Job("no fault", *CHANGED, of_changed("run")),
-    "hostile cases": Job("refused by name", "refusing", (), of_refused),
+    "damaged or malicious cases": Job("refused by name", "refusing", (), of_refused),
     "killed runs": Job(
         "result complete, the same run again succeeds", "killed_runs",
         ("--n", "20", "--second", "4", "--seed", SEED), of_kills,

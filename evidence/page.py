@@ -68,7 +68,7 @@ def _allowance(number: Number) -> str:
 
 
 def _misfit(findings: Findings) -> str:
-    """The misfit that decides the verdict beside what is allowed for it, in words."""
+    """The misfit that the verdict follows from, beside what is allowed for it, in words."""
     most = _deciding(findings)
     if most is None:
         return ""
@@ -142,9 +142,10 @@ Every number has an allowed misfit: the printed digits of the source, the scatte
 measurements behind it, or for closed forms the error of our own grid, and no more than the tests of the
 same number allow. **Judge a misfit by the allowance beside it**: some percent agree with an empirical
 formula that scatters by more; a tenth of a percent does not agree with a table that is printed more
-exactly. Both last columns below are about one number of the case: the largest misfit outside its allowance;
-where all are inside, the largest misfit. A misfit is a share of the known number, or where the page says so
-of the largest one. `-` marks cases of statements alone. A verdict is computed by `evidence/verdict.py`, by
+exactly. The last two columns below show one number of each case, the one that its verdict follows from: the
+number with the largest misfit among those outside their allowance, or, where all are within, the one with the
+largest misfit of all. A misfit is a share of the known number, or where the page says so of the largest one.
+`-` marks cases of statements alone. A verdict is computed by `evidence/verdict.py`, by
 one rule for all pages; the reason of a difference is written by its author.
 
 **"Agrees" does not mean "measured".** Most cases compare with formulas of standards, closed forms or other
@@ -153,7 +154,7 @@ compared with the direction of trends that publications report, known from abstr
 numbers; one of them is not met. Nothing measured is here of a bearing with flexible rings.
 """
 
-HEADING = "| case | verdict | misfit that decides [%] | allowed for it [%] |"
+HEADING = "| case | verdict | misfit behind the verdict [%] | allowed for it [%] |"
 
 TOCTREE = """```{toctree}
 :hidden:

@@ -315,7 +315,7 @@ CASES: Sequence[Case] = (
         case_files=JOSHI_FILES,
         numbers_from="tests/literature/test_joshi2015.py",
         compute=joshi_nominal,
-        error="The printed digits are ±0.05; spin goes with the power -1/3 of the assumed E, roll with -2/3.",
+        error="The printed digits are ±0.05; spin is proportional to the power -1/3 of the assumed E, roll to the power -2/3.",
         remarks="The 8 % of EX50 and the split between spin and roll of ED20 and EX50 are not explained.",
     ),
     Case(

@@ -290,7 +290,7 @@ CASES: Sequence[Case] = (
         error="Half as many cells along the roller.",
         reason="Slices are independent of each other. On a half-space each slice also deflects its neighbours: under an even load these deflections add up, "
         "a moment's two halves lift each other. So the half-space is stiffer in tilt than in translation, and compared with it the slice law is "
-        "softer in tilt than in translation, by a factor of 1.55 for a short roller, 1.45 for l/D 1, 1.34 for a long one. Elastic rings are condensed with the half-space under the roller's patch removed, for every "
+        "softer in tilt than in translation, by a factor of 1.55 for a short roller, 1.45 for l/D 1, 1.34 for a long one (the misfits above: 1/1.55 - 1 = -36 %). Elastic rings are condensed with the half-space under the roller's patch removed, for every "
         "axial shape (`fem/half_space/load_patch.py`), because the contact law has it already: in tilt the law has more of it than was "
         'removed. `bearing.contact = "half_space"` computes the most loaded roller without slices.',
         slow=True,
@@ -306,7 +306,7 @@ CASES: Sequence[Case] = (
         numbers_from="configs/mao2016.toml",
         compute=life_of_slices,
         error="320 slices against 640.",
-        reason="Life goes with the power -4 of line loads, which slices average; at the loaded ends of tilted straight rollers the line load "
+        reason="Life is proportional to the power -4 of line loads, which slices average; at the loaded ends of tilted straight rollers the line load "
         "changes within one slice. Between rigid rings life falls by 1.3 % from 20 to 640 slices, more between flexible ones. Results state this error "
         "(`life_error_percent`), and `accuracy.target` chooses the slices.",
         slow=True,

@@ -269,7 +269,7 @@ CASES: Sequence[Case] = (
         case_files=(CASE,),
         numbers_from="tests/literature/test_mao2016.py",
         compute=rigid,
-        error="Loads balance to 1e-9. The printed load goes with the clearance by 7.9 N/µm.",
+        error="Loads balance to 1e-9. The printed load changes by 7.9 N per µm of clearance.",
         reason="The stated clearance of 50 µm gives 11 loaded rollers and less load, by the paper's own load law too; its 3537 N and 9 rollers need 75 to "
         "76 µm. Clearance and oil fraction are fitted to that, so those rows are no evidence. The rest is.",
         slow=True,

@@ -389,7 +389,7 @@ CASES: Sequence[Case] = (
     ),
     Case(
         name="time-domain",
-        title="The orbit in time settles to the snapshot",
+        title="Motion in time converges to the steady state",
         subject=SUBJECT,
         source="an independent model in the time domain, `tests/reference/time_domain.py`: rollers run, spin and hit their pockets.",
         known="Loads, spins and cage slip after the motion has settled, with pockets of 20 µm.",

@@ -362,7 +362,7 @@ CASES: Sequence[Case] = (
         run="The same formulas on loads from a static model of three lines; 30 slices.",
         numbers_from="tests/literature/test_life.py",
         compute=roller_lives,
-        error="Loads of the three-line model meet the printed ones within 0.2 %; life goes with their fourth power.",
+        error="Loads of the three-line model meet the printed ones within 0.2 %; life is inversely proportional to their fourth power.",
     ),
     Case(
         name="iso16281-profile",

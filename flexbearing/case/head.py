@@ -9,7 +9,10 @@ from pydantic import PrivateAttr
 
 from flexbearing.case.quantity import Section, key
 
-KIND = "family of the bearing; it decides which other keys there are"
+KIND = (
+    "family of the bearing; it decides which other keys there are. The first line of the file, above every "
+    "[section]; without it the case is a roller bearing"
+)
 
 
 @dataclass(frozen=True)

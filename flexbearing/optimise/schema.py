@@ -38,7 +38,7 @@ class Search(Section):
 
     method: Literal["slsqp", "cobyqa"] = key(
         "slsqp: sequential quadratic programming with derivatives; cobyqa: quadratic models without "
-        "derivatives, for outputs too rough for them",
+        "derivatives, for outputs that are not smooth enough for them",
         "slsqp",
     )
     starts: int = key(

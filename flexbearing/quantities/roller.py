@@ -91,7 +91,8 @@ QUANTITIES = (
 
     # life
     Quantity("life_L10", "L_10", "", "rev", "block",
-        "rating life of both raceways together, 90 % survival", source="end.life", people=MREV,
+        "life of both raceways together from the loads of all slices and the capacities of Lundberg and "
+        "Palmgren, 90 % survival; not the basic rating life of ISO 281", source="end.life", people=MREV,
         summary=(SummaryValue("life_L10_Mrev", label="life L10", digits=",.2f", error="life",
                               speed="relative_speed"),)),
     Quantity("life_error", "", "", "1", "block",

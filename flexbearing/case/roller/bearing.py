@@ -105,7 +105,9 @@ class Roughness(Section):
 class Bearing(Section):
     """The bearing."""
 
-    kind: Literal["cylindrical_roller"] = key("family of the bearing")
+    kind: Literal["cylindrical_roller"] = key(
+        "once more, in cases of roller bearings alone; the family is chosen by kind above the sections"
+    )
     rollers: int = key("number of rollers", example=30, ge=3, le=1000)
     outer_raceway_diameter: Length = key("diameter of the outer raceway", example="75 mm", ge=1e-3, le=100)
     clearance: Length | None = key(
