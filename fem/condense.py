@@ -257,6 +257,7 @@ def _cage_in_space(
     they resolve, tells how much. What the short wave answers to itself comes from the section.
     """
     from fem.cage.cyclic_symmetry import cage_responses
+    from fem.cage.moved_cage import near_responses
     from fem.raceway.harmonics import FEWEST, harmonic_compliance, needed_harmonics, with_short_waves
     from fem.section.smeared_cage import short_waves
 
@@ -266,7 +267,8 @@ def _cage_in_space(
     is_coarse = resolution.harmonics is None and resolved + 1 < needed
     if is_coarse:
         coupled = min(needed, max(resolved, COUPLED * cage.bars + FEWEST))
-    responses = cage_responses(cage, resolution, coupled, stage)
+    responses_of = near_responses if resolution.first_order else cage_responses
+    responses = responses_of(cage, resolution, coupled, stage)
     if is_coarse:
         with stage("short waves"):
             waves = short_waves(cage, resolution, resolved + 1, needed)

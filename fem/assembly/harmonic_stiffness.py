@@ -193,6 +193,41 @@ def compliances(stiffness: HarmonicStiffness, loads: NDArray, last: int) -> NDAr
     return (stiffness.on_free(loads).T @ found.basis) @ found.factors
 
 
+def near_compliances(known: HarmonicAnswers, stiffness: HarmonicStiffness, loads: NDArray) -> NDArray:
+    r"""Work of loads on their answers where stiffness and loads differ little from those that were solved.
+
+    .. math:: W_n = 2 G^T u_n - u_n^T K(n) u_n
+
+    with the u_n of the solved ones: W is stationary there.
+
+    Parameters
+    ----------
+    known : HarmonicAnswers
+        u of as many loads, of a stiffness with the same unknowns
+    stiffness, loads
+        as for `answers`
+
+    Returns
+    -------
+    array (N + 1, L, L)
+        [m/N] symmetric; the error grows with the square of the difference
+
+    Source
+    ------
+    Principle of minimum potential energy.
+
+    Valid
+    -----
+    For differences about what was solved.
+    """
+    small = [known.basis.T @ stiffness.on_free(part @ known.basis) for part in stiffness.parts]
+    g, found = known.basis.T @ stiffness.on_free(loads), []
+    for n, u in enumerate(known.factors):
+        work = g.T @ u
+        found.append(work + work.T - u.T @ _at(n, small) @ u)
+    return np.array(found)
+
+
 def _small_residual(harmonic: int, basis: NDArray, forces: list[NDArray], loads: NDArray) -> float:
     """Largest relative residual that the best answer in the small space leaves."""
     K = _at(harmonic, forces)

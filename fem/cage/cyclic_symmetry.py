@@ -16,6 +16,7 @@ Cyclic symmetry with a plane of symmetry in each sector; derived here.
 """
 
 import logging
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from math import pi
 
@@ -29,6 +30,7 @@ from fem.assembly.factorisation import RESIDUAL, NotSolved, threads
 from fem.cage.half_pitch_stiffness import (
     CutStiffness,
     HalfPitch,
+    ReducedHalfPitch,
     assembled_half_pitch,
     imbalance,
     reduced_to_cut,
@@ -77,9 +79,9 @@ def cage_responses(cage: SquirrelCage, resolution: Resolution, last: int, stage:
         with stage("mesh"):
             elements = half_pitch(cage, resolution.length, mesh, nodes_of=resolution.nodes_of)
         with stage("factor"):
-            half, cuts = _reduced(cage, elements, mesh.order, resolution, last)
+            half, halves = reduced(cage, elements, mesh.order, resolution, last)
     with stage("condense"):
-        response, in_bars = _response(half, cuts, cage.bars, last)
+        response, in_bars = _in_balance(half, halves, cage.bars, last)
         answers = Responses(
             response, half.space.ndof, elements.ne, bar_response=BarResponse(cage.bars, in_bars, None)
         )
@@ -91,17 +93,17 @@ def _with_errors(
 ) -> Responses:
     """Answers with those of another order, which tell their error."""
     assert answers.bar_response
-    coarser = _reduced(cage, elements, neighbour(resolution.mesh.order), resolution, last)
-    other_response, other_in_bars = _response(*coarser, cage.bars, last)
+    coarser = reduced(cage, elements, neighbour(resolution.mesh.order), resolution, last)
+    other_response, other_in_bars = _in_balance(*coarser, cage.bars, last)
     return answers._replace(
         support_error=support_error(answers.response, other_response),
         bar_response=replace(answers.bar_response, neighbour=other_in_bars),
     )
 
 
-def _reduced(
+def reduced(
     cage: SquirrelCage, elements: ngs.Mesh, order: int, resolution: Resolution, last: int
-) -> tuple[HalfPitch, list[CutStiffness]]:
+) -> tuple[HalfPitch, list[ReducedHalfPitch]]:
     """Half a pitch by displacements of some order, and its cut for both kinds of mirror images."""
     half = assembled_half_pitch(cage, elements, order)
     band = roller_loads.band(half.space, "raceway", roller_loads.HIGHEST_ORDER)
@@ -111,58 +113,137 @@ def _reduced(
     ]
 
 
-def _response(half: HalfPitch, cuts: list[CutStiffness], bars: int, highest: int) -> tuple[NDArray, NDArray]:
-    """Answers of all harmonics to all (K, M, K, M) [m/N], and of bars to all (K, M, 6) [N/N, N m/N]."""
-    harmonics = np.arange(-highest, highest + 1)
-    m = np.arange(cuts[0].share.shape[2])
-    response, probes = np.zeros((harmonics.size, m.size) * 2), []
-    readings = half.readings.shape[1]
-    bar_forces, turned = np.zeros((harmonics.size, m.size, readings)), ~is_mirrored(readings)
-    for phase in range(bars // 2 + 1):
-        same = harmonics[(harmonics - phase) % bars == 0]
-        if same.size:
-            answer, in_bar, probe = _phase(cuts, 2 * pi * phase / bars, same)
-            probes.append(probe)
-            for n, mirrored in ((-same, -1), (same, 1)):  # the first is the mirror image
-                response[np.ix_(n + highest, m, n + highest, m)] = 2 * bars * answer
-                bar_forces[n + highest] = in_bar * np.where(turned, mirrored, 1)
-    _require_balance(half, cuts, probes)
+def _in_balance(
+    half: HalfPitch, halves: list[ReducedHalfPitch], bars: int, highest: int
+) -> tuple[NDArray, NDArray]:
+    """Answers of raceway and bars of displacements that leave no forces unbalanced."""
+    cuts, probes = [each.cut for each in halves], []
+
+    angles = [theta for theta, _ in phases(bars, highest)]
+
+    def answered(phase: int, harmonics: NDArray) -> NDArray:
+        theta = angles[phase]
+        forces, z = phase_solution(cuts, theta, harmonics, with_readings=False)
+        answer = _answer(cuts, theta, forces, z)
+        weights = np.random.default_rng(0).standard_normal(z.shape[1])
+        probes.append(
+            [(t * (z @ weights), q @ weights, t) for t, q in zip(ties(cuts, theta), forces, strict=True)]
+        )
+        return answer
+
+    found = all_phases(answered, bars, (highest, cuts[0].share.shape[2]), half.readings.shape[1])
+    _require_balance(half, halves, probes)
+    return found
+
+
+def all_phases(
+    answered: Callable[[int, NDArray], NDArray], bars: int, highest_and_shapes: tuple[int, int], readings: int
+) -> tuple[NDArray, NDArray]:
+    """Answers of all harmonics to all from those of every phase.
+
+    Parameters
+    ----------
+    answered : callable (number of the phase, harmonics (k))
+        answers (k M + readings, k M) of half a pitch: of the raceway [m/N], then of the bars, those of fields
+        that are their own mirror image first
+    bars : int
+        around the ring
+    highest_and_shapes : tuple of int
+        N and M
+    readings : int
+        of bars
+
+    Returns
+    -------
+    response : array (K, M, K, M)
+        [m/N], harmonics -N .. N
+    bar_forces : array (K, M, readings)
+        [N/N, N m/N]
+    """
+    highest, shapes = highest_and_shapes
+    count, m = 2 * highest + 1, np.arange(shapes)
+    response = np.zeros((count, shapes) * 2)
+    bar_forces, turned = np.zeros((count, shapes, readings)), ~is_mirrored(readings)
+    for number, (_, same) in enumerate(phases(bars, highest)):
+        loads, answer = same.size * shapes, answered(number, same)
+        by_end = answer[loads:].reshape(2, -1, MIRRORED, loads)  # by kind of mirror image and by end
+        in_bar = by_end.swapaxes(0, 1).reshape(readings, loads).T.reshape(same.size, shapes, readings)
+        square = answer[:loads].reshape((same.size, shapes) * 2)
+        for n, mirrored in ((-same, -1), (same, 1)):  # the first is the mirror image
+            response[np.ix_(n + highest, m, n + highest, m)] = 2 * bars * square
+            bar_forces[n + highest] = in_bar * np.where(turned, mirrored, 1)
     return response, bar_forces
 
 
-def _phase(cuts: list[CutStiffness], theta: float, harmonics: NDArray):
-    """Answers of one phase: (k, M, k, M) per half pitch, in its bar (k, M, 6), and a solution as a probe."""
+def phases(bars: int, highest: int) -> list[tuple[float, NDArray]]:
+    """Angles from pitch to pitch [rad] of all phases that some harmonic up to the last has, with these."""
+    harmonics = np.arange(-highest, highest + 1)
+    same = (harmonics[(harmonics - phase) % bars == 0] for phase in range(bars // 2 + 1))
+    return [(2 * pi * phase / bars, each) for phase, each in enumerate(same) if each.size]
+
+
+def ties(cuts: Sequence[CutStiffness], theta: float) -> NDArray:
+    """Factors (2, 3 places) of z in a and in b, for the displacements x, r and t of all places."""
+    c, s = np.cos(theta / 2), np.sin(theta / 2)
+    return np.repeat([[c, c, -s], [s, s, c]], len(cuts[0].stiffness) // 3, axis=1)
+
+
+def phase_solution(
+    cuts: Sequence[CutStiffness], theta: float, harmonics: NDArray, *, with_readings: bool
+) -> tuple[list[NDArray], NDArray]:
+    """Forces and displacements of the cut under all harmonics of a phase.
+
+    Parameters
+    ----------
+    cuts : sequence of CutStiffness
+        of both kinds of mirror images
+    theta : float
+        from pitch to pitch [rad]
+    harmonics : array (k)
+        n of this phase
+    with_readings : bool
+        whether unit readings of the bars load the half pitch, too, those of either kind one after the other
+
+    Returns
+    -------
+    forces : list of array (patterns, k M)
+        q of both kinds
+    z : array (3 places, k M), or with the readings as further columns
+        displacements of the cut [m/N]
+
+    Raises
+    ------
+    NotSolved
+        if the cage is not held
+    """
     even, odd = cuts
     shares = even.share[:, np.abs(harmonics)], odd.share[:, np.abs(harmonics)] * np.sign(harmonics)[:, None]
-    forces = [share.reshape(len(share), -1) for share in shares]
-    # Factors of z in a and in b, for the displacements x, r and t of all places.
-    c, s = np.cos(theta / 2), np.sin(theta / 2)
-    ties = np.repeat([[c, c, -s], [s, s, c]], len(even.stiffness) // 3, axis=1)
-    stiffness = np.sum([t[:, None] * f.stiffness * t for f, t in zip(cuts, ties, strict=True)], axis=0)
-    pulls = [t[:, None] * (f.coupling @ q) for f, t, q in zip(cuts, ties, forces, strict=True)]
-    pull = np.sum(pulls, axis=0)
+    forces, tied = [share.reshape(len(share), -1) for share in shares], ties(cuts, theta)
+    stiffness = np.sum([t[:, None] * f.stiffness * t for f, t in zip(cuts, tied, strict=True)], axis=0)
+    pull = np.sum([t[:, None] * (f.coupling @ q) for f, t, q in zip(cuts, tied, forces, strict=True)], axis=0)
+    if with_readings:
+        pull = np.hstack([pull, *(t[:, None] * f.bar_by_cut.T for f, t in zip(cuts, tied, strict=True))])
     try:
-        z = cho_solve(cho_factor(stiffness), pull)
+        return forces, cho_solve(cho_factor(stiffness), pull)
     except LinAlgError as refusal:
         raise NotSolved(f"phase {theta:.3g} rad could not be solved: {refusal}") from refusal
-    answer = pull.T @ z + sum(q.T @ f.compliance @ q for f, q in zip(cuts, forces, strict=True))
-    shape = harmonics.size, even.share.shape[2]
-    weights = np.random.default_rng(0).standard_normal(z.shape[1])
-    probe = [(t * (z @ weights), q @ weights, t) for t, q in zip(ties, forces, strict=True)]
-    in_bar = [
-        f.bar_by_cut @ (t[:, None] * z) + f.bar_by_forces @ q
-        for f, t, q in zip(cuts, ties, forces, strict=True)
-    ]
-    by_end = [part.reshape(-1, MIRRORED, part.shape[1]) for part in in_bar]
-    in_bars = np.concatenate(by_end, axis=1).reshape(-1, z.shape[1])
-    return answer.reshape(*shape, *shape), in_bars.T.reshape(*shape, -1), probe
 
 
-def _require_balance(half: HalfPitch, cuts: list[CutStiffness], probes: list) -> None:
+def _answer(cuts: Sequence[CutStiffness], theta: float, forces: list[NDArray], z: NDArray) -> NDArray:
+    """Answers of a phase, as `all_phases` takes them, from displacements z of the cut."""
+    answer, in_bars = np.zeros((z.shape[1],) * 2), []
+    for f, t, q in zip(cuts, ties(cuts, theta), forces, strict=True):
+        u = t[:, None] * z
+        answer += (f.coupling @ q).T @ u + q.T @ f.compliance @ q
+        in_bars.append(f.bar_by_cut @ u + f.bar_by_forces @ q)
+    return np.vstack([answer, *in_bars])
+
+
+def _require_balance(half: HalfPitch, halves: list[ReducedHalfPitch], probes: list) -> None:
     """Raise if a phase leaves forces on the unknowns of half a pitch; each was probed with a random load."""
     left, size = np.zeros(len(probes)), np.zeros(len(probes))
     on_the_cut = np.zeros((half.cut.size, len(probes)))
-    for number, f in enumerate(cuts):
+    for number, f in enumerate(halves):
         u, q, tie = (np.stack(columns, axis=1) for columns in zip(*(p[number] for p in probes), strict=True))
         rest = imbalance(half, f, u, q)
         on_the_cut += tie * rest[half.cut.ravel()]

@@ -55,9 +55,27 @@ class CutStiffness:
     coupling: NDArray  # G (3 places, patterns) [-]
     compliance: NDArray  # C (patterns, patterns) [m/N]
     share: NDArray  # (patterns, N + 1, M) forces q that make up each harmonic and axial shape [N/N]
-    patterns: NDArray  # (unknowns, patterns) load vectors of unit q
     bar_by_cut: NDArray  # (3 or 6, 3 places) section forces of the bar by u [N/m, N m/m]
     bar_by_forces: NDArray  # (3 or 6, patterns) the same by q [N/N, N m/N]
+
+    @classmethod
+    def of(cls, schur: NDArray, places: int, share: NDArray) -> "CutStiffness":
+        """From the stiffness at the face, bordered by patterns and readings with their signs turned."""
+        force = slice(places, places + len(share))
+        bar = slice(places + len(share), None)
+        return cls(
+            stiffness=schur[:places, :places], coupling=-schur[:places, force],
+            compliance=-schur[force, force], share=share,
+            bar_by_cut=-schur[bar, :places], bar_by_forces=-schur[bar, force],
+        )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class ReducedHalfPitch:
+    """Half a pitch as its cut sees it, and the way back to its inside."""
+
+    cut: CutStiffness
+    patterns: NDArray  # (unknowns, patterns) load vectors of unit q
     inside: Substructure
 
 
@@ -78,11 +96,7 @@ def assembled_half_pitch(cage: SquirrelCage, mesh: ngs.Mesh, order: int) -> Half
     HalfPitch
     """
     space = ngs.VectorH1(mesh, order=order, dirichlet="clamped")
-    u, v = space.TnT()
-    form = ngs.BilinearForm(space, symmetric=True, condense=True)
-    form += elastic_energy(mesh, cage.materials)(u, v)
-    values, columns, starts = form.Assemble().mat.CSR()
-    stiffness = sparse.csr_array((values, columns, starts), shape=(space.ndof, space.ndof))
+    form = assembled_form(space, cage)
     dofs = space.FreeDofs(coupling=True)
     free = np.array([dofs[k] for k in range(space.ndof)])
     elements = [np.array(element.dofs) for element in space.Elements(ngs.VOL)]
@@ -91,15 +105,33 @@ def assembled_half_pitch(cage: SquirrelCage, mesh: ngs.Mesh, order: int) -> Half
     cut = _unknowns(space, "cut", free)
     turn = _turn(cut, pi / cage.bars, space.ndof)
     return HalfPitch(
-        space=space, form=form, stiffness=sparse.csr_array(turn.T @ stiffness @ turn), owner=owner, cut=cut,
-        middle=_unknowns(space, "middle", free), turn=turn,
-        readings=turn.T @ _condensed(form, bar_readings(space, cage, half=True)),
+        space=space, form=form, stiffness=sparse.csr_array(turn.T @ stiffness(form) @ turn), owner=owner,
+        cut=cut, middle=_unknowns(space, "middle", free), turn=turn, readings=turn.T @ readings(form, cage),
     )  # fmt: skip
+
+
+def assembled_form(space: ngs.FESpace, cage: SquirrelCage) -> Any:
+    """Elastic energy on half a pitch as its nodes are now, the inner unknowns of the elements condensed."""
+    u, v = space.TnT()
+    form = ngs.BilinearForm(space, symmetric=True, condense=True)
+    form += elastic_energy(space.mesh, cage.materials)(u, v)
+    return form.Assemble()
+
+
+def stiffness(form: Any) -> sparse.csr_array:
+    """Matrix (unknowns, unknowns) of an assembled form [N/m], along x, y, z everywhere."""
+    values, columns, starts = form.mat.CSR()
+    return sparse.csr_array((values, columns, starts), shape=(form.space.ndof, form.space.ndof))
+
+
+def readings(form: Any, cage: SquirrelCage) -> NDArray:
+    """Load vectors (unknowns, 6 or 12) that read the bars, along x, y, z everywhere."""
+    return _condensed(form, bar_readings(form.space, cage, half=True))
 
 
 def reduced_to_cut(
     half: HalfPitch, band: roller_loads.Band, length: float, axial_modes: int, highest: int, symmetric: bool
-) -> CutStiffness:
+) -> ReducedHalfPitch:
     """Reduce half a pitch to its face in the slot.
 
     Parameters
@@ -119,19 +151,19 @@ def reduced_to_cut(
 
     Returns
     -------
-    CutStiffness
+    ReducedHalfPitch
 
     Raises
     ------
     NotSolved
         if half a pitch floats
     """
-    return reduced_under(
-        half, *_patterns(half, band, length, (highest + 1, axial_modes), symmetric), symmetric
-    )
+    count = highest + 1, axial_modes
+    vectors = half.turn.T @ harmonic_loads(band, length, count, symmetric)
+    return reduced_under(half, *_patterns(vectors, count), symmetric)
 
 
-def reduced_under(half: HalfPitch, patterns: NDArray, share: NDArray, symmetric: bool) -> CutStiffness:
+def reduced_under(half: HalfPitch, patterns: NDArray, share: NDArray, symmetric: bool) -> ReducedHalfPitch:
     """Reduce half a pitch under given load vectors.
 
     Parameters
@@ -147,7 +179,7 @@ def reduced_under(half: HalfPitch, patterns: NDArray, share: NDArray, symmetric:
 
     Returns
     -------
-    CutStiffness
+    ReducedHalfPitch
 
     Raises
     ------
@@ -164,28 +196,17 @@ def reduced_under(half: HalfPitch, patterns: NDArray, share: NDArray, symmetric:
     blocks = [[half.stiffness, -border], [-border.T, None]]
     bordered = sparse.coo_array(sparse.block_array(blocks, format="coo"))
     inside = eliminate(bordered, np.append(owner, np.zeros(width, dtype=int)), kept)
-    places = half.cut.size
-    force, bar = slice(places, places + count), slice(places + count, None)
-    return CutStiffness(
-        stiffness=inside.schur[:places, :places],
-        coupling=-inside.schur[:places, force],
-        compliance=-inside.schur[force, force],
-        share=share,
-        patterns=patterns,
-        bar_by_cut=-inside.schur[bar, :places],
-        bar_by_forces=-inside.schur[bar, force],
-        inside=inside,
-    )
+    return ReducedHalfPitch(CutStiffness.of(inside.schur, half.cut.size, share), patterns, inside)
 
 
-def imbalance(half: HalfPitch, cut: CutStiffness, displacement: NDArray, forces: NDArray) -> NDArray:
+def imbalance(half: HalfPitch, reduced: ReducedHalfPitch, displacement: NDArray, forces: NDArray) -> NDArray:
     """Forces that are left when the whole half pitch follows its face.
 
     Parameters
     ----------
     half : HalfPitch
         the sparse matrix
-    cut : CutStiffness
+    reduced : ReducedHalfPitch
         its reduction
     displacement : array (3 places, columns)
         u of the face [m]
@@ -197,20 +218,20 @@ def imbalance(half: HalfPitch, cut: CutStiffness, displacement: NDArray, forces:
     array (unknowns, columns)
         K u - F q [N], zero where a plane or a clamp holds; on the face it is the force f
     """
-    u = interior(half, cut, displacement, forces)
-    left = half.stiffness @ u - cut.patterns @ forces
+    u = interior(half, reduced, displacement, forces)
+    left = half.stiffness @ u - reduced.patterns @ forces
     carried = np.zeros(half.space.ndof, dtype=bool)
-    carried[cut.inside.order[cut.inside.order < half.space.ndof]] = True
+    carried[reduced.inside.order[reduced.inside.order < half.space.ndof]] = True
     left[~carried] = 0.0
     return left
 
 
-def interior(half: HalfPitch, cut: CutStiffness, displacement: NDArray, forces: NDArray) -> NDArray:
+def interior(half: HalfPitch, reduced: ReducedHalfPitch, displacement: NDArray, forces: NDArray) -> NDArray:
     """Displacement of the whole half pitch from that of its face.
 
     Parameters
     ----------
-    half, cut, displacement, forces
+    half, reduced, displacement, forces
         as for `imbalance`
 
     Returns
@@ -218,8 +239,8 @@ def interior(half: HalfPitch, cut: CutStiffness, displacement: NDArray, forces: 
     array (unknowns, columns)
         [m] x, r, t on the face and x, y, z elsewhere; inner unknowns of the elements are zero
     """
-    unread = np.zeros((len(cut.bar_by_cut), forces.shape[1]))
-    return cut.inside.interior(np.vstack([displacement, forces, unread]))[: half.space.ndof]
+    unread = np.zeros((len(reduced.cut.bar_by_cut), forces.shape[1]))
+    return reduced.inside.interior(np.vstack([displacement, forces, unread]))[: half.space.ndof]
 
 
 def in_whole(half: HalfPitch, displacement: NDArray) -> NDArray:
@@ -273,19 +294,23 @@ def _turn(cut: NDArray, azimuth: float, size: int) -> sparse.csr_array:
     return sparse.csr_array((np.concatenate([itself, crosswise, crosswise]), places), shape=(size, size))
 
 
-def _patterns(
-    half: HalfPitch, band: roller_loads.Band, length: float, count: tuple[int, int], symmetric: bool
-):
-    """Load vectors (unknowns, patterns) that span those of all harmonics and shapes; their shares.
-
-    On one pitch the harmonics are nearly dependent, so that far fewer patterns span them.
-    """
+def harmonic_loads(
+    band: roller_loads.Band, length: float, count: tuple[int, int], symmetric: bool
+) -> NDArray:
+    """Load vectors (unknowns, harmonics x shapes) of all harmonics and axial shapes, along x, y, z."""
     wave = (np.cos if symmetric else np.sin)(np.outer(band.azimuth, np.arange(count[0])))
     m = np.arange(count[1])
     shape = legendre.legvander(2 * band.x / length, m[-1]) * (2 * m + 1) / length
     pressure = (wave[:, :, None] * shape[:, None]).reshape(band.x.size, -1) / (2 * pi * band.radius)
     y, z = np.sin(band.azimuth)[:, None], np.cos(band.azimuth)[:, None]
-    vectors = half.turn.T @ band.forces(pressure * y, pressure * z)
+    return band.forces(pressure * y, pressure * z)
+
+
+def _patterns(vectors: NDArray, count: tuple[int, int]) -> tuple[NDArray, NDArray]:
+    """Load vectors (unknowns, patterns) that span those of all harmonics and shapes; their shares.
+
+    On one pitch the harmonics are nearly dependent, so that far fewer patterns span them.
+    """
     loaded = np.flatnonzero(vectors.any(axis=1))
     basis, size, mix = np.linalg.svd(vectors[loaded], full_matrices=False)
     rank = np.count_nonzero(size > NEGLIGIBLE * size[0])

@@ -18,8 +18,8 @@ from scipy.sparse import csr_array
 from fem.assembly import roller_loads
 from fem.assembly.factorisation import NotSolved, threads
 from fem.cage.half_pitch_stiffness import (
-    CutStiffness,
     HalfPitch,
+    ReducedHalfPitch,
     assembled_half_pitch,
     in_whole,
     interior,
@@ -192,8 +192,8 @@ def _solved(
     turn = np.exp(-2j * pi * np.outer(np.arange(cage.bars), phases) / cage.bars) / cage.bars
     even, odd = _parts(even @ turn), _parts(-1j * odd @ turn)
     share = np.eye(2 * phases.size)
-    cuts = reduced_under(half, even, share, True), reduced_under(half, odd, share, False)
-    a, b = (in_whole(half, u) for u in _fields(half, cuts, cage.bars))
+    halves = reduced_under(half, even, share, True), reduced_under(half, odd, share, False)
+    a, b = (in_whole(half, u) for u in _fields(half, halves, cage.bars))
     # The field is that of phase 0, with those of bars/2, and twice the real part of those between.
     weight = np.where((phases == 0) | (2 * phases == cage.bars), 1.0, 2.0)
     back = weight * np.exp(2j * pi * np.outer(np.arange(cage.bars), phases) / cage.bars)
@@ -238,9 +238,10 @@ def _load_vectors(
     return even, odd
 
 
-def _fields(half: HalfPitch, cuts: tuple[CutStiffness, CutStiffness], bars: int) -> list[NDArray]:
+def _fields(half: HalfPitch, halves: tuple[ReducedHalfPitch, ReducedHalfPitch], bars: int) -> list[NDArray]:
     """Displacements (unknowns, 2 phases) of the symmetric part and of the other, as from `interior`."""
     faces: list[list[NDArray]] = [[], []]
+    cuts = [each.cut for each in halves]
     for phase in range(bars // 2 + 1):
         columns, theta = slice(2 * phase, 2 * phase + 2), 2 * pi * phase / bars
         c, s = np.cos(theta / 2), np.sin(theta / 2)
@@ -253,4 +254,7 @@ def _fields(half: HalfPitch, cuts: tuple[CutStiffness, CutStiffness], bars: int)
             raise NotSolved(f"phase {theta:.3g} rad could not be solved: {refusal}") from refusal
         for face, tie in zip(faces, ties, strict=True):
             face.append(tie[:, None] * z)
-    return [interior(half, cut, np.hstack(face), cut.share) for cut, face in zip(cuts, faces, strict=True)]
+    return [
+        interior(half, each, np.hstack(face), each.cut.share)
+        for each, face in zip(halves, faces, strict=True)
+    ]

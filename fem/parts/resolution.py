@@ -43,10 +43,14 @@ class Resolution:
     patch_width: float | None = None  # [m] of a loaded patch, standard deviation along the arc
     threads: int = field(default=2, compare=False)  # of NGSolve, for a solid
     nodes_of: Shape | None = None  # of the same kind: its mesh is taken, with its nodes moved; None: no other
+    first_order: bool = False  # for derivatives: of a cage in space right to first order of what moves alone
 
     def __post_init__(self):
         require_positive(self, "length")
         require(self.axial_modes >= 1, "axial_modes", self.axial_modes, "1 or more")
+        require(
+            self.nodes_of is not None or not self.first_order, "first_order", True, "False without nodes_of"
+        )
         if self.azimuths is not None:
             object.__setattr__(self, "azimuths", tuple(float(phi) for phi in self.azimuths))
 

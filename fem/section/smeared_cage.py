@@ -15,6 +15,7 @@ Work of a bar spread over its pitch; derived here.
 """
 
 from dataclasses import replace
+from functools import lru_cache
 
 import ngsolve as ngs
 import numpy as np
@@ -23,7 +24,14 @@ from numpy.typing import NDArray
 from fem.assembly import harmonic_elasticity as forms
 from fem.assembly.elasticity import lame_constants
 from fem.assembly.factorisation import threads
-from fem.assembly.harmonic_stiffness import compliances, harmonic_stiffness
+from fem.assembly.harmonic_stiffness import (
+    HarmonicAnswers,
+    HarmonicStiffness,
+    answers,
+    compliances,
+    harmonic_stiffness,
+    near_compliances,
+)
 from fem.beam.curved_beam import shear_modulus
 from fem.beam.support_springs import tangential_slide
 from fem.mesh.axial_section import AxialSection, meshed
@@ -76,7 +84,7 @@ def smeared_responses(cage: SquirrelCage, resolution: Resolution, last: int, sta
         W = compliances(body.stiffness, np.hstack([modes, readings]), last) / (2 * np.pi)
     M = resolution.axial_modes
     read = np.split(W[:, M:, :M], len(cage.ends), axis=1)
-    in_bars = np.concatenate([_bar_forces(answers, cage.bar_length) for answers in read], axis=2)
+    in_bars = np.concatenate([_bar_forces(each, cage.bar_length) for each in read], axis=2)
     bars = of_revolution(cage.bars, in_bars)
     return Responses(W[:, :M, :M], body.stiffness.unknowns, body.space.mesh.ne, bar_response=bars)
 
@@ -111,9 +119,27 @@ def short_waves(cage: SquirrelCage, resolution: Resolution, first: int, last: in
     shape = resolution.nodes_of or Shape(part=cage, length=resolution.length)
     raceway_size = RESOLVED * ORDER * shape.part.raceway_diameter / 2 / last
     mesh = MeshSize(order=ORDER, size=SIZE * shape.length, raceway_size=raceway_size)
-    body = _assembled(cage, replace(resolution, mesh_size=mesh))
+    fine = replace(resolution, mesh_size=mesh)
+    stiffness, modes = _under_short_waves(cage, fine, first)
+    if resolution.first_order:
+        unmoved = replace(fine, length=shape.length, nodes_of=None, first_order=False)
+        known = _short_answers(shape.part, unmoved, first, last)
+        return near_compliances(known, stiffness, modes) / (2 * np.pi)
+    return compliances(stiffness, modes, last - first) / (2 * np.pi)
+
+
+def _under_short_waves(
+    cage: SquirrelCage, resolution: Resolution, first: int
+) -> tuple[HarmonicStiffness, NDArray]:
+    """Stiffness with harmonics counted from the first one, and loads (unknowns, M) of the raceway."""
+    body = _assembled(cage, resolution)
     modes = edge_modes(body, "raceway", resolution.axial_modes)
-    return compliances(body.stiffness.beginning_at(first), modes, last - first) / (2 * np.pi)
+    return body.stiffness.beginning_at(first), modes
+
+
+@lru_cache(maxsize=1)  # changes of one cage come one after the other
+def _short_answers(cage: SquirrelCage, resolution: Resolution, first: int, last: int) -> HarmonicAnswers:
+    return answers(*_under_short_waves(cage, resolution, first), last - first)
 
 
 def _bar_readings(body: Body, cage: SquirrelCage, end: int) -> NDArray:

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 def raceway_of_shape(
     case: Case, race: Race, shape: Shape, outward: NDArray, azimuths: NDArray, report: Report
 ) -> "RacewayCompliance":
-    """A raceway near given forces, its part and its band of another shape.
+    """A raceway near given forces, its part and its band of another shape, right to first order of the change.
 
     Parameters
     ----------
@@ -59,7 +59,8 @@ def raceway_of_shape(
             f"{case.source.path}: {NAMES[race]}: nodes of a whole solid are not moved; "
             'allowed is another accuracy.structure, such as "harmonics"'
         )
-    resolution = replace(resolution, length=shape.length, nodes_of=Shape(part=part, length=resolution.length))
+    meshed = Shape(part=part, length=resolution.length)
+    resolution = replace(resolution, length=shape.length, nodes_of=meshed, first_order=True)
     arguments = shape.part, discretisation, resolution
     with named_failures(case, NAMES[race]):
         if race == "outer" and is_on_supports(case):

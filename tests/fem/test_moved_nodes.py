@@ -136,3 +136,36 @@ def test_faces_that_would_come_apart_are_refused():
     for before, after in ((together, apart), (apart, together)):
         with pytest.raises(ImpossiblePart, match="come apart"):
             move_nodes(mesh, before, after)
+
+
+@pytest.mark.parametrize(
+    "cage",
+    [
+        pytest.param(cage, id=name, marks=[pytest.mark.slow] * (name != "plain"))
+        for name, cage in CAGES.items()
+    ],
+)
+def test_answers_by_known_fields_are_right_to_first_order(cage):
+    """Twice the change, four times the error; differences about the cage have no error of second order."""
+    nodes, size = Shape(part=cage, length=L), COARSE
+    exact = Resolution(length=L, axial_modes=2, mesh_size=size, nodes_of=nodes)
+    answers = {
+        (share, first_order): condense_in_process(
+            changed(cage, share), HARMONICS, replace(exact, first_order=first_order)
+        )
+        for share in (-1e-4, 1e-4, 2e-4)
+        for first_order in (True, False)
+    }
+    for read in (lambda a: a.response, lambda a: a.bar_response.response, lambda a: a.short_waves):
+        left = {
+            share: read(answers[share, True]) - read(answers[share, False]) for share in (-1e-4, 1e-4, 2e-4)
+        }
+        change = np.abs(read(answers[1e-4, False]) - read(answers[-1e-4, False])).max()
+        assert np.abs(left[1e-4] - left[-1e-4]).max() < 1e-4 * change
+        assert 0 < np.abs(left[1e-4]).max() < 1e-2 * change
+        assert left[2e-4] == approx(4 * left[1e-4], abs=0.05 * np.abs(left[2e-4]).max())
+
+
+def test_known_fields_need_a_mesh_that_is_moved():
+    with pytest.raises(ImpossiblePart, match="nodes_of"):
+        Resolution(length=L, mesh_size=COARSE, first_order=True)

@@ -1,0 +1,186 @@
+r"""A squirrel cage whose faces have moved a little, by the fields of the cage that was meshed.
+
+The work of loads on their answers, W = G^T K^-1 G, is stationary in the fields u:
+
+.. math:: W' = G'^T u + u^T G' - u^T K' u + O(|K' - K|^2)
+
+So derivatives of all answers need one elimination and, for each change of shape, the assembly of K' and G'.
+Section forces of the bars are answers, too, of loads that read them. The fields of all harmonics and phases
+are nearly dependent: a small basis holds them.
+
+Source
+------
+Principle of minimum potential energy; shape derivatives on moved nodes, derived here.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+import ngsolve as ngs
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.assembly import roller_loads
+from fem.assembly.factorisation import threads
+from fem.cage.cyclic_symmetry import all_phases, phase_solution, phases, reduced, ties
+from fem.cage.half_pitch_stiffness import (
+    HalfPitch,
+    ReducedHalfPitch,
+    assembled_form,
+    harmonic_loads,
+    readings,
+    stiffness,
+)
+from fem.mesh.half_pitch import half_pitch
+from fem.mesh.moved_nodes import cage_faces, move_nodes
+from fem.parts.resolution import Resolution
+from fem.parts.rings import MeshSize, SquirrelCage
+from fem.raceway.bar_response import BarResponse, is_mirrored
+from fem.raceway.harmonics import Responses
+from fem.stages import Stage
+
+MIRROR_IMAGES = (True, False)  # fields that are their own, and those that are the negative of it
+NEGLIGIBLE = 1e-9  # part of the largest field that the basis leaves out
+
+
+@dataclass(frozen=True)
+class CageFields:
+    """Half a pitch of a cage with its displacements under all loads of every phase."""
+
+    half: HalfPitch
+    mesh: ngs.Mesh  # whose nodes are moved for a while by `near_responses`
+    bases: list[NDArray]  # (unknowns, r) orthonormal, along x, y, z, of each of `MIRROR_IMAGES`
+    factors: list[list[NDArray]]  # (r, loads and readings) of each, phase by phase
+
+
+@dataclass(frozen=True)
+class MovedHalf:
+    """Stiffness and loads of the moved half pitch on the basis, for one kind of mirror images."""
+
+    stiffness: NDArray  # (r, r) [N/m]
+    loads: NDArray  # (r, N + 1, M) [-]
+    readings: NDArray  # (r, all readings) zero for those of the other kind
+
+    def work(self, fields: NDArray, harmonics: NDArray, *, symmetric: bool) -> NDArray:
+        """Work of all loads and readings of a phase on their answers (r, loads and readings)."""
+        signs = np.ones(len(harmonics)) if symmetric else np.sign(harmonics)
+        loads = self.loads[:, np.abs(harmonics)] * signs[:, None]
+        work = np.hstack([loads.reshape(len(loads), -1), self.readings]).T @ fields
+        return work + work.T - fields.T @ self.stiffness @ fields
+
+
+def near_responses(cage: SquirrelCage, resolution: Resolution, last: int, stage: Stage) -> Responses:
+    """Answers of the raceway of a cage that differs little from that of `resolution.nodes_of`.
+
+    Parameters
+    ----------
+    cage : SquirrelCage
+        of the same kind as that of `resolution.nodes_of`
+    resolution : Resolution
+        of band and mesh, with `nodes_of`
+    last : int
+        N, the highest harmonic
+    stage : callable (name)
+        around "mesh", "factor" and "condense"
+
+    Returns
+    -------
+    Responses
+        as those of `fem.cage.cyclic_symmetry.cage_responses`, without errors
+
+    Raises
+    ------
+    NotSolved
+        if the cage of `resolution.nodes_of` cannot be solved
+    ImpossiblePart
+        if faces that are one would come apart
+
+    Valid
+    -----
+    Errors grow with the square of the change: for differences about the cage of `resolution.nodes_of`.
+    """
+    other = resolution.nodes_of
+    assert other is not None
+    with threads(1), stage("factor"):
+        known = _fields_of(other.part, other.length, resolution.mesh, resolution.axial_modes, last)
+    with threads(1), stage("condense"):
+        faces = cage_faces(other.part, other.length), cage_faces(cage, resolution.length)
+        move_nodes(known.mesh, *faces)
+        try:
+            halves = _moved(known, cage, resolution, last)
+        finally:
+            known.mesh.UnsetDeformation()
+
+        def answered(phase: int, harmonics: NDArray) -> NDArray:
+            each = zip(halves, known.factors[phase], MIRROR_IMAGES, strict=True)
+            works = [half.work(fields, harmonics, symmetric=own) for half, fields, own in each]
+            return np.sum(works, axis=0)[:, : harmonics.size * resolution.axial_modes]
+
+        readings = known.half.readings.shape[1]
+        response, in_bars = all_phases(answered, cage.bars, (last, resolution.axial_modes), readings)
+    bars = BarResponse(cage.bars, in_bars, None)
+    return Responses(response, known.half.space.ndof, known.mesh.ne, bar_response=bars)
+
+
+@lru_cache(maxsize=1)  # changes of one cage come one after the other
+def _fields_of(
+    cage: SquirrelCage, length: float, mesh_size: MeshSize, axial_modes: int, last: int
+) -> CageFields:
+    mesh = half_pitch(cage, length, mesh_size)
+    resolution = Resolution(length=length, axial_modes=axial_modes, mesh_size=mesh_size)
+    half, halves = reduced(cage, mesh, mesh_size.order, resolution, last)
+    kept = [_kept(halves, *phase) for phase in phases(cage.bars, last)]
+    bases, factors = [], []
+    for reduction, each in zip(halves, zip(*kept, strict=True), strict=True):
+        fields = half.turn @ reduction.inside.interior(np.hstack(each))[: half.space.ndof]
+        basis, of_all = _basis(fields)
+        bases.append(basis)
+        factors.append(np.split(of_all, np.cumsum([values.shape[1] for values in each])[:-1], axis=1))
+    return CageFields(half, mesh, bases, [list(each) for each in zip(*factors, strict=True)])
+
+
+def _kept(halves: Sequence[ReducedHalfPitch], theta: float, harmonics: NDArray) -> list[NDArray]:
+    """What is kept of half a pitch (kept, loads and readings) under all of these in a phase, by kind."""
+    cuts = [each.cut for each in halves]
+    forces, z = phase_solution(cuts, theta, harmonics, with_readings=True)
+    kept, first = [], forces[0].shape[1]
+    for cut, tie, q in zip(cuts, ties(cuts, theta), forces, strict=True):
+        own = len(cut.bar_by_cut)
+        values = np.vstack([tie[:, None] * z, np.zeros((len(q) + own, z.shape[1]))])
+        values[len(tie) : len(tie) + len(q), : q.shape[1]] = q
+        values[len(tie) + len(q) :, first : first + own] = np.eye(own)
+        kept.append(values)
+        first += own
+    return kept
+
+
+def _basis(fields: NDArray) -> tuple[NDArray, NDArray]:
+    """Orthonormal basis (unknowns, r) of fields (unknowns, n), and their factors (r, n)."""
+    sizes = np.linalg.norm(fields, axis=0)
+    sizes[sizes == 0.0] = 1.0  # of loads that the other kind of mirror images carries alone
+    orthonormal, triangle = np.linalg.qr(fields / sizes)
+    turn, values, mix = np.linalg.svd(triangle)
+    rank = np.count_nonzero(values > NEGLIGIBLE * values[0])
+    return orthonormal @ turn[:, :rank], values[:rank, None] * mix[:rank] * sizes
+
+
+def _moved(known: CageFields, cage: SquirrelCage, resolution: Resolution, last: int) -> list[MovedHalf]:
+    """The moved half pitch on the known fields, for both kinds of mirror images."""
+    half, count = known.half, (last + 1, resolution.axial_modes)
+    form = assembled_form(half.space, cage)
+    matrix, read = stiffness(form), readings(form, cage)
+    band = roller_loads.band(half.space, "raceway", roller_loads.HIGHEST_ORDER)
+    own = is_mirrored(read.shape[1])
+    first = np.argsort(~own, kind="stable")  # those of the first kind first
+    moved = []
+    for basis, symmetric in zip(known.bases, MIRROR_IMAGES, strict=True):
+        loads = basis.T @ harmonic_loads(band, resolution.length, count, symmetric)
+        moved.append(
+            MovedHalf(
+                stiffness=basis.T @ (matrix @ basis),
+                loads=loads.reshape(-1, *count),
+                readings=(basis.T @ read * (own == symmetric))[:, first],
+            )
+        )
+    return moved
