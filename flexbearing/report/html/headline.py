@@ -27,9 +27,8 @@ _REMAINS = "A life this long means that lubricant, wear or seals end the service
 def blocks(reader: Reader) -> Iterator[Block]:
     """The verdict in a sentence for each grade that is not kept; then lives, what is open, what is left."""
     checks = ranked(reader)
-    told = tuple(_sentences(reader, checks))
-    worst = grade(reader, checks)
-    yield Words((" ".join(told),), "good" if not worst else "warning" if worst == AIM else "danger")
+    for sentence, colour in _sentences(reader, checks):
+        yield Words((sentence,), colour)
     yield Items("", tuple(_lines(reader, checks)))
 
 
@@ -57,32 +56,33 @@ def _named(checks: list[Check]) -> str:
     return "; ".join(map(one, checks))
 
 
-def _sentences(reader: Reader, checks: list[Check]) -> Iterator[str]:
-    """A sentence for each grade, the worst first; where all is kept, the nearest limit."""
+def _sentences(reader: Reader, checks: list[Check]) -> Iterator[tuple[str, str]]:
+    """A sentence for each grade with its colour, the worst first; where all is kept, the nearest limit."""
     damage, validity, aims = (_of(checks, each) for each in (DAMAGE, VALIDITY, AIM))
+    warned = bool(reader.notes(GRADES[0]))
     if damage:
-        yield f"Not to be used as computed. Limits of damage exceeded: {_named(damage)}."
-    elif reader.notes(GRADES[0]):
-        yield "Not to be used as computed: see the dangers below."
+        yield f"Not to be used as computed. Limits of damage exceeded: {_named(damage)}.", "danger"
+    elif warned:
+        yield "Not to be used as computed: see the dangers below.", "danger"
     if validity:
-        yield f"Life not assured, outside the range of its formula: {_named(validity)}."
+        kept = "" if damage or warned else " No limit of damage that was checked is exceeded."
+        yield f"Life not assured, outside the range of its formula: {_named(validity)}.{kept}", "danger"
     if _of(checks, BUILD):
-        yield f"It cannot be built as assumed: {overlap(reader)}."
-    if validity and not (damage or reader.notes(GRADES[0])):
-        yield "No limit of damage that was checked is exceeded."
+        yield f"It cannot be built as assumed: {overlap(reader)}.", "danger"
     if aims:
-        yield f"Usual aim missed: {_named(aims)}."
+        yield f"Usual aim missed: {_named(aims)}.", "warning"
     if not grade(reader, checks):
-        yield from _kept(checks)
+        yield _kept(checks), "good"
 
 
-def _kept(checks: list[Check]) -> Iterator[str]:
+def _kept(checks: list[Check]) -> str:
     """That all is kept, and how far the nearest limit is."""
     nearest = next((check for check in checks if check.used), None)
-    yield "Usable as far as checked: every limit that was checked is met."
-    if nearest is not None:
-        near = "Nearest" if nearest.used > HALF else "None is near at this load; nearest"
-        yield f"{near}: {one(nearest)}."
+    words = "Usable as far as checked: every limit that was checked is met."
+    if nearest is None:
+        return words
+    near = "Nearest" if nearest.used > HALF else "None is near at this load; nearest"
+    return f"{words} {near}: {one(nearest)}."
 
 
 def _lines(reader: Reader, checks: list[Check]) -> Iterator[str]:
