@@ -389,7 +389,10 @@ def test_without_temperatures_no_clearance_is_called_operating():
     assert [[cell.text for cell in row[1:]] for row in ends.rows] == [
         ["1.93", "0.824", "1.05", "1.26"], ["0.598", "1.15", "0.944", "0.972"]
     ]  # fmt: skip
-    assert [row[2].text for row in warmer.rows] == ["40", "10"]  # [K], 33.6 and 8.9 µm over 70.5 mm, rounded down
+    assert [row[2].text for row in warmer.rows] == [
+        "40",
+        "10",
+    ]  # [K], 33.6 and 8.9 µm over 70.5 mm, rounded down
     named = {"interference on the shaft, k5", "interference in the housing, H7"}
     assert {row[0] for row in tables[1].rows} >= named
 

@@ -82,14 +82,14 @@ def _safe(reader: Reader) -> Iterator[str]:
         if isinstance(check.value, Number) and isinstance(check.share, Number):
             verdict = check.verdict.partition(":")[0]
             yield f"{check.what} {text_of(check.value)}, {check.limit}: {used(check)}, {verdict}."
-    urgent = [f"{check.what} {text_of(check.value)}" for check in _without_limit(checks)]
+    urgent = [f"{check.what} {text_of(value)}" for check, value in _without_limit(checks)]
     if urgent:
         yield f"Without a limit in the case, so compare with yours: {', '.join(urgent)}."
 
 
-def _without_limit(checks: list[Check]) -> list[Check]:
+def _without_limit(checks: list[Check]) -> list[tuple[Check, Number]]:
     """Values that may limit before all others, but have no limit in the case."""
-    return [check for check in checks if check.urgent and isinstance(check.value, Number)]
+    return [(check, check.value) for check in checks if check.urgent and isinstance(check.value, Number)]
 
 
 def _first(reader: Reader) -> Iterator[str]:
@@ -101,9 +101,9 @@ def _first(reader: Reader) -> Iterator[str]:
     unknown = _without_limit(checks)
     near = first.used > headline.HALF or unknown
     yield f"{'' if near else 'Nothing limits at this load; nearest: '}{first.what}: {used(first)}."
-    for check in unknown:
-        value = f"{text_of(check.value)}{_moved(reader, check)}"
-        yield f"Possibly before it: {check.what} {value}; no strength is given."
+    for check, value in unknown:
+        told = f"{text_of(value)}{_moved(reader, check)}"
+        yield f"Possibly before it: {check.what} {told}; no strength is given."
     steps = against_limits.steps(reader)[:_STEPS]
     yield from (f"Next: {step}." for step in steps)
 
@@ -191,7 +191,7 @@ def _exact(reader: Reader) -> Iterator[str]:
         ):
             found.setdefault(entry.label.strip(), error)
     told = [
-        f"{label} {_percent(error)}{' points' * (label == SLIP)}"
+        f"{label} {_percent(error).replace(' %', ' percentage points') if label == SLIP else _percent(error)}"
         for label, error in found.items()
         if isinstance(error, Number)
     ]

@@ -28,6 +28,7 @@ _NAMES = {
     "lubricant.inlet_temperature": "oil temperature at the inlets",
     "life.cleanliness": "cleanliness of the oil",
 }
+_TABLES = ("bearing", "outer", "inner", "lubricant", "operation")  # that a key is clear without
 _OF_RINGS = {
     f"{race}.{size}" for race in ("inner", "outer") for size in ("width", "thickness", "bore", "kind")
 }
@@ -76,8 +77,8 @@ def named(key: str) -> str:
 def name(key: str) -> str:
     """A key in plain words.
 
-    >>> name("materials.inner_ring"), name("outer.width")
-    ('material of the inner ring', 'width of the outer ring')
+    >>> name("materials.inner_ring"), name("outer.width"), name("friction.coefficient")
+    ('material of the inner ring', 'width of the outer ring', 'friction coefficient')
     """
     if key in _NAMES:
         return _NAMES[key]
@@ -85,7 +86,9 @@ def name(key: str) -> str:
     words = " ".join(rest[-2:]).replace("_", " ")
     if key.startswith("materials.") and len(rest) == 1:
         return f"material of the {words}"
-    return f"{words} of the {table} ring" if key in _OF_RINGS else words
+    if key in _OF_RINGS:
+        return f"{words} of the {table} ring"
+    return words if table in _TABLES or len(rest) > 1 else f"{table} {words}"
 
 
 def moving(reader: Reader) -> list[str]:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from flexbearing.report.html.check import Check, unchecked
-from flexbearing.report.html.document import Cell, Number
+from flexbearing.report.html.document import Number
 from flexbearing.report.html.lives import lives
 from flexbearing.report.html.reader import Reader
 
@@ -122,20 +122,16 @@ def _temperature(reader: Reader) -> Check:
 
 def _heat(reader: Reader) -> Check:
     """Power to be carried away, and how much of it hangs on a fitted oil fraction."""
-    block, why = (
-        reader.blocks[reader.last],
-        "temperatures are given, not computed from the power and the oil flow",
-    )
-    value: Cell = (
-        reader.element(reader.last, "driving_power", digits=",.4g") if "driving_power" in block else ""
-    )
-    power = float(block.get("driving_power", 0.0))
-    if power and "lubricant.oil_fraction" in reader.attributes["calibrated"]:
-        why += (
-            f"; {float(block['loss_drag']) / power:.0%} of it are drag by the fitted lubricant.oil_fraction"
-        )
     who = "thermal analyst: power against oil flow times its warming"
-    return unchecked("Heat balance" + ": driving power" * bool(power), why, who, value)
+    power = float(reader.blocks[reader.last].get("driving_power", 0.0))
+    if not power:
+        return unchecked("Heat balance", "power and temperatures are not computed", who)
+    why = "temperatures are given, not computed from the power and the oil flow"
+    if "lubricant.oil_fraction" in reader.attributes["calibrated"]:
+        share = float(reader.blocks[reader.last]["loss_drag"]) / power
+        why += f"; {share:.0%} of it are drag by the fitted lubricant.oil_fraction"
+    value = reader.element(reader.last, "driving_power", digits=",.4g")
+    return unchecked("Heat balance: driving power", why, who, value)
 
 
 def _speed(reader: Reader) -> Check:
