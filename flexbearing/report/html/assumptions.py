@@ -51,7 +51,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
         said = {key: _reason(text) for key, text in said.items()}
     ranked = sorted(assumed, key=lambda key: -effect(said.get(key, "")))
     weighted = _RANKED if any(effect(text) for text in said.values()) else ""
-    untold = "the case does not tell its effect"
+    untold = "its effect is not known"
     lines = (f"{named(key)}: {units_in_words(said.get(key, untold))}" for key in ranked)
     yield Items(f"{_TITLE}.{weighted}", tuple(lines))
 
