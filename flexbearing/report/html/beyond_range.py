@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from flexbearing.quantities.effects import CHOICE, INPUT
-from flexbearing.report.html import assumed_effects, oil, ratings
+from flexbearing.report.html import assumed_effects, assumptions, oil, ratings
 from flexbearing.report.html.check import text_of
 from flexbearing.report.html.lives import lives
 from flexbearing.report.html.open_checks import straight
@@ -66,5 +66,7 @@ def _unsized(reader: Reader, solved: set[str]) -> Iterator[str]:
     no_edges = reader.attributes["case_si"].get("life", {}).get("edge_stress") is False
     if codes & PRESSED_ENDS and no_edges and "life.edge_stress" not in solved:
         yield f"edge stress of the pressed roller ends{computes}"
-    if straight(reader) and "operation.misalignment" not in solved:
+    said = assumptions.comments(reader.result.attributes["case_text"])
+    known = "operation.misalignment" in solved or assumptions.weighed(said.get("operation.misalignment", ""))
+    if straight(reader) and not known:
         yield f"misalignment of the shaft, not known and computed as none{computes}"

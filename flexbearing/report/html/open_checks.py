@@ -28,8 +28,8 @@ _TILT_OF_ROLLERS = {
 }
 _MAKER_OF_TILT = "bearing maker: permissible tilt"
 _ALIGNED = (
-    "operation.misalignment is 0 by default, so the inner ring stays straight; a bent shaft or seats out of "
-    "line press the roller ends"
+    "operation.misalignment is 0, and nobody gave the slope of the shaft; a bent shaft or seats out of line "
+    "press the roller ends"
 )
 _NEVER = {  # why, who checks it
     "Strength of the cage": (
@@ -89,9 +89,10 @@ def _alignment(reader: Reader) -> Iterator[Check]:
 
 def straight(reader: Reader) -> bool:
     """Whether the inner ring is held without slope, and nobody said so."""
-    operation, text = reader.attributes["case_si"].get("operation", {}), reader.attributes["case_text"]
+    operation, about = reader.attributes["case_si"].get("operation", {}), reader.attributes
     held = reader.of_rollers and operation.get("tilt") == "fixed" and not operation.get("misalignment")
-    return held and not any("misalignment" in each for each in (text, *reader.attributes["case_overrides"]))
+    given = any("misalignment" in each for each in (about["case_text"], *about["case_overrides"]))
+    return held and (not given or "operation.misalignment" in about["assumed"])
 
 
 def _slip(reader: Reader) -> Iterator[Check]:
