@@ -110,7 +110,7 @@ def test_misalignment_of_a_held_ring_is_assumed_and_shortens_the_life(name):
 
 
 def test_what_the_application_chooses_says_so(write, tmp_path):
-    write()
+    write(oil="ISO VG 68", shaft="k5", housing="H7", clearance_class="CN")
     lines = (tmp_path / "case.toml").read_text().splitlines()
     for key in ("shaft", "tolerance_class", "clearance_class", "oil", "radial_load"):
         assert any("# chosen" in line for line in lines if line.startswith(f"{key} = ")), key
