@@ -416,6 +416,19 @@ def test_main_results_stand_with_what_all_assumed_and_toleranced_inputs_make_of_
     assert all(len(row) == 4 for row in main_results(readers("plain")).values())  # no comment tells anything
 
 
+def test_the_first_block_says_what_is_open_of_clearance_and_misalignment(readers):
+    page = words(readers("catalogue"))
+    assert "an inner ring 10 K warmer than the outer one takes all clearance." in page
+    told = (
+        'Misalignment of the shaft is assumed to be none: life 0.981 times with "1 arcmin", 0.855 times with'
+    )
+    assert told in page
+    assert "Misalignment of the shaft is assumed" not in words(
+        readers("plain")
+    )  # whose comments tell nothing
+    assert "misalignment of the shaft, not known and computed as none" in words(readers("plain"))
+
+
 def test_viscosity_ratio_at_other_temperatures_falls_as_the_oil_warms(readers):
     tables = {getattr(block, "caption", ""): block for block in life_section.blocks(readers("catalogue"))}
     rows = tables["Viscosity ratio at other oil temperatures"].rows

@@ -3,14 +3,16 @@
 from collections.abc import Iterator
 
 from flexbearing.quantities.attributes import GRADES
-from flexbearing.report.html import beyond_range, clearance, combined
+from flexbearing.report.html import assumptions, beyond_range, clearance, combined
 from flexbearing.report.html.against_limits import ranked
 from flexbearing.report.html.check import AIM, BUILD, DAMAGE, VALIDITY, Check, one, text_of
 from flexbearing.report.html.document import Block, Items, Number, Words
 from flexbearing.report.html.lives import lives
+from flexbearing.report.html.open_checks import straight
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.running_checks import overlap
 from flexbearing.report.html.sentences import rounded
+from flexbearing.report.html.units import units_in_words
 
 LONG = 1e5  # [h] life above which fatigue does not end the service of a machine
 HALF = 0.5  # of every limit: below, none is near
@@ -125,7 +127,7 @@ def _life(reader: Reader) -> Iterator[str]:
 
 
 def _open(reader: Reader) -> Iterator[str]:
-    """Clearance at its tight end where the case gives no temperatures."""
+    """Clearance at its tight end where no temperatures are given; a slope of the shaft that is assumed."""
     tight = "ends" in ((reader.attributes.get("clearance") or {}).get("tolerances") or {})
     warmer = clearance.warmth(reader, clearance.TIGHT) if tight else None
     if warmer is not None and not reader.attributes["case_si"]["operation"].get("temperatures"):
@@ -133,3 +135,7 @@ def _open(reader: Reader) -> Iterator[str]:
             "The case gives no temperatures: at the tight end of the tolerances an inner ring "
             f"{warmer} K warmer than the outer one takes all clearance."
         )
+    said = assumptions.comments(reader.result.attributes["case_text"]).get("operation.misalignment", "")
+    if straight(reader) and assumptions.weighed(said):
+        effect = units_in_words(assumptions.changes(said))
+        yield f"Misalignment of the shaft is assumed to be none: life {effect}."
