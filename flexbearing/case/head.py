@@ -29,7 +29,7 @@ class Head(Section):
 
     kind: str = key(KIND)
     title: str = key(
-        "what the case is, for people; without it the name of the file",
+        "what the case is, in words; without it the name of the file",
         "",
         example="A bearing between two rings",
     )

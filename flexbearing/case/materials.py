@@ -19,7 +19,7 @@ class Elastic(Section):
     by_name: ClassVar[tuple[str, ...]] = tuple(MATERIALS)
 
     name: str | None = key(
-        "what the material is called, for people; one of the list is written as text in place of the table",
+        "name of the material; one of the list is written as text in place of the table",
         None,
         example="42CrMo4",
     )

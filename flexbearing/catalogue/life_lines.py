@@ -2,14 +2,14 @@
 
 from collections.abc import Iterator
 
-from flexbearing.catalogue.lines import THUMB, Line, assumed
+from flexbearing.catalogue.lines import CHOSEN, THUMB, Line, assumed
 from flexbearing.catalogue.page import Page
 
 
 def oil(page: Page) -> Iterator[Line]:
     """The oil and its temperature."""
     if "oil" in page:
-        yield Line("lubricant.oil", page["oil"].text)
+        yield Line("lubricant.oil", page["oil"].text, CHOSEN)
     else:
         yield assumed("lubricant.oil", "ISO VG 68", "usual for rolling bearings", "ISO VG 32", "ISO VG 100")
     if "temperature" in page:

@@ -13,7 +13,7 @@ WIDTH = 110  # characters of a line
 COLUMN = 40  # where short comments begin
 THUMB = "rule of thumb"
 RATED = "C_0 of the maker by ISO 76"
-CHOSEN = "chosen, no catalogue has it"  # load and speed
+CHOSEN = "chosen, no catalogue has it"  # load, speed, fits, oil
 GLUE = "\0"  # stands for a space at which no line ends
 
 

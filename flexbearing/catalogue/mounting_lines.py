@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from flexbearing.catalogue.lines import THUMB, Line, Other, assumed, mm
+from flexbearing.catalogue.lines import CHOSEN, THUMB, Line, Other, assumed, mm
 from flexbearing.catalogue.page import Page
 
 _ENDS = tuple(Other(f'"{end}"', {"bearing.fits.at": end}) for end in ("tightest", "loosest"))
@@ -17,7 +17,7 @@ def mounting(page: Page) -> Iterator[Line]:
     if not _fitted(page):
         return
     if "shaft" in page:
-        yield Line("bearing.fits.shaft", page["shaft"].text)
+        yield Line("bearing.fits.shaft", page["shaft"].text, CHOSEN)
     else:
         yield assumed("bearing.fits.shaft", "k5", f"{THUMB} for a rotating inner ring", "h5", "m5")
     yield Line("bearing.fits.bore", page["bore"].text)
@@ -25,7 +25,7 @@ def mounting(page: Page) -> Iterator[Line]:
     if page.like != "squirrel_cage":
         yield Line("bearing.fits.outer_diameter", page["outside"].text)
     if "housing" in page:
-        yield Line("bearing.fits.housing.tolerance_class", page["housing"].text)
+        yield Line("bearing.fits.housing.tolerance_class", page["housing"].text, CHOSEN)
         size, *others = (mm(share * page["outside"].si) for share in (1.5, 1.25, 2))
         why = f"{THUMB}, 1.5 times that of the bearing"
         yield assumed("bearing.fits.housing.diameter", size, why, *others)
@@ -48,6 +48,8 @@ def _fitted(page: Page) -> bool:
 
 def _clearance_class(page: Page) -> Line:
     if "clearance_class" in page:
-        return Line("bearing.clearance_class", page["clearance_class"].text)
+        return Line(
+            "bearing.clearance_class", page["clearance_class"].text, "chosen among those of ISO 5753-1"
+        )
     why = "bearings without suffix have the Normal class"
     return assumed("bearing.clearance_class", "CN", why, "C2", "C3")

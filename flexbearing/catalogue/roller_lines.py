@@ -149,6 +149,9 @@ def _operation(page: Page, cage: bool) -> Iterator[Line]:
     yield Line("operation.inner_speed", page["speed"].text, CHOSEN)
     if cage:
         yield assumed("operation.tilt", "fixed", "a stiff shaft keeps the inner ring straight", "free")
+    else:
+        why = "a straight shaft, with seats in line"
+        yield assumed("operation.misalignment", "0 arcmin", why, "1 arcmin", "3 arcmin")
 
 
 def _squirrel_cage(page: Page, rollers: RollerSet) -> Iterator[Line]:

@@ -608,6 +608,7 @@ right-handed.
         ("total_stiffness", "stiffness"),
         ("cage_slip", "cage slip"),
         ("driving_torque", "torque"),
+        ("nominal_bar_stress", "bar stress"),
     ),
     blocks=("rigid", "flexible"),
     further_attributes=_ATTRIBUTES,

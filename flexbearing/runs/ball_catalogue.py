@@ -3,11 +3,13 @@
 from collections.abc import Callable
 from typing import Any
 
+from flexbearing.build.viscosity import kinematic_viscosity
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.deep_groove import DeepGrooveBearing
 from flexbearing.runs import ball_life
 from flexbearing.runs.catalogue_life import Catalogue, Influence
+from flexbearing.runs.oil_rating import of_oil
 from quasidynamic import OutOfRange
 from quasidynamic.outcome.ball_capacity import (
     ball_dynamic_rating,
@@ -169,4 +171,18 @@ def _by_oil(case: FastCase, load: float, lived: float, hours: float) -> dict[str
     }  # fmt: skip
 
 
-CATALOGUE = Catalogue(RATING, influences, require_load, ratings)
+def oil(case: FastCase, lived: float) -> dict[str, float]:
+    """What ISO 281 says of the oil of a case, at the load that has a life [10^6 revolutions]."""
+    if case.lubricant is None:
+        return {}
+    viscosity, _ = kinematic_viscosity(case.lubricant)
+    return of_oil(
+        viscosity,
+        case.operation.inner_speed - case.operation.outer_speed,
+        case.bearing.pitch_diameter,
+        lived ** (1 / BALL_EXPONENT) * ball_life.fatigue_limit(case) / ball_life.dynamic(case),
+        BALLS,
+    )
+
+
+CATALOGUE = Catalogue(RATING, influences, require_load, ratings, oil)

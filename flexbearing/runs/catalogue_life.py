@@ -29,6 +29,7 @@ class Catalogue:
     influences: Callable[[Any], Sequence[Influence]]  # of a case, in the order in which they enter
     require_load: Callable[[Any], None]  # raises `BadCase` where a catalogue knows no life
     ratings: Callable[[Any, float], dict[str, Any]]  # of a case; and the hours of a million revolutions
+    oil: Callable[[Any, float], dict[str, float]]  # of a case, at the load of a life [Mrev]: `of_oil`
 
     def acting(self, case: Any, read: Callable[[Sequence[str]], Any]) -> list[Influence]:
         """Influences that a case has anything of, with the settings that change it.

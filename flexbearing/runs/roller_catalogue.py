@@ -8,10 +8,11 @@ from flexbearing.case.roller import Case
 from flexbearing.case.roller.profile import SHAPES
 from flexbearing.runs import life
 from flexbearing.runs.catalogue_life import Catalogue, Influence
+from flexbearing.runs.oil_rating import of_oil
 from quasidynamic import CylindricalRollerBearing
 from quasidynamic.outcome.capacity import dynamic_rating, fatigue_load_limit, static_rating
-from quasidynamic.outcome.life_factors import modification_factor
-from quasidynamic.outcome.rating_life import rating_life, static_safety
+from quasidynamic.outcome.life_factors import ROLLERS, modification_factor
+from quasidynamic.outcome.rating_life import ROLLER_EXPONENT, rating_life, static_safety
 
 RATING = (
     Influence(
@@ -179,4 +180,17 @@ def _by_oil(case: Case, bearing: CylindricalRollerBearing, lived: float, hours: 
     }  # fmt: skip
 
 
-CATALOGUE = Catalogue(RATING, influences, require_load, ratings)
+def oil(case: Case, lived: float) -> dict[str, float]:
+    """What ISO 281 says of the oil of a case, at the load that has a life [10^6 revolutions]."""
+    bearing = roller_bearing.bearing(case).bearing
+    lubricant, operation = life.oil(case), case.operation
+    return of_oil(
+        lubricant.viscosity / lubricant.density,
+        operation.inner_speed - operation.outer_speed,
+        life.nominal(case, bearing).pitch_diameter,
+        lived ** (1 / ROLLER_EXPONENT) * life.fatigue_limit(case, bearing) / life.dynamic(case, bearing),
+        ROLLERS,
+    )
+
+
+CATALOGUE = Catalogue(RATING, influences, require_load, ratings, oil)

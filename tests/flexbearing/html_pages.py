@@ -90,6 +90,9 @@ class Numbers:
             "series": self.series,
             "torque_error": self.torque_error,
             "viscosity_ratio": self.viscosity_ratio,
+            "oil": self.oil,
+            "speed_factor": self.speed_factor,
+            "times": self.times,
         }
         if kind in derived:
             return derived[kind](rest)
@@ -141,7 +144,26 @@ class Numbers:
         """Temperature difference whose expansion over the pitch diameter is a clearance."""
         case = json.loads(self.file.attrs["case_si"])
         pitch = case["bearing"]["outer_raceway_diameter"] - case["bearing"]["roller"]["diameter"]
-        return self.stored(f"attributes/{path}") / (case["materials"]["inner_ring"]["expansion"] * pitch)
+        expansion = case["materials"]["inner_ring"]["expansion"] * pitch
+        return np.floor(self.stored(f"attributes/{path}") / expansion)
+
+    def oil(self, rest):
+        """What ISO 281 says of the oil at the load that has a life."""
+        name, path = rest.split("/", 1)
+        return self.result.family.catalogue().oil(self.case(), float(self(path)))[name]
+
+    def speed_factor(self, block):
+        """Revolutions a minute times the pitch diameter in millimetres."""
+        bearing = json.loads(self.file.attrs["case_si"])["bearing"]
+        pitch = bearing.get("pitch_diameter") or (
+            bearing["outer_raceway_diameter"] - bearing["roller"]["diameter"]
+        )
+        return abs(in_unit(float(self.file[f"{block}/relative_speed"][()]), "rad/s", "rpm")) * 1e3 * pitch
+
+    def times(self, rest):
+        """One number times another."""
+        one, other = rest.split("|")
+        return self(one) * self(other)
 
     def told(self, rest):
         """What a comment of the case tells of a result with another value of a key."""
@@ -271,10 +293,13 @@ class Numbers:
         """Ratings that follow from the case."""
         return self.rated()
 
-    def rated(self, *settings):
+    def case(self, *settings):
         family, about = self.result.family, self.result.attributes
         file, settings = Path(about["case_file"]), (*about["case_overrides"], *settings)
-        case = understood(about["case_text"], file, settings, {family.kind: family})
+        return understood(about["case_text"], file, settings, {family.kind: family})
+
+    def rated(self, *settings):
+        family, case = self.result.family, self.case(*settings)
         speed = abs(float(self.file["rigid/relative_speed"][()]))
         return family.catalogue().ratings(case, 1e6 * 2 * np.pi / speed / 3600 if speed else np.inf)
 

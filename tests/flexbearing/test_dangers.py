@@ -12,7 +12,7 @@ import flexbearing
 from flexbearing.api import read_case
 from flexbearing.quantities.attributes import GRADES as STORED
 from flexbearing.report import text
-from flexbearing.report.html import against_limits
+from flexbearing.report.html import strength_checks
 from flexbearing.runs.dangers import (
     LEAST_OF_BALLS,
     LEAST_OF_ROLLERS,
@@ -76,8 +76,8 @@ def test_a_load_below_the_minimum_is_said():
     (note,) = lightly_loaded(1.9, 100.0, LEAST_OF_ROLLERS)
     assert note.text.startswith("minimum load: 2 N is below 0.02 C_r = 2 N")
     assert (LEAST_OF_ROLLERS, LEAST_OF_BALLS) == (
-        against_limits.LEAST_OF_ROLLERS,
-        against_limits.LEAST_OF_BALLS,
+        strength_checks.LEAST_OF_ROLLERS,
+        strength_checks.LEAST_OF_BALLS,
     )
 
 

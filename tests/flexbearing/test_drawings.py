@@ -322,6 +322,15 @@ def test_every_shipped_case_is_drawn_without_a_warning(case):
     assert all(sheet.caption and sheet.alternative for sheet in sheets)
 
 
+def test_no_extension_line_crosses_the_text_of_a_length():
+    figure = drawn("squirrel cage")[1]["section"].figure
+    axes = figure.axes[0]
+    part = min(patch.get_path().vertices[:, 0].min() for patch in axes.patches if patch.get_gid())
+    texts = [text for text in axes.texts if text.get_text().startswith(("inner.width", "outer.bar_length"))]
+    assert len(texts) == 2
+    assert all(text.get_ha() == "right" and text.get_position()[0] < part for text in texts)
+
+
 def test_drawings_are_the_same_on_every_run():
     case, sheets = drawn("bolted")
     assert [sheet.svg for sheet in api.drawings(case)] == [sheet.svg for sheet in sheets.values()]

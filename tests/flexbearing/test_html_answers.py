@@ -11,14 +11,20 @@ from pytest import approx
 from flexbearing import api
 from flexbearing.report.html import (
     against_limits,
+    answers,
     assumptions,
+    beyond_range,
+    combined,
     exactness,
+    headline,
     life,
+    lubrication,
     numbers,
     origin,
     stiffness,
     verdict,
 )
+from flexbearing.report.html.check import AIM, BUILD, VALIDITY
 from flexbearing.report.html.document import Items, Number, Table, Words
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import METRIC
@@ -43,9 +49,14 @@ def paragraphs(blocks):
     return " ".join(text for block in blocks if isinstance(block, Words) for text in block.paragraphs)
 
 
+def told_by(blocks):
+    for block in blocks:
+        yield from block.items if isinstance(block, Items) else block.paragraphs
+
+
 def test_every_main_result_has_an_error_and_the_page_says_what_it_leaves_out(paper):
     (main,) = [block for block in verdict.blocks(paper) if getattr(block, "caption", "") == "Main results"]
-    assert all(number(row[3]) > 0 for row in main.rows)
+    assert all(number(row[3]) > 0 for row in main.rows if "bar stress" not in row[0])  # smeared: no mesh
     told = paragraphs(exactness.blocks(paper))
     assert "40 and 80 slices" in told
     assert "Not in the errors by slices alone: the meshes of the elastic rings" in told
@@ -77,15 +88,71 @@ def test_stiffness_over_y_and_z_of_the_bearing_alone_and_with_supports(paper):
 
 
 def test_stress_without_yield_and_tilts_are_told_in_the_first_block(paper):
-    first = paragraphs(list(against_limits.summary(paper)))
-    assert "Compare with limits of your own before use: Nominal stress of the bars: " in first
+    first = "\n".join(told_by(headline.blocks(paper)))
+    assert "Possibly the first limit, without a strength in the case: Nominal stress of the bars" in first
     assert "Tilt of the inner ring: " not in first  # an outer ring on its support leans along
     assert "No assumed input changes this life 1.25 times or more" in paragraphs(verdict.blocks(paper))
     (fitted,) = [block for block in verdict.blocks(paper)
                  if isinstance(block, Items) and block.title.startswith("Fitted inputs")]  # fmt: skip
-    assert fitted.items[0].startswith(
-        "bearing clearance (bearing.clearance) = 75.5 µm, fitted to the paper's"
+    assert fitted.items[0].startswith("clearance (bearing.clearance) = 75.5 µm, fitted to the paper's")
+
+
+def test_the_headline_says_what_the_oil_that_the_life_leaves_out_makes_of_it(paper):
+    """In the same sentence as the life, and as a number in a cell: a_ISO with the cleanest oil."""
+    (line,) = [each for each in told_by(headline.blocks(paper)) if " of this case: " in each]
+    sentence = line.partition(". Range")[0]
+    (row,) = [row for block in lubrication.blocks(paper) if isinstance(block, Table)
+              for row in block.rows if row[0] == "largest a_ISO at this κ"]  # fmt: skip
+    most, hours = number(row[1]), float(paper.result["flexible.life_L10 [h]"].number)
+    assert 0.2 < most < 0.21
+    assert f"a_ISO is at most {row[1].text} at κ 0.428, whatever the cleanliness" in sentence
+    assert float(re.search(r"with which it is at most ([\d.]+) h", sentence)[1]) == approx(
+        hours * most, rel=5e-3
     )
+    assert 'Not in this range: with operation.tilt = "fixed" the basic life is' in line
+    assert "edge stress of the pressed roller ends" in line
+    counted = {
+        **paper.result.attributes,
+        "case_si": {**paper.attributes["case_si"], "life": {"lubrication": "a_ISO"}},
+    }
+    assert beyond_range.of_oil(Reader(replace(paper.result, attributes=counted), METRIC)) == ""
+
+
+def test_a_load_beyond_the_formula_is_no_damage_and_an_overlap_cannot_be_built(paper):
+    grades = {check.what: check.grade for check in against_limits.ranked(paper) if check.broken}
+    assert grades == {
+        "Equivalent load P against C_r/2": VALIDITY, "Dimensions of the cage": BUILD, "Viscosity ratio κ": AIM
+    }  # fmt: skip
+    first = " ".join(told_by(headline.blocks(paper)))
+    parts = ("Life not assured", "No limit of damage", "It cannot be built as assumed", "Usual aim missed")
+    assert [part in first for part in parts] == [True] * len(parts)
+    assert [first.index(part) for part in parts] == sorted(first.index(part) for part in parts)
+
+
+def test_keys_that_count_as_one_input_are_told_where_the_range_stands(paper):
+    assert "roller drop (bearing.roller.drop) and roller profile (bearing.roller.profile) describe one" in (
+        combined.note(paper)
+    )
+
+
+def test_speed_and_power_stand_beside_who_checks_them(paper):
+    checks = {check.what: check for check in against_limits.ranked(paper)}
+    assert number(checks["Speed: n·d_m [mm/min]"].value) == approx(38000 * 70, rel=1e-3)
+    heat = checks["Heat balance: driving power"]
+    assert number(heat.value) == approx(float(paper.blocks["flexible"]["driving_power"]), rel=1e-3)
+    assert "81% of it are drag by the fitted lubricant.oil_fraction" in heat.verdict
+    assert checks["Strength of the cage"].who.startswith("cage maker")
+
+
+def test_each_rotor_model_has_its_stiffness_in_the_short_answers(paper):
+    lines = list(answers._stiffness(paper))
+    alone, support = (
+        float(paper.blocks["flexible"]["radial_stiffness"][1, 1]),
+        paper.attributes["structure"]["outer"]["support_stiffness_N_per_m"],
+    )
+    (shaft,) = [each for each in lines if each.startswith("Shaft only")]
+    along = float(re.search(r"ring, ([\d.]+) kN/mm along z", shaft)[1])
+    assert along == approx(alone * support / (alone + support) / 1e6, rel=1e-3)
 
 
 def test_slope_between_the_raceways_has_the_limit_not_that_of_an_inner_ring_that_leans_with_the_outer(paper):

@@ -8,7 +8,7 @@ import pytest
 from pytest import approx
 
 from flexbearing import api
-from flexbearing.report.html import METRIC, answers, html, lubrication, of_result, ratings
+from flexbearing.report.html import METRIC, answers, html, life, lives, lubrication, of_result, oil, ratings
 from flexbearing.report.html.reader import Reader
 from tests.flexbearing.hostile_cases import CONFIGS
 from tests.flexbearing.html_pages import Numbers, Page, require_equal
@@ -55,7 +55,7 @@ def test_the_ten_questions_are_answered_and_every_link_leads_somewhere(readers, 
 
 def test_each_clearance_has_its_number_in_a_line(readers):
     answer = told(readers("catalogue"))["Which clearance?"]
-    assert "Before mounting, as in a catalogue: 45.0 µm, class CN. Mounted at rest" in answer
+    assert "Before mounting, as in a catalogue: 45.0 µm, class CN.\nMounted at rest" in answer
     assert "not known, as the case gives no temperatures" in answer
     found = readers("warm").attributes["clearance"]
     warm = told(readers("warm"))["Which clearance?"]
@@ -70,13 +70,13 @@ def test_the_most_loaded_element_is_that_of_the_inner_raceway(readers):
         loads = np.asarray(reader.blocks[reader.last][dataset])
         words = told(reader)["Where is the load, and which signs?"]
         place, load, carry = re.match(
-            r"Roller (\d+) of .* bears most: ([\d,]+) N .* (\d+) carry", words
+            r"Roller (\d+) of .* carries most: ([\d,]+) N .* (\d+) carry", words
         ).groups()
         assert int(place) == np.argmax(loads) + 1
         assert float(load.replace(",", "")) == approx(loads.max(), rel=1e-3)
         assert int(carry) == reader.summary[reader.last]["loaded_rollers"] < loads.size
     assert (
-        "Ball 1 of 9, at azimuth 0.0 °, bears most: 4,527 N"
+        "Ball 1 of 9, at azimuth 0.0 °, carries most: 4,527 N"
         in told(readers("ball"))["Where is the load, and which signs?"]
     )
 
@@ -84,16 +84,18 @@ def test_the_most_loaded_element_is_that_of_the_inner_raceway(readers):
 def test_assumed_and_fitted_inputs_are_named(readers):
     words = told(readers("rings"))["What was assumed, and what does it change?"]
     assert words.startswith("22 inputs are assumed, 2 fitted")
-    assert "Fitted: bearing clearance, lubricant oil fraction." in words
-    assert "inner shaft length" in words.partition("Fitted")[0]
+    assert "Fitted: clearance, oil fraction." in words
+    assert "shaft length" in words.partition("Fitted")[0]
 
 
 def test_an_exceeded_limit_stands_before_a_missed_aim(readers):
     safe, first = (
         told(readers("rings"))[key] for key in ("Is it safe?", "What limits it first, and what to change?")
     )
-    assert safe.startswith("No. Equivalent load P against C_r/2 19.62 kN")
-    assert safe.index("EXCEEDED") < safe.index("NOT MET")
+    assert safe.startswith(
+        "Not assured: the load is outside the range of the life formula.\nEquivalent load P"
+    )
+    assert safe.index("OUTSIDE VALIDITY") < safe.index("AIM MISSED")
     assert "take a bearing with C_r of at least 39.24 kN" in first
 
 
@@ -101,7 +103,7 @@ def test_viscosity_ratio_and_films_are_told_where_the_life_does_not_use_them(rea
     reader = readers("rings")
     (table,) = [block for block in lubrication.blocks(reader) if block.kind == "table"]
     rows = {row[0]: row[1] for row in table.rows}
-    assert 0.1 < float(rows["viscosity ratio κ"].text) < 1
+    assert 0.1 < float(rows["viscosity ratio κ = ν/ν₁"].text) < 1
     film, full = (
         float(rows[f"{what}, inner raceway"].text)
         for what in ("smallest film", "combined roughness for Λ = 3")
@@ -120,6 +122,64 @@ def test_life_of_the_case_at_other_oil_temperatures_ends_at_its_own(readers):
     lives = [float(row[-1].text.replace(",", "")) for row in table.rows]
     assert lives == sorted(lives, reverse=True)
     assert lives[2] == approx(float(reader.result["modified_life [h]"].number), rel=1e-3)
+
+
+def test_a_temperature_has_one_life_that_of_the_comments_where_they_tell_it(readers):
+    reader = readers("catalogue")
+    (table,) = ratings.at_other_temperatures(reader)
+    lives = {row[0].partition(" °C")[0]: float(row[-1].text.replace(",", "")) for row in table.rows}
+    assert lives["50"] / lives["70"] == approx(7.41, rel=1e-3)
+    assert lives["90"] / lives["70"] == approx(0.305, rel=1e-3)
+    cells = [
+        ({"data-of": cell.of, "data-stored": cell.stored, "data-unit": cell.unit}, cell.text)
+        for row in table.rows for cell in row[1:]
+    ]  # fmt: skip
+    require_equal(cells, Numbers(reader.result.path))
+
+
+@pytest.mark.parametrize("name", ["catalogue", "rings", "ball"])
+def test_factors_of_the_chain_lead_from_the_catalogue_s_life_to_that_of_the_case(readers, name):
+    reader = readers(name)
+    factors = [factor for _, factor in life.chain(reader)]
+    sizes = [abs(np.log(factor)) for factor in factors]
+    assert sizes == sorted(sizes, reverse=True)
+    chosen, *_ = lives.lives(reader)
+    (catalogue,) = [each for each in lives.lives(reader) if each.key == "catalogue"]
+    pair = [float(each.turns.text.replace(",", "")) for each in (catalogue, chosen)]
+    assert np.prod(factors) == approx(pair[1] / pair[0], rel=2e-3)
+
+
+def test_the_largest_factor_and_the_like_for_like_life_stand_in_the_answer(readers):
+    answer = told(readers("catalogue"))["Why not the catalogue's life?"]
+    assert "Like for like, with a_ISO at P, the catalogue's L10m is 145,729 h." in answer
+    assert "the largest first: a_ISO × 5.19, " in answer
+    assert (
+        "the largest first: inner ring free to tilt × "
+        in told(readers("rings"))["Why not the catalogue's life?"]
+    )
+
+
+def test_a_minimum_is_told_as_a_multiple_and_nothing_limits_at_a_light_load(readers):
+    answers_of = told(readers("catalogue"))
+    first = answers_of["What limits it first, and what to change?"]
+    assert first.startswith(
+        "Nothing limits at this load; nearest: Viscosity ratio κ: 2.06 times the minimum."
+    )
+    assert "Minimum load, against slip and smearing 5 kN" in answers_of["Is it safe?"]
+    assert "3.4 times the minimum" in answers_of["Is it safe?"]
+
+
+def test_lubrication_names_both_viscosities_and_the_temperature_that_suffices(readers):
+    cool, thin = (told(readers(name))["Is the lubrication sufficient?"] for name in ("catalogue", "rings"))
+    assert "2.06 = 20.1 mm²/s over 9.78 mm²/s needed" in cool
+    assert "κ is 1 with this oil at 95 °C." in cool
+    assert "κ is 1 with this oil at 137 °C." in thin
+
+
+def test_an_oil_that_cannot_be_cooled_enough_is_said_to_be_too_thin(readers, monkeypatch):
+    monkeypatch.setattr(oil, "sufficient_at", lambda _: (None, 40))
+    answer = told(readers("rings"))["Is the lubrication sufficient?"]
+    assert "κ = 1 is not reachable by cooling this oil to 40 °C: it needs a thicker one." in answer
 
 
 def test_error_of_the_torque_has_the_power_that_no_cause_explains(readers):

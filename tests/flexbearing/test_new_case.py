@@ -100,6 +100,22 @@ def test_every_assumed_value_says_where_it_comes_from_and_what_another_one_does(
     assert all(re.search(r"; life .*(unchanged|times) with ", comment) for comment in comments)
 
 
+@pytest.mark.parametrize("name", ["nu210", "nj2210", "nu1012"])
+def test_misalignment_of_a_held_ring_is_assumed_and_shortens_the_life(name):
+    text = (CATALOGUE / f"{name}.toml").read_text()
+    assert "operation.misalignment" in tomllib.loads(text)["assumed"]
+    joined = text.replace("\n# ", " ")
+    told = re.search(r'life ([0-9.]+) times with "1 arcmin", ([0-9.]+) times with "3 arcmin"', joined)
+    assert float(told[2]) < float(told[1]) < 1
+
+
+def test_what_the_application_chooses_says_so(write, tmp_path):
+    write(oil="ISO VG 68", shaft="k5", housing="H7", clearance_class="CN")
+    lines = (tmp_path / "case.toml").read_text().splitlines()
+    for key in ("shaft", "tolerance_class", "clearance_class", "oil", "radial_load"):
+        assert any("# chosen" in line for line in lines if line.startswith(f"{key} = ")), key
+
+
 def test_ratings_of_the_maker_are_those_of_the_case(write):
     life = write()["life"]
     assert life["dynamic_rating"] == "73.5 kN"

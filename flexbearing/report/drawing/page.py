@@ -64,13 +64,14 @@ class Page:
         style = {"arrowstyle": "<|-|>,head_length=0.35,head_width=0.12", "shrinkA": 0, "shrinkB": 0}
         self.axes.annotate("", end, start, arrowprops=style | {"color": ENGRAVED, "lw": 0.5})
 
-    def length(self, text: str, ends: tuple[float, float], seen: float, y: float) -> None:
-        """A dimension in its row below the part."""
+    def length(self, text: str, ends: tuple[float, float], seen: float, y: float, edge: float) -> None:
+        """A dimension in its row below the part, its text left of an edge that no extension line crosses."""
         places = [self.at((x, seen)) for x in ends]
         for place in places:
             self.leader([place, (place[0], y - 1)])
         self.dim(*((place[0], y) for place in places))
-        self.word(text, ((places[0][0] + places[1][0]) / 2, y + 0.5), va="bottom")
+        self.leader([(edge - 1, y), (places[0][0], y)])
+        self.word(text, (edge - 2, y), ha="right")
 
     def leader(self, points: Any, *, dot: bool = False, **style: Any) -> None:
         """A thin line, with a point at its beginning on wish."""

@@ -166,15 +166,11 @@ class Sheet:
 
         low, high = self.box
         scale, size = 1e3 * self.scale, 1e3 * self.scale * (high - low)
-        beyond = [  # of labels of lengths, which may be wider than the part
-            (width_of(text) / 2 - scale * (middle - low[0]), width_of(text) / 2 - scale * (high[0] - middle))
-            for text, middle in ((text, (start + end) / 2) for text, start, end, _ in self.axial)
-        ]
-        left = max(self._left_width(), MARGIN + max((each[0] for each in beyond), default=0.0))
+        beside = max((width_of(text) for text, *_ in self.axial), default=0.0)  # of lengths, left of the part
+        left = max(self._left_width(), 2 * MARGIN + beside)
         right = LEADER + MARGIN + max((width_of(text) for text, _ in self.beside), default=0.0)
         scaled = f"scale {_ratio(self.scale)}" if self.to_scale else "not to scale"
         notes = [*self.notes, "; ".join(filter(None, (scaled, self._legend)))]
-        right = max(right, MARGIN + max((each[1] for each in beyond), default=0.0))
         wide = max(left + size[0] + right, MARGIN + max(map(width_of, notes)))
         above, under = self._overhang(scale, low[1], size[1])
         rows = max(under, ROW * (len(self.axial) + 0.5)) + (CROSS + MARGIN if self.cross else 0.0)
@@ -190,7 +186,7 @@ class Sheet:
         self._label_beside(page, page.at(high)[0])
         self._label_heights(page, left)
         for row, (text, start, end, y) in enumerate(sorted(self.axial, key=lambda item: item[2] - item[1])):
-            page.length(text, (start, end), y, base - above_rows(row))
+            page.length(text, (start, end), y, base - above_rows(row), page.at(low)[0])
         for text, point, style in self.placed:
             page.word(text, page.at(point), **style)
         for row, text in enumerate(reversed(notes)):

@@ -1,7 +1,6 @@
-"""What an engineer asks of a report first, answered in a sentence or two, with where the rest stands."""
+"""What an engineer asks of a report first, answered in short lines, with where the rest stands."""
 
 from collections.abc import Iterator
-from math import log
 
 import numpy as np
 
@@ -10,31 +9,36 @@ from flexbearing.report.html import (
     against_limits,
     assumed_effects,
     assumptions,
+    beyond_range,
     clearance,
     combined,
     exactness,
+    headline,
+    life,
     lives,
     lubrication,
+    oil,
     stiffness,
 )
-from flexbearing.report.html.against_limits import NOT_CHECKED
+from flexbearing.report.html.check import Check, text_of, used
 from flexbearing.report.html.document import Number, Table
 from flexbearing.report.html.reader import Reader
-from flexbearing.report.html.units import printed
+from flexbearing.report.html.strength_checks import BARS, ENDS
 from flexbearing.report.rows import of_supports
 
 CAPTION = "Short answers"
 SLIP = "cage slip"  # in percent, with its error in percentage points
 _TINY = 1e-3  # [%] error below which its size does not matter
-_LARGEST, _STEPS = 4, 3  # factors or limits, and things to do, that an answer names
+_LARGEST, _FACTORS, _STEPS = 4, 6, 3  # limits, factors, and things to do, that an answer names
+BAR_STRESS, STIFFNESS = "bar stress", "stiffness"  # words of results in comments of a case
 _SIGNS = (
     "Azimuth 0° is the z axis, along the load unless operation.load_direction turns it. It grows towards y, "
     "the way that a positive speed turns. Positive along a roller is +x; other signs stand below the tables."
 )
 _AXES = "Axes: x along the shaft, z at azimuth 0°, y at 90°; forces are positive along them."
 _MODEL = (
-    "What is assumed usually changes more. How far the model is from measurements is not in these errors: "
-    "the evidence pages of the program compare it with published ones, not with this bearing."
+    "How far the model is from measurements is not in these errors: the evidence pages of the program "
+    "compare it with published ones, not with this bearing."
 )
 _TANGENT = "Slopes at this load and speed; no damping. With tilt and signs: the matrix over five directions."
 
@@ -56,9 +60,12 @@ def blocks(reader: Reader) -> Iterator[Table]:
             _load,
             f"[{_elements(reader)}](#elements), [drawings](#computed)",
         ),
-        ("What was not checked?", _unchecked, "[What limits most](#limits-most), [Limits](#limits)"),
+        ("What was not checked?", _unchecked, "[Not checked here](#not-checked), [Limits](#limits)"),
     )
-    rows = [(question, words, where) for question, answer, where in asked if (words := answer(reader))]
+    rows = [
+        (question, "\n".join(lines), where) for question, answer, where in asked
+        if (lines := tuple(filter(None, answer(reader))))
+    ]  # fmt: skip
     yield Table(CAPTION, ("question", "answer", "more in"), tuple(rows))
 
 
@@ -67,72 +74,93 @@ def _elements(reader: Reader) -> str:
     return f"{shown.word.capitalize()}s" if shown else "Elements"
 
 
-def _text(number: Number) -> str:
-    return f"{number.text} {printed(number.unit)}".strip()
+def _safe(reader: Reader) -> Iterator[str]:
+    """Which limits are kept, with what is used of them, and what has none."""
+    checks = against_limits.ranked(reader)
+    yield headline.judged(reader)
+    for check in checks[:_LARGEST]:
+        if isinstance(check.value, Number) and isinstance(check.share, Number):
+            verdict = check.verdict.partition(":")[0]
+            yield f"{check.what} {text_of(check.value)}, {check.limit}: {used(check)}, {verdict}."
+    urgent = [f"{check.what} {text_of(value)}" for check, value in _without_limit(checks)]
+    if urgent:
+        yield f"Without a limit in the case, so compare with yours: {', '.join(urgent)}."
 
 
-def _safe(reader: Reader) -> str:
-    """Which limits are kept, with the share that is used of them, and what has none."""
-    urgent = [
-        f"{check.what} {_text(check.value)}" for check in against_limits.ranked(reader)
-        if check.urgent and isinstance(check.value, Number)
-    ]  # fmt: skip
-    without = f" Without a limit in the case, so compare with yours: {'; '.join(urgent)}." if urgent else ""
-    told = [
-        f"{check.what} {_text(check.value)}, {check.limit}: {check.share.text} % used, {check.verdict}"
-        for check in against_limits.ranked(reader)[: _LARGEST + 1]
-        if isinstance(check.value, Number) and isinstance(check.share, Number)
-    ]  # fmt: skip
-    return f"{against_limits.judged(reader)} {'; '.join(told)}.{without}" if told else without.strip()
+def _without_limit(checks: list[Check]) -> list[tuple[Check, Number]]:
+    """Values that may limit before all others, but have no limit in the case."""
+    return [(check, check.value) for check in checks if check.urgent and isinstance(check.value, Number)]
 
 
-def _first(reader: Reader) -> str:
-    """The limit with the largest share, and the first things to do."""
-    first = next((check for check in against_limits.ranked(reader) if isinstance(check.share, Number)), None)
-    if first is None or not isinstance(first.share, Number):
-        return ""
-    words = f"{first.what}: {first.share.text} % of its limit is used."
+def _first(reader: Reader) -> Iterator[str]:
+    """The limit with the largest share, what may come before it, and the first things to do."""
+    checks = against_limits.ranked(reader)
+    first = next((check for check in checks if isinstance(check.share, Number)), None)
+    if first is None:
+        return
+    unknown = _without_limit(checks)
+    near = first.used > headline.HALF or unknown
+    yield f"{'' if near else 'Nothing limits at this load; nearest: '}{first.what}: {used(first)}."
+    for check, value in unknown:
+        told = f"{text_of(value)}{_moved(reader, check)}"
+        yield f"Possibly before it: {check.what} {told}; no strength is given."
     steps = against_limits.steps(reader)[:_STEPS]
-    return words + (f" Next: {'; '.join(steps)}." if steps else "")
+    yield from (f"Next: {step}." for step in steps)
 
 
-def _catalogue(reader: Reader) -> str:
-    """Both lives, and the largest factors between them."""
-    known = {life.key: life for life in lives.lives(reader)}
-    chosen, catalogue = next((life for life in known.values() if life.chosen), None), known.get("catalogue")
-    if chosen is None or catalogue is None:
+def _moved(reader: Reader, check: Check) -> str:
+    """What inputs that are not known make of the stress of the bars."""
+    span = combined.of(reader, BAR_STRESS) if check.what == BARS else None
+    if span is None:
         return ""
-    pair = [life.hours if isinstance(life.hours, Number) else life.turns for life in (catalogue, chosen)]
-    words = f"ISO 281 gives {_text(pair[0])}, this case {_text(pair[1])} ({chosen.name})."
-    stages = (reader.attributes.get("catalogue_life") or {}).get("stages", ())
-    steps = [(stage["name"], stage["factor"]) for stage in stages if stage["factor"]]
-    steps.sort(key=lambda step: -abs(log(step[1])))
-    if steps:
-        told = "; ".join(f"{name}, × {factor:.3g}" for name, factor in steps[:_LARGEST])
-        return f"{words} Largest factors between them, each after those before it in the chain: {told}."
-    why = (
-        "loads of all rolling elements count, with clearance, profile, tilt and rings; ISO 281 has one load P"
-    )
-    return f"{words} Between them: {why}."
+    low, high = (f"{value:.3g}" for value in span.squares)
+    return f", {low} to {high} times that by {combined.inputs(reader, span.most)} and other inputs"
 
 
-def _assumed(reader: Reader) -> str:
+def _catalogue(reader: Reader) -> Iterator[str]:
+    """Both lives, and the largest factors between them."""
+    known = {each.key: each for each in lives.lives(reader)}
+    chosen, catalogue = next((each for each in known.values() if each.chosen), None), known.get("catalogue")
+    if chosen is None or catalogue is None:
+        return
+    pair = [each.hours if isinstance(each.hours, Number) else each.turns for each in (catalogue, chosen)]
+    yield f"ISO 281 gives {text_of(pair[0])}, this case {text_of(pair[1])} ({chosen.name})."
+    alike = known.get("catalogue modified")
+    if alike is not None and chosen.key == "modified" and isinstance(alike.hours, Number):
+        yield f"Like for like, with a_ISO at P, the catalogue's L10m is {text_of(alike.hours)}."
+    if steps := life.chain(reader)[:_FACTORS]:
+        told = ", ".join(f"{name} × {factor:.3g}" for name, factor in steps)
+        yield f"Factors between them, the largest first: {told}."
+    if bound := beyond_range.of_oil(reader):
+        yield f"Neither life counts the oil: {bound}."
+
+
+def _assumed(reader: Reader) -> Iterator[str]:
     """How many inputs are not known, what they make of the main results, and which matter most."""
     counts = [len(reader.attributes[mark]) for mark in ("assumed", "calibrated")]
-    words = f"{counts[0]} inputs are assumed, {counts[1]} fitted, each marked in the table of inputs."
+    yield f"{counts[0]} inputs are assumed, {counts[1]} fitted, each marked in the table of inputs."
     for label, mark in (("Assumed", "assumed"), ("Fitted", "calibrated")):
-        names = [assumptions.named(key).partition(" (")[0] for key in reader.attributes[mark]]
-        words += f" {label}: {', '.join(names)}." if names else ""
-    results = [(combined.LIFE, "life"), *((word, word) for word in dict(reader.layout.weighed).values())]
-    told = []
-    for word, label in results:
-        if (span := combined.of(reader, word)) is not None:
-            low, high = (f"{value:.3g}" for value in span.squares)
-            told.append(f"{label} {low} to {high} times, most by {assumptions.named(span.most)}")
+        names = [assumptions.name(key) for key in reader.attributes[mark]]
+        if names:
+            yield f"{label}: {', '.join(names)}."
     chosen = assumed_effects.keys(reader, CHOICE)
     also = f" and choices of the case ({', '.join(chosen)})" if chosen else ""
-    words += f" Inputs that are not exactly known{also} make together: {'; '.join(told)}." if told else ""
-    return words + _heavier(reader)
+    told = list(_moving(reader))
+    if told:
+        yield f"Inputs that are not exactly known{also} make together:"
+        yield from told
+    yield _heavier(reader)
+
+
+def _moving(reader: Reader) -> Iterator[str]:
+    """Each result with its range and the input that moves it most."""
+    weighed = [word for word in dict(reader.layout.weighed).values() if word != combined.LIFE]
+    for word in (combined.LIFE, *weighed):
+        if (span := combined.of(reader, word)) is not None:
+            low, high = (f"{value:.3g}" for value in span.squares)
+            supports = " with supports (none was computed for the bearing alone)"
+            whole = supports * (word == STIFFNESS and stiffness.supported(reader))
+            yield f"{word}{whole} {low} to {high} times, most by {combined.inputs(reader, span.most)}."
 
 
 def _heavier(reader: Reader) -> str:
@@ -149,9 +177,9 @@ def _heavier(reader: Reader) -> str:
     return ""
 
 
-def _exact(reader: Reader) -> str:
+def _exact(reader: Reader) -> Iterator[str]:
     """Numerical errors of the main results, and what is larger than them."""
-    first = next((life for life in lives.lives(reader) if life.chosen), None)
+    first = next((each for each in lives.lives(reader) if each.chosen), None)
     found = {} if first is None else {first.name: first.error}
     for entry in reader.layout.summary:
         ignored = of_supports(entry) and len(reader.blocks) < 2
@@ -163,15 +191,19 @@ def _exact(reader: Reader) -> str:
         ):
             found.setdefault(entry.label.strip(), error)
     told = [
-        f"{label} {_percent(error)}{' points' * (label == SLIP)}"
+        f"{label} {_percent(error).replace(' %', ' percentage points') if label == SLIP else _percent(error)}"
         for label, error in found.items()
         if isinstance(error, Number)
     ]
     if told:
-        words = f"Numerical errors, from the exact answer of this model: {', '.join(told)}."
+        yield f"Numerical errors, from the exact answer of this model: {', '.join(told)}."
     else:
-        words = "Closed formulas, without a grid: only the balance of forces has an error."
-    return f"{words} {_MODEL}"
+        yield "Closed formulas, without a grid: only the balance of forces has an error."
+    if missing := beyond_range.left_out(reader):
+        yield f"Neither in these errors nor in the range of the life: {'; '.join(missing)}."
+    if ENDS & {note["code"] for note in reader.attributes["notes"]}:
+        yield "Nor is the peak pressure at the ends of the rollers: see its note under Limits."
+    yield _MODEL
 
 
 def _percent(error: Number) -> str:
@@ -179,62 +211,86 @@ def _percent(error: Number) -> str:
     return f"{error.text} %" if float(error.text) >= _TINY else f"below {_TINY:g} %"
 
 
-def _clearance(reader: Reader) -> str:
-    return " ".join(clearance.which(reader))
+def _clearance(reader: Reader) -> Iterator[str]:
+    yield from clearance.which(reader)
 
 
-def _stiffness(reader: Reader) -> str:
-    """Radial stiffnesses of the bearing, alone and with supports."""
+def _stiffness(reader: Reader) -> Iterator[str]:
+    """Radial stiffnesses of the bearing, alone and with supports, by what the rotor model has."""
     block = reader.blocks.get(reader.last, {})
     if "stiffness_matrix" not in block:
-        return ""
+        return
     if "radial_stiffness" not in block:
-        diagonal = (f"{axis} {_text(stiffness.entry(reader, row, row))}" for row, axis in enumerate("xyz"))
-        return f"Of the bearing alone, along {', '.join(diagonal)}. {_AXES} {_TANGENT}"
+        diagonal = (f"{axis} {text_of(stiffness.entry(reader, row, row))}" for row, axis in enumerate("xyz"))
+        yield f"Of the bearing alone, along {', '.join(diagonal)}."
+    else:
+        yield from _by_rotor_model(reader)
+    yield f"{_AXES} {_TANGENT}"
 
+
+def _by_rotor_model(reader: Reader) -> Iterator[str]:
     def both(name: str) -> str:
         along, across = (reader.element(reader.last, name, row, row, digits=",.4g") for row in (1, 0))
-        return f"{_text(along)} along z, {_text(across)} along y"
+        return f"{text_of(along)} along z, {text_of(across)} along y"
 
-    words = (
-        f"Bearing alone: {both('radial_stiffness')}: where the rotor model has shaft and supports of its own."
-    )
+    yield f"Shaft and supports in the rotor model: bearing alone, {both('radial_stiffness')}."
+    for part, has in stiffness.IN_MODEL.items():
+        rows = [f"{text_of(number)} along {axis}" for axis, number in stiffness.in_series(reader, part)]
+        if rows:
+            yield f"{has} only: with the support of the {part} ring, {', '.join(rows)}."
     if stiffness.supported(reader):
-        words += f" With supports: {both('total_radial_stiffness')}: where it has neither."
+        yield f"Neither in the rotor model: with supports, {both('total_radial_stiffness')}."
     else:
-        words += " Rings, shaft and housing are rigid here: the rotor model must have its own."
-    return f"{words} {_AXES} {_TANGENT}"
+        yield "Rings, shaft and housing are rigid here: the rotor model must have its own."
 
 
-def _lubrication(reader: Reader) -> str:
+def _lubrication(reader: Reader) -> Iterator[str]:
     """Viscosity ratio and films against their usual aims."""
-    kappa, films = lubrication.viscosity_ratio(reader), lubrication.films(reader)
-    words = []
-    if kappa is not None:
-        judged = "Yes by" if float(kappa.text) >= 1 else "No by"
-        words.append(f"{judged} the viscosity ratio κ: {kappa.text}, usual aim at least 1.")
-        if "lubricant.inlet_temperature" in reader.attributes["assumed"]:
-            words.append("The oil temperature is assumed: κ at others stands under Life.")
-    for race, film in films.items():
+    yield from _viscosities(reader)
+    for race, film in lubrication.films(reader).items():
         ratio = lubrication.film_ratio(reader, race)
         if ratio is not None:
-            words.append(f"Smallest film, {race} raceway: {_text(film)}, film ratio Λ {ratio.text}.")
+            yield f"Smallest film, {race} raceway: {text_of(film)}, film ratio Λ {ratio.text}."
         else:
             full = lubrication.needed_roughness(reader, race, lubrication.FULL_FILM)
-            words.append(
-                f"Smallest film, {race} raceway: {_text(film)}; Λ is 1 with a combined roughness of "
-                f"{_text(film)}, and {lubrication.FULL_FILM} with {_text(full)}; the case gives none."
+            yield (
+                f"Smallest film, {race} raceway: {text_of(film)}; Λ is 1 with a combined roughness of "
+                f"{text_of(film)}, and {lubrication.FULL_FILM} with {text_of(full)}; the case gives none."
             )
     if "flooding" in {note["code"] for note in reader.attributes["notes"]}:
-        words.append("Films are those of inlets full of oil; with little oil they are thinner.")
-    return " ".join(words)
+        yield "Films are those of inlets full of oil; with little oil they are thinner."
 
 
-def _load(reader: Reader) -> str:
+def _viscosities(reader: Reader) -> Iterator[str]:
+    """Viscosity against the one that is needed, and the temperature with enough of it."""
+    kappa, both = (
+        lubrication.viscosity_ratio(reader),
+        (oil.viscosity(reader), oil.reference_viscosity(reader)),
+    )
+    if kappa is None:
+        return
+    known = [number for number in both if number is not None]
+    judged = "Yes" if float(kappa.text) >= 1 else "No"
+    of = f" = {text_of(known[0])} over {text_of(known[1])} needed" if len(known) > 1 else ""
+    yield f"{judged} by the viscosity ratio κ: {kappa.text}{of}, usual aim at least 1."
+    enough, reached = oil.sufficient_at(reader)
+    if enough is not None:
+        yield f"κ is 1 with this oil at {enough} °C."
+    elif float(kappa.text) < 1 and reached < _celsius(reader):
+        yield f"κ = 1 is not reachable by cooling this oil to {reached} °C: it needs a thicker one."
+    if "lubricant.inlet_temperature" in reader.attributes["assumed"]:
+        yield "The oil temperature is assumed: κ at others stands under Life."
+
+
+def _celsius(reader: Reader) -> float:
+    return reader.attributes["case_si"]["lubricant"]["inlet_temperature"] - 273.15 - 1
+
+
+def _load(reader: Reader) -> Iterator[str]:
     """The most loaded rolling element, how many carry, and what azimuth and signs are."""
     shown, block = reader.result.family.report().elements, reader.blocks.get(reader.last, {})
     if shown is None or not block:
-        return ""
+        return
     name = next(iter(shown.figures.values()))[0]
     symbols, loads = reader.layout[name].shape, np.asarray(block[name])
     races = [
@@ -248,18 +304,18 @@ def _load(reader: Reader) -> str:
     at = reader.element(reader.last, shown.azimuth, place, digits=".1f")
     highest = inner.max(axis=tuple(other for other in range(inner.ndim) if other != axis))
     carry = reader.summary[reader.last].get("loaded_rollers", int(np.count_nonzero(highest > 0)))
-    which = f"{shown.word.capitalize()} {place + 1} of {count}, at azimuth {_text(at)}"
-    return f"{which}, bears most: {_text(most)} at the inner raceway. {carry} carry load. {_SIGNS}"
+    which = f"{shown.word.capitalize()} {place + 1} of {count}, at azimuth {text_of(at)}"
+    yield f"{which}, carries most: {text_of(most)} at the inner raceway. {carry} carry load."
+    yield _SIGNS
 
 
-def _unchecked(reader: Reader) -> str:
+def _unchecked(reader: Reader) -> Iterator[str]:
     """What has no verdict: without a limit, or not computed."""
-    checks = [check for check in against_limits.ranked(reader) if check.verdict.startswith(NOT_CHECKED)]
+    checks = [check for check in against_limits.ranked(reader) if check.unchecked]
     computed = [check.what for check in checks if isinstance(check.value, Number)]
     others = [check.what for check in checks if not isinstance(check.value, Number)]
-    told = []
     if computed:
-        told.append(f"Computed, but without a limit in the case: {', '.join(computed)}.")
+        yield f"Computed, but without a limit in the case: {', '.join(computed)}."
     if others:
-        told.append(f"Not computed: {', '.join(others)}.")
-    return " ".join([*told, "Compare these with the maker's data or by rules of your own."])
+        yield f"Not computed: {', '.join(others)}."
+    yield "The table says who checks each, and with what."

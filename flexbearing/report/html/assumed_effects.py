@@ -106,12 +106,14 @@ def _told_at_ends(reader: Reader, comment: str) -> Table:
         limit = reader.of_attribute(f"clearance/tolerances/ends/{end}_m", "m", "um", ".1f")
         rows.append((f"{end}, clearance {limit.text} {printed(limit.unit)}", *cells))
     return _of_ends(
-        moved, rows, "As comments of the case tell it; –, and results that are not listed: changes below 1 %."
+        moved,
+        rows,
+        "By the comments in the case file; –, and results that are not listed: changes below 1 %.",
     )
 
 
 def _of_ends(labels: Iterable[str], rows: list[tuple[Cell, ...]], note: str = "") -> Table:
-    head = ("end of the tolerances", *(f"{label} [times]" for label in labels))
+    head = ("end of the tolerances", *(f"{label} [factor]" for label in labels))
     return Table("What the tolerances make of the results", head, tuple(rows), note)
 
 
@@ -131,6 +133,22 @@ def moving(reader: Reader) -> list[str]:
         compared = " (for comparison)" * (key.get("role") == COMPARISON)
         told.append(f"{assumptions.named(key['key'])}{compared}: life {', '.join(others)}")
     return told
+
+
+def solved_again(reader: Reader, key: str, value: str) -> tuple[float, str] | None:
+    """Life with another value of a key over that of the case, with its place; None where it is not known."""
+    found = reader.attributes.get("assumed_effects")
+    if not found:
+        said = assumptions.comments(reader.result.attributes["case_text"]).get(key, "")
+        ratio = assumptions.change(said, "life", value)
+        return None if ratio is None else (ratio, f"told/{key}/{value}/life")
+    name = ranked_by(reader)
+    for place, each in enumerate(found["keys"]):
+        for number, other in enumerate(each["others"]):
+            if each["key"] == key and other["words"] == value and name in other["values"]:
+                of = f"ratio/attributes/{_at(place, number, name)}:attributes/assumed_effects/of/{name}"
+                return other["values"][name] / found["of"][name], of
+    return None
 
 
 def keys(reader: Reader, role: str) -> list[str]:

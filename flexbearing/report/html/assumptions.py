@@ -14,6 +14,11 @@ _MARKS = ("assumed: ", "calibrated: ", "tolerances: ")
 TOLERANCES = "bearing.fits.at"  # stands for all classes of clearance and fits
 _NAMES = {
     TOLERANCES: "tolerances of clearance and fits",
+    "bearing.rollers": "number of rollers",
+    "bearing.balls": "number of balls",
+    "bearing.first_roller_azimuth": "azimuth of the first roller",
+    "outer.bars": "number of bars",
+    "operation.temperatures.reference": "reference temperature",
     "operation.tilt": "whether the shaft lets the inner ring tilt",
     "operation.misalignment": "misalignment of the inner ring",
     "operation.radial_load": "radial load",
@@ -23,11 +28,15 @@ _NAMES = {
     "lubricant.inlet_temperature": "oil temperature at the inlets",
     "life.cleanliness": "cleanliness of the oil",
 }
+_TABLES = ("bearing", "outer", "inner", "lubricant", "operation")  # that a key is clear without
+_OF_RINGS = {
+    f"{race}.{size}" for race in ("inner", "outer") for size in ("width", "thickness", "bore", "kind")
+}
 _TABLE, _KEY = re.compile(r"\[([^\]\[]+)\]"), re.compile(r'"?([\w.-]+)"?\s*=')
 _TITLE = "Assumed: the source does not give these inputs"
 WORTH = 1.25  # change of a life by an assumed input that is told beside the life, as a factor
 _RANKED = (
-    " The largest effect on the life first, as comments of the case tell it: a life in them is the modified "
+    " The largest effect on the life first, by the comments in the case file: a life in them is the modified "
     "life where the case has one, and of several values each changes this one input alone."
 )
 
@@ -42,7 +51,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
         said = {key: _reason(text) for key, text in said.items()}
     ranked = sorted(assumed, key=lambda key: -effect(said.get(key, "")))
     weighted = _RANKED if any(effect(text) for text in said.values()) else ""
-    untold = "the case does not tell its effect"
+    untold = "its effect is not known"
     lines = (f"{named(key)}: {units_in_words(said.get(key, untold))}" for key in ranked)
     yield Items(f"{_TITLE}.{weighted}", tuple(lines))
 
@@ -59,12 +68,27 @@ def _reason(comment: str) -> str:
 def named(key: str) -> str:
     """A key behind its plain name.
 
-    >>> named("bearing.roller.drop"), named("lubricant.oil_fraction")
-    ('roller drop (bearing.roller.drop)', 'lubricant oil fraction (lubricant.oil_fraction)')
+    >>> named("bearing.roller.drop"), named("outer.bars")
+    ('roller drop (bearing.roller.drop)', 'number of bars (outer.bars)')
+    """
+    return f"{name(key)} ({key})"
+
+
+def name(key: str) -> str:
+    """A key in plain words.
+
+    >>> name("materials.inner_ring"), name("outer.width"), name("friction.coefficient")
+    ('material of the inner ring', 'width of the outer ring', 'friction coefficient')
     """
     if key in _NAMES:
-        return f"{_NAMES[key]} ({key})"
-    return f"{' '.join(key.split('.')[-2:]).replace('_', ' ')} ({key})"
+        return _NAMES[key]
+    table, *rest = key.split(".")
+    words = " ".join(rest[-2:]).replace("_", " ")
+    if key.startswith("materials.") and len(rest) == 1:
+        return f"material of the {words}"
+    if key in _OF_RINGS:
+        return f"{words} of the {table} ring"
+    return words if table in _TABLES or len(rest) > 1 else f"{table} {words}"
 
 
 def moving(reader: Reader) -> list[str]:

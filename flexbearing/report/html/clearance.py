@@ -1,6 +1,7 @@
 """Operating clearance step by step, and what tolerances make of it."""
 
 from collections.abc import Iterator
+from math import floor
 from typing import Any
 
 from flexbearing.report.html import assumed_effects
@@ -22,12 +23,14 @@ _SIGNS = (
 )
 _WARMTH = (
     "Warmer than the outer ring, beyond the temperatures of the case; rollers half way between them, "
-    "expansion of the inner ring times the pitch diameter. From there on the bearing is preloaded."
+    "expansion of the inner ring times the pitch diameter; rounded down. From there on the bearing is "
+    "preloaded."
 )
 _DIAMETRAL = (
     "All clearances are diametral: the play of the inner ring across the bearing, twice the radial one; "
     "negative is a preload."
 )
+TIGHT = "tolerances/ends/tightest_m"  # path of the least clearance within the tolerances
 SMALLEST = 5e-10  # [m] smaller changes are zeros in the table
 
 
@@ -50,7 +53,10 @@ def blocks(reader: Reader) -> Iterator[Block]:
     if not reader.attributes["case_si"]["operation"].get("temperatures"):
         yield Words((_EQUALLY_WARM,))
     fits = [f"{seat}: {found[f'{seat}_fit']}" for seat in ("shaft", "housing")]
-    yield Items("Result", tuple(map(units_in_words, (found["verdict"], *fits))))
+    warm = reader.attributes["case_si"]["operation"].get("temperatures")
+    verdict = (found["verdict"],) if warm else ()
+    yield Items("Fits in operation" if warm else "Fits, all parts equally warm",
+                tuple(map(units_in_words, (*verdict, *fits))))  # fmt: skip
     if "tolerances" in found:
         yield _tolerances(reader, found)
         yield from assumed_effects.at_ends(reader)
@@ -83,8 +89,10 @@ def which(reader: Reader) -> tuple[str, ...]:
     if reader.attributes["case_si"]["operation"].get("temperatures"):
         lines.append(f"In operation, warm and turning: {used}. All results use it.")
     else:
-        lines.append("In operation: not known, as the case gives no temperatures.")
-        lines.append(f"All results use the clearance mounted and turning, parts equally warm: {used}.")
+        lines.append(f"Mounted and turning, parts equally warm: {used}. All results use it.")
+        lines.append(
+            "In operation: not known, as the case gives no temperatures; a warm inner ring leaves less."
+        )
     if "ends" in found.get("tolerances", {}):
         ends = (
             _micrometres(reader, found["tolerances"]["ends"][f"{end}_m"]) for end in ("tightest", "loosest")
@@ -107,32 +115,35 @@ def _origin(reader: Reader) -> str:
 
 
 def _used_up(reader: Reader, found: dict[str, Any]) -> Iterator[Table]:
-    """By how much warmer an inner ring uses the clearance up, where the case has what that takes."""
+    """By how much warmer an inner ring takes all clearance, where the case has what that takes."""
     ends = {"as computed": "operating_m"}
     if "ends" in found.get("tolerances", {}):
-        ends["tight end of the tolerances"] = "tolerances/ends/tightest_m"
+        ends["tight end of the tolerances"] = TIGHT
     rows: list[tuple[Cell, ...]] = []
     for label, path in ends.items():
         limit = reader.of_attribute(f"clearance/{path}", "m", "um", ".1f")
-        difference = _warmth(reader, path)
-        if difference is not None and difference > 0:
-            number = reader.units.number(difference, "K", "K", ".2g", f"warmth/clearance/{path}")
+        if (difference := warmth(reader, path)) is not None:
+            number = reader.units.number(difference, "K", "K", ",d", f"warmth/clearance/{path}")
             rows.append((label, limit, number))
     if rows:
         head = ("clearance", with_unit("diametral", reader.units.of("um")), "inner ring warmer by [K]")
-        yield Table("Temperature difference that uses the clearance up", head, tuple(rows), _WARMTH)
+        yield Table("Temperature difference that takes all clearance", head, tuple(rows), _WARMTH)
 
 
-def _warmth(reader: Reader, path: str) -> float | None:
-    """Difference of temperature between the rings [K]; None for bearings without rollers or expansion."""
-    case = reader.attributes["case_si"]
+def warmth(reader: Reader, path: str) -> int | None:
+    """Whole kelvins by which an inner ring may be warmer than the outer one, at a clearance of the result.
+
+    None where nothing is left, and for bearings without rollers or expansion.
+    """
+    case, found = reader.attributes["case_si"], reader.attributes["clearance"]
     expansion = (case.get("materials", {}).get("inner_ring") or {}).get("expansion")
     if not reader.of_rollers or not expansion:
         return None
-    bearing, value = case["bearing"], reader.attributes["clearance"]
+    bearing, value = case["bearing"], found
     for step in path.split("/"):
         value = value[step]
-    return value / expansion / (bearing["outer_raceway_diameter"] - bearing["roller"]["diameter"])
+    pitch = bearing["outer_raceway_diameter"] - bearing["roller"]["diameter"]
+    return floor(value / expansion / pitch) if value > 0 else None
 
 
 def _stated(reader: Reader) -> Table:

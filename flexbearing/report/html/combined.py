@@ -10,14 +10,14 @@ from flexbearing.report.html.reader import Reader
 
 LIFE = "life"
 HEAD = (
-    "by inputs: least [times]",
-    "most [times]",
-    "all at once: least [times]",
-    "most [times]",
+    "by inputs: lowest [factor]",
+    "highest [factor]",
+    "all at once: lowest [factor]",
+    "highest [factor]",
     "moved most by",
 )
 _COMPUTED = "computed with this result"
-_TOLD = "as comments of the case tell it, which leave out changes below 1 %"
+_TOLD = "by the comments in the case file, which leave out changes below 1 %"
 _NOTE = (
     "By inputs: the result over that of this case with other values of all that is assumed, fitted or "
     "toleranced, {by}: root of the sum of squares of the largest change by each input, as logarithms, for "
@@ -33,7 +33,8 @@ _CAPPED = (
     " {} stays between {:g} and {:g}: of changes that add up to more, only what is left to these limits "
     "counts, so the range may be narrower than the root of squares of the rows."
 )
-_MISSING = " Not counted, since their effect is not told: {}."
+_MISSING = " Not counted, since their effect is not known: {}."
+_ONE_THING = " {} describe one thing and count as one input: the larger change of them in each direction."
 _LIMITS = {  # of factors of a life that a rule bounds
     "a_ISO": (0.1, 50.0),  # ISO 281
     "film": (0.19, 3.03),  # STLE
@@ -74,7 +75,7 @@ def cells(reader: Reader, word: str) -> tuple[Cell, ...]:
         reader.units.number(value, "", "", ".3g", f"combined/{how}/{place}/{word}")
         for how in ("squares", "worst") for place, value in enumerate(getattr(span, how))
     ]  # fmt: skip
-    return (*numbers, span.most)
+    return (*numbers, " with ".join(_groups(reader).get(span.most, (span.most,))))
 
 
 def of(reader: Reader, word: str) -> Span | None:
@@ -98,7 +99,29 @@ def note(reader: Reader) -> str:
         words += _CHOSEN.format(", ".join(chosen))
     if bounded := _bounded(reader):
         words += _CAPPED.format(bounded[0], *_LIMITS[bounded[0]])
+    for group in _groups(reader).values():
+        words += _ONE_THING.format(" and ".join(map(assumptions.named, group))) if len(group) > 1 else ""
     return words + (_MISSING.format(", ".join(missing)) if missing else "")
+
+
+def inputs(reader: Reader, key: str) -> str:
+    """Name of an input that moves a result, with the keys that count with it."""
+    return " with ".join(map(assumptions.named, _groups(reader).get(key, (key,))))
+
+
+def _groups(reader: Reader) -> dict[str, list[str]]:
+    """Keys of inputs by the one that they count with."""
+    found = reader.attributes.get("assumed_effects") or {}
+    said = assumptions.comments(reader.result.attributes["case_text"])
+    keys = (
+        [each["key"] for each in found["keys"]]
+        if found
+        else [key for key in said if assumptions.weighed(said[key])]
+    )
+    grouped: dict[str, list[str]] = {}
+    for key in sorted(keys):
+        grouped.setdefault(about(key), []).append(key)
+    return grouped
 
 
 def changes(reader: Reader, word: str) -> dict[str, list[Change]]:

@@ -11,6 +11,7 @@ from flexbearing.report.html.reader import Reader
 
 NOT_ESTIMATED = "not estimated"
 TORQUE, _RESIDUAL = "driving_torque", "loss_transport"
+_BARS = "nominal_bar_stress_MPa"
 PRESSURE_NOTES = {"pressed-end", "sharp-roller-end", "sliced-peak", "profile-corner"}
 _MEANING = (
     "A numerical error says how far a number is from the exact answer of this model, not from a "
@@ -54,6 +55,8 @@ def known(reader: Reader, entry: SummaryValue) -> Number | None:
         return whole
     if entry.error == TORQUE and (whole := of_torque(reader)):
         return whole
+    if entry.key == _BARS:
+        return _of_bars(reader)
     path = reader.error_path(entry.error)
     return reader.of_attribute(path, "1", "%", ".2g") if path else None
 
@@ -66,6 +69,16 @@ def of_torque(reader: Reader) -> Number | None:
     error = float(reader.attributes[path.partition("/")[0]][TORQUE])
     error += abs(float(block[_RESIDUAL]) / float(block["driving_power"]))
     return reader.units.number(100 * error, "%", "%", ".2g", f"torque_error/{reader.last}/{path}")
+
+
+def _of_bars(reader: Reader) -> Number | None:
+    """Error [%] of the nominal stress of the bars by its own mesh; None: not known."""
+    summary = reader.summary.get(reader.last) or {}
+    stress, error = summary.get(_BARS), summary.get("nominal_bar_stress_error_MPa")
+    if not stress or not error:
+        return None
+    path = f"percent/{reader.last}/nominal_bar_stress_error_MPa/{_BARS}"
+    return reader.units.number(100 * error / stress, "%", "%", ".2g", path)
 
 
 def with_supports(reader: Reader) -> Number | None:
@@ -93,14 +106,22 @@ def _exact(reader: Reader) -> bool:
 
 def blocks(reader: Reader) -> Iterator[Block]:
     """Errors that are estimated, how the balance ended, what is not estimated."""
-    rows = [*_of_target(reader), *_of_single_outputs(reader)]
-    rows.append(("balance of forces at the end", reader.attributes["message"], "of the run"))
-    head = ("number", "error [%] or remark", "estimated by")
-    yield Table(_caption(reader), head, tuple(rows), _MEANING, name="errors")
+    found = [*_of_target(reader), *_of_single_outputs(reader)]
+    found.append(("balance of forces at the end", reader.attributes["message"], "the run"))
+    head = ("number", "error [%]", "estimated by")
+    yield Table(_caption(reader), head, tuple(map(_in_columns, found)), _MEANING, name="errors")
     if _exact(reader):
         yield Words((_BALLS,))
     elif not (reader.attributes.get("error_estimate") or {}) and "accuracy" in reader.attributes["case_si"]:
         yield Words((*_of_finer_slices(reader), f"{_NO_TARGET} `{_with_target(reader)}`."))
+
+
+def _in_columns(row: tuple[Cell, ...]) -> tuple[Cell, ...]:
+    """An error as a number, or what is said in place of it beside who says so."""
+    what, value, by = row
+    if isinstance(value, Number):
+        return row
+    return what, "", f"{value}; {by}" if by else value
 
 
 def _of_finer_slices(reader: Reader) -> Iterator[str]:
@@ -121,7 +142,7 @@ def _of_slices(reader: Reader) -> str:
         return "see the notes on peak pressure under Limits"
     if reader.bearing.get("contact") != "slices":
         return ""
-    return "slices were within 5 % of whole contacts where, as here, no note on peak pressure is told"
+    return "slices were within 5 % of whole contacts in cases without a note on peak pressure, as here"
 
 
 def _caption(reader: Reader) -> str:
@@ -191,10 +212,8 @@ def _of_single_outputs(reader: Reader) -> Iterator[tuple[Cell, ...]]:
     """Errors that outputs have of their own."""
     summary = reader.summary.get(reader.last) or {}
     yield from _of_pressures(reader)
-    if (stress := summary.get("nominal_bar_stress_MPa")) and summary.get("nominal_bar_stress_error_MPa"):
-        of = 100 * summary["nominal_bar_stress_error_MPa"] / stress
-        path = f"percent/{reader.last}/nominal_bar_stress_error_MPa/nominal_bar_stress_MPa"
-        yield "nominal stress of the bars", reader.units.number(of, "%", "%", ".2g", path), "its own mesh"
+    if (stress := _of_bars(reader)) is not None:
+        yield "nominal stress of the bars", stress, "its own mesh"
     torque = summary.get("torque_grid_error_Nm")
     if torque is not None:
         value = reader.units.number(

@@ -13,6 +13,10 @@ from flexbearing.report.html.units import printed, with_unit
 BLUE, ORANGE, GREEN, PURPLE = "#0072B2", "#D55E00", "#007a5a", "#8a3f7c"
 LOAD = "#a61c00"  # as in drawings
 COLOURS = (BLUE, ORANGE, GREEN, PURPLE)
+_UNLOADED = (
+    " Rollers without load may slip: no traction drives them, and no contact is pressed. Slip under load "
+    "counts; the cage slip stands in the verdict."
+)
 SHORT = 6  # lines that a legend names within a figure of usual height
 MARKED = 60  # places of a line that are marked at most
 SAME = 5e-3  # of the largest value: lines, or maps, that differ by less are drawn as one
@@ -65,6 +69,7 @@ def around(reader: Reader, title: str, names: tuple[str, ...], azimuth: str) -> 
     name = f"around-{names[0]}".replace("_", "-")
     caption = (
         f"{title.capitalize()} over the azimuth, 0° on the z axis, 90° on the y axis.{_marked(reader)}{same}"
+        f"{_UNLOADED if names[0] == 'roller_slip' else ''}"
     )
     return Figure(name, caption, tuple(traces), layout, tall=len(traces) > SHORT)
 
@@ -344,7 +349,8 @@ def deformed(reader: Reader) -> Figure | None:
     found = ", ".join(_largest(reader, azimuth, name, values) for name, values in middle.items())
     caption = (
         f"Deviation of the raceways from circles at mid-roller, magnified {magnification:,.0f} times, "
-        "positive outward, without rigid translation and local indentation of the contacts; seen along +x as "
+        "positive outward, without rigid translation and local indentation of the contacts. The radii are "
+        "true, so the gap between the lines is not the clearance. Seen along +x as "
         f"in the drawings, azimuth 0° (z) down, 90° (y) to the right. Largest: {found}."
     )
     return Figure("deformed", caption, tuple(traces), layout)

@@ -13,6 +13,7 @@ from flexbearing.report.html.units import printed, units_in_words
 from flexbearing.results import BadResult
 
 SETTINGS = ("coupling.", "accuracy.", "outputs.")
+UNSOURCED = "given, no source named"
 HEAD = ("title", "assumed", "calibrated", "kind")
 
 
@@ -46,7 +47,8 @@ def blocks(reader: Reader) -> Iterator[Block]:
 def _source(reader: Reader) -> str:
     """The first line of the case where it is a comment, which names the source of its numbers."""
     first = reader.result.attributes["case_text"].partition("\n")[0]
-    return f"The case begins: {first.lstrip('# ')}" if first.startswith("#") else ""
+    begins = f"The case begins: {first.lstrip('# ')}. " if first.startswith("#") else ""
+    return f"{begins.replace('..', '.')}What is given without a source is a choice of whoever wrote the case."
 
 
 def fitted_inputs(reader: Reader) -> tuple[str, ...]:
@@ -104,7 +106,7 @@ def origin(reader: Reader, path: str) -> str:
     behind = assumptions.behind(reader.result.attributes["case_text"])
     told = next((behind[name] for name in _upwards(path) if name in behind), "")
     set_since = any(each.partition("=")[0].strip() in above for each in reader.attributes["case_overrides"])
-    return f"given: {told}" if told and not set_since else "given"
+    return f"given: {told}" if told and not set_since else UNSOURCED
 
 
 def _upwards(path: str) -> list[str]:

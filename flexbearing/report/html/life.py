@@ -1,14 +1,14 @@
 """Rating life: of the end states, its factors, and the way from that of a catalogue."""
 
 from collections.abc import Iterator
-from math import inf, isclose
+from math import inf, isclose, log
 from typing import Any
 
 import numpy as np
 
 from flexbearing.quantities.reductions import RACES
 from flexbearing.report.catalogue_life import told
-from flexbearing.report.html import ratings
+from flexbearing.report.html import oil, ratings
 from flexbearing.report.html.document import Block, Cell, Items, Table, Words
 from flexbearing.report.html.lives import lives
 from flexbearing.report.html.reader import Reader
@@ -65,7 +65,8 @@ def blocks(reader: Reader) -> Iterator[Block]:
     yield from _factors(reader)
     rated = ratings.table(reader)
     yield Words((rated,)) if isinstance(rated, str) else rated
-    yield from ratings.at_other_temperatures(reader)
+    if ratings.viscosity_ratio(reader) is not None:
+        yield from ratings.at_other_temperatures(reader, oil.sufficient_at(reader)[0])
     catalogue = reader.attributes.get("catalogue_life")
     if catalogue:
         yield from _catalogue(reader, catalogue)
@@ -152,6 +153,28 @@ def _by_what_was_solved(reader: Reader) -> Iterator[Table]:
         rows.append(("Life of this case after all factors", "", modified, ""))
     head = ("step", "times", "life [10⁶ revolutions]", "why")
     yield Table("Why the life is not that of the catalogue: by what this run solved", head, tuple(rows))
+
+
+def chain(reader: Reader) -> list[tuple[str, float]]:
+    """Factors from the catalogue's life to that of the case, the largest first; none without a catalogue."""
+    stages = (reader.attributes.get("catalogue_life") or {}).get("stages", ())
+    found = [(stage["name"], stage["factor"]) for stage in stages if stage["factor"]]
+    if not found:
+        found = list(_solved_factors(reader))
+    return sorted(found, key=lambda step: -abs(log(step[1])))
+
+
+def _solved_factors(reader: Reader) -> Iterator[tuple[str, float]]:
+    """The same by what this run solved."""
+    rated = ratings.found(reader)
+    if isinstance(rated, str) or reader.attributes["case_si"]["life"].get("loads") == "rating":
+        return
+    before = rated[0]["life_Mrev"]
+    for name, now, _, _ in _states(reader):
+        yield name, now / before
+        before = now
+    for factor in ((reader.attributes.get("life") or {}).get(reader.last) or {}).get("factors", ()):
+        yield factor["name"], factor["value"]
 
 
 def _states(reader: Reader) -> Iterator[tuple[str, float, str, str]]:

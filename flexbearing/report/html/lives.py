@@ -75,7 +75,7 @@ def _unmoved(reader: Reader) -> Iterator[Words]:
     """That no input moves this life much, where effects are known; those that do are listed."""
     computed = bool(reader.attributes.get("assumed_effects"))
     keys = assumed_effects.moving(reader) if computed else assumptions.moving(reader)
-    by = "computed with this result" if computed else "as comments of the case tell it"
+    by = "computed with this result" if computed else "by the comments in the case file"
     told = map(assumptions.effect, assumptions.comments(reader.result.attributes["case_text"]).values())
     if not keys and (computed or any(told)):
         yield Words((f"No assumed input changes this life {assumptions.WORTH:g} times or more, {by}.",))

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from flexbearing.report.html import ratings
+from flexbearing.report.html import oil, ratings
 from flexbearing.report.html.document import Block, Cell, Number, Table, Words
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import printed
@@ -18,9 +18,9 @@ _DIFFER = (
 _EXTRAPOLATED = "The oil is used outside the temperatures of its data: both κ and films are extrapolated."
 _MEANINGS = {
     "kappa": "1 or more is the usual aim",
-    "film": "in the thinnest contact with load",
+    "largest": "with the cleanest oil, e_C = 1, at the equivalent load of this case; ISO 281",
+    "film": "in the thinnest contact with load; the film ratio Λ is 1 with a combined roughness of this size",
     "ratio": "from 1 on surfaces seldom touch, from 3 on the film is full",
-    "touching": "a rougher pair has Λ below 1: compare with that of your surfaces",
     "full": "a smoother pair has a full film",
 }
 
@@ -28,23 +28,22 @@ _MEANINGS = {
 def blocks(reader: Reader) -> Iterator[Block]:
     """Viscosity ratio, smallest films, and film ratios or the roughness that they would need."""
     rows: list[tuple[Cell, ...]] = []
-    if (kappa := viscosity_ratio(reader)) is not None:
-        rows.append(("viscosity ratio κ", kappa, "", _MEANINGS["kappa"]))
+    for label, value, meaning in (
+        ("viscosity ν of the oil at its inlet temperature", oil.viscosity(reader), "kinematic"),
+        ("needed viscosity ν₁", oil.reference_viscosity(reader), "ISO 281, by speed and pitch diameter"),
+        ("viscosity ratio κ = ν/ν₁", viscosity_ratio(reader), _MEANINGS["kappa"]),
+        ("largest a_ISO at this κ", oil.largest_a_iso(reader), _MEANINGS["largest"]),
+    ):
+        if value is not None:
+            rows.append((label, value, printed(value.unit), meaning))
     for race, film in films(reader).items():
         rows.append((f"smallest film, {race} raceway", film, printed(film.unit), _MEANINGS["film"]))
         if (ratio := film_ratio(reader, race)) is not None:
             rows.append((f"smallest film ratio Λ, {race} raceway", ratio, "", _MEANINGS["ratio"]))
             continue
-        for label, needed, key in (("Λ = 1", 1, "touching"), (f"Λ = {FULL_FILM}", FULL_FILM, "full")):
-            value = needed_roughness(reader, race, needed)
-            rows.append(
-                (
-                    f"combined roughness for {label}, {race} raceway",
-                    value,
-                    printed(value.unit),
-                    _MEANINGS[key],
-                )
-            )
+        value = needed_roughness(reader, race, FULL_FILM)
+        label = f"combined roughness for Λ = {FULL_FILM}, {race} raceway"
+        rows.append((label, value, printed(value.unit), _MEANINGS["full"]))
     if not rows:
         return
     yield Table("Lubrication", ("quantity", "value", "unit", "meaning"), tuple(rows))

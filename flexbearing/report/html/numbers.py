@@ -21,6 +21,10 @@ _DEFINED = {  # rows whose label does not tell of what, from where and in which 
     "Raceway deviation, outer": "outer_deviation",
     "Stiffness of outer support / of bearing": "support_stiffness_ratio",
 }
+_LARGER = (
+    "Raceway deviation at mid-roller and at roller ends: the larger of both raceways; the figure under Rings "
+    "says of which one, and where."
+)
 ALONE = "No part is flexible: bearing and result are those between rigid raceways."
 
 
@@ -41,6 +45,8 @@ def blocks(reader: Reader) -> Iterator[Block]:
     meanings = [
         f"{label}: {reader.layout[name].meaning}." for label, name in _DEFINED.items() if _has(reader, name)
     ]
+    if compared and _has(reader, "outer_deviation"):
+        meanings.append(_LARGER)
     yield Table("All numbers", tuple(head), tuple(rows), " ".join(meanings))
 
 

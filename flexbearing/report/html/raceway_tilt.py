@@ -1,9 +1,13 @@
 """Slope between the raceways along the most loaded roller."""
 
+from math import pi
+
 import numpy as np
 
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.reader import Reader
+
+USUAL_TILT = 4 / 60 * pi / 180  # [rad] range of the edge stress of ISO/TS 16281
 
 
 def between_raceways(reader: Reader) -> tuple[Number, float] | None:

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from math import inf, pi
 from typing import Any
 
+from flexbearing.report.html import assumed_effects
 from flexbearing.report.html.document import Cell, Number, Table
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import printed
@@ -19,8 +20,8 @@ APART = 0.05  # of a rating from its formula that is worth a remark
 _WARMER = (-20.0, -10.0, 0.0, 10.0, 20.0)  # [K]
 _AT_P = " a_ISO and L10m at the load P are those of the catalogue."
 _OF_CASE = (
-    " The last column is the life of this case without a_ISO, times "
-    "a_ISO at its own equivalent load. Loads are kept: solved again, 20 K away, it may differ by 5 %."
+    " The last column is the life of this case: solved again at the temperatures that its effects or "
+    "comments tell, at others its life without a_ISO times a_ISO at its own equivalent load, loads kept."
 )
 BY_A_ISO = (  # whatever the cleanliness: κ does not depend on it
     "life.lubrication=a_ISO",
@@ -68,14 +69,22 @@ def _hours(reader: Reader) -> float:
     return 1e6 * 2 * pi / speed / 3600 if speed else inf
 
 
-def at_other_temperatures(reader: Reader) -> Iterator[Table]:
-    """Viscosity ratio with warmer and colder oil, and lives where they have an a_ISO; by formulas."""
+def at_other_temperatures(reader: Reader, sufficient: int | None = None) -> Iterator[Table]:
+    """Viscosity ratio with warmer and colder oil, and lives where they have an a_ISO; by formulas.
+
+    Parameters
+    ----------
+    reader : Reader
+    sufficient : int, optional
+        a further temperature, with a viscosity ratio of 1 [°C]
+    """
     if viscosity_ratio(reader) is None:
         return
     given = reader.attributes["case_si"]["lubricant"]["inlet_temperature"]
     known = found(reader)
     modified = not isinstance(known, str) and "a_ISO" in known[0]
-    rows = [row for step in _WARMER if (row := _with_oil(reader, given, step, modified))]
+    steps = [*_WARMER, *([] if sufficient is None else [sufficient + 273.15 - given])]
+    rows = [row for step in sorted(set(steps)) if (row := _with_oil(reader, given, step, modified))]
     head, note = ["oil at the inlets", "viscosity ratio κ"], "By the formulas of ISO 281."
     if modified:
         head += ["a_ISO at P", "L10m, ISO 281 [10⁶ revolutions]"]
@@ -93,18 +102,29 @@ def _with_oil(reader: Reader, given: float, step: float, modified: bool) -> tupl
     if rated is None:
         return ()
     oil = reader.units.number(given + step, "K", "degC", ".4g", "")
-    label = f"{oil.text} {printed(oil.unit)}{' (this case)' * (step == 0)}"
+    mark = "" if step in _WARMER and step else " (this case)" if step == 0 else " (κ = 1)"
+    label = f"{oil.text} {printed(oil.unit)}{mark}"
     place = f"ratings_at/{asked}"
     ratio = reader.units.number(rated["viscosity_ratio"], "", "", ".3g", f"{place}/viscosity_ratio")
     if not modified:
         return label, ratio
     factor = reader.units.number(rated["a_ISO"], "", "", ".3g", f"{place}/a_ISO")
     life = reader.units.number(rated["modified_Mrev"], "Mrev", "Mrev", ",.4g", f"{place}/modified_Mrev")
-    own = own_life_at(reader, asked)
+    hours = _own_hours(reader, asked, f"{given + step - 273.15:.6g} degC")
+    return (label, ratio, factor, life) if hours is None else (label, ratio, factor, life, hours)
+
+
+def _own_hours(reader: Reader, kelvin: str, written: str) -> Number | None:
+    """Modified life of the case with oil of a temperature: as solved again, else with its loads kept."""
+    own = own_life_at(reader, kelvin)
     if own is None:
-        return label, ratio, factor, life
-    hours = reader.units.number(own * _hours(reader), "h", "h", ",.4g", f"own_life_at/{asked}")
-    return label, ratio, factor, life, hours
+        return None
+    solved = assumed_effects.solved_again(reader, "lubricant.inlet_temperature", written)
+    if solved is None:
+        return reader.units.number(own * _hours(reader), "h", "h", ",.4g", f"own_life_at/{kelvin}")
+    life = f"outputs/{reader.last}.modified_life [h]"
+    hours = solved[0] * float(reader.result[life.partition("/")[2]].number)
+    return reader.units.number(hours, "h", "h", ",.3g", f"times/{solved[1]}|{life}")
 
 
 def _equivalent_load(reader: Reader) -> float | None:

@@ -104,7 +104,18 @@ class Reader:
     def notes(self, grade: str) -> tuple[str, ...]:
         """Texts of the notes of a grade."""
         notes = self.attributes["notes"]
-        return tuple(units_in_words(note["text"]) for note in notes if note["grade"] == grade)
+        return tuple(
+            units_in_words(note["text"]) + self._sized(note) for note in notes if note["grade"] == grade
+        )
+
+    def _sized(self, note: dict[str, Any]) -> str:
+        """How much hangs on a note about the friction of the cage land; empty for others."""
+        block = self.blocks.get(self.last, {})
+        if note["code"] != "land-flow" or not float(block.get("driving_power", 0.0)):
+            return ""
+        share = 100 * float(block["loss_land"]) / float(block["driving_power"])
+        taken = f"here the land takes {share:.2g} % of the driving power"
+        return f"; {taken}, torque lacks about that times the factor"
 
     def error_path(self, name: str) -> str:
         """Path among the attributes of an estimated error: by the target, else by slices; empty: none."""

@@ -2,10 +2,10 @@
 
 from collections.abc import Iterator
 
-from flexbearing.report.html.against_limits import yield_stress
 from flexbearing.report.html.document import Block, Cell, Table, Words
 from flexbearing.report.html.figures import around, deformed
 from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.strength_checks import yield_stress
 from flexbearing.report.html.units import NOTHING, printed, with_unit
 
 

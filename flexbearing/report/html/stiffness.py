@@ -58,10 +58,7 @@ _AXES = (
 )
 
 
-_HAS_REST = {
-    "outer": "the shaft is in the rotor model",
-    "inner": "housing or squirrel cage is in the rotor model",
-}
+IN_MODEL = {"outer": "Shaft", "inner": "Housing or squirrel cage"}  # beside the support of a ring
 
 
 def blocks(reader: Reader) -> Iterator[Block]:
@@ -136,21 +133,32 @@ def _supports(reader: Reader) -> Iterator[tuple[Cell, ...]]:
             empty = [NOTHING] * (len(reader.blocks) - 1)
             use = "in series with the bearing alone, where it is not in the rotor model"
             yield f"support of the {part} ring alone", *empty, number, printed(number.unit), use
-            if "radial_stiffness" in reader.blocks[reader.last]:
-                yield from _in_series(reader, part, _support(figures), empty)
+            yield from _in_series(reader, part, empty)
 
 
-def _in_series(
-    reader: Reader, part: str, support: float | None, empty: list[str]
-) -> Iterator[tuple[Cell, ...]]:
-    """The bearing with one of its supports, for rotor models that have the other."""
-    assert support is not None
+def _in_series(reader: Reader, part: str, empty: list[str]) -> Iterator[tuple[Cell, ...]]:
+    """Rows of the bearing with one of its supports, for rotor models that have the other."""
+    for axis, number in in_series(reader, part):
+        label = f"with the support of the {part} ring only, along {axis}"
+        yield (
+            label,
+            *empty,
+            number,
+            printed(number.unit),
+            f"{IN_MODEL[part]} only is in the rotor model".lower(),
+        )
+
+
+def in_series(reader: Reader, part: str) -> Iterator[tuple[str, Number]]:
+    """Stiffness of the bearing in series with what holds a ring, along z and y; none where that is rigid."""
+    support = _support((reader.attributes.get("structure") or {}).get(part) or {})
+    if support is None or len(reader.blocks) < 2 or "radial_stiffness" not in reader.blocks[reader.last]:
+        return
     for row, axis in reversed(tuple(enumerate("yz"))):
         alone = float(reader.blocks[reader.last]["radial_stiffness"][row, row])
         path = f"series/{reader.last}/{row}/{part}"
-        number = reader.units.number(1 / (1 / alone + 1 / support), "N/m", "kN/mm", ",.4g", path)
-        label = f"bearing in series with the support of the {part} ring, along {axis}"
-        yield label, *empty, number, printed(number.unit), _HAS_REST[part]
+        value = alone * support / (alone + support)
+        yield axis, reader.units.number(value, "N/m", "kN/mm", ",.4g", path)
 
 
 def _free(reader: Reader) -> str:

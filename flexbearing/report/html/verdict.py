@@ -5,7 +5,16 @@ from typing import Any
 
 from flexbearing.outputs import outputs
 from flexbearing.quantities.attributes import GRADES
-from flexbearing.report.html import against_limits, answers, combined, exactness, inputs, lives, stiffness
+from flexbearing.report.html import (
+    against_limits,
+    answers,
+    combined,
+    exactness,
+    headline,
+    inputs,
+    lives,
+    stiffness,
+)
 from flexbearing.report.html.document import Block, Cell, Items, Number, Table, Words
 from flexbearing.report.html.reader import OUTSIDE, Reader
 from flexbearing.report.html.units import NOTHING, printed
@@ -16,7 +25,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
     """Whether limits are kept, how the run ended, the life to use, what limits most, how exact it all is."""
     converged = reader.attributes["status"] == "converged"
     if converged and reader.blocks:
-        yield from against_limits.summary(reader)
+        yield from headline.blocks(reader)
     if converged and reader.blocks:
         yield from answers.blocks(reader)
     yield Words((_ending(reader.attributes),), "" if converged else "danger")

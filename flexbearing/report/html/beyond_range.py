@@ -1,0 +1,72 @@
+"""What the range of the life does not count, with its size where that is known."""
+
+from collections.abc import Iterator
+
+from flexbearing.quantities.effects import CHOICE, INPUT
+from flexbearing.report.html import assumed_effects, assumptions, oil, ratings
+from flexbearing.report.html.check import text_of
+from flexbearing.report.html.lives import lives
+from flexbearing.report.html.open_checks import straight
+from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.sentences import rounded
+
+PRESSED_ENDS = {"pressed-end", "sharp-roller-end"}  # codes of notes
+
+
+def left_out(reader: Reader) -> tuple[str, ...]:
+    """Short phrases, those with a number first."""
+    solved = {key for role in (INPUT, CHOICE) for key in assumed_effects.keys(reader, role)}
+    return tuple((*_tilt(reader, solved), *_oil(reader), *_unsized(reader, solved)))
+
+
+def _tilt(reader: Reader, solved: set[str]) -> Iterator[str]:
+    """The life where the shaft holds the inner ring otherwise."""
+    found, first = reader.attributes.get("tilt") or {}, next(iter(lives(reader)), None)
+    if "otherwise" not in found or "operation.tilt" in solved or first is None or not first.chosen:
+        return
+    ratio = found["otherwise"]["life_L10_Mrev"] / reader.summary[reader.last]["life_L10_Mrev"]
+    how = found["otherwise"]["inner_ring"]
+    yield f'with operation.tilt = "{how}" the basic life is {ratio:.3g} times as long'
+
+
+def _oil(reader: Reader) -> Iterator[str]:
+    if bound := of_oil(reader):
+        yield bound
+
+
+def of_oil(reader: Reader) -> str:
+    """The largest a_ISO of a life that leaves the oil out; empty where it counts it, or κ is not known."""
+    kappa, life = ratings.viscosity_ratio(reader), reader.attributes["case_si"].get("life") or {}
+    if life.get("lubrication") or kappa is None:
+        return ""
+    most = oil.largest_a_iso(reader)
+    if most is None:
+        return f"ISO 281 has no a_ISO for κ {kappa[0]:.3g}, below 0.1"
+    return f"a_ISO is at most {text_of(most)} at κ {kappa[0]:.3g}, whatever the cleanliness"
+
+
+def with_oil(reader: Reader) -> str:
+    """What a life at most is with the oil that it leaves out; empty where it counts it."""
+    first, bound = next(iter(lives(reader)), None), of_oil(reader)
+    most = oil.largest_a_iso(reader)
+    if not bound or first is None:
+        return ""
+    if most is None:
+        return f"; it leaves the oil out ({bound})"
+    life = first.hours or first.turns
+    times, unit = float(most.text), "million revolutions" if isinstance(first.hours, str) else "h"
+    assert not isinstance(life, str)
+    return f"; it leaves the oil out, with which it is at most {rounded(life, times)} {unit} ({bound})"
+
+
+def _unsized(reader: Reader, solved: set[str]) -> Iterator[str]:
+    """What changes the life by an amount that this result does not know."""
+    codes = {note["code"] for note in reader.attributes["notes"]}
+    computes = " (outputs.assumed_effects = true computes its effect)"
+    no_edges = reader.attributes["case_si"].get("life", {}).get("edge_stress") is False
+    if codes & PRESSED_ENDS and no_edges and "life.edge_stress" not in solved:
+        yield f"edge stress of the pressed roller ends{computes}"
+    said = assumptions.comments(reader.result.attributes["case_text"])
+    known = "operation.misalignment" in solved or assumptions.weighed(said.get("operation.misalignment", ""))
+    if straight(reader) and not known:
+        yield f"misalignment of the shaft, not known and computed as none{computes}"
