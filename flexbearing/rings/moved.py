@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 def raceway_of_shape(
     case: Case, race: Race, shape: Shape, outward: NDArray, azimuths: NDArray, report: Report
 ) -> "RacewayCompliance":
-    """A raceway near given forces, its part and its band of another shape, right to first order of the change.
+    """A raceway near given forces of a part and a band of another shape, right to first order of the change.
 
     Parameters
     ----------
