@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from flexbearing.derivatives.keys import Key
 
-NEGLIGIBLE = (
-    1e-9  # elasticity, or share per step over the size of a step: a key that does not reach an output
-)
+# Elasticity, or share per step over the relative size of a step, below which a key does not reach an output:
+# outputs are rounded to some 1e-12, and steps are 1e-6 of a value.
+NEGLIGIBLE = 1e-5
 
 COLUMNS: tuple[str, ...] = (
     "output", "output_unit", "key", "key_unit", "value", "key_value", "derivative", "elasticity",
