@@ -48,7 +48,7 @@ def places(path: Path) -> dict[int, NDArray]:
     Parameters
     ----------
     path : Path
-        input file with ``*NODE`` (CalculiX, Abaqus) or ``GRID`` (Nastran) in the basic system, with CP and CD 0
+        input file with ``*NODE`` (CalculiX, Abaqus) or ``GRID`` (Nastran) in the basic system, CP and CD 0
 
     Returns
     -------
