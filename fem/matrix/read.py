@@ -48,7 +48,7 @@ def places(path: Path) -> dict[int, NDArray]:
     Parameters
     ----------
     path : Path
-        input file with ``*NODE`` (CalculiX, Abaqus) or ``GRID`` (Nastran) in the global frame
+        input file with ``*NODE`` (CalculiX, Abaqus) or ``GRID`` (Nastran) in the basic system, CP and CD 0
 
     Returns
     -------
@@ -176,8 +176,9 @@ def _grids(lines: list[str]) -> Iterator[tuple[int, NDArray]]:
     """Nodes of every card GRID."""
     for fields in _cards(lines, "GRID"):
         padded = [*fields, *[""] * 8]
-        if padded[1] not in ("", "0"):
-            raise ValueError(f"GRID {padded[0]} is given in the frame {padded[1]}; allowed is the global one")
+        for name, frame in (("CP", padded[1]), ("CD", padded[5])):  # a DMIG has its motions along CD
+            if frame not in ("", "0"):
+                raise ValueError(f"GRID {padded[0]} has {name} = {frame}; allowed is 0, the basic system")
         yield int(padded[0]), np.array([_number(word) if word else 0.0 for word in padded[2:5]])
 
 

@@ -126,7 +126,7 @@ def _limits() -> list[str]:
         f"product or quotient of units with whole powers up to {units.HIGHEST}, at most {units.LONGEST} "
         "characters: `mm`, `N/mm^2`, `W/(m K)`, `1/K`.",
         "- `3000 rpm`, `3000 1/min`, `3000 r/min` and `3000 min⁻¹` are the same speed. `1/s` and `Hz` are "
-        "refused: they are written of turns and of radians.",
+        "refused: they may mean turns or radians per second.",
         f"- A case file is TOML in UTF-8, at most {text.LARGEST >> 10} KiB, lists and tables at most "
         f"{text.DEEPEST} deep, integers up to 64 bits; at most {MOST_SETTINGS} settings come on top of it. "
         f"A STEP drawing has at most {step_solid.LARGEST >> 20} MiB.",

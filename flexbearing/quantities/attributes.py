@@ -31,7 +31,7 @@ STATUSES = (*ENDS, "unfinished")  # of a run that is at work, or was interrupted
 
 Kind = Literal["text", "texts", "integer", "number", "json", "records"]
 OBJECT = Each("name", Anything())
-GRADES = ("danger", "outside validity", "information")  # of notes, gravest first
+GRADES = ("danger", "outside validity", "information")  # of notes, most serious first
 NOTES = ListOf(Record({"grade": OneOf(GRADES), "code": TEXT, "text": TEXT}))
 
 
@@ -111,7 +111,7 @@ COMMON = (
     Attribute(
         "notes",
         "records",
-        "what a reader must know in addition to the numbers, the gravest first",
+        "what a reader must know in addition to the numbers, the most serious first",
         form=NOTES,
     ),
     Attribute("created", "text", "time the run began, ISO 8601"),

@@ -115,8 +115,10 @@ def test_seats_that_are_no_seats_are_refused(matrix):
         loose.at([1])
 
 
-@pytest.mark.parametrize("text", ["*ELEMENT\n1,2\n", "*NODE\n1, a, 2\n", "GRID,1,5,0.,0.,0.\n"])
+@pytest.mark.parametrize(
+    "text", ["*ELEMENT\n1,2\n", "*NODE\n1, a, 2\n", "GRID,1,5,0.,0.,0.\n", "GRID,1,,0.,0.,0.,5\n"]
+)
 def test_files_without_nodes_are_refused(text, tmp_path):
     (tmp_path / "m.inp").write_text(text)
-    with pytest.raises(ImpossiblePart, match=r"node|frame"):
+    with pytest.raises(ImpossiblePart, match=r"node|basic system"):
         read.places(tmp_path / "m.inp")

@@ -186,7 +186,12 @@ class Outer(Section):
     axis: Direction = key(
         "direction of the bearing's axis in the drawing or mesh", "x", only=(_STEP, _MATRIX)
     )
-    zenith: Direction = key("direction of azimuth 0 in the drawing or mesh", "z", only=(_STEP, _MATRIX))
+    zenith: Direction = key(
+        "direction of azimuth 0 in the drawing or mesh, in which the load pulls unless "
+        "operation.load_direction turns it: under a load downwards the direction down",
+        "z",
+        only=(_STEP, _MATRIX),
+    )
     centre_x: Length = key(
         "middle of the rollers in the drawing or mesh, along its x", "0 mm", only=(_STEP, _MATRIX)
     )
