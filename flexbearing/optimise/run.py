@@ -171,7 +171,8 @@ class _Search:
         if settings.verified:
             problem, seconds = self._as_verified(problem.point(points[0]))
         for start in points:
-            found.append(self._from(problem, start, found))
+            best = max((each.merit for each in found if each.end is End.CONVERGED), default=-np.inf)
+            found.append(self._from(replace(problem, best=best), start, found))
             tell(found[-1])
         if settings.verified:
             seconds += self._until_verified(found)

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from itertools import count
 from typing import Any, Protocol
 
 import numpy as np
@@ -58,6 +59,14 @@ class Found:
         return 0.0 if self.margins is None else max(0.0, -float(self.margins.values.min(initial=0.0)))
 
 
+class Enough(Exception):
+    """A start leads to an optimum that is no better than a known one."""
+
+    def __init__(self, shares: NDArray, iterations: int):
+        super().__init__("the optimum is no better than that of a former start")
+        self.shares, self.iterations = shares, iterations
+
+
 class Designs(Protocol):
     """Designs and what is wanted of them."""
 
@@ -95,12 +104,11 @@ class ScaledProblem:
     """The problem as an optimiser sees it: shares x of K variables, and of the worst of several terms t."""
 
     designs: Designs
-    nearest: bool = (
-        False  # whether the point nearest to meeting all constraints is searched in place of the best
-    )
+    nearest: bool = False  # whether a point that meets all constraints is searched in place of the best
     about: tuple[NDArray, float] | None = None  # shares (K) and how far from each is searched; None: anywhere
     inside: float = 0.0  # margin of every constraint that is kept
     most: int | None = None  # iterations, where they are fewer than those of the settings
+    best: float = -np.inf  # merit of former starts: an optimum that is no better is not refined further
 
     @property
     def settings(self) -> Search:
@@ -112,8 +120,7 @@ class ScaledProblem:
     @property
     def limits(self) -> tuple[NDArray, NDArray]:
         """Least and largest shares (K)."""
-        count = len(self.designs.variables)
-        middle, reach = self.about or (np.zeros(count), 1.0)
+        middle, reach = self.about or (np.zeros(len(self.designs.variables)), 1.0)
         return np.maximum(middle - reach, 0.0), np.minimum(middle + reach, 1.0)
 
     def point(self, shares: NDArray) -> Point:
@@ -149,13 +156,21 @@ class ScaledProblem:
         merits, margins = self.terms(self.designs.at(self.point(shares)))
         return merits.slopes, margins.slopes
 
+    def is_enough(self, shares: NDArray) -> bool:
+        """Whether a design is an optimum that is no better than the best of former starts."""
+        merits, margins = self.terms(self.designs.at(self.point(shares)))
+        if self.nearest or merits.values.min() > self.best:
+            return False
+        gain = optimality(merits, margins, shares, self.limits).gain
+        return gain <= self.settings.tolerance and margins.values.min(initial=0.0) >= -FEASIBLE
 
-def starts(count: int, first: NDArray, seed: int) -> Iterator[NDArray]:
+
+def starts(number: int, first: NDArray, seed: int) -> Iterator[NDArray]:
     """Yield shares (K) of the starts: the case itself, then points of a Sobol sequence."""
     yield np.clip(first, 0.0, 1.0)
     sequence = qmc.Sobol(len(first), seed=seed)  # pyright: ignore[reportCallIssue]
     sequence.fast_forward(1)  # the first point without scrambling is a corner
-    for _ in range(count - 1):
+    for _ in range(number - 1):
         yield sequence.random(1)[0]
 
 
@@ -196,6 +211,9 @@ def _optimised(problem: ScaledProblem, start: NDArray, used: int = 0) -> Found:
         except NotComputed as why:
             message = str(why)
             break
+        except Enough as end:
+            shares, used, message = end.shares, used + end.iterations, str(end)
+            break
         shares = np.clip(ended.x[: len(start)], *problem.limits)
         used, message = used + ended.nit, ended.message
         by_models = settings.method == "cobyqa" and ended.success
@@ -217,13 +235,18 @@ def _ended(problem: ScaledProblem, shares: NDArray, iterations: int) -> Any:
         found = without_answer if values is None else np.concatenate(values)
         return found - np.where(np.arange(len(found)) < len(first[0]), x[-1], 0.0)
 
+    number = count()
+
     def slopes(x: NDArray) -> NDArray:
+        iteration = next(number)
+        if problem.is_enough(x[:-1]):
+            raise Enough(x[:-1], iteration)
         merits, margins = problem.slopes(x[:-1])
         by_t = np.concatenate([-np.ones(len(merits)), np.zeros(len(margins))])
         return np.column_stack([np.vstack([merits, margins]), by_t])
 
     begin, up = np.append(shares, first[0].min()), np.append(np.zeros(len(shares)), -1.0)
-    bounds = [*zip(*problem.limits, strict=True), (None, None)]
+    bounds = [*zip(*problem.limits, strict=True), (None, 0.0 if problem.nearest else None)]
     constraint = {"type": "ineq", "fun": constraints}
     if settings.method == "cobyqa":
         options = {"maxiter": iterations * MODELS, "final_tr_radius": 1e-3, "initial_tr_radius": 0.1}

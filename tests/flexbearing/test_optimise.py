@@ -11,9 +11,12 @@ from flexbearing import __main__ as program
 from flexbearing.case import BadCase
 from flexbearing.optimise.answer import Optimum
 from flexbearing.optimise.evaluations import Workers
+from flexbearing.optimise.goals import Terms
 from flexbearing.optimise.gradients import CENTRAL, EXACT
 from flexbearing.optimise.run import optimise
-from flexbearing.optimise.search import End
+from flexbearing.optimise.schema import Search
+from flexbearing.optimise.search import End, ScaledProblem, search
+from flexbearing.optimise.variables import Variable
 from flexbearing.optimise.worker import slope_name
 from flexbearing.studies.plan import Row
 from flexbearing.studies.run import Work
@@ -144,6 +147,49 @@ def test_torn_journal_is_completed(tmp_path):
     second = found(tmp_path)
     assert 0 < second.rows < first.rows
     assert second.best.point == first.best.point
+
+
+def test_later_start_that_leads_to_no_better_optimum_is_not_refined(tmp_path):
+    more = MORE + "\n[search]\nstarts = 4"
+    optimum = found(tmp_path, more)
+    ended = [start for start in optimum.starts if "no better than that of a former start" in start.message]
+    assert ended
+    assert all(start.end is End.CONVERGED for start in optimum.starts)
+    assert all(optimum.best.merit - 1e-3 < start.merit < optimum.best.merit for start in ended)
+    assert optimum.best not in ended
+
+
+def test_point_that_meets_all_constraints_is_searched_near_the_end_of_a_search():
+    """Not where margins are largest, at 0: that would throw away what was found."""
+    nearest = search(ScaledProblem(Plane(), nearest=True), np.array([0.8, 0.5]))
+    assert nearest.point == pytest.approx((0.55, 0.25), abs=1e-6)
+
+
+class Plane:
+    """x + y of two variables from 0 to 1, at most 0.8."""
+
+    variables = tuple(Variable(name, name, None, 0.0, 1.0, "") for name in "xy")
+    settings = Search()
+
+    @property
+    def goal(self):
+        return self
+
+    @property
+    def bounds(self):
+        return (self,)
+
+    def merits(self, numbers):
+        return Terms(-numbers.values, -numbers.slopes)
+
+    def margins(self, numbers):
+        return Terms(0.8 + numbers.values, numbers.slopes)
+
+    def values(self, points):
+        return [self.at(point) for point in points]
+
+    def at(self, point):
+        return Terms(np.array([-sum(point)]), np.array([[-1.0, -1.0]]))
 
 
 def test_infeasible_problem_is_told(tmp_path):
