@@ -66,7 +66,7 @@ def _balls(page: Page, balls: BallSet) -> Iterator[Line]:
     if counted:
         yield Line("bearing.balls", number)
     else:
-        usual = "a usual arc of filling" if page.like == "deep_groove_ball" else "a usual distance"
+        usual = "in a usual arc of filling" if page.like == "deep_groove_ball" else "at a usual spacing"
         why = f"nearest to {RATED}" if rated and measured else usual_number(balls, usual, "diameter", rated)
         ends = balls.others or [(count, diameter) for count in (number - 1, number + 1)]
         others = tuple(

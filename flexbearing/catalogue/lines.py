@@ -54,8 +54,9 @@ def as_settings(settings: Settings) -> list[str]:
 def usual_number(elements: ElementSet, usual: str, size: str, rated: bool) -> str:
     """Where an assumed number of rolling elements comes from."""
     few, many = elements.pairs[0][0], elements.pairs[-1][0]
-    verb = "have" if few < many else "alone has"
-    return f"{span(few, many)} {verb} {usual}{f', and with C_0 of the maker a usual {size}' if rated else ''}"
+    verb = "fit" if few < many else "alone fits"
+    of_size = f", and C_0 of the maker then gives a usual {size}" if rated else ""
+    return f"{span(few, many)} {verb} {usual}{of_size}"
 
 
 def mm(length: float) -> str:

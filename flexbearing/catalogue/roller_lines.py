@@ -100,7 +100,7 @@ def _rollers(page: Page, rollers: RollerSet) -> tuple[Line, Line]:
         why = (
             f"nearest to {RATED}"
             if rated and measured
-            else usual_number(rollers, "a usual distance", "length", rated)
+            else usual_number(rollers, "at a usual spacing", "length", rated)
         )
         count = Line("bearing.rollers", number, why, assumed=True, others=_others(rollers))
     if measured:

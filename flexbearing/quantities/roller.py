@@ -606,6 +606,7 @@ right-handed.
     weighed=(
         ("max_roller_load", "largest load"),
         ("total_stiffness", "stiffness"),
+        ("stiffness", "bearing stiffness"),
         ("cage_slip", "cage slip"),
         ("driving_torque", "torque"),
         ("nominal_bar_stress", "bar stress"),

@@ -135,7 +135,8 @@ def measured(result: Result) -> dict[str, float]:
     -------
     dict
         name to value; without an output that is zero to the printed digit, such as the slip of rollers that
-        roll, of which no ratio says anything
+        roll, of which no ratio says anything, and without one that equals another, such as the stiffness
+        of a bearing between rigid rings that of the bearing with its supports
 
     Raises
     ------
@@ -153,6 +154,8 @@ def measured(result: Result) -> dict[str, float]:
             number = float(result[f"{block}.{name}"].number)
         except AbsentOutput:
             continue
-        if isfinite(number) and float(format(number, known[name]).replace(",", "")):
+        zero = not float(format(number, known[name]).replace(",", ""))
+        again = name not in LIVES and number in found.values()
+        if isfinite(number) and not zero and not again:
             found[name] = number
     return found

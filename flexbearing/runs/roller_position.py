@@ -88,7 +88,7 @@ def notes(case: Case, model: RollerBearing, rings: RacewayPair, end: Equilibrium
             return ()
         words = (
             f"with all rollers half a pitch further the largest roller load is {load:,.4g} N instead of "
-            f"{largest:,.4g} N ({load / largest - 1:+.1%}), the life L10 {_life(life)} Mrev instead of "
+            f"{largest:,.4g} N ({load / largest - 1:+.1%}), the basic life L10 {_life(life)} Mrev instead of "
             f"{_life(end.life)} Mrev ({life / end.life - 1:+.1%})"
         )
     asks = "operation.roller_positions = 8 gives the range over a pitch"

@@ -140,7 +140,7 @@ def _flooding(state: Equilibrium) -> Iterator[Note]:
     elif lubrication.oil_fraction < SPARSE:
         yield outside(
             "flooding",
-            "film: inlets are computed as full of oil, though only "
+            "film: inlets are computed as fully flooded, though only "
             f"{lubrication.oil_fraction:.2g} of the mixture around the rollers is oil, so films may be "
             "thinner; lubricant.inlet_length computes short inlets",
         )

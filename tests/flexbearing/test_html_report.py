@@ -13,8 +13,10 @@ from pytest import approx
 from flexbearing import api
 from flexbearing.__main__ import command
 from flexbearing.case import BadCase
+from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput
 from flexbearing.pages.make import report
+from flexbearing.report.drawing.of_case import drawings
 from flexbearing.report.html import IMPERIAL, METRIC, against_limits, html, of_result
 from flexbearing.report.html.assumptions import comments, effect
 from flexbearing.report.html.check import DAMAGE
@@ -268,7 +270,8 @@ def test_a_report_replaces_neither_its_case_nor_its_result(tmp_path):
 @pytest.mark.parametrize("name", KINDS)
 def test_the_bearing_is_drawn_as_for_its_case(pages, name):
     file, settings = CASES[name]
-    svg = [drawing.svg for drawing in api.drawings(api.read_case(CONFIGS / file, settings))]
+    case = api.read_case(CONFIGS / file, settings)
+    svg = [drawing.svg for drawing in drawings(FAMILIES[case.kind], case, resized=True)]
     text = pages(name)
     assert svg
     assert all(drawing in text for drawing in svg)

@@ -93,8 +93,10 @@ def test_an_exceeded_limit_stands_before_a_missed_aim(readers):
         told(readers("rings"))[key] for key in ("Is it safe?", "What limits it first, and what to change?")
     )
     assert safe.startswith(
-        "Not assured: the load is outside the range of the life formula.\nEquivalent load P"
+        "Not assured: the load is outside the range of the life formula.\n"
+        "It cannot be built as assumed: cage inside Ø 69.2 mm"
     )
+    assert safe.index("cannot be built") < safe.index("Equivalent load P")
     assert safe.index("OUTSIDE VALIDITY") < safe.index("AIM MISSED")
     assert "take a bearing with C_r of at least 39.24 kN" in first
 
@@ -173,7 +175,7 @@ def test_lubrication_names_both_viscosities_and_the_temperature_that_suffices(re
     cool, thin = (told(readers(name))["Is the lubrication sufficient?"] for name in ("catalogue", "rings"))
     assert "2.06 = 20.1 mm²/s over 9.78 mm²/s needed" in cool
     assert "κ is 1 with this oil at 95 °C." in cool
-    assert "κ is 1 with this oil at 137 °C." in thin
+    assert "κ is 1 with this oil at 137 °C, but the rings" in thin
 
 
 def test_an_oil_that_cannot_be_cooled_enough_is_said_to_be_too_thin(readers, monkeypatch):

@@ -339,7 +339,9 @@ def test_a_cage_within_the_ribs_cannot_be_built_which_is_no_limit_of_damage(read
     ],
 )
 def test_what_the_model_leaves_out_is_told_for_the_case(readers, name, told, not_told):
-    said = " ".join(simplifications(readers(name)))
+    items = simplifications(readers(name))
+    assert all(who for _, who in items)
+    said = " ".join(text for text, _ in items)
     assert told in said
     assert not_told not in said
 

@@ -184,7 +184,7 @@ def test_rigid_rings_of_few_rollers_are_told_too(tmp_path):
     ]
     moved = run(tmp_path, *RIGID, f"bearing.first_roller_azimuth={180 / 14!r} deg").summary()["flexible"]
     assert f"load is {moved['max_roller_load_N']:,.4g} N instead of" in note["text"]
-    assert f"the life L10 {moved['life_L10_Mrev']:,.4g} Mrev instead of" in note["text"]
+    assert f"the basic life L10 {moved['life_L10_Mrev']:,.4g} Mrev instead of" in note["text"]
     many = flexbearing.run(PAPER, [*QUICK, *RIGID, "operation.tilt=fixed"], output=tmp_path / "m.h5")
     assert "roller-position" not in codes(many)
 
@@ -196,7 +196,7 @@ def test_cage_with_a_bar_at_every_roller_is_solved_half_a_pitch_further(monkeypa
     monkeypatch.setattr(roller_position, "_half_a_pitch_further", lambda *_: there)
     rings: Any = SimpleNamespace(solved_in_full=False)
     (note,) = roller_position.notes(read_case(PAPER, ["outer.bars=30"]), None, rings, state)  # pyright: ignore
-    assert "1.1 N instead of 1 N (+10.0%), the life L10 0.7 Mrev instead of 1 Mrev" in note.text
+    assert "1.1 N instead of 1 N (+10.0%), the basic life L10 0.7 Mrev instead of 1 Mrev" in note.text
 
 
 @pytest.mark.parametrize(

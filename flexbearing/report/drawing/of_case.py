@@ -16,7 +16,7 @@ from flexbearing.report.drawing.sheet import Drawing
 from flexbearing.report.drawing.words import Words
 
 
-def drawings(family: Family, case: Any, *, values: bool = True) -> Iterator[Drawing]:
+def drawings(family: Family, case: Any, *, values: bool = True, resized: bool = False) -> Iterator[Drawing]:
     """Drawings of a case to scale.
 
     Parameters
@@ -27,6 +27,8 @@ def drawings(family: Family, case: Any, *, values: bool = True) -> Iterator[Draw
         as it was read
     values : bool
         whether values stand beside the keys
+    resized : bool
+        whether a page may show them in another size: then no ratio is written, only the bar of a length
 
     Returns
     -------
@@ -40,7 +42,7 @@ def drawings(family: Family, case: Any, *, values: bool = True) -> Iterator[Draw
     """
     draw, profiles_of = family.report().drawings, family.profiles
     if draw is not None:
-        yield from draw(Words(case, values, profiles_of() if profiles_of else None))
+        yield from draw(Words(case, values, profiles_of() if profiles_of else None, resized))
 
 
 def of_rollers(words: Words) -> Iterator[Drawing]:

@@ -24,6 +24,9 @@ class Words:
     case: Any  # a `flexbearing.case.head.Head`
     values: bool = True  # whether values stand beside the keys
     profiles: Callable[[Any], Mapping[str, tuple[NDArray, NDArray]]] | None = None  # of a `Family`
+    resized: bool = (
+        False  # whether a page may show drawings in another size, so that only their bar is to scale
+    )
 
     @cached_property
     def _declared(self) -> dict[str, Declaration]:

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 
-from flexbearing.report.html import combined, open_checks, running_checks, strength_checks
+from flexbearing.report.html import combined, open_checks, running_checks, shaft_tilt, strength_checks
 from flexbearing.report.html.assumptions import WORTH
-from flexbearing.report.html.check import NOT_CHECKED, Check
+from flexbearing.report.html.check import AIM, NOT_CHECKED, Check
 from flexbearing.report.html.document import Block, Cell, Items, Table, Words
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import printed
@@ -59,20 +59,23 @@ def to_do(reader: Reader) -> Iterator[Items]:
 
 
 def steps(reader: Reader) -> tuple[str, ...]:
-    """Keep limits, find out what moves results most, check what was not checked."""
+    """Keep limits, find out what moves results most, keep usual aims, check what was not checked."""
     checks = ranked(reader)
-    broken = [check.do for check in checks if check.broken]
-    others = [check.do for check in checks if check.do not in broken]
+    broken = [check.do for check in checks if check.broken and check.grade != AIM]
+    aims = [check.do for check in checks if check.broken and check.grade == AIM]
+    others = [check.do for check in checks if check.do not in (*broken, *aims)]
     moved: dict[str, list[str]] = {}
     for word in (combined.LIFE, *dict(reader.layout.weighed).values()):
         span = combined.of(reader, word)
         if span is not None and max(span.squares[1], 1 / span.squares[0]) > WORTH:
             moved.setdefault(span.most, []).append(word)
+    if tilt := shaft_tilt.step(reader):
+        moved.pop("operation.tilt", None)  # which that step asks for
     measure = [
         f"find out and specify {combined.inputs(reader, key)}: moves {', '.join(words)} most"
         for key, words in moved.items()
     ]
-    return tuple(dict.fromkeys(filter(None, (*broken, *measure, *others))))
+    return tuple(dict.fromkeys(filter(None, (*broken, tilt, *aims, *measure, *others))))
 
 
 def _unit(value: Cell) -> str:

@@ -12,17 +12,20 @@ from flexbearing.report.html import (
     beyond_range,
     clearance,
     combined,
+    design_changes,
     exactness,
     headline,
+    heat,
     life,
     lives,
     lubrication,
     oil,
     stiffness,
 )
-from flexbearing.report.html.check import Check, text_of, used
+from flexbearing.report.html.check import AIM, DAMAGE, VALIDITY, Check, text_of, used
 from flexbearing.report.html.document import Number, Table
 from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.running_checks import overlap
 from flexbearing.report.html.strength_checks import BARS, ENDS
 from flexbearing.report.rows import of_supports
 
@@ -31,6 +34,12 @@ SLIP = "cage slip"  # in percent, with its error in percentage points
 _TINY = 1e-3  # [%] error below which its size does not matter
 _LARGEST, _FACTORS, _STEPS = 4, 6, 3  # limits, factors, and things to do, that an answer names
 BAR_STRESS, STIFFNESS = "bar stress", "stiffness"  # words of results in comments of a case
+_RAISE = (
+    "To improve it: an oil {:.2g} times as viscous at its temperature, cooler oil, or EP/AW additives, which "
+    "help below κ = 1; cleaner oil lengthens the life at the same κ."
+)
+_MORE = "Cooler or more viscous oil raises κ; cleaner oil lengthens the life at the same κ."
+_WORDS = {"bearing stiffness": "stiffness of the bearing alone"}
 _SIGNS = (
     "Azimuth 0° is the z axis, along the load unless operation.load_direction turns it. It grows towards y, "
     "the way that a positive speed turns. Positive along a roller is +x; other signs stand below the tables."
@@ -78,6 +87,8 @@ def _safe(reader: Reader) -> Iterator[str]:
     """Which limits are kept, with what is used of them, and what has none."""
     checks = against_limits.ranked(reader)
     yield headline.judged(reader)
+    if told := overlap(reader):
+        yield f"It cannot be built as assumed: {told}."
     for check in checks[:_LARGEST]:
         if isinstance(check.value, Number) and isinstance(check.share, Number):
             verdict = check.verdict.partition(":")[0]
@@ -93,19 +104,36 @@ def _without_limit(checks: list[Check]) -> list[tuple[Check, Number]]:
 
 
 def _first(reader: Reader) -> Iterator[str]:
-    """The limit with the largest share, what may come before it, and the first things to do."""
+    """What may come before all limits, the nearest limit, how far the life holds, the first things to do."""
     checks = against_limits.ranked(reader)
-    first = next((check for check in checks if isinstance(check.share, Number)), None)
-    if first is None:
-        return
+    shares = [check for check in checks if isinstance(check.share, Number)]
     unknown = _without_limit(checks)
-    near = first.used > headline.HALF or unknown
-    yield f"{'' if near else 'Nothing limits at this load; nearest: '}{first.what}: {used(first)}."
     for check, value in unknown:
         told = f"{text_of(value)}{_moved(reader, check)}"
-        yield f"Possibly before it: {check.what} {told}; no strength is given."
-    steps = against_limits.steps(reader)[:_STEPS]
-    yield from (f"Next: {step}." for step in steps)
+        yield f"Possibly first: {check.what} {told}; no strength is given."
+        yield design_changes.of_bars(reader) if check.what == BARS else ""
+    yield from _nearest([check for check in shares if check.grade != VALIDITY], bool(unknown))
+    for check in (check for check in shares if check.broken and check.grade == VALIDITY):
+        yield f"Outside the range of the life formula, which is no limit of strength: {_shared(check)}."
+    yield from (f"Next: {step}." for step in against_limits.steps(reader)[:_STEPS])
+
+
+def _nearest(shares: list[Check], unknown: bool) -> Iterator[str]:
+    """The physical limit with the largest share; where that is an aim that is missed, behind damage."""
+    first = next(iter(shares), None)
+    if first is None:
+        return
+    damage = next((check for check in shares if check.grade == DAMAGE), None)
+    if first.broken and first.grade == AIM and damage is not None:
+        yield f"Nearest limit of damage that was checked: {_shared(damage)}."
+        yield f"Usual aim missed: {_shared(first)}."
+    else:
+        near = first.used > headline.HALF or unknown
+        yield f"{'' if near else 'Nothing limits at this load; nearest: '}{_shared(first)}."
+
+
+def _shared(check: Check) -> str:
+    return f"{check.what}: {used(check)}"
 
 
 def _moved(reader: Reader, check: Check) -> str:
@@ -158,9 +186,11 @@ def _moving(reader: Reader) -> Iterator[str]:
     for word in (combined.LIFE, *weighed):
         if (span := combined.of(reader, word)) is not None:
             low, high = (f"{value:.3g}" for value in span.squares)
-            supports = " with supports (none was computed for the bearing alone)"
-            whole = supports * (word == STIFFNESS and stiffness.supported(reader))
-            yield f"{word}{whole} {low} to {high} times, most by {combined.inputs(reader, span.most)}."
+            of = " with supports" * (word == STIFFNESS and stiffness.supported(reader))
+            doubtful = word == combined.LIFE and beyond_range.of_upper_end(reader)
+            end = " The verdict says why not to rely on its upper end." if doubtful else ""
+            most = combined.inputs(reader, span.most)
+            yield f"{_WORDS.get(word, word)}{of} {low} to {high} times, most by {most}.{end}".rstrip()
 
 
 def _heavier(reader: Reader) -> str:
@@ -189,7 +219,7 @@ def _exact(reader: Reader) -> Iterator[str]:
             and not ignored
             and (error := exactness.known(reader, entry))
         ):
-            found.setdefault(entry.label.strip(), error)
+            found.setdefault(reader.label(entry).strip(), error)
     told = [
         f"{label} {_percent(error).replace(' %', ' percentage points') if label == SLIP else _percent(error)}"
         for label, error in found.items()
@@ -257,8 +287,8 @@ def _lubrication(reader: Reader) -> Iterator[str]:
                 f"Smallest film, {race} raceway: {text_of(film)}; Λ is 1 with a combined roughness of "
                 f"{text_of(film)}, and {lubrication.FULL_FILM} with {text_of(full)}; the case gives none."
             )
-    if "flooding" in {note["code"] for note in reader.attributes["notes"]}:
-        yield "Films are those of inlets full of oil; with little oil they are thinner."
+    if heat.flooded(reader):
+        yield "Films are those of fully flooded inlets; with little oil they are thinner."
 
 
 def _viscosities(reader: Reader) -> Iterator[str]:
@@ -275,11 +305,12 @@ def _viscosities(reader: Reader) -> Iterator[str]:
     yield f"{judged} by the viscosity ratio κ: {kappa.text}{of}, usual aim at least 1."
     enough, reached = oil.sufficient_at(reader)
     if enough is not None:
-        yield f"κ is 1 with this oil at {enough} °C."
+        yield f"κ is 1 with this oil at {enough} °C{oil.heated(reader, enough)}."
     elif float(kappa.text) < 1 and reached < _celsius(reader):
         yield f"κ = 1 is not reachable by cooling this oil to {reached} °C: it needs a thicker one."
     if "lubricant.inlet_temperature" in reader.attributes["assumed"]:
         yield "The oil temperature is assumed: κ at others stands under Life."
+    yield _RAISE.format(1 / float(kappa.text)) if float(kappa.text) < 1 else _MORE
 
 
 def _celsius(reader: Reader) -> float:

@@ -186,7 +186,7 @@ def _heading(reader: Reader, name: str) -> str:
     """Label of an output with its unit, lives in millions of revolutions."""
     declared = _output(reader, name).declared
     part = name.partition(".")[2].split(".")[0]
-    label = ", ".join(filter(None, [declared.label.strip(), part]))
+    label = ", ".join(filter(None, [reader.label(declared).strip(), part]))
     unit = reader.units.of(unit_of(declared).name)
     return f"{label} [10⁶ revolutions]" if unit == "Mrev" else with_unit(label, unit)
 

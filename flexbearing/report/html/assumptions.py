@@ -182,5 +182,7 @@ def changes(comment: str, output: str = "life") -> str:
 
     >>> changes("rule of thumb; life 2 times with 3, 0.4 times with 1; torque 2 times with 3")
     '2 times with 3, 0.4 times with 1'
+    >>> changes("bearing stiffness 2 times with 3; stiffness 1.1 times with 3", "stiffness")
+    '1.1 times with 3'
     """
-    return ", ".join(re.findall(rf"\b{output} ([^;]*)", comment))
+    return ", ".join(re.findall(rf"(?:^|; ?){output} ([^;]*)", comment))

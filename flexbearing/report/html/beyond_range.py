@@ -1,15 +1,17 @@
 """What the range of the life does not count, with its size where that is known."""
 
 from collections.abc import Iterator
+from math import log
 
 from flexbearing.quantities.effects import CHOICE, INPUT
-from flexbearing.report.html import assumed_effects, assumptions, oil, ratings
+from flexbearing.report.html import assumed_effects, assumptions, combined, oil, ratings, shaft_tilt
 from flexbearing.report.html.check import text_of
 from flexbearing.report.html.lives import lives
 from flexbearing.report.html.open_checks import straight
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.sentences import rounded
 
+UNCHANGED = 5e-3  # relative change of the life that is none
 PRESSED_ENDS = {"pressed-end", "sharp-roller-end"}  # codes of notes
 
 
@@ -21,11 +23,10 @@ def left_out(reader: Reader) -> tuple[str, ...]:
 
 def _tilt(reader: Reader, solved: set[str]) -> Iterator[str]:
     """The life where the shaft holds the inner ring otherwise."""
-    found, first = reader.attributes.get("tilt") or {}, next(iter(lives(reader)), None)
-    if "otherwise" not in found or "operation.tilt" in solved or first is None or not first.chosen:
+    known, first = shaft_tilt.otherwise(reader), next(iter(lives(reader)), None)
+    if known is None or "operation.tilt" in solved or first is None or not first.chosen:
         return
-    ratio = found["otherwise"]["life_L10_Mrev"] / reader.summary[reader.last]["life_L10_Mrev"]
-    how = found["otherwise"]["inner_ring"]
+    how, ratio = known
     yield f'with operation.tilt = "{how}" the basic life is {ratio:.3g} times as long'
 
 
@@ -42,7 +43,7 @@ def of_oil(reader: Reader) -> str:
     most = oil.largest_a_iso(reader)
     if most is None:
         return f"ISO 281 has no a_ISO for κ {kappa[0]:.3g}, below 0.1"
-    return f"a_ISO is at most {text_of(most)} at κ {kappa[0]:.3g}, whatever the cleanliness"
+    return f"a_ISO is at most {text_of(most)} at κ {kappa[0]:.3g}, at any cleanliness"
 
 
 def with_oil(reader: Reader) -> str:
@@ -52,11 +53,23 @@ def with_oil(reader: Reader) -> str:
     if not bound or first is None:
         return ""
     if most is None:
-        return f"; it leaves the oil out ({bound})"
+        return f", without the influence of the oil ({bound})"
     life = first.hours or first.turns
     times, unit = float(most.text), "million revolutions" if isinstance(first.hours, str) else "h"
     assert not isinstance(life, str)
-    return f"; it leaves the oil out, with which it is at most {rounded(life, times)} {unit} ({bound})"
+    return f", without the influence of the oil; with it at most {rounded(life, times)} {unit} ({bound})"
+
+
+def of_upper_end(reader: Reader) -> str:
+    """Why the upper end of the range is too long, where it counts less relief of the roller ends."""
+    edges = reader.attributes["case_si"].get("life", {}).get("edge_stress")
+    less = combined.changes(reader, combined.LIFE).get("bearing.roller.profile", ())
+    if edges is not False or not any(change.whole > log(1 + UNCHANGED) for change in less):
+        return ""
+    return (
+        "Do not rely on its upper end: straight rollers or a smaller drop lengthen the life only as edge "
+        "stress is left out (life.edge_stress = false)."
+    )
 
 
 def _unsized(reader: Reader, solved: set[str]) -> Iterator[str]:
@@ -65,7 +78,8 @@ def _unsized(reader: Reader, solved: set[str]) -> Iterator[str]:
     computes = " (outputs.assumed_effects = true computes its effect)"
     no_edges = reader.attributes["case_si"].get("life", {}).get("edge_stress") is False
     if codes & PRESSED_ENDS and no_edges and "life.edge_stress" not in solved:
-        yield f"edge stress of the pressed roller ends{computes}"
+        relieved = reader.bearing["roller"]["profile"] != "straight"  # ISO/TS 16281 has it of profiles alone
+        yield f"edge stress of the pressed roller ends{computes * relieved}"
     said = assumptions.comments(reader.result.attributes["case_text"])
     known = "operation.misalignment" in solved or assumptions.weighed(said.get("operation.misalignment", ""))
     if straight(reader) and not known:

@@ -31,6 +31,7 @@ _DIAMETRAL = (
     "negative is a preload."
 )
 TIGHT = "tolerances/ends/tightest_m"  # path of the least clearance within the tolerances
+EXPANDED = "[operation.temperatures] change the sizes of rollers, raceways and supports, not this clearance."
 SMALLEST = 5e-10  # [m] smaller changes are zeros in the table
 
 
@@ -74,7 +75,8 @@ def which(reader: Reader) -> tuple[str, ...]:
             _DIAMETRAL,
             "Before mounting, as in a catalogue, and mounted at rest: not in the case. [bearing.fits] with a "
             "clearance before mounting, in place of bearing.clearance, computes both.",
-            f"In operation, warm and turning: {used} ({_origin(reader)}). All results use it.",
+            f"In operation, warm and turning: {used} ({_origin(reader)}). All results use it."
+            + _expanded(reader),
         )
     bands = {each["name"]: each for each in found.get("tolerances", {}).get("classes", ())}
     of_class = f", class {bands['clearance']['class']}" if "clearance" in bands else ""
@@ -99,6 +101,12 @@ def which(reader: Reader) -> tuple[str, ...]:
         )
         lines.append(f"Tolerances of clearance and fits leave {' to '.join(ends)} of it.")
     return tuple(lines)
+
+
+def _expanded(reader: Reader) -> str:
+    """What temperatures do beside a clearance that is stated; empty without them."""
+    given = reader.of_rollers and reader.attributes["case_si"]["operation"].get("temperatures")
+    return f" {EXPANDED}" if given else ""
 
 
 def _micrometres(reader: Reader, length: float, digits: str = ".1f") -> str:

@@ -162,7 +162,7 @@ def _of_target(reader: Reader) -> Iterator[tuple[Cell, ...]]:
     words: dict[str, str] = {}  # of the first output that has an error
     for entry in (entry for entry in reader.layout.summary if entry.error):
         points = "" if entry.error_relative else ", percentage points"
-        words.setdefault(entry.error, f"{entry.label.strip()}{points}")
+        words.setdefault(entry.error, f"{reader.label(entry).strip()}{points}")
     if len(reader.blocks) < 2:
         words.pop("total_stiffness", None)  # that of the bearing
     words.pop("peak_pressure", None)  # has rows of its own

@@ -113,6 +113,7 @@ def _life(reader: Reader) -> Iterator[str]:
             f" Range{' without the oil' * bool(oil)}: {low} to {high} {unit} by what is assumed, fitted, "
         )
         words += "toleranced or chosen."
+        words += f" {end}" if (end := beyond_range.of_upper_end(reader)) else ""
         missing = [each for each in beyond_range.left_out(reader) if each != oil]
         words += f" Not in this range: {'; '.join(missing)}." if missing else ""
     if unit == "h" and float(number.text.replace(",", "")) > LONG:

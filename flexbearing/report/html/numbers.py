@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from flexbearing.quantities import SummaryValue
 from flexbearing.quantities.roller import CAGE_SLIP
-from flexbearing.report.html import exactness
+from flexbearing.report.html import exactness, heat
 from flexbearing.report.html.document import Block, Cell, Table, Words
 from flexbearing.report.html.reader import Reader, places
 from flexbearing.report.html.units import NOTHING, printed
@@ -47,6 +47,8 @@ def blocks(reader: Reader) -> Iterator[Block]:
     ]
     if compared and _has(reader, "outer_deviation"):
         meanings.append(_LARGER)
+    if bound := heat.at_most(reader):
+        meanings.append(f"Driving torque and power: {bound}.")
     yield Table("All numbers", tuple(head), tuple(rows), " ".join(meanings))
 
 
@@ -64,7 +66,8 @@ def _rows(reader: Reader, entry: SummaryValue, errors: bool, compared: bool) -> 
             NOTHING if compared and of_supports(entry) and block == "rigid" else number
             for block, number in zip(reader.blocks, numbers, strict=True)
         ]
-        label = f"{_AXES.sub('', entry.label)}, {words.replace('_', ' ')}" if words else entry.label
+        label = reader.label(entry)
+        label = f"{_AXES.sub('', label)}, {words.replace('_', ' ')}" if words else label
         row: list[Cell] = [label, *shown, printed(numbers[-1].unit)]
         if errors:
             row.append(exactness.known(reader, entry) or "")

@@ -9,6 +9,7 @@ from flexbearing.report.html.reader import Reader
 
 _LOW, _HIGH, _STEP = -20, 300, 10  # [°C] temperatures that are tried
 _ZERO = 273.15  # [K]
+_WARMER = 20.0  # [K] by which rings are warmer than the oil that is worth a remark, a rule of thumb
 
 
 def _rated(reader: Reader, settings: tuple[str, ...] = ()) -> dict[str, float]:
@@ -70,6 +71,16 @@ def sufficient_at(reader: Reader) -> tuple[int | None, int]:
         if (ratio >= 1) != enough:
             return _between(reader, *sorted((reached - step, reached))), reached
     return None, reached
+
+
+def heated(reader: Reader, celsius: int) -> str:
+    """That rings warmer than the oil heat it in the inlets, for a sentence; empty where they are not."""
+    parts = reader.attributes["case_si"].get("operation", {}).get("temperatures") or {}
+    rings = [parts[name] - _ZERO for name in ("inner_ring", "outer_ring") if parts.get(name) is not None]
+    if not rings or min(rings) - celsius < _WARMER:
+        return ""
+    ends = " to ".join(dict.fromkeys(f"{end:.0f}" for end in (min(rings), max(rings))))
+    return f", but the rings, given at {ends} °C, heat it in the inlets: they must be cooler too"
 
 
 def _between(reader: Reader, low: int, high: int) -> int:

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from flexbearing.report.html import heat, shaft_tilt
 from flexbearing.report.html.check import Check, unchecked
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.lives import lives
@@ -26,9 +27,11 @@ _TILT_OF_ROLLERS = {
     "leans along: see the slope between the raceways",
     "roller_tilt": "no standard limits it, positive: +x end further out; it presses the ends of the roller",
 }
+_LIMITS_OF_HEAT = "bearing maker: steel and cage; oil supplier: oil"
+_THERMAL = "thermal analyst or a test: temperatures of shaft, rings and housing"
 _MAKER_OF_TILT = "bearing maker: permissible tilt"
 _ALIGNED = (
-    "operation.misalignment is 0, and nobody gave the slope of the shaft; a bent shaft or seats out of line "
+    "operation.misalignment is 0, as the case gives no slope of the shaft; a bent shaft or seats out of line "
     "press the roller ends"
 )
 _NEVER = {  # why, who checks it
@@ -40,11 +43,9 @@ _NEVER = {  # why, who checks it
         "whether a ring turns in its seat is not computed",
         "designer: fit tables of the maker for a load that turns or stands still",
     ),
-    "Hoop stress of the rings by fit and speed": (
-        "not in the stress of a flexible ring",
-        "designer: formulas of thick rings with fit pressure and speed",
-    ),
 }
+_HOOP = "Hoop stress of the rings by fit and speed"
+_IN_RINGS = {False: "rigid rings have no stress", True: "not in the stress of a flexible ring"}  # flexible
 
 
 def checks(reader: Reader) -> Iterator[Check]:
@@ -58,6 +59,11 @@ def checks(reader: Reader) -> Iterator[Check]:
     yield _speed(reader)
     for what, (why, who) in _NEVER.items():
         yield unchecked(what, why, who)
+    yield unchecked(
+        _HOOP,
+        _IN_RINGS["flexible" in reader.blocks],
+        "designer: formulas of thick rings with fit pressure and speed",
+    )
 
 
 def _life(reader: Reader) -> Iterator[Check]:
@@ -75,9 +81,11 @@ def _tilts(reader: Reader) -> Iterator[Check]:
     for name, what in (("ring_tilt", "Tilt of the inner ring"), ("roller_tilt", "Largest tilt of a roller")):
         if name in block and np.any(sizes := np.abs(np.ravel(block[name]))):
             value = reader.element(reader.last, name, int(np.argmax(sizes)), digits=".3g")
-            yield unchecked(
-                what, _TILT_OF_ROLLERS[name] if reader.of_rollers else _TILT, _MAKER_OF_TILT, value
-            )
+            why = _TILT_OF_ROLLERS[name] if reader.of_rollers else _TILT
+            who = _MAKER_OF_TILT
+            if name == "ring_tilt" and shaft_tilt.free(reader):
+                why, who = "; ".join(filter(None, (shaft_tilt.steep(reader), why))), shaft_tilt.WHO
+            yield unchecked(what, why, who, value)
 
 
 def _alignment(reader: Reader) -> Iterator[Check]:
@@ -109,7 +117,7 @@ def _temperature(reader: Reader) -> Check:
     """The highest temperature, whose limits no case has."""
     known = reader.attributes["case_si"].get("operation", {}).get("temperatures") or {}
     parts = {name: value for name, value in known.items() if name != "reference" and isinstance(value, float)}
-    who = "bearing maker: steel and cage; oil supplier: oil"
+    who = _LIMITS_OF_HEAT
     if parts:
         part = max(parts, key=parts.__getitem__)
         path = f"case/operation.temperatures.{part}"
@@ -118,6 +126,7 @@ def _temperature(reader: Reader) -> Check:
         return unchecked(what, "the case has no limits of steel, cage and lubricant", who, value)
     steps = (reader.attributes.get("clearance") or {}).get("steps")
     do = "give [operation.temperatures]: a warmer inner ring takes clearance" if steps else ""
+    who = f"{_THERMAL}, for the clearance; limits: {who}" if steps else who
     return unchecked("Temperature", "the case gives no temperatures of parts", who, do=do)
 
 
@@ -127,7 +136,10 @@ def _heat(reader: Reader) -> Check:
     power = float(reader.blocks[reader.last].get("driving_power", 0.0))
     if not power:
         return unchecked("Heat balance", "power and temperatures are not computed", who)
-    why = "temperatures are given, not computed from the power and the oil flow"
+    given = reader.attributes["case_si"].get("operation", {}).get("temperatures")
+    why = f"temperatures are {'given, ' if given else ''}not computed from the power and the oil flow"
+    if bound := heat.at_most(reader):
+        why += f"; {bound}"
     if "lubricant.oil_fraction" in reader.attributes["calibrated"]:
         share = float(reader.blocks[reader.last]["loss_drag"]) / power
         why += f"; {share:.0%} of it are drag by the fitted lubricant.oil_fraction"

@@ -59,7 +59,7 @@ def computed(reader: Reader) -> Iterator[Block]:
 def _drawings(reader: Reader) -> Iterator[Block]:
     """Drawings to scale of the case, its keys as dimensions; where it cannot be read again, why."""
     try:
-        sheets = tuple(drawings(reader.result.family, reader.case))
+        sheets = tuple(drawings(reader.result.family, reader.case, resized=True))
     except BadCase as problem:
         yield Words((f"Not drawn: {str(problem).splitlines()[0]}",))
         return

@@ -25,7 +25,7 @@ _TILT = (
 _INNER = "largest roller load"
 _WORDS = {
     "largest_inner_load_N": _INNER, "max_roller_load_N": _INNER, "loaded_rollers": "loaded rollers",
-    "ring_moment_Nm": "moment on the ring",
+    "ring_moment_Nm": "moment on the ring", "life_L10_Mrev": "basic life L10",
 }  # fmt: skip
 
 
@@ -80,7 +80,11 @@ def _passage(reader: Reader) -> Iterator[Block]:
     yield Table(caption, head, tuple(rows), note)
     if passed["mean_life_Mrev"] is not None:
         life = reader.of_attribute("passage/mean_life_Mrev", "Mrev", "Mrev", ",.4g")
-        yield Table("Life by equal damage of all positions", ("life", "10⁶ revolutions"), (("L10", life),))
+        yield Table(
+            "Life by equal damage of all positions",
+            ("life", "10⁶ revolutions"),
+            (("basic life L10, Lundberg and Palmgren", life),),
+        )
 
 
 def _range(reader: Reader, entry: SummaryValue) -> Iterator[tuple[Cell, ...]]:
@@ -98,9 +102,9 @@ def _range(reader: Reader, entry: SummaryValue) -> Iterator[tuple[Cell, ...]]:
         for place in ends:
             cells.append(reader.of_attribute(f"passage/values/{key}/{place}", stored, unit, entry.digits))
             cells.append(reader.of_attribute(f"passage/azimuth_deg/{place}", "deg", "deg", ".4g"))
-        yield entry.label + (f", {part}" if part else ""), *cells, printed(reader.units.of(unit))
+        yield reader.label(entry) + (f", {part}" if part else ""), *cells, printed(reader.units.of(unit))
 
 
 def _words(name: str) -> str:
-    """Words of a name without its unit: "life L10"."""
+    """Words of a name without its unit: "driving torque"."""
     return _WORDS.get(name) or name.rpartition("_")[0].replace("_", " ")

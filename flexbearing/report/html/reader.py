@@ -18,6 +18,11 @@ from flexbearing.report.html.units import Units, converted, units_in_words
 from flexbearing.report.rows import unit_of
 from flexbearing.results import Result
 
+_LABELS = {  # of labels that do not name a method or a part, by whether the bearing has balls
+    ("life L10", False): "basic life L10, Lundberg and Palmgren",
+    ("life L10", True): "reference life L10r of the raceway",
+    ("loaded share of that roller", False): "loaded share of the length of the most pressed roller",
+}
 OUTSIDE = GRADES[1]  # notes on laws outside the range of their source
 
 
@@ -133,6 +138,10 @@ class Reader:
         unit = unit_of(entry).name
         stored = self.layout[entry.of[0]].unit if entry.in_si else unit
         return self.units.number(value, stored, unit, entry.digits or ".4g", "/".join(map(str, path)))
+
+    def label(self, entry: SummaryValue) -> str:
+        """Label of a value of the summary, lives with their method."""
+        return _LABELS.get((entry.label.strip(), self.of_balls), entry.label)
 
     def output(self, name: str, unit: str, digits: str) -> Number:
         """A scalar output of the last end state in a unit that its revolutions or itself can have."""

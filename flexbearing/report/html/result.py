@@ -7,6 +7,7 @@ from flexbearing.quantities.attributes import GRADES
 from flexbearing.report.html import (
     clearance,
     elements,
+    heat,
     inputs,
     life,
     lubrication,
@@ -18,16 +19,11 @@ from flexbearing.report.html import (
     verdict,
 )
 from flexbearing.report.html.document import Block, Document, Items, Section, Table, Words
-from flexbearing.report.html.figures import bars, convergence
+from flexbearing.report.html.figures import convergence
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.simplifications import simplifications
-from flexbearing.report.html.units import METRIC, Units, printed, with_unit
+from flexbearing.report.html.units import METRIC, Units
 from flexbearing.results import Result
-
-_FLOODED = (
-    "Rolling shear is that of flooded inlets; an inlet with less oil shears less and carries a thinner film. "
-    "So with little oil this loss, torque and film are at most what stands here."
-)
 
 
 def of_result(result: Result, units: Units = METRIC, further: tuple[Section, ...] = ()) -> Document:
@@ -68,7 +64,7 @@ def of_result(result: Result, units: Units = METRIC, further: tuple[Section, ...
             "Contacts: loads, pressures, films",
             chain(lubrication.blocks(reader) if reader.last else (), elements.contacts(reader, shown)),
         ),
-        "heat": ("Heat by cause", _heat(reader)),
+        "heat": ("Heat by cause", heat.blocks(reader)),
         "clearance": ("Clearance", clearance.blocks(reader)),
         "rings": ("Rings: deformation and stresses", rings.blocks(reader)),
         "convergence": ("Convergence", _convergence(reader)),
@@ -80,30 +76,6 @@ def of_result(result: Result, units: Units = METRIC, further: tuple[Section, ...
     title = reader.attributes["title"] or result.stem
     kept = tuple(section for section in complete if section.blocks)
     return Document(f"Bearing report: {title}", origin.line(reader), kept)
-
-
-def _heat(reader: Reader) -> Iterator[Block]:
-    """Losses by cause."""
-    causes = [name for name in reader.layout.datasets("block") if name.startswith("loss_")]
-    if not (reader.last and causes):
-        return
-    unit = reader.units.of("W")
-    known = {entry.of[0]: entry.label.strip() for entry in reader.layout.summary if len(entry.of) == 1}
-    labels = {name: known.get(name) or name.removeprefix("loss_") for name in causes}
-    series = {
-        block: {labels[name]: reader.units.value(float(values[name]), "W", "W") for name in causes}
-        for block, values in reader.blocks.items()
-    }
-    yield bars("heat", "Power lost by cause.", with_unit("power", unit), series)
-    rows = []
-    for name in causes:
-        each = (reader.element(block, name, digits=",.2f") for block in reader.blocks)
-        rows.append((labels[name], *each, reader.layout[name].meaning))
-    powers = (reader.element(block, "driving_power", digits=",.2f") for block in reader.blocks)
-    rows.append(("total: driving power", *powers, reader.layout["driving_power"].meaning))
-    head = ("cause", *(f"{block} [{printed(unit)}]" for block in reader.blocks), "meaning")
-    note = _FLOODED if "flooding" in {each["code"] for each in reader.attributes["notes"]} else ""
-    yield Table("Heat by cause", head, tuple(rows), note)
 
 
 def _convergence(reader: Reader) -> Iterator[Block]:
@@ -136,4 +108,6 @@ def _limits(reader: Reader) -> Iterator[Block]:
             yield Items(grade.capitalize(), notes, "danger" if grade == GRADES[0] else "")
     if not reader.attributes["notes"]:
         yield Words(("No law was used outside the range of its source, as far as the program checks.",))
-    yield Items("What the model leaves out in this case", simplifications(reader))
+    if left_out := simplifications(reader):
+        head = ("left out", "who checks it, with what")
+        yield Table("What the model leaves out in this case", head, left_out)

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from flexbearing.report.html import clearance, ratings
+from flexbearing.report.html import clearance, oil, ratings
 from flexbearing.report.html.check import (
     AIM,
     BUILD,
@@ -28,7 +28,7 @@ _USUAL_TILT = "4 arcmin, rule of thumb: the edge stress of ISO/TS 16281 holds be
 _COUNT_OIL = 'set life.lubrication = "a_ISO" for a life that counts oil and cleanliness'
 _THICKER = (
     "take an oil {:.2g} times as viscous at its temperature for a viscosity ratio of 1, or cool it as far as "
-    "the table of oil temperatures says; else oil with additives"
+    "the table of oil temperatures says{}; else use EP/AW additives"
 )
 _CAGE_SIZES = ("land_diameter", "thickness")  # keys of the cage that may let it overlap
 _NOTED = {  # what, by the code of a note: limit, verdict, grade, what to do, who checks it
@@ -65,7 +65,10 @@ def _viscosity_ratio(reader: Reader) -> Iterator[Check]:
         value = reader.units.number(found[0], "", "", ".3g", found[1])
         check = against(reader, what, value, found[0], Limit(1.0, LEAST, words, AIM))
         counted = (reader.attributes["case_si"].get("life") or {}).get("lubrication")
-        do = _THICKER.format(1 / found[0]) if check.broken else "" if counted else _COUNT_OIL
+        do = "" if counted else _COUNT_OIL
+        if check.broken:
+            enough, _ = oil.sufficient_at(reader)
+            do = _THICKER.format(1 / found[0], "" if enough is None else oil.heated(reader, enough))
         yield replace(check, do=do)
     elif not isinstance(ratings.found(reader), str):
         how = 'life.lubrication = "a_ISO"'

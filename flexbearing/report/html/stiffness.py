@@ -40,6 +40,10 @@ _TILT = (
     'tilt follows where operation.tilt = "free", which can make them smaller. Along the load means that '
     "the ring may also move across it."
 )
+_FREE_ACROSS = (
+    "shaft and supports are in the rotor model; free to move across the load, which the rows over y and z "
+    "hold"
+)
 _NEAR = (
     "All of them are tangents: slopes at this load, speed, clearance and roller position. Contacts of "
     "rollers stiffen with load and more rollers come to bear, so another load or clearance needs a run of "
@@ -90,7 +94,7 @@ def _support(figures: dict[str, Any]) -> float | None:
 
 def _radial(reader: Reader) -> Table:
     """Every radial stiffness with what it is for, along the load and beside it."""
-    names = [("stiffness", "bearing alone, along the load", "shaft and supports are in the rotor model")]
+    names = [("stiffness", "bearing alone, along the load", _FREE_ACROSS)]
     if supported(reader):
         names.append(("total_stiffness", "with supports, along the load", "neither is in the rotor model"))
     rows: list[tuple[Cell, ...]] = []

@@ -11,6 +11,7 @@ from flexbearing.report.html import (
     combined,
     exactness,
     headline,
+    heat,
     inputs,
     lives,
     stiffness,
@@ -19,6 +20,8 @@ from flexbearing.report.html.document import Block, Cell, Items, Number, Table, 
 from flexbearing.report.html.reader import OUTSIDE, Reader
 from flexbearing.report.html.units import NOTHING, printed
 from flexbearing.report.rows import unit_of
+
+ALONE = "stiffness"  # output of the bearing without its supports
 
 
 def blocks(reader: Reader) -> Iterator[Block]:
@@ -85,7 +88,8 @@ def _rows(reader: Reader) -> Iterator[tuple[tuple[Cell, ...], str]]:
     words = dict(reader.layout.weighed)
     for name in dict.fromkeys((*reader.layout.main, *words)):
         output, block = known[name], reader.blocks[reader.last]
-        if name != "life_L10" and all(each in block for each in output.declared.of):
+        same = name == ALONE and not stiffness.supported(reader)  # as total_stiffness
+        if name != "life_L10" and not same and all(each in block for each in output.declared.of):
             number = _scalar(reader, output)
             label = _label(reader, name) or ", ".join([output.declared.label.strip(), *name.split(".")[1:]])
             error = exactness.error(reader, output.declared)
@@ -99,10 +103,13 @@ def _label(reader: Reader, name: str) -> str:
 
         if name == CAGE_SLIP.name:
             return "cage slip (lubricant.oil_fraction was fitted to one: no prediction)"
-    if name not in ("total_stiffness", "stiffness_zz"):
+    if name == "driving_torque":
+        return f"driving torque ({bound})" if (bound := heat.at_most(reader)) else ""
+    if name not in ("total_stiffness", ALONE, "stiffness_zz"):
         return ""
-    along = "radial stiffness along the load" if name == "total_stiffness" else "radial stiffness along z"
-    return f"{along}, {'with supports' if stiffness.supported(reader) else 'of the bearing alone'}"
+    along = "radial stiffness along z" if name == "stiffness_zz" else "radial stiffness along the load"
+    supports = name != ALONE and stiffness.supported(reader)
+    return f"{along}, {'with supports' if supports else 'of the bearing alone'}"
 
 
 def _scalar(reader: Reader, output: Any) -> Number:

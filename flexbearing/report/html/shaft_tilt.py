@@ -1,0 +1,49 @@
+"""How the shaft holds the inner ring, what the other way makes of the life, and tilts that no shaft has."""
+
+from math import log, pi
+
+import numpy as np
+
+from flexbearing.report.html.assumptions import WORTH
+from flexbearing.report.html.reader import Reader
+
+WHO = "shaft or rotor designer: how far the shaft holds the inner ring, and its slope at the bearing"
+_ARCMIN = pi / 180 / 60  # [rad]
+_STEEP = 10 * _ARCMIN  # slope that hardly any shaft has at a bearing, a rule of thumb
+
+
+def otherwise(reader: Reader) -> tuple[str, float] | None:
+    """The other `operation.tilt`, and its basic life over that of the case; None where it is not known."""
+    other, life = (reader.attributes.get("tilt") or {}).get("otherwise"), _life(reader)
+    return (other["inner_ring"], other["life_L10_Mrev"] / life) if other and life else None
+
+
+def _life(reader: Reader) -> float | None:
+    return (reader.summary.get(reader.last) or {}).get("life_L10_Mrev")
+
+
+def free(reader: Reader) -> bool:
+    """Whether nothing but the bearing holds the tilt of the inner ring."""
+    return (reader.attributes.get("tilt") or {}).get("inner_ring") == "free"
+
+
+def steep(reader: Reader) -> str:
+    """That a free ring tilts more than shafts do, for a sentence; empty where it does not."""
+    slopes = reader.blocks.get(reader.last, {}).get("ring_tilt")
+    if not free(reader) or slopes is None:
+        return ""
+    size = float(np.hypot(*np.ravel(slopes)))
+    return f"{size / _ARCMIN:.0f} arcmin, which hardly any shaft allows" if size > _STEEP else ""
+
+
+def step(reader: Reader) -> str:
+    """To ask how the shaft holds the inner ring, where that matters for the life; empty elsewhere."""
+    known = otherwise(reader)
+    if known is None or abs(log(known[1])) < log(WORTH):
+        return ""
+    how, ratio = known
+    leans = f"; free, it tilts by {words}" if (words := steep(reader)) else ""
+    return (
+        "ask the shaft or rotor designer whether the shaft lets the inner ring tilt (operation.tilt): with "
+        f'"{how}" the basic life is {ratio:.3g} times as long{leans}'
+    )
