@@ -138,13 +138,8 @@ def test_faces_that_would_come_apart_are_refused():
             move_nodes(mesh, before, after)
 
 
-@pytest.mark.parametrize(
-    "cage",
-    [
-        pytest.param(cage, id=name, marks=[pytest.mark.slow] * (name != "plain"))
-        for name, cage in CAGES.items()
-    ],
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("cage", [pytest.param(cage, id=name) for name, cage in CAGES.items()])
 def test_answers_by_known_fields_are_right_to_first_order(cage):
     """Twice the change, four times the error; differences about the cage have no error of second order."""
     nodes, size = Shape(part=cage, length=L), COARSE
