@@ -73,7 +73,7 @@ class OptimisationFile(Section):
 
     case: str = key("case file, by its path from the folder of this file", example="nu209.toml")
     name: str | None = key("of the outputs, such as NAME.csv; without it that of this file", None)
-    set: Keys = key("keys that every design has in another way than the case, each with its value", {})
+    set: Keys = key("settings of every design that differ from the case file, key by key", {})
     vary: Keys = key(
         'keys that are found, each with its bounds, "0.5 um .. 20 um"; in front of them log for a '
         'logarithmic scale; an entry of a list by its number, "bearing.roller.point_drops.3"',

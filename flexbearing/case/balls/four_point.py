@@ -69,7 +69,7 @@ class FourPointBearing(MountedBearing):
         lt=RIGHT_ANGLE,
     )
     clearance: Length = key(
-        "free way of a ball along a diagonal, both contacts together; negative is an interference; before "
+        "free travel of a ball along a diagonal, both contacts together; negative is an interference; before "
         "mounting where there are fits",
         "0 um",
         example="-15 um",
