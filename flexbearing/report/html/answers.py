@@ -22,7 +22,7 @@ from flexbearing.report.html import (
     oil,
     stiffness,
 )
-from flexbearing.report.html.check import AIM, DAMAGE, VALIDITY, Check, text_of, used
+from flexbearing.report.html.check import AIM, DAMAGE, MISSED, VALIDITY, Check, one, text_of, used
 from flexbearing.report.html.document import Number, Table
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.running_checks import overlap
@@ -113,23 +113,37 @@ def _first(reader: Reader) -> Iterator[str]:
         yield f"Possibly first: {check.what} {told}; no strength is given."
         yield design_changes.of_bars(reader) if check.what == BARS else ""
     yield from _nearest([check for check in shares if check.grade != VALIDITY], bool(unknown))
+    yield headline.tight_end(reader)
     for check in (check for check in shares if check.broken and check.grade == VALIDITY):
         yield f"Outside the range of the life formula, which is no limit of strength: {_shared(check)}."
     yield from (f"Next: {step}." for step in against_limits.steps(reader)[:_STEPS])
 
 
 def _nearest(shares: list[Check], unknown: bool) -> Iterator[str]:
-    """The physical limit with the largest share; where that is an aim that is missed, behind damage."""
+    """The limit with the largest share; behind a usual one that is not kept, the nearest of the others.
+
+    Limits of damage and usual minima are ranked together; where the nearest is a usual one, the nearest limit
+    of damage follows by itself.
+    """
     first = next(iter(shares), None)
     if first is None:
         return
-    damage = next((check for check in shares if check.grade == DAMAGE), None)
-    if first.broken and first.grade == AIM and damage is not None:
-        yield f"Nearest limit of damage that was checked: {_shared(damage)}."
-        yield f"Usual aim missed: {_shared(first)}."
-    else:
+    if not (first.broken and first.grade == AIM):
         near = first.used > headline.HALF or unknown
         yield f"{'' if near else 'Nothing limits at this load; nearest: '}{_shared(first)}."
+        return
+    yield f"{MISSED[first.side]}: {one(first)}."
+    kept = next((check for check in shares if not check.broken), None)
+    if kept is not None:
+        yield f"Nearest of the limits that are kept: {one(kept)}: {used(kept)}."
+    damage = max(shares, key=lambda check: check.damage)
+    if damage.damage and (damage is not kept or kept.grade != DAMAGE):
+        yield f"Nearest limit of damage: {_damaging(damage)}."
+
+
+def _damaging(check: Check) -> str:
+    """How much of its limit of damage a check takes, also where it is held to a usual one."""
+    return _shared(check) if check.grade == DAMAGE else f"{check.what}: {check.damage:.0%} of the limit of ISO 76"
 
 
 def _shared(check: Check) -> str:
@@ -275,7 +289,7 @@ def _by_rotor_model(reader: Reader) -> Iterator[str]:
 
 
 def _lubrication(reader: Reader) -> Iterator[str]:
-    """Viscosity ratio and films against their usual aims."""
+    """Viscosity ratio and films against their usual minima."""
     yield from _viscosities(reader)
     for race, film in lubrication.films(reader).items():
         ratio = lubrication.film_ratio(reader, race)
@@ -302,7 +316,7 @@ def _viscosities(reader: Reader) -> Iterator[str]:
     known = [number for number in both if number is not None]
     judged = "Yes" if float(kappa.text) >= 1 else "No"
     of = f" = {text_of(known[0])} over {text_of(known[1])} needed" if len(known) > 1 else ""
-    yield f"{judged} by the viscosity ratio κ: {kappa.text}{of}, usual aim at least 1."
+    yield f"{judged} by the viscosity ratio κ: {kappa.text}{of}, usual minimum 1."
     enough, reached = oil.sufficient_at(reader)
     if enough is not None:
         yield f"κ is 1 with this oil at {enough} °C{oil.heated(reader, enough)}."
