@@ -120,7 +120,8 @@ def test_edge_stress_of_straight_rollers_is_not_promised(readers):
 def test_bounds_of_validity_stand_behind_physical_limits_and_bars_have_a_change_of_design(readers):
     lines = told(readers("rings"))[FIRST].splitlines()
     kinds = ("Possibly first: Nominal stress of the bars", "Lower by a change of design: number of bars",
-             "Nearest limit of damage", "Usual aim missed: Viscosity",
+             "Below the usual minimum: Viscosity", "Nearest of the limits that are kept: Static safety",
+             "Nearest limit of damage: Peak contact pressure",
              "Outside the range of the life formula", "Next: ")  # fmt: skip
     assert all(line.startswith(kind) for line, kind in zip(lines, kinds, strict=False))
     assert "number of bars (outer.bars) 36, 0.721 times (stiffness with supports 1.19 times)" in lines[1]

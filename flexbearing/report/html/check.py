@@ -44,11 +44,11 @@ class Check:
     used: float = 0.0  # share as a number [-], zero where there is none
     verdict: str = NOT_CHECKED
     grade: str = DAMAGE  # of its limit
-    damaging: float = 0.0  # share of a limit of damage behind a usual one [-], zero where there is none
     side: str = MOST
     urgent: bool = False  # has no limit here, and must be compared with one before the bearing is used
     do: str = ""  # what keeps a limit that is exceeded, or checks one that was not
     who: str = ""  # of what was not checked: who checks it, with what
+    damaging: float = 0.0  # share of a limit of damage behind a usual one [-], zero where there is none
 
     @property
     def broken(self) -> bool:
