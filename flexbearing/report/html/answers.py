@@ -173,6 +173,11 @@ def _catalogue(reader: Reader) -> Iterator[str]:
     if steps := life.chain(reader)[:_FACTORS]:
         told = ", ".join(f"{name} × {factor:.3g}" for name, factor in steps)
         yield f"Factors between them, the largest first: {told}."
+    if life.by_same_rating(reader) and not reader.attributes.get("catalogue_life"):
+        yield (
+            "Both lives are by the same C_r. The factor of the loads holds exponent 4 of slices instead of 10/3, "
+            f"λν, clearance and profile: `flexbearing life {reader.case_name}` splits it."
+        )
     if bound := beyond_range.of_oil(reader):
         yield f"Neither life counts the oil: {bound}."
 
