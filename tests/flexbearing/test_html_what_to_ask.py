@@ -93,6 +93,7 @@ def test_how_the_shaft_holds_the_ring_is_asked_for_before_what_matters_less(read
     assert steps.index(tilt) < next(n for n, step in enumerate(steps) if "viscous" in step)
     (check,) = [each for each in against_limits.ranked(reader) if each.what == "Tilt of the inner ring"]
     assert check.who.startswith("shaft or rotor designer")
+    assert "The clamped ends hold that piece only in the finite elements" in check.verdict
     assert not any("operation.tilt" in step for step in against_limits.steps(readers("catalogue")))
     fixed = {"words": "fixed", "settings": [], "values": {"life_L10": 1.0}, "problem": ""}
     key = {"key": "operation.tilt", "source": "other choices of the key", "role": "choice", "others": [fixed]}
