@@ -153,6 +153,17 @@ def test_factors_of_the_chain_lead_from_the_catalogue_s_life_to_that_of_the_case
     assert np.prod(factors) == approx(pair[1] / pair[0], rel=2e-3)
 
 
+@pytest.mark.parametrize(
+    ("name", "tilt", "which"),
+    [("rings", "free", "with supports"), ("catalogue", "fixed", "of the bearing alone"),
+     ("ball", "", "of the bearing alone")],
+)  # fmt: skip
+def test_stiffnesses_say_how_the_tilt_is_held_and_which_one_the_matrix_is(readers, name, tilt, which):
+    answer = told(readers(name))["Which stiffness for a rotor program?"]
+    assert f"is that {which}; its entries hold the tilt." in answer
+    assert (f'All numbers above are with operation.tilt = "{tilt}"' in answer) == bool(tilt)
+
+
 def test_lives_by_the_same_rating_have_one_factor_of_the_loads(readers):
     """The capacity of Lundberg and Palmgren lies between neither of them."""
     reader = readers("catalogue")

@@ -49,7 +49,7 @@ _MODEL = (
     "How far the model is from measurements is not in these errors: the evidence pages of the program "
     "compare it with published ones, not with this bearing."
 )
-_TANGENT = "Slopes at this load and speed; no damping. With tilt and signs: the matrix over five directions."
+_TANGENT = "Slopes at this load and speed; no damping."
 
 
 def blocks(reader: Reader) -> Iterator[Table]:
@@ -275,6 +275,7 @@ def _stiffness(reader: Reader) -> Iterator[str]:
     else:
         yield from _by_rotor_model(reader)
     yield f"{_AXES} {_TANGENT}"
+    yield f"{stiffness.tilt_follows(reader)}{stiffness.of_matrix(reader)}"
 
 
 def _by_rotor_model(reader: Reader) -> Iterator[str]:
