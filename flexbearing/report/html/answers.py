@@ -26,7 +26,9 @@ from flexbearing.report.html.check import AIM, DAMAGE, MISSED, VALIDITY, Check, 
 from flexbearing.report.html.document import Number, Table
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.running_checks import overlap
+from flexbearing.report.html.sentences import rounded
 from flexbearing.report.html.strength_checks import BARS, ENDS
+from flexbearing.report.html.units import printed
 from flexbearing.report.rows import of_supports
 
 CAPTION = "Short answers"
@@ -166,10 +168,11 @@ def _catalogue(reader: Reader) -> Iterator[str]:
     if chosen is None or catalogue is None:
         return
     pair = [each.hours if isinstance(each.hours, Number) else each.turns for each in (catalogue, chosen)]
-    yield f"ISO 281 gives {text_of(pair[0])}, this case {text_of(pair[1])} ({chosen.name})."
+    both = [_rounded(number) for number in pair]
+    yield f"ISO 281 gives {both[0]}, this case {both[1]} ({chosen.name})."
     alike = known.get("catalogue modified")
     if alike is not None and chosen.key == "modified" and isinstance(alike.hours, Number):
-        yield f"Like for like, with a_ISO at P, the catalogue's L10m is {text_of(alike.hours)}."
+        yield f"Like for like, with a_ISO at P, the catalogue's L10m is {_rounded(alike.hours)}."
     if steps := life.chain(reader)[:_FACTORS]:
         told = ", ".join(f"{name} × {factor:.3g}" for name, factor in steps)
         yield f"Factors between them, the largest first: {told}."
@@ -180,6 +183,11 @@ def _catalogue(reader: Reader) -> Iterator[str]:
         )
     if bound := beyond_range.of_oil(reader):
         yield f"Neither life counts the oil: {bound}."
+
+
+def _rounded(life: Number) -> str:
+    """A life with the three digits that its range leaves at most; the tables have all."""
+    return f"{rounded(life)} {printed(life.unit)}"
 
 
 def _assumed(reader: Reader) -> Iterator[str]:
