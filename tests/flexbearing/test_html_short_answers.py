@@ -8,7 +8,18 @@ import pytest
 from pytest import approx
 
 from flexbearing import api
-from flexbearing.report.html import METRIC, against_limits, answers, html, life, lives, lubrication, of_result, oil, ratings
+from flexbearing.report.html import (
+    METRIC,
+    against_limits,
+    answers,
+    html,
+    life,
+    lives,
+    lubrication,
+    of_result,
+    oil,
+    ratings,
+)
 from flexbearing.report.html.check import AIM, LEAST, Check
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.reader import Reader
@@ -70,7 +81,7 @@ def test_the_most_loaded_element_is_that_of_the_inner_raceway(readers):
     for name, dataset in (("catalogue", "inner_load"), ("rings", "inner_load")):
         reader = readers(name)
         loads = np.asarray(reader.blocks[reader.last][dataset])
-        words = told(reader)["Where is the load, and which signs?"]
+        words = told(reader)["Where does the load act, and which signs are used?"]
         place, load, carry = re.match(
             r"Roller (\d+) of .* carries most: ([\d,]+) N .* (\d+) carry", words
         ).groups()
@@ -79,7 +90,7 @@ def test_the_most_loaded_element_is_that_of_the_inner_raceway(readers):
         assert int(carry) == reader.summary[reader.last]["loaded_rollers"] < loads.size
     assert (
         "Ball 1 of 9, at azimuth 0.0 °, carries most: 4,527 N"
-        in told(readers("ball"))["Where is the load, and which signs?"]
+        in told(readers("ball"))["Where does the load act, and which signs are used?"]
     )
 
 
@@ -205,7 +216,9 @@ def test_the_nearest_limit_is_that_of_the_largest_share_of_both_kinds(readers):
 
 def test_a_usual_minimum_that_is_not_kept_counts_with_its_limit_of_damage(readers):
     used = Check("κ", used=2.0, verdict="BELOW THE USUAL MINIMUM", grade=AIM, side=LEAST)
-    static = Check("C_0/P_0", used=1.25, verdict="BELOW THE USUAL MINIMUM", grade=AIM, side=LEAST, damaging=0.83)
+    static = Check(
+        "C_0/P_0", used=1.25, verdict="BELOW THE USUAL MINIMUM", grade=AIM, side=LEAST, damaging=0.83
+    )
     lines = list(answers._nearest([used, static, Check("pressure", used=0.7, verdict="met")], unknown=False))
     assert lines[-1] == "Nearest limit of damage: C_0/P_0: 83% of the limit of ISO 76."
 

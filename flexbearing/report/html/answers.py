@@ -67,7 +67,7 @@ def blocks(reader: Reader) -> Iterator[Table]:
         ("Which stiffness for a rotor program?", _stiffness, "[Stiffness](#stiffness)"),
         ("Is the lubrication sufficient?", _lubrication, "[Contacts](#contacts), [Life](#life)"),
         (
-            "Where is the load, and which signs?",
+            "Where does the load act, and which signs are used?",
             _load,
             f"[{_elements(reader)}](#elements), [drawings](#computed)",
         ),
@@ -145,7 +145,11 @@ def _nearest(shares: list[Check], unknown: bool) -> Iterator[str]:
 
 def _damaging(check: Check) -> str:
     """How much of its limit of damage a check takes, also where it is held to a usual one."""
-    return _shared(check) if check.grade == DAMAGE else f"{check.what}: {check.damage:.0%} of the limit of ISO 76"
+    return (
+        _shared(check)
+        if check.grade == DAMAGE
+        else f"{check.what}: {check.damage:.0%} of the limit of ISO 76"
+    )
 
 
 def _shared(check: Check) -> str:

@@ -131,9 +131,7 @@ def _factors(reader: Reader) -> Iterator[Table]:
     )
 
 
-def _stepped(
-    reader: Reader, catalogue: float | None = None
-) -> Iterator[tuple[str, Cell, Cell, str]]:
+def _stepped(reader: Reader, catalogue: float | None = None) -> Iterator[tuple[str, Cell, Cell, str]]:
     """Factors of the modified life with their notes; between them the reference life over the basic one.
 
     From a life of the catalogue [10^6 revolutions] on the capacity is no step, as states are by C_r, too.

@@ -180,7 +180,9 @@ def tilt_follows(reader: Reader) -> str:
 def of_matrix(reader: Reader) -> str:
     """Which stiffness the matrix is, and that its entries hold the tilt."""
     which = "with supports" if supported(reader) else "of the bearing alone"
-    return f"The matrix over five directions, with tilts and signs, is that {which}; its entries hold the tilt."
+    return (
+        f"The matrix over five directions, with tilts and signs, is that {which}; its entries hold the tilt."
+    )
 
 
 def entry(reader: Reader, row: int, column: int) -> Number:
