@@ -146,7 +146,7 @@ def test_temperatures_beside_a_stated_clearance_say_what_they_do(readers):
 def test_heat_hoop_stress_and_temperatures_are_those_of_rigid_rings_without_temperatures(readers):
     checks = {each.what: each for each in against_limits.ranked(readers("catalogue"))}
     assert "given" not in checks["Heat balance: driving power"].verdict
-    assert "upper bound: 97% is hydrodynamic rolling friction of the oil film, with fully flooded inlets" in (
+    assert "upper bound: 97% is rolling friction of the oil film in fully flooded inlets" in (
         checks["Heat balance: driving power"].verdict
     )
     assert checks["Temperature"].who.startswith("thermal analyst or a test: temperatures of shaft")
@@ -161,7 +161,7 @@ def test_a_torque_with_flooded_inlets_is_an_upper_bound_where_it_is_a_main_resul
               for name in ("catalogue", "rings")]  # fmt: skip
     assert (
         labels[0]
-        == "driving torque (upper bound: 97% is hydrodynamic rolling friction of the oil film, with fully flooded inlets)"
+        == "driving torque (upper bound: 97% is rolling friction of the oil film in fully flooded inlets)"
     )
     assert labels[1] == "driving torque"
 

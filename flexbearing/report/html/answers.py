@@ -139,7 +139,7 @@ def _nearest(shares: list[Check], unknown: bool) -> Iterator[str]:
     if kept is not None:
         yield f"Nearest of the limits that are kept: {one(kept)}: {used(kept)}."
     damage = max(shares, key=lambda check: check.damage)
-    if damage.damage and (damage is not kept or kept.grade != DAMAGE):
+    if damage.damage and not (damage is kept and damage.grade == DAMAGE):
         yield f"Nearest limit of damage: {_damaging(damage)}."
 
 
@@ -182,8 +182,8 @@ def _catalogue(reader: Reader) -> Iterator[str]:
         yield f"Factors between them, the largest first: {told}."
     if life.by_same_rating(reader) and not reader.attributes.get("catalogue_life"):
         yield (
-            "Both lives are by the same C_r. The factor of the loads holds exponent 4 of slices instead of 10/3, "
-            f"λν, clearance and profile: `flexbearing life {reader.case_name}` splits it."
+            "Both lives are by the same C_r. The factor of the loads holds exponent 4 of slices instead of "
+            f"10/3, λν, clearance and profile: `flexbearing life {reader.case_name}` splits it."
         )
     if bound := beyond_range.of_oil(reader):
         yield f"Neither life counts the oil: {bound}."

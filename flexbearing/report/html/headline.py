@@ -79,7 +79,7 @@ def _sentences(reader: Reader, checks: list[Check]) -> Iterator[tuple[str, str]]
 
 
 def _kept(reader: Reader, checks: list[Check]) -> str:
-    """That all is kept, how far the nearest limit is, and what warmth takes of a clearance that has no share."""
+    """That all is kept, how far the nearest limit is, and which warmth takes all clearance."""
     nearest = next((check for check in checks if check.used), None)
     words = "Usable as far as checked: every limit that was checked is met."
     if nearest is None:

@@ -95,7 +95,8 @@ def origin(reader: Reader, path: str) -> str:
     """Whether a key is assumed, fitted, chosen or given, by its own mark or that of a table above it.
 
     A given one has the comment behind it, or behind the head of its table, such as "of the maker"; where that
-    begins with "chosen", the key is what no catalogue has, such as load and speed. Keys of the solution method have no source: they are settings.
+    begins with "chosen", the key is what no catalogue has, such as load and speed. Keys of the solution
+    method have no source: they are settings.
     """
     above = set(_upwards(path))
     if path.startswith(SETTINGS):

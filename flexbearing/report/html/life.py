@@ -54,12 +54,13 @@ _OWN = (
     "computed here; that of a catalogue holds at P of the ratings."
 )
 _NO_CAUSE = (
-    "Capacity leads from the capacities of Lundberg and Palmgren back to C_r, by which the catalogue's life is "
-    "computed, too: it is no difference from that life. "
+    "Capacity leads from the capacities of Lundberg and Palmgren back to C_r, by which the catalogue's life "
+    "is computed, too: it is no difference from that life. "
 )
 _HOW = (
     "The first factor above holds these influences together. To split it, each needs a solution of its own: "
-    "`flexbearing life {case}` prints them. For a report with them: `flexbearing run {case} --set outputs.catalogue_life=true -o OUT.h5`, then `flexbearing report OUT.h5`."
+    "`flexbearing life {case}` prints them. For a report with them: "
+    "`flexbearing run {case} --set outputs.catalogue_life=true -o OUT.h5`, then `flexbearing report OUT.h5`."
 )
 
 

@@ -172,7 +172,7 @@ def _free(reader: Reader) -> str:
 
 
 def tilt_follows(reader: Reader) -> str:
-    """How the tilt is held in radial stiffnesses, with a space behind it; empty where a result does not say."""
+    """How the tilt is held in radial stiffnesses; empty where a result does not say."""
     held = (reader.attributes.get("tilt") or {}).get("inner_ring")
     return f'All numbers above are with operation.tilt = "{held}", as in the case. ' if held else ""
 
