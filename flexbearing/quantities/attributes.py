@@ -101,7 +101,7 @@ COMMON = (
         "assumed_effects",
         "json",
         "lives and weighed outputs of the last end state, in the units of the summary, and with other values "
-        "of assumed or calibrated keys, each with the settings that give it and the source of its range; "
+        "of assumed or fitted keys, each with the settings that give it and the source of its range; "
         "role: input, choice of a rule, or comparison that no range counts; together: all changes at once "
         "that shorten the life, and all that lengthen it; absent without outputs.assumed_effects",
         optional=True,

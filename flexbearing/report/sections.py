@@ -56,7 +56,7 @@ def closing(numbers: dict[str, Any], ending: str) -> Iterator[RenderableType]:
     """Assumed and calibrated keys, notes that are no dangers, and in a line how the run ended."""
     yield from listed("assumed (not known, chosen)", numbers["assumed"])
     fitted = [f"{key}: {to}" for key, to in numbers["calibrated"].items()]
-    yield from listed("calibrated (fitted, so no validation)", fitted)
+    yield from listed("fitted, so no validation", fitted)
     for grade in GRADES[1:]:
         yield from listed(grade, [note["text"] for note in numbers["notes"] if note["grade"] == grade])
     converged = numbers["status"] == "converged"

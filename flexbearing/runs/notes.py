@@ -154,7 +154,7 @@ def _information(case: Case, state: Equilibrium) -> Iterator[Note]:
             )
     if losses.drag > LARGE_SHARE * losses.total:
         key = "lubricant.oil_fraction"
-        how = ", assumed" * (key in case.assumed) + ", calibrated" * (key in case.calibrated)
+        how = ", assumed" * (key in case.assumed) + ", fitted" * (key in case.calibrated)
         yield information(
             "drag-loss",
             f"losses: {losses.drag / losses.total:.0%} are drag of the oil-air mixture on the rollers, "

@@ -49,7 +49,7 @@ def test_the_paper_bearing_says_that_it_lives_for_less_than_an_hour(paper):
 def test_the_paper_bearing_says_what_its_losses_hang_on(paper):
     (told,) = (note for note in texts(paper) if note.startswith("losses: "))
     assert told.startswith("losses: 79% are drag of the oil-air mixture")
-    assert told.endswith("lubricant.oil_fraction = 0.3324, calibrated")
+    assert told.endswith("lubricant.oil_fraction = 0.3324, fitted")
 
 
 def test_dents_are_a_danger(tmp_path):

@@ -106,7 +106,7 @@ class Bearing(Section):
     """The bearing."""
 
     kind: Literal["cylindrical_roller"] = key(
-        "once more, in cases of roller bearings alone; the family is chosen by kind above the sections"
+        "kind of bearing, the same as kind above the sections; needed in cases of roller bearings alone"
     )
     rollers: int = key("number of rollers", example=30, ge=3, le=1000)
     outer_raceway_diameter: Length = key("diameter of the outer raceway", example="75 mm", ge=1e-3, le=100)

@@ -140,7 +140,7 @@ class Lubricant(Oil):
         "points of a measured curve; law four-point", None, only={"traction": ("four-point",)}
     )
     mixed: Mixed | None = key("boundary friction of rough surfaces around the traction law", None)
-    rolling: RollingName = key("law of the rolling shear in the inlets", "biboulet-houpert")
+    rolling: RollingName = key("law of the hydrodynamic rolling friction of the oil film", "biboulet-houpert")
     oil_fraction: float = key(
         "volume share of oil in the mixture around the rollers", example=0.02, ge=0, le=1
     )

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from flexbearing.case.declarations import Declaration, by_path
 
 ASSUMED, CALIBRATED = "*", "†"
-MARKS = {ASSUMED: "assumed", CALIBRATED: "calibrated"}
+MARKS = {ASSUMED: "assumed", CALIBRATED: "fitted"}
 SMALL = 1e-4  # [m] lengths below are written in micrometres
 MOST_VALUES = 4  # of a list that are written
 UNITS = {"N": (1e-3, "kN"), "rad/s": (30 / pi, "rpm"), "N/m^3": (1e-9, "N/mm³"), "1": (1.0, "")}
@@ -40,7 +40,7 @@ class Words:
         return value
 
     def __call__(self, path: str, sign: str = "") -> str:
-        """Write "key = value" with a sign before the value, and a mark where it is assumed or calibrated.
+        """Write "key = value" with a sign before the value, and a mark where it is assumed or fitted.
 
         Without values it is the sign and the key.
         """

@@ -22,11 +22,13 @@ from flexbearing.report.html import (
     oil,
     stiffness,
 )
-from flexbearing.report.html.check import AIM, DAMAGE, VALIDITY, Check, text_of, used
+from flexbearing.report.html.check import AIM, DAMAGE, MISSED, VALIDITY, Check, one, text_of, used
 from flexbearing.report.html.document import Number, Table
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.running_checks import overlap
+from flexbearing.report.html.sentences import rounded
 from flexbearing.report.html.strength_checks import BARS, ENDS
+from flexbearing.report.html.units import printed
 from flexbearing.report.rows import of_supports
 
 CAPTION = "Short answers"
@@ -49,7 +51,7 @@ _MODEL = (
     "How far the model is from measurements is not in these errors: the evidence pages of the program "
     "compare it with published ones, not with this bearing."
 )
-_TANGENT = "Slopes at this load and speed; no damping. With tilt and signs: the matrix over five directions."
+_TANGENT = "Slopes at this load and speed; no damping."
 
 
 def blocks(reader: Reader) -> Iterator[Table]:
@@ -65,7 +67,7 @@ def blocks(reader: Reader) -> Iterator[Table]:
         ("Which stiffness for a rotor program?", _stiffness, "[Stiffness](#stiffness)"),
         ("Is the lubrication sufficient?", _lubrication, "[Contacts](#contacts), [Life](#life)"),
         (
-            "Where is the load, and which signs?",
+            "Where does the load act, and which signs are used?",
             _load,
             f"[{_elements(reader)}](#elements), [drawings](#computed)",
         ),
@@ -113,23 +115,41 @@ def _first(reader: Reader) -> Iterator[str]:
         yield f"Possibly first: {check.what} {told}; no strength is given."
         yield design_changes.of_bars(reader) if check.what == BARS else ""
     yield from _nearest([check for check in shares if check.grade != VALIDITY], bool(unknown))
+    yield headline.tight_end(reader)
     for check in (check for check in shares if check.broken and check.grade == VALIDITY):
         yield f"Outside the range of the life formula, which is no limit of strength: {_shared(check)}."
     yield from (f"Next: {step}." for step in against_limits.steps(reader)[:_STEPS])
 
 
 def _nearest(shares: list[Check], unknown: bool) -> Iterator[str]:
-    """The physical limit with the largest share; where that is an aim that is missed, behind damage."""
+    """The limit with the largest share; behind a usual one that is not kept, the nearest of the others.
+
+    Limits of damage and usual minima are ranked together; where the nearest is a usual one, the nearest limit
+    of damage follows by itself.
+    """
     first = next(iter(shares), None)
     if first is None:
         return
-    damage = next((check for check in shares if check.grade == DAMAGE), None)
-    if first.broken and first.grade == AIM and damage is not None:
-        yield f"Nearest limit of damage that was checked: {_shared(damage)}."
-        yield f"Usual aim missed: {_shared(first)}."
-    else:
+    if not (first.broken and first.grade == AIM):
         near = first.used > headline.HALF or unknown
         yield f"{'' if near else 'Nothing limits at this load; nearest: '}{_shared(first)}."
+        return
+    yield f"{MISSED[first.side]}: {one(first)}."
+    kept = next((check for check in shares if not check.broken), None)
+    if kept is not None:
+        yield f"Nearest of the limits that are kept: {one(kept)}: {used(kept)}."
+    damage = max(shares, key=lambda check: check.damage)
+    if damage.damage and not (damage is kept and damage.grade == DAMAGE):
+        yield f"Nearest limit of damage: {_damaging(damage)}."
+
+
+def _damaging(check: Check) -> str:
+    """How much of its limit of damage a check takes, also where it is held to a usual one."""
+    return (
+        _shared(check)
+        if check.grade == DAMAGE
+        else f"{check.what}: {check.damage:.0%} of the limit of ISO 76"
+    )
 
 
 def _shared(check: Check) -> str:
@@ -152,15 +172,26 @@ def _catalogue(reader: Reader) -> Iterator[str]:
     if chosen is None or catalogue is None:
         return
     pair = [each.hours if isinstance(each.hours, Number) else each.turns for each in (catalogue, chosen)]
-    yield f"ISO 281 gives {text_of(pair[0])}, this case {text_of(pair[1])} ({chosen.name})."
+    both = [_rounded(number) for number in pair]
+    yield f"ISO 281 gives {both[0]}, this case {both[1]} ({chosen.name})."
     alike = known.get("catalogue modified")
     if alike is not None and chosen.key == "modified" and isinstance(alike.hours, Number):
-        yield f"Like for like, with a_ISO at P, the catalogue's L10m is {text_of(alike.hours)}."
+        yield f"Like for like, with a_ISO at P, the catalogue's L10m is {_rounded(alike.hours)}."
     if steps := life.chain(reader)[:_FACTORS]:
         told = ", ".join(f"{name} × {factor:.3g}" for name, factor in steps)
         yield f"Factors between them, the largest first: {told}."
+    if life.by_same_rating(reader) and not reader.attributes.get("catalogue_life"):
+        yield (
+            "Both lives are by the same C_r. The factor of the loads holds exponent 4 of slices instead of "
+            f"10/3, λν, clearance and profile: `flexbearing life {reader.case_name}` splits it."
+        )
     if bound := beyond_range.of_oil(reader):
         yield f"Neither life counts the oil: {bound}."
+
+
+def _rounded(life: Number) -> str:
+    """A life with the three digits that its range leaves at most; the tables have all."""
+    return f"{rounded(life)} {printed(life.unit)}"
 
 
 def _assumed(reader: Reader) -> Iterator[str]:
@@ -256,6 +287,7 @@ def _stiffness(reader: Reader) -> Iterator[str]:
     else:
         yield from _by_rotor_model(reader)
     yield f"{_AXES} {_TANGENT}"
+    yield f"{stiffness.tilt_follows(reader)}{stiffness.of_matrix(reader)}"
 
 
 def _by_rotor_model(reader: Reader) -> Iterator[str]:
@@ -275,7 +307,7 @@ def _by_rotor_model(reader: Reader) -> Iterator[str]:
 
 
 def _lubrication(reader: Reader) -> Iterator[str]:
-    """Viscosity ratio and films against their usual aims."""
+    """Viscosity ratio and films against their usual minima."""
     yield from _viscosities(reader)
     for race, film in lubrication.films(reader).items():
         ratio = lubrication.film_ratio(reader, race)
@@ -302,7 +334,7 @@ def _viscosities(reader: Reader) -> Iterator[str]:
     known = [number for number in both if number is not None]
     judged = "Yes" if float(kappa.text) >= 1 else "No"
     of = f" = {text_of(known[0])} over {text_of(known[1])} needed" if len(known) > 1 else ""
-    yield f"{judged} by the viscosity ratio κ: {kappa.text}{of}, usual aim at least 1."
+    yield f"{judged} by the viscosity ratio κ: {kappa.text}{of}, usual minimum 1."
     enough, reached = oil.sufficient_at(reader)
     if enough is not None:
         yield f"κ is 1 with this oil at {enough} °C{oil.heated(reader, enough)}."

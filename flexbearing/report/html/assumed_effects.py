@@ -234,9 +234,7 @@ def _table(reader: Reader, found: dict[str, Any], ranked: list[int], name: str) 
     label, *others = (_heading(reader, each) for each in shown)
     head = ("key", "with", label, "times", *others, "range from")
     life = label.partition(" [")[0]
-    caption = (
-        f"With other values of assumed, calibrated, toleranced or chosen inputs; by effect on the {life}"
-    )
+    caption = f"With other values of assumed, fitted, toleranced or chosen inputs; by effect on the {life}"
     note = (
         "Each row is the case solved again with that one value; keys that belong to it change with it. A "
         "rule of thumb is a range of this program without a published source."
@@ -285,7 +283,7 @@ def _drawn(reader: Reader, found: dict[str, Any], ranked: list[int], name: str) 
     below = len(found["keys"]) - len(keys)
     rest = f" {below} keys change it by less than {100 * SMALLEST:g} % and are not drawn." if below else ""
     caption = (
-        f"Change of the {label} with other values of assumed, calibrated, toleranced or chosen inputs.{rest}"
+        f"Change of the {label} with other values of assumed, fitted, toleranced or chosen inputs.{rest}"
     )
     return Figure("assumed-effects", caption, (trace,), layout, tall=len(keys) > _TALL)
 

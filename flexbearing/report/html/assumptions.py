@@ -100,7 +100,8 @@ def moving(reader: Reader) -> list[str]:
 
 
 def _mark(reader: Reader, key: str) -> str:
-    return next((f", {mark}" for mark in ("assumed", "calibrated") if key in reader.attributes[mark]), "")
+    words = {"assumed": "assumed", "calibrated": "fitted"}
+    return next((f", {word}" for mark, word in words.items() if key in reader.attributes[mark]), "")
 
 
 def comments(text: str) -> dict[str, str]:

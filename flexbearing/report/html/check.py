@@ -15,10 +15,11 @@ _BROKEN = {
     (VALIDITY, MOST): "OUTSIDE VALIDITY",
     (VALIDITY, LEAST): "OUTSIDE VALIDITY",
     (BUILD, MOST): "CANNOT BE BUILT",
-    (AIM, MOST): "AIM MISSED",
-    (AIM, LEAST): "AIM MISSED",
+    (AIM, MOST): "ABOVE THE USUAL MAXIMUM",
+    (AIM, LEAST): "BELOW THE USUAL MINIMUM",
 }
 CANNOT_BE_BUILT = _BROKEN[BUILD, MOST]
+MISSED = {LEAST: "Below the usual minimum", MOST: "Above the usual maximum"}  # usual limits, by their side
 _WORST_FIRST = (DAMAGE, VALIDITY, BUILD, AIM)
 
 
@@ -47,6 +48,7 @@ class Check:
     urgent: bool = False  # has no limit here, and must be compared with one before the bearing is used
     do: str = ""  # what keeps a limit that is exceeded, or checks one that was not
     who: str = ""  # of what was not checked: who checks it, with what
+    damaging: float = 0.0  # share of a limit of damage behind a usual one [-], zero where there is none
 
     @property
     def broken(self) -> bool:
@@ -57,6 +59,11 @@ class Check:
     def unchecked(self) -> bool:
         """Whether it has no verdict."""
         return self.verdict.startswith(NOT_CHECKED)
+
+    @property
+    def damage(self) -> float:
+        """Share of its limit of damage [-], zero where it has none."""
+        return self.used if self.grade == DAMAGE else self.damaging
 
     @property
     def rank(self) -> tuple[bool, int, float]:
@@ -92,7 +99,8 @@ def one(check: Check) -> str:
 def used(check: Check) -> str:
     """How much of a limit is used; of one from below, how many times the value is of it."""
     if check.side == LEAST and check.used:
-        return f"{1 / check.used:.3g} times the minimum"
+        usual = "usual " if check.grade == AIM else ""
+        return f"{1 / check.used:.3g} times the {usual}minimum"
     return f"{check.share.text} % of the limit" if isinstance(check.share, Number) else ""
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.report.html import assumptions, beyond_range, clearance, combined
 from flexbearing.report.html.against_limits import ranked
-from flexbearing.report.html.check import AIM, BUILD, DAMAGE, VALIDITY, Check, one, text_of
+from flexbearing.report.html.check import AIM, BUILD, DAMAGE, MISSED, VALIDITY, Check, one, text_of
 from flexbearing.report.html.document import Block, Items, Number, Words
 from flexbearing.report.html.lives import lives
 from flexbearing.report.html.open_checks import straight
@@ -20,7 +20,7 @@ _SHORT = {  # by the worst grade
     DAMAGE: "No: a limit of damage is exceeded.",
     VALIDITY: "Not assured: the load is outside the range of the life formula.",
     BUILD: "Not as drawn: dimensions overlap.",
-    AIM: "Only with a reason for what misses a usual aim.",
+    AIM: "Only with a reason for each usual minimum or maximum that is not kept.",
     "": "Yes, as far as checked.",
 }
 _REMAINS = "A life this long means that lubricant, wear or seals end the service, not fatigue."
@@ -31,7 +31,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
     checks = ranked(reader)
     for sentence, colour in _sentences(reader, checks):
         yield Words((sentence,), colour)
-    yield Items("", tuple(_lines(reader, checks)))
+    yield Items("", tuple(filter(None, _lines(reader, checks))))
 
 
 def grade(reader: Reader, checks: list[Check]) -> str:
@@ -71,20 +71,21 @@ def _sentences(reader: Reader, checks: list[Check]) -> Iterator[tuple[str, str]]
         yield f"Life not assured, outside the range of its formula: {_named(validity)}.{kept}", "danger"
     if _of(checks, BUILD):
         yield f"It cannot be built as assumed: {overlap(reader)}.", "danger"
-    if aims:
-        yield f"Usual aim missed: {_named(aims)}.", "warning"
+    for side, words in MISSED.items():
+        if found := [check for check in aims if check.side == side]:
+            yield f"{words}: {_named(found)}.", "warning"
     if not grade(reader, checks):
-        yield _kept(checks), "good"
+        yield _kept(reader, checks), "good"
 
 
-def _kept(checks: list[Check]) -> str:
-    """That all is kept, and how far the nearest limit is."""
+def _kept(reader: Reader, checks: list[Check]) -> str:
+    """That all is kept, how far the nearest limit is, and which warmth takes all clearance."""
     nearest = next((check for check in checks if check.used), None)
     words = "Usable as far as checked: every limit that was checked is met."
     if nearest is None:
         return words
     near = "Nearest" if nearest.used > HALF else "None is near at this load; nearest"
-    return f"{words} {near}: {one(nearest)}."
+    return " ".join(filter(None, (f"{words} {near}: {one(nearest)}.", tight_end(reader))))
 
 
 def _lines(reader: Reader, checks: list[Check]) -> Iterator[str]:
@@ -92,6 +93,7 @@ def _lines(reader: Reader, checks: list[Check]) -> Iterator[str]:
     if urgent := [f"{check.what}: {text_of(check.value)}" for check in checks
                   if check.urgent and isinstance(check.value, Number)]:  # fmt: skip
         yield f"Possibly the first limit, without a strength in the case: {'; '.join(urgent)}."
+    yield tight_end(reader) if grade(reader, checks) else ""  # else beside the nearest limit
     yield from _open(reader)
     left = sum(check.unchecked for check in checks)
     yield f"{left} items are not checked here: [who checks them, with what](#not-checked)."
@@ -127,15 +129,20 @@ def _life(reader: Reader) -> Iterator[str]:
         )
 
 
-def _open(reader: Reader) -> Iterator[str]:
-    """Clearance at its tight end where no temperatures are given; a slope of the shaft that is assumed."""
+def tight_end(reader: Reader) -> str:
+    """Which warmth takes all clearance at its tight end, where no temperatures are given; else empty."""
     tight = "ends" in ((reader.attributes.get("clearance") or {}).get("tolerances") or {})
     warmer = clearance.warmth(reader, clearance.TIGHT) if tight else None
-    if warmer is not None and not reader.attributes["case_si"]["operation"].get("temperatures"):
-        yield (
-            "The case gives no temperatures: at the tight end of the tolerances an inner ring "
-            f"{warmer} K warmer than the outer one takes all clearance."
-        )
+    if warmer is None or reader.attributes["case_si"]["operation"].get("temperatures"):
+        return ""
+    return (
+        "The case gives no temperatures: at the tight end of the tolerances an inner ring "
+        f"{warmer} K warmer than the outer one takes all clearance."
+    )
+
+
+def _open(reader: Reader) -> Iterator[str]:
+    """A slope of the shaft that is assumed."""
     said = assumptions.comments(reader.result.attributes["case_text"]).get("operation.misalignment", "")
     if straight(reader) and assumptions.weighed(said):
         effect = units_in_words(assumptions.changes(said))

@@ -8,8 +8,9 @@ from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import printed, with_unit
 
 _FLOODED = (
-    "Rolling shear is that of flooded inlets; an inlet with less oil shears less and carries a thinner film. "
-    "So with little oil this loss, torque and film are at most what stands here."
+    "Rolling friction of the oil film is hydrodynamic, by the shear of the oil in flooded inlets; an inlet "
+    "with less oil shears less and carries a thinner film. So with little oil this loss, torque and film are "
+    "at most what stands here."
 )
 
 
@@ -43,10 +44,10 @@ def flooded(reader: Reader) -> bool:
 
 
 def at_most(reader: Reader) -> str:
-    """That power and torque are upper bounds, with the share of rolling shear; empty where they are none."""
+    """That power and torque are upper bounds, with the share of one cause; empty where they are none."""
     block = reader.blocks.get(reader.last, {})
     power = float(block.get("driving_power", 0.0))
     if not flooded(reader) or not power:
         return ""
     share = float(block["loss_rolling"]) / power
-    return f"upper bound: {share:.0%} is rolling shear of fully flooded inlets"
+    return f"upper bound: {share:.0%} is rolling friction of the oil film in fully flooded inlets"

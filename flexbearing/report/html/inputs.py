@@ -1,4 +1,4 @@
-"""Inputs of a case with units, each marked as given, assumed, calibrated or default."""
+"""Inputs of a case with units, each marked as given, chosen, assumed, fitted or default."""
 
 import tomllib
 from collections.abc import Iterator, Mapping
@@ -14,11 +14,12 @@ from flexbearing.results import BadResult
 
 SETTINGS = ("coupling.", "accuracy.", "outputs.")
 UNSOURCED = "given, no source named"
+CHOSEN = "chosen"
 HEAD = ("title", "assumed", "calibrated", "kind")
 
 
 def blocks(reader: Reader) -> Iterator[Block]:
-    """Keys that the case gives, what calibrated ones were fitted to, then the defaults."""
+    """Keys that the case gives, what fitted ones were fitted to, then the defaults."""
     keys = by_path(reader.result.family.case())
     texts = written(reader)
     unused = foreign(reader.attributes["case_si"], reader.result.family.case())
@@ -30,7 +31,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
             if text is None and set(_upwards(path)) & set(unused):
                 continue
             if text is None:
-                defaults.append((*row[:3], "default" if mark.startswith("given") else mark, row[3]))
+                defaults.append((*row[:3], "default" if mark.startswith(("given", CHOSEN)) else mark, row[3]))
             else:
                 given.append((*row[:3], text, mark, row[3]))
     head = ("key", "value", "unit", "as given", "origin", "meaning")
@@ -38,7 +39,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
     yield from assumed_effects.blocks(reader)
     yield from assumptions.blocks(reader)
     if reader.attributes["calibrated"]:
-        yield Items("Calibrated: fitted, so no validation", fitted_inputs(reader))
+        yield Items("Fitted, so no validation", fitted_inputs(reader))
     if defaults:
         caption = f"Defaults that this kind of case uses: {len(defaults)}"
         yield Table(caption, (*head[:3], *head[4:]), tuple(defaults), folded=True)
@@ -52,7 +53,7 @@ def _source(reader: Reader) -> str:
 
 
 def fitted_inputs(reader: Reader) -> tuple[str, ...]:
-    """Calibrated inputs: value, what it was fitted to, and what the case says of its effect."""
+    """Fitted inputs: value, what it was fitted to, and what the case says of its effect."""
     texts, said = written(reader), assumptions.comments(reader.result.attributes["case_text"])
     lines = []
     for key, words in reader.attributes["calibrated"].items():
@@ -91,22 +92,25 @@ def flat(table: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]
 
 
 def origin(reader: Reader, path: str) -> str:
-    """Whether a key is assumed, calibrated or given, by its own mark or that of a table above it.
+    """Whether a key is assumed, fitted, chosen or given, by its own mark or that of a table above it.
 
-    A given one has the comment behind it, or behind the head of its table, such as "of the maker". Keys of
-    the solution method have no source: they are settings.
+    A given one has the comment behind it, or behind the head of its table, such as "of the maker"; where that
+    begins with "chosen", the key is what no catalogue has, such as load and speed. Keys of the solution
+    method have no source: they are settings.
     """
     above = set(_upwards(path))
     if path.startswith(SETTINGS):
         return "setting"
     if above & set(reader.attributes["calibrated"]):
-        return "calibrated"
+        return "fitted"
     if above & set(reader.attributes["assumed"]):
         return "assumed"
     behind = assumptions.behind(reader.result.attributes["case_text"])
     told = next((behind[name] for name in _upwards(path) if name in behind), "")
     set_since = any(each.partition("=")[0].strip() in above for each in reader.attributes["case_overrides"])
-    return f"given: {told}" if told and not set_since else UNSOURCED
+    if not told or set_since:
+        return UNSOURCED
+    return told.partition(",")[0] if told.startswith(CHOSEN) else f"given: {told}"
 
 
 def _upwards(path: str) -> list[str]:

@@ -31,6 +31,11 @@ _STEPS = {  # by end state: name, why of rollers, why of balls
         ),
     ),
 }
+_BY_C_R = (
+    "loads of all slices by the same C_r",
+    "several influences in one factor, which one solution cannot split: exponent 4 of slices instead of "
+    "10/3, λν = 0.83 taken out of C_r, clearance, profile, centrifugal force",
+)
 _HELD = (
     "flexible rings, inner ring held straight",
     "elastic rings, shaft and supports change how many rolling elements carry, and how much; estimated by "
@@ -42,13 +47,19 @@ _FREE = (
 )
 _MISALIGNED = "; the tilt of the inner ring presses the ends of the rollers"
 _REFERENCE = "Reference life L10r, ISO/TS 16281"
+_CAPACITY = "capacity"  # factor from the capacities of Lundberg and Palmgren to C_r
 _FIRST = "outputs/{}.life_L10"  # place of the first life of a case
 _OWN = (
     "This a_ISO holds at the equivalent load of its note, which gives the reference life of the loads "
     "computed here; that of a catalogue holds at P of the ratings."
 )
+_NO_CAUSE = (
+    "Capacity leads from the capacities of Lundberg and Palmgren back to C_r, by which the catalogue's life "
+    "is computed, too: it is no difference from that life. "
+)
 _HOW = (
     "The first factor above holds these influences together. To split it, each needs a solution of its own: "
+    "`flexbearing life {case}` prints them. For a report with them: "
     "`flexbearing run {case} --set outputs.catalogue_life=true -o OUT.h5`, then `flexbearing report OUT.h5`."
 )
 
@@ -114,21 +125,30 @@ def _factors(reader: Reader) -> Iterator[Table]:
     rows.append(("modified life", modified, ""))
     own = any(factor["name"] == "a_ISO" for factor in life["factors"])
     yield Table(
-        "Modified life, factor by factor", ("step", "value", "note"), tuple(rows), _OWN if own else ""
+        "Modified life, factor by factor",
+        ("step", "value", "note"),
+        tuple(rows),
+        _NO_CAUSE * by_same_rating(reader) + _OWN * own,
     )
 
 
-def _stepped(reader: Reader) -> Iterator[tuple[str, Cell, Cell, str]]:
-    """Factors of the modified life with their notes; between them the reference life over the basic one."""
+def _stepped(reader: Reader, catalogue: float | None = None) -> Iterator[tuple[str, Cell, Cell, str]]:
+    """Factors of the modified life with their notes; between them the reference life over the basic one.
+
+    From a life of the catalogue [10^6 revolutions] on the capacity is no step, as states are by C_r, too.
+    """
     life, path = reader.attributes["life"][reader.last], f"life/{reader.last}"
     reference = float(reader.blocks[reader.last].get("reference_life", inf)) / 1e6
     reached = life["basic_Mrev"]
     for place, factor in enumerate(life["factors"]):
         value = reader.of_attribute(f"{path}/factors/{place}/value", "", "", ".4g")
-        yield factor["name"], value, "", factor["note"]
+        if catalogue is None or factor["name"] != _CAPACITY:
+            yield factor["name"], value, "", factor["note"]
         before, reached = reached, reached * factor["value"]
         if isclose(reached, reference, rel_tol=1e-9) and before != reached:
-            times = f"{reference / life['basic_Mrev']:.4g} times the basic life, product of the factors since"
+            of = "basic life" if catalogue is None else "catalogue's life"
+            times = f"{reference / (catalogue or life['basic_Mrev']):.4g} times the {of}"
+            times += ", product of the factors since"
             yield _REFERENCE, "", reader.output("reference_life", "Mrev", ",.4g"), times
 
 
@@ -148,7 +168,7 @@ def _by_what_was_solved(reader: Reader) -> Iterator[Table]:
         before, place = now, path
     life, path = (reader.attributes.get("life") or {}).get(reader.last), f"life/{reader.last}"
     if life:
-        rows += _stepped(reader)
+        rows += _stepped(reader, values["life_Mrev"])
         modified = reader.of_attribute(f"{path}/modified_Mrev", "Mrev", "Mrev", ",.4g")
         rows.append(("Life of this case after all factors", "", modified, ""))
     head = ("step", "times", "life [10⁶ revolutions]", "why")
@@ -174,25 +194,47 @@ def _solved_factors(reader: Reader) -> Iterator[tuple[str, float]]:
         yield name, now / before
         before = now
     for factor in ((reader.attributes.get("life") or {}).get(reader.last) or {}).get("factors", ()):
-        yield factor["name"], factor["value"]
+        if factor["name"] != _CAPACITY:  # which lives of states have
+            yield factor["name"], factor["value"]
+
+
+def by_same_rating(reader: Reader) -> bool:
+    """Whether the life of the case is by the C_r of the catalogue's, not by Lundberg and Palmgren."""
+    return _capacity(reader, reader.last) is not None
+
+
+def _capacity(reader: Reader, block: str) -> tuple[float, str] | None:
+    """Life by C_r over that by Lundberg and Palmgren at an end state, with its place; None without one."""
+    factors = ((reader.attributes.get("life") or {}).get(block) or {}).get("factors", ())
+    found = [
+        (factor["value"], f"attributes/life/{block}/factors/{place}/value")
+        for place, factor in enumerate(factors) if factor["name"] == _CAPACITY
+    ]  # fmt: skip
+    return next(iter(found), None)
 
 
 def _states(reader: Reader) -> Iterator[tuple[str, float, str, str]]:
-    """End states by their basic lives [10^6 revolutions]; a ring free to tilt also with its tilt held."""
+    """End states by their lives [10^6 revolutions]; a ring free to tilt also with its tilt held.
+
+    Lives without edge stress, oil and steel: by C_r where the case has it, else basic ones.
+    """
+
+    def rated(life: float, path: str) -> tuple[float, str]:
+        capacity = _capacity(reader, block)
+        return (life, path) if capacity is None else (life * capacity[0], f"times/{capacity[1]}|{path}")
+
     held = reader.attributes.get("tilt") or {}
     for block in reader.blocks:
         name, *why = _STEPS[block]
+        if block == "rigid" and by_same_rating(reader):
+            name, why = _BY_C_R[0], [*2 * _BY_C_R[1:]]
         words = why[reader.of_balls] + _MISALIGNED * (block == "rigid" and _tilted(reader))
         if block == "flexible" and held.get("inner_ring") == "free" and "otherwise" in held:
-            yield (
-                _HELD[0],
-                held["otherwise"]["life_L10_Mrev"],
-                "attributes/tilt/otherwise/life_L10_Mrev",
-                _HELD[1],
-            )
+            other = "attributes/tilt/otherwise/life_L10_Mrev"
+            yield _HELD[0], *rated(held["otherwise"]["life_L10_Mrev"], other), _HELD[1]
             name, words = _FREE
-        life = reader.summary[block]["life_L10_Mrev"]
-        yield name, life, f"summary/{block}/life_L10_Mrev", words + _carrying(reader, block)
+        life = rated(reader.summary[block]["life_L10_Mrev"], f"summary/{block}/life_L10_Mrev")
+        yield name, *life, words + _carrying(reader, block)
 
 
 def _tilted(reader: Reader) -> bool:

@@ -85,6 +85,7 @@ def _tilts(reader: Reader) -> Iterator[Check]:
             who = _MAKER_OF_TILT
             if name == "ring_tilt" and shaft_tilt.free(reader):
                 why, who = "; ".join(filter(None, (shaft_tilt.steep(reader), why))), shaft_tilt.WHO
+                why = ". ".join(filter(None, (why, shaft_tilt.clamps(reader))))
             yield unchecked(what, why, who, value)
 
 

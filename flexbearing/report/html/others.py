@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 from flexbearing.quantities import SummaryValue
+from flexbearing.report.html import shaft_tilt
 from flexbearing.report.html.document import Block, Cell, Table, Words
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import printed, with_unit
@@ -43,7 +44,8 @@ def _tilt(reader: Reader) -> Iterator[Block]:
         return
     words = {"fixed": "The shaft holds the tilt of the inner ring", "free": "The inner ring is free to tilt"}
     choice = held["inner_ring"]
-    yield Words((f'{words.get(choice, "The inner ring")} (operation.tilt = "{choice}").',))
+    told = (f'{words.get(choice, "The inner ring")} (operation.tilt = "{choice}")', shaft_tilt.clamps(reader))
+    yield Words((" ".join(f"{sentence}." for sentence in told if sentence),))
     if other := held.get("otherwise"):
         head = [with_unit(_words(name), reader.units.of(unit)) for name, _, unit, _ in _TILT]
         cells = (reader.of_attribute(f"tilt/otherwise/{name}", *form) for name, *form in _TILT)

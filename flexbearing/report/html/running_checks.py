@@ -60,7 +60,7 @@ def checks(reader: Reader) -> Iterator[Check]:
 
 def _viscosity_ratio(reader: Reader) -> Iterator[Check]:
     found = ratings.viscosity_ratio(reader)
-    what, words = "Viscosity ratio κ", "at least 1 (usual aim; ISO 281 rates from 0.1)"
+    what, words = "Viscosity ratio κ", "at least 1 (usual; ISO 281 rates from 0.1)"
     if found is not None:
         value = reader.units.number(found[0], "", "", ".3g", found[1])
         check = against(reader, what, value, found[0], Limit(1.0, LEAST, words, AIM))

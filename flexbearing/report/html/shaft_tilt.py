@@ -8,6 +8,11 @@ from flexbearing.report.html.assumptions import WORTH
 from flexbearing.report.html.reader import Reader
 
 WHO = "shaft or rotor designer: how far the shaft holds the inner ring, and its slope at the bearing"
+_CLAMPS = (
+    "Position and tilt of the ring are those of its piece of shaft as a whole: the position is free, the "
+    "tilt is free or held by operation.tilt. The clamped ends hold that piece only in the finite elements "
+    "that give the elastic deflection on top"
+)
 _ARCMIN = pi / 180 / 60  # [rad]
 _STEEP = 10 * _ARCMIN  # slope that hardly any shaft has at a bearing, a rule of thumb
 
@@ -25,6 +30,12 @@ def _life(reader: Reader) -> float | None:
 def free(reader: Reader) -> bool:
     """Whether nothing but the bearing holds the tilt of the inner ring."""
     return (reader.attributes.get("tilt") or {}).get("inner_ring") == "free"
+
+
+def clamps(reader: Reader) -> str:
+    """What the clamped ends of the shaft hold, without a stop; empty without such a shaft."""
+    kind = (reader.attributes["case_si"].get("inner") or {}).get("kind")
+    return _CLAMPS if kind == "ring_on_shaft" else ""
 
 
 def steep(reader: Reader) -> str:

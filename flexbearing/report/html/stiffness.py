@@ -171,6 +171,20 @@ def _free(reader: Reader) -> str:
     return f", tilt {'free' if held == 'free' else 'held'}" if held else ""
 
 
+def tilt_follows(reader: Reader) -> str:
+    """How the tilt is held in radial stiffnesses; empty where a result does not say."""
+    held = (reader.attributes.get("tilt") or {}).get("inner_ring")
+    return f'All numbers above are with operation.tilt = "{held}", as in the case. ' if held else ""
+
+
+def of_matrix(reader: Reader) -> str:
+    """Which stiffness the matrix is, and that its entries hold the tilt."""
+    which = "with supports" if supported(reader) else "of the bearing alone"
+    return (
+        f"The matrix over five directions, with tilts and signs, is that {which}; its entries hold the tilt."
+    )
+
+
 def entry(reader: Reader, row: int, column: int) -> Number:
     """An entry of the matrix of the last end state; what rounding leaves of nothing is printed as zero."""
     matrix = reader.blocks[reader.last]["stiffness_matrix"]

@@ -59,7 +59,8 @@ def _static(reader: Reader) -> Iterator[Check]:
         limit = (
             Limit(USUAL_OF_ROLLERS, LEAST, aim, AIM) if usual else Limit(1.0, LEAST, "at least 1 (ISO 76)")
         )
-        yield against(reader, "Static safety C_0/P_0", value, number, limit)
+        check = against(reader, "Static safety C_0/P_0", value, number, limit)
+        yield replace(check, damaging=1 / number) if usual else check
     known = reader.summary[reader.last].get("pressure_safety") or {}
     found = {race: each for race, each in known.items() if each is not None}
     if found:
