@@ -190,3 +190,10 @@ def test_the_stiffness_free_to_move_across_says_why_it_is_not_that_along_z(reade
     free, along = rows["bearing alone, along the load"], rows["bearing alone, along z"]
     assert float(free[2].text) <= float(along[2].text)
     assert "free to move across the load, which the rows over y and z hold" in free[4]
+
+
+def test_a_cage_slip_of_zero_says_that_it_has_no_range(readers):
+    words = "cage slip: zero to the printed digit, which has no range as a factor."
+    what = "What was assumed, and what does it change?"
+    assert words in told(readers("catalogue"))[what]
+    assert words not in told(readers("rings"))[what]

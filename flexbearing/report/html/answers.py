@@ -24,6 +24,7 @@ from flexbearing.report.html import (
 )
 from flexbearing.report.html.check import AIM, DAMAGE, MISSED, VALIDITY, Check, one, text_of, used
 from flexbearing.report.html.document import Number, Table
+from flexbearing.report.html.open_checks import rolls
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.running_checks import overlap
 from flexbearing.report.html.sentences import rounded
@@ -222,6 +223,8 @@ def _moving(reader: Reader) -> Iterator[str]:
             end = " The verdict says why not to rely on its upper end." if doubtful else ""
             most = combined.inputs(reader, span.most)
             yield f"{_WORDS.get(word, word)}{of} {low} to {high} times, most by {most}.{end}".rstrip()
+    if rolls(reader):
+        yield f"{SLIP}: zero to the printed digit, which has no range as a factor."
 
 
 def _heavier(reader: Reader) -> str:

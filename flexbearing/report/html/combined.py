@@ -21,7 +21,8 @@ _TOLD = "by the comments in the case file, which leave out changes below 1 %"
 _NOTE = (
     "By inputs: the result over that of this case with other values of all that is assumed, fitted or "
     "toleranced, {by}: root of the sum of squares of the largest change by each input, as logarithms, for "
-    "inputs that are independent of each other. All at once: {worst}. What the model leaves out comes on top."
+    "inputs that are independent of each other. All at once: {worst}. What the model leaves out comes on "
+    "top. –: no effect of an input on it is known, or it is zero and has no factor."
 )
 _SUMMED = "the product of the largest changes by all inputs"
 _SOLVED = (

@@ -104,10 +104,16 @@ def straight(reader: Reader) -> bool:
     return held and (not given or "operation.misalignment" in about["assumed"])
 
 
+def rolls(reader: Reader) -> bool:
+    """Whether the cage turns as in pure rolling, to the printed digit."""
+    slips = (entry for entry in reader.layout.summary if entry.label == "cage slip")
+    return any(not reader.declared(entry, reader.last).text.strip("0.") for entry in slips)
+
+
 def _slip(reader: Reader) -> Iterator[Check]:
     for entry in (entry for entry in reader.layout.summary if entry.label == "cage slip"):
         value = reader.declared(entry, reader.last)
-        if value.text.strip("0.") == "":
+        if rolls(reader):
             yield Check("Cage slip", value, verdict=_ROLLS)
             continue
         fitted = f"; {_FITTED}" * ("lubricant.oil_fraction" in reader.attributes["calibrated"])
