@@ -6,7 +6,7 @@ from flexbearing.report.html import combined, open_checks, running_checks, shaft
 from flexbearing.report.html.assumptions import WORTH
 from flexbearing.report.html.check import AIM, NOT_CHECKED, Check
 from flexbearing.report.html.document import Block, Cell, Items, Table, Words
-from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.reader import Reader, once
 from flexbearing.report.html.units import printed
 
 _NOTE = (
@@ -46,10 +46,11 @@ def _reason(check: Check) -> str:
     return check.verdict.removeprefix(f"{NOT_CHECKED}: ")
 
 
-def ranked(reader: Reader) -> list[Check]:
+@once
+def ranked(reader: Reader) -> tuple[Check, ...]:
     """Every check, the nearest to its limit first; what was not checked last, with the reason."""
     parts = (strength_checks, running_checks, open_checks)
-    return sorted((check for part in parts for check in part.checks(reader)), key=lambda check: check.rank)
+    return tuple(sorted((each for part in parts for each in part.checks(reader)), key=lambda each: each.rank))
 
 
 def to_do(reader: Reader) -> Iterator[Items]:

@@ -1,6 +1,6 @@
 """What an engineer asks of a report first, answered in short lines, with where the rest stands."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -101,7 +101,7 @@ def _safe(reader: Reader) -> Iterator[str]:
         yield f"Without a limit in the case, so compare with yours: {', '.join(urgent)}."
 
 
-def _without_limit(checks: list[Check]) -> list[tuple[Check, Number]]:
+def _without_limit(checks: Sequence[Check]) -> list[tuple[Check, Number]]:
     """Values that may limit before all others, but have no limit in the case."""
     return [(check, check.value) for check in checks if check.urgent and isinstance(check.value, Number)]
 
@@ -122,7 +122,7 @@ def _first(reader: Reader) -> Iterator[str]:
     yield from (f"Next: {step}." for step in against_limits.steps(reader)[:_STEPS])
 
 
-def _nearest(shares: list[Check], unknown: bool) -> Iterator[str]:
+def _nearest(shares: Sequence[Check], unknown: bool) -> Iterator[str]:
     """The limit with the largest share; behind a usual one that is not kept, the nearest of the others.
 
     Limits of damage and usual minima are ranked together; where the nearest is a usual one, the nearest limit

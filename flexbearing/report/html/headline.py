@@ -1,6 +1,6 @@
 """First block: what the verdict is, then in a short list what it rests on."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.report.html import assumptions, beyond_range, clearance, combined
@@ -34,7 +34,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
     yield Items("", tuple(filter(None, _lines(reader, checks))))
 
 
-def grade(reader: Reader, checks: list[Check]) -> str:
+def grade(reader: Reader, checks: Sequence[Check]) -> str:
     """The worst grade of what is not kept; empty where all is."""
     found = {check.grade for check in checks if check.broken} | (
         {DAMAGE} if reader.notes(GRADES[0]) else set()
@@ -50,15 +50,15 @@ def judged(reader: Reader) -> str:
     return _SHORT[grade(reader, checks)]
 
 
-def _of(checks: list[Check], wanted: str) -> list[Check]:
+def _of(checks: Sequence[Check], wanted: str) -> list[Check]:
     return [check for check in checks if check.broken and check.grade == wanted]
 
 
-def _named(checks: list[Check]) -> str:
+def _named(checks: Sequence[Check]) -> str:
     return "; ".join(map(one, checks))
 
 
-def _sentences(reader: Reader, checks: list[Check]) -> Iterator[tuple[str, str]]:
+def _sentences(reader: Reader, checks: Sequence[Check]) -> Iterator[tuple[str, str]]:
     """A sentence for each grade with its colour, the worst first; where all is kept, the nearest limit."""
     damage, validity, aims = (_of(checks, each) for each in (DAMAGE, VALIDITY, AIM))
     warned = bool(reader.notes(GRADES[0]))
@@ -78,7 +78,7 @@ def _sentences(reader: Reader, checks: list[Check]) -> Iterator[tuple[str, str]]
         yield _kept(reader, checks), "good"
 
 
-def _kept(reader: Reader, checks: list[Check]) -> str:
+def _kept(reader: Reader, checks: Sequence[Check]) -> str:
     """That all is kept, how far the nearest limit is, and which warmth takes all clearance."""
     nearest = next((check for check in checks if check.used), None)
     words = "Usable as far as checked: every limit that was checked is met."
@@ -88,7 +88,7 @@ def _kept(reader: Reader, checks: list[Check]) -> str:
     return " ".join(filter(None, (f"{words} {near}: {one(nearest)}.", tight_end(reader))))
 
 
-def _lines(reader: Reader, checks: list[Check]) -> Iterator[str]:
+def _lines(reader: Reader, checks: Sequence[Check]) -> Iterator[str]:
     yield from _life(reader)
     if urgent := [f"{check.what}: {text_of(check.value)}" for check in checks
                   if check.urgent and isinstance(check.value, Number)]:  # fmt: skip

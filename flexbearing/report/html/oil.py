@@ -5,13 +5,14 @@ from math import floor, inf
 
 from flexbearing.report.html import ratings
 from flexbearing.report.html.document import Number
-from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.reader import Reader, once
 
 _LOW, _HIGH, _STEP = -20, 300, 10  # [°C] temperatures that are tried
 _ZERO = 273.15  # [K]
 _WARMER = 20.0  # [K] by which rings are warmer than the oil that is worth a remark, a rule of thumb
 
 
+@once
 def _rated(reader: Reader, settings: tuple[str, ...] = ()) -> dict[str, float]:
     """Of the oil, at the loads of the case; empty without one, at rest, and where its data do not reach."""
     catalogue, path = reader.result.family.catalogue, life_of_loads(reader)
@@ -23,6 +24,7 @@ def _rated(reader: Reader, settings: tuple[str, ...] = ()) -> dict[str, float]:
         return {}
 
 
+@once
 def life_of_loads(reader: Reader) -> str:
     """Place of the life by loads alone, whose equivalent load a_ISO takes; empty without a finite one."""
     rated, block = ratings.found(reader), reader.blocks.get(reader.last, {})

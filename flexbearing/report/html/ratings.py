@@ -6,7 +6,7 @@ from typing import Any
 
 from flexbearing.report.html import assumed_effects
 from flexbearing.report.html.document import Cell, Number, Table
-from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.reader import Reader, once
 from flexbearing.report.html.units import printed
 
 _NAMES = {
@@ -47,6 +47,7 @@ def table(reader: Reader) -> Table | str:
     return known if isinstance(known, str) else _laid_out(reader, *known)
 
 
+@once
 def found(reader: Reader) -> tuple[dict[str, Any], str] | str:
     """Ratings with their place in the file, or why there are none."""
     stored = reader.attributes.get("catalogue_life")

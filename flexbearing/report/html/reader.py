@@ -1,10 +1,10 @@
 """Numbers of a result in the units of a report, each with its place in the file."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, wraps
 from pathlib import Path
-from typing import Any
+from typing import Any, Concatenate, ParamSpec, TypeVar
 
 import numpy as np
 
@@ -23,6 +23,8 @@ _LABELS = {  # of labels that do not name a method or a part, by whether the bea
     ("life L10", True): "reference life L10r of the raceway",
     ("loaded share of that roller", False): "loaded share of the length of the most pressed roller",
 }
+P = ParamSpec("P")
+T = TypeVar("T")
 OUTSIDE = GRADES[1]  # notes on laws outside the range of their source
 
 
@@ -55,6 +57,11 @@ class Reader:
         solved = {name: block for name, block in named.items() if block}
         repeated = len(solved) == 2 and "structure" in self.attributes and not self.attributes["structure"]
         return {"rigid": solved["rigid"]} if repeated else solved
+
+    @cached_property
+    def known(self) -> dict[Any, Any]:
+        """Answers of functions that are asked in many places of a page, see `once`."""
+        return {}
 
     @property
     def case_name(self) -> str:
@@ -204,3 +211,16 @@ def places(entry: SummaryValue) -> Iterator[tuple[str, tuple[str | int, ...]]]:
         for number, name in enumerate(entry.entries or ("",)):
             words = ", ".join(filter(None, [part, name]))
             yield words, (*([part] if part else []), *([number] if name else []))
+
+
+def once(function: Callable[Concatenate[Reader, P], T]) -> Callable[Concatenate[Reader, P], T]:
+    """Compute what a function finds in a reader once for all who ask; its arguments must be hashable."""
+
+    @wraps(function)
+    def known(reader: Reader, *arguments: P.args, **named: P.kwargs) -> T:
+        asked = (function, arguments, tuple(named.items()))
+        if asked not in reader.known:
+            reader.known[asked] = function(reader, *arguments, **named)
+        return reader.known[asked]
+
+    return known
