@@ -32,7 +32,7 @@ __all__ = ["Batch", "Equilibria", "Equilibrium", "RollerBearing", "solve_many"]
 Compliance = tuple[NDArray | None, NDArray | None]
 STARTS = (slipping_start, *RESTARTS)
 BUDGET = 300  # evaluations between raceways of a given shape, which a coupling may have made absurd
-CASES_AT_ONCE = 64  # their slices fit into the processor's cache
+CASES_AT_ONCE = 128  # their slices fit into the processor's cache
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -35,7 +35,7 @@ from quasidynamic.outcome.equilibria import Equilibria
 if TYPE_CHECKING:
     from flexbearing.accuracy.shared import Levels
 
-AT_ONCE = 32  # cases whose matrices fit into the processor's cache
+AT_ONCE = 64  # cases whose matrices fit into the processor's cache
 RIGID = "rigid"  # block of states between rigid raceways, which is also the answer of a case without others
 
 

@@ -170,16 +170,23 @@ def test_searches_side_by_side_end_where_each_ends_alone(damped):
     assert len({number for number, _ in ends.values()}) > 1
 
 
-def test_fit_is_exact_for_what_is_linear_in_scattered_coordinates():
+@pytest.mark.parametrize(("solved", "highest"), [(14, 1), (15, 2), (40, 2)])
+def test_fit_is_exact_for_polynomials_of_scattered_coordinates(solved, highest):
     rng = np.random.default_rng(4)
     numbers = np.exp(rng.uniform(-2, 2, (60, 3)))
     places = coordinates(np.column_stack([numbers, np.full(60, 5.0)]))
     assert places.shape == (60, 3)
     assert places.min() == 0
     assert places.max() == 1
-    values = places @ rng.normal(size=(3, 4)) + 1.0
-    fit = local_fit(places[:40], places[40:])
-    assert fit.of(values[:40]) == approx(values[40:], rel=0, abs=1e-6)
+    values = (places @ rng.normal(size=(3, 4)) + 1.0) ** highest
+    fit = local_fit(places[:solved], places[40:])
+    assert fit.of(values[:solved]) == approx(values[40:], rel=0, abs=1e-6)
+
+
+def test_numbers_that_follow_from_another_share_a_coordinate_with_it():
+    warm, load = np.random.default_rng(4).uniform(1, 2, (2, 60))
+    places = coordinates(np.column_stack([load, warm, warm**-3, 5 * warm**2]))
+    assert places.shape == (60, 2)
 
 
 def test_cases_that_are_alike_have_one_place():

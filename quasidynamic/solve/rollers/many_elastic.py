@@ -15,9 +15,9 @@ from quasidynamic.solve.rollers.solved_neighbours import local_fit, spread_out
 from quasidynamic.solve.rollers.strategy import SolvedCases
 
 CASES_AT_ONCE = 64  # their slices fit into the processor's cache
-FIRST = 8  # cases that are solved by contact searches, or twice the root of their number
+FIRST = 8  # cases that are solved by contact searches, or the root of their number
 ALIKE = 1e-6  # scaled difference of unknowns of one equilibrium
-GROWTH = 4  # of the number of solved cases, before others are solved from them
+GROWTH = 3  # of the number of solved cases, before others are solved from them
 
 Starts = Callable[[NDArray], NDArray]  # scaled unknowns (n, N) that some cases begin with alone; NaN: none
 Alone = Callable[[int], tuple[NDArray, SolverOutcome, int]]  # unknowns (N), outcome, evaluations of a case
@@ -60,7 +60,7 @@ class ManyCases:
         to the solved ones around; where Newton's method fails from there, they are searched.
         """
         count = len(self.coordinates)
-        end = min(count, max(FIRST, int(2 * np.sqrt(count))))
+        end = min(count, max(FIRST, int(np.sqrt(count))))
         order = spread_out(self.coordinates, end)
         self.search(self.by_load(order[:end]))
         while end < count:

@@ -5,11 +5,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-PRINCIPAL = 0.01  # of the largest variation of arrays: smaller ones are no coordinate
+PRINCIPAL = 0.01  # of the largest variation: smaller ones are no coordinate
 SEED = 15  # of an order that shall be without order, and the same at every call
-NUGGET = 1e-3  # of the squared distance of the furthest neighbour: nearer ones count alike
+NUGGET = 1e-3  # squared, of the distance of the furthest neighbour: nearer ones count alike
 ALIKE = 1e-9  # distance of cases that are nearly the same
-STIFFENING = 1e-9  # of the moments of the neighbours, where they do not span all coordinates
+STIFFENING = 1e-12  # of the moments of the neighbours, where they do not span all coordinates
+SPARE = 1.5  # neighbours over terms of a fit
 
 
 class Weights(NamedTuple):
@@ -28,24 +29,35 @@ class Weights(NamedTuple):
 
 
 def coordinates(numbers: NDArray, arrays: NDArray | None = None) -> NDArray:
-    """Coordinates (C, P) of cases between 0 and 1, one for each number that differs; one if none does.
+    """Coordinates (C, P) of cases between 0 and 1; one that is zero if nothing differs.
+
+    They are the largest principal components of what differs: numbers that follow from one another, such as
+    the properties of an oil from its temperature, share one.
 
     Parameters
     ----------
     numbers : array (C, n)
         what may differ; logarithms are taken of those that are all positive
     arrays : array (C, ...), optional
-        what may differ besides: the coordinates are its largest principal components
+        what may differ besides, by its largest principal components
     """
     varied = numbers[:, np.ptp(numbers, axis=0) > 0]
     scales = [np.log(column) if column.min() > 0 else column for column in varied.T]
     if arrays is not None:
-        flat = arrays.reshape(len(arrays), -1)
-        components, sizes, _ = np.linalg.svd(flat - flat.mean(0), full_matrices=False)
-        scales += list(components[:, (sizes > PRINCIPAL * sizes[0]) & (sizes > 0)].T)
+        scales += list(_principal(arrays.reshape(len(arrays), -1)).T)
     if not scales:
         return np.zeros((len(numbers), 1))
-    columns = np.transpose(scales)
+    return _scaled(_principal(_scaled(np.transpose(scales))))
+
+
+def _principal(values: NDArray) -> NDArray:
+    """Largest principal components (C, P) of values (C, n)."""
+    components, sizes, _ = np.linalg.svd(values - values.mean(0), full_matrices=False)
+    some = (sizes > PRINCIPAL * sizes[0]) & (sizes > 0)
+    return components[:, some] * sizes[some]
+
+
+def _scaled(columns: NDArray) -> NDArray:
     return (columns - columns.min(0)) / np.ptp(columns, axis=0)
 
 
@@ -62,9 +74,11 @@ def spread_out(places: NDArray, count: int) -> NDArray:
 
 
 def local_fit(solved: NDArray, places: NDArray) -> Weights:
-    r"""Weights by which solved places give values elsewhere: those of a plane through the values around.
+    r"""Weights by which solved places give values elsewhere: those of a polynomial through the values around.
 
-    .. math:: \min_{a, b} \sum_j w_j (y_j - a - b \cdot (x_j - x))^2, \quad y(x) = a
+    .. math:: \min_{a, b} \sum_j w_j (y_j - a - b \cdot p(x_j - x))^2, \quad y(x) = a
+
+    with the coordinates p = x, and their products of two where enough places are solved.
 
     Parameters
     ----------
@@ -76,7 +90,7 @@ def local_fit(solved: NDArray, places: NDArray) -> Weights:
     Returns
     -------
     Weights
-        exact for values that are linear in the coordinates, where enough solved cases span them
+        exact for values that are linear, or quadratic, in the coordinates, where the solved cases span them
 
     Source
     ------
@@ -84,15 +98,27 @@ def local_fit(solved: NDArray, places: NDArray) -> Weights:
     """
     from scipy.spatial import KDTree  # costly to import
 
-    count = min(len(solved), 2 * places.shape[1] + 2)
+    axes = places.shape[1]
+    terms = (axes + 1) * (axes + 2) // 2
+    quadratic = len(solved) >= SPARE * terms
+    count = min(len(solved), int(SPARE * terms) if quadratic else 2 * axes + 2)
     nearest = KDTree(solved).query(places, k=count)  # without an axis where that is one
     distances, neighbours = (np.reshape(values, (len(places), count)) for values in nearest)
-    squared = distances**2
-    nearness = 1 / (squared + NUGGET * squared.max(axis=1, keepdims=True) + ALIKE**2)
-    steps = solved[neighbours] - places[:, None]
-    terms = np.concatenate([np.ones((*neighbours.shape, 1)), steps], axis=-1)  # (n, k, 1 + P)
-    weighted = nearness[..., None] * terms
-    moments = weighted.swapaxes(1, 2) @ terms
-    moments += STIFFENING * np.trace(moments, axis1=1, axis2=2)[:, None, None] * np.eye(terms.shape[-1])
+    furthest = distances.max(axis=1, keepdims=True) + ALIKE
+    nearness = 1 / ((distances / furthest) ** 2 + NUGGET)
+    steps = (solved[neighbours] - places[:, None]) / furthest[..., None]
+    powers = _powers(steps, quadratic=quadratic)
+    weighted = nearness[..., None] * powers
+    moments = weighted.swapaxes(1, 2) @ powers
+    moments += STIFFENING * np.trace(moments, axis1=1, axis2=2)[:, None, None] * np.eye(powers.shape[-1])
     at_place = np.linalg.inv(moments)[:, :1]
     return Weights(neighbours, (at_place @ weighted.swapaxes(1, 2))[:, 0])
+
+
+def _powers(steps: NDArray, *, quadratic: bool) -> NDArray:
+    """One, the coordinates of steps (..., P), and their products of two where these are wanted."""
+    parts = [np.ones((*steps.shape[:-1], 1)), steps]
+    if quadratic:
+        first, second = np.triu_indices(steps.shape[-1])
+        parts.append(steps[..., first] * steps[..., second])
+    return np.concatenate(parts, axis=-1)
