@@ -20,7 +20,7 @@ from fem.errors import NotSolved
 
 SMALLEST = 16  # elements in a group that is not halved any more; speed only
 UNEVEN = 0.2  # least part of a group that is split off
-BLOCK = 64  # rows of a matrix that are added at once; speed only
+BLOCK = 32  # rows of a matrix that are added at once; speed only
 
 
 @dataclass(frozen=True)
