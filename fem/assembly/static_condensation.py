@@ -126,9 +126,8 @@ def eliminate(stiffness: sparse.csr_array, loads: NDArray, owner: NDArray, kept:
     (1973).
     """
     eliminated = np.flatnonzero(owner)
-    eliminated = eliminated[
-        np.argsort(-owner[eliminated], kind="stable")
-    ]  # children have higher numbers than their parents
+    # children have higher numbers than their parents
+    eliminated = eliminated[np.argsort(-owner[eliminated], kind="stable")]
     order = np.concatenate([eliminated, kept])
     place = np.full(owner.size, -1)
     place[order] = np.arange(order.size)
@@ -142,13 +141,14 @@ def eliminate(stiffness: sparse.csr_array, loads: NDArray, owner: NDArray, kept:
         ahead = column >= first
         return row[ahead], column[ahead], np.append(rows.data, -border[loaded, load])[ahead]
 
-    groups, starts = np.unique(-owner[eliminated], return_index=True)
+    group_of = owner[eliminated]
+    groups, starts = np.unique(-group_of, return_index=True)
     stops = np.append(starts, eliminated.size)[1:]
     updates, fronts, position = defaultdict(list), [], np.zeros(order.size + loads.shape[1], dtype=int)
     for group, start, stop in zip(-groups, starts, stops, strict=True):
         children = updates.pop(group, [])
         front = _assembled(slice(start, stop), entries(order[start:stop], start), children, position)
-        fronts.append((slice(start, stop), *_reduced(*front, updates, owner[eliminated])))
+        fronts.append((slice(start, stop), *_reduced(*front, updates, group_of)))
     row, column, values = entries(kept, eliminated.size)
     schur = np.zeros((kept.size + loads.shape[1],) * 2)
     schur[column - eliminated.size, row] = values
