@@ -14,31 +14,34 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 from scipy.linalg import LinAlgError, cholesky, solve_triangular
+from scipy.linalg.blas import dsyrk  # pyright: ignore[reportAttributeAccessIssue]  # made at import
 
 from fem.errors import NotSolved
 
 SMALLEST = 16  # elements in a group that is not halved any more; speed only
 UNEVEN = 0.2  # least part of a group that is split off
+BLOCK = 32  # rows of a matrix that are added at once; speed only
 
 
 @dataclass(frozen=True)
 class Substructure:
-    """Stiffness at the kept unknowns, and the way back to the eliminated ones."""
+    """Stiffness at the kept unknowns, bordered by loads, and the way back to the eliminated ones."""
 
-    schur: NDArray  # (kept, kept) symmetric
-    size: int  # order of the whole matrix
-    order: NDArray  # (unknowns,) in the order of elimination, kept ones last
+    schur: NDArray  # (kept + loads, kept + loads) symmetric
+    size: int  # number of all unknowns
+    eliminated: NDArray  # unknowns in the order of elimination
+    kept: NDArray  # unknowns in the order of `schur`
     fronts: list[tuple[slice, NDArray, NDArray, NDArray]]  # eliminated, remaining, triangle, coupling
 
     def interior(self, kept: NDArray) -> NDArray:
-        r"""All unknowns from the kept ones, no load on the eliminated ones.
+        r"""All unknowns from the kept ones and the loads.
 
-        .. math:: u_i = -K_{ii}^{-1} K_{ik} u_k
+        .. math:: u_i = K_{ii}^{-1} (F_i q - K_{ik} u_k)
 
         Parameters
         ----------
-        kept : array (kept, columns)
-            u_k in the order of `schur`
+        kept : array (kept + loads, columns)
+            u_k and q in the order of `schur`
 
         Returns
         -------
@@ -50,12 +53,12 @@ class Substructure:
         Static condensation, exact without inertia; order of elimination after Duff and Reid (1983), George
         (1973).
         """
-        u = np.zeros((self.order.size, kept.shape[1]))
-        u[self.order.size - len(kept) :] = kept
+        u = np.vstack([np.zeros((self.eliminated.size, kept.shape[1])), kept])
         for eliminated, remaining, triangle, coupling in reversed(self.fronts):
             u[eliminated] = -solve_triangular(triangle, coupling @ u[remaining], check_finite=False)
         displacement = np.zeros((self.size, kept.shape[1]))
-        displacement[self.order] = u
+        order = np.concatenate([self.eliminated, self.kept])
+        displacement[order] = u[: order.size]
         return displacement
 
 
@@ -89,15 +92,20 @@ def owners(elements: Sequence[NDArray], centres: NDArray, unknowns: int) -> NDAr
     return np.where(last > 0, first >> (1 + _depth(np.where(last > 0, first ^ last, 0))), 0)
 
 
-def eliminate(stiffness: sparse.coo_array | sparse.csr_array, owner: NDArray, kept: NDArray) -> Substructure:
-    r"""Schur complement of a symmetric matrix at its kept unknowns.
+def eliminate(stiffness: sparse.csr_array, loads: NDArray, owner: NDArray, kept: NDArray) -> Substructure:
+    r"""Schur complement of a symmetric matrix at its kept unknowns, bordered by loads.
 
-    .. math:: S = K_{kk} - K_{ki} K_{ii}^{-1} K_{ik}
+    .. math::
+        S = \begin{bmatrix} K_{kk} & -F_k \\ -F_k^T & 0 \end{bmatrix}
+            - \begin{bmatrix} K_{ki} \\ -F_i^T \end{bmatrix} K_{ii}^{-1}
+              \begin{bmatrix} K_{ik} & -F_i \end{bmatrix}
 
     Parameters
     ----------
     stiffness : sparse array (unknowns, unknowns)
         K, whole and symmetric; positive definite at the eliminated unknowns, whatever at the kept ones
+    loads : array (unknowns, loads)
+        F, load vectors of unit forces q
     owner : array (unknowns,) of int
         from `owners`; 0 for the unknowns that are left out (held, or kept)
     kept : array (kept,) of int
@@ -118,22 +126,36 @@ def eliminate(stiffness: sparse.coo_array | sparse.csr_array, owner: NDArray, ke
     (1973).
     """
     eliminated = np.flatnonzero(owner)
-    eliminated = eliminated[
-        np.argsort(-owner[eliminated], kind="stable")
-    ]  # children have higher numbers than their parents
+    # children have higher numbers than their parents
+    eliminated = eliminated[np.argsort(-owner[eliminated], kind="stable")]
     order = np.concatenate([eliminated, kept])
-    upper = _upper(sparse.coo_array(stiffness), order)
-    groups, starts = np.unique(-owner[eliminated], return_index=True)
+    place = np.full(owner.size, -1)
+    place[order] = np.arange(order.size)
+
+    def entries(unknowns: NDArray, first: int) -> tuple[NDArray, NDArray, NDArray]:
+        """Row, column in the new order and value of all that unknowns have from a first column on."""
+        rows, border = stiffness[unknowns], loads[unknowns]
+        loaded, load = np.nonzero(border)
+        row = np.append(np.repeat(np.arange(unknowns.size), np.diff(rows.indptr)), loaded)
+        column = np.append(place[rows.indices], order.size + load)
+        ahead = column >= first
+        return row[ahead], column[ahead], np.append(rows.data, -border[loaded, load])[ahead]
+
+    group_of = owner[eliminated]
+    groups, starts = np.unique(-group_of, return_index=True)
     stops = np.append(starts, eliminated.size)[1:]
-    updates, fronts, position = defaultdict(list), [], np.zeros(order.size, dtype=int)
+    updates, fronts, position = defaultdict(list), [], np.zeros(order.size + loads.shape[1], dtype=int)
     for group, start, stop in zip(-groups, starts, stops, strict=True):
-        front = _assembled(upper, slice(start, stop), updates.pop(group, []), position)
-        fronts.append((slice(start, stop), *_reduced(*front, stop - start, updates, owner[eliminated])))
-    schur = np.triu(upper[eliminated.size :, eliminated.size :].toarray())
-    schur += np.triu(schur, 1).T
-    for unknowns, part in updates.pop(0, []):
-        schur[np.ix_(unknowns - eliminated.size, unknowns - eliminated.size)] += part
-    return Substructure(schur=schur, size=owner.size, order=order, fronts=fronts)
+        children = updates.pop(group, [])
+        front = _assembled(slice(start, stop), entries(order[start:stop], start), children, position)
+        fronts.append((slice(start, stop), *_reduced(*front, updates, group_of)))
+    row, column, values = entries(kept, eliminated.size)
+    schur = np.zeros((kept.size + loads.shape[1],) * 2)
+    schur[column - eliminated.size, row] = values
+    for unknowns, update in updates.pop(0, []):
+        _add(schur, unknowns - eliminated.size, unknowns - eliminated.size, update)
+    schur = np.tril(schur) + np.tril(schur, -1).T
+    return Substructure(schur=schur, size=owner.size, eliminated=eliminated, kept=kept, fronts=fronts)
 
 
 def _halved(elements: Sequence[NDArray], centres: NDArray, unknowns: int) -> NDArray:
@@ -178,42 +200,47 @@ def _depth(number):
     return np.frexp(np.asarray(number, dtype=float))[1] - 1
 
 
-def _upper(stiffness, order):
-    """Upper triangle of a matrix whose unknowns stand in another order; those that are left out have none."""
-    place = np.full(stiffness.shape[0], -1, dtype=stiffness.row.dtype)
-    place[order] = np.arange(order.size)
-    row, column = place[stiffness.row], place[stiffness.col]
-    above = (row >= 0) & (row <= column)
-    entries = stiffness.data[above], (row[above], column[above])
-    return sparse.csr_array(entries, shape=(order.size, order.size))
+def _assembled(pivots, entries, children, position):
+    """The remaining unknowns of a front, its columns to eliminate, and what its children add to the others.
 
-
-def _assembled(upper, pivots, children, position):
-    """Unknowns of a front, first those to eliminate, and its dense matrix; other rows are without K."""
-    starts = upper.indptr[pivots.start : pivots.stop + 1]
-    entries = slice(starts[0], starts[-1])
+    Both matrices stand by rows, and what would stand above the diagonal is zero: for LAPACK, which reads
+    by columns, they are upper triangles.
+    """
+    row, column, values = entries
     in_front = np.zeros(position.size, dtype=bool)
-    for unknowns in (pivots, upper.indices[entries], *(unknowns for unknowns, _ in children)):
+    for unknowns in (pivots, column, *(unknowns for unknowns, _ in children)):
         in_front[unknowns] = True
-    front = np.flatnonzero(in_front)
+    front, size = np.flatnonzero(in_front), pivots.stop - pivots.start
     position[front] = np.arange(front.size)
-    matrix = np.zeros((front.size, front.size))
-    rows = np.repeat(np.arange(starts.size - 1), np.diff(starts))
-    matrix[rows, position[upper.indices[entries]]] = upper.data[entries]
+    panel, update = np.zeros((front.size, size)), np.zeros((front.size - size,) * 2)
+    panel[position[column], row] = values
     for unknowns, part in children:
-        matrix[np.ix_(position[unknowns], position[unknowns])] += part
-    return front, matrix
+        places = position[unknowns]
+        count = np.searchsorted(places, size)
+        _add(panel, places, places[:count], part[:, :count])
+        _add(update, places[count:] - size, places[count:] - size, part[count:, count:])
+    return front[size:], panel, update
 
 
-def _reduced(front, matrix, size, updates, owner):
+def _add(matrix, rows, columns, part):
+    """Add a part to rows and columns of a matrix, block by block; it is zero above its diagonal."""
+    flat, width = matrix.reshape(-1), matrix.shape[1]
+    for start in range(0, rows.size, BLOCK):
+        stop = start + BLOCK
+        places = rows[start:stop, None] * width + columns[:stop]
+        flat[places] += part[start:stop, :stop]
+
+
+def _reduced(remaining, panel, update, updates, owner):
     """Eliminate the first unknowns of a front; the group that goes next gets the update of the others."""
+    size = panel.shape[1]
     try:
-        triangle = cholesky(matrix[:size, :size], check_finite=False)
+        triangle = cholesky(panel[:size].T, overwrite_a=True, check_finite=False)
     except LinAlgError as refusal:
         raise NotSolved(f"nothing holds the body, or its stiffness is not finite: {refusal}") from refusal
-    coupling = solve_triangular(triangle, matrix[:size, size:], trans=1, check_finite=False)
-    remaining = front[size:]
+    coupling = solve_triangular(triangle, panel[size:].T, trans=1, overwrite_b=True, check_finite=False)
     if remaining.size:
         next_group = owner[remaining[0]] if remaining[0] < owner.size else 0
-        updates[next_group].append((remaining, matrix[size:, size:] - coupling.T @ coupling))
+        update = dsyrk(-1.0, coupling, beta=1.0, c=update.T, trans=1, overwrite_c=True).T
+        updates[next_group].append((remaining, update))
     return remaining, triangle, coupling

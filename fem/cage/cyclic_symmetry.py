@@ -245,10 +245,9 @@ def _require_balance(half: HalfPitch, halves: list[ReducedHalfPitch], probes: li
     on_the_cut = np.zeros((half.cut.size, len(probes)))
     for number, f in enumerate(halves):
         u, q, tie = (np.stack(columns, axis=1) for columns in zip(*(p[number] for p in probes), strict=True))
-        rest = imbalance(half, f, u, q)
-        on_the_cut += tie * rest[half.cut.ravel()]
-        rest[half.cut] = 0.0
-        left += (rest**2).sum(axis=0)
+        inside, on_face = imbalance(half, f, u, q)
+        on_the_cut += tie * on_face
+        left += (inside**2).sum(axis=0)
         size += ((f.patterns @ q) ** 2).sum(axis=0)
     residual = np.sqrt((left + (on_the_cut**2).sum(axis=0)) / size).max()
     _log.debug("relative residual %.1e", residual)

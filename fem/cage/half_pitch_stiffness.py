@@ -39,11 +39,11 @@ class HalfPitch:
 
     space: ngs.FESpace
     form: Any  # ngsolve.BilinearForm, the inner unknowns of the elements condensed
-    stiffness: sparse.csr_array  # (unknowns, unknowns) [N/m], whole
+    stiffness: sparse.csr_array  # (unknowns, unknowns) [N/m], whole, along x, y, z everywhere
     owner: NDArray  # (unknowns,) groups of elements (`static_condensation.owners`); 0 clamped or condensed
-    cut: NDArray  # (3, places) unknowns of the slot's face that stand for x, r and t
+    cut: NDArray  # (3, places) unknowns x, y and z of the slot's face
     middle: NDArray  # (3, places) unknowns x, y = t and z = r of the bar's middle plane
-    turn: sparse.csr_array  # (unknowns, unknowns) from x, r, t on the cut to x, y, z; orthogonal
+    turn: NDArray  # (3 places, 3 places) from x, r, t on the cut to x, y, z; orthogonal
     readings: NDArray  # (unknowns, 6 or 12) section forces of bars, see `fem.assembly.bar_readings`
 
 
@@ -59,14 +59,14 @@ class CutStiffness:
     bar_by_forces: NDArray  # (3 or 6, patterns) the same by q [N/N, N m/N]
 
     @classmethod
-    def of(cls, schur: NDArray, places: int, share: NDArray) -> "CutStiffness":
-        """From the stiffness at the face, bordered by patterns and readings with their signs turned."""
-        force = slice(places, places + len(share))
-        bar = slice(places + len(share), None)
+    def of(cls, schur: NDArray, turn: NDArray, share: NDArray) -> "CutStiffness":
+        """From the stiffness at the face along x, y, z, bordered by patterns and readings."""
+        places, patterns = len(turn), len(share)
+        force, bar = slice(places, places + patterns), slice(places + patterns, None)
         return cls(
-            stiffness=schur[:places, :places], coupling=-schur[:places, force],
+            stiffness=turn.T @ schur[:places, :places] @ turn, coupling=-turn.T @ schur[:places, force],
             compliance=-schur[force, force], share=share,
-            bar_by_cut=-schur[bar, :places], bar_by_forces=-schur[bar, force],
+            bar_by_cut=-schur[bar, :places] @ turn, bar_by_forces=-schur[bar, force],
         )  # fmt: skip
 
 
@@ -103,10 +103,10 @@ def assembled_half_pitch(cage: SquirrelCage, mesh: ngs.Mesh, order: int) -> Half
     centres = np.array([np.mean([mesh[v].point for v in e.vertices], axis=0) for e in mesh.Elements(ngs.VOL)])
     owner = np.where(free, owners(elements, centres, space.ndof), 0)
     cut = _unknowns(space, "cut", free)
-    turn = _turn(cut, pi / cage.bars, space.ndof)
     return HalfPitch(
-        space=space, form=form, stiffness=sparse.csr_array(turn.T @ stiffness(form) @ turn), owner=owner,
-        cut=cut, middle=_unknowns(space, "middle", free), turn=turn, readings=turn.T @ readings(form, cage),
+        space=space, form=form, stiffness=stiffness(form), owner=owner, cut=cut,
+        middle=_unknowns(space, "middle", free), turn=_turn(cut.shape[1], pi / cage.bars),
+        readings=readings(form, cage),
     )  # fmt: skip
 
 
@@ -159,8 +159,7 @@ def reduced_to_cut(
         if half a pitch floats
     """
     count = highest + 1, axial_modes
-    vectors = half.turn.T @ harmonic_loads(band, length, count, symmetric)
-    return reduced_under(half, *_patterns(vectors, count), symmetric)
+    return reduced_under(half, *_patterns(harmonic_loads(band, length, count, symmetric), count), symmetric)
 
 
 def reduced_under(half: HalfPitch, patterns: NDArray, share: NDArray, symmetric: bool) -> ReducedHalfPitch:
@@ -171,7 +170,7 @@ def reduced_under(half: HalfPitch, patterns: NDArray, share: NDArray, symmetric:
     half : HalfPitch
         from `assembled_half_pitch`
     patterns : array (unknowns, patterns)
-        load vectors of unit q, x, r, t on the cut
+        load vectors of unit q
     share : array (patterns, ...)
         forces q that make up the loads
     symmetric : bool
@@ -186,20 +185,17 @@ def reduced_under(half: HalfPitch, patterns: NDArray, share: NDArray, symmetric:
     NotSolved
         if half a pitch floats
     """
-    size, count = patterns.shape
     owner = half.owner.copy()
     owner[half.cut] = 0
     owner[half.middle[[1]] if symmetric else half.middle[[0, 2]]] = 0
     reading = half.readings[:, is_mirrored(half.readings.shape[1]) == symmetric]
-    border, width = sparse.coo_array(np.hstack([patterns, reading])), count + reading.shape[1]
-    kept = np.concatenate([half.cut.ravel(), size + np.arange(width)])
-    blocks = [[half.stiffness, -border], [-border.T, None]]
-    bordered = sparse.coo_array(sparse.block_array(blocks, format="coo"))
-    inside = eliminate(bordered, np.append(owner, np.zeros(width, dtype=int)), kept)
-    return ReducedHalfPitch(CutStiffness.of(inside.schur, half.cut.size, share), patterns, inside)
+    inside = eliminate(half.stiffness, np.hstack([patterns, reading]), owner, half.cut.ravel())
+    return ReducedHalfPitch(CutStiffness.of(inside.schur, half.turn, share), patterns, inside)
 
 
-def imbalance(half: HalfPitch, reduced: ReducedHalfPitch, displacement: NDArray, forces: NDArray) -> NDArray:
+def imbalance(
+    half: HalfPitch, reduced: ReducedHalfPitch, displacement: NDArray, forces: NDArray
+) -> tuple[NDArray, NDArray]:
     """Forces that are left when the whole half pitch follows its face.
 
     Parameters
@@ -215,15 +211,16 @@ def imbalance(half: HalfPitch, reduced: ReducedHalfPitch, displacement: NDArray,
 
     Returns
     -------
-    array (unknowns, columns)
-        K u - F q [N], zero where a plane or a clamp holds; on the face it is the force f
+    inside : array (unknowns, columns)
+        K u - F q [N] along x, y, z, zero on the face and where a plane or a clamp holds
+    on_face : array (3 places, columns)
+        the force f [N] along x, r, t
     """
     u = interior(half, reduced, displacement, forces)
     left = half.stiffness @ u - reduced.patterns @ forces
-    carried = np.zeros(half.space.ndof, dtype=bool)
-    carried[reduced.inside.order[reduced.inside.order < half.space.ndof]] = True
-    left[~carried] = 0.0
-    return left
+    inside = np.zeros_like(left)
+    inside[reduced.inside.eliminated] = left[reduced.inside.eliminated]
+    return inside, half.turn.T @ left[half.cut.ravel()]
 
 
 def interior(half: HalfPitch, reduced: ReducedHalfPitch, displacement: NDArray, forces: NDArray) -> NDArray:
@@ -231,16 +228,20 @@ def interior(half: HalfPitch, reduced: ReducedHalfPitch, displacement: NDArray, 
 
     Parameters
     ----------
-    half, reduced, displacement, forces
+    half, reduced, displacement
         as for `imbalance`
+    forces : array (patterns, columns), or with unit readings of the bars as further rows
+        q [N]
 
     Returns
     -------
     array (unknowns, columns)
-        [m] x, r, t on the face and x, y, z elsewhere; inner unknowns of the elements are zero
+        [m] along x, y, z; inner unknowns of the elements are zero
     """
-    unread = np.zeros((len(reduced.cut.bar_by_cut), forces.shape[1]))
-    return reduced.inside.interior(np.vstack([displacement, forces, unread]))[: half.space.ndof]
+    kept = np.zeros((len(reduced.inside.schur), forces.shape[1]))
+    kept[: half.cut.size] = half.turn @ displacement
+    kept[half.cut.size :][: len(forces)] = forces
+    return reduced.inside.interior(kept)
 
 
 def in_whole(half: HalfPitch, displacement: NDArray) -> NDArray:
@@ -256,9 +257,9 @@ def in_whole(half: HalfPitch, displacement: NDArray) -> NDArray:
     Returns
     -------
     array (unknowns, columns)
-        [m] along x, y, z everywhere
+        [m]
     """
-    whole = half.turn @ displacement
+    whole = displacement.copy()
     vector = half.form.mat.CreateColVector()
     for k, values in enumerate(whole.T):
         vector.FV().NumPy()[:] = values
@@ -284,14 +285,10 @@ def _unknowns(space, boundary: str, free: NDArray) -> NDArray:
     return unknowns[:, free[unknowns].all(axis=0)]
 
 
-def _turn(cut: NDArray, azimuth: float, size: int) -> sparse.csr_array:
-    """Cartesian from cylindrical components on a plane through the axis; r replaces y and t replaces z."""
-    _, y, z = cut
-    itself = np.ones(size)
-    itself[y], itself[z] = np.sin(azimuth), -np.sin(azimuth)
-    crosswise = np.full(y.size, np.cos(azimuth))
-    places = np.concatenate([np.arange(size), y, z]), np.concatenate([np.arange(size), z, y])
-    return sparse.csr_array((np.concatenate([itself, crosswise, crosswise]), places), shape=(size, size))
+def _turn(places: int, azimuth: float) -> NDArray:
+    """Cartesian from cylindrical components x, r, t on a plane through the axis."""
+    s, c = np.sin(azimuth), np.cos(azimuth)
+    return np.kron([[1.0, 0.0, 0.0], [0.0, s, c], [0.0, c, -s]], np.eye(places))
 
 
 def harmonic_loads(

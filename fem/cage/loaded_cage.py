@@ -187,7 +187,7 @@ def _solved(
     """A field on half a pitch, its values (2 bars, unknowns) on every half, and the radius of the raceway."""
     half = assembled_half_pitch(cage, mesh, order)
     band = roller_loads.band(half.space, "raceway", roller_loads.HIGHEST_ORDER)
-    even, odd = _load_vectors(half, band, patches, forces, cage.bars)
+    even, odd = _load_vectors(band, patches, forces, cage.bars)
     phases = np.arange(cage.bars // 2 + 1)
     turn = np.exp(-2j * pi * np.outer(np.arange(cage.bars), phases) / cage.bars) / cage.bars
     even, odd = _parts(even @ turn), _parts(-1j * odd @ turn)
@@ -214,7 +214,7 @@ def _complex(columns: NDArray) -> NDArray:
 
 
 def _load_vectors(
-    half: HalfPitch, band: roller_loads.Band, patches: Patches, forces: NDArray, bars: int
+    band: roller_loads.Band, patches: Patches, forces: NDArray, bars: int
 ) -> tuple[NDArray, NDArray]:
     """Load vectors (unknowns, bars) of every pitch: its part that is its own mirror image, and the rest."""
     bar = 2 * pi * np.arange(bars) / bars
@@ -230,11 +230,10 @@ def _load_vectors(
     )
     s, c = np.sin(bar)[:, None, None], np.cos(bar)[:, None, None]
     outward, sideways = y * s + z * c, (y * c - z * s) * np.array([1.0, -1.0])[:, None]
-    parts = (
+    even, odd = (
         band.forces(*((field[:, 0] + sign * field[:, 1]).T / 2 for field in (sideways, outward)))
         for sign in (1, -1)
     )
-    even, odd = (half.turn.T @ vectors for vectors in parts)
     return even, odd
 
 

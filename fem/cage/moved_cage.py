@@ -29,6 +29,7 @@ from fem.cage.half_pitch_stiffness import (
     ReducedHalfPitch,
     assembled_form,
     harmonic_loads,
+    interior,
     readings,
     stiffness,
 )
@@ -41,7 +42,7 @@ from fem.raceway.harmonics import Responses
 from fem.stages import Stage
 
 MIRROR_IMAGES = (True, False)  # fields that are their own, and those that are the negative of it
-NEGLIGIBLE = 1e-9  # part of the largest field that the basis leaves out
+NEGLIGIBLE = 1e-9  # part of the largest field that the basis leaves out, by the root of its energy
 
 
 @dataclass(frozen=True)
@@ -50,7 +51,7 @@ class CageFields:
 
     half: HalfPitch
     mesh: ngs.Mesh  # whose nodes are moved for a while by `near_responses`
-    bases: list[NDArray]  # (unknowns, r) orthonormal, along x, y, z, of each of `MIRROR_IMAGES`
+    bases: list[NDArray]  # (unknowns, r) orthonormal in energy, of each of `MIRROR_IMAGES`
     factors: list[list[NDArray]]  # (r, loads and readings) of each, phase by phase
 
 
@@ -130,39 +131,57 @@ def _fields_of(
     mesh = half_pitch(cage, length, mesh_size)
     resolution = Resolution(length=length, axial_modes=axial_modes, mesh_size=mesh_size)
     half, halves = reduced(cage, mesh, mesh_size.order, resolution, last)
-    kept = [_kept(halves, *phase) for phase in phases(cage.bars, last)]
+    loaded = [_loaded(halves, *phase) for phase in phases(cage.bars, last)]
     bases, factors = [], []
-    for reduction, each in zip(halves, zip(*kept, strict=True), strict=True):
-        fields = half.turn @ reduction.inside.interior(np.hstack(each))[: half.space.ndof]
-        basis, of_all = _basis(fields)
-        bases.append(basis)
-        factors.append(np.split(of_all, np.cumsum([values.shape[1] for values in each])[:-1], axis=1))
+    for reduction, each in zip(halves, zip(*loaded, strict=True), strict=True):
+        faces, forces = zip(*each, strict=True)
+        *basis, of_all = _basis(reduction, np.hstack(faces), np.hstack(forces))
+        bases.append(interior(half, reduction, *basis))
+        factors.append(np.split(of_all, np.cumsum([face.shape[1] for face in faces])[:-1], axis=1))
     return CageFields(half, mesh, bases, [list(each) for each in zip(*factors, strict=True)])
 
 
-def _kept(halves: Sequence[ReducedHalfPitch], theta: float, harmonics: NDArray) -> list[NDArray]:
-    """What is kept of half a pitch (kept, loads and readings) under all of these in a phase, by kind."""
+def _loaded(
+    halves: Sequence[ReducedHalfPitch], theta: float, harmonics: NDArray
+) -> list[tuple[NDArray, NDArray]]:
+    """Displacements of the face and forces, as `interior` takes them, of all fields of a phase, by kind."""
     cuts = [each.cut for each in halves]
     forces, z = phase_solution(cuts, theta, harmonics, with_readings=True)
-    kept, first = [], forces[0].shape[1]
+    loaded, first = [], forces[0].shape[1]
     for cut, tie, q in zip(cuts, ties(cuts, theta), forces, strict=True):
-        own = len(cut.bar_by_cut)
-        values = np.vstack([tie[:, None] * z, np.zeros((len(q) + own, z.shape[1]))])
-        values[len(tie) : len(tie) + len(q), : q.shape[1]] = q
-        values[len(tie) + len(q) :, first : first + own] = np.eye(own)
-        kept.append(values)
+        patterns, own = len(q), len(cut.bar_by_cut)
+        values = np.zeros((patterns + own, z.shape[1]))
+        values[:patterns, : q.shape[1]] = q
+        values[patterns:, first : first + own] = np.eye(own)
+        loaded.append((tie[:, None] * z, values))
         first += own
-    return kept
+    return loaded
 
 
-def _basis(fields: NDArray) -> tuple[NDArray, NDArray]:
-    """Orthonormal basis (unknowns, r) of fields (unknowns, n), and their factors (r, n)."""
-    sizes = np.linalg.norm(fields, axis=0)
+def _basis(reduction: ReducedHalfPitch, faces: NDArray, forces: NDArray) -> tuple[NDArray, NDArray, NDArray]:
+    r"""Displacements of the face and forces of a basis (.., r) of fields (.., n), and their factors (r, n).
+
+    The basis is orthonormal in energy, which follows from displacements u of the face and forces q, as
+    fields without forces are orthogonal to those that leave the face where it is:
+
+    .. math:: \int \sigma : \varepsilon\,dV = u^T S u + q^T C q
+    """
+    places = len(faces)
+    roots = _root(reduction.cut.stiffness), _root(-reduction.inside.schur[places:, places:])
+    weighted = np.vstack([root @ values for root, values in zip(roots, (faces, forces), strict=True)])
+    sizes = np.linalg.norm(weighted, axis=0)
     sizes[sizes == 0.0] = 1.0  # of loads that the other kind of mirror images carries alone
-    orthonormal, triangle = np.linalg.qr(fields / sizes)
-    turn, values, mix = np.linalg.svd(triangle)
+    _, values, mix = np.linalg.svd(weighted / sizes, full_matrices=False)
     rank = np.count_nonzero(values > NEGLIGIBLE * values[0])
-    return orthonormal @ turn[:, :rank], values[:rank, None] * mix[:rank] * sizes
+    parts = mix[:rank].T / values[:rank] / sizes[:, None]
+    return faces @ parts, forces @ parts, values[:rank, None] * mix[:rank] * sizes
+
+
+def _root(matrix: NDArray) -> NDArray:
+    """R with R^T R = A, of units that may differ; patterns that reach the face alone leave C singular."""
+    scale = np.sqrt(np.diag(matrix))
+    values, vectors = np.linalg.eigh(matrix / np.outer(scale, scale))
+    return np.sqrt(values.clip(min=0.0))[:, None] * vectors.T * scale
 
 
 def _moved(known: CageFields, cage: SquirrelCage, resolution: Resolution, last: int) -> list[MovedHalf]:

@@ -17,10 +17,11 @@ from fem.assembly.bar_readings import bar_readings
 from fem.assembly.elasticity import elastic_energy
 from fem.assembly.factorisation import NotSolved, factorised, threads
 from fem.cage import cyclic_symmetry, loaded_cage
-from fem.cage.half_pitch_stiffness import assembled_half_pitch, reduced_to_cut
+from fem.cage.half_pitch_stiffness import assembled_half_pitch, imbalance, interior, reduced_to_cut
 from fem.half_space.line_load import indentation_harmonics
 from fem.mesh import half_pitch
 from fem.mesh.solid import MILLIMETRES, solids
+from fem.raceway.bar_response import is_mirrored
 from fem.raceway.harmonics import RESOLVED
 from fem.solid import condensation
 from fem.solid.extremes import von_mises
@@ -251,6 +252,32 @@ def test_support_and_own_compliance_of_the_main_case():
     ring = by_harmonics(CAGE, L, M, USUAL).at(ROLLERS)
     assert ring.support_stiffness == approx(154.00e6, rel=5e-3)
     assert ring.absolute[0, 0, 0, 0] == approx(4.513e-8, rel=5e-3)
+
+
+@pytest.mark.parametrize("symmetric", [True, False], ids=["mirror image", "negative of it"])
+def test_inside_of_half_a_pitch_follows_its_face(symmetric):
+    """Under any u and q no forces are left inside, and S, G, C are those of the whole field."""
+    with threads(1):
+        part = assembled_half_pitch(STUMPS, half_pitch.half_pitch(STUMPS, L, COARSE), 2)
+        band = roller_loads.band(part.space, "raceway", 10)
+        reduced = reduced_to_cut(part, band, L, M, 3, symmetric)
+    cut, rng = reduced.cut, np.random.default_rng(1)
+    u = rng.standard_normal((part.cut.size, 2)) * 1e-8  # [m] of some newtons
+    q = rng.standard_normal((cut.share.shape[0], 2))
+    inside, on_face = imbalance(part, reduced, u, q)
+    force = cut.stiffness @ u - cut.coupling @ q
+    assert on_face == approx(force, rel=0, abs=1e-9 * np.abs(force).max())
+    assert inside == approx(0, abs=1e-9 * np.abs(force).max())
+    field = interior(part, reduced, u, q)
+    x, y, z = field[part.cut]
+    azimuth = np.pi / STUMPS.bars
+    outward, sideways = y * np.sin(azimuth) + z * np.cos(azimuth), y * np.cos(azimuth) - z * np.sin(azimuth)
+    assert np.concatenate([x, outward, sideways]) == approx(u, rel=0, abs=1e-12 * np.abs(u).max())
+    answer = cut.coupling.T @ u + cut.compliance @ q
+    assert reduced.patterns.T @ field == approx(answer, rel=0, abs=1e-9 * np.abs(answer).max())
+    read = cut.bar_by_cut @ u + cut.bar_by_forces @ q
+    own = part.readings[:, is_mirrored(part.readings.shape[1]) == symmetric]
+    assert own.T @ field == approx(read, rel=0, abs=1e-9 * np.abs(read).max())
 
 
 def test_unbalanced_solution_is_noticed():

@@ -8,11 +8,14 @@ import pytest
 from pytest import approx
 
 from fem import ClampedFace, Foundation, Housing, ImpossiblePart, MeshSize, OuterRing, Resolution
+from fem.cage.cyclic_symmetry import cage_responses
+from fem.cage.moved_cage import near_responses
 from fem.condense import HARMONICS, SMEARED, condense_in_process
 from fem.mesh import axial_section
 from fem.mesh.half_pitch import half_pitch
 from fem.mesh.moved_nodes import Faces, move_nodes
 from fem.parts.resolution import Shape
+from fem.stages import stages, unheard
 from tests.fem.test_cyclic_symmetry import STUMPS
 from tests.fem.test_parts import SHAFT, STEEL
 
@@ -136,6 +139,18 @@ def test_faces_that_would_come_apart_are_refused():
     for before, after in ((together, apart), (apart, together)):
         with pytest.raises(ImpossiblePart, match="come apart"):
             move_nodes(mesh, before, after)
+
+
+@pytest.mark.parametrize("order", [1, 2])
+def test_known_fields_of_a_cage_give_its_own_answers(order):
+    """At nodes that stay; elements of order 1 have fewer unknowns on the raceway than there are loads."""
+    size = MeshSize(order=order, size=5e-3, raceway_size=5e-3)
+    resolution = Resolution(length=L, axial_modes=4, mesh_size=size, nodes_of=Shape(part=STUMPS, length=L))
+    stage, _ = stages(unheard)
+    own, known = (answers(STUMPS, resolution, 20, stage) for answers in (cage_responses, near_responses))
+    assert known.response == approx(own.response, rel=0, abs=1e-10 * np.abs(own.response).max())
+    bars, in_bars = known.bar_response.response, own.bar_response.response
+    assert bars == approx(in_bars, rel=0, abs=1e-10 * np.abs(in_bars).max())
 
 
 @pytest.mark.slow
