@@ -179,7 +179,8 @@ def _basis(reduction: ReducedHalfPitch, faces: NDArray, forces: NDArray) -> tupl
 
 def _root(matrix: NDArray) -> NDArray:
     """R with R^T R = A, of units that may differ; patterns that reach the face alone leave C singular."""
-    scale = np.sqrt(np.diag(matrix))
+    scale = np.sqrt(np.diag(matrix).clip(min=0.0))
+    scale[scale == 0.0] = 1.0
     values, vectors = np.linalg.eigh(matrix / np.outer(scale, scale))
     return np.sqrt(values.clip(min=0.0))[:, None] * vectors.T * scale
 

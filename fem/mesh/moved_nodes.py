@@ -109,7 +109,9 @@ def _deformation(mesh: ngs.Mesh, places: NDArray, moved: NDArray, turn: NDArray)
     rest = moved - places
     rest[:, 1:] -= smooth
     deformation = ngs.GridFunction(ngs.VectorH1(mesh, order=mesh.GetCurveOrder() + 1))
-    deformation.Set(_linear(mesh, MILLIMETRES * rest) + ngs.CF((0.0, *field)))
+    linear = _linear(mesh, MILLIMETRES * rest)
+    for number, more in enumerate((0.0, *field)):  # one by one: together they take three times as long
+        deformation.components[number].Set(linear[number] + more)
     return deformation
 
 

@@ -133,8 +133,12 @@ class Evaluations:
         return self._numbers(settled, texts)
 
     def verified(self, point: Point) -> Numbers | NotComputed:
-        """Outputs of a design with the first settings that verify it."""
-        (numbers,) = self.of_settings([{**self._settings(point), **self.problem.verify[0]}], self.measures)
+        """Outputs of a design with the first settings that verify it, its own computed beside it."""
+        settings = self._settings(point)
+        own = [] if point in self.designs else [settings]
+        finer = {**settings, **self.problem.verify[0]}
+        *beside, numbers = self.of_settings([*own, finer], self.measures)
+        self.designs |= zip([point], beside, strict=False)
         return numbers
 
     def slopes(self, point: Point, keys: Sequence[str]) -> dict[str, dict[str, NDArray]]:

@@ -19,10 +19,10 @@ from numpy.typing import NDArray
 
 from flexbearing.optimise.correction import Corrected
 from flexbearing.optimise.evaluations import NotComputed
+from flexbearing.optimise.optimality import SCATTER
 from flexbearing.optimise.search import FEASIBLE, Designs, End, Found, ScaledProblem, examined, search
 
 MOST = 20  # iterations on the cheap model before the case is asked again
-INSIDE = 5e-4  # margin that is kept, over the size of a bound: rings meshed anew scatter by some 1e-4
 NEARER = 0.25  # of the last step, within which is searched after a design that is refused
 LEAST = 1e-4  # largest change of a share that ends the search
 SAME = 0.02  # largest difference of the shares up to which two starts lead to one optimum
@@ -42,7 +42,7 @@ class _Rounds:
         corrected = Corrected(self.cheap, self.problem.designs, centre.point, centre.numbers)
         about = self.problem.shares(centre.point), reach
         try:
-            found = search(ScaledProblem(corrected, about=about, inside=INSIDE, most=MOST), start)
+            found = search(ScaledProblem(corrected, about=about, inside=SCATTER, most=MOST), start)
         except NotComputed:  # by the cheap model, at the design that corrects it
             return start
         return self.problem.shares(found.point)

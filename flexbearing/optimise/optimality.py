@@ -8,7 +8,9 @@ from scipy.optimize import nnls
 
 from flexbearing.optimise.goals import Terms
 
-ACTIVE = 1e-3  # relative distance within which a bound, or the worst term, counts as met
+ACTIVE = 1e-3  # relative distance within which a term counts as the worst
+MET = 5e-3  # margin within which a constraint may be active, over the size of its bound
+SCATTER = 1.25e-3  # of outputs over their size, from mesh to mesh: a smaller margin promises no gain
 AT_END = 1e-6  # share of a range
 STEP = 0.1  # share of the range of every key for which the gain is promised
 
@@ -20,7 +22,7 @@ class Optimality:
     terms: NDArray  # (T) weight of each term of the objective in its derivative, the sum is 1
     bounds: NDArray  # (M) gain of the merit by a larger margin of each constraint
     ends: NDArray  # (K) gain by the share of each variable beyond its bound; negative at the lower one
-    gain: float  # that the derivatives still promise for `STEP` of every range, over 1
+    gain: float  # that derivatives still promise for `STEP` of every range, and by margins left, over 1
 
 
 def optimality(
@@ -56,7 +58,7 @@ def optimality(
     """
     count = len(shares)
     near = merits.values <= merits.values.min() + ACTIVE
-    met = margins.values <= ACTIVE
+    met = margins.values <= MET
     low, high = limits
     at_end = np.where(shares <= low + AT_END, 1.0, 0.0) - np.where(shares >= high - AT_END, 1.0, 0.0)
     normals = np.diag(at_end)[at_end != 0].reshape(-1, count)
@@ -68,4 +70,5 @@ def optimality(
     of_terms, of_bounds, of_ends = np.zeros(len(near)), np.zeros(len(met)), np.zeros(count)
     of_terms[near], of_bounds[met] = found[: near.sum()], found[near.sum() : near.sum() + met.sum()]
     of_ends[at_end != 0] = found[near.sum() + met.sum() :]
-    return Optimality(of_terms, of_bounds, -at_end * of_ends, STEP * float(np.abs(left).sum()))
+    gain = STEP * np.abs(left).sum() + of_bounds @ (margins.values - SCATTER).clip(min=0.0)
+    return Optimality(of_terms, of_bounds, -at_end * of_ends, float(gain))
