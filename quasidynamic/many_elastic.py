@@ -124,8 +124,9 @@ class _Alike:
         if doubtful.any():
             many.confirm(cases[doubtful])
             states = BearingStates(states.balance, many.solved.unknowns[cases], states.axial_modes)
+            doubtful = each_several_likely(states)
         outcomes, ways = (tuple(of[case] for case in cases) for of in (many.solved.outcomes, many.ways))
-        return Batch(places[cases], states, outcomes, many.solved.evaluations[cases], ways)
+        return Batch(places[cases], states, outcomes, many.solved.evaluations[cases], ways, doubtful)
 
 
 def _converged(start: Equilibrium) -> bool:

@@ -116,7 +116,7 @@ def is_linear(case: Case) -> bool:
     """Whether the raceways of a case answer linearly: no fit that may open, no one-sided support."""
     if case.coupling.structure == "full" or is_on_supports(case):
         return False
-    return not any(part_of(case, race) is not None and is_in_fit(case, race) for race in RACES)
+    return not any(is_in_fit(case, race) and part_of(case, race) is not None for race in RACES)
 
 
 def linear_raceways(

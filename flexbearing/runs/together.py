@@ -177,7 +177,8 @@ class Together:
         states = self.batch.states
         pressure, safety = self._end.peak_pressure.max(axis=1), np.asarray(self._end.static_safety)
         speed = states.balance.points.relative_speed[:, 0]
-        likely, others = each_several_likely(states), self._others if search else _not_searched
+        known, others = self.batch.doubtful, self._others if search else _not_searched
+        likely = each_several_likely(states) if known is None else known
         each_figure = (pressure, safety, states.life, speed)
         figures = zip(*(figure.tolist() for figure in each_figure), strict=True)
         return [

@@ -22,6 +22,7 @@ class Batch:
     outcomes: tuple[SolverOutcome, ...]  # (C) how each solve ended
     evaluations: NDArray  # (C) that it took
     ways: tuple[str, ...] = ()  # (C) by which way, where there are several
+    doubtful: NDArray | None = None  # (C) whether several equilibria are likely; None where not asked yet
 
     def __len__(self) -> int:
         return len(self.outcomes)
@@ -29,7 +30,10 @@ class Batch:
     def take(self, cases: NDArray) -> "Batch":
         """Some of the cases."""
         outcomes = tuple(self.outcomes[case] for case in cases)
-        return Batch(self.places[cases], self.states.take(cases), outcomes, self.evaluations[cases])
+        doubtful = None if self.doubtful is None else self.doubtful[cases]
+        return Batch(
+            self.places[cases], self.states.take(cases), outcomes, self.evaluations[cases], doubtful=doubtful
+        )
 
     def __getitem__(self, case: int) -> Equilibrium:
         one = self.states if len(self) == 1 else self.states.take(np.array([case]))
