@@ -130,30 +130,31 @@ def _closed(balance: BearingBalance, table: NDArray, count: int) -> Closed:
 
 
 def _reduced(table: NDArray, chain: Chain, closed: Closed) -> tuple[NDArray, NDArray]:
-    """What rollers add to the matrix (C, 5 + n, 5 + n) and right side (C, 5 + n, R) of border and v."""
+    """What rollers add to the matrix (C, 5 + n, 5 + n) and right side (C, 5 + n, R) of border and v.
+
+    The matrix stands column by column, as it is made and as LAPACK wants it.
+    """
     cases, rollers = table.shape[2:]
     size, count = BORDER + len(closed.roller), len(chain.right)
-    by_roller = closed.deflections.transpose(1, 0, 2)  # (Z, n, D)
-    by_spin = np.empty((cases, size, rollers))
-    by_spin[:, :BORDER] = table[1:FELT, 0].transpose(1, 0, 2)
-    by_spin[:, BORDER:] = -(by_roller @ table[FELT:, 0].transpose(2, 0, 1)).transpose(2, 1, 0)
-    through_spins = (by_spin @ chain.spread)[:, :, closed.roller]
-    through_spins *= closed.slopes[:, 0].T[:, None]
-    forces = table[FELT:, FELT:-count].transpose(3, 0, 1, 2)  # (Z, D, P, C) of what each roller feels
-    by_felt = by_roller @ forces.reshape(rollers, -1, forces[0, 0].size)
-    by_felt = by_felt.reshape(rollers, -1, *forces.shape[2:])[closed.roller, :, closed.combination]
-    matrix = np.empty((cases, size, size))
-    matrix[:, :BORDER, BORDER:] = closed.slopes[:, 1:].transpose(2, 1, 0)
-    matrix[:, BORDER:, BORDER:] = -by_felt.transpose(2, 1, 0)
-    matrix[:, :, BORDER:] -= through_spins
-    matrix.reshape(cases, -1)[:, BORDER * (size + 1) :: size + 1] += 1.0  # on the diagonal
+    by_force = np.ascontiguousarray(closed.deflections.transpose(1, 2, 0))  # (Z, D, n)
+    by_spin = np.empty((cases, rollers, size))
+    by_spin[:, :, :BORDER] = table[1:FELT, 0].transpose(1, 2, 0)
+    by_spin[:, :, BORDER:] = -(table[FELT:, 0].transpose(2, 1, 0) @ by_force).transpose(1, 0, 2)
+    through_spins = np.take(chain.spread.transpose(0, 2, 1) @ by_spin, closed.roller, axis=1)
+    through_spins *= closed.slopes[:, 0].T[:, :, None]
+    forces = table[FELT:, FELT + closed.combination, :, closed.roller].transpose(0, 2, 1)  # (n, C, D) by v
+    columns = np.empty((cases, size, size))
+    columns[:, BORDER:, :BORDER] = closed.slopes[:, 1:].transpose(2, 0, 1)
+    columns[:, BORDER:, BORDER:] = -(forces @ by_force[closed.roller]).transpose(1, 0, 2)
+    columns[:, BORDER:] -= through_spins
+    columns.reshape(cases, -1)[:, BORDER * (size + 1) :: size + 1] += 1.0  # on the diagonal
     spins = np.concatenate([chain.border, chain.right])
     rest = np.concatenate([table[1:, 1:FELT], table[1:, -count:]], axis=1) - table[1:, :1] * spins
-    forces = rest[BORDER:].transpose(3, 0, 1, 2).reshape(-1, len(spins) * cases)
-    lower = -(closed.deflections.reshape(size - BORDER, -1) @ forces).reshape(-1, len(spins), cases)
-    of_rest = np.concatenate([rest[:BORDER].sum(-1), lower]).transpose(2, 0, 1)
-    matrix[:, :, :BORDER] = of_rest[..., :BORDER]
-    return matrix, of_rest[..., BORDER:]
+    left = rest[BORDER:].transpose(3, 0, 1, 2).reshape(-1, len(spins) * cases)
+    lower = -(closed.deflections.reshape(size - BORDER, -1) @ left).reshape(-1, len(spins), cases)
+    of_rest = np.concatenate([rest[:BORDER].sum(-1), lower]).transpose(2, 1, 0)
+    columns[:, :BORDER] = of_rest[:, :BORDER]
+    return columns.transpose(0, 2, 1), of_rest[:, BORDER:].transpose(0, 2, 1)
 
 
 def _spins(chain: Chain, border: NDArray, torques: NDArray) -> NDArray:
