@@ -108,9 +108,10 @@ def as_in_a_run(points: GridPoints, some: NDArray) -> Reached:
     """States at some points (n) as a run of each of them finds it."""
     bearings = [points.bearings[point] for point in some]
     deviation = None if points.deviation is None else points.deviation[some]
-    found = solve_many(bearings)
-    if not points.rigid:
-        found = solve_many_elastic(bearings, points.compliance, found, deviation)
+    if points.rigid:
+        found = solve_many(bearings)
+    else:
+        found = solve_many_elastic(bearings, points.compliance, deviation=deviation)
     return of_unknowns(points.at(some), _scaled(points, some, found))
 
 
