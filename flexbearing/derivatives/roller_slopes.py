@@ -97,8 +97,8 @@ class RollerSlopes:
         return list(self._grouped())
 
     def _grouped(self) -> Iterator[_Group]:
-        """Variants side by side where raceways have one compliance, others by themselves."""
-        alike = np.array([self._same_compliance(variant) for variant in self._variants])
+        """Variants side by side where raceways answer alike, others by themselves."""
+        alike = np.array([self._same_raceways(variant) for variant in self._variants])
         places = np.flatnonzero(alike)
         models = [self._variants[place].model for place in places]
         for some, together in side_by_side_batches(models, AT_ONCE, tilting_apart=False):
@@ -110,11 +110,16 @@ class RollerSlopes:
         for place in np.flatnonzero(~alike):
             yield _Group(np.array([place]), self._variants[place].balance(aligned=self._aligned))
 
-    def _same_compliance(self, variant: Variant) -> bool:
+    def _same_raceways(self, variant: Variant) -> bool:
+        """Whether compliance and translation are those of the state: rollers elsewhere have another one."""
         both = zip(variant.pair.raceways, self.state.base.pair.raceways, strict=True)
         flexible = [(one, other) for one, other in both if one is not None and other is not None]
         return all(
-            one.absolute is other.absolute or np.array_equal(one.absolute, other.absolute)
+            one.absolute is other.absolute
+            or (
+                np.array_equal(one.absolute, other.absolute)
+                and np.array_equal(one.translation, other.translation)
+            )
             for one, other in flexible
         )
 

@@ -62,6 +62,15 @@ def test_derivatives_are_those_of_cases_solved_again(of_rigid, key):
     assert (np.abs(found - again) <= 1e-5 * np.maximum(np.abs(again), floor)).all()
 
 
+def test_rollers_that_go_around_between_flexible_rings_change_the_direction_of_their_translation():
+    """By symmetry nothing changes at azimuth 0 but through friction: what is left is small and is not zero."""
+    case = api.read_case(PAPER, [*BEAM, "bearing.first_roller_azimuth=0 deg"])
+    key = "bearing.first_roller_azimuth"
+    found = sensitivities(case, ["stiffness_zz"], [key])["stiffness_zz", key]
+    ends = [fb.run(PAPER, [*BEAM, f"{key}={sign * 5e-4!r} deg"])["stiffness_zz"].number for sign in (-1, 1)]
+    assert found.slope == approx((ends[1] - ends[0]) / 1e-3, rel=1e-3)
+
+
 def test_displacement_by_load_is_the_inverse_of_the_stiffness():
     case = rigid_case()
     found = sensitivities(case, ["displacement_along_load", "stiffness"], ["operation.radial_load"])
