@@ -63,7 +63,7 @@ def test_derivatives_are_those_of_cases_solved_again(of_rigid, key):
 
 
 def test_rollers_that_go_around_between_flexible_rings_change_the_direction_of_their_translation():
-    """By symmetry nothing changes at azimuth 0 but through friction: what is left is small and is not zero."""
+    """By symmetry nothing changes at azimuth 0 but through friction: what is left is small, but not zero."""
     case = api.read_case(PAPER, [*BEAM, "bearing.first_roller_azimuth=0 deg"])
     key = "bearing.first_roller_azimuth"
     found = sensitivities(case, ["stiffness_zz"], [key])["stiffness_zz", key]
