@@ -19,7 +19,6 @@ from numpy.typing import NDArray
 
 from flexbearing.optimise.correction import Corrected
 from flexbearing.optimise.evaluations import NotComputed
-from flexbearing.optimise.optimality import SCATTER
 from flexbearing.optimise.search import FEASIBLE, Designs, End, Found, ScaledProblem, examined, search
 
 MOST = 20  # iterations on the cheap model before the case is asked again
@@ -42,7 +41,7 @@ class _Rounds:
         corrected = Corrected(self.cheap, self.problem.designs, centre.point, centre.numbers)
         about = self.problem.shares(centre.point), reach
         try:
-            found = search(ScaledProblem(corrected, about=about, inside=SCATTER, most=MOST), start)
+            found = search(ScaledProblem(corrected, about=about, inside=self.problem.spare, most=MOST), start)
         except NotComputed:  # by the cheap model, at the design that corrects it
             return start
         return self.problem.shares(found.point)

@@ -10,7 +10,6 @@ from flexbearing.optimise.goals import Terms
 
 ACTIVE = 1e-3  # relative distance within which a term counts as the worst
 MET = 5e-3  # margin within which a constraint may be active, over the size of its bound
-SCATTER = 1.25e-3  # of outputs over their size, from mesh to mesh: a smaller margin promises no gain
 AT_END = 1e-6  # share of a range
 STEP = 0.1  # share of the range of every key for which the gain is promised
 
@@ -30,6 +29,7 @@ def optimality(
     margins: Terms,
     shares: NDArray,
     limits: tuple[NDArray | float, NDArray | float] = (0.0, 1.0),
+    spare: float = 0.0,
 ) -> Optimality:
     r"""Multipliers that come closest to the conditions of Karush, Kuhn and Tucker.
 
@@ -47,6 +47,8 @@ def optimality(
         of the variables, from 0 to 1; n is the normal of a limit that is met, inwards
     limits : pair of float or array (K), optional
         least and largest shares
+    spare : float, optional
+        margin up to which a constraint counts as used up
 
     Returns
     -------
@@ -70,5 +72,5 @@ def optimality(
     of_terms, of_bounds, of_ends = np.zeros(len(near)), np.zeros(len(met)), np.zeros(count)
     of_terms[near], of_bounds[met] = found[: near.sum()], found[near.sum() : near.sum() + met.sum()]
     of_ends[at_end != 0] = found[near.sum() + met.sum() :]
-    gain = STEP * np.abs(left).sum() + of_bounds @ (margins.values - SCATTER).clip(min=0.0)
+    gain = STEP * np.abs(left).sum() + of_bounds @ (margins.values - spare).clip(min=0.0)
     return Optimality(of_terms, of_bounds, -at_end * of_ends, float(gain))

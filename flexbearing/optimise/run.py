@@ -23,6 +23,7 @@ from flexbearing.optimise.goals import Numbers
 from flexbearing.optimise.gradients import Gradients
 from flexbearing.optimise.managed_search import from_design, managed_search
 from flexbearing.optimise.search import (
+    SPARE,
     Designs,
     End,
     Found,
@@ -45,6 +46,7 @@ from flexbearing.studies.worker import Wish, condense, rows
 
 CASE, TABLE = "_optimum.toml", ".csv"  # behind the name: the case at the best point, all designs
 VERIFICATIONS = 4  # of the best design until finer models meet its constraints
+SCATTER = 1.25e-3  # of outputs over their size where another ring is meshed for every value
 MESHED_DIGITS = 4  # of the share of a range, where another ring is meshed for every value
 Tell = Callable[[Found], None]
 
@@ -105,7 +107,7 @@ def optimise(
         evaluations = Evaluations(problem, workers, start, kept, journal.read(path))
         cheap = replace(problem, fixed={**problem.fixed, **problem.surrogate})
         surrogate = replace(evaluations, problem=cheap, designs={}, refused={}) if problem.surrogate else None
-        found = _Search(evaluations, surrogate).optimum(tell)
+        found = _Search(evaluations, surrogate, SCATTER if meshed else SPARE).optimum(tell)
     write(table, FORMS[TABLE][0](found.table))
     write(case, case_text(problem.study, found.settings, folder))
     return found
@@ -161,13 +163,14 @@ class _Search:
 
     evaluations: Evaluations
     surrogate: Evaluations | None  # with the same rows; None: the case itself is searched
+    spare: float  # margin up to which a constraint counts as used up
 
     def optimum(self, tell: Tell) -> Optimum:
         """What is found; `tell` hears of the end of each start."""
         began, found, settings = perf_counter(), [], self._gradients.settings
         first = np.array([each.start for each in self._gradients.variables])
         points, seconds = list(starts(settings.starts, first, settings.seed)), 0.0
-        problem = ScaledProblem(self._gradients)
+        problem = ScaledProblem(self._gradients, spare=self.spare)
         if settings.verified:
             problem, seconds = self._as_verified(problem.point(points[0]))
         for start in points:
@@ -193,7 +196,7 @@ class _Search:
         designs: Designs = self._gradients
         if isinstance(numbers, Numbers) and isinstance(self.evaluations.at([point])[0], Numbers):
             designs = Corrected(designs, designs, point, numbers)
-        return ScaledProblem(designs), perf_counter() - began
+        return ScaledProblem(designs, spare=self.spare), perf_counter() - began
 
     def _until_verified(self, found: list[Found]) -> float:
         """Go on from the best until it is an optimum with the values of finer models; their time [s]."""

@@ -19,6 +19,7 @@ from flexbearing.optimise.variables import Variable
 
 FEASIBLE = 1e-4  # how far a bound may be missed, over its size
 RESTARTS = 3  # of an optimiser that stops before an optimum, with a new approximation of the curvature
+SPARE = 5e-4  # margin up to which a constraint counts as used up, over the size of its bound
 FLAT = 1e-2  # of the tolerance: change of the merit in an iteration at which the optimiser stops
 MODELS = 10  # models of cobyqa that count as an iteration
 PENALTY = 10.0  # by which the merit of a design without an answer is below that of the start
@@ -107,6 +108,7 @@ class ScaledProblem:
     nearest: bool = False  # whether a point that meets all constraints is searched in place of the best
     about: tuple[NDArray, float] | None = None  # shares (K) and how far from each is searched; None: anywhere
     inside: float = 0.0  # margin of every constraint that is kept
+    spare: float = SPARE  # margin up to which a constraint counts as used up
     most: int | None = None  # iterations, where they are fewer than those of the settings
     best: float = -np.inf  # merit of former starts: an optimum that is no better is not refined further
 
@@ -161,7 +163,7 @@ class ScaledProblem:
         merits, margins = self.terms(self.designs.at(self.point(shares)))
         if self.nearest or merits.values.min() > self.best:
             return False
-        gain = optimality(merits, margins, shares, self.limits).gain
+        gain = optimality(merits, margins, shares, self.limits, self.spare).gain
         return gain <= self.settings.tolerance and margins.values.min(initial=0.0) >= -FEASIBLE
 
 
@@ -271,7 +273,7 @@ def examined(
         merits, margins = problem.terms(numbers)
     except (NotComputed, NotPositive) as why:
         return _unknown(problem, shares, str(why), iterations)
-    conditions = optimality(merits, margins, shares, problem.limits)
+    conditions = optimality(merits, margins, shares, problem.limits, problem.spare)
     if by_models or conditions.gain <= settings.tolerance:
         end = End.CONVERGED
     else:

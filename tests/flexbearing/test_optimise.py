@@ -13,7 +13,7 @@ from flexbearing.optimise.answer import Optimum
 from flexbearing.optimise.evaluations import Workers
 from flexbearing.optimise.goals import Terms
 from flexbearing.optimise.gradients import CENTRAL, EXACT
-from flexbearing.optimise.optimality import SCATTER, optimality
+from flexbearing.optimise.optimality import optimality
 from flexbearing.optimise.run import optimise
 from flexbearing.optimise.schema import Search
 from flexbearing.optimise.search import End, ScaledProblem, search
@@ -200,15 +200,15 @@ def test_infeasible_problem_is_told(tmp_path):
     assert optimum.best.missed == pytest.approx(1.0, rel=1e-3)  # slip is 1 % at least
 
 
-def test_margin_beyond_the_scatter_of_meshes_promises_its_multiplier_times_itself():
+def test_margin_beyond_the_spare_one_promises_its_multiplier_times_itself():
     merit = Terms(np.array([0.0]), np.array([[2.0, 0.0]]))
 
     def gain(margin):
         margins = Terms(np.array([margin]), np.array([[-0.5, 0.0]]))  # all of the slope, by a multiplier of 4
-        return optimality(merit, margins, np.full(2, 0.5)).gain
+        return optimality(merit, margins, np.full(2, 0.5), spare=5e-4).gain
 
-    assert gain(SCATTER) == pytest.approx(0.0, abs=1e-9)
-    assert gain(SCATTER + 1e-3) == pytest.approx(4e-3, rel=1e-6)
+    assert gain(5e-4) == pytest.approx(0.0, abs=1e-9)
+    assert gain(1.5e-3) == pytest.approx(4e-3, rel=1e-6)
 
 
 def test_iteration_limit_is_not_convergence(tmp_path):
