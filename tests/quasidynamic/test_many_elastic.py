@@ -189,6 +189,12 @@ def test_numbers_that_follow_from_another_share_a_coordinate_with_it():
     assert places.shape == (60, 2)
 
 
+def test_numbers_that_differ_in_their_last_digit_alone_are_no_coordinate():
+    numbers = np.full((20, 1), 1e10)
+    numbers[0] = np.nextafter(1e10, 2e10)
+    assert (coordinates(numbers) == 0).all()
+
+
 def test_cases_that_are_alike_have_one_place():
     places = coordinates(np.ones((20, 3)))
     assert places.shape == (20, 1)

@@ -41,10 +41,10 @@ def coordinates(numbers: NDArray, arrays: NDArray | None = None) -> NDArray:
     arrays : array (C, ...), optional
         what may differ besides, by its largest principal components
     """
-    varied = numbers[:, np.ptp(numbers, axis=0) > 0]
-    scales = [np.log(column) if column.min() > 0 else column for column in varied.T]
+    scales = [np.log(column) if column.min() > 0 else column for column in numbers.T]
     if arrays is not None:
         scales += list(_principal(arrays.reshape(len(arrays), -1)).T)
+    scales = [column for column in scales if np.ptp(column) > 0]  # a last digit may be lost by the logarithm
     if not scales:
         return np.zeros((len(numbers), 1))
     return _scaled(_principal(_scaled(np.transpose(scales))))
