@@ -16,6 +16,7 @@ from flexbearing.catalogue.roller_set import roller_set
 from flexbearing.catalogue.weights import NO_RESULT, told, weighed
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, require_output, write
+from flexbearing.outputs import outputs
 from flexbearing.quantities.effects import LIVES
 from flexbearing.runs import assumed_effects
 from quasidynamic import ImpossiblePart, OutOfRange
@@ -87,6 +88,7 @@ def _case(page: Page, file: Path, title: str, source: str) -> tuple[str, str]:
         lines, ratings = ball_lines.lines(page, balls), table(page, balls, "diameter")
     family = FAMILIES[LIKES[page.like].kind]
     model, named = family.case(), dict(family.layout().weighed)
+    known = {each.name: each for each in outputs(family.layout())}
     comparable = QUICK.get(page.like, {})
     plain = text("", title or file.stem, lines, model)
     understood(plain, file, {}, FAMILIES)  # tells what cannot be before anything is computed
@@ -95,7 +97,8 @@ def _case(page: Page, file: Path, title: str, source: str) -> tuple[str, str]:
         case = understood(plain, file, as_settings(comparable | settings), FAMILIES)
         values = assumed_effects.measured(api.compute(case))
         life = [("life", values[each]) for each in LIVES if each in values]
-        return dict([*life[:1], *((named[each], values[each]) for each in named if each in values)])
+        told = (each for each in named if each in values and not known[each].rounds_to_zero(values[each]))
+        return dict([*life[:1], *((named[each], values[each]) for each in told)])
 
     try:
         basis = measured({})

@@ -56,6 +56,10 @@ class Output:
         assert entry.unit is not None  # a layout fills it in
         return value if entry.in_si else value * entry.unit.scale
 
+    def rounds_to_zero(self, number: float) -> bool:
+        """Whether a number in `unit` is zero to the printed digit, so that no ratio to it says anything."""
+        return not float(format(number, self.declared.digits or ".4g").replace(",", ""))
+
 
 @dataclass(frozen=True)
 class Wanted:

@@ -24,6 +24,7 @@ class Layout:
     weighed: tuple[
         tuple[str, str], ...
     ] = ()  # outputs beside lives that effects of inputs are told of, and their words in comments of a case
+    weighed_in_results: tuple[tuple[str, str], ...] = ()  # further ones that comments do not tell
     head: tuple[str, ...] = HEAD  # root attributes that the summary repeats
     case_keys: tuple[
         tuple[str, str, str], ...

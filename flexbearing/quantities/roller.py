@@ -590,9 +590,9 @@ _ATTRIBUTES = (
 
 LAYOUT = Layout(
     conventions="""\
-Directions: x axial, z along the load unless operation.load_direction turns the load; azimuth from z
-towards y, which is the way a positive speed turns: left-handed about +x. Rotations about y and z are
-right-handed.
+Directions: x axial, z at azimuth 0, y at 90 degrees; the radial load acts along z where
+operation.load_direction is 0, its default. Azimuths grow from z towards y, the way a positive speed turns:
+left-handed about +x. Rotations about y and z are right-handed.
 """,
     axes=(
         Axis("Z", "roller", coordinate="roller_azimuth"),
@@ -613,6 +613,7 @@ right-handed.
         ("driving_torque", "torque"),
         ("nominal_bar_stress", "bar stress"),
     ),
+    weighed_in_results=(("total_stiffness_yy", "stiffness along y"),),
     blocks=("rigid", "flexible"),
     further_attributes=_ATTRIBUTES,
     head=(

@@ -134,9 +134,8 @@ def measured(result: Result) -> dict[str, float]:
     Returns
     -------
     dict
-        name to value; without an output that is zero to the printed digit, such as the slip of rollers that
-        roll, of which no ratio says anything, and without one that equals another, such as the stiffness
-        of a bearing between rigid rings that of the bearing with its supports
+        name to value; without an output that equals another, such as the stiffness of a bearing between
+        rigid rings that of the bearing with its supports
 
     Raises
     ------
@@ -147,15 +146,16 @@ def measured(result: Result) -> dict[str, float]:
         raise BadCase(f"not converged: {result.attributes['message']}")
     layout = result.family.layout()
     block = "flexible" if result.flexible else "rigid"
-    known = {each.name: each.declared.digits for each in outputs(layout)}
-    found = {}
-    for name in (name for name in (*LIVES, *dict(layout.weighed)) if name in known):
+    known = {each.name for each in outputs(layout)}
+    found: dict[str, float] = {}
+    for name in (
+        name for name in (*LIVES, *dict((*layout.weighed, *layout.weighed_in_results))) if name in known
+    ):
         try:
             number = float(result[f"{block}.{name}"].number)
         except AbsentOutput:
             continue
-        zero = not float(format(number, known[name]).replace(",", ""))
-        again = name not in LIVES and number in found.values()
-        if isfinite(number) and not zero and not again:
+        again = name not in LIVES and number and number in found.values()
+        if isfinite(number) and not again:
             found[name] = number
     return found

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from quasidynamic.contact.cage import land_notes
 from quasidynamic.contact.cage.couette import couette_factor
 from quasidynamic.contact.drag import drag_notes
+from quasidynamic.contact.film.starvation import meniscus_factor
 from quasidynamic.contact.line import half_width
 from quasidynamic.contact.traction.adore import AdoreType
 from quasidynamic.contact.traction.asperity_friction import Carter, RoundedCoulomb, full_slip_creep
@@ -23,6 +24,7 @@ HEATED_INLET = 1.0  # [-] slide-to-roll ratio, `inlet_heating_factor`
 ISOTHERMAL = 0.01  # [-] slide-to-roll ratio, `Eyring`
 FAST_SOURCE = 5.0  # [-] Peclet number, `thermal_thinning`
 REGIME = (0.2, 200.0)  # [-] M of `biboulet_houpert`
+SHORT_INLETS = (1.0, 0.5, 0.25)  # [half-widths of the contact] examples
 SPARSE = 0.1  # [-] assumed: share of oil below which nobody would call a contact flooded
 STEEL = 206e9, 0.1  # [Pa] modulus of bearing steel, and by how much of it steels differ (assumed)
 LENGTHS = (0.5, 2.5)  # [-] assumed: length over diameter of rollers "about as long as thick", `palmgren`
@@ -142,8 +144,21 @@ def _flooding(state: Equilibrium) -> Iterator[Note]:
             "flooding",
             "film: inlets are computed as fully flooded, though only "
             f"{lubrication.oil_fraction:.2g} of the mixture around the rollers is oil, so films may be "
-            "thinner; lubricant.inlet_length computes short inlets",
+            f"thinner: {_left_in_short_inlets(state)} (formula of lubricant.inlet_length, which "
+            "computes short inlets; how far the oil reaches is not known)",
         )
+
+
+def _left_in_short_inlets(state: Equilibrium) -> str:
+    """Share of the smallest film that is left where the oil begins close before that contact."""
+    raceways, loads = state.balance.roller.raceways, state.loads
+    widths = half_width(loads / raceways.slices.length, raceways.radius[:, 0], raceways.modulus[:, 0])
+    at = np.unravel_index(np.argmin(np.where(loads > LOADED * loads.max(), state.film, np.inf)), loads.shape)
+    radius = np.broadcast_to(raceways.radius[:, 0], loads.shape)[at]
+    factors = (meniscus_factor(widths[at], state.film[at], radius, inlet).factor for inlet in SHORT_INLETS)
+    left = ", ".join(f"{100 * float(factor):.2g} %" for factor in factors)
+    where = ", ".join(f"{inlet:g}" for inlet in SHORT_INLETS)
+    return f"with oil that begins {where} half-widths before the contact the smallest film keeps {left}"
 
 
 def _materials(state: Equilibrium) -> Iterator[Note]:

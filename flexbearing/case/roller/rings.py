@@ -187,8 +187,8 @@ class Outer(Section):
         "direction of the bearing's axis in the drawing or mesh", "x", only=(_STEP, _MATRIX)
     )
     zenith: Direction = key(
-        "direction of azimuth 0 in the drawing or mesh, in which the load pulls unless "
-        "operation.load_direction turns it: under a load downwards the direction down",
+        "direction of azimuth 0 in the drawing or mesh, in which the load pulls where "
+        "operation.load_direction is 0: under a load downwards the direction down",
         "z",
         only=(_STEP, _MATRIX),
     )

@@ -5,8 +5,9 @@ from math import log
 from typing import Any
 
 from flexbearing.outputs import Output, outputs
+from flexbearing.quantities import SummaryValue
 from flexbearing.quantities.effects import COMPARISON, INPUT, LIVES
-from flexbearing.report.html import assumptions
+from flexbearing.report.html import assumptions, stiffness
 from flexbearing.report.html.assumptions import TOLERANCES, WORTH
 from flexbearing.report.html.document import Block, Cell, Figure, Items, Number, Table, Words
 from flexbearing.report.html.figures import BLUE
@@ -15,6 +16,7 @@ from flexbearing.report.html.units import NOTHING, printed, units_in_words, with
 from flexbearing.report.rows import unit_of
 
 SMALLEST = 5e-3  # relative change that is drawn
+_STIFFNESSES = {"total_stiffness": "stiffness", "total_stiffness_yy": "stiffness along y"}
 _WIDE = 1.5  # ratio of the ends of an axis from which it is logarithmic
 _TICKS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5, 7, 10, 20, 50, 100]
 _TALL = 8  # keys that a figure of usual height has room for
@@ -79,7 +81,10 @@ def at_ends(reader: Reader) -> Iterator[Block]:
             words = "What the ends of the tolerances make of the results was not computed."
             yield Words((f"{words} {_how(reader)}",))
         return
-    names = [name for name in found["of"] if name == ranked_by(reader) or name not in LIVES]
+    names = [
+        name for name in found["of"]
+        if base(reader, name) is not None and (name == ranked_by(reader) or name not in LIVES)
+    ]  # fmt: skip
     rows = [
         (units_in_words(other["words"]), *(_ratio(reader, place, number, name) for name in names))
         for place, key in enumerate(found["keys"])
@@ -166,6 +171,31 @@ def ranked_by(reader: Reader) -> str:
     return next((name for name in (*LIVES, *of) if name in of), "")
 
 
+def base(reader: Reader, name: str) -> float | None:
+    """An output of the case, for ratios to it; None where it is not known or zero to the printed digit."""
+    value = reader.attributes["assumed_effects"]["of"].get(name)
+    return None if value is None or _output(reader, name).rounds_to_zero(value) else value
+
+
+def of_zero(reader: Reader, name: str) -> str:
+    """What other inputs make of an output that is zero, as a range of it; empty where it is not known."""
+    found = reader.attributes.get("assumed_effects") or {}
+    if name not in found.get("of", {}):
+        return ""
+    values = [
+        (other["values"][name], key["key"])
+        for key in found["keys"] if key.get("role") != COMPARISON
+        for other in key["others"] if name in other["values"]
+    ]  # fmt: skip
+    output, least, most = _output(reader, name), min(values), max(values)
+    low, high = (format(value, output.declared.digits or ".4g") for value in (least[0], most[0]))
+    low = low.lstrip("-") if output.rounds_to_zero(least[0]) else low
+    if output.rounds_to_zero(least[0]) and output.rounds_to_zero(most[0]):
+        return f"zero to the printed digit, {low} {output.unit}, with other values of every single input, too"
+    most_by = assumptions.named(most[1])
+    return f"{low} to {high} {output.unit} with other values of single inputs, most by {most_by}"
+
+
 def _tolerances(reader: Reader) -> bool:
     return "ends" in ((reader.attributes.get("clearance") or {}).get("tolerances") or {})
 
@@ -186,16 +216,24 @@ def _heading(reader: Reader, name: str) -> str:
     """Label of an output with its unit, lives in millions of revolutions."""
     declared = _output(reader, name).declared
     part = name.partition(".")[2].split(".")[0]
-    label = ", ".join(filter(None, [reader.label(declared).strip(), part]))
-    unit = reader.units.of(unit_of(declared).name)
+    of_which = " with supports" if stiffness.supported(reader) else " of the bearing"
+    text = _STIFFNESSES[name] + of_which if name in _STIFFNESSES else reader.label(declared).strip()
+    label = ", ".join(filter(None, [text, part]))
+    unit = reader.units.of(_unit(declared))
     return f"{label} [10⁶ revolutions]" if unit == "Mrev" else with_unit(label, unit)
 
 
 def _cell(reader: Reader, name: str, path: str) -> Number:
     declared = _output(reader, name).declared
+    stored = reader.layout[declared.of[0]].unit if declared.in_si else unit_of(declared).name
+    digits = ",.4g" if name in LIVES or name in _STIFFNESSES else declared.digits or ".4g"
+    return reader.of_attribute(path, stored, _unit(declared), digits)
+
+
+def _unit(declared: SummaryValue) -> str:
+    """Unit on the metric page."""
     unit = unit_of(declared).name
-    stored = reader.layout[declared.of[0]].unit if declared.in_si else unit
-    return reader.of_attribute(path, stored, unit, ",.4g" if name in LIVES else declared.digits or ".4g")
+    return "kN/mm" if unit == "N/m" else unit
 
 
 def _at(place: int, number: int, name: str) -> str:
@@ -209,13 +247,12 @@ def _value(reader: Reader, place: int, number: int, name: str) -> Cell:
 
 def _ratio(reader: Reader, place: int, number: int, name: str) -> Cell:
     """An output over that of the case."""
-    found = reader.attributes["assumed_effects"]
-    base = found["of"].get(name)
+    found, of_case = reader.attributes["assumed_effects"], base(reader, name)
     value = found["keys"][place]["others"][number]["values"].get(name)
-    if not base or value is None:
+    if of_case is None or value is None:
         return NOTHING
     of = f"ratio/attributes/{_at(place, number, name)}:attributes/assumed_effects/of/{name}"
-    return reader.units.number(value / base, "", "", ".3g", of)
+    return reader.units.number(value / of_case, "", "", ".3g", of)
 
 
 def _table(reader: Reader, found: dict[str, Any], ranked: list[int], name: str) -> Table:

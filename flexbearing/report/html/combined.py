@@ -136,9 +136,9 @@ def changes(reader: Reader, word: str) -> dict[str, list[Change]]:
                 of_factors = whole if word == LIFE and key.startswith(_OF_FACTORS) else 0.0
                 collected.setdefault(about(key), []).append(Change(whole, of_factors))
         return collected
-    named = {word: name for name, word in reader.layout.weighed}
+    named = {word: name for name, word in (*reader.layout.weighed, *reader.layout.weighed_in_results)}
     name = assumed_effects.ranked_by(reader) if word == LIFE else named[word]
-    if not found["of"].get(name) or (word == LIFE and name not in LIVES):
+    if assumed_effects.base(reader, name) is None or (word == LIFE and name not in LIVES):
         return {}
     for key in (key for key in found["keys"] if key.get("role") != COMPARISON):
         for values in (other["values"] for other in key["others"]):

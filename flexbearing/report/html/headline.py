@@ -114,7 +114,8 @@ def _life(reader: Reader) -> Iterator[str]:
         words += (
             f" Range{' without the oil' * bool(oil)}: {low} to {high} {unit} by what is assumed, fitted, "
         )
-        words += "toleranced or chosen."
+        words += "toleranced or chosen"
+        words += f"; all changes that shorten it at once leave {rounded(number, span.worst[0])} {unit}."
         words += f" {end}" if (end := beyond_range.of_upper_end(reader)) else ""
         missing = [each for each in beyond_range.left_out(reader) if each != oil]
         words += f" Not in this range: {'; '.join(missing)}." if missing else ""

@@ -52,6 +52,15 @@ def blocks(reader: Reader) -> Iterator[Block]:
         yield Words((_DIFFER, *([_EXTRAPOLATED] if extrapolated else [])))
 
 
+def flooded(reader: Reader) -> str:
+    """What little oil makes of the films, computed with flooded inlets; empty where they have the oil."""
+    told = next((note["text"] for note in reader.attributes["notes"] if note["code"] == "flooding"), "")
+    _, _, left = told.partition("thinner: ")
+    return (
+        f"Films are those of fully flooded inlets; with little oil they are thinner: {left}." if left else ""
+    )
+
+
 def viscosity_ratio(reader: Reader) -> Number | None:
     """Viscosity ratio of ISO 281; None without an oil, or at rest."""
     found = ratings.viscosity_ratio(reader)

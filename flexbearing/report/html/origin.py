@@ -34,7 +34,9 @@ def line(reader: Reader) -> str:
     """A line below the title: kind, time, program, file."""
     about = reader.attributes
     version = about["versions"].get("flexbearing", "")
-    return f"{kind(reader)} bearing, computed {about['created']} by flexbearing {version}"
+    changed = about.get("machine", {}).get("revision", "").endswith("-dirty")
+    of = ", its source changed since its last commit (see Origin)" if changed else ""
+    return f"{kind(reader)} bearing, computed {about['created']} by flexbearing {version}{of}"
 
 
 def kind(reader: Reader) -> str:

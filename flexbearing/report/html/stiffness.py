@@ -8,6 +8,7 @@ import numpy as np
 
 from flexbearing.report.html.document import Block, Cell, Drawing, Number, Table, Words
 from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.sentences import load_axis
 from flexbearing.report.html.units import NOTHING, printed
 
 _ZERO = 1e-10  # of the diagonal: what rounding leaves of nothing
@@ -55,7 +56,7 @@ _BALLS = (
 )
 _AXES = (
     "Forces and moments are loads on the inner ring that displace it by one unit along an axis. Axes: x "
-    "along the shaft, z the way of the load unless operation.load_direction turns it, y across. A "
+    "along the shaft, z at azimuth 0°, y at 90°; the radial load of this case acts {}. A "
     "positive rotation about y turns z towards x, one about z turns x towards y: right-handed. Azimuth and "
     "positive speeds turn z towards y, left-handed about +x: a rotor model with right-handed spin about the "
     "same +x takes these speeds with the other sign."
@@ -75,7 +76,10 @@ def blocks(reader: Reader) -> Iterator[Block]:
         yield _radial(reader)
     else:
         yield Words((_BALLS,))
-    yield Drawing(_AXES, (files("flexbearing.report.html") / "page" / "axes.svg").read_text("utf-8"))
+    yield Drawing(
+        _AXES.format(load_axis(reader)),
+        (files("flexbearing.report.html") / "page" / "axes.svg").read_text("utf-8"),
+    )
     yield _matrix(reader)
     if "total_stiffness" in block:
         yield Words((*([_MATRIX] if supported(reader) else []), _TILT, _NEAR, _UNSYMMETRIC))
