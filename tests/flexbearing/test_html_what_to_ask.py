@@ -78,11 +78,7 @@ def test_one_stiffness_is_weighed_once_where_nothing_gives_way(readers):
     assert "total_stiffness" in rigid
     assert "stiffness" not in rigid
     assert rings["stiffness"] > rings["total_stiffness"]
-    labels = [label for label in main_results(readers("catalogue")) if "stiffness" in label]
-    assert [label.partition(",")[0] for label in labels] == [
-        "radial stiffness along the load",
-        "radial stiffness along y",
-    ]
+    assert sum("stiffness" in label for label in main_results(readers("catalogue"))) == 1
 
 
 def test_how_the_shaft_holds_the_ring_is_asked_for_before_what_matters_less(readers):

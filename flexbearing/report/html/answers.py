@@ -308,8 +308,21 @@ def _stiffness(reader: Reader) -> Iterator[str]:
         yield f"Of the bearing alone, along {', '.join(diagonal)}."
     else:
         yield from _by_rotor_model(reader)
+    yield _stiffness_range(reader)
     yield f"{_AXES} {_TANGENT}"
     yield f"{stiffness.tilt_follows(reader)}{stiffness.of_matrix(reader)}"
+
+
+def _stiffness_range(reader: Reader) -> str:
+    """What inputs make of the stiffness along the load and along y; empty where that is not known."""
+    known = {axis: combined.of(reader, word) for axis, word in (("the load", STIFFNESS), ("y", ALONG_Y))}
+    told = [
+        f"along {axis} {span.squares[0]:.3g} to {span.squares[1]:.3g} times"
+        for axis, span in known.items()
+        if span is not None
+    ]
+    of = ", with supports," * stiffness.supported(reader)
+    return f"By inputs that are not exactly known{of} {', '.join(told)}." if told else ""
 
 
 def _by_rotor_model(reader: Reader) -> Iterator[str]:

@@ -187,6 +187,8 @@ def of_zero(reader: Reader, name: str) -> str:
         for key in found["keys"] if key.get("role") != COMPARISON
         for other in key["others"] if name in other["values"]
     ]  # fmt: skip
+    if not values:
+        return "zero to the printed digit; no other value could be computed"
     output, least, most = _output(reader, name), min(values), max(values)
     low, high = (format(value, output.declared.digits or ".4g") for value in (least[0], most[0]))
     low = low.lstrip("-") if output.rounds_to_zero(least[0]) else low

@@ -85,7 +85,7 @@ def _rows(reader: Reader) -> Iterator[tuple[tuple[Cell, ...], str]]:
     if first is not None and first.chosen:
         value = first.hours if isinstance(first.hours, Number) else first.turns
         yield (first.name, value, printed(value.unit), first.error), combined.LIFE
-    words = dict((*reader.layout.weighed, *reader.layout.weighed_in_results))
+    words = dict(reader.layout.weighed)
     for name in dict.fromkeys((*reader.layout.main, *words)):
         output, block = known[name], reader.blocks[reader.last]
         same = name == ALONE and not stiffness.supported(reader)  # as total_stiffness
@@ -105,10 +105,9 @@ def _label(reader: Reader, name: str) -> str:
             return "cage slip (lubricant.oil_fraction was fitted to one: no prediction)"
     if name == "driving_torque":
         return f"driving torque ({bound})" if (bound := heat.at_most(reader)) else ""
-    if name not in ("total_stiffness", "total_stiffness_yy", ALONE, "stiffness_zz"):
+    if name not in ("total_stiffness", ALONE, "stiffness_zz"):
         return ""
-    axis = {"_zz": "z", "_yy": "y"}.get(name[-3:], "the load")
-    along = f"radial stiffness along {axis}"
+    along = "radial stiffness along z" if name == "stiffness_zz" else "radial stiffness along the load"
     supports = name != ALONE and stiffness.supported(reader)
     return f"{along}, {'with supports' if supports else 'of the bearing alone'}"
 
