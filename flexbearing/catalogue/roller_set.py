@@ -7,17 +7,17 @@ the same product, so both ratings together cannot tell them apart.
 from dataclasses import dataclass
 from functools import partial
 from itertools import pairwise
-from math import asin, ceil, floor, pi
+from math import asin, floor, pi
 from typing import Any
 
 import quasidynamic as qd
 from flexbearing.case import BadCase
 from flexbearing.catalogue.element_set import ElementSet, Ratings, chosen, span
 from flexbearing.catalogue.page import Page
+from flexbearing.runs.roller_counts import plausible_numbers
 from quasidynamic.outcome.capacity import dynamic_rating, fatigue_load_limit, static_rating
 
-# Rules of thumb, assumed: Harris' 209 has 1.45 and 0.51, the bearing of Mao, Wang and Zhang 1.46 and 0.5.
-SPACING = (1.2, 1.6)  # distance of roller centres over the roller diameter, with a cage
+# Rule of thumb, assumed: Harris' 209 has 0.51, the bearing of Mao, Wang and Zhang 0.5.
 SHARE = (0.4, 0.7)  # roller length over the width of the bearing, with ribs and chamfers beside it
 MM = 1e-3
 
@@ -68,23 +68,6 @@ def roller_set(page: Page) -> RollerSet:
         outer_raceway=outer,
         diameter=diameter,
     )
-
-
-def plausible_numbers(ratio: float) -> list[int]:
-    """Numbers of rollers whose distance leaves room for a cage and wastes none.
-
-    Parameters
-    ----------
-    ratio : float
-        roller over pitch diameter [-]
-
-    Returns
-    -------
-    list of int
-        one at least, growing
-    """
-    closest, widest = (pi / asin(min(distance * ratio, 1.0)) for distance in SPACING)
-    return [*range(ceil(widest), floor(closest) + 1)] or [floor(closest)]
 
 
 def _raceway_and_diameter(page: Page) -> tuple[float, float]:

@@ -9,6 +9,7 @@ from typing import Any
 from flexbearing.build.clearance import operating
 from flexbearing.case.declarations import Declaration, by_path, toml
 from flexbearing.quantities.effects import CHOICE, COMPARISON, INPUT
+from flexbearing.runs.roller_counts import plausible_numbers
 
 Range = Callable[[float], tuple[float, ...]]  # of a value in SI units
 
@@ -69,7 +70,6 @@ RANGES: tuple[tuple[str, Range, str], ...] = (  # of keys that hold numbers, the
     ("bearing.cage.*", times(0.5, 2.0), THUMB),
     ("bearing.roller.drop", times(0.5, 2.0), THUMB),
     ("bearing.*.conformity", plus(-0.005, 0.005), THUMB),
-    ("bearing.rollers", plus(-1, 1), "one less, one more"),
     ("bearing.balls", plus(-1, 1), "one less, one more"),
     ("bearing.roller.length", times(0.9, 1.1), f"10 %: {THUMB}"),
     ("bearing.contact_angle", plus(-pi / 90, pi / 90), f"2 deg: {THUMB}"),
@@ -234,6 +234,26 @@ def _guidances(case: Any) -> tuple[tuple[Other, ...], str]:
     return (outer,), f"a land of usual size: {THUMB}"
 
 
+def _counts(case: Any) -> tuple[tuple[Other, ...], str]:
+    """Other numbers of rollers; with a length that nobody gave either, that of the same static rating.
+
+    C_0 of ISO 76 holds the product of both: the fewest and the most rollers that fit, else one less and more.
+    """
+    bearing, path = case.bearing, "bearing.rollers"
+    beside = (bearing.rollers - 1, bearing.rollers + 1)
+    if "bearing.roller.length" not in case.assumed:
+        return tuple(_set(path, count) for count in beside), "one less, one more"
+    diameter = bearing.roller.diameter
+    fitting = plausible_numbers(diameter / (bearing.outer_raceway_diameter - diameter))
+    ends = [count for count in (fitting[0], fitting[-1]) if count != bearing.rollers]
+    others = []
+    for count in ends or beside:
+        length = f"{1e3 * bearing.roller.length * bearing.rollers / count:.4g} mm"
+        settings = (f"{path}={count}", f"bearing.roller.length={length}")
+        others.append(Other(f"{count} rollers of {length}", settings))
+    return tuple(others), f"as many as fit beside each other in a cage, C_0 of ISO 76 kept: {THUMB}"
+
+
 def _tractions(case: Any) -> tuple[tuple[Other, ...], str]:
     """Other traction laws of any oil, with a usual limit of the shear stress where the case has none."""
     limit = getattr(case.lubricant, "limiting_ratio", None)
@@ -245,6 +265,7 @@ def _tractions(case: Any) -> tuple[tuple[Other, ...], str]:
 
 
 FURTHER: dict[str, Callable[[Any], tuple[tuple[Other, ...], str]]] = {  # keys that change with others
+    "bearing.rollers": _counts,
     "bearing.roller.profile": _profiles,
     "bearing.cage.guidance": _guidances,
     "lubricant.traction": _tractions,

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from flexbearing.case.roller import Case
 from flexbearing.coupled.coupled import BearingPartner
+from flexbearing.coupled.states import EndState
 from flexbearing.coupling import PartnerFailed, RacewayPair
 from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.contact.line import EXPONENT
@@ -89,10 +90,18 @@ def notes(case: Case, model: RollerBearing, rings: RacewayPair, end: Equilibrium
         words = (
             f"with all rollers half a pitch further the largest roller load is {load:,.4g} N instead of "
             f"{largest:,.4g} N ({load / largest - 1:+.1%}), the basic life L10 {_life(life)} Mrev instead of "
-            f"{_life(end.life)} Mrev ({life / end.life - 1:+.1%})"
+            f"{_life(end.life)} Mrev ({life / end.life - 1:+.1%}), the radial stiffness along y and z "
+            f"{_stiffnesses(moved, rings)} instead of {_stiffnesses(end, rings)} kN/mm"
         )
     asks = "operation.roller_positions = 8 gives the range over a pitch"
     return (information("roller-position", f"roller position: {words}; {asks}"),)
+
+
+def _stiffnesses(state: Equilibrium, rings: RacewayPair) -> str:
+    """Radial stiffness along y and z [kN/mm], supports included."""
+    there = rings.under(state.balance.roller.bearing.azimuths)
+    matrix = EndState(state, there.linearised(state.forces)).with_supports.radial_matrix
+    return " and ".join(f"{1e-6 * each:,.4g}" for each in np.diagonal(matrix))
 
 
 def _life(turns: float) -> str:

@@ -18,7 +18,8 @@ from flexbearing.catalogue.ball_set import (
     plausible_ratios,
 )
 from flexbearing.catalogue.new import new
-from flexbearing.catalogue.roller_set import SHARE, plausible_numbers, roller_set
+from flexbearing.catalogue.roller_set import SHARE, roller_set
+from flexbearing.runs.roller_counts import plausible_numbers
 
 CATALOGUE = Path(__file__).parents[2] / "configs" / "catalogue"
 SHIPPED = sorted(CATALOGUE.glob("*.toml"))

@@ -194,9 +194,11 @@ def test_cage_with_a_bar_at_every_roller_is_solved_half_a_pitch_further(monkeypa
     state: Any = SimpleNamespace(loads=np.ones((2, 30)), life=1.0)
     there: Any = SimpleNamespace(loads=1.1 * np.ones((2, 30)), life=0.7)
     monkeypatch.setattr(roller_position, "_half_a_pitch_further", lambda *_: there)
+    monkeypatch.setattr(roller_position, "_stiffnesses", lambda each, _: f"{each.life:g} and 2")
     rings: Any = SimpleNamespace(solved_in_full=False)
     (note,) = roller_position.notes(read_case(PAPER, ["outer.bars=30"]), None, rings, state)  # pyright: ignore
     assert "1.1 N instead of 1 N (+10.0%), the basic life L10 0.7 Mrev instead of 1 Mrev" in note.text
+    assert "the radial stiffness along y and z 0.7 and 2 instead of 1 and 2 kN/mm" in note.text
 
 
 @pytest.mark.parametrize(
@@ -218,3 +220,13 @@ def test_position_that_cannot_be_solved_is_told_without_a_number(settings, monke
 def test_positions_are_two_or_more(count):
     with pytest.raises(BadCase, match="roller_positions"):
         read_case(CASE, [f"operation.roller_positions={count}"])
+
+
+def test_the_stiffness_that_is_told_half_a_pitch_further_is_that_of_a_run_there():
+    case = Path(PAPER).parent / "catalogue" / "nu210.toml"
+    (note,) = [
+        each["text"] for each in flexbearing.run(case).attributes["notes"] if "half a pitch" in each["text"]
+    ]
+    there = flexbearing.run(case, ["bearing.first_roller_azimuth=11.25 deg"])
+    across, along = (float(there[f"total_stiffness_{axis} [kN/mm]"].number) for axis in ("yy", "zz"))
+    assert f"the radial stiffness along y and z {across:,.4g} and {along:,.4g} instead of" in note

@@ -53,8 +53,8 @@ MISFITS = {  # by whether the bearing has balls; figures of the evidence pages
     "stiffness, slip or life, is among the comparisons of the evidence pages. With independent programs and "
     "closed formulas it agrees within 1 % in roller loads (Sjövall, Harris), 0.5 % in the life of ISO/TS "
     "16281, 1.5 % in elastic rings, and in cage slip within the digits of a closed formula. The one "
-    "published computation of a bearing with flexible rings (Mao et al., 2016) is not met; its page says "
-    "why.",
+    "published computation of a bearing with flexible rings (Mao et al., 2016) is not met; its evidence page "
+    "says why.",
     True: "How far the model is from measurements: the evidence pages compare measured friction torques of "
     "slow ball bearings alone, which are missed by up to 24 %. With independent programs and closed formulas "
     "it agrees within 0.3 % in loads of balls (Sjövall, Harris) and 1 % in the life of ISO/TS 16281.",
@@ -321,8 +321,8 @@ def _stiffness_range(reader: Reader) -> str:
         for axis, span in known.items()
         if span is not None
     ]
-    of = ", with supports," * stiffness.supported(reader)
-    return f"By inputs that are not exactly known{of} {', '.join(told)}." if told else ""
+    of = ", with supports" * stiffness.supported(reader)
+    return f"By inputs that are not exactly known{of}: {', '.join(told)}." if told else ""
 
 
 def _by_rotor_model(reader: Reader) -> Iterator[str]:

@@ -64,12 +64,26 @@ def of_upper_end(reader: Reader) -> str:
     """Why the upper end of the range is too long, where it counts less relief of the roller ends."""
     edges = reader.attributes["case_si"].get("life", {}).get("edge_stress")
     less = combined.changes(reader, combined.LIFE).get("bearing.roller.profile", ())
-    if edges is not False or not any(change.whole > log(1 + UNCHANGED) for change in less):
+    if not any(change.whole > log(1 + UNCHANGED) for change in less):
+        return ""
+    if edges is False:
+        return (
+            "Do not rely on its upper end: straight rollers or a smaller drop lengthen the life only as edge "
+            "stress is left out (life.edge_stress = false)."
+        )
+    if "straight" not in _profiles(reader):
         return ""
     return (
-        "Do not rely on its upper end: straight rollers or a smaller drop lengthen the life only as edge "
-        "stress is left out (life.edge_stress = false)."
+        "Its upper end counts straight rollers, whose stress at the ends no slice shows: do not rely on it."
     )
+
+
+def _profiles(reader: Reader) -> set[str]:
+    """Other profiles that effects were computed with."""
+    keys = (reader.attributes.get("assumed_effects") or {}).get("keys", ())
+    return {
+        other["words"] for key in keys if key["key"] == "bearing.roller.profile" for other in key["others"]
+    }
 
 
 def _unsized(reader: Reader, solved: set[str]) -> Iterator[str]:

@@ -34,6 +34,11 @@ TIGHT = "tolerances/ends/tightest_m"  # path of the least clearance within the t
 EXPANDED = "[operation.temperatures] change the sizes of rollers, raceways and supports, not this clearance."
 SMALLEST = 5e-10  # [m] smaller changes are zeros in the table
 
+_LOOSE = (
+    "The play of an open fit is in no clearance here, and the ring is held all round all the same: its seat "
+    "must guide it."
+)
+
 
 def blocks(reader: Reader) -> Iterator[Block]:
     """Steps with a figure, tolerances; a sentence where the case states the clearance."""
@@ -56,8 +61,9 @@ def blocks(reader: Reader) -> Iterator[Block]:
     fits = [f"{seat}: {found[f'{seat}_fit']}" for seat in ("shaft", "housing")]
     warm = reader.attributes["case_si"]["operation"].get("temperatures")
     verdict = (found["verdict"],) if warm else ()
+    loose = (_LOOSE,) if any("fit open" in each for each in fits) else ()
     yield Items("Fits in operation" if warm else "Fits, all parts equally warm",
-                tuple(map(units_in_words, (*verdict, *fits))))  # fmt: skip
+                tuple(map(units_in_words, (*verdict, *fits, *loose))))  # fmt: skip
     if "tolerances" in found:
         yield _tolerances(reader, found)
         yield from assumed_effects.at_ends(reader)

@@ -3,7 +3,8 @@
 from collections.abc import Iterator, Sequence
 
 from flexbearing.quantities.attributes import GRADES
-from flexbearing.report.html import assumptions, beyond_range, clearance, combined
+from flexbearing.quantities.effects import CHOICE
+from flexbearing.report.html import assumed_effects, assumptions, beyond_range, clearance, combined
 from flexbearing.report.html.against_limits import ranked
 from flexbearing.report.html.check import AIM, BUILD, DAMAGE, MISSED, VALIDITY, Check, one, text_of
 from flexbearing.report.html.document import Block, Items, Number, Words
@@ -112,9 +113,9 @@ def _life(reader: Reader) -> Iterator[str]:
         low, high = (rounded(number, times) for times in span.squares)
         oil = beyond_range.of_oil(reader)
         words += (
-            f" Range{' without the oil' * bool(oil)}: {low} to {high} {unit} by what is assumed, fitted, "
+            f" Range{' without the oil' * bool(oil)}: {low} to {high} {unit} by what is assumed, fitted or "
         )
-        words += "toleranced or chosen"
+        words += f"toleranced{', and by choices of the case' * bool(assumed_effects.keys(reader, CHOICE))}"
         words += f"; all changes that shorten it at once leave {rounded(number, span.worst[0])} {unit}."
         words += f" {end}" if (end := beyond_range.of_upper_end(reader)) else ""
         missing = [each for each in beyond_range.left_out(reader) if each != oil]

@@ -98,11 +98,10 @@ def _rows(reader: Reader) -> Iterator[tuple[tuple[Cell, ...], str]]:
 
 def _label(reader: Reader, name: str) -> str:
     """Words of outputs whose declared label is not enough for this case; empty for others."""
-    if reader.of_rollers and "lubricant.oil_fraction" in reader.attributes["calibrated"]:
-        from flexbearing.quantities.roller import CAGE_SLIP  # reports of balls load no rollers
-
-        if name == CAGE_SLIP.name:
-            return "cage slip (lubricant.oil_fraction was fitted to one: no prediction)"
+    if dict(reader.layout.weighed).get(name) == answers.SLIP:
+        fitted = "lubricant.oil_fraction" in reader.attributes["calibrated"]
+        of = "; lubricant.oil_fraction was fitted to one: no prediction" * fitted
+        return f"{answers.SLIP} (error in percentage points{of})"
     if name == "driving_torque":
         return f"driving torque ({bound})" if (bound := heat.at_most(reader)) else ""
     if name not in ("total_stiffness", ALONE, "stiffness_zz"):
