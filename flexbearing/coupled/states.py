@@ -1,5 +1,6 @@
 """States of the bearing as the quantities of a result file."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 from flexbearing.coupled.initial_state import flat
 from flexbearing.coupling import Iteration, LinearPair
 from flexbearing.coupling.partners import Compliance
-from flexbearing.quantities.quantity import taken
+from flexbearing.quantities.quantity import Quantity, taken
 from flexbearing.quantities.roller import LAYOUT
 from quasidynamic import Equilibrium
 from quasidynamic.balance.rollers.bearing import BearingBalance
@@ -235,13 +236,15 @@ def iteration(step: Iteration[Equilibrium], seconds: float) -> dict[str, NDArray
     return taken(LAYOUT.datasets("iteration").values(), solved)
 
 
-def block(end: EndState, **further: Any) -> dict[str, NDArray]:
+def block(
+    end: EndState, wanted: Iterable[Quantity] = LAYOUT.datasets("block").values(), **further: Any
+) -> dict[str, NDArray]:
     """Quantities of an end state, with those of its `skew` and modified `life` where these are given."""
     state = end.equilibrium
     solved = {"state": state, "end": end, "bearing": state.balance.roller.bearing, "losses": state.losses}
     if end.whole is not None:
         solved |= {"whole": end.whole, "sliced": end}
-    return taken(LAYOUT.datasets("block").values(), solved | further)
+    return taken(wanted, solved | further)
 
 
 def with_supports(states: BearingStates, rings: LinearPair) -> Tangent:

@@ -118,11 +118,17 @@ def of_state(case: Case, end: EndState, modified_life: float | None) -> tuple[No
     return (*_dangers(end, lived), *heavy, *validity(state), *light, *_information(case, state))
 
 
-def _dangers(end: EndState, lived: float) -> Iterator[Note]:
-    points, pressure = end.equilibrium.balance.points, end.peak_pressure
-    if end.whole is not None:  # a pressure without bound, at a sharp end, says nothing
+def largest_pressure(end: EndState) -> float:
+    """Largest contact pressure [Pa] but for one without bound, at a sharp end, which says nothing."""
+    pressure = end.peak_pressure
+    if end.whole is not None:
         pressure = np.where(end.whole.peak_at_ends, end.equilibrium.peak_pressure, pressure)
-    yield from dangers.pressed(float(pressure.max()), ROLLERS)
+    return float(pressure.max())
+
+
+def _dangers(end: EndState, lived: float) -> Iterator[Note]:
+    points = end.equilibrium.balance.points
+    yield from dangers.pressed(largest_pressure(end), ROLLERS)
     if end.static_safety is not None:
         yield from dangers.overloaded(float(end.static_safety), dangers.USUAL_OF_ROLLERS)
     yield from dangers.short_lived(lived, float(points.inner_speed[0, 0] - points.outer_speed[0, 0]))

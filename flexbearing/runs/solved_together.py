@@ -45,9 +45,8 @@ def solved_together(
     """Yield cases that converge side by side.
 
     Left out are cases with `accuracy.target` whose levels are not given, with several positions of the
-    rollers, with a roller on half-spaces or with stresses of rings or contacts, those coupled by another
-    method than newton, or with rings that are not linear or that no other case has; cases that cannot be;
-    and what does not converge.
+    rollers or with stresses of rings or contacts, those coupled by another method than newton, or with rings
+    that are not linear or that no other case has; cases that cannot be; and what does not converge.
 
     Parameters
     ----------
@@ -68,10 +67,11 @@ def solved_together(
         if levels is not None or case.accuracy.target is None
     }
     models = {place: model for place, each in resolved.items() if (model := _model(each))}
-    kinds: dict[str | None, list[int]] = {}
+    kinds: dict[tuple[str | None, str], list[int]] = {}
     for place, model in models.items():
-        kinds.setdefault(_rings(resolved[place], model), []).append(place)
-    for rings, places in kinds.items():
+        kind = _rings(resolved[place], model), cases[place].bearing.contact
+        kinds.setdefault(kind, []).append(place)
+    for (rings, _), places in kinds.items():
         alike = _Alike(
             [resolved[place] for place in places], [models[place] for place in places], np.array(places)
         )
@@ -128,9 +128,7 @@ def side_by_side(case: Case) -> bool:
     -------
     bool
     """
-    if case.operation.roller_positions is not None or case.bearing.contact == "half_space":
-        return False
-    if case.outputs.subsurface_stresses:
+    if case.operation.roller_positions is not None or case.outputs.subsurface_stresses:
         return False
     if not _elastic(case):
         return True

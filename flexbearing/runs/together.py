@@ -13,14 +13,16 @@ from fem.cage.bar_forces import NominalStresses
 from flexbearing.build.ring_parts import outer_mass
 from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
-from flexbearing.coupled.states import EndStates
+from flexbearing.coupled import states
+from flexbearing.coupled.states import EndState, EndStates
 from flexbearing.coupling import LinearPair
 from flexbearing.outputs import Wanted
 from flexbearing.progress import Logged
 from flexbearing.quantities.quantity import Quantity, taken
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.runs import bars, dangers, life, several, skew
-from flexbearing.runs.life_error import estimated_errors
+from flexbearing.runs import bars, dangers, half_space, life, notes, several, skew
+from flexbearing.runs.end_state import end_state
+from flexbearing.runs.life_error import estimated, estimated_errors
 from flexbearing.runs.life_of_state import MREV, LifeOfState
 from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.note import Note, danger
@@ -41,6 +43,7 @@ class SolvedCase:
 
     case: Case
     batch: Batch
+    rings: LinearPair
     place: int  # in the batch
     relative_speed: float  # of the inner ring less that of the outer ring [rad/s]
 
@@ -50,14 +53,30 @@ class SolvedCase:
         return self.batch[self.place]
 
     @cached_property
+    def whole(self) -> EndState:
+        """Its end state with the most loaded roller on half-spaces."""
+        roller, _ = half_space.most_loaded(self.case, self.state)
+        return end_state(self.case, self.state, self.rings, whole=roller)
+
+    @cached_property
     def life(self) -> LifeOfState | None:
         """Life after every factor; None where nothing modifies it."""
-        return None if self.case.life.is_basic else life.modified(self.case, self.state)
+        if self.case.life.is_basic:
+            return None
+        return life.modified(self.case, self.state, self.whole.whole if on_half_spaces(self.case) else None)
 
     @cached_property
     def skew(self) -> Skew | None:
         """Skew of the rollers between flanges; None without."""
         return None if self.case.bearing.flange is None else skew.at(self.case, self.state)
+
+    def block(self, wanted: list[Quantity]) -> dict[str, NDArray]:
+        """Quantities of a case whose most loaded roller is on half-spaces, as its own run has them."""
+        names, end = {entry.name for entry in wanted}, self.whole
+        if LIFE_ERROR in names:
+            end = replace(end, life_error=estimated(self.case, self.state, self.rings, Logged()).value)
+        nominal = bars.nominal_stresses(self.case, end)
+        return states.block(end, wanted, life=self.life, skew=self.skew, bars=nominal)
 
     def quantities(self, wanted: list[Quantity]) -> dict[str, NDArray]:
         """Quantities of `BY_CASE` and the speed; nothing else is computed."""
@@ -93,6 +112,9 @@ class Together:
     def all_numbers(self, outputs: Sequence[Wanted]) -> list[NDArray]:
         """Numbers (C) of outputs of one of these blocks each; a quantity that several need is taken once."""
         names = [datasets(output) for output in outputs]
+        if self._on_half_spaces:
+            blocks = [case.block(_quantities(names)) for case in self._each]
+            return [np.array([_numbers(output, block) for block in blocks]) for output in outputs]
         together = self._arrays(_quantities(each for each in names if not _by_case(each)))
         apart = _quantities(each for each in names if _by_case(each))
         by_case = [case.quantities(apart) for case in self._each] if apart else []
@@ -122,6 +144,11 @@ class Together:
         if any(entry.source.startswith("bars.") for entry in quantities):
             solved["bars"] = self._bars
         return taken(quantities, solved, many=True)
+
+    @property
+    def _on_half_spaces(self) -> bool:
+        """Whether half-spaces answer for the most loaded roller of each case."""
+        return on_half_spaces(self.cases[0])
 
     @property
     def _rigid(self) -> bool:
@@ -166,20 +193,23 @@ class Together:
     @cached_property
     def _each(self) -> list[SolvedCase]:
         speeds = self.batch.states.balance.points.relative_speed[:, 0].tolist()
-        each = enumerate(zip(self.cases, speeds, strict=True))
-        return [SolvedCase(case, self.batch, place, speed) for place, (case, speed) in each]
+        each = enumerate(zip(self.cases, self.rings, speeds, strict=True))
+        return [SolvedCase(case, self.batch, rings, place, speed) for place, (case, rings, speed) in each]
 
     def dangers(self, *, search: bool) -> list[tuple[Note, ...]]:
         """What makes the answer of each case dangerous, as its own run says it.
 
         Without a `search` for other equilibria it is told where they are likely.
         """
-        states = self.batch.states
+        solved = self.batch.states
         pressure, safety = self._end.peak_pressure.max(axis=1), np.asarray(self._end.static_safety)
-        speed = states.balance.points.relative_speed[:, 0]
+        lives, speed = solved.life, solved.balance.points.relative_speed[:, 0]
+        if self._on_half_spaces:
+            pressure = np.array([notes.largest_pressure(each.whole) for each in self._each])
+            lives = np.array([each.whole.life for each in self._each]) / MREV
         known, others = self.batch.doubtful, self._others if search else _not_searched
-        likely = each_several_likely(states) if known is None else known
-        each_figure = (pressure, safety, states.life, speed)
+        likely = each_several_likely(solved) if known is None else known
+        each_figure = (pressure, safety, lives, speed)
         figures = zip(*(figure.tolist() for figure in each_figure), strict=True)
         return [
             (*self._dangers(case, *each), *(others(case) if likely[case] else ()))
@@ -214,6 +244,11 @@ def _not_searched(case: int) -> Iterator[Note]:
     yield danger(
         several.CODE, "several equilibria are likely; others than the computed one were not searched"
     )
+
+
+def on_half_spaces(case: Case) -> bool:
+    """Whether half-spaces answer for the most loaded roller of a case."""
+    return case.bearing.contact == "half_space"
 
 
 def _numbers(output: Wanted, block: Mapping[str, NDArray]) -> Any:

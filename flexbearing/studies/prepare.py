@@ -102,7 +102,8 @@ def _is_side_by_side(case: Head | None) -> bool:
     """Whether cases like this one are solved together."""
     from flexbearing.runs.solved_together import side_by_side
 
-    return isinstance(case, Case) and side_by_side(case)
+    # A roller on half-spaces takes about as long as a run, however many states are solved beside its own.
+    return isinstance(case, Case) and side_by_side(case) and case.bearing.contact == "slices"
 
 
 def compute(

@@ -79,6 +79,25 @@ def test_every_output_of_many_rigid_cases_is_that_of_single_runs(changes):
     assert sum(not np.isnan(values).any() for values in found.numbers.values()) > 30
 
 
+@pytest.mark.parametrize(
+    "life",
+    [{}, {"life.capacity": "iso281", "life.lubrication": "a_ISO", "life.cleanliness": "oil, in-line filter, -/17/14"}],
+    ids=["basic", "modified"],
+)  # fmt: skip
+def test_rollers_on_half_spaces_are_solved_beside_each_other_and_beside_slices(life):
+    """Every output; their most loaded rollers are solved one by one, from states that are not."""
+    both = [
+        case
+        for contact in ("half_space", "slices")
+        for case in variants(
+            CONFIGS / "nu209.toml",
+            {"bearing.contact": contact, "operation.misalignment": "2 arcmin"} | life,
+            (4000, 9000),
+        )
+    ]
+    assert_equal(answers(both, EVERY, refused), both, EVERY)
+
+
 def test_cases_of_other_kinds_keep_their_places():
     cases = [case for changes in KINDS.values() for case in variants(CONFIGS / "nu209.toml", changes)][::-1]
     texts = ["max_roller_load", "rigid.skew.max_skew", "modified_life", "minimum_lambda.outer"]
