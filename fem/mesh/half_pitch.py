@@ -30,6 +30,9 @@ from fem.parts.rings import MeshSize, SquirrelCage, require_on_track
 NEAR = 1e-6  # [mm], [rad] geometric tolerance
 LAYERS = 1  # of elements refined geometrically towards a sharp edge
 LAYER_RATIO = 0.15  # close to 0.17, the best for a singular edge (Gui and Babuska 1986)
+# Small elements beside a thin step would fill the ring; half as many move its compliance by 0.4 % (measured).
+THIN = 0.1  # step between bar and ring over the size of elements
+GROWTH = {False: 0.3, True: 0.5}  # of elements away from small ones, by whether the step is thin
 
 _AXIS = occ.Axis(occ.Pnt(0, 0, 0), occ.X)
 
@@ -90,7 +93,10 @@ def half_pitch(
         if feet_size is not None:
             _size_feet(body, part, feet_size)
         tetrahedra = occ.OCCGeometry(body).GenerateMesh(
-            maxh=sizes.size * MILLIMETRES, parallel_meshing=False, curvaturesafety=ARC
+            maxh=sizes.size * MILLIMETRES,
+            parallel_meshing=False,
+            curvaturesafety=ARC,
+            grading=_growth(part, sizes.size),
         )
         mesh = ngs.Mesh(tetrahedra)
         if part.fillet == 0 or graded_clamp:
@@ -98,6 +104,15 @@ def half_pitch(
         return mesh
 
     return curved(straight, mesh_size, FOLDED if part.fillet else 0.0)
+
+
+def _growth(part: SquirrelCage, size: float) -> float:
+    """How fast elements grow away from the steps between sharp bars and ring."""
+    inner = part.raceway_diameter / 2
+    low, high = part.bar_radii
+    steps = [step for step in (low - inner, inner + part.thickness - high) if step * MILLIMETRES > NEAR]
+    thin = part.fillet == 0 and bool(steps) and min(steps) < THIN * size
+    return GROWTH[thin]
 
 
 def _in_one(part: SquirrelCage, length: float) -> list:

@@ -9,10 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.case import BadCase
+from flexbearing.optimise.beside import beside, for_slopes
 from flexbearing.optimise.file import Problem, Settings
 from flexbearing.optimise.goals import Bound, Goal, Measure, Numbers
 from flexbearing.optimise.variables import keys_of, settings
-from flexbearing.optimise.worker import slope_name, with_keys
+from flexbearing.optimise.worker import slope_name
 from flexbearing.studies.engine import Engine
 from flexbearing.studies.file import Axis
 from flexbearing.studies.file.read import Wanted
@@ -24,6 +25,7 @@ from flexbearing.studies.table import Table, journal
 from flexbearing.studies.table.duty import Cycles
 
 DESIGN = "design"  # axis of the table
+NEAR = 0.02  # step of the shares after which a design is likely to be the last
 Point = tuple[float, ...]  # values of the variables in their units
 
 
@@ -71,6 +73,7 @@ class Evaluations:
     rows: dict[str, Row]  # by identity
     designs: dict[Point, Numbers | NotComputed] = field(default_factory=dict)  # in their order
     refused: dict[str, str] = field(default_factory=dict)  # keys without derivatives, and why
+    sharing: dict[Point, int] = field(default_factory=dict)  # workers that found the slopes of a design
     computed: int = 0  # rows that were not in the journal
 
     @cached_property
@@ -146,11 +149,17 @@ class Evaluations:
 
         Keys that have none in some row are left out.
         """
-        texts = self.texts
-        groups = [keys[first :: self.workers.processes] for first in range(self.workers.processes)]
-        groups = [group for group in groups if group]
-        settled = _named_apart(designs_of(self.problem, [self._settings(point)]), groups)
-        self._compute(settled, (), self.workers.slopes(keys))
+        texts, verified = self.texts, self._verified_beside(point)
+        sharing = self.sharing.setdefault(point, max(1, self.workers.processes - verified))
+        groups = [group for first in range(sharing) if (group := keys[first::sharing])]
+        design, work = self._settings(point), self.workers.slopes(keys)
+        settled = for_slopes(designs_of(self.problem, [design]), groups)
+        if verified:
+            both = designs_of(self.problem, [design, {**design, **self.problem.verify[0]}])
+            batch, either = beside(both, groups, work, self.workers.values)
+            self._compute(batch, (), either)
+        else:
+            self._compute(settled, (), work)
         per_group = len(settled.plan.variants) // len(groups)
         found = {}
         for place, key in ((place, key) for place, group in enumerate(groups) for key in group):
@@ -165,6 +174,17 @@ class Evaluations:
             else:
                 self.refused.setdefault(key, next((row.message for row in rows if row.message), "it jumps"))
         return found
+
+    def _verified_beside(self, point: Point) -> bool:
+        """Whether a worker verifies a design while others find its slopes: the first, and a last one."""
+        problem, former = self.problem, [each for each in self.sharing if each != point]
+        if point in self.sharing or self.workers.processes == 1 or not problem.search.verified:
+            return False
+
+        def shares(of: Point) -> NDArray:
+            return np.array([each.share(value) for each, value in zip(problem.variables, of, strict=True)])
+
+        return not former or min(np.abs(shares(each) - shares(point)).max() for each in former) <= NEAR
 
     def rings(self, points: Sequence[Point]) -> list[tuple[str, ...]]:
         """Which elastic rings designs have."""
@@ -225,16 +245,6 @@ class Evaluations:
             values = {text: np.array([row.values.get(text, np.nan) for row in rows]) for text in texts}
             found.append(NotComputed(wrong[0]) if wrong else Numbers(values))
         return found
-
-
-def _named_apart(settled: Prepared, groups: Sequence[Sequence[str]]) -> Prepared:
-    """The same variants under names of their own, once for each group of keys: a task with its slopes."""
-    variants = tuple(
-        replace(each, identity=each.identity and with_keys(each.identity, keys))
-        for keys in groups
-        for each in settled.plan.variants
-    )
-    return replace(settled, plan=replace(settled.plan, variants=variants, fewest=len(groups)))
 
 
 def _complete(row: Row, texts: Sequence[str]) -> bool:

@@ -1,7 +1,7 @@
 """The command as a function: read, search, answer, table and case of the optimum."""
 
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
@@ -17,7 +17,7 @@ from flexbearing.files import require_folder, require_output, write
 from flexbearing.optimise.answer import Optimum, answer, rank
 from flexbearing.optimise.case_file import case_text
 from flexbearing.optimise.correction import Corrected
-from flexbearing.optimise.evaluations import Evaluations, Point, Workers, varied_rings
+from flexbearing.optimise.evaluations import Evaluations, NotComputed, Point, Workers, varied_rings
 from flexbearing.optimise.file import Problem, read
 from flexbearing.optimise.goals import Numbers
 from flexbearing.optimise.gradients import Gradients
@@ -105,12 +105,19 @@ def optimise(
     ):
         start = partial(guarded, engine, kept, journal.begun(path))
         evaluations = Evaluations(problem, workers, start, kept, journal.read(path))
-        cheap = replace(problem, fixed={**problem.fixed, **problem.surrogate})
-        surrogate = replace(evaluations, problem=cheap, designs={}, refused={}) if problem.surrogate else None
+        surrogate = _searched_instead(evaluations) if problem.surrogate else None
         found = _Search(evaluations, surrogate, SCATTER if meshed else SPARE).optimum(tell)
     write(table, FORMS[TABLE][0](found.table))
     write(case, case_text(problem.study, found.settings, folder))
     return found
+
+
+def _searched_instead(evaluations: Evaluations) -> Evaluations:
+    """The surrogate, whose designs are not verified."""
+    problem = evaluations.problem
+    search = problem.search.model_copy(update={"verified": False})
+    cheap = replace(problem, fixed={**problem.fixed, **problem.surrogate}, search=search)
+    return replace(evaluations, problem=cheap, designs={}, refused={}, sharing={})
 
 
 def _sound(problem: Problem) -> Prepared:
@@ -192,7 +199,11 @@ class _Search:
 
     def _as_verified(self, point: Point) -> tuple[ScaledProblem, float]:
         """The case with the values that finer models have at a design, and the time that these took [s]."""
-        began, numbers = perf_counter(), self.evaluations.verified(point)
+        began = perf_counter()
+        if self.evaluations.workers.processes > 1:
+            with suppress(NotComputed):  # which its values tell
+                self._gradients.at(point)  # while a worker verifies it
+        numbers = self.evaluations.verified(point)
         designs: Designs = self._gradients
         if isinstance(numbers, Numbers) and isinstance(self.evaluations.at([point])[0], Numbers):
             designs = Corrected(designs, designs, point, numbers)

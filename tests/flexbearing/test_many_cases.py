@@ -81,9 +81,16 @@ def test_every_output_of_many_rigid_cases_is_that_of_single_runs(changes):
 
 @pytest.mark.parametrize(
     "life",
-    [{}, {"life.capacity": "iso281", "life.lubrication": "a_ISO", "life.cleanliness": "oil, in-line filter, -/17/14"}],
+    [
+        {},
+        {
+            "life.capacity": "iso281",
+            "life.lubrication": "a_ISO",
+            "life.cleanliness": "grease, normal cleanliness",
+        },
+    ],
     ids=["basic", "modified"],
-)  # fmt: skip
+)
 def test_rollers_on_half_spaces_are_solved_beside_each_other_and_beside_slices(life):
     """Every output; their most loaded rollers are solved one by one, from states that are not."""
     both = [

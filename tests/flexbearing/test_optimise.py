@@ -1,5 +1,6 @@
 """The best design of a problem whose optimum is known, through files, journal and optimiser."""
 
+from contextlib import nullcontext
 from functools import partial
 from math import exp
 from pathlib import Path
@@ -9,6 +10,7 @@ import pytest
 
 from flexbearing import __main__ as program
 from flexbearing.case import BadCase
+from flexbearing.optimise import run
 from flexbearing.optimise.answer import Optimum
 from flexbearing.optimise.evaluations import Workers
 from flexbearing.optimise.goals import Terms
@@ -18,7 +20,8 @@ from flexbearing.optimise.run import optimise
 from flexbearing.optimise.schema import Search
 from flexbearing.optimise.search import End, ScaledProblem, search
 from flexbearing.optimise.variables import Variable
-from flexbearing.optimise.worker import slope_name
+from flexbearing.optimise.worker import BY, slope_name
+from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan import Row
 from flexbearing.studies.run import Work
 from tests.flexbearing.toy_studies import CASE, no_ring
@@ -263,3 +266,36 @@ def test_command_tells_the_answer(tmp_path, capsys):
     told = capsys.readouterr().out
     assert "bearing.clearance = " in told
     assert "best_optimum.toml" in told
+
+
+def test_workers_verify_a_design_while_others_find_its_slopes(tmp_path, monkeypatch):
+    """The same optimum and rows as with one process, each once; what may be the last is verified early."""
+    monkeypatch.setattr(run, "_engine", lambda processes, base: nullcontext(lambda tasks: Serial()))
+    more = '[search]\nstarts = 1\nverified = true\n[[verify]]\n"accuracy.slices" = 40'
+    optima, computed = [], []
+    for jobs in (1, 2):
+        folder, asked = tmp_path / f"{jobs}", []
+        folder.mkdir()
+        (folder / "hill.toml").write_text(FILE.format(case=CASE, more=more))
+
+        def noted(task, keys=None, asked=asked):
+            asked.append([variant.identity for variant in task.variants])
+            return hill(task, keys)
+
+        workers = Workers(
+            Work(noted, no_ring), lambda keys, noted=noted: Work(partial(noted, keys=keys), no_ring)
+        )
+        optima.append(
+            optimise(folder / "hill.toml", folder, jobs=jobs, work=lambda problem, folder, w=workers: w)
+        )
+        computed.append(asked)
+    one, two = optima
+    assert one.converged
+    assert two.best.point == pytest.approx(one.best.point, rel=1e-12)
+    assert two.verified == one.verified
+    alone, shared = ([name for task in asked for name in task] for asked in computed)
+    assert set(alone) <= set(shared)
+    assert len(set(shared)) == len(shared)
+    first_finer, first_slope = alone[1], next(name for name in alone if BY in name)
+    assert alone.index(first_finer) < alone.index(first_slope)
+    assert shared.index(first_slope) + 1 == shared.index(first_finer)
