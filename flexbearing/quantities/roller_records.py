@@ -37,7 +37,10 @@ TILT: Form = Record(
                 "life_L10_Mrev": NUMBER,
                 "ring_moment_Nm": NUMBER,
                 "ring_tilt_mrad": NUMBER,
-            }
+            },
+            optional={
+                f"{which}stiffness_{axis}_N_per_m": NUMBER for which in ("", "total_") for axis in "yz"
+            },
         )
     },
     empty=True,

@@ -7,6 +7,7 @@ import numpy as np
 
 from flexbearing.case.roller import Case
 from flexbearing.coupled import states
+from flexbearing.coupled.states import EndState
 from flexbearing.coupling import LinearPair
 from quasidynamic import Equilibrium
 from quasidynamic.note import Note, information
@@ -23,12 +24,13 @@ class TiltComparison:
     case: Case
     state: Equilibrium
     other: Equilibrium | None = None  # None where it was not found, or no ring is flexible
+    rings: LinearPair | None = None  # of both
 
     @classmethod
     def at(cls, case: Case, state: Equilibrium, rings: LinearPair) -> "TiltComparison":
         """Compare at a solution between elastic raceways."""
         other = with_other_tilt(states.elastic(state, rings)) if np.isfinite(state.life) else None
-        return cls(case, state, other if other is not None and np.isfinite(other.life) else None)
+        return cls(case, state, other if other is not None and np.isfinite(other.life) else None, rings)
 
     def record(self) -> dict[str, Any]:
         """What the result file says."""
@@ -42,7 +44,20 @@ class TiltComparison:
                 "life_L10_Mrev": float(self.other.life),
                 "ring_moment_Nm": float(np.hypot(*self.other.ring_moment)),
                 "ring_tilt_mrad": 1e3 * float(np.hypot(*self.other.ring_tilt)),
-            },
+            }
+            | self._stiffnesses(self.other),
+        }
+
+    def _stiffnesses(self, other: Equilibrium) -> dict[str, float]:
+        """Radial stiffnesses along y and z, of the bearing alone and with supports."""
+        if self.rings is None:
+            return {}
+        end = EndState(other, self.rings)
+        both = {"": end.between_raceways, "total_": end.with_supports}
+        return {
+            f"{which}stiffness_{axis}_N_per_m": float(tangent.radial_matrix[place, place])
+            for which, tangent in both.items()
+            for place, axis in enumerate("yz")
         }
 
     def notes(self) -> tuple[Note, ...]:

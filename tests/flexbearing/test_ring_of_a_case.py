@@ -84,6 +84,10 @@ def test_the_other_way_to_hold_the_ring_is_shown_and_told_where_it_matters(tmp_p
         load, life = computed.flexible["inner_load"].max(), computed.flexible["life_L10"] / 1e6
         assert said["otherwise"]["max_roller_load_N"] == approx(load, rel=2e-3)
         assert said["otherwise"]["life_L10_Mrev"] == approx(life, rel=5e-3)
+        for place, axis in enumerate("yz"):
+            for which, matrix in (("", "radial_stiffness"), ("total_", "total_radial_stiffness")):
+                told = said["otherwise"][f"{which}stiffness_{axis}_N_per_m"]
+                assert told == approx(computed.flexible[matrix][place, place], rel=5e-3)
         (note,) = [note for note in runs[choice].attributes["notes"] if note["code"] == "tilt"]
         assert f'operation.tilt = "{other}" instead of "{choice}"' in note["text"]
         page = text(runs[choice])

@@ -20,6 +20,7 @@ from flexbearing.report.html import (
     lives,
     lubrication,
     oil,
+    shaft_tilt,
     stiffness,
 )
 from flexbearing.report.html.check import AIM, DAMAGE, MISSED, VALIDITY, Check, one, text_of, used
@@ -311,6 +312,7 @@ def _stiffness(reader: Reader) -> Iterator[str]:
     yield _stiffness_range(reader)
     yield f"{_AXES} {_TANGENT}"
     yield f"{stiffness.tilt_follows(reader)}{stiffness.of_matrix(reader)}"
+    yield shaft_tilt.stiffness(reader)
 
 
 def _stiffness_range(reader: Reader) -> str:
@@ -322,6 +324,8 @@ def _stiffness_range(reader: Reader) -> str:
         if span is not None
     ]
     of = ", with supports" * stiffness.supported(reader)
+    if len(told) == 1:
+        told.append("along y not known, outputs.assumed_effects = true computes it")
     return f"By inputs that are not exactly known{of}: {', '.join(told)}." if told else ""
 
 

@@ -43,7 +43,9 @@ def of_oil(reader: Reader) -> str:
     most = oil.largest_a_iso(reader)
     if most is None:
         return f"ISO 281 has no a_ISO for κ {kappa[0]:.3g}, below 0.1"
-    return f"a_ISO is at most {text_of(most)} at κ {kappa[0]:.3g}, at any cleanliness"
+    return (
+        f"a_ISO is at most {text_of(most)} at κ {kappa[0]:.3g} and the load of this life, at any cleanliness"
+    )
 
 
 def with_oil(reader: Reader) -> str:

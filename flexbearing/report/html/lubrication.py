@@ -18,7 +18,7 @@ _DIFFER = (
 _EXTRAPOLATED = "The oil is used outside the temperatures of its data: both κ and films are extrapolated."
 _MEANINGS = {
     "kappa": "1 or more is usual",
-    "largest": "with the cleanest oil, e_C = 1, at the equivalent load of this case; ISO 281",
+    "largest": "with the cleanest oil, e_C = 1, at the load that has the life of this case by C_r; ISO 281",
     "film": "in the thinnest contact with load; the film ratio Λ is 1 with a combined roughness of this size",
     "ratio": "from 1 on surfaces seldom touch, from 3 on the film is full",
     "full": "a smoother pair has a full film",

@@ -23,10 +23,18 @@ _TILT = (
     ("ring_moment_Nm", "N m", "N m", ".3g"),
 )
 
+_STIFFNESSES = tuple(
+    (f"{which}stiffness_{axis}_N_per_m", "N/m", "kN/mm", ",.4g") for which in ("", "total_") for axis in "yz"
+)
+
 _INNER = "largest roller load"
 _WORDS = {
     "largest_inner_load_N": _INNER, "max_roller_load_N": _INNER, "loaded_rollers": "loaded rollers",
     "ring_moment_Nm": "moment on the ring", "life_L10_Mrev": "basic life L10",
+    "stiffness_y_N_per_m": "stiffness of the bearing alone along y",
+    "stiffness_z_N_per_m": "the same along z",
+    "total_stiffness_y_N_per_m": "stiffness with supports along y",
+    "total_stiffness_z_N_per_m": "the same along z",
 }  # fmt: skip
 
 
@@ -47,8 +55,9 @@ def _tilt(reader: Reader) -> Iterator[Block]:
     told = (f'{words.get(choice, "The inner ring")} (operation.tilt = "{choice}")', shaft_tilt.clamps(reader))
     yield Words((" ".join(f"{sentence}." for sentence in told if sentence),))
     if other := held.get("otherwise"):
-        head = [with_unit(_words(name), reader.units.of(unit)) for name, _, unit, _ in _TILT]
-        cells = (reader.of_attribute(f"tilt/otherwise/{name}", *form) for name, *form in _TILT)
+        known = [form for form in (*_TILT, *_STIFFNESSES) if form[0] in other]
+        head = [with_unit(_words(name), reader.units.of(unit)) for name, _, unit, _ in known]
+        cells = (reader.of_attribute(f"tilt/otherwise/{name}", *form) for name, *form in known)
         caption = "The other way to hold the ring, estimated by Newton steps"
         yield Table(caption, ("operation.tilt", *head), ((other["inner_ring"], *cells),))
 

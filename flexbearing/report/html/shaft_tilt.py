@@ -23,6 +23,21 @@ def otherwise(reader: Reader) -> tuple[str, float] | None:
     return (other["inner_ring"], other["life_L10_Mrev"] / life) if other and life else None
 
 
+def stiffness(reader: Reader) -> str:
+    """Radial stiffnesses where the shaft holds the ring otherwise, in words; empty where none are known."""
+    other = (reader.attributes.get("tilt") or {}).get("otherwise") or {}
+    if "stiffness_z_N_per_m" not in other:
+        return ""
+
+    def told(which: str) -> str:
+        paths = {axis: f"tilt/otherwise/{which}stiffness_{axis}_N_per_m" for axis in "zy"}
+        numbers = {axis: reader.of_attribute(path, "N/m", "kN/mm", ",.4g") for axis, path in paths.items()}
+        return ", ".join(f"{number.text} {number.unit} along {axis}" for axis, number in numbers.items())
+
+    how = other["inner_ring"]
+    return f'With operation.tilt = "{how}": bearing alone, {told("")}; with supports, {told("total_")}.'
+
+
 def _life(reader: Reader) -> float | None:
     return (reader.summary.get(reader.last) or {}).get("life_L10_Mrev")
 
