@@ -105,7 +105,9 @@ def test_the_headline_says_what_the_oil_that_the_life_leaves_out_makes_of_it(pap
               for row in block.rows if row[0] == "largest a_ISO at this κ"]  # fmt: skip
     most, hours = number(row[1]), float(paper.result["flexible.life_L10 [h]"].number)
     assert 0.2 < most < 0.21
-    assert f"a_ISO is at most {row[1].text} at κ 0.428 and the load of this life, at any cleanliness" in sentence
+    assert (
+        f"a_ISO is at most {row[1].text} at κ 0.428 and the load of this life, at any cleanliness" in sentence
+    )
     assert float(
         re.search(r"without the influence of the oil; with it at most ([\d.]+) h", sentence)[1]
     ) == approx(hours * most, rel=5e-3)
