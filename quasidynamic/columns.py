@@ -103,6 +103,13 @@ def taken(part: Part, cases: NDArray) -> Part:
 
 def _collect(value: Any, kind: list[Hashable], numbers: list[float]) -> None:
     """Add what a value that is no number consists of."""
+    if names := _names(type(value)):  # nearly always, and looked into without a list
+        kind.append(type(value))
+        stored = value.__dict__
+        for name, declared in names.items():
+            each = stored[name]
+            _add(float(each) if declared and type(each) is int else each, kind, numbers)
+        return
     inside = _inside(value)
     if inside is None:
         array = isinstance(value, np.ndarray)
@@ -112,11 +119,18 @@ def _collect(value: Any, kind: list[Hashable], numbers: list[float]) -> None:
     kind.append((value.func, *value.keywords) if isinstance(value, partial) else type(value))
     kind.append(len(inside))
     for each in inside:
-        if isinstance(each, float):
-            kind.append(float)
-            numbers.append(each)
-        else:
-            _collect(each, kind, numbers)
+        _add(each, kind, numbers)
+
+
+def _add(value: Any, kind: list[Hashable], numbers: list[float]) -> None:
+    """Add a value."""
+    if isinstance(value, float):
+        kind.append(float)
+        numbers.append(value)
+    elif value is None:
+        kind.append(value)
+    else:
+        _collect(value, kind, numbers)
 
 
 def _changed(value: Any, change: Callable[[Number], Number]) -> Any:

@@ -35,7 +35,7 @@ from quasidynamic.outcome.equilibria import Equilibria
 if TYPE_CHECKING:
     from flexbearing.accuracy.shared import Levels
 
-AT_ONCE = 64  # cases whose matrices fit into the processor's cache
+AT_ONCE = 256  # cases whose outputs are arrays together: larger tasks are split, which solves nothing again
 RIGID = "rigid"  # block of states between rigid raceways, which is also the answer of a case without others
 
 

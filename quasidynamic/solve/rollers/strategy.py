@@ -1,13 +1,14 @@
 """From start to end: Newton's method, a better start, pseudo-time, a heavier load, settled time."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.rollers.joined import NotAlike, overlaid
 from quasidynamic.solve.rollers.load_continuation import from_heavier_load
 from quasidynamic.solve.rollers.newton import Iterate, newton
 from quasidynamic.solve.rollers.pseudo_time import StepLimits, pseudo_time
@@ -28,15 +29,26 @@ class SolvedCases:
     outcomes: list[SolverOutcome]
     evaluations: NDArray  # (C)
     budget: int | None = None  # evaluations of a case after which no other way is tried
-    last: Iterate | None = None  # of Newton's method
+    ends: list[tuple[NDArray, Iterate]] = field(default_factory=list)  # where Newton's method ended for some
 
     @property
     def system(self) -> Linearisation | None:
-        """Residual and derivatives of a single case where Newton's method ended; None where it did not."""
-        last = self.last
-        if last is None or len(self.unknowns) > 1 or not last.accepted[0]:
+        """Residual and derivatives of all cases where Newton's method ended; None where it did not."""
+        if not self.ends or len(self.ends[0][0]) < len(self.unknowns):
             return None
-        return last.system if np.array_equal(last.unknowns, self.unknowns) else None
+        unknowns, accepted = self.unknowns.copy(), np.zeros(len(self.unknowns), bool)
+        (_, first), *later = self.ends
+        unknowns[:], accepted[:], system = first.unknowns, first.accepted, first.system
+        for cases, iterate in later:
+            unknowns[cases], accepted[cases] = iterate.unknowns, iterate.accepted
+        if not accepted.all() or not np.array_equal(unknowns, self.unknowns):
+            return None
+        try:
+            for cases, iterate in later:
+                system = overlaid(system, iterate.system, cases)
+        except NotAlike:
+            return None
+        return system
 
     def unsolved(self) -> NDArray:
         """Cases that may still be solved."""
@@ -47,8 +59,10 @@ class SolvedCases:
     def follow(self, iterates: Iterator[Iterate], cases: NDArray) -> None:
         """Store how the solves of some cases end."""
         for iterate in iterates:
-            running, self.last = cases[iterate.cases], iterate
+            running = cases[iterate.cases]
             self.evaluations[running] += 1
+            if SolverOutcome.CONVERGED in iterate.outcomes:
+                self.ends.append((running, iterate))
             for case, unknowns, outcome in zip(running, iterate.unknowns, iterate.outcomes, strict=True):
                 if outcome is not SolverOutcome.RUNNING:
                     self.unknowns[case], self.outcomes[case] = unknowns, outcome
