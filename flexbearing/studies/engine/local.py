@@ -16,6 +16,11 @@ _CONFIGURATION = {
     "distributed.scheduler.allowed-failures": 0,  # a study counts deaths itself
     "distributed.scheduler.http.routes": [],
 }
+_OF_WORKERS = {
+    "DASK_LOGGING__DISTRIBUTED": "error",
+    # Nobody looks at what it samples a hundred times a second, beside the work.
+    "DASK_DISTRIBUTED__WORKER__PROFILE__ENABLED": "False",
+}
 _log = logging.getLogger("distributed")
 
 
@@ -92,7 +97,7 @@ def _last_words(errors: IO[bytes]) -> str:
 
 def _work_for(scheduler: str) -> None:
     """What a worker process does; its end is that of the process."""
-    os.environ["DASK_LOGGING__DISTRIBUTED"] = "error"
+    os.environ |= _OF_WORKERS
     try:
         from distributed.cli.dask_worker import main
 
