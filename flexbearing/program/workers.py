@@ -16,21 +16,34 @@ FEWEST = 8  # calls for each worker; the start of one takes as long as a few bal
 
 
 @contextmanager
-def shared_map() -> Iterator[Callable[[Callable[[Any], Any], Iterable[Any]], Iterator[Any]]]:
+def shared_map(
+    ahead: Callable[..., Any] | None = None,
+) -> Iterator[Callable[[Callable[[Any], Any], Iterable[Any]], Iterator[Any]]]:
     """Give a `map` of a function whose calls are shared among the cores that this process may use.
 
     Answers come in the order of the arguments and are those of `map`: the number of cores changes nothing.
     Those of one call are all taken before the next one is made.
     The first exception that a call raises is raised here, `Died` where its worker did. All workers end with
-    the context.
+    the context. Of a function `ahead` they load the module as soon as the context begins, while this process
+    does something else; without one they start with the first call that needs them.
     """
     workers: list[Interpreter] = []
+    loading: list[Interpreter] = []
+    if ahead is not None and cores() > 1:
+        workers.extend(Interpreter(cores()) for _ in range(cores()))
+        loading.extend(workers)
+        for worker in loading:
+            worker.send(_loaded, ahead)
 
     def mapped(function: Callable[[Any], Any], arguments: Iterable[Any]) -> Iterator[Any]:
         waiting = list(arguments)
         count = min(cores(), len(waiting) // FEWEST)
         if count < 2:
             return map(function, waiting)
+        while loading:
+            worker = loading.pop()
+            worker.await_start()
+            _answer(worker)
         started = range(len(workers), count)  # others are there from the call before
         workers.extend(Interpreter(count) for _ in started)
         for place in started:
@@ -42,6 +55,10 @@ def shared_map() -> Iterator[Callable[[Callable[[Any], Any], Iterable[Any]], Ite
     finally:
         for worker in workers:
             worker.end()
+
+
+def _loaded(function: Callable[..., Any]) -> None:
+    """A function that was sent, and so its module, is there."""
 
 
 def _in_order(

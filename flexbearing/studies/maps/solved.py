@@ -18,11 +18,12 @@ from flexbearing.runs.together import Together
 from flexbearing.studies.maps.axes import MapAxis
 from flexbearing.studies.maps.grid import MapGrid, grid
 from quasidynamic.maps import GridPoints, MapFolds, SolvedGrid, folds, solve
+from quasidynamic.maps.reached import by_newton
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.equilibria import Batch
 from quasidynamic.solve.outcome import SolverOutcome
 
-AT_ONCE = 32  # states whose matrices fit into the processor's cache
+AT_ONCE = 128  # states whose matrices fit into the processor's cache
 OUTPUTS = (
     "cage_slip [%]", "max_roller_load [N]", "life_L10 [h]", "peak_pressure.inner [MPa]", "static_safety",
     "minimum_lambda.inner", "minimum_film.inner [um]", "driving_torque [N m]",
@@ -97,7 +98,7 @@ def solved_map(first: Case, axes: Sequence[MapAxis], texts: Sequence[str], repor
         where a ring has no trustworthy answer
     """
     _require_outputs(texts)
-    with linear_algebra_alone(), shared_map() as mapped:
+    with linear_algebra_alone(), shared_map(ahead=by_newton) as mapped:
         whole = grid(first, axes, Logged())  # its rings tell of every point
         solved = solve(whole.points, mapped, lambda stage: report.stage(stage, None))
         report.stage("folds", None)
