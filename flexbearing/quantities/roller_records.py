@@ -38,9 +38,8 @@ TILT: Form = Record(
                 "ring_moment_Nm": NUMBER,
                 "ring_tilt_mrad": NUMBER,
             },
-            optional={
-                f"{which}stiffness_{axis}_N_per_m": NUMBER for which in ("", "total_") for axis in "yz"
-            },
+            optional={f"{which}stiffness_{axis}_N_per_m": NUMBER for which in ("", "total_") for axis in "yz"}
+            | {"peak_pressure_MPa": NUMBER, "nominal_bar_stress_MPa": NUMBER},
         )
     },
     empty=True,

@@ -7,8 +7,9 @@ import numpy as np
 
 from flexbearing.case.roller import Case
 from flexbearing.coupled import states
-from flexbearing.coupled.states import EndState
 from flexbearing.coupling import LinearPair
+from flexbearing.runs import bars
+from flexbearing.runs.end_state import end_state
 from quasidynamic import Equilibrium
 from quasidynamic.note import Note, information
 from quasidynamic.outcome.other_tilt import with_other_tilt
@@ -45,20 +46,23 @@ class TiltComparison:
                 "ring_moment_Nm": float(np.hypot(*self.other.ring_moment)),
                 "ring_tilt_mrad": 1e3 * float(np.hypot(*self.other.ring_tilt)),
             }
-            | self._stiffnesses(self.other),
+            | self._further(self.other),
         }
 
-    def _stiffnesses(self, other: Equilibrium) -> dict[str, float]:
-        """Radial stiffnesses along y and z, of the bearing alone and with supports."""
+    def _further(self, other: Equilibrium) -> dict[str, float]:
+        """Radial stiffnesses along y and z, of the bearing alone and with supports, and largest stresses."""
         if self.rings is None:
             return {}
-        end = EndState(other, self.rings)
+        end = end_state(self.case, other, self.rings)
         both = {"": end.between_raceways, "total_": end.with_supports}
-        return {
+        stiffnesses = {
             f"{which}stiffness_{axis}_N_per_m": float(tangent.radial_matrix[place, place])
             for which, tangent in both.items()
             for place, axis in enumerate("yz")
         }
+        nominal = bars.nominal_stresses(self.case, end)
+        stressed = {"nominal_bar_stress_MPa": 1e-6 * float(nominal.largest)} if nominal else {}
+        return stiffnesses | {"peak_pressure_MPa": 1e-6 * float(end.peak_pressure.max())} | stressed
 
     def notes(self) -> tuple[Note, ...]:
         """A note where the choice changes loads or life by more than the target."""

@@ -88,6 +88,10 @@ def test_the_other_way_to_hold_the_ring_is_shown_and_told_where_it_matters(tmp_p
             for which, matrix in (("", "radial_stiffness"), ("total_", "total_radial_stiffness")):
                 told = said["otherwise"][f"{which}stiffness_{axis}_N_per_m"]
                 assert told == approx(computed.flexible[matrix][place, place], rel=5e-3)
+        summary = computed.summary()["flexible"]
+        for name, value in (("peak_pressure_MPa", max(summary["peak_pressure_MPa"].values())),
+                            ("nominal_bar_stress_MPa", summary["nominal_bar_stress_MPa"])):  # fmt: skip
+            assert value is None or said["otherwise"][name] == approx(value, rel=5e-3)
         (note,) = [note for note in runs[choice].attributes["notes"] if note["code"] == "tilt"]
         assert f'operation.tilt = "{other}" instead of "{choice}"' in note["text"]
         page = text(runs[choice])

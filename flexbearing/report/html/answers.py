@@ -105,6 +105,7 @@ def _safe(reader: Reader) -> Iterator[str]:
         if isinstance(check.value, Number) and isinstance(check.share, Number):
             verdict = check.verdict.partition(":")[0]
             yield f"{check.what} {text_of(check.value)}, {check.limit}: {used(check)}, {verdict}."
+    yield shaft_tilt.loads(reader)
     urgent = [f"{check.what} {text_of(value)}" for check, value in _without_limit(checks)]
     if urgent:
         yield f"Without a limit in the case, so compare with yours: {', '.join(urgent)}."

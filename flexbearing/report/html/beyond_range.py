@@ -27,7 +27,12 @@ def _tilt(reader: Reader, solved: set[str]) -> Iterator[str]:
     if known is None or "operation.tilt" in solved or first is None or not first.chosen:
         return
     how, ratio = known
-    yield f'with operation.tilt = "{how}" the basic life is {ratio:.3g} times as long'
+    hours = (
+        f", {rounded(first.hours, ratio)} h"
+        if first.key == "basic" and not isinstance(first.hours, str)
+        else ""
+    )
+    yield f'with operation.tilt = "{how}" the basic life is {ratio:.3g} times as long{hours}'
 
 
 def _oil(reader: Reader) -> Iterator[str]:

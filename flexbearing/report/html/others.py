@@ -23,14 +23,21 @@ _TILT = (
     ("ring_moment_Nm", "N m", "N m", ".3g"),
 )
 
-_STIFFNESSES = tuple(
-    (f"{which}stiffness_{axis}_N_per_m", "N/m", "kN/mm", ",.4g") for which in ("", "total_") for axis in "yz"
+_FURTHER = (
+    ("peak_pressure_MPa", "MPa", "MPa", ",.4g"),
+    ("nominal_bar_stress_MPa", "MPa", "MPa", ",.4g"),
+    *(
+        (f"{which}stiffness_{axis}_N_per_m", "N/m", "kN/mm", ",.4g")
+        for which in ("", "total_")
+        for axis in "yz"
+    ),
 )
 
 _INNER = "largest roller load"
 _WORDS = {
     "largest_inner_load_N": _INNER, "max_roller_load_N": _INNER, "loaded_rollers": "loaded rollers",
     "ring_moment_Nm": "moment on the ring", "life_L10_Mrev": "basic life L10",
+    "peak_pressure_MPa": "peak pressure", "nominal_bar_stress_MPa": "nominal stress of the bars",
     "stiffness_y_N_per_m": "stiffness of the bearing alone along y",
     "stiffness_z_N_per_m": "the same along z",
     "total_stiffness_y_N_per_m": "stiffness with supports along y",
@@ -55,7 +62,7 @@ def _tilt(reader: Reader) -> Iterator[Block]:
     told = (f'{words.get(choice, "The inner ring")} (operation.tilt = "{choice}")', shaft_tilt.clamps(reader))
     yield Words((" ".join(f"{sentence}." for sentence in told if sentence),))
     if other := held.get("otherwise"):
-        known = [form for form in (*_TILT, *_STIFFNESSES) if form[0] in other]
+        known = [form for form in (*_TILT, *_FURTHER) if form[0] in other]
         head = [with_unit(_words(name), reader.units.of(unit)) for name, _, unit, _ in known]
         cells = (reader.of_attribute(f"tilt/otherwise/{name}", *form) for name, *form in known)
         caption = "The other way to hold the ring, estimated by Newton steps"

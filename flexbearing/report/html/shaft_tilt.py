@@ -38,6 +38,23 @@ def stiffness(reader: Reader) -> str:
     return f'With operation.tilt = "{how}": bearing alone, {told("")}; with supports, {told("total_")}.'
 
 
+def loads(reader: Reader) -> str:
+    """Pressure, stress of the bars and life where the shaft holds the ring otherwise; empty: not known."""
+    other = (reader.attributes.get("tilt") or {}).get("otherwise") or {}
+    if "peak_pressure_MPa" not in other:
+        return ""
+    named = {"peak pressure": "peak_pressure_MPa", "nominal stress of the bars": "nominal_bar_stress_MPa"}
+    numbers = {
+        words: reader.of_attribute(f"tilt/otherwise/{name}", "MPa", "MPa", ",.4g")
+        for words, name in named.items()
+        if name in other
+    }
+    life = reader.of_attribute("tilt/otherwise/life_L10_Mrev", "Mrev", "Mrev", ",.4g")
+    told = ", ".join(f"{words} {number.text} {number.unit}" for words, number in numbers.items())
+    how = other["inner_ring"]
+    return f'With operation.tilt = "{how}": {told}, basic life {life.text} million revolutions.'
+
+
 def _life(reader: Reader) -> float | None:
     return (reader.summary.get(reader.last) or {}).get("life_L10_Mrev")
 
