@@ -18,6 +18,7 @@ from flexbearing.report.html import (
     html,
     of_result,
     simplifications,
+    stiffness,
     verdict,
 )
 from flexbearing.report.html.document import Items, Table
@@ -274,3 +275,26 @@ def test_films_of_little_oil_are_those_of_runs_with_short_inlets(readers):
     for inlet, share in zip(inlets, left, strict=True):
         short = api.run(CONFIGS / CASES["catalogue"][0], [f"lubricant.inlet_length={inlet}"])
         assert short.rigid["inner_film"][thinnest] / flooded[thinnest] == approx(share / 100, abs=0.01)
+
+
+def test_a_stiffness_with_one_support_has_the_range_of_what_is_in_series(readers):
+    """Of that with supports, less the stiffer support; or of the bearing alone, with the stiffer one."""
+    reader = readers("rings")
+    block = reader.result.flexible
+    supports = {
+        part: figures["support_stiffness_N_per_m"] for part, figures in reader.attributes["structure"].items()
+    }
+    softer, stiffer = sorted(supports, key=supports.get)
+    spans = {"total_stiffness": (0.5, 1.2), "stiffness": (0.8, 1.1)}
+    alone, total = (block[name][1, 1] for name in ("radial_stiffness", "total_radial_stiffness"))
+    for part, of, left_out in (
+        (softer, total, -1 / supports[stiffer]),
+        (stiffer, alone, 1 / supports[stiffer]),
+    ):
+        now = 1 / (1 / alone + 1 / supports[part])
+        ends = [
+            1 / (1 / (factor * of) + left_out) / now
+            for factor in spans[{total: "total_stiffness", alone: "stiffness"}[of]]
+        ]
+        assert stiffness.ends_in_series(reader, part, spans) == approx(ends, rel=1e-9)
+    assert stiffness.ends_in_series(readers("catalogue"), "outer", spans) is None

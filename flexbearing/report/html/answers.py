@@ -340,11 +340,20 @@ def _by_rotor_model(reader: Reader) -> Iterator[str]:
     for part, has in stiffness.IN_MODEL.items():
         rows = [f"{text_of(number)} along {axis}" for axis, number in stiffness.in_series(reader, part)]
         if rows:
-            yield f"{has} only: with the support of the {part} ring, {', '.join(rows)}."
+            told = ", ".join(rows) + _ranged(reader, part)
+            yield f"{has} only: with the support of the {part} ring, {told}."
     if stiffness.supported(reader):
         yield f"Neither in the rotor model: with supports, {both('total_radial_stiffness')}."
     else:
         yield "Rings, shaft and housing are rigid here: the rotor model must have its own."
+
+
+def _ranged(reader: Reader, part: str) -> str:
+    """What inputs make of the bearing in series with one support, along z; empty where that is not known."""
+    words = {"total_stiffness": STIFFNESS, "stiffness": "bearing stiffness"}
+    spans = {name: span.squares for name, word in words.items() if (span := combined.of(reader, word))}
+    ends = stiffness.ends_in_series(reader, part, spans)
+    return f", by inputs {ends[0]:.3g} to {ends[1]:.3g} times along z" if ends else ""
 
 
 def _lubrication(reader: Reader) -> Iterator[str]:

@@ -1,6 +1,6 @@
 """Stiffness: the bearing alone, with its supports, and the matrix over five directions."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from importlib.resources import files
 from typing import Any
 
@@ -167,6 +167,42 @@ def in_series(reader: Reader, part: str) -> Iterator[tuple[str, Number]]:
         path = f"series/{reader.last}/{row}/{part}"
         value = alone * support / (alone + support)
         yield axis, reader.units.number(value, "N/m", "kN/mm", ",.4g", path)
+
+
+def ends_in_series(
+    reader: Reader, part: str, spans: Mapping[str, tuple[float, float]]
+) -> tuple[float, float] | None:
+    r"""Factors of the least and greatest stiffness along z of the bearing in series with one support.
+
+    .. math:: k = (1/k_{total} - 1/k_{other})^{-1}
+
+    The softer support decides the range of the stiffness with both: its series has that range, less the other
+    support. The stiffer one has the range of the bearing alone.
+
+    Parameters
+    ----------
+    reader : Reader
+    part : str
+        whose support it is
+    spans : mapping
+        factors of "stiffness", of the bearing alone, and of "total_stiffness"
+    """
+    supports = {
+        name: value
+        for name, figures in (reader.attributes.get("structure") or {}).items()
+        if (value := _support(figures)) is not None
+    }
+    if len(supports) < 2 or len(spans) < 2:
+        return None
+    block = reader.blocks[reader.last]
+    alone, total = (float(block[name][1, 1]) for name in ("radial_stiffness", "total_radial_stiffness"))
+    now = 1 / alone + 1 / supports[part]
+    if part == min(supports, key=supports.__getitem__):
+        left_out = sum(1 / value for name, value in supports.items() if name != part)
+        low, high = (now / (1 / (factor * total) - left_out) for factor in spans["total_stiffness"])
+    else:
+        low, high = (now / (1 / (factor * alone) + 1 / supports[part]) for factor in spans["stiffness"])
+    return low, high
 
 
 def _free(reader: Reader) -> str:

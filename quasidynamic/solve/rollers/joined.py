@@ -2,6 +2,7 @@
 
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 
 
@@ -27,10 +28,8 @@ def overlaid(under: Any, over: Any, cases: NDArray) -> Any:
         return type(under)(*(overlaid(*pair, cases) for pair in zip(under, over, strict=True)))
     if under.shape == over.shape:
         return under
-    axes = [
-        axis for axis, (all_, some) in enumerate(zip(under.shape, over.shape, strict=False)) if all_ != some
-    ]
-    if under.ndim != over.ndim or len(axes) != 1 or over.shape[axes[0]] != len(cases):
+    axes = np.flatnonzero(np.not_equal(under.shape, over.shape)) if under.ndim == over.ndim else ()
+    if len(axes) != 1 or over.shape[axes[0]] != len(cases):
         raise NotAlike(f"shapes {under.shape} and {over.shape}")
     joined = under.copy()
     joined[(*[slice(None)] * axes[0], cases)] = over
