@@ -1,8 +1,10 @@
 """A map that is computed: every state of every point, with its outputs."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from math import prod
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +20,6 @@ from flexbearing.runs.together import Together
 from flexbearing.studies.maps.axes import MapAxis
 from flexbearing.studies.maps.grid import MapGrid, grid
 from quasidynamic.maps import GridPoints, MapFolds, SolvedGrid, folds, solve
-from quasidynamic.maps.reached import by_newton
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.equilibria import Batch
 from quasidynamic.solve.outcome import SolverOutcome
@@ -98,13 +99,13 @@ def solved_map(first: Case, axes: Sequence[MapAxis], texts: Sequence[str], repor
         where a ring has no trustworthy answer
     """
     _require_outputs(texts)
-    with linear_algebra_alone(), shared_map(ahead=by_newton) as mapped:
+    with linear_algebra_alone(), shared_map(ahead=_numbers) as mapped:
         whole = grid(first, axes, Logged())  # its rings tell of every point
         solved = solve(whole.points, mapped, lambda stage: report.stage(stage, None))
         report.stage("folds", None)
         ended = folds(solved)
         report.stage("outputs", None)
-        outputs = _outputs(whole, solved, texts)
+        outputs = _outputs(whole, solved, texts, mapped)
     raceways = "rigid raceways" if whole.points.rigid else "flexible rings"
     return SolvedMap(first.title, raceways, whole.axes, solved, ended, outputs)
 
@@ -117,15 +118,22 @@ def _require_outputs(texts: Sequence[str]) -> None:
             raise BadCase(f"--of {problem}") from None
 
 
-def _outputs(whole: MapGrid, solved: SolvedGrid, texts: Sequence[str]) -> dict[str, NDArray]:
+def _outputs(
+    whole: MapGrid, solved: SolvedGrid, texts: Sequence[str], mapped: Callable[..., Iterator[Any]]
+) -> dict[str, NDArray]:
     """Outputs of all states; those that no state has are left out."""
     entries = [wanted(LAYOUT, text) for text in texts]
-    parts = [each.all_numbers(entries) for each in _together(whole, solved)]
+    parts = mapped(partial(_numbers, texts), _together(whole, solved))
     columns = [np.concatenate(column) for column in zip(*parts, strict=True)]
     named = (
         (_heading(entry.name, entry.unit), column) for entry, column in zip(entries, columns, strict=True)
     )
     return {name: column for name, column in named if not np.isnan(column).all()}
+
+
+def _numbers(texts: Sequence[str], together: Together) -> list[NDArray]:
+    """Outputs of some states."""
+    return together.all_numbers([wanted(LAYOUT, text) for text in texts])
 
 
 def _heading(name: str, unit: str) -> str:
@@ -140,4 +148,5 @@ def _together(whole: MapGrid, solved: SolvedGrid) -> Iterator[Together]:
         states = BearingStates(points.at(some), solved.scaled[first : first + AT_ONCE], points.axial_modes)
         batch = Batch(some, states, (SolverOutcome.CONVERGED,) * len(some), np.zeros(len(some), int))
         each = [whole.cases[point] for point in some], [points.bearings[point] for point in some]
-        yield Together(*each, batch, [whole.rings[point] for point in some], ("", "flexible"))
+        rings = [whole.rings[some[0]]] * len(some)  # only their shapes without load differ, which states know
+        yield Together(*each, batch, rings, ("", "flexible"))
