@@ -254,6 +254,19 @@ def test_support_and_own_compliance_of_the_main_case():
     assert ring.absolute[0, 0, 0, 0] == approx(4.513e-8, rel=5e-3)
 
 
+@pytest.mark.slow
+def test_half_the_elements_beside_a_thin_step_change_little(monkeypatch):
+    """Ring 0.15 mm thicker than the bars on either side; support and own compliance to 0.5 %."""
+    thin = replace(CAGE, thickness=3.2e-3, bar_thickness=2.9e-3, bar_width=3.84e-3, bar_length=11.4e-3)
+    few = by_harmonics(thin, L, M, USUAL)
+    monkeypatch.setattr(half_pitch, "GROWTH", dict.fromkeys((False, True), half_pitch.GROWTH[False]))
+    many = by_harmonics(thin, L, M, USUAL)
+    assert few.unknowns < 0.6 * many.unknowns
+    one, other = few.at(ROLLERS), many.at(ROLLERS)
+    assert one.support_stiffness == approx(other.support_stiffness, rel=5e-3)
+    assert one.absolute[0, 0, 0, 0] == approx(other.absolute[0, 0, 0, 0], rel=5e-3)
+
+
 @pytest.mark.parametrize("symmetric", [True, False], ids=["mirror image", "negative of it"])
 def test_inside_of_half_a_pitch_follows_its_face(symmetric):
     """Under any u and q no forces are left inside, and S, G, C are those of the whole field."""
