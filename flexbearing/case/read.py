@@ -6,6 +6,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from flexbearing import inputs
 from flexbearing.case.belonging import foreign, without
 from flexbearing.case.declarations import Declaration, find, toml
 from flexbearing.case.excerpt import excerpt
@@ -14,7 +15,7 @@ from flexbearing.case.head import Head, Source
 from flexbearing.case.named_materials import values
 from flexbearing.case.problems import BadCase, listed, messages, nearest, quoted, refused, shown
 from flexbearing.case.quantity import Section
-from flexbearing.case.text import LARGEST, Unreadable, setting_value, tables, text_of
+from flexbearing.case.text import LARGEST, Unreadable, setting_value, tables
 
 Overrides = Sequence[str] | Mapping[str, object]
 LONGEST_NAME = 255  # characters of a file's name or path in a message
@@ -45,7 +46,7 @@ def read(path: str | Path, overrides: Overrides, families: Families) -> Head:
     """
     file = Path(path)
     try:
-        text = text_of(file)
+        text = inputs.text(file, LARGEST)
     except Unreadable as problem:
         raise BadCase(f"{excerpt(str(path), LONGEST_NAME)}: {problem}") from problem
     return understood(text, file, overrides, families)

@@ -10,10 +10,10 @@ from collections.abc import Iterator
 from copy import deepcopy
 from datetime import date, datetime, time
 from functools import lru_cache
-from pathlib import Path
 from typing import Any
 
 from flexbearing.case.excerpt import excerpt
+from flexbearing.inputs import Unreadable
 
 # The largest file that comes along has 3.5 kB, one with every key and a note to each some 15 kB; tomllib
 # takes up to 0.05 s for 64 KiB.
@@ -35,51 +35,6 @@ _TEXT_OR_COMMENT = re.compile(
 )
 _BETWEEN_KEYS = re.compile(r"[^\w.\- \t]")
 _BRACKET = re.compile(r"[\[{\]}]")
-
-
-class Unreadable(ValueError):
-    """A text that no case can have; the message completes a sentence that names file or setting."""
-
-
-def text_of(file: Path, of: str = "case") -> str:
-    """Text of a case file, or of another one within the same bounds; it may be a pipe.
-
-    Parameters
-    ----------
-    file : Path
-        of at most `LARGEST` bytes; more are not read
-    of : str
-        what the file holds, for messages
-
-    Returns
-    -------
-    str
-        without the mark at the beginning that some editors leave
-
-    Raises
-    ------
-    Unreadable
-        where there is no such file, or no text in UTF-8 of this size
-    """
-    try:
-        with file.open("rb") as opened:
-            content = opened.read(LARGEST + 1)
-    except FileNotFoundError:
-        raise Unreadable("there is no such file") from None
-    except IsADirectoryError:
-        raise Unreadable(f"is a folder; a {of} is a TOML file") from None
-    except OSError as problem:
-        raise Unreadable(f"cannot be read: {problem.strerror}") from None
-    except ValueError:  # a NUL in the name
-        raise Unreadable("no file can have this name") from None
-    if len(content) > LARGEST:
-        raise Unreadable(_too_large("larger", of))
-    try:
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError as problem:
-        raise Unreadable(
-            f"is not text in UTF-8 (byte {content[problem.start]:#04x} at {problem.start}); save it as UTF-8"
-        ) from None
 
 
 def tables(text: str, of: str = "case") -> dict[str, Any]:
@@ -109,7 +64,7 @@ def tables(text: str, of: str = "case") -> dict[str, Any]:
 def _parsed(text: str, of: str) -> dict[str, Any]:
     """The tables of a text that was read before, or reads now."""
     if len(text) > LARGEST:
-        raise Unreadable(_too_large("longer", of))
+        raise Unreadable(f"is longer than {LARGEST // 1024} KiB, which no {of} file is")
     if _deep(text):
         raise Unreadable(
             f"has arrays or tables more than {DEEPEST} deep, or a key of more than {DEEPEST} parts; "
@@ -167,10 +122,6 @@ def setting_value(text: str) -> Any:
     if wrong := next(_not_plain(given, ""), None):
         raise Unreadable(wrong)
     return given
-
-
-def _too_large(how: str, of: str) -> str:
-    return f"is {how} than {LARGEST // 1024} KiB, which no {of} file is"
 
 
 def _deep(text: str) -> bool:

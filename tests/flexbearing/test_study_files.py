@@ -211,7 +211,7 @@ WRONG = {
         "[over] needs as many values of every key: operation.radial_load has 2, outer.bars has 3",
     OVER + '"operation.radial_load" = "1 N .. 2 N, 2000"\n"outer.thickness" = "1 mm .. 2 mm, 2000"':
         "[over] gives 4000000 variants; a study has at most 1000000",
-    OVER + 'file = "none.csv"': '[over] file = "none.csv": cannot be read: No such file or directory',
+    OVER + 'file = "none.csv"': '[over] file = "none.csv": there is no such file',
     OVER + 'file = "empty.csv"': '[over] file = "empty.csv": is empty; a header holds keys with units',
     OVER + 'file = "header.csv"': '[over] file = "header.csv": has 0 rows below its header',
     OVER + 'file = "short.csv"': '[over] file = "short.csv": row 2 has 1 cells, the header has 2',
@@ -276,5 +276,5 @@ def test_a_study_without_its_case_is_told(tmp_path):
     file.write_text('case = "none.toml"\n[over]\n' + LOAD)
     with pytest.raises(BadCase, match=r"none\.toml: there is no such file"):
         read(file, FAMILIES)
-    with pytest.raises(BadCase, match=r"is a folder; a study is a TOML file"):
+    with pytest.raises(BadCase, match=r"is a folder, no file"):
         read(tmp_path, FAMILIES)

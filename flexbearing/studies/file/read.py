@@ -9,13 +9,14 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from flexbearing import inputs
 from flexbearing.case.declarations import Declaration, find
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.family import Families
 from flexbearing.case.head import Head
 from flexbearing.case.problems import BadCase, messages, nearest
 from flexbearing.case.read import LONGEST_NAME, model_of
-from flexbearing.case.text import Unreadable, tables, text_of
+from flexbearing.case.text import LARGEST, Unreadable, tables
 from flexbearing.studies.file.axes import Axis, axes, require_crossable
 from flexbearing.studies.file.sampled import Drawn, sampled
 from flexbearing.studies.file.schema import Over, PlotTable, StudyFile
@@ -116,7 +117,7 @@ def study_of(given: StudyFile, file: Path, families: Families) -> Study:
         path=file,
         name=_name(given, file),
         case=case,
-        text=_text(case, "case"),
+        text=_text(case),
         kind=next(kind for kind, family in families.items() if family.case() is model),
         inputs=(
             file,
@@ -152,14 +153,14 @@ def declared(key: str, model: type[Head], families: Families) -> Declaration:
 
 def _tables(file: Path, of: str) -> dict[str, Any]:
     try:
-        return tables(_text(file, of), of)
+        return tables(_text(file), of)
     except Unreadable as problem:
         raise BadCase(f"{excerpt(file.name, LONGEST_NAME)}: {problem}") from problem
 
 
-def _text(file: Path, of: str) -> str:
+def _text(file: Path) -> str:
     try:
-        return text_of(file, of)
+        return inputs.text(file, LARGEST)
     except Unreadable as problem:
         raise BadCase(f"{excerpt(str(file), LONGEST_NAME)}: {problem}") from problem
 

@@ -7,6 +7,7 @@ from io import StringIO
 from pathlib import Path
 from typing import Any
 
+from flexbearing import inputs
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.text import Unreadable, setting_value
 from flexbearing.studies.file.values import MOST, BadValues
@@ -37,22 +38,9 @@ def rows(file: Path, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], 
         naming file, row and column
     """
     try:
-        return _rows(_text(file), has_unit)
-    except BadValues as problem:
+        return _rows(inputs.text(file, LARGEST), has_unit)
+    except (BadValues, Unreadable) as problem:
         raise BadValues(f'file = "{file.name}": {problem}') from None
-
-
-def _text(file: Path) -> str:
-    try:
-        with file.open("rb") as opened:
-            content = opened.read(LARGEST + 1)
-        if len(content) > LARGEST:
-            raise BadValues(f"is larger than {LARGEST >> 20} MiB")
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        raise BadValues("is not text in UTF-8; save it as UTF-8") from None
-    except OSError as problem:
-        raise BadValues(f"cannot be read: {problem.strerror}") from None
 
 
 def _rows(text: str, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], tuple[tuple[Any, ...], ...]]:

@@ -4,11 +4,12 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
+from flexbearing import inputs
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.problems import BadCase, messages
 from flexbearing.case.quantity import Section, key
 from flexbearing.case.read import LONGEST_NAME
-from flexbearing.case.text import Unreadable, tables, text_of
+from flexbearing.case.text import LARGEST, Unreadable, tables
 
 
 class SlurmProfile(Section):
@@ -59,7 +60,7 @@ def profile(path: str | Path) -> SlurmProfile:
     """
     file = Path(path)
     try:
-        raw = tables(text_of(file, "profile"), "profile")
+        raw = tables(inputs.text(file, LARGEST), "profile")
     except Unreadable as problem:
         raise BadCase(f"{excerpt(str(path), LONGEST_NAME)}: {problem}") from problem
     try:

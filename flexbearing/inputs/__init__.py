@@ -1,0 +1,10 @@
+"""Files that are read: plain ones of limited size, their text, and the numbers in them.
+
+Every file that a user, another program or another machine wrote is opened here. What stands in it belongs to
+the rooms that know the format.
+"""
+
+from flexbearing.inputs.file import Unreadable, content, require_plain, text
+from flexbearing.inputs.number import BadNumber, number, whole
+
+__all__ = ["BadNumber", "Unreadable", "content", "number", "require_plain", "text", "whole"]
