@@ -214,6 +214,18 @@ def test_margin_beyond_the_spare_one_promises_its_multiplier_times_itself():
     assert gain(1.5e-3) == pytest.approx(4e-3, rel=1e-6)
 
 
+def test_multipliers_have_the_sign_of_their_end_and_the_size_of_the_slope():
+    """f = -3 x + 2 y + 5 z at x = 0, y = 1 and a used-up margin of 1 - z: each end holds the whole slope."""
+    merit = Terms(np.array([0.0]), np.array([[-3.0, 2.0, 5.0]]))
+    margin = Terms(np.array([0.0]), np.array([[0.0, 0.0, -1.0]]))
+    found = optimality(merit, margin, np.array([0.0, 1.0, 0.5]))
+    assert found.ends == pytest.approx([-3.0, 2.0, 0.0], abs=1e-9)
+    assert found.bounds == pytest.approx([5.0])
+    assert found.gain == pytest.approx(0.0, abs=1e-9)
+    inwards = Terms(np.array([0.0]), np.array([[3.0, -2.0, 5.0]]))  # no end holds what leads away from it
+    assert optimality(inwards, margin, np.array([0.0, 1.0, 0.5])).ends == pytest.approx([0.0, 0.0, 0.0])
+
+
 def test_iteration_limit_is_not_convergence(tmp_path):
     optimum = found(tmp_path, MORE + "\n[search]\niterations = 1\nstarts = 1")
     assert optimum.best.end is End.LIMIT

@@ -36,6 +36,15 @@ def heathcote(shape, size=2e-4, axes=(3e-4, 2e-3)):
     return contacts, np.stack([along, 0.5 * size * x / axes[1] + 0 * y], 1)
 
 
+def test_a_drawn_layer_is_between_the_bodies():
+    (bare, creep), (layered, same) = drawn(3), drawn(3, layers=True)
+    assert np.array_equal(creep, same)
+    assert layered.pressure is None
+    assert (
+        np.abs(kalker(layered, creep).traction - kalker(bare, creep).traction).max() > 1e-3 * bare.limit.max()
+    )
+
+
 def check_coulomb(seed):
     contacts, creep = drawn(seed, layers=seed % 3 == 0)
     rolled, most = kalker(contacts, creep), contacts.limit.max()
@@ -147,6 +156,21 @@ def test_changes_of_traction_are_its_derivative(law, monkeypatch):
         up, down = (law(contacts, creep + sign * step * each).force[0] for sign in (1, -1))
         found = change.sum((-2, -1)) * contacts.cell_area[0]
         assert found == approx((up - down) / (2 * step), rel=0.03, abs=0.02 * np.abs(found).max())
+
+
+@pytest.mark.parametrize("size", [3e-4, 2e-3])
+def test_changes_of_fastsim_are_its_derivative_cell_by_cell(size, monkeypatch):
+    """Where it sticks and where it slips; no cell changes between both within the difference."""
+    contacts, creep = heathcote((10, 20), size=size)
+    springs = flexibility(contacts, creep)
+    monkeypatch.setattr("quasidynamic.contact.rolling.fastsim.flexibility", lambda *_: springs)
+    rolled = fastsim(contacts, creep)
+    assert 0.02 < rolled.stick_share[0] < 0.98
+    way = np.array([[np.ones((10, 20)), np.zeros((10, 20))], [np.zeros((10, 20)), np.ones((10, 20))]])[None]
+    step = 1e-6 * np.abs(creep).max()
+    for change, each in zip(fastsim_changes(rolled, way)[0], way[0], strict=True):
+        up, down = (fastsim(contacts, creep + sign * step * each).traction[0] for sign in (1, -1))
+        assert change == approx((up - down) / (2 * step), rel=0.0, abs=1e-5 * np.abs(change).max())
 
 
 @LAWS

@@ -230,7 +230,7 @@ def rolling_ball(
     friction = (ellipse.traction / np.where(load > 0.0, load, 1.0))[loaded][:, None, None]
     pressure, y, radius = pressed.pressure, pressed.position, ellipse.radius[loaded][:, None]
     contacts = RollingContacts(
-        pressed.grids, tuple(pairs[side] for side in race), friction * pressure, pressure
+        pressed.grids, tuple(pairs[side] for side in race), friction * pressure, pressure=pressure
     )
     axial, radial = (normal[loaded][:, None] for normal in ball.normal)
     height = ball.height[loaded][:, None] + sagitta(y, radius)

@@ -1,7 +1,7 @@
 """Contacts that roll with friction, on grids of one shape."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import KW_ONLY, dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -22,6 +22,7 @@ class RollingContacts:
     grids: tuple[CellGrid, ...]
     pairs: tuple[ElasticPair, ...]
     limit: NDArray  # (C, nx, ny) [Pa] friction coefficient times pressure, zero outside the contacts
+    _: KW_ONLY
     pressure: NDArray | None = None  # (C, nx, ny) [Pa] needed only where it shears unequal bodies
     compliance: NDArray | None = None  # (C, nx, ny) [m/Pa] of a layer between the bodies along their surfaces
 
