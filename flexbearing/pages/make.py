@@ -6,7 +6,7 @@ from pathlib import Path
 from flexbearing import api
 from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
-from flexbearing.files import require_outputs, write
+from flexbearing.files import BadOutput, require_outputs, write
 from flexbearing.pages.against import section
 from flexbearing.pages.chromium import chromium, pdf_bytes
 from flexbearing.pages.study_table import table_file, tables_of
@@ -15,6 +15,7 @@ from flexbearing.report.html.document import Document
 from flexbearing.report.html.scatter import read_scatter
 from flexbearing.report.html.table import PARQUET, read_table
 
+PAGES = (".html", ".htm")
 TABLES = (".csv", PARQUET)  # of a study
 ARRAYS = ".nc"  # of a study: the same numbers over its axes, which are no table
 
@@ -54,7 +55,8 @@ def report(
     BadResult
         when there is no complete result, no table, or the kinds of bearing differ
     BadOutput
-        when a file cannot be written, or there is no Chromium that prints; nothing was read then
+        for files that cannot be written, another name than one of HTML, and without a Chromium that prints;
+        nothing was read then
     NotStored
         when there is no room left, or Chromium did not print
     """
@@ -75,6 +77,8 @@ def report(
     outputs = [wanted, *([wanted.with_suffix(".pdf")] if pdf else [])]
     inputs = tables_of(place) if of_table else [place, *([Path(against)] if against is not None else [])]
     page, *printed = require_outputs(outputs, inputs)
+    if wanted.suffix not in PAGES:
+        raise BadOutput(f"{wanted}: a report is HTML; choose a name that ends in {PAGES[0]}.")
     document = _of_study(place, SYSTEMS[units]) if of_table else _of_result(inputs, SYSTEMS[units], outputs)
     write(page, html(document).encode())
     for paper in printed:

@@ -240,3 +240,13 @@ def test_two_outputs_are_not_one_file(folder, tmp_path, monkeypatch, capsys):
     assert program.command(["sensitivity", "drawn.toml", "-o", str(tmp_path / "out.png")]) == 2
     assert "out.csv: is " in (complaint := capsys.readouterr().err)
     assert "out.png itself, which is written here, too" in complaint
+
+
+@pytest.mark.parametrize("words", ["run drawn.toml -o paper.toml", "report result.h5 -o balls.h5"])
+def test_a_file_of_another_kind_is_not_replaced(folder, monkeypatch, capsys, words):
+    monkeypatch.chdir(folder)
+    before = bytes_in(folder)
+    assert program.command(words.split()) == 2
+    assert "choose" in (complaint := capsys.readouterr().err)
+    assert complaint.count("\n") == 1
+    assert bytes_in(folder) == before
