@@ -66,7 +66,7 @@ def run(
     Raises
     ------
     BadOutput
-        for a folder that cannot be written, or where the same study runs already
+        for a folder that cannot be written, an output that is read or where the same study runs already
     NotStored
         when there is no room left; what is finished stays
     """
