@@ -1,15 +1,18 @@
-# With Python 3.11 and make alone: `make run` computes the main case, `make test` runs the fast tests,
-# `make test-slow` the slow ones, `make test-slurm` those with a queue, `make test-ross` those with a rotor,
-# `make test-browser` those of reports in a browser.
+# With Python 3.11, 3.12 or 3.13 and make alone: `make run` computes the main case, `make test` runs the fast tests,
+# `make test-python` those with another Python, `make test-slow` the slow ones, `make test-slurm` those with a queue,
+# `make test-ross` those with a rotor, `make test-browser` those of reports in a browser.
 PYTHON ?= python3
+PYTHON_OTHER ?= python3.13
 VENV := .venv
 BIN := $(VENV)/bin
+OTHER := $(VENV)-$(notdir $(PYTHON_OTHER))
+FAST := env -u PYTHONDONTWRITEBYTECODE OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 READY := $(VENV)/.installed
 
 export OMP_NUM_THREADS ?= 2
 export OPENBLAS_NUM_THREADS ?= 2
 
-.PHONY: run test test-slow test-slurm test-ross test-calculix test-browser test-docs lint benchmark docs lock clean
+.PHONY: run test test-python test-slow test-slurm test-ross test-calculix test-browser test-docs lint benchmark docs lock clean
 
 run: $(READY)
 	$(BIN)/flexbearing run configs/mao2016.toml -o results/mao2016.h5
@@ -18,10 +21,17 @@ run: $(READY)
 # One thread for each of the workers: threads of several would fight over the cores. Compiled modules are kept, as
 # the tests start many processes; an environment may forbid it.
 test: $(READY)
-	env -u PYTHONDONTWRITEBYTECODE OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadscope
+	$(FAST) $(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadscope
+
+# With the newest versions that this Python takes, in an environment of its own; requirements.lock is of Python 3.11.
+test-python:
+	$(PYTHON_OTHER) -m venv $(OTHER)
+	$(OTHER)/bin/python -m pip install --quiet --upgrade pip
+	$(OTHER)/bin/python -m pip install --quiet --upgrade --upgrade-strategy eager --group dev --editable '.[studies]'
+	$(FAST) $(OTHER)/bin/python -m pytest -n auto --maxprocesses 4 --dist loadscope
 
 test-slow: $(READY)
-	env -u PYTHONDONTWRITEBYTECODE OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -m slow -n auto --maxprocesses 2 --dist loadscope
+	$(FAST) $(BIN)/python -m pytest -m slow -n auto --maxprocesses 2 --dist loadscope
 
 # For root, with the Debian packages slurm-wlm and munge: a queue with two nodes on this machine.
 test-slurm: $(READY)
@@ -73,7 +83,7 @@ $(READY): pyproject.toml requirements.lock
 	$(BIN)/python -m pip install --quiet --no-deps --editable .
 	touch $(READY)
 
-# Versions that were tested together; renewed on purpose only.
+# Versions that were tested together with Python 3.11, which PYTHON must be; renewed on purpose only.
 lock:
 	$(PYTHON) -m venv $(VENV)-lock
 	$(VENV)-lock/bin/python -m pip install --quiet --upgrade pip
@@ -82,4 +92,4 @@ lock:
 	rm -rf $(VENV)-lock
 
 clean:
-	rm -rf $(VENV) $(VENV)-ross build docs/_build *.egg-info .pytest_cache .ruff_cache .import_linter_cache
+	rm -rf $(VENV) $(VENV)-ross $(VENV)-python* build docs/_build *.egg-info .pytest_cache .ruff_cache .import_linter_cache

@@ -2,11 +2,13 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import reduce
 from pathlib import Path
-from typing import Any, Self
+from typing import Any, ClassVar, Self
 
 from pydantic import PrivateAttr
 
+from flexbearing.case.file_keys import next_to
 from flexbearing.case.quantity import Section, key
 
 KIND = (
@@ -26,6 +28,8 @@ class Source:
 
 class Head(Section):
     """Keys of every case."""
+
+    file_keys: ClassVar[tuple[str, ...]] = ()  # those that name a file next to the case
 
     kind: str = key(KIND)
     title: str = key(
@@ -69,8 +73,14 @@ class Head(Section):
     @property
     def named_files(self) -> tuple[Path, ...]:
         """Files that the case names, whose content is a part of it."""
-        return ()
+        names = (reduce(_part, key.split("."), self) for key in self.file_keys)
+        return next_to(Path(self.source.path), names)
 
     def to_json(self) -> dict[str, Any]:
         """Values in SI units, as JSON can hold them."""
         return self.model_dump(mode="json")
+
+
+def _part(section: Any, name: str) -> Any:
+    """A key of a table; None where the case has no such table."""
+    return getattr(section, name, None)

@@ -59,7 +59,9 @@ def new(  # noqa: PLR0913  # an argument for each option
     ] = None,
     title: Annotated[str, typer.Option("--title", help="what the case is, for people")] = "",
     source: Annotated[str, typer.Option("--source", help="where the numbers come from")] = "",
-    force: Annotated[bool, typer.Option("--force", help="replace a file that is there already")] = False,
+    force: Annotated[
+        bool, typer.Option("--force", help="replace a file that is there already, except one that is read")
+    ] = False,
     run: Annotated[bool, typer.Option("--run", help="compute the case as well")] = False,
     life: Annotated[
         bool, typer.Option("--life", help="compare its life with the catalogue's as well")
@@ -76,7 +78,10 @@ def new(  # noqa: PLR0913  # an argument for each option
     }
     if from_rexs:
         from flexbearing.catalogue.rexs import options as of_model
+        from flexbearing.files import require_outputs
+        from flexbearing.runs.run_case import usual_output
 
+        require_outputs([file, *([usual_output(file)] if run else [])], [from_rexs])
         like, found = of_model(from_rexs, rexs_bearing)
         options = {**found, **{name: text for name, text in options.items() if text}}
         source = source or f"REXS, {from_rexs.name}"

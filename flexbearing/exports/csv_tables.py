@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.files import require_folder, require_output, write
+from flexbearing.files import require_folder, require_outputs, write
 from flexbearing.quantities.axes import Axis
 from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.quantity import Quantity
@@ -49,12 +49,11 @@ def export(result: Result, directory: Path) -> Iterator[Path]:
     }
     if not tables:
         raise BadResult(f"{result.place}: nothing was solved, so there is nothing to export.")
-    for path in tables:
-        require_output(path, result.files)
-    for path, rows in tables.items():
+    places = require_outputs(tables, result.files)
+    for place, (path, rows) in zip(places, tables.items(), strict=True):
         file = StringIO(newline="")
         csv.writer(file, lineterminator="\n").writerows(rows)
-        write(path.resolve(), file.getvalue().encode())
+        write(place, file.getvalue().encode())
         yield path
 
 

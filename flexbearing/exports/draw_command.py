@@ -26,7 +26,7 @@ def draw(
 ) -> None:
     """Draw what a case describes to scale, with its keys as dimensions; nothing is solved."""
     from flexbearing import api
-    from flexbearing.files import require_folder, require_output, write
+    from flexbearing.files import require_folder, require_outputs, write
     from flexbearing.runs.run_case import stem_of_outputs
 
     _require_known(form)
@@ -34,8 +34,9 @@ def draw(
     folder, stem = require_folder(output or Path("results")), stem_of_outputs(case, settings or ())
     written: list[Path] = []
     with keeping(written):
-        for drawing in api.drawings(wanted, values=not keys):
-            place = require_output(folder / f"{stem}_{drawing.name}.{form}", wanted.input_files)
+        drawings = api.drawings(wanted, values=not keys)
+        names = [folder / f"{stem}_{drawing.name}.{form}" for drawing in drawings]
+        for drawing, place in zip(drawings, require_outputs(names, wanted.input_files), strict=True):
             write(place, drawing.content(form))
             written.append(place)
             sys.stdout.write(printable(f"drawing: {place}\n"))

@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.files import require_folder, require_output, write
+from flexbearing.files import require_folder, require_outputs, write
 from flexbearing.outputs.value import WrongUnit, conversion
 from flexbearing.results import BadResult
 
@@ -64,8 +64,7 @@ def export(table: Path, directory: Path) -> Iterator[Path]:
     """
     bearing, folder = read(table), require_folder(directory)
     paths = {version: folder / f"{table.stem}_ross{version}.toml" for version in AXES}
-    for path in paths.values():
-        require_output(path, (table,))
+    require_outputs(paths.values(), (table,))
     for version, path in paths.items():
         write(path.resolve(), text(bearing, table.stem, AXES[version]).encode())
         yield path

@@ -3,8 +3,17 @@
 What stands in them belongs to the rooms that make them: results, report, cache.
 """
 
-from flexbearing.files.destination import BadOutput, require_folder, require_output
+from flexbearing.files.destination import BadOutput, require_folder, require_output, require_outputs
 from flexbearing.files.lock import lock
 from flexbearing.files.whole import NotStored, parts_of, write
 
-__all__ = ["BadOutput", "NotStored", "lock", "parts_of", "require_folder", "require_output", "write"]
+__all__ = [
+    "BadOutput",
+    "NotStored",
+    "lock",
+    "parts_of",
+    "require_folder",
+    "require_output",
+    "require_outputs",
+    "write",
+]

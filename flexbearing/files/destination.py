@@ -35,7 +35,7 @@ def require_output(path: str | Path, inputs: Iterable[str | Path] = ()) -> Path:
         or too long, a file or folder that cannot be written
     """
     try:
-        output = Path(path).resolve()
+        output = _behind_links(path)
         if output.is_dir():
             raise BadOutput(f"{path}: is a folder; give the name of a file in it.")
         if UNFINISHED in (output.suffix, Path(path).suffix):
@@ -55,6 +55,38 @@ def require_output(path: str | Path, inputs: Iterable[str | Path] = ()) -> Path:
             raise
         raise BadOutput(f"{path}: cannot be written: {_reason(problem)}.") from problem
     return output
+
+
+def require_outputs(paths: Iterable[str | Path], inputs: Iterable[str | Path] = ()) -> list[Path]:
+    """Settle where all outputs of a command go, before one of them is written.
+
+    Parameters
+    ----------
+    paths : iterable of paths
+        each as for `require_output`
+    inputs : iterable of paths
+        files that are read
+
+    Returns
+    -------
+    list of Path
+        as of `require_output`, in the same order
+
+    Raises
+    ------
+    BadOutput
+        as `require_output`, and where links lead two outputs to one file
+    """
+    given, settled = tuple(inputs), dict[Path, str | Path]()
+    for path in paths:
+        place = require_output(path, given)
+        if place in settled:
+            raise BadOutput(
+                f"{path}: is {settled[place]} itself, which is written here, too; choose another name, or "
+                "remove the link."
+            )
+        settled[place] = path
+    return list(settled)
 
 
 def require_folder(folder: str | Path) -> Path:
@@ -85,10 +117,18 @@ def require_folder(folder: str | Path) -> Path:
     return made
 
 
+def _behind_links(path: str | Path) -> Path:
+    output = Path(path).resolve()
+    if output.is_symlink():  # before Python 3.13 resolving it raises
+        raise BadOutput(f"{path}: cannot be written: its links lead back to themselves.")
+    return output
+
+
 def _same(output: Path, other: Path) -> bool:
-    if output == other.resolve():
-        return True
-    return output.exists() and other.exists() and output.samefile(other)
+    try:
+        return output == other.resolve() or output.samefile(other)
+    except (OSError, ValueError, RuntimeError):  # one of them is not there, or no file can have its name
+        return False
 
 
 def _require_replaceable(output: Path, path: str | Path) -> None:

@@ -21,6 +21,7 @@ except ImportError:  # a system without locks of this kind
 
 SUFFIX = ".lock"
 _NO_LOCKS = {errno.ENOSYS, errno.EOPNOTSUPP, errno.ENOLCK, errno.EINVAL}
+_SIGNATURE = {"host", "process", "started"}
 _LONGEST = 4096  # bytes of a lock
 _TRIALS, _PAUSE = 20, 0.01  # [s]
 log = logging.getLogger(__name__)
@@ -104,7 +105,7 @@ def _holder(file: int, place: Path, wait: bool) -> dict[str, Any]:
         holder = json.loads(text or b"{}")
     except (ValueError, RecursionError):
         holder = None
-    if not isinstance(holder, dict):
+    if not isinstance(holder, dict) or not holder.keys() <= _SIGNATURE:
         raise BadOutput(f"{place}: is in the way of the lock with that name, and is none; move it elsewhere.")
     return holder
 
@@ -119,7 +120,7 @@ def _still(file: int, place: Path) -> bool:
 def _sign(file: int, place: Path, path: Path) -> None:
     """Say in the lock whose it is; a full disk keeps no lock."""
     started = datetime.now(UTC).isoformat(timespec="seconds")
-    text = json.dumps({"host": host(), "process": os.getpid(), "started": started})
+    text = json.dumps({"host": host(), "process": os.getpid(), "started": started})  # _SIGNATURE
     try:
         os.ftruncate(file, 0)
         os.pwrite(file, text.encode(), 0)

@@ -6,12 +6,15 @@ from collections.abc import Iterator, Mapping
 from copy import deepcopy
 from pathlib import Path
 from typing import Any
+from zlib import crc32
 
+from flexbearing import inputs
 from flexbearing.case.declarations import toml
 from flexbearing.case.head import Source
 from flexbearing.case.read import with_settings, written
-from flexbearing.case.text import tables
+from flexbearing.case.text import LARGEST, tables
 from flexbearing.families import FAMILIES
+from flexbearing.files import BadOutput
 from flexbearing.studies.file import Study
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
@@ -40,7 +43,36 @@ def case_text(study: Study, settings: Mapping[str, Any], folder: Path) -> bytes:
     _told_from(raw, study.case.parent, named, folder)
     found = ", ".join(settings)
     head = f"# {study.case.name} with what {study.path.name} found: {found}.\n"
-    return (head + "\n".join(_lines(raw, "")) + "\n").encode()
+    text = (head + "\n".join(_lines(raw, "")) + "\n").encode()
+    return _seal(text) + text
+
+
+def require_unedited(place: Path) -> None:
+    """Refuse to replace a case that somebody else wrote, or edited after `case_text` made it.
+
+    Parameters
+    ----------
+    place : Path
+        there or not
+
+    Raises
+    ------
+    BadOutput
+        saying what to do
+    """
+    if not place.exists():
+        return
+    try:
+        first, end, text = inputs.content(place, LARGEST).partition(b"\n")
+    except inputs.Unreadable as problem:
+        raise BadOutput(f"{place}: {problem}; rename it.") from problem
+    if first + end != _seal(text):
+        raise BadOutput(f"{place}: was edited, or is another file, and would be replaced; rename it.")
+
+
+def _seal(text: bytes) -> bytes:
+    """The line before a text that tells whether it was edited."""
+    return b"# flexbearing optimise replaces this file while it is unchanged: %08x\n" % crc32(text)
 
 
 def _told_from(table: dict[str, Any], before: Path, named: set[Path], folder: Path) -> None:

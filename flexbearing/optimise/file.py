@@ -11,6 +11,7 @@ from pydantic import ValidationError
 
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.family import Families
+from flexbearing.case.file_keys import next_to, value_at
 from flexbearing.case.problems import BadCase, messages
 from flexbearing.case.read import LONGEST_NAME
 from flexbearing.case.text import tables
@@ -72,15 +73,15 @@ def read(path: str | Path, families: Families) -> Problem:
     conditions = {name: raw[name] for name in ("case", "name", "over", "duty") if name in raw}
     study = study_of(StudyFile.model_validate(conditions), file, families)
     find = partial(declared, model=families[study.kind].case(), families=families)
-    layout = families[study.kind].layout()
+    layout, files = families[study.kind].layout(), families[study.kind].case().file_keys
     name = excerpt(file.name, LONGEST_NAME)
     where = "vary"
     try:
         fixed, text = given.set.model_extra or {}, tables(study.text)
-        found = variables(given.vary.model_extra or {}, find, lambda key: fixed.get(key, _stated(text, key)))
+        found = variables(given.vary.model_extra or {}, find, lambda key: fixed.get(key, value_at(text, key)))
         _require_apart(found, study, fixed, "[set]")
         entries = [each.key for each in found if each.entry is not None]
-        lists = {key: fixed.get(key, _stated(text, key)) for key in entries}
+        lists = {key: fixed.get(key, value_at(text, key)) for key in entries}
         surrogate, verify = (
             given.surrogate.model_extra or {},
             [each.model_extra or {} for each in given.verify],
@@ -95,6 +96,8 @@ def read(path: str | Path, families: Families) -> Problem:
         bounds = _bounds(given.constrain, study, layout)
     except (BadValues, UnknownOutput, WrongUnit) as problem:
         raise BadCase(f"{name}: [{where}] {problem}") from None
+    named = [value for each in (fixed, surrogate, *verify) for key, value in each.items() if key in files]
+    study = study.reading(*next_to(study.case, named))
     return Problem(
         study, fixed, found, lists, goal, bounds, given.search, tuple(verify), surrogate
     )  # fmt: skip
@@ -123,13 +126,6 @@ def _require_apart(found: tuple[Variable, ...], study: Study, fixed: Settings, t
             raise BadValues(f"{each.name} is given in {others[each.key]}, too")
         if study.spectrum and each.key.startswith("operation.") and each.key.endswith("speed"):
             raise BadValues(f"{each.name} cannot be varied: speeds weigh the rows of [duty]")
-
-
-def _stated(table: Any, key: str) -> Any:
-    """What the tables of a case have at a dotted key; None where it is not given."""
-    for name in key.split("."):
-        table = table.get(name) if isinstance(table, dict) else None
-    return table
 
 
 def _goal(given: OptimisationFile, study: Study, layout: Any) -> Callable[[Cycles | None], Goal]:

@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
-from flexbearing.files import require_folder, require_output, write
+from flexbearing.files import require_folder, require_outputs, write
 from flexbearing.optimise.answer import Optimum, answer, rank
-from flexbearing.optimise.case_file import case_text
+from flexbearing.optimise.case_file import case_text, require_unedited
 from flexbearing.optimise.correction import Corrected
 from flexbearing.optimise.evaluations import Evaluations, NotComputed, Point, Workers, varied_rings
 from flexbearing.optimise.file import Problem, read
@@ -90,8 +90,9 @@ def optimise(
     """
     problem, folder = read(file, FAMILIES), require_folder(Path(output))
     base, name, inputs = _sound(problem), problem.study.name, problem.study.inputs
-    table, case = (require_output(folder / f"{name}{end}", inputs) for end in (TABLE, CASE))
-    path = require_output(base.journal(folder), inputs)
+    places = (*(folder / f"{name}{end}" for end in (TABLE, CASE)), base.journal(folder))
+    table, case, path = require_outputs(places, inputs)
+    require_unedited(case)
     meshed = varied_rings(problem)
     processes = jobs or (cores() if meshed else 1)
     if meshed and not problem.surrogate:  # noise of meshes is all that nearer designs differ by

@@ -6,16 +6,16 @@ from pathlib import Path
 from flexbearing import api
 from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
-from flexbearing.files import require_output, write
+from flexbearing.files import BadOutput, require_outputs, write
 from flexbearing.pages.against import section
 from flexbearing.pages.chromium import chromium, pdf_bytes
-from flexbearing.pages.study_table import table_file
+from flexbearing.pages.study_table import table_file, tables_of
 from flexbearing.report.html import SYSTEMS, Units, html, of_result, of_study
 from flexbearing.report.html.document import Document
 from flexbearing.report.html.scatter import read_scatter
 from flexbearing.report.html.table import PARQUET, read_table
-from flexbearing.results import Result
 
+PAGES = (".html", ".htm")
 TABLES = (".csv", PARQUET)  # of a study
 ARRAYS = ".nc"  # of a study: the same numbers over its axes, which are no table
 
@@ -55,7 +55,8 @@ def report(
     BadResult
         when there is no complete result, no table, or the kinds of bearing differ
     BadOutput
-        when a file cannot be written, or there is no Chromium that prints; nothing was read then
+        for files that cannot be written, another name than one of HTML, and without a Chromium that prints;
+        nothing was read then
     NotStored
         when there is no room left, or Chromium did not print
     """
@@ -73,43 +74,27 @@ def report(
         raise BadCase(f"--against {against}: {source} is a study; only results are compared")
     place = table_file(place) if of_table else place
     wanted = Path(output or place.with_name(f"{place.stem}_report.html"))
-    inputs = [place, *([Path(against)] if against is not None else [])]
-    page = require_output(wanted, inputs)
-    printed = require_output(wanted.with_suffix(".pdf"), [*inputs, page]) if pdf else None
-    document = (
-        _of_study(place, SYSTEMS[units])
-        if of_table
-        else _of_result(place, against, SYSTEMS[units], [page, printed])
-    )
+    outputs = [wanted, *([wanted.with_suffix(".pdf")] if pdf else [])]
+    inputs = tables_of(place) if of_table else [place, *([Path(against)] if against is not None else [])]
+    page, *printed = require_outputs(outputs, inputs)
+    if wanted.suffix not in PAGES:
+        raise BadOutput(f"{wanted}: a report is HTML; choose a name that ends in {PAGES[0]}.")
+    document = _of_study(place, SYSTEMS[units]) if of_table else _of_result(inputs, SYSTEMS[units], outputs)
     write(page, html(document).encode())
-    if printed is None:
-        return [wanted]
-    write(printed, pdf_bytes(browser, page))
-    return [wanted, wanted.with_suffix(".pdf")]
+    for paper in printed:
+        write(paper, pdf_bytes(browser, page))
+    return outputs
 
 
-def _of_result(
-    place: Path, against: str | Path | None, units: Units, outputs: Iterable[Path | None]
-) -> Document:
-    """Report of a result, which is read; none of its outputs may be its case."""
-    result = api.read(place)
-    _spare_case(result, outputs)
-    if against is None:
-        return of_result(result, units)
-    other = api.read(against)
-    _spare_case(other, outputs)
-    return of_result(result, units, (section(result, other, units),))
-
-
-def _spare_case(result: Result, outputs: Iterable[Path | None]) -> None:
-    """Raise where an output is the case that a result was computed from."""
-    if case := result.attributes.get("case_file"):
-        for output in filter(None, outputs):
-            require_output(output, [case])
+def _of_result(places: Iterable[Path], units: Units, outputs: Iterable[Path]) -> Document:
+    """Report of a result, perhaps against another; no output may be a file that they were computed from."""
+    result, *others = map(api.read, places)
+    require_outputs(outputs, [file for each in (result, *others) for file in each.files])
+    return of_result(result, units, tuple(section(result, other, units) for other in others))
 
 
 def _of_study(place: Path, units: Units) -> Document:
     """Report of a table, with the lives under its duty cycle and its scatter where there are such."""
-    cycles = place.with_name(f"{place.stem}_duty{place.suffix}")
+    _, cycles, *_ = tables_of(place)
     of_cycles = read_table(cycles, FAMILIES) if cycles.is_file() else None
     return of_study(read_table(place, FAMILIES), of_cycles, units, read_scatter(place))

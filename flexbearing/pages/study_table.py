@@ -6,6 +6,11 @@ from flexbearing.results import BadResult
 from flexbearing.studies.table.files import CYCLES, SCATTER
 
 
+def tables_of(table: Path) -> list[Path]:
+    """The table of a study, that of lives under its duty cycle, those of its scatter; there or not."""
+    return [table.with_name(f"{table.stem}{part}{table.suffix}") for part in ("", CYCLES, *SCATTER)]
+
+
 def table_file(place: Path) -> Path:
     """Find the table of a study.
 

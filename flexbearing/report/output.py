@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from rich.console import Console, Group, RenderableType
 
-from flexbearing.files import require_folder, require_output, write
+from flexbearing.files import require_folder, require_outputs, write
 from flexbearing.printable import all_printable
 from flexbearing.report.balls import side_by_side
 from flexbearing.report.picture import PNG, Format, LeftOut, picture_bytes
@@ -126,12 +126,9 @@ def _drawn(
     """Write figures by the stems of their files, none of which may be what was read."""
     folder = require_folder(directory)
     paths = {folder / f"{stem}.{form.name}": figure for stem, figure in figures.items()}
-    cases = filter(None, (result.attributes.get("case_file") for result in read))
-    inputs = (*(file for result in read for file in result.files), *cases)
-    for path in paths:
-        require_output(path, inputs)
-    for path, figure in paths.items():
-        write(path.resolve(), picture_bytes(figure, form))
+    places = require_outputs(paths, (file for result in read for file in result.files))
+    for place, (path, figure) in zip(places, paths.items(), strict=True):
+        write(place, picture_bytes(figure, form))
         yield path
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexbearing.case.family import Family
+from flexbearing.case.file_keys import next_to, value_at
 from flexbearing.outputs import Value, wanted
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.quantities.summary import summary
@@ -64,8 +65,12 @@ class Result:
 
     @property
     def files(self) -> tuple[Path, ...]:
-        """Its file, where there is one: no output may replace it."""
-        return (self.path,) if self.path else ()
+        """Its file, its case, and files that the case names: no output may replace one of them."""
+        stated = self.attributes.get("case_file")
+        case = Path(stated) if isinstance(stated, str) else None
+        names = [value_at(self.attributes.get("case_si"), key) for key in self.family.case().file_keys]
+        own = [file for file in (self.path, case) if file]
+        return (*own, *(named for file in own for named in next_to(file, names)))
 
     @property
     def dangers(self) -> tuple[Mapping[str, str], ...]:

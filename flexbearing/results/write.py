@@ -11,7 +11,7 @@ from typing import Any, ClassVar, Literal, Self
 from numpy.typing import ArrayLike
 
 from flexbearing.case.family import Family
-from flexbearing.files import NotStored, lock, parts_of, require_output, write
+from flexbearing.files import BadOutput, NotStored, lock, parts_of, require_output, write
 from flexbearing.files.whole import host, part_name
 from flexbearing.quantities.layout import Layout
 from flexbearing.results import hdf5
@@ -23,6 +23,7 @@ from flexbearing.results.record import Record
 from flexbearing.results.result import Result
 from flexbearing.results.scales import ITERATIONS, meanings, named_axes, scales
 
+CASE = ".toml"
 LATEST = 0.5  # [s] that anything finished stays in memory only
 log = logging.getLogger(__name__)
 
@@ -71,7 +72,7 @@ class ResultFile:
         self, path: str | Path, attributes: Mapping[str, Any], family: Family, inputs: tuple[Path, ...] = ()
     ):
         self.path = Path(path)
-        self._place = require_output(path, inputs)  # where a link leads
+        self._place = _require_place(path, inputs)  # where a link leads
         self.part = part_name(self._place)
         self._record = Record(attributes, family)
         self._open = ExitStack()
@@ -220,10 +221,18 @@ def store(result: Result, path: Path, inputs: tuple[Path, ...] = ()) -> None:
     NotStored
         if it could not be written; what had its name before is unchanged
     """
-    place = require_output(path, inputs)
+    place = _require_place(path, inputs)
     with lock(place):
         _write_whole(place, result)
         _remove_parts(place)
+
+
+def _require_place(path: str | Path, inputs: tuple[Path, ...]) -> Path:
+    """Where a result goes; a name of cases is a slip that would cost one."""
+    place = require_output(path, inputs)
+    if Path(path).suffix == CASE:
+        raise BadOutput(f"{path}: is the name of a case, and results are HDF5; choose one that ends in .h5.")
+    return place
 
 
 def _remove_parts(place: Path) -> None:

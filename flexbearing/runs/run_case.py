@@ -162,11 +162,16 @@ def default_output(case: Head) -> Path:
     BadOutput
         where the result of a case of this name in another folder is
     """
-    path = Path("results") / f"{stem_of_outputs(case.source.path, case.source.overrides)}.h5"
+    path = usual_output(case.source.path, case.source.overrides)
     other = case_file(path)
     if other and exists(other) and not Path(other).samefile(case.source.path):  # noqa: PTH110
         raise BadOutput(f"{path}: is the result of {other}; choose another name with -o.")
     return path
+
+
+def usual_output(case: str | Path, settings: Sequence[str] = ()) -> Path:
+    """Name of the result of a case file that is given none, whatever is there."""
+    return Path("results") / f"{stem_of_outputs(case, settings)}.h5"
 
 
 def stem_of_outputs(case: str | Path, settings: Sequence[str]) -> str:

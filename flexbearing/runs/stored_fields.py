@@ -9,7 +9,7 @@ from pathlib import Path
 from flexbearing.case import BadCase, understood
 from flexbearing.case.head import Head
 from flexbearing.case.roller import Case
-from flexbearing.files import require_folder, require_output, write as store
+from flexbearing.files import require_folder, require_outputs, write as store
 from flexbearing.results import BadResult, Result
 from flexbearing.runs import fields
 from flexbearing.runs.fields import Arrays
@@ -150,8 +150,7 @@ def destinations(
     paths: dict[Race, Path] = {
         name: folder / f"{result.stem}_{name}_{state.replace(' ', '_')}.vtu" for name in races
     }
-    for path in paths.values():
-        require_output(path, (*result.files, *case.input_files))
+    require_outputs(paths.values(), result.files)
     return paths
 
 

@@ -43,7 +43,7 @@ def sensitivity(
 ) -> None:
     """Compute how much each key of a case changes its outputs: derivatives, largest first."""
     from flexbearing import api
-    from flexbearing.files import require_output
+    from flexbearing.files import require_outputs
     from flexbearing.printable import all_printable, printable
     from flexbearing.runs.run_case import stem_of_outputs
 
@@ -52,8 +52,7 @@ def sensitivity(
     form = _form_of(picture)
     table = picture.with_suffix(".csv")
     if not as_json:
-        for place in (picture, table):
-            require_output(place, wanted.input_files)
+        require_outputs((picture, table), wanted.input_files)
     found = _differentiated(wanted, of.split(",") if of else (), by or ())
     if as_json:
         import json

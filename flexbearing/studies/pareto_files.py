@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
-from flexbearing.files import BadOutput, require_folder, require_output, write
+from flexbearing.files import BadOutput, require_folder, require_outputs, write
 from flexbearing.report.studies.pareto_table import Study, table
 
 _PLAIN = re.compile(r"[^./\\\x00-\x1f\x7f][^/\\\x00-\x1f\x7f]*")
@@ -38,8 +38,7 @@ def destinations(folder: Path, name: str, inputs: Iterable[Path]) -> tuple[Path,
             "not empty, no folders, no dot in front. The folder is named with -o."
         )
     csv, png = (require_folder(folder) / f"pareto_{name}{suffix}" for suffix in (".csv", ".png"))
-    for path in (csv, png):
-        require_output(path, inputs)
+    require_outputs((csv, png), inputs)
     return csv, png
 
 

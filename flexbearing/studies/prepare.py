@@ -1,12 +1,12 @@
 """A study file, settled and computed with the bearings of this program."""
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from shutil import rmtree
 
-from flexbearing.cache import configured
+from flexbearing.cache import Cache, configured
 from flexbearing.case import BadCase, Head
 from flexbearing.case.roller import Case
 from flexbearing.case.variants import Variants
@@ -143,6 +143,8 @@ def compute(
     from flexbearing.studies.worker import Wish, condense, rows
 
     settled.plan.require_sound()
+    if where.slurm:
+        settled = replace(settled, study=settled.study.reading(where.slurm))
     folder, name = output.resolve(), settled.study.name
     cache = str(folder / f"{name}.rings") if configured().folder is None else None
     wish = Wish(settled.outputs, settled.study.search, settled.files(folder), settled.study.final)
@@ -152,5 +154,12 @@ def compute(
     if settled.study.drawn and not settled.part:
         table = told_of_scatter(settled, table, folder)
     if cache is not None and settled.part is None:
-        rmtree(cache, ignore_errors=True)
+        _without_rings(Path(cache))
     return table
+
+
+def _without_rings(folder: Path) -> None:
+    """Remove the rings of a study, and their folder where it holds nothing else."""
+    Cache(folder).clear()
+    with suppress(OSError):  # there are other files in it, or it was never made
+        folder.rmdir()

@@ -9,7 +9,7 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any
 
-from flexbearing.files import NotStored, require_folder, require_output, write
+from flexbearing.files import NotStored, require_folder, require_outputs, write
 from flexbearing.report.picture import picture_bytes
 from flexbearing.studies.engine import Done, Engine, completed, finished
 from flexbearing.studies.engine.serial import Serial
@@ -17,11 +17,10 @@ from flexbearing.studies.plan import Condensed, Corners, Ring, Row, Task
 from flexbearing.studies.plan.task import NOT_STORED, involves
 from flexbearing.studies.settled import Prepared, Progress
 from flexbearing.studies.table import Table, journal
-from flexbearing.studies.table.files import CYCLES, places, store
+from flexbearing.studies.table.files import PICTURE, store
 from flexbearing.studies.table.plot import draw
 
 Tell = Callable[[Progress], None]
-PICTURE = ".png"
 
 
 @dataclass(frozen=True)
@@ -67,16 +66,12 @@ def run(
     Raises
     ------
     BadOutput
-        for a folder that cannot be written, or where the same study runs already
+        for a folder that cannot be written, an output that is read or where the same study runs already
     NotStored
         when there is no room left; what is finished stays
     """
-    folder, inputs = require_folder(output), settled.study.inputs
-    paths = {} if settled.part else places(folder, settled.study.name, inputs)
-    if settled.study.spectrum:
-        places(folder, f"{settled.study.name}{CYCLES}", inputs)
-    picture = require_output(folder / f"{settled.study.name}{PICTURE}", inputs) if settled.plot else None
-    path = require_output(settled.journal(folder), inputs)
+    folder = require_folder(output)
+    path, *_ = require_outputs(settled.destinations(folder), settled.study.inputs)
     rows: dict[str, Row] = {}
     try:
         with journal.opened(path, settled.texts) as kept:
@@ -92,13 +87,17 @@ def run(
             problem.add_note(
                 f"{done.done} of {done.total} variants are kept, the same study goes on from there"
             )
-            with suppress(NotStored):
-                store(settled.table(rows), paths)
+            if not settled.part:
+                with suppress(NotStored):
+                    store(settled.table(rows), folder)
         raise
     table = replace(settled.table(rows), complaints=complaints)
-    store(table, paths)
-    if picture and settled.plot and not settled.part:
-        write(picture, picture_bytes(draw(table, settled.plot)))
+    if settled.part:
+        return table
+    store(table, folder)
+    if settled.plot:
+        picture = folder / f"{settled.study.name}{PICTURE}"
+        write(picture.resolve(), picture_bytes(draw(table, settled.plot)))
     return table
 
 

@@ -7,15 +7,14 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.files import require_output, write
+from flexbearing.files import write
 from flexbearing.report.picture import picture_bytes
 from flexbearing.studies.first_order import first_order
 from flexbearing.studies.settled import Prepared
 from flexbearing.studies.table import Column, Table
-from flexbearing.studies.table.files import places, store
+from flexbearing.studies.table.files import SCATTER_PICTURE, store
 from flexbearing.studies.table.scatter import Scatter
 
-PICTURE = "_scatter.png"  # behind the name of the study
 APART = ("status", "message", "seconds", "result")  # columns that are no outputs
 
 
@@ -38,21 +37,21 @@ def told_of_scatter(settled: Prepared, table: Table, folder: Path) -> Table:
 
     Raises
     ------
-    BadOutput, NotStored
+    NotStored
         where a file cannot be written
     """
     assert settled.study.drawn  # of no other study is it asked
-    inputs, prediction = settled.study.inputs, first_order(settled)
+    prediction = first_order(settled)
     outputs = _outputs(table.cycles or table)
     scatter = Scatter(table.name, settled.study.drawn, _drawn(settled), outputs, prediction.outputs)
     tables = scatter.tables()
     for each in tables:
-        store(each, places(folder, each.name, inputs))
+        store(each, folder)
     from flexbearing.report.studies.scatter_figure import draw_scatter  # pictures load their library
 
     if len(tables[0]):
-        picture = require_output(folder / f"{table.name}{PICTURE}", inputs)
-        write(picture, picture_bytes(draw_scatter(table.name, *(each.rows for each in tables))))
+        picture = folder / f"{table.name}{SCATTER_PICTURE}"
+        write(picture.resolve(), picture_bytes(draw_scatter(table.name, *(each.rows for each in tables))))
     return replace(table, scatter=tables, missing=prediction.missing)
 
 

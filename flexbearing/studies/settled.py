@@ -20,7 +20,7 @@ from flexbearing.studies.table import Table, duty, journal
 from flexbearing.studies.table.collected import Collected
 from flexbearing.studies.table.column import Column, ends
 from flexbearing.studies.table.duty import Cycles
-from flexbearing.studies.table.files import CYCLES
+from flexbearing.studies.table.files import CYCLES, PICTURE, SCATTER, SCATTER_PICTURE, paths
 from flexbearing.studies.table.keys import key_columns
 from flexbearing.studies.table.plot import Plot
 
@@ -101,6 +101,19 @@ class Prepared:
     def files(self, folder: Path) -> Path | None:
         """Folder of result files; None where the table is all that is wanted."""
         return folder / self.study.name if self.study.full else None
+
+    def destinations(self, folder: Path) -> list[Path]:
+        """All that the study writes into a folder, but what workers keep there of rings."""
+        study, files = self.study, self.files(folder)
+        names = dict.fromkeys(file_name(each, final=study.final) for each in self.plan.variants)
+        results = [files / name for name in names] if files else []
+        if self.part:
+            return [self.journal(folder), *results]
+        ends = ["", *([CYCLES] if study.spectrum else []), *(SCATTER if study.drawn else [])]
+        tables = chain.from_iterable(paths(folder, f"{study.name}{end}").values() for end in ends)
+        pictures = [*([PICTURE] if self.plot else []), *([SCATTER_PICTURE] if study.drawn else [])]
+        drawn = [folder / f"{study.name}{end}" for end in pictures]
+        return [self.journal(folder), *results, *tables, *drawn]
 
     def rows(self, folder: Path, *, retry_failed: bool = False) -> dict[str, Row]:
         """Rows of former runs and of all parts that hold all that is wanted now; answers before failures."""

@@ -52,7 +52,7 @@ def study(  # noqa: PLR0913  # an argument for each option
         for a wrong study file, variants that cannot be computed, or what is missing for several jobs; nothing
         is computed then
     BadOutput
-        for a folder that cannot be written, or where the same study runs already
+        for a folder that cannot be written, an output that is read or where the same study runs already
     NotStored
         when there is no room left; what is finished stays
 

@@ -10,10 +10,9 @@ from typing import Any, Self, TextIO
 
 from flexbearing.case.problems import MOST
 from flexbearing.printable import printable
-from flexbearing.studies.run import PICTURE
-from flexbearing.studies.scatter import PICTURE as SCATTER_PICTURE
 from flexbearing.studies.settled import Prepared, Progress
 from flexbearing.studies.table import Table
+from flexbearing.studies.table.files import PICTURE, SCATTER_PICTURE
 from flexbearing.studies.table.forms import EXTRA, FORMS, missing
 from flexbearing.studies.where import ALONE, RING, SIDE_BY_SIDE, Cost, expected
 

@@ -127,9 +127,3 @@ def test_wrong_exports_are_refused(result, words, complaint, capsys, tmp_path):
     assert complaint in said
     assert said.count("\n") == 1
     assert list(tmp_path.iterdir()) == []
-
-
-def test_no_export_replaces_the_result(result, capsys, tmp_path):
-    (tmp_path / "r.nc").symlink_to(result.path)
-    assert command(["export", str(result.path), "--to", "netcdf", "-o", str(tmp_path)]) == 2
-    assert "which is read here" in capsys.readouterr().err

@@ -84,7 +84,7 @@ def test_lock_that_was_never_signed_is_taken_over(path, content):
     assert not place.exists()
 
 
-@pytest.mark.parametrize("content", ["{", "[1]", "[" * 4000, "title = 'mine'"])
+@pytest.mark.parametrize("content", ["{", "[1]", "[" * 4000, "title = 'mine'", '{"mine": 1}'])
 def test_file_with_the_name_of_the_lock_is_not_touched(path, content):
     place = Path(f"{path}.lock")
     place.write_text(content)

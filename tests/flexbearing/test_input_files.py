@@ -5,6 +5,8 @@ from pathlib import Path
 import pytest
 
 from flexbearing.api import read_case
+from flexbearing.case.declarations import declared
+from flexbearing.families import FAMILIES
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 
@@ -19,3 +21,10 @@ def test_the_drawing_is_an_input_as_long_as_it_is_used():
     file = CONFIGS / "step_ring.toml"
     assert read_case(file).input_files == (file, CONFIGS / "step_ring.step")
     assert read_case(file, ["outer.kind=rigid"]).input_files == (file,)
+
+
+@pytest.mark.parametrize("family", FAMILIES.values(), ids=FAMILIES)
+def test_keys_that_name_files_are_known(family):
+    model = family.case()
+    stated = {each.path for each in declared(model) if "to the case file" in each.meaning}
+    assert stated == {*model.file_keys}

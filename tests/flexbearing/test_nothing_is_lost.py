@@ -1,6 +1,5 @@
 """Cases and results survive whatever users do to their names, and whatever ends a run."""
 
-import itertools
 import os
 import shutil
 import signal
@@ -20,7 +19,6 @@ from flexbearing.files import BadOutput
 from flexbearing.runs.run_case import default_output
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
-DRAWN = PAPER.with_name("step_ring.toml")
 BALLS = PAPER.with_name("joshi2015_fag.toml")
 RIGID = ["outer.kind=rigid", "inner.kind=rigid"]
 RING = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam"]  # nothing is meshed
@@ -91,39 +89,6 @@ def test_case_of_the_same_name_in_another_folder_keeps_its_result(case):
     run_by_default_name(case)
     case.unlink()
     assert run_by_default_name(other).path == Path("results/mine.h5")  # of nobody any more
-
-
-FILES, LINKS = ("case", "drawing", "start"), ("itself", "symbolic link", "hard link")
-QUICK = tuple(zip(FILES, LINKS, strict=True))
-
-
-@pytest.mark.parametrize(
-    ("file", "link"),
-    [
-        pytest.param(*pair, marks=() if pair in QUICK else pytest.mark.slow)
-        for pair in itertools.product(FILES, LINKS)
-    ],
-)
-def test_output_is_no_file_that_is_read(tmp_path, file, link):
-    case = Path(shutil.copy(DRAWN, tmp_path / "drawn.toml"))
-    drawing = Path(shutil.copy(DRAWN.with_name("step_ring.step"), tmp_path / "step_ring.step"))
-    start = tmp_path / "start.h5"
-    words = ["run", case]
-    if file == "start":
-        flexbearing.run(PAPER, RING, output=start)
-        words = ["run", PAPER, "--start", start, *settings(RING)]
-    target = {"case": case, "drawing": drawing, "start": start}[file]
-    before = target.read_bytes()
-    out = target if link == "itself" else tmp_path / "out.h5"
-    if link == "symbolic link":
-        out.symlink_to(target)
-    if link == "hard link":
-        out.hardlink_to(target)
-    run = command(*words, "-o", out)
-    errors = run.communicate()[1]
-    assert (run.returncode, len(errors.splitlines())) == (2, 1)
-    assert f"{out}: is {target} itself, which is read here" in errors
-    assert target.read_bytes() == before
 
 
 @pytest.mark.slow

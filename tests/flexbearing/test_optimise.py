@@ -10,6 +10,7 @@ import pytest
 
 from flexbearing import __main__ as program
 from flexbearing.case import BadCase
+from flexbearing.files import BadOutput
 from flexbearing.optimise import run
 from flexbearing.optimise.answer import Optimum
 from flexbearing.optimise.evaluations import Workers
@@ -245,6 +246,18 @@ def test_best_case_is_read_as_it_was_searched(tmp_path):
     case = read_case(tmp_path / "out" / "hill_optimum.toml")
     assert case.bearing.clearance == pytest.approx(1e-6 * optimum.best.point[0])
     assert case.bearing.roller.drop == pytest.approx(1e-6 * optimum.best.point[1])
+
+
+def test_an_edited_case_of_the_best_is_kept(tmp_path):
+    for _ in range(2):  # the second replaces what the first wrote
+        found(tmp_path)
+    best = tmp_path / "out" / "hill_optimum.toml"
+    edited = best.read_text().replace("[bearing]", "# mine\n[bearing]")
+    best.write_text(edited)
+    asked = []
+    with pytest.raises(BadOutput, match=r"hill_optimum\.toml: was edited, .* rename it"):
+        found(tmp_path, work=counting(asked))
+    assert (best.read_text(), asked) == (edited, [])
 
 
 VARY, GOAL = '[vary]\n"bearing.clearance" = "0 um .. 1 um"\n', '[maximise]\noutput = "life_L10"\n'

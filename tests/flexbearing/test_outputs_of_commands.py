@@ -136,26 +136,6 @@ def test_name_of_a_study_is_a_plain_name(command, tmp_path, name):
     assert sorted(path.name for path in tmp_path.iterdir()) in ([], ["there"])
 
 
-@pytest.mark.usefixtures("nothing_computed")
-def test_no_output_replaces_what_is_read(command, result, tmp_path):
-    case = tmp_path / "case.csv"
-    case.write_text(PLAIN.read_text())
-    before = case.read_bytes(), result.read_bytes()
-    for link in ("t.png", "ring_convergence.png", "ring_outer_rigid.vtu", "pareto_few.csv"):
-        (tmp_path / link).symlink_to(result if link.startswith("ring") else case)
-    commands = (
-        ("map", case, "--over", RANGE, "-o", case),
-        ("map", case, "--over", RANGE, "-o", tmp_path / "t.csv"),
-        ("plot", result),
-        ("export", result, "--to", "vtu", "--state", "rigid"),
-        ("pareto", case, "-o", tmp_path, "--name", "few"),
-    )
-    for words in commands:
-        code, _, complaint = command(*words)
-        assert (code, "which is read here" in complaint) == (2, True)
-    assert (case.read_bytes(), result.read_bytes()) == before
-
-
 @pytest.mark.parametrize(
     ("words", "place", "left"),
     [

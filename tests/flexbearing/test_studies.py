@@ -11,6 +11,7 @@ from flexbearing.files import BadOutput, NotStored
 from flexbearing.studies.engine import Done, finished
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan.task import NOT_STORED
+from flexbearing.studies.prepare import compute
 from flexbearing.studies.run import Work, run
 from flexbearing.studies.table import journal
 from tests.flexbearing.toy_studies import cubes, load, no_ring, toy
@@ -253,11 +254,17 @@ def test_two_studies_of_other_names_share_a_folder(tmp_path):
         assert computed(toy(tmp_path, name="other"), tmp_path).name == "other"
 
 
-def test_the_table_replaces_no_input(tmp_path):
-    (tmp_path / "toy.csv").write_text("operation.radial_load [kN]\n5\n")
-    settled = toy(tmp_path, 'file = "toy.csv"')
-    with pytest.raises(BadOutput, match=r"toy\.csv: is .* itself, which is read here"):
-        computed(settled, tmp_path)
+def test_files_of_others_in_the_folder_of_rings_are_kept(tmp_path, monkeypatch):
+    monkeypatch.setenv("FLEXBEARING_CACHE", "off")
+    names = "thin.rings/notes.txt", "thin.rings/sub/mine.csv"
+    for name in names:
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text("mine")
+    ring = tmp_path / "thin.rings" / f"{'0' * 64}.ring"
+    ring.touch()
+    compute(toy(tmp_path, '"operation.radial_load" = "5 kN"', name="thin"), tmp_path)
+    assert [(tmp_path / name).read_text() for name in names] == ["mine", "mine"]
+    assert not ring.exists()
 
 
 def test_a_folder_that_cannot_be_written_is_told_before_anything_is_computed(tmp_path):

@@ -32,6 +32,11 @@ class Case(Head):
     """A cylindrical roller bearing."""
 
     former = FORMER
+    file_keys = (
+        "outer.file", "outer.matrix", "outer.nodes", "bearing.roller.points_file",
+        "bearing.inner_raceway.points_file", "bearing.outer_raceway.points_file",
+    )  # fmt: skip
+
     kind: Literal["cylindrical_roller"] = key(KIND, "cylindrical_roller")
     bearing: Bearing = key("the bearing")
     materials: Materials = key("the materials")
@@ -63,13 +68,6 @@ class Case(Head):
         housed = self.outer.kind == "ring" and self.outer.support == "housing"
         fitted = self.bearing.fits is not None and self.bearing.fits.housing is not None
         return housed and (fitted or self.outer.housing_clearance is not None)
-
-    @property
-    def named_files(self) -> tuple[Path, ...]:
-        """The drawing, matrix and mesh, and the files with points of profiles."""
-        tables = self.bearing.roller, self.bearing.inner_raceway, self.bearing.outer_raceway
-        files = [self.drawing, *self.matrix_files, *(self.points_file(table) for table in tables if table)]
-        return tuple(file for file in files if file)
 
     def points_file(self, table: Generatrix) -> Path | None:
         """CSV file of a profile, next to the case file; None for one without."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from flexbearing.files import require_output, write
+from flexbearing.files import require_outputs, write
 from flexbearing.report.picture import PNG, Format, picture_bytes
 from flexbearing.report.roller.deformed_figure import deformed
 from flexbearing.results import Result
@@ -57,8 +57,7 @@ def pictures(result: Result, directory: Path, form: Format = PNG) -> Iterator[Pa
     paths: dict[Race, Path] = {
         race: directory / f"{result.stem}_{race}_deformed.{form.name}" for race in flexible
     }
-    for path in paths.values():
-        require_output(path, (*result.files, *case.input_files))
+    require_outputs(paths.values(), result.files)
     for race, path in paths.items():
         try:
             part = fields.fields(case, race, "flexible", result.flexible)

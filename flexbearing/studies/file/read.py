@@ -1,8 +1,8 @@
 """From a study file to what is varied and what is wanted."""
 
 import re
-from collections.abc import Callable, Collection, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -13,6 +13,7 @@ from flexbearing import inputs
 from flexbearing.case.declarations import Declaration, find
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.family import Families
+from flexbearing.case.file_keys import next_to, value_at
 from flexbearing.case.head import Head
 from flexbearing.case.problems import BadCase, messages, nearest
 from flexbearing.case.read import LONGEST_NAME, model_of
@@ -59,6 +60,10 @@ class Study:
     def keys(self) -> tuple[str, ...]:
         """Keys of the case that are varied."""
         return tuple(key for axis in self.axes for key in axis.keys)
+
+    def reading(self, *files: Path) -> "Study":
+        """The same study with further files that no output may replace."""
+        return replace(self, inputs=(*self.inputs, *files))
 
 
 def read(path: str | Path, families: Families) -> Study:
@@ -111,7 +116,8 @@ def study_of(given: StudyFile, file: Path, families: Families) -> Study:
         as `read`
     """
     case = file.parent / given.case
-    model = model_of(_tables(case, "case"), (), excerpt(case.name, LONGEST_NAME), families)
+    stated = _tables(case, "case")
+    model = model_of(stated, (), excerpt(case.name, LONGEST_NAME), families)
     found, drawn, weights = _axes(given, file, partial(declared, model=model, families=families))
     return Study(
         path=file,
@@ -123,6 +129,7 @@ def study_of(given: StudyFile, file: Path, families: Families) -> Study:
             file,
             case,
             *(file.parent / table.file for table in (given.over, given.duty) if table and table.file),
+            *next_to(case, _file_names(stated, found, model)),
         ),
         axes=found,
         collect=_collected(given.collect, file),
@@ -133,6 +140,14 @@ def study_of(given: StudyFile, file: Path, families: Families) -> Study:
         full=given.results != "table",
         final=given.results == "final",
     )
+
+
+def _file_names(stated: dict[str, Any], found: Iterable[Axis], model: type[Head]) -> Iterator[Any]:
+    """What the case and its variants have at keys that name files."""
+    for key in model.file_keys:
+        yield value_at(stated, key)
+        for axis in found:
+            yield from (row[axis.keys.index(key)] for row in axis.rows if key in axis.keys)
 
 
 def declared(key: str, model: type[Head], families: Families) -> Declaration:

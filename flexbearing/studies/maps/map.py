@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from flexbearing.api import check
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
-from flexbearing.files import require_output, write
+from flexbearing.files import require_outputs, write
 from flexbearing.progress import Report
 from flexbearing.report.picture import FORMATS, Format, picture_bytes
 from flexbearing.runs.run_case import stem_of_outputs
@@ -97,7 +97,7 @@ def map_case(request: MapRequest, report: Report) -> WrittenMap:
     if without := [text for text in over if "," not in text]:
         raise BadCase(f"--over {without[0]}: {FORM}")
     wanted = axes(over, type(first))
-    _require(files, first)
+    require_outputs(files.values(), first.input_files)
     found = solved_map(first, wanted, request.of or OUTPUTS, report)
     _write(found, files, Format(form))
     return WrittenMap(found, pages.text(found), not len(found.unsolved), files)
@@ -108,7 +108,7 @@ def _followed(case: str | Path, over: str, overrides: Sequence[str], files: dict
     from flexbearing.report.studies.branch_figure import draw_branch
 
     wanted = branch.ends(case, over, overrides)
-    _require(files, wanted.case)
+    require_outputs(files.values(), wanted.case.input_files)
     found = branch.followed(wanted)
     write(files["table"].resolve(), csv_bytes(found.table()))
     try:
@@ -119,11 +119,6 @@ def _followed(case: str | Path, over: str, overrides: Sequence[str], files: dict
         problem.add_note(f"the table is complete: {files['table']}")
         raise
     return WrittenMap(found, found.text(), found.complete, files)
-
-
-def _require(files: dict[str, Path], case: Case) -> None:
-    for path in files.values():
-        require_output(path, case.input_files)
 
 
 def _write(found: "SolvedMap", files: dict[str, Path], form: Format) -> None:
