@@ -1,4 +1,4 @@
-"""Changed inputs through the command line, each in a process of its own whose time, memory and files are judged.
+"""Changed inputs through the command line, each in a process whose time, memory and files are judged.
 
 Modules are loaded once and every process is a fork: an input takes no start of the program. The folder of a
 process holds the files of its input and nothing else, and is gone with it.
@@ -347,12 +347,12 @@ def _of_files(before: dict[str, bytes]) -> Iterator[str]:
 
 def _of_output(code: int, text: str, length: int) -> Iterator[str]:
     if code not in (0, 1, 2):
-        yield f"exit {code}: {text.strip()[-400:]}"
+        yield f"exit {code}: {text.strip().rpartition(chr(10))[2][-400:]}"
     for word in WARNINGS:
         if word in text and code in (0, 1, 2):
             yield f"printed {text[max(text.index(word) - 200, 0) : text.index(word) + 300]!r}"
             break
     if code == 2 and not text.strip():
         yield "refused without a word"
-    if length > LONGEST_MESSAGE:
+    if code and length > LONGEST_MESSAGE:  # an output may be long
         yield f"printed {length} characters"
