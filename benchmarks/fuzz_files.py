@@ -1,10 +1,11 @@
 """Changed files and options through the command line: `python -m benchmarks.fuzz_files --n 4000 --seed HEX`.
 
-Studies, duty cycles, variants, optimisations, maps, profiles, journals, REXS models, matrices, drawings, tables,
-results, options of `new` and names of files, each changed at random in one to five places. A fault is an exit code other than 0,
-1 or 2, more than 10 s of processor time or 1 GB, a traceback or a warning of a library, a message of more than 20 000
-characters, an input that was changed, an unfinished file or a process that is left. Faults of a kind are told
-once, reduced to the changes that they need; `--only NUMBER --keep FOLDER` writes the files of an input and runs it alone.
+Studies, duty cycles, variants, optimisations, maps, profiles, journals, REXS models, matrices, drawings,
+tables, results, options of `new` and names of files, each changed at random in one to five places. A fault is
+an exit code other than 0, 1 or 2, more than 10 s of processor time or 1 GB, a traceback or a warning of a
+library, a message of more than 20 000 characters, an input that was changed, an unfinished file or a process
+that is left. Faults of a kind are printed together, the first of them reduced to the changes that it needs;
+`--only NUMBER --keep FOLDER` runs an input alone and writes its files.
 """
 
 import argparse
@@ -32,11 +33,11 @@ from benchmarks.fuzzing import Answer, Limits, Pool, by_shape, commit
 from benchmarks.machine import describe
 
 SHARES: dict[Callable[[random.Random, Bases], ChangedFiles], int] = {
-    study: 16, tables_of_variants: 6, optimisation: 11, mapped: 9, profile: 3, journal: 11, model: 11, matrix: 9, drawing: 6,
-    table_of_study: 6, result: 3, options: 11, path: 9,
+    study: 16, tables_of_variants: 6, optimisation: 11, mapped: 9, profile: 3, journal: 11, model: 11,
+    matrix: 9, drawing: 6, table_of_study: 6, result: 3, options: 11, path: 9,
 }  # fmt: skip
 LIMITS = Limits(large_seconds=10.0, patience=100.0, memory=10**9, most_memory=6 << 30)
-TOLD = 3  # inputs of a fault that are told
+SHOWN = 3  # inputs of a fault
 
 
 def main() -> None:
@@ -46,14 +47,13 @@ def main() -> None:
     with tempfile.TemporaryDirectory(prefix="fuzz_files_") as folder:
         (Path(folder) / "bases").mkdir()
         bases = made(Path(folder) / "bases")
-        inputs = [changed(seed, number, bases) for number in range(asked.n)]
-        numbers = range(asked.n) if asked.only is None else asked.only
         pool = Pool(Path(folder), LIMITS)
-        answers = list(pool.answers((number, inputs[number]) for number in numbers))
+        numbers = asked.only or range(asked.n)
+        answers = list(pool.answers((number, changed(seed, number, bases)) for number in numbers))
         tell(answers)
         for shape, faulty in by_shape(answers).items():
             print(f"\nFAULT, {len(faulty)} times, {shape}", flush=True)
-            for number, answer in enumerate(faulty[:TOLD]):
+            for number, answer in enumerate(faulty[:SHOWN]):
                 _tell_fault(pool.reduced(answer) if asked.minimise and not number else answer, seed)
         for answer in answers if asked.keep else ():
             if answer.faults or asked.only:
@@ -90,8 +90,8 @@ def tell(answers: list[Answer]) -> None:
         print(
             f"{kind}: {len(of_kind)} inputs; "
             + ", ".join(f"exit {code}: {number}" for code, number in sorted(codes.items()))
-            + f"; processor time: median {seconds[len(seconds) // 2]:.2f} s, largest {seconds[-1]:.2f} s; memory: "
-            f"largest {max(answer.memory for answer in of_kind) / 1e6:.0f} MB; "
+            + f"; processor time: median {seconds[len(seconds) // 2]:.2f} s, largest {seconds[-1]:.2f} s; "
+            f"largest memory {max(answer.memory for answer in of_kind) / 1e6:.0f} MB; "
             f"with a fault: {sum(bool(answer.faults) for answer in of_kind)}",
             flush=True,
         )
@@ -113,7 +113,7 @@ def _tell_fault(answer: Answer, seed: str) -> None:
     words = shlex.join(word[:80] for word in answer.input.changed.words)
     print(
         f"  {_short(answer, 500)}\n    flexbearing {words!r:.300}\n    {'; '.join(answer.faults)!r:.500}\n"
-        f"    again: python -m benchmarks.fuzz_files --n {answer.number + 1} --seed {seed} --only {answer.number} --keep FOLDER",
+        f"    again: python -m benchmarks.fuzz_files --seed {seed} --only {answer.number} --keep FOLDER",
         flush=True,
     )
 

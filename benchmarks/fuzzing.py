@@ -145,6 +145,8 @@ class Pool:
                     os.close(handle)
                     del running[handle]
                     shutil.rmtree(job.place, ignore_errors=True)
+                    if answer.faults:
+                        sys.stderr.write(f"fault: {job.input.story[:200]}: {answer.faults[0][:300]}\n")
                     yield answer
 
     def _started(self, number: int, task: Input) -> Running:

@@ -86,7 +86,8 @@ def table(
             f"{_words(place)} becomes {last!r}", name, lambda tables: _renamed(tables, place, last), dict
         )
     if how == "add":
-        key = rng.choice(("x", "file", "zip", "kind", "operation.radial_load", "bearing.rollers", "case", "name",
+        key = rng.choice(("x", "file", "zip", "kind", "operation.radial_load", "bearing.rollers", "case",
+        "name",
                           "outer.bars", "accuracy.slices", "", "a.b.c", "é", 300 * "k"))  # fmt: skip
         return _set(name, (*place[:-1], key), _value(rng, 1, ()))
     value = {"x": 1} if how == "nest" else [Verbatim(rng.choice(OTHER_TYPES))] * rng.choice((1, 3, 2000))
@@ -129,7 +130,8 @@ def _number(rng: Random, value: float) -> float:
     return value * rng.choice((0, 0.1, 0.5, 1, 2, 10, 100, 1e-4, 1e4))
 
 
-COUNTS = ("0", "-1", "1", "3", "1.5", "nan", "inf", "true", "2147483648", "9223372036854775808", "1e3", DIGITS[:400],
+COUNTS = ("0", "-1", "1", "3", "1.5", "nan", "inf", "true", "2147483648", "9223372036854775808", "1e3",
+DIGITS[:400],
           '"3"', "[3]", "-0", "0x3", "4294967296")  # fmt: skip
 
 

@@ -11,11 +11,13 @@ from tests.mutated_cases import COARSER, CONFIGS, based_on
 
 NAME = "step_ring.step"
 FACES = (
-    ["foot"], ["foot", "foot"], [""], ["#e75959"], ["#E75959"], ["#fff"], ["#12345"], ["#ggghhh"], ["near 1 mm, 2 mm, 3 mm"],
-    ["near 1e400 mm, 0 mm, 0 mm"], ["near"], ["near nan, nan, nan"], [DIGITS], ["\x1b[31m"], ["foot"] * 360, ["foot"] * 361,
-    ["x"] * 300, ["'"], ["foot\n"], ["\u202e"], ["*"], ["(1 mm, 2 mm, 3 mm)"], ["#e75959", "foot"], [], ["\\X2\\0041\\X0\\"],
+    ["foot"], ["foot", "foot"], [""], ["#e75959"], ["#E75959"], ["#fff"], ["#12345"], ["#ggghhh"],
+    ["near 1 mm, 2 mm, 3 mm"], ["near 1e400 mm, 0 mm, 0 mm"], ["near"], ["near nan, nan, nan"], [DIGITS],
+    ["\x1b[31m"], ["foot"] * 360, ["foot"] * 361, ["x"] * 300, ["'"], ["foot\n"], ["\u202e"], ["*"],
+    ["(1 mm, 2 mm, 3 mm)"], ["#e75959", "foot"], [], ["\\X2\\0041\\X0\\"],
 )  # fmt: skip
-CELLS = ("", "0", "-1.", "1.E400", "NAN", "1.E308", "#1", "#999999", "$", "*", "''", DIGITS, "(((", "\\X2\\D800\\X0\\", "FOOT",
+CELLS = ("", "0", "-1.", "1.E400", "NAN", "1.E308", "#1", "#999999", "$", "*", "''", DIGITS, "(((",
+"\\X2\\D800\\X0\\", "FOOT",
          "'foot'", "1.E-320", "'" + 20_000 * "a" + "'", "1E", "#" + DIGITS)  # fmt: skip
 
 

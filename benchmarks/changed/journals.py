@@ -1,4 +1,4 @@
-"""Journals of a finished study with foreign content under right checksums, or torn; the study goes on or counts."""
+"""Journals of a finished study that were torn, or hold foreign content under right checksums."""
 
 import json
 from collections.abc import Callable
@@ -13,10 +13,11 @@ from benchmarks.changed.texts import DIGITS, FORMULA
 
 FILE = "out/study.journal.jsonl"
 FOREIGN = (  # as JSON
-    "null", "true", "0", "-1", "1e400", "1e308", "-1e308", "NaN", "Infinity", "1e-320", DIGITS, "1.5", '""', '"a"',
-    '"nan"', '"inf"', f'"{DIGITS}"', json.dumps(FORMULA), '"\\u001b[31mred"', '"a\\nb"', '"\\u0000"', '"\\ud800"',
-    '"' + 30_000 * "a" + '"', "[]", "[1]", "[[1]]", "{}", '{"a": 1}', "[" * 900 + "]" * 900, "[" * 20_000 + "]" * 20_000,
-    "[" + "1," * 30_000 + "1]", '"converged"', '"error"', '"1,5"', '"<script>alert(1)</script>"',
+    "null", "true", "0", "-1", "1e400", "1e308", "-1e308", "NaN", "Infinity", "1e-320", DIGITS, "1.5", '""',
+    '"a"', '"nan"', '"inf"', f'"{DIGITS}"', json.dumps(FORMULA), '"\\u001b[31mred"', '"a\\nb"', '"\\u0000"',
+    '"\\ud800"', '"' + 30_000 * "a" + '"', "[]", "[1]", "[[1]]", "{}", '{"a": 1}', "[" * 900 + "]" * 900,
+    "[" * 20_000 + "]" * 20_000, "[" + "1," * 30_000 + "1]", '"converged"', '"error"', '"1,5"',
+    '"<script>alert(1)</script>"',
 )  # fmt: skip
 KEYS = ("names", "begun", "of", "identity", "status", "message", "seconds", "values", "crc", "x", "")
 
@@ -52,8 +53,9 @@ def _sealed(rng: Random, line: int) -> Change:
         rest = {name: each for name, each in entry.items() if name != chosen}
         return _json(rest if drop else {**rest, chosen: value})
 
-    told = f"{key} {'dropped' if drop else 'is' if not inside else 'holds'} {text[:40]} ({len(text)}), seed {seed}"
-    return in_file(f"line {line}: {told}", FILE, lambda content: _with_line(content, line, change))
+    how = "dropped" if drop else "holds" if inside else "is"
+    what = f"line {line}: {key} {how} {text[:40]} ({len(text)}), seed {seed}"
+    return in_file(what, FILE, lambda content: _with_line(content, line, change))
 
 
 class _Raw(str):

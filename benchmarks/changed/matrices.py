@@ -19,19 +19,22 @@ from tests.mutated_cases import COARSE, based_on
 SEAT = Path(__file__).parents[2] / "tests" / "flexbearing" / "seat"
 FORMS = {"abaqus": ".mtx", "calculix": ".sti", "nastran": ".bdf"}
 PLAIN = (
-    "inner.kind=rigid", "outer.kind=matrix", "outer.centre_x=3 mm", "outer.width=12 mm", "outer.thickness=5 mm",
-    "accuracy.mesh_size=8 mm", "accuracy.raceway_mesh_size=4 mm", "accuracy.element_order=2", *COARSE,
+    "inner.kind=rigid", "outer.kind=matrix", "outer.centre_x=3 mm", "outer.width=12 mm",
+    "outer.thickness=5 mm", "accuracy.mesh_size=8 mm", "accuracy.raceway_mesh_size=4 mm",
+    "accuracy.element_order=2", *COARSE,
 )  # fmt: skip
 NUMBERS = (
-    "nan", "inf", "-inf", "1e400", "1e308", "-1e308", "1e-320", "0", "-0", "-1", "1.5", "1.5D+03", "1.5+3", "1D400",
-    "2147483648", "9223372036854775808", "1e20", DIGITS, "0." + DIGITS, "1e" + DIGITS, "１", "٣", "1_0", "0x1", "", "x",
-    "1,5", "\x1b[31m", "'", "4", "7", "1e9", "1000000007", 20_000 * "1 ", 300 * "x",
+    "nan", "inf", "-inf", "1e400", "1e308", "-1e308", "1e-320", "0", "-0", "-1", "1.5", "1.5D+03", "1.5+3",
+    "1D400", "2147483648", "9223372036854775808", "1e20", DIGITS, "0." + DIGITS, "1e" + DIGITS, "１", "٣",
+    "1_0", "0x1", "", "x", "1,5", "\x1b[31m", "'", "4", "7", "1e9", "1000000007", 20_000 * "1 ", 300 * "x",
 )  # fmt: skip
 LINES = (
-    "*NODE", "*NODE, NSET=ALL", "*INCLUDE, INPUT=n.inp", "*INCLUDE, INPUT=/dev/zero", "*MATRIX INPUT, NAME=K", "GRID", "GRID,1,,1.,2.,3.",
-    "GRID,1,7,1.,2.,3.", "GRID*", "*", "**", "+", "DMIG", "DMIG,KAAX,0,6,2,0", "DMIG,KAAX,0,6,4,0", "DMIG,OTHER,0,6,2,0", "DMIG,KAAX,1,1",
-    "DMIG,KAAX,1,1,,2,1,nan", "1,1,1,1,1e30", "1 1 -1e30", "ENDDATA", "$", "", "\x00", "1.1", "1.1.1", "999999999.1", "1." + DIGITS,
-    "-1.1", "1.9", "1, 1.0, 2.0, 3.0", "1, 1.0, 2.0, 3.0, " + 5000 * "4, ", 60_000 * "x", "1.5, 1.0, 2.0, 3.0", "é", "-1, 1, 2, 3",
+    "*NODE", "*NODE, NSET=ALL", "*INCLUDE, INPUT=n.inp", "*INCLUDE, INPUT=/dev/zero",
+    "*MATRIX INPUT, NAME=K", "GRID", "GRID,1,,1.,2.,3.", "GRID,1,7,1.,2.,3.", "GRID*", "*", "**", "+",
+    "DMIG", "DMIG,KAAX,0,6,2,0", "DMIG,KAAX,0,6,4,0", "DMIG,OTHER,0,6,2,0", "DMIG,KAAX,1,1",
+    "DMIG,KAAX,1,1,,2,1,nan", "1,1,1,1,1e30", "1 1 -1e30", "ENDDATA", "$", "", "\x00", "1.1", "1.1.1",
+    "999999999.1", "1." + DIGITS, "-1.1", "1.9", "1, 1.0, 2.0, 3.0", "1, 1.0, 2.0, 3.0, " + 5000 * "4, ",
+    60_000 * "x", "1.5, 1.0, 2.0, 3.0", "é", "-1, 1, 2, 3",
 )  # fmt: skip
 
 

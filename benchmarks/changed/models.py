@@ -14,8 +14,10 @@ ENTITIES = '<!DOCTYPE m [<!ENTITY a "1111111111">' + "".join(
 DETAILED = """<?xml version="1.0" encoding="UTF-8"?>
 <model version="1.7" applicationId="x" applicationVersion="1" date="2026-01-01T00:00:00+01:00">
 <relations>
-<relation id="1" type="ordered_assembly" order="1"><ref id="4" role="assembly"/><ref id="5" role="part"/></relation>
-<relation id="2" type="ordered_assembly" order="1"><ref id="5" role="assembly"/><ref id="6" role="part"/></relation>
+<relation id="1" type="ordered_assembly" order="1">
+<ref id="4" role="assembly"/><ref id="5" role="part"/></relation>
+<relation id="2" type="ordered_assembly" order="1">
+<ref id="5" role="assembly"/><ref id="6" role="part"/></relation>
 <relation id="3" type="reference"><ref id="6" role="origin"/><ref id="7" role="referenced"/></relation>
 <relation id="4" type="reference"><ref id="4" role="origin"/><ref id="8" role="referenced"/></relation>
 </relations>
@@ -71,14 +73,17 @@ CATALOGUE = """<?xml version="1.0" encoding="UTF-8"?>
 </model>
 """
 NUMBERS = (
-    "nan", "inf", "-inf", "NaN", "Infinity", "1e400", "-1e400", "1e308", "1e-320", "-0", "0", "-1", "0.5", "1e20", "１２",
-    "٣", DIGITS, "0." + DIGITS, "1e" + DIGITS, "1_000", "0x10", "1,5", "", " ", "1 2", "1e5 mm", "true", FORMULA,
-    "\x1b[31m", "\u202e5", "&#0;", "&#27;[31m", "&lt;script&gt;", "<array><c>1</c></array>", "<c>1</c>", "<!-- 1 -->5",
-    "<![CDATA[5]]>", 20_000 * "a", "17.5", "9" * 30, "1e9", "&x;", "500",
+    "nan", "inf", "-inf", "NaN", "Infinity", "1e400", "-1e400", "1e308", "1e-320", "-0", "0", "-1", "0.5",
+    "1e20", "１２", "٣", DIGITS, "0." + DIGITS, "1e" + DIGITS, "1_000", "0x10", "1,5", "", " ", "1 2",
+    "1e5 mm", "true", FORMULA, "\x1b[31m", "\u202e5", "&#0;", "&#27;[31m", "&lt;script&gt;",
+    "<array><c>1</c></array>", "<c>1</c>", "<!-- 1 -->5", "<![CDATA[5]]>", 20_000 * "a", "17.5", "9" * 30,
+    "1e9", "&x;", "500",
 )  # fmt: skip
-TEXTS = ("", "x", "4", "5", "nan", "none", "mm", "m", DIGITS, "-1", "1.7", "2.0", "1." + DIGITS, "é", "\u202e", "&#10;",
-         "rolling_bearing_with_detailed_geometry", "angular_contact_ball_bearing", "radial_grooved_ball_bearing",
-         "four_point_contact_ball_bearing", "20000" * 4000, "&lt;", "٣", "assembly", "part", "side")  # fmt: skip
+TEXTS = ("", "x", "4", "5", "nan", "none", "mm", "m", DIGITS, "-1", "1.7", "2.0", "1." + DIGITS, "é",
+"\u202e", "&#10;",
+         "rolling_bearing_with_detailed_geometry", "angular_contact_ball_bearing",
+         "radial_grooved_ball_bearing", "four_point_contact_ball_bearing", "20000" * 4000, "&lt;", "٣",
+         "assembly", "part", "side")  # fmt: skip
 
 
 def model(rng: Random, bases: Bases) -> ChangedFiles:
@@ -133,9 +138,10 @@ def _attribute(rng: Random) -> Change:
 def _part(rng: Random) -> Change:
     """An attribute, a relation or a component dropped or doubled."""
     pattern = rng.choice((
-        r"(<attribute .*?</attribute>)", r"(?s)(<relation .*?</relation>)", r"(?s)(<component [^/]*?>.*?</component>)",
-        r"(<ref [^>]*>)", r"(<component [^>]*/>)", r"(</component>)", r"(?s)(<relations>.*</relations>)",
-        r"(?s)(<components>.*</components>)", r"(?s)(<load_spectrum.*</load_spectrum>)",
+        r"(<attribute .*?</attribute>)", r"(?s)(<relation .*?</relation>)",
+        r"(?s)(<component [^/]*?>.*?</component>)", r"(<ref [^>]*>)", r"(<component [^>]*/>)",
+        r"(</component>)", r"(?s)(<relations>.*</relations>)", r"(?s)(<components>.*</components>)",
+        r"(?s)(<load_spectrum.*</load_spectrum>)",
     ))  # fmt: skip
     share, times = rng.random(), rng.choice((0, 0, 2, 3, 3000))
 
@@ -171,8 +177,9 @@ def _encoded(rng: Random) -> Change:
 def _entities(rng: Random) -> Change:
     """Entities in entities, or of another file."""
     head, use = rng.choice((
-        (ENTITIES + "]>", "&i;"), (ENTITIES + "]>", "&c;"), ('<!DOCTYPE m [<!ENTITY x SYSTEM "file:///etc/hosts">]>', "&x;"),
-        ('<!DOCTYPE m [<!ENTITY x "5">]>', "&x;"), ('<!DOCTYPE m [<!ENTITY x "&x;">]>', "&x;"),
+        (ENTITIES + "]>", "&i;"), (ENTITIES + "]>", "&c;"),
+        ('<!DOCTYPE m [<!ENTITY x SYSTEM "file:///etc/hosts">]>', "&x;"), ('<!DOCTYPE m [<!ENTITY x "5">]>',
+        "&x;"), ('<!DOCTYPE m [<!ENTITY x "&x;">]>', "&x;"),
         ('<!DOCTYPE m SYSTEM "http://localhost:9/x.dtd">', "5"),
     ))  # fmt: skip
     return _text_change(
@@ -185,10 +192,11 @@ def _many(rng: Random) -> Change:
     """Thousands of bearings, attributes or cases of load."""
     bearing = '<component id="{}" name="b" type="rolling_bearing_with_detailed_geometry"/>'
     what, end, each = rng.choice((
-        ("bearings", "</components>", bearing), ("parts", "</components>", '<component id="x{}" type="shaft"/>'),
-        ("attributes", "</component>", '<attribute id="a{}" unit="mm">1</attribute>'),
-        ("cases", "</load_spectrum>", '<load_case id="{}"/>'),
-        ("relations", "</relations>", '<relation id="{}" type="reference"><ref id="4" role="origin"/></relation>'),
+        ("bearings", "</components>", bearing), ("parts", "</components>",
+        '<component id="x{}" type="shaft"/>'), ("attributes", "</component>",
+        '<attribute id="a{}" unit="mm">1</attribute>'), ("cases", "</load_spectrum>", '<load_case id="{}"/>'),
+        ("relations", "</relations>",
+        '<relation id="{}" type="reference"><ref id="4" role="origin"/></relation>'),
     ))  # fmt: skip
     count = rng.choice((1, 2, 3000, 30_000))
     more = "".join(each.format(1000 + number) for number in range(count))

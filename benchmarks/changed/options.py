@@ -8,25 +8,29 @@ from benchmarks.changed.files import Bundle, ChangedFiles
 from benchmarks.changed.texts import ABSURD, PATHS, quantity
 
 ROLLERS = {
-    "--bore": "50 mm", "--outside": "90 mm", "--width": "20 mm", "--inner-raceway": "59.5 mm", "--outer-raceway": "81.5 mm",
-    "--dynamic-rating": "73.5 kN", "--static-rating": "69.5 kN", "--fatigue-limit": "8.8 kN", "--clearance-class": "CN",
-    "--shaft": "k5", "--load": "5 kN", "--speed": "3000 rpm",
+    "--bore": "50 mm", "--outside": "90 mm", "--width": "20 mm", "--inner-raceway": "59.5 mm",
+    "--outer-raceway": "81.5 mm", "--dynamic-rating": "73.5 kN", "--static-rating": "69.5 kN",
+    "--fatigue-limit": "8.8 kN", "--clearance-class": "CN", "--shaft": "k5", "--load": "5 kN",
+    "--speed": "3000 rpm",
 }  # fmt: skip
 BALLS = {
-    "--like": "deep_groove_ball", "--bore": "40 mm", "--outside": "80 mm", "--width": "18 mm", "--dynamic-rating": "32.5 kN",
-    "--static-rating": "19 kN", "--load": "3 kN", "--speed": "3000 rpm",
+    "--like": "deep_groove_ball", "--bore": "40 mm", "--outside": "80 mm", "--width": "18 mm",
+    "--dynamic-rating": "32.5 kN", "--static-rating": "19 kN", "--load": "3 kN", "--speed": "3000 rpm",
 }  # fmt: skip
 ANGULAR = BALLS | {
-    "--like": "angular_contact_ball", "--contact-angle": "40 deg", "--axial-load": "3 kN", "--static-rating": "26 kN",
+    "--like": "angular_contact_ball", "--contact-angle": "40 deg", "--axial-load": "3 kN",
+    "--static-rating": "26 kN",
 }  # fmt: skip
 GIVEN = {"rollers": ROLLERS, "balls": BALLS, "angular contact": ANGULAR}
 MORE = (
-    "--elements", "--diameter", "--length", "--clearance", "--housing", "--material", "--oil", "--temperature", "--cleanliness",
-    "--contact-angle", "--axial-load", "--title", "--source", "--like", "--from-rexs", "--rexs-bearing", "--run", "--life", "--force",
+    "--elements", "--diameter", "--length", "--clearance", "--housing", "--material", "--oil",
+    "--temperature", "--cleanliness", "--contact-angle", "--axial-load", "--title", "--source", "--like",
+    "--from-rexs", "--rexs-bearing", "--run", "--life", "--force",
 )  # fmt: skip
 NAMES = (
-    "cylindrical_roller", "squirrel_cage", "deep_groove_ball", "angular_contact_ball", "four_point_ball", "C2", "C5", "c3", "k5", "K6",
-    "zz99", "H7", "J7", "100Cr6", "M50", "steel", "ISO VG 100", "iso vg 68", "ISO VG 1e9", "normal cleanliness",
+    "cylindrical_roller", "squirrel_cage", "deep_groove_ball", "angular_contact_ball", "four_point_ball",
+    "C2", "C5", "c3", "k5", "K6", "zz99", "H7", "J7", "100Cr6", "M50", "steel", "ISO VG 100", "iso vg 68",
+    "ISO VG 1e9", "normal cleanliness",
 )  # fmt: skip
 
 
@@ -55,7 +59,8 @@ def _change(rng: Random, given: list[str]) -> Change:
 
 def _scaled(rng: Random) -> str:
     """A number of a usual kind, far from usual."""
-    return f"{rng.choice((1, 5, 9)) * 10.0 ** rng.randint(-9, 12):g} {rng.choice(('mm', 'mm', 'kN', 'rpm', 'deg', 'degC'))}"
+    unit = rng.choice(("mm", "mm", "kN", "rpm", "deg", "degC"))
+    return f"{rng.choice((1, 5, 9)) * 10.0 ** rng.randint(-9, 12):g} {unit}"
 
 
 def _with(bundle: Bundle, *words: str) -> Bundle:

@@ -15,9 +15,10 @@ CSV = [[f"{LOAD} [kN]", "operation.tilt", CLEARANCE], ["1", "fixed", "20 um"], [
 SPECTRUM = [["time [%]", f"{LOAD} [kN]", f"{SPEED} [rpm]"], ["30", "1", "2000"], ["70", "3", "1000"]]
 DUTY = {"time": ["30 %", "70 %"], LOAD: ["1 kN", "3 kN"], SPEED: "1000 rpm"}
 DRAWN = {
-    "count": 4, "method": "latin_hypercube", "seed": 1, CLEARANCE: "truncated normal 40 um, 4 um, 20 um, 60 um",
-    LOAD: "uniform 1 kN, 3 kN", "lubricant.inlet_temperature": "normal 70 degC, 3 K",
-    "lubricant.oil_fraction": "lognormal 0.02, 1.2", "bearing.form_error.roller_diameters": "14 x normal 0 um, 0.3 um",
+    "count": 4, "method": "latin_hypercube", "seed": 1,
+    CLEARANCE: "truncated normal 40 um, 4 um, 20 um, 60 um", LOAD: "uniform 1 kN, 3 kN",
+    "lubricant.inlet_temperature": "normal 70 degC, 3 K", "lubricant.oil_fraction": "lognormal 0.02, 1.2",
+    "bearing.form_error.roller_diameters": "14 x normal 0 um, 0.3 um",
 }  # fmt: skip
 MARK = {"y": "life", "value": "100 h .. 2000 h", "x": "3 kN", "label": "printed", "source": "a book"}
 PLOT = {"x": LOAD, "lines": SPEED, "y": ["life", "cage_slip [%]"], "rigid": False, "marks": [MARK]}
@@ -28,12 +29,14 @@ STUDIES: dict[str, Raw] = {
     "drawn": {"sample": DRAWN, "collect": COLLECT},
     "drawn, sobol": {"sample": {**DRAWN, "method": "sobol"}, "collect": {"life": "life_L10 [h]"}},
     "indices": {
-        "sample": {"count": 2, "method": "sobol_indices", LOAD: "uniform 1 kN, 3 kN", CLEARANCE: "normal 40 um, 2 um"},
-        "collect": {"ratio": "flexible.life_L10 / rigid.life_L10", "life": "life_L10 [h]"},
+        "sample": {"count": 2, "method": "sobol_indices", LOAD: "uniform 1 kN, 3 kN",
+        CLEARANCE: "normal 40 um, 2 um"}, "collect": {"ratio": "flexible.life_L10 / rigid.life_L10",
+        "life": "life_L10 [h]"},
     },
     "duty": {"duty": {**DUTY, "life": "life_L10"}, "collect": COLLECT},
     "duty of a table": {"over": {CLEARANCE: ["20 um", "40 um"]}, "duty": {"file": "spectrum.csv"}},
-    "arrays": {"over": {LOAD: ["1 kN", "2 kN"]}, "collect": {"load": "inner_load [N]", "azimuth": "roller_azimuth [deg]"},
+    "arrays": {"over": {LOAD: ["1 kN", "2 kN"]}, "collect": {"load": "inner_load [N]",
+    "azimuth": "roller_azimuth [deg]"},
                "plot": {"x": "azimuth", "y": ["load"]}},
     "result files": {"results": "final", "name": "n", "search_equilibria": False, "over": {LOAD: ["1 kN"]},
                      "collect": COLLECT},
@@ -46,19 +49,21 @@ DISTRIBUTIONS = (
     "99999999999999999999 x uniform 0 um, 1 um", "1 x uniform 1 kN, 2 kN", "normal 1e300 N, 1e300 N",
 )  # fmt: skip
 OUTPUTS = (
-    "life_L10 [h]", "life_L10", "life_L10 [mm]", "rigid.life_L10 [Mrev]", "flexible.flexible.life_L10", "x", "",
-    "life_L10 [h] / cage_slip", "life_L10 / life_L10 / life_L10", "life_L10 / 0", "inner_load [N]", "inner_load",
-    "status", "message", "converged", "life_L10 [", "life_L10 [h] [h]", "[h]", "cage_slip [1e400 %]", "slip", "life",
-    "duty_life [h]", "outer_mass [g]", "nominal_bar_stress", "stiffness_zz [N/um]", "peak_pressure.inner [MPa]",
+    "life_L10 [h]", "life_L10", "life_L10 [mm]", "rigid.life_L10 [Mrev]", "flexible.flexible.life_L10", "x",
+    "", "life_L10 [h] / cage_slip", "life_L10 / life_L10 / life_L10", "life_L10 / 0", "inner_load [N]",
+    "inner_load", "status", "message", "converged", "life_L10 [", "life_L10 [h] [h]", "[h]",
+    "cage_slip [1e400 %]", "slip", "life", "duty_life [h]", "outer_mass [g]", "nominal_bar_stress",
+    "stiffness_zz [N/um]", "peak_pressure.inner [MPa]",
 )  # fmt: skip
 SHARES = ("-1 %", "0 %", "1e308 h", "inf", "nan", "30 %", "1", "0", "1 mm", "1e-320", "[]", "30 % 70 %")
 BOUNDS = (
-    "<= 5 %", ">= nan", "< 5", "<= ", "== 5 %", "5 % .. 4 %", "1 .. 2 .. 3", "<= 1e400 %", ">= 5 mm", "<=<= 5 %", "..",
-    "<= -1 %", ">= 1e308 %", "0 % .. 0 %",
+    "<= 5 %", ">= nan", "< 5", "<= ", "== 5 %", "5 % .. 4 %", "1 .. 2 .. 3", "<= 1e400 %", ">= 5 mm",
+    "<=<= 5 %", "..", "<= -1 %", ">= 1e308 %", "0 % .. 0 %",
 )  # fmt: skip
 SPANS = (
     "1 kN .. 1 kN", "2 kN .. 1 kN", "log 0 N .. 1 kN", "log -1 N .. 1 kN", "1 N .. 1e308 N", "nan N .. inf N",
-    "1 kN .. 2 kN, 3", "1 kN ..", ".. 1 kN", "1 kN", "log log 1 N .. 2 N", "0.5 um .. 20 um", "0 um .. 1e-12 um",
+    "1 kN .. 2 kN, 3", "1 kN ..", ".. 1 kN", "1 kN", "log log 1 N .. 2 N", "0.5 um .. 20 um",
+    "0 um .. 1e-12 um",
 )  # fmt: skip
 
 
@@ -137,7 +142,8 @@ OPTIMA: dict[str, Raw] = {
         "vary": VARY, "maximise": {"output": "life_L10 [h]"}, "surrogate": {"accuracy.slices": 6},
         "search": {**SEARCH, "verified": True}, "verify": [{"accuracy.slices": 10}],
     },
-    "cobyqa": {"vary": VARY, "maximise": {"output": "life_L10 [h]"}, "search": {**SEARCH, "method": "cobyqa"}},
+    "cobyqa": {"vary": VARY, "maximise": {"output": "life_L10 [h]"}, "search": {**SEARCH,
+    "method": "cobyqa"}},
 }  # fmt: skip
 
 
@@ -153,9 +159,10 @@ def optimisation(rng: Random, bases: Bases) -> ChangedFiles:
 MAPPED = {  # key to usual ends and unit
     LOAD: (("500", "1000", "20000", "5"), "N"), SPEED: (("0", "10", "1000", "3000"), "rpm"),
     CLEARANCE: (("-20", "0", "20", "60"), "um"), "bearing.rollers": (("14", "12", "10", "16"), ""),
-    "operation.misalignment": (("0", "1", "4", "-4"), "arcmin"), "operation.inner_speed": (("1", "3000", "9e4"), "rpm"),
-    "lubricant.inlet_temperature": (("-20", "20", "70", "200"), "degC"), "bearing.roller.drop": (("1", "9", "40"), "um"),
-    "operation.load_direction": (("0", "90", "360"), "deg"), "lubricant.oil_fraction": (("0", "0.02", "1"), ""),
+    "operation.misalignment": (("0", "1", "4", "-4"), "arcmin"), "operation.inner_speed": (("1", "3000",
+    "9e4"), "rpm"), "lubricant.inlet_temperature": (("-20", "20", "70", "200"), "degC"),
+    "bearing.roller.drop": (("1", "9", "40"), "um"), "operation.load_direction": (("0", "90", "360"), "deg"),
+    "lubricant.oil_fraction": (("0", "0.02", "1"), ""),
 }  # fmt: skip
 ENDS = ("0", "1", "5", "-1", "1e308", "1e-320", "nan", "inf", "1e400", "1e6", "", "٣")
 COUNTS = (

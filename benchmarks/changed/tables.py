@@ -11,8 +11,10 @@ from benchmarks.changed.changes import cells, damaged, flipped, in_file
 from benchmarks.changed.files import Bundle, Change, ChangedFiles
 from benchmarks.changed.texts import ABSURD, DIGITS, FORMULA
 
-HEADINGS = ("", "x", "life [h]", "life [", "life [parsec]", "status", "message", "seconds", FORMULA, "\x1b[31m", "a\nb",
-            "<script>alert(1)</script>", DIGITS, "$x^2$", "\u202e", "operation.radial_load [N]", "é [µm]")  # fmt: skip
+HEADINGS = ("", "x", "life [h]", "life [", "life [parsec]", "status", "message", "seconds", FORMULA,
+"\x1b[31m", "a\nb",
+            "<script>alert(1)</script>", DIGITS, "$x^2$", "\u202e", "operation.radial_load [N]",
+            "é [µm]")  # fmt: skip
 
 
 def table_of_study(rng: Random, bases: Bases) -> ChangedFiles:
@@ -94,14 +96,15 @@ def _typed(table: Any, rng: Random) -> Any:
     import pyarrow
 
     values, kind = rng.choice((
-        ([[1.0, 2.0]], None), ([{"a": 1, "b": [1]}], None), ([[[1]]], None), ([b"\xff\x00"], None), ([None], None),
-        ([10**18], None), ([2**63], pyarrow.uint64()), ([True], None), ([0], pyarrow.timestamp("ns")),
+        ([[1.0, 2.0]], None), ([{"a": 1, "b": [1]}], None), ([[[1]]], None), ([b"\xff\x00"], None), ([None],
+        None), ([10**18], None), ([2**63], pyarrow.uint64()), ([True], None), ([0], pyarrow.timestamp("ns")),
         ([-(2**62)], pyarrow.timestamp("s")), ([0], pyarrow.duration("s")), ([1.0], pyarrow.float16()),
         (["a"], pyarrow.large_string()), (["a", "b"], pyarrow.dictionary(pyarrow.int8(), pyarrow.string())),
         ([3], pyarrow.decimal256(70, 2)), ([3], pyarrow.date32()), ([0], pyarrow.time64("ns")),
-        ([[("a", 1)]], pyarrow.map_(pyarrow.string(), pyarrow.int8())), ([float("nan")], None), ([float("inf")], None),
-        ([1e308], None), ([-1e308, 1e308], None), ([5e-324], None), (["converged"], None), ([DIGITS], None),
-        ([rng.choice(ABSURD[:-1]).encode(errors="replace").decode()], None), ([FORMULA], None), (["<script>"], None),
+        ([[("a", 1)]], pyarrow.map_(pyarrow.string(), pyarrow.int8())), ([float("nan")], None),
+        ([float("inf")], None), ([1e308], None), ([-1e308, 1e308], None), ([5e-324], None), (["converged"],
+        None), ([DIGITS], None), ([rng.choice(ABSURD[:-1]).encode(errors="replace").decode()], None),
+        ([FORMULA], None), (["<script>"], None),
     ))  # fmt: skip
     return _column(table, rng, values, kind)
 
