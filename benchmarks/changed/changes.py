@@ -96,7 +96,7 @@ def table(
 
 def _value(rng: Random, value: Any, more: Sequence[str]) -> Any:
     """Another value of a key."""
-    if rng.random() < 0.3:
+    if rng.random() < 0.4:
         return _scaled(rng, value)
     if more and rng.random() < 0.6:
         return rng.choice(more)

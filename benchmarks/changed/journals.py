@@ -24,7 +24,7 @@ KEYS = ("names", "begun", "of", "identity", "status", "message", "seconds", "val
 
 def journal(rng: Random, bases: Bases) -> ChangedFiles:
     """A study that goes on from a changed journal, or counts what is finished."""
-    content = bases.files["results/study.journal.jsonl"]
+    content = bases.files["study.journal.jsonl"]
     words = rng.choice((("--jobs", "1"), ("--jobs", "1"), ("--status",), ("--jobs", "1", "--retry-failed")))
     files = {"case.toml": bases.case, "study.toml": STUDY, FILE: content}
     bundle = Bundle(("study", "study.toml", "-o", "out", *words), files, rewritten=("out/",))

@@ -43,7 +43,7 @@ def path(rng: Random, bases: Bases) -> ChangedFiles:
     files = {
         "case.toml": bases.case, "b.toml": bases.ball, "r.h5": bases.files["roller.h5"],
         "b.h5": bases.files["ball.h5"], "study.toml": {"case": "case.toml",
-        "over": {"operation.radial_load": ["1 kN"]}}, "study.csv": bases.files["results/study.csv"],
+        "over": {"operation.radial_load": ["1 kN"]}}, "study.csv": bases.files["study.csv"],
     }  # fmt: skip
     place = rng.choice([*places])
     texts = KEYS if words[0] == "explain" else TEXTS[places[place]]

@@ -18,57 +18,47 @@ HEADINGS = ("", "x", "life [h]", "life [", "life [parsec]", "status", "message",
 
 
 def table_of_study(rng: Random, bases: Bases) -> ChangedFiles:
-    """A report, or an export, of a changed table."""
-    words = rng.choice(
-        (("report", "study{}", "-o", "r.html"),) * 5 + (("export", "study{}", "--to", "ross"),)
-    )
-    if rng.random() < 0.45:
-        name, content, change = "study.csv", bases.files["results/study.csv"], _csv(bases)
-    else:
-        name, content, change = "study.parquet", bases.files["results/study.parquet"], _parquet(bases)
-    ending = name.partition(".")[2]
-    bundle = Bundle(tuple(word.format(f".{ending}") for word in words), {name: _content(name, content)})
-    changes = tuple(change(rng) for _ in range(rng.choice((1, 1, 2)) if ending == "csv" else 1))
-    return ChangedFiles("table", " ".join(bundle.words), bundle, changes)
+    """A report, or an export, of a table one of whose files has changed: rows, lives of cycles, scatter."""
+    study, ending = rng.choice(("study", "drawn")), rng.choice((".csv", ".parquet"))
+    files = {
+        name: _content(name, data)
+        for name, data in bases.files.items()
+        if name.startswith(study) and name.endswith(ending)
+    }
+    words = ("report", f"{study}{ending}", "-o", "r.html")
+    if rng.random() < 0.15:
+        words = ("export", f"{study}{ending}", "--to", "ross")
+    changed = rng.choice([f"{study}{ending}", *sorted(files)])
+    change = _csv if ending == ".csv" else _parquet
+    changes = tuple(change(rng, changed, files[changed]) for _ in range(rng.choice((1, 1, 2))))
+    return ChangedFiles("table", " ".join(words), Bundle(words, files), changes)
 
 
 def _content(name: str, content: bytes):
     return [*csv.reader(StringIO(content.decode()))] if name.endswith(".csv") else content
 
 
-def _csv(bases: Bases) -> Callable[[Random], Change]:
-    rows = _content("study.csv", bases.files["results/study.csv"])
-
-    def change(rng: Random) -> Change:
-        if rng.random() < 0.3:
-            return damaged(rng, "study.csv")
-        if rng.random() < 0.3:
-            heading, column = rng.choice(HEADINGS), rng.randrange(len(rows[0]))
-            return in_file(
-                f"heading {column} is {heading[:40]!r}", "study.csv",
-                lambda rows: [_headed(rows[0], column, heading), *rows[1:]] if rows else rows, list,
-            )  # fmt: skip
-        return cells(rng, "study.csv", rows)
-
-    return change
+def _csv(rng: Random, name: str, rows: Any) -> Change:
+    if rng.random() < 0.3:
+        return damaged(rng, name)
+    if rng.random() < 0.3:
+        heading, column = rng.choice(HEADINGS), rng.randrange(len(rows[0]))
+        return in_file(
+            f"heading {column} is {heading[:40]!r}", name,
+            lambda rows: [_headed(rows[0], column, heading), *rows[1:]] if rows else rows, list,
+        )  # fmt: skip
+    return cells(rng, name, rows)
 
 
 def _headed(line: list[str], column: int, heading: str) -> list[str]:
     return [heading if k == column else each for k, each in enumerate(line)]
 
 
-def _parquet(bases: Bases) -> Callable[[Random], Change]:
-    whole = bases.files["results/study.parquet"]
-
-    def change(rng: Random) -> Change:
-        if rng.random() < 0.35:
-            return flipped(rng, "study.parquet")
-        seed, what = rng.getrandbits(32), rng.choice([*WAYS])
-        return in_file(
-            f"{what} (seed {seed})", "study.parquet", lambda _: lambda: _written(whole, what, Random(seed))
-        )
-
-    return change
+def _parquet(rng: Random, name: str, whole: Any) -> Change:
+    if rng.random() < 0.35:
+        return flipped(rng, name)
+    seed, what = rng.getrandbits(32), rng.choice([*WAYS])
+    return in_file(f"{what} (seed {seed})", name, lambda _: lambda: _written(whole, what, Random(seed)))
 
 
 def _written(whole: bytes, what: str, rng: Random) -> bytes:
