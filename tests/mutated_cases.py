@@ -223,6 +223,8 @@ class Verbatim(str):
 def _text(value: Any) -> str:
     if isinstance(value, list):
         return f"[{', '.join(map(_text, value))}]"
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{_name(name)} = {_text(item)}" for name, item in value.items()) + "}"
     return str(value) if isinstance(value, Verbatim) else toml(value)
 
 
@@ -486,7 +488,7 @@ def _value(raw: Raw, key: str) -> Any:
 def damaged(rng: Random, raw: Raw) -> Mutation:
     """The text of the file damaged: bits, bytes, lines."""
     seed = rng.getrandbits(32)
-    how = rng.choice((_flipped, _cut, _doubled_line, _swapped_lines, _inserted, _lost_line, _other_letters))
+    how = rng.choice(DAMAGES)
     name = how.__name__.strip("_").replace("_", " ")
     return Mutation(f"{name} (seed {seed})", of_text=lambda text: how(Random(seed), text))
 
@@ -536,3 +538,6 @@ def _inserted(rng: Random, text: str) -> bytes:
 
 def _other_letters(rng: Random, text: str) -> bytes:
     return text.encode(rng.choice(("utf-16", "latin-1", "utf-8-sig", "utf-32")), errors="replace")
+
+
+DAMAGES = _flipped, _cut, _doubled_line, _swapped_lines, _inserted, _lost_line, _other_letters

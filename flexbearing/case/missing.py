@@ -96,11 +96,14 @@ def _take(raw: dict[str, Any], place: tuple[str, ...]) -> None:
     del raw[name]
 
 
-def _put(raw: dict[str, Any], path: str, value: Any) -> None:
-    *sections, name = path.split(".")
-    for section in sections:
-        raw = raw.setdefault(section, {})
-    raw[name] = value
+def _put(raw: dict[str, Any] | list[dict[str, Any]], path: str, value: Any) -> None:
+    """Give a key a value, in every table where there is a list of them."""
+    name, _, rest = path.partition(".")
+    for table in raw if isinstance(raw, list) else [raw]:
+        if rest:
+            _put(table.setdefault(name, {}), rest, value)
+        else:
+            table[name] = value
 
 
 def _problems(raw: Mapping[str, Any], model: type[Section]) -> Details:

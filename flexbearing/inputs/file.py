@@ -83,6 +83,23 @@ def require_plain(path: Path) -> None:
         raise Unreadable("is no plain file but a pipe or a device, which may have no end")
 
 
+def is_folder(path: Path) -> bool:
+    """Whether there is a folder; false for a name that nothing can have, which `content` refuses."""
+    try:
+        return path.is_dir()
+    except (OSError, ValueError):  # too long; a NUL in it
+        return False
+
+
+def is_plain(path: Path) -> bool:
+    """Whether there is a plain file; false for a name that nothing can have."""
+    try:
+        require_plain(path)
+    except Unreadable:
+        return False
+    return True
+
+
 def _size(count: int) -> str:
     for unit, size in (("GiB", 2**30), ("MiB", 2**20), ("KiB", 2**10)):
         if count >= size:

@@ -7,6 +7,7 @@ from flexbearing import api
 from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, require_outputs, write
+from flexbearing.inputs import is_folder, is_plain
 from flexbearing.pages.against import section
 from flexbearing.pages.chromium import chromium, pdf_bytes
 from flexbearing.pages.study_table import table_file, tables_of
@@ -69,7 +70,7 @@ def report(
             f"{place}: holds the arrays of a study, not its rows; name the table beside it: "
             f"{place.with_suffix(TABLES[0]).name}"
         )
-    of_table = place.is_dir() or place.suffix in TABLES
+    of_table = is_folder(place) or place.suffix in TABLES
     if of_table and against is not None:
         raise BadCase(f"--against {against}: {source} is a study; only results are compared")
     place = table_file(place) if of_table else place
@@ -96,5 +97,5 @@ def _of_result(places: Iterable[Path], units: Units, outputs: Iterable[Path]) ->
 def _of_study(place: Path, units: Units) -> Document:
     """Report of a table, with the lives under its duty cycle and its scatter where there are such."""
     _, cycles, *_ = tables_of(place)
-    of_cycles = read_table(cycles, FAMILIES) if cycles.is_file() else None
+    of_cycles = read_table(cycles, FAMILIES) if is_plain(cycles) else None
     return of_study(read_table(place, FAMILIES), of_cycles, units, read_scatter(place))

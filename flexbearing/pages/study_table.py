@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from flexbearing.inputs import is_folder, is_plain
 from flexbearing.results import BadResult
 from flexbearing.studies.table.files import CYCLES, SCATTER
 
@@ -29,9 +30,9 @@ def table_file(place: Path) -> Path:
     BadResult
         where there is none, or a folder holds several
     """
-    if not place.is_dir():
+    if not is_folder(place):
         return place
-    if (beside := place.with_name(f"{place.name}.csv")).is_file():
+    if is_plain(beside := place.with_name(f"{place.name}.csv")):
         return beside
     tables = sorted(path for path in place.glob("*.csv") if not path.stem.endswith((CYCLES, *SCATTER)))
     if len(tables) == 1:

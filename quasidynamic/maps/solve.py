@@ -42,7 +42,7 @@ class SolvedGrid:
             point=states.point[order],
             scaled=states.reached.scaled[order],
             stable=states.stable[order],
-            continues=np.where(continues >= 0, renamed[continues], continues),
+            continues=np.where(continues >= 0, renamed.take(continues, mode="clip"), continues),
             share=states.share[order],
             last={(int(renamed[state]), side): end for (state, side), end in states.last.items()},
             rounds=rounds,

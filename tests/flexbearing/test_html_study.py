@@ -135,3 +135,10 @@ def test_a_folder_with_several_tables_is_refused_by_their_names(tmp_path):
         (tmp_path / name).touch()
     with pytest.raises(BadResult, match=r"holds several tables, name one: a\.csv, b\.csv"):
         report(tmp_path)
+
+
+@pytest.mark.parametrize("ending", ["", ".csv", ".parquet"])
+def test_a_name_that_is_too_long_is_refused_in_a_line(ending, tmp_path):
+    with pytest.raises(BadResult, match="File name too long") as problem:
+        report(tmp_path / f"{300 * 'n'}{ending}", tmp_path / "r.html")
+    assert "\n" not in str(problem.value)

@@ -150,6 +150,16 @@ def test_a_wrong_mark_is_told(tmp_path, change, message):
         toy(tmp_path, collect=COLLECT + MARK.replace(*change, 1))
 
 
+def test_a_mark_without_a_key_is_told(tmp_path):
+    """A list of tables, of which each may lack a key."""
+    short = MARK.replace('label = "measured"\n', "").replace('y = "life"\n', "")
+    with pytest.raises(BadCase) as problem:
+        toy(tmp_path, collect=COLLECT + short)
+    assert [line.split(" is missing")[0] for line in str(problem.value).splitlines()] == [
+        "toy.toml: [plot.marks] y", "toy.toml: [plot.marks] label",
+    ]  # fmt: skip
+
+
 ROLLERS = """[collect]
 azimuth = "roller_azimuth [deg]"
 load = "rigid.inner_load [kN]"

@@ -14,7 +14,7 @@ from quasidynamic.maps.filled import nested, one_state_each, through
 from quasidynamic.maps.folds import End
 from quasidynamic.maps.reached import Reached
 from quasidynamic.maps.sheets import FINEST, connect_all
-from quasidynamic.maps.states import States
+from quasidynamic.maps.states import OUTSIDE, States
 from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.trace import trace
@@ -63,6 +63,12 @@ def test_sheets_end_at_the_folds_of_the_branch(line, exact):
     assert np.interp(np.sort(ended.places[:, 0]), np.arange(len(LOADS)), LOADS) == approx(
         exact, rel=1e-6, abs=0
     )
+
+
+def test_two_points_have_a_state_each():
+    solved = solve(over((2,), (400.0, 1000.0)))
+    assert solved.point.tolist() == [0, 1]
+    assert solved.continues.tolist() == [[OUTSIDE, 1], [0, OUTSIDE]]
 
 
 def test_ends_that_are_no_folds_are_not_located(line):

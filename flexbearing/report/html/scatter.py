@@ -8,6 +8,7 @@ from math import isnan, nan
 from pathlib import Path
 from typing import Any
 
+from flexbearing.inputs import is_plain
 from flexbearing.printable import printable
 from flexbearing.report.html.document import Block, Cell, Figure, Items, Number, Table
 from flexbearing.report.html.figures import COLOURS
@@ -44,7 +45,7 @@ def read_scatter(place: Path) -> ScatterTables | None:
         None where it is not there, as of other studies
     """
     files = [place.with_name(f"{place.stem}_{part}{place.suffix}") for part in PARTS]
-    if not all(file.is_file() for file in files):
+    if not all(map(is_plain, files)):
         return None
     return ScatterTables(*(_read(file) for file in files))
 
