@@ -7,9 +7,9 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from flexbearing.case import BadCase
+from flexbearing.program.processes import Processes
 from flexbearing.program.threads import cores
 from flexbearing.studies.engine import Engine
-from flexbearing.studies.engine.local import Local
 from flexbearing.studies.engine.on_dask import connected
 from flexbearing.studies.engine.on_slurm import NoQueue, OnSlurm
 from flexbearing.studies.engine.serial import Serial
@@ -54,23 +54,18 @@ class Where:
         named = [name for name, value in options.items() if value is not None]
         if len(named) > 1:
             raise BadCase(f"{' and '.join(named)}: a study is computed in one place; give one of them")
-        if self.jobs == 1 or (not named and find_spec("distributed") is None):
-            return lambda tasks: Serial()
+        if self.slurm is None and self.scheduler is None:
+            return lambda tasks: self._here(tasks, plan)
         if find_spec("distributed") is None:
-            raise BadCase(
-                "several jobs, schedulers and queues need Dask: "
-                'pip install "flexbearing[studies]", or --jobs 1'
-            )
+            raise BadCase(f'{named[0]} needs Dask: pip install "flexbearing[studies]"')
         if self.slurm is not None:
             return partial(_queued, self.slurm, profile(self.slurm))
-        if self.scheduler is not None:
-            return partial(_connected, self.scheduler)
-        return lambda tasks: self._here(tasks, plan)
+        return partial(_connected, self.scheduler)
 
     def _here(self, tasks: int, plan: Plan) -> Engine:
         most = self.jobs or (cores() if expected(plan) > WORTH_WORKERS else 1)
         jobs = min(tasks, most)
-        return Serial() if jobs == 1 else Local(jobs)
+        return Serial() if jobs == 1 else Processes(jobs)
 
 
 def _queued(path: Path, settings: SlurmProfile, tasks: int) -> Engine:

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any
 
-from flexbearing.studies.engine.engine import Done
+from flexbearing.program.processes import Done
 
 if TYPE_CHECKING:
     from distributed import Client, Future
