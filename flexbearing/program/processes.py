@@ -3,7 +3,7 @@
 from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from multiprocessing.connection import Connection, wait
+from multiprocessing.connection import wait
 from typing import Any
 
 from flexbearing.program.interpreter import Died, Interpreter, NeverStarted
@@ -41,7 +41,7 @@ class Processes:
         """
         self.workers, self._ahead = workers, ahead
         self._waiting: deque[tuple[Callable[[Any], Any], Any]] = deque()
-        self._processes: dict[Connection, Interpreter] = {}
+        self._processes: dict[Any, Interpreter] = {}  # by what is waited for
         self._free: list[Interpreter] = []
         self._running: dict[Interpreter, Any] = {}  # arguments
         self._failed_starts = 0
@@ -88,25 +88,29 @@ class Processes:
             self._processes[process.calls] = process
 
     def _end_of_call(self, process: Interpreter) -> Done | None:
-        """The end of what a process computed; nothing where it has just started, or ended without a call."""
-        done, calling = None, process in self._running
-        argument = self._running.pop(process, None)
+        """The end of what a process computed; nothing where it did not, as it has just started."""
+        if process not in self._running:
+            return self._started(process)
+        argument = self._running.pop(process)
         try:
-            if calling:
-                done = Done(argument, *process.answer())
-                self._failed_starts = 0
-            else:
-                process.await_start()
-            self._free.append(process)
+            done = Done(argument, *process.answer())
+        except Died:
+            self._remove(process)
+            return Done(argument, died=True)
+        self._free.append(process)
+        self._failed_starts = 0
+        return done
+
+    def _started(self, process: Interpreter) -> None:
+        try:
+            process.await_start()
         except NeverStarted:
             self._remove(process)
             self._failed_starts += 1
             if self._failed_starts > STARTS * self.workers:
                 raise
-        except Died:
-            self._remove(process)
-            done = Done(argument, died=True)
-        return done
+        else:
+            self._free.append(process)
 
     def _remove(self, process: Interpreter) -> None:
         del self._processes[process.calls]
