@@ -65,8 +65,8 @@ def test_where_there_is_no_queue_the_study_says_so(tmp_path, monkeypatch):
 
 SBATCH = """#!/bin/sh
 [ "$1" = --test-only ] && exit 0
-cat "$1" >> {scripts}
-setsid sh "$1" > /dev/null 2>&1 &
+cp "$1" {folder}/job.$$
+setsid sh {folder}/job.$$ > /dev/null 2>&1 &
 echo "Submitted batch job $!"
 """
 
@@ -75,8 +75,8 @@ echo "Submitted batch job $!"
 def test_scheduler_and_workers_of_jobs_talk_by_tls_and_leave_no_key(tmp_path, monkeypatch):
     """In a queue that starts every job at once, here."""
     pytest.importorskip("cryptography")
-    scripts, settled = tmp_path / "scripts", toy(tmp_path)
-    commands = {"sbatch": SBATCH.format(scripts=scripts), "scancel": "#!/bin/sh\nkill -9 -- -$1"}
+    settled = toy(tmp_path)
+    commands = {"sbatch": SBATCH.format(folder=tmp_path), "scancel": "#!/bin/sh\nkill -9 -- -$1"}
     for name, text in commands.items():
         (tmp_path / name).write_text(text)
         (tmp_path / name).chmod(0o700)
@@ -92,7 +92,7 @@ def test_scheduler_and_workers_of_jobs_talk_by_tls_and_leave_no_key(tmp_path, mo
     work = Work(partial(cubes, texts=settled.texts), no_ring)
     table = run(settled, tmp_path, work, lambda tasks: engine)
     assert len(table) == 10
-    assert f"dask_worker {address} " in scripts.read_text()
+    assert all(f"dask_worker {address} " in job.read_text() for job in tmp_path.glob("job.*"))
     assert address.startswith("tls://")
     assert not folder.exists()
 
