@@ -26,8 +26,8 @@ from benchmarks.machine import describe
 from flexbearing.build.roller_bearing import bearing
 from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
+from flexbearing.program.processes import Processes
 from flexbearing.studies.engine import finished
-from flexbearing.studies.engine.local import Local
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan import Row, Task
 from flexbearing.studies.prepare import prepared
@@ -180,7 +180,7 @@ def machinery() -> None:
             f"its case and bearing in a worker {each[2]:.2f} ms; together {sum(each):.2f} ms"
         )
         tasks = [alone for task in settled.plan.tasks(lambda _: True)[:8] for alone in task.alone]
-        engine = Local(1)
+        engine = Processes(1)
         try:
             for count in (20, len(tasks)):  # the first ones wait for the worker
                 began = time.perf_counter()

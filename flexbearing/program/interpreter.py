@@ -1,8 +1,9 @@
 """A process beside this one that answers calls.
 
-It is a plain interpreter: those of `multiprocessing` would import the script that called. In a session of its
-own it does not hear what a terminal sends. It ends with this process, however that ends, in the middle of a
-call too, and takes with it what it started, such as a mesh generator.
+It is a plain interpreter: those of `multiprocessing` would import the script that called. Calls and answers
+go through a pair of connected sockets, of which it inherits one: nothing listens, and nobody else can call.
+In a session of its own it does not hear what a terminal sends. It ends with this process, however that ends,
+in the middle of a call too, and takes with it what it started, such as a mesh generator.
 """
 
 import os
@@ -12,15 +13,21 @@ import subprocess
 import sys
 from collections.abc import Callable
 from contextlib import suppress
+from importlib import import_module
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection
 from queue import SimpleQueue
+from tempfile import TemporaryFile
 from threading import Thread
-from typing import IO, Any
+from typing import Any
 
 from flexbearing.program.threads import environment
 
-_START = "import sys; sys.path[:] = {path!r}; from flexbearing.program.interpreter import serve; serve({end})"
+LAST_WORDS = 400  # bytes of its error output that are quoted
+_START = (
+    "import sys; sys.path[:] = {path!r}; "
+    "from flexbearing.program.interpreter import serve; serve({end}, {ahead!r})"
+)
 
 
 class Died(RuntimeError):
@@ -34,22 +41,23 @@ class NeverStarted(Died):
 class Interpreter:
     """A process that answers one call after the other."""
 
-    def __init__(self, workers: int, errors: IO[bytes] | int | None = None):
+    def __init__(self, workers: int, ahead: str | None = None):
         """Start the process.
 
         Parameters
         ----------
         workers : int
             processes that share the cores
-        errors : file, optional
-            takes what the process writes to its standard error; it goes where that of this one goes without
+        ahead : str, optional
+            module that is loaded before the first call
         """
+        self._errors = TemporaryFile()  # noqa: SIM115  # closed with its process
         self.calls, theirs = Pipe()  # what `multiprocessing.connection.wait` waits for
         with theirs:
             self._process = subprocess.Popen(
-                [sys.executable, "-c", _START.format(path=sys.path, end=theirs.fileno())],
-                stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=errors, env=environment(workers),
-                pass_fds=[theirs.fileno()], start_new_session=True,
+                [sys.executable, "-c", _START.format(path=sys.path, end=theirs.fileno(), ahead=ahead)],
+                stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=self._errors,
+                env=environment(workers), pass_fds=[theirs.fileno()], start_new_session=True,
             )  # fmt: skip
 
     def await_start(self) -> None:
@@ -58,12 +66,13 @@ class Interpreter:
         Raises
         ------
         NeverStarted
-            if it ends before
+            if it ends before, with its last words
         """
         try:
             self.calls.recv()
         except (EOFError, ConnectionError) as ended:
-            raise NeverStarted("a worker process ended as soon as it was started") from ended
+            code = self._process.wait()
+            raise NeverStarted(f"worker processes end with {code}: {self._last_words()}") from ended
 
     def send(self, function: Callable[[Any], Any], argument: Any) -> None:
         """Have a function called, without waiting; a process that has ended is told by `answer`."""
@@ -88,7 +97,7 @@ class Interpreter:
         try:
             return self.calls.recv()
         except (EOFError, ConnectionError) as ended:
-            raise Died("a worker process ended without an answer: is there enough memory?") from ended
+            raise Died("a worker process ended without an answer") from ended
 
     @property
     def code(self) -> int | None:
@@ -102,18 +111,29 @@ class Interpreter:
                 os.killpg(self._process.pid, signal.SIGKILL)
         self._process.wait()
         self.calls.close()
+        self._errors.close()
+
+    def _last_words(self) -> str:
+        self._errors.seek(0, os.SEEK_END)
+        self._errors.seek(max(0, self._errors.tell() - LAST_WORDS))
+        words = self._errors.read().decode(errors="replace")
+        return "; ".join(line.strip() for line in words.splitlines() if line.strip()) or "without a word"
 
 
-def serve(end: int) -> None:
+def serve(end: int, ahead: str | None) -> None:
     """Answer calls in the process beside, until the other one is gone.
 
     Parameters
     ----------
     end : int
         file descriptor of this end of the connection
+    ahead : str or None
+        module that is loaded before
     """
     calls, received = Connection(end), SimpleQueue[bytes]()
     Thread(target=_receive, args=(calls, received), daemon=True).start()
+    if ahead is not None:
+        import_module(ahead)
     with suppress(ConnectionError):
         calls.send("ready")
     while True:

@@ -5,11 +5,12 @@ contact.
 """
 
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
-from multiprocessing.connection import wait
+from contextlib import closing, contextmanager
+from functools import partial
 from typing import Any
 
-from flexbearing.program.interpreter import Interpreter
+from flexbearing.program.interpreter import Died
+from flexbearing.program.processes import Processes
 from flexbearing.program.threads import cores
 
 FEWEST = 8  # calls for each worker; the start of one takes as long as a few balls
@@ -17,68 +18,47 @@ FEWEST = 8  # calls for each worker; the start of one takes as long as a few bal
 
 @contextmanager
 def shared_map(
-    ahead: Callable[..., Any] | None = None,
+    ahead: str | None = None,
 ) -> Iterator[Callable[[Callable[[Any], Any], Iterable[Any]], Iterator[Any]]]:
     """Give a `map` of a function whose calls are shared among the cores that this process may use.
 
     Answers come in the order of the arguments and are those of `map`: the number of cores changes nothing.
     Those of one call are all taken before the next one is made.
     The first exception that a call raises is raised here, `Died` where its worker did. All workers end with
-    the context. Of a function `ahead` they load the module as soon as the context begins, while this process
-    does something else; without one they start with the first call that needs them.
+    the context. With a module `ahead` they start at once, and load it while this process does something else;
+    without one they start with the first call that needs them.
     """
-    workers: list[Interpreter] = []
-    loading: list[Interpreter] = []
-    if ahead is not None and cores() > 1:
-        workers.extend(Interpreter(cores()) for _ in range(cores()))
-        loading.extend(workers)
-        for worker in loading:
-            worker.send(_loaded, ahead)
+    with closing(Processes(cores(), ahead)) as processes:
+        if ahead is not None and cores() > 1:
+            processes.start()
 
-    def mapped(function: Callable[[Any], Any], arguments: Iterable[Any]) -> Iterator[Any]:
-        waiting = list(arguments)
-        count = min(cores(), len(waiting) // FEWEST)
-        if count < 2:
-            return map(function, waiting)
-        while loading:
-            worker = loading.pop()
-            worker.await_start()
-            _answer(worker)
-        started = range(len(workers), count)  # others are there from the call before
-        workers.extend(Interpreter(count) for _ in started)
-        for place in started:
-            workers[place].await_start()
-        return _in_order(workers[:count], function, waiting)
+        def mapped(function: Callable[[Any], Any], arguments: Iterable[Any]) -> Iterator[Any]:
+            waiting = list(arguments)
+            count = min(cores(), len(waiting) // FEWEST)
+            if count < 2:
+                return map(function, waiting)
+            processes.workers = count
+            return _in_order(processes, function, waiting)
 
-    try:
         yield mapped
-    finally:
-        for worker in workers:
-            worker.end()
 
 
-def _loaded(function: Callable[..., Any]) -> None:
-    """A function that was sent, and so its module, is there."""
-
-
-def _in_order(
-    workers: list[Interpreter], function: Callable[[Any], Any], arguments: list[Any]
-) -> Iterator[Any]:
+def _in_order(processes: Processes, function: Callable[[Any], Any], arguments: list[Any]) -> Iterator[Any]:
     """Answers in the order of the arguments, the next argument to the worker that is free first."""
-    free, under_way, answers, sent = workers, {}, {}, 0
+    answers = {}
+    for numbered in enumerate(arguments):
+        processes.submit(partial(_answer, function), numbered)
+    ends = processes.as_completed()
     for number in range(len(arguments)):
         while number not in answers:
-            for worker in free[: len(arguments) - sent]:
-                worker.send(function, arguments[sent])
-                under_way[worker.calls], sent = (worker, sent), sent + 1
-            done = [under_way.pop(calls) for calls in wait(list(under_way))]
-            answers |= {place: _answer(worker) for worker, place in done}
-            free = [worker for worker, _ in done]
+            done = next(ends)
+            if done.raised is not None:
+                raise done.raised
+            if done.died:
+                raise Died("a worker process ended without an answer: is there enough memory?")
+            answers[done.argument[0]] = done.answer
         yield answers.pop(number)
 
 
-def _answer(worker: Interpreter) -> Any:
-    answer, problem = worker.answer()
-    if problem is not None:
-        raise problem
-    return answer
+def _answer(function: Callable[[Any], Any], numbered: tuple[int, Any]) -> Any:
+    return function(numbered[1])

@@ -26,10 +26,19 @@ def study(  # noqa: PLR0913  # an argument for each option
         ),
     ] = None,
     scheduler: Annotated[
-        str | None, typer.Option("--scheduler", metavar="ADDRESS", help="running Dask scheduler, tcp://...")
+        str | None, typer.Option("--scheduler", metavar="ADDRESS", help="running Dask scheduler, tls://...")
     ] = None,
     slurm: Annotated[
         Path | None, typer.Option("--slurm", metavar="PROFILE.toml", help="workers in jobs of a SLURM queue")
+    ] = None,
+    tls_ca: Annotated[
+        Path | None, typer.Option("--tls-ca", metavar="PEM", help="authority of --scheduler, --slurm")
+    ] = None,
+    tls_cert: Annotated[
+        Path | None, typer.Option("--tls-cert", metavar="PEM", help="certificate that it signed")
+    ] = None,
+    tls_key: Annotated[
+        Path | None, typer.Option("--tls-key", metavar="PEM", help="key of that certificate")
     ] = None,
     retry_failed: Annotated[
         bool, typer.Option("--retry-failed", help="compute rows that failed once more")
@@ -66,7 +75,8 @@ def study(  # noqa: PLR0913  # an argument for each option
         raise typer.Exit(CONVERGED)
     settled = settled.of_part(wanted) if wanted else settled
     with told.Shown(sys.stderr) as shown:
-        table = compute(settled, output, Where(jobs, scheduler, slurm), retry_failed=retry_failed, tell=shown)
+        where = Where(jobs, scheduler, slurm, (tls_ca, tls_cert, tls_key))
+        table = compute(settled, output, where, retry_failed=retry_failed, tell=shown)
     _say(told.end(settled, table, output))
     raise typer.Exit(NOT_CONVERGED if table.failed else CONVERGED)
 

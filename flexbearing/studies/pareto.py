@@ -28,12 +28,12 @@ from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
 from flexbearing.files import NotStored
+from flexbearing.program.processes import Processes
 from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.report.studies.pareto_table import Measured, Study
 from flexbearing.results import Result
 from flexbearing.studies import pareto_ball_levels as balls
 from flexbearing.studies.engine import DIED, Done, completed
-from flexbearing.studies.engine.apart import Apart
 from flexbearing.studies.pareto_ball_levels import BallCase
 from flexbearing.studies.pareto_levels import Level, ladder, left_out, richest
 
@@ -113,7 +113,7 @@ def pareto(
     checked = _with_levels(check(case, overrides))
     tell = tell or (lambda measured: None)
     best, levels, words = levels_of(checked, solid=solid)
-    with TemporaryDirectory() as folder, closing(Apart()) as engine:
+    with TemporaryDirectory() as folder, closing(Processes(1)) as engine:
         runs = [Run(case, tuple(overrides), level, folder) for level in (best, *levels)]
         (done,) = completed(runs[:1], timed, engine)
         exact = _reference(done)

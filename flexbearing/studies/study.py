@@ -1,6 +1,6 @@
 """What Python programs call for a study; nothing is loaded before."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,6 +16,7 @@ def study(  # noqa: PLR0913  # an argument for each option
     jobs: int | None = None,
     scheduler: str | None = None,
     slurm: str | Path | None = None,
+    tls: Sequence[str | Path] = (),
     retry_failed: bool = False,
     tell: "Callable[[Progress], None]" = lambda progress: None,
 ) -> "Table":
@@ -33,9 +34,11 @@ def study(  # noqa: PLR0913  # an argument for each option
         processes that compute, a core each; 1 is this one alone. Without it as many as there are cores, where
         the study is long enough to be worth it
     scheduler : str, optional
-        address of a running Dask scheduler that computes instead, tcp://HOST:PORT
+        address of a running Dask scheduler that computes instead, tls://HOST:PORT or tcp://HOST:PORT
     slurm : path, optional
         profile of a SLURM cluster whose jobs compute instead
+    tls : sequence of path, optional
+        for both, PEM files of the authority, of a certificate that it signed, and of its key
     retry_failed : bool
         whether rows that failed are computed again
     tell : callable (Progress), optional
@@ -63,7 +66,7 @@ def study(  # noqa: PLR0913  # an argument for each option
     from flexbearing.studies.prepare import compute, prepared
     from flexbearing.studies.where import Where
 
-    where = Where(jobs, scheduler, None if slurm is None else Path(slurm))
+    where = Where(jobs, scheduler, None if slurm is None else Path(slurm), tuple(map(Path, tls)))
     with limited_to(jobs):
         settled = prepared(file)
     return compute(settled, Path(output), where, retry_failed=retry_failed, tell=tell)

@@ -7,10 +7,12 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from flexbearing.case import BadCase
+from flexbearing.case.excerpt import excerpt
+from flexbearing.program.processes import Processes
 from flexbearing.program.threads import cores
 from flexbearing.studies.engine import Engine
-from flexbearing.studies.engine.local import Local
-from flexbearing.studies.engine.on_dask import connected
+from flexbearing.studies.engine.certificates import OPTIONS, Certificates, certificates
+from flexbearing.studies.engine.on_dask import NoConnection, connected
 from flexbearing.studies.engine.on_slurm import NoQueue, OnSlurm
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.file.slurm_profile import SlurmProfile, profile
@@ -18,6 +20,7 @@ from flexbearing.studies.plan import Plan
 
 RING = 2.0  # [s] of a processor for an elastic ring
 WORTH_WORKERS = 10.0  # [s] of work; starting worker processes takes two
+NEEDED = {"--scheduler": ("distributed",), "--slurm": ("distributed", "dask_jobqueue", "cryptography")}
 
 
 @dataclass(frozen=True)
@@ -40,6 +43,7 @@ class Where:
     jobs: int | None = None  # processes here; None: as many as are worth it
     scheduler: str | None = None  # address of a running Dask scheduler instead
     slurm: Path | None = None  # profile of a SLURM cluster instead
+    tls: tuple[Path | None, ...] = ()  # files of `OPTIONS`, for both
 
     def engine(self, plan: Plan) -> Callable[[int], Engine]:
         """What starts the engine, given the number of tasks.
@@ -54,37 +58,36 @@ class Where:
         named = [name for name, value in options.items() if value is not None]
         if len(named) > 1:
             raise BadCase(f"{' and '.join(named)}: a study is computed in one place; give one of them")
-        if self.jobs == 1 or (not named and find_spec("distributed") is None):
-            return lambda tasks: Serial()
-        if find_spec("distributed") is None:
-            raise BadCase(
-                "several jobs, schedulers and queues need Dask: "
-                'pip install "flexbearing[studies]", or --jobs 1'
-            )
-        if self.slurm is not None:
-            return partial(_queued, self.slurm, profile(self.slurm))
+        if self.scheduler is None and self.slurm is None:
+            if any(self.tls):
+                raise BadCase(f"{', '.join(OPTIONS)}: only --scheduler and --slurm have connections")
+            return lambda tasks: self._here(tasks, plan)
+        if missing := [name for name in NEEDED[named[0]] if find_spec(name) is None]:
+            raise BadCase(f'{named[0]} needs {", ".join(missing)}: pip install "flexbearing[studies]"')
+        found = certificates(*self.tls)
         if self.scheduler is not None:
-            return partial(_connected, self.scheduler)
-        return lambda tasks: self._here(tasks, plan)
+            return partial(_connected, self.scheduler, found)
+        assert self.slurm
+        return partial(_queued, self.slurm, profile(self.slurm), found)
 
     def _here(self, tasks: int, plan: Plan) -> Engine:
         most = self.jobs or (cores() if expected(plan) > WORTH_WORKERS else 1)
         jobs = min(tasks, most)
-        return Serial() if jobs == 1 else Local(jobs)
+        return Serial() if jobs == 1 else Processes(jobs)
 
 
-def _queued(path: Path, settings: SlurmProfile, tasks: int) -> Engine:
+def _queued(path: Path, settings: SlurmProfile, found: Certificates | None, tasks: int) -> Engine:
     try:
-        return OnSlurm(settings, tasks)
+        return OnSlurm(settings, tasks, found)
     except NoQueue as problem:
         raise BadCase(f"--slurm {path}: {problem}") from problem
 
 
-def _connected(address: str, tasks: int) -> Engine:
+def _connected(address: str, found: Certificates | None, tasks: int) -> Engine:
     try:
-        return connected(address)
-    except (OSError, ValueError) as problem:
-        raise BadCase(f"--scheduler {address}: nobody answers there: {problem}") from problem
+        return connected(address, found)
+    except NoConnection as problem:
+        raise BadCase(f"--scheduler {excerpt(address)}: {problem}") from problem
 
 
 def expected(plan: Plan) -> float:

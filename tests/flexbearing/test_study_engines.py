@@ -11,10 +11,8 @@ from pathlib import Path
 import pytest
 
 from flexbearing.case import BadCase
+from flexbearing.program.processes import Processes
 from flexbearing.studies.engine import Done, completed
-from flexbearing.studies.engine.apart import Apart
-from flexbearing.studies.engine.local import Local, NoWorkers
-from flexbearing.studies.engine.on_dask import connected
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan import Ring
 from flexbearing.studies.plan.task import Base, Variant, involves
@@ -57,19 +55,13 @@ def test_variants_that_need_runs_of_their_own_are_expected_to_take_longer(first,
     assert expected(prepared(file).plan) > 5 * expected(toy(tmp_path, loads).plan)
 
 
-def test_several_jobs_without_dask_say_what_to_install(tmp_path, monkeypatch):
+def test_schedulers_and_queues_without_dask_say_what_to_install(tmp_path, monkeypatch):
     monkeypatch.setattr("flexbearing.studies.where.find_spec", lambda name: None)
     plan = toy(tmp_path).plan
-    for where in (Where(jobs=2), Where(scheduler="tcp://127.0.0.1:1")):
-        with pytest.raises(BadCase, match=r'need Dask: pip install "flexbearing\[studies\]"'):
+    for where in (Where(slurm=Path("site.toml")), Where(scheduler="tcp://127.0.0.1:1")):
+        with pytest.raises(BadCase, match=r'needs distributed.*: pip install "flexbearing\[studies\]"'):
             where.engine(plan)
-    assert isinstance(Where().engine(plan)(1), Serial)
-
-
-def test_a_scheduler_that_does_not_answer_is_told(tmp_path):
-    start = Where(scheduler="no such protocol://x").engine(toy(tmp_path).plan)
-    with pytest.raises(BadCase, match=r"--scheduler no such protocol://x: nobody answers there"):
-        start(1)
+    assert isinstance(Where(jobs=2).engine(plan)(2), Processes)
 
 
 def test_every_ring_is_condensed_once_whatever_becomes_of_its_worker():
@@ -98,7 +90,7 @@ def test_every_ring_is_condensed_once_whatever_becomes_of_its_worker():
 @pytest.mark.slow
 def test_a_ring_that_ended_its_worker_is_condensed_by_the_careful_function():
     rings = [Ring(Base(Path("case.toml"), "", ()), Variant((), ""), name) for name in ("inner", "outer")]
-    engine = Apart()
+    engine = Processes(1)
     ends = [*completed(rings, toy_studies.deadly_ring, engine, again=toy_studies.no_ring)]
     engine.close()
     assert [(done.argument.name, done.answer) for done in ends] == [("inner", "condensed"), ("outer", None)]
@@ -108,7 +100,9 @@ def test_a_ring_that_ended_its_worker_is_condensed_by_the_careful_function():
 @pytest.mark.slow
 def test_two_jobs_give_the_table_of_one(tmp_path):
     settled = toy(tmp_path, FORTY)
-    one, two = (computed(settled, tmp_path / str(n), engine) for n, engine in enumerate((Serial(), Local(2))))
+    one, two = (
+        computed(settled, tmp_path / str(n), engine) for n, engine in enumerate((Serial(), Processes(2)))
+    )
     assert str(one.rows) == str(two.rows)
     assert (tmp_path / "0" / "toy.csv").read_text() == (tmp_path / "1" / "toy.csv").read_text()
 
@@ -116,7 +110,7 @@ def test_two_jobs_give_the_table_of_one(tmp_path):
 @pytest.mark.slow
 def test_a_variant_that_kills_its_process_is_found_and_the_others_are_computed(tmp_path):
     place = tmp_path / "attempts"
-    table = computed(toy(tmp_path, FORTY), tmp_path, Local(2), toy_studies.deadly, place=place)
+    table = computed(toy(tmp_path, FORTY), tmp_path, Processes(2), toy_studies.deadly, place=place)
     died = [row["operation.radial_load [N]"] for row in table.rows if row["status"] == "worker died"]
     assert died == [7e3]
     assert table.failed == 1
@@ -161,44 +155,24 @@ def test_a_worker_that_somebody_kills_loses_nothing(tmp_path):
             os.kill(killed[0], signal.SIGKILL)
             (tmp_path / "killed").touch()
 
-    table = run(settled, tmp_path, work, lambda tasks: Local(2), tell=kill)
+    table = run(settled, tmp_path, work, lambda tasks: Processes(2), tell=kill)
     assert len(killed) == 1
     assert table.failed == 0
     assert len(list(place.iterdir())) == 3
     assert str(table.rows) == str(computed(settled, tmp_path / "undisturbed", Serial()).rows)
 
 
-@pytest.mark.slow
-def test_an_answer_that_died_with_the_only_worker_is_computed_again(tmp_path):
-    """A worker ended between its answer and the fetching of it."""
-    place = tmp_path / "processes"
-    place.mkdir()
-    engine = Local(1)
-    try:
-        engine.submit(toy_studies.own_process, place)
-        while engine._ended.empty():  # it has its answer, which nobody fetched
-            time.sleep(0.02)
-        (first,) = place.iterdir()
-        os.kill(int(first.name), signal.SIGKILL)
-        (done,) = engine.as_completed()
-    finally:
-        engine.close()
-    assert not done.died
-    assert {first.name, str(done.answer)} == {path.name for path in place.iterdir()}
-    assert done.answer != int(first.name)
-
-
 DRIVER = """
 import sys
 from functools import partial
 from pathlib import Path
-from flexbearing.studies.engine.local import Local
+from flexbearing.program.processes import Processes
 from flexbearing.studies.run import Work, run
 from tests.flexbearing.toy_studies import no_ring, slow_cubes, toy
 folder = Path(sys.argv[1])
 settled = toy(folder, sys.argv[2])
 work = Work(partial(slow_cubes, texts=settled.texts, place=folder / "processes"), no_ring)
-run(settled, folder, work, lambda tasks: Local(2), tell=lambda progress: print(progress.done, flush=True))
+run(settled, folder, work, lambda tasks: Processes(2), tell=lambda progress: print(progress.done, flush=True))
 """
 
 
@@ -224,28 +198,6 @@ def test_a_killed_driver_leaves_no_process_and_the_study_goes_on(tmp_path):
     assert 10 <= settled.progress(settled.rows(tmp_path)).done < 40
     table = computed(settled, tmp_path, Serial())
     assert str(table.rows) == str(computed(settled, tmp_path / "at once", Serial()).rows)
-
-
-@pytest.mark.slow
-def test_workers_that_never_start_end_the_study_with_their_last_words(tmp_path, monkeypatch):
-    broken = os.environ | {"PYTHONHOME": str(tmp_path)}
-    monkeypatch.setattr("flexbearing.program.interpreter.environment", lambda jobs: broken)
-    with pytest.raises(NoWorkers, match=r"worker processes end with 1: .*encodings"):
-        computed(toy(tmp_path, FORTY), tmp_path, Local(2))
-
-
-@pytest.mark.slow
-def test_a_running_scheduler_computes_and_stays(tmp_path):
-    from distributed import LocalCluster
-
-    settled = toy(tmp_path, FORTY)
-    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0") as cluster:
-        for folder in ("one", "two"):
-            engine = connected(cluster.scheduler_address)
-            assert engine.workers == 2
-            assert str(computed(settled, tmp_path / folder, engine).rows) == str(
-                computed(settled, tmp_path, Serial()).rows
-            )
 
 
 @pytest.mark.slow
@@ -305,32 +257,3 @@ def test_a_ring_that_kills_the_only_process_is_condensed_beside_it(tmp_path):
     assert noted == ["inner"]
     assert place.read_text().split().count(str(os.getpid())) == 1
     assert len(place.read_text().split()) == 4
-
-
-def test_a_process_beside_hands_back_answers_exceptions_and_deaths():
-    engine = Apart()
-    for call in ((abs, -3), (int, "three"), (os._exit, 1), (abs, -4)):
-        engine.submit(*call)
-    ends = [*engine.as_completed()]
-    engine.close()
-    assert [done.answer for done in ends] == [3, None, None, 4]
-    assert isinstance(ends[1].raised, ValueError)
-    assert [done.died for done in ends] == [False, False, True, False]
-
-
-@pytest.mark.slow
-def test_a_process_beside_ends_with_the_one_that_called(tmp_path):
-    script = (
-        "import sys\nfrom flexbearing.studies.engine.apart import Apart\nengine = Apart()\n"
-        "from tests.flexbearing.toy_studies import asleep\nengine.submit(asleep, sys.argv[1])\n"
-        "list(engine.as_completed())"
-    )
-    place = tmp_path / "process"
-    with subprocess.Popen([sys.executable, "-c", script, place], cwd=ROOT) as driver:
-        while not (place.exists() and place.read_text()):
-            time.sleep(0.02)
-        driver.kill()
-    gone_by = time.monotonic() + 120
-    while Path(f"/proc/{place.read_text()}").exists():
-        assert time.monotonic() < gone_by
-        time.sleep(0.05)

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from flexbearing.case import BadCase
+from flexbearing.studies.engine.on_dask import NoConnection, connected
 from flexbearing.studies.engine.on_slurm import NoQueue, OnSlurm
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.file.slurm_profile import profile
@@ -60,6 +61,40 @@ def test_where_there_is_no_queue_the_study_says_so(tmp_path, monkeypatch):
     start = Where(slurm=written(tmp_path)).engine(toy(tmp_path).plan)
     with pytest.raises(BadCase, match="there is no sbatch here; start the study on a login node"):
         start(1)
+
+
+SBATCH = """#!/bin/sh
+[ "$1" = --test-only ] && exit 0
+cp "$1" {folder}/job.$$
+setsid sh {folder}/job.$$ > /dev/null 2>&1 &
+echo "Submitted batch job $!"
+"""
+
+
+@pytest.mark.slow
+def test_scheduler_and_workers_of_jobs_talk_by_tls_and_leave_no_key(tmp_path, monkeypatch):
+    """In a queue that starts every job at once, here."""
+    pytest.importorskip("cryptography")
+    settled = toy(tmp_path)
+    commands = {"sbatch": SBATCH.format(folder=tmp_path), "scancel": "#!/bin/sh\nkill -9 -- -$1"}
+    for name, text in commands.items():
+        (tmp_path / name).write_text(text)
+        (tmp_path / name).chmod(0o700)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=os.pathsep)
+    with pytest.raises(NoQueue, match=r"no scheduler starts here: .*interface"):
+        OnSlurm(profile(written(tmp_path, PROFILE.replace('"lo"', '"none"'))), 4)
+    engine = OnSlurm(profile(written(tmp_path)), 4)
+    address = engine._client.cluster.scheduler_address
+    (folder,) = (tmp_path / "logs").iterdir()
+    assert folder.stat().st_mode & 0o77 == 0
+    with pytest.raises(NoConnection):
+        connected(address.replace("tls:", "tcp:"))
+    work = Work(partial(cubes, texts=settled.texts), no_ring)
+    table = run(settled, tmp_path, work, lambda tasks: engine)
+    assert len(table) == 10
+    assert all(f"dask_worker {address} " in job.read_text() for job in tmp_path.glob("job.*"))
+    assert address.startswith("tls://")
+    assert not folder.exists()
 
 
 @pytest.fixture(scope="module")

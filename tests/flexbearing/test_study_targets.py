@@ -122,7 +122,6 @@ def test_a_resumed_study_has_the_same_table(table, tmp_path):
 
 @pytest.mark.slow
 def test_two_jobs_give_the_same_table(table, tmp_path):
-    pytest.importorskip("distributed")
     parallel = flexbearing.study(study(tmp_path, THIN + LOADS + TARGET), tmp_path, jobs=2)
     assert numbers(parallel) == numbers(table)
 

@@ -10,9 +10,9 @@ import flexbearing
 from fem import condense as finite_elements
 from fem.raceway.harmonics import HarmonicCompliance
 from flexbearing.cache import configured, recent
+from flexbearing.program.processes import Processes
 from flexbearing.program.threads import cores
 from flexbearing.studies import worker
-from flexbearing.studies.engine.apart import Apart
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.prepare import prepared
 from flexbearing.studies.run import Work, run
@@ -81,7 +81,7 @@ def test_a_worker_meshes_in_its_own_process_and_a_driver_does_not(rings, monkeyp
 def test_a_worker_that_meshing_ended_hands_the_ring_to_a_process_of_its_own(tmp_path):
     """Rings of a driver are never meshed in its own process."""
     settled = study(tmp_path, PAPER, '[over]\n"operation.radial_load" = "5 kN"\n[collect]\nlife = "life_L10"')
-    for engine in (Apart(), Serial()):
+    for engine in (Processes(1), Serial()):
         folder = tmp_path / type(engine).__name__
         folder.mkdir()
         condense = partial(toy_studies.deadly_here, place=folder / "meshed")

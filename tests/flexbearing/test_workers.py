@@ -54,9 +54,9 @@ def children(process):
     return Path(f"/proc/{process}/task/{process}/children").read_text().split()
 
 
-def test_workers_that_load_a_function_ahead_give_the_same_answers_and_end(monkeypatch):
+def test_workers_that_load_a_module_ahead_give_the_same_answers_and_end(monkeypatch):
     started_ones = children(os.getpid())
-    with shared_map(ahead=process_of) as mapped:
+    with shared_map(ahead=__name__) as mapped:
         assert len(children(os.getpid())) == len(started_ones) + 2
         numbers, processes = zip(*mapped(process_of, NUMBERS), strict=True)
         assert [number for number, _ in mapped(process_of, NUMBERS)] == [*NUMBERS]
@@ -64,7 +64,7 @@ def test_workers_that_load_a_function_ahead_give_the_same_answers_and_end(monkey
     assert len(set(processes)) == 2
     assert children(os.getpid()) == started_ones
     monkeypatch.setenv("FLEXBEARING_THREADS", "1")
-    with shared_map(ahead=process_of) as mapped:
+    with shared_map(ahead=__name__) as mapped:
         assert children(os.getpid()) == started_ones
         assert {process for _, process in mapped(process_of, NUMBERS)} == {os.getpid()}
 

@@ -106,12 +106,6 @@ def own_process(place):
     return os.getpid()
 
 
-def asleep(place):
-    """As long as a test takes; the process stands in a file."""
-    Path(place).write_text(str(os.getpid()))
-    time.sleep(600)
-
-
 def deadly_level(run):
     """The same answer on every level of `pareto`, but the process of 5 slices is killed."""
     if run.name == "5 slices":

@@ -5,7 +5,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from flexbearing.studies.engine.engine import Done, Engine
+from flexbearing.program.processes import Done
+from flexbearing.studies.engine.engine import Engine
 from flexbearing.studies.plan import Row, Task
 from flexbearing.studies.plan.task import ERROR, WORKER_DIED
 

@@ -1,27 +1,9 @@
 """What every engine does."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from typing import Any, Protocol
 
-
-@dataclass(frozen=True)
-class Done:
-    """The end of one call."""
-
-    argument: Any  # what was submitted
-    answer: Any = None  # of the function
-    raised: Exception | None = None  # by the function, instead of an answer
-    died: bool = False  # its worker ended without a word
-
-    @property
-    def problem(self) -> str:
-        """What the function raised, in words; empty where there is an answer."""
-        return f"{type(self.raised).__name__}: {self.raised}" if self.raised else ""
-
-
-class NoWorkers(RuntimeError):
-    """Worker processes end as soon as they are started."""
+from flexbearing.program.processes import Done
 
 
 class Engine(Protocol):

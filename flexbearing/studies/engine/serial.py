@@ -4,8 +4,7 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from flexbearing.studies.engine.apart import Apart
-from flexbearing.studies.engine.engine import Done
+from flexbearing.program.processes import Done, Processes
 
 
 class Serial:
@@ -15,7 +14,7 @@ class Serial:
 
     def __init__(self):
         self._waiting: deque[tuple[Callable[[Any], Any], Any]] = deque()
-        self._apart = Apart()
+        self._process = Processes(1)
         self._begins: Callable[[Any], None] = lambda argument: None
         self._suspected: Callable[[Any], bool] = lambda argument: False
 
@@ -40,8 +39,8 @@ class Serial:
         while self._waiting:
             function, argument = self._waiting.popleft()
             if self._suspected(argument):
-                self._apart.submit(function, argument)
-                yield from self._apart.as_completed()
+                self._process.submit(function, argument)
+                yield from self._process.as_completed()
                 continue
             self._begins(argument)
             try:
@@ -53,4 +52,4 @@ class Serial:
     def close(self) -> None:
         """Forget what was not called."""
         self._waiting.clear()
-        self._apart.close()
+        self._process.close()

@@ -38,7 +38,7 @@ class SlurmProfile(Section):
     prologue: tuple[str, ...] = key(
         "shell lines in front of the workers", (), example=["module load python/3.11"], strict=False
     )
-    logs: str = key("folder of the output of the jobs, which all nodes see", "slurm-logs")
+    logs: str = key("folder of the output and certificates of the jobs, which all nodes see", "slurm-logs")
 
 
 def profile(path: str | Path) -> SlurmProfile:

@@ -17,13 +17,13 @@ from flexbearing.case.roller import Case
 from flexbearing.coupled.coupled import BearingPartner, equilibrium
 from flexbearing.coupling import PartnerFailed, RacewayPair
 from flexbearing.coupling.partners import Compliance
+from flexbearing.program.processes import Processes
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged
 from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.rings.condensed import condensed_raceways
 from flexbearing.runs import notes
 from flexbearing.studies.engine import DIED, completed
-from flexbearing.studies.engine.apart import Apart
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.table import Table
 from flexbearing.studies.table.column import Column
@@ -189,7 +189,7 @@ def _is_rigid(case: Case) -> bool:
 
 def _followed(wanted: Range) -> Branch:
     """The branch over a range, a call of its own: that of flexible rings in a process that may die."""
-    with closing(Serial() if _is_rigid(wanted.case) else Apart()) as engine:
+    with closing(Serial() if _is_rigid(wanted.case) else Processes(1)) as engine:
         (done,) = completed([wanted], branch, engine)
     if done.died:
         raise NotSolved(DIED)

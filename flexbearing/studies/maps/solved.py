@@ -99,7 +99,7 @@ def solved_map(first: Case, axes: Sequence[MapAxis], texts: Sequence[str], repor
         where a ring has no trustworthy answer
     """
     _require_outputs(texts)
-    with linear_algebra_alone(), shared_map(ahead=_numbers) as mapped:
+    with linear_algebra_alone(), shared_map(ahead=__name__) as mapped:
         whole = grid(first, axes, Logged())  # its rings tell of every point
         solved = solve(whole.points, mapped, lambda stage: report.stage(stage, None))
         report.stage("folds", None)
