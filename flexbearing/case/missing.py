@@ -97,10 +97,13 @@ def _take(raw: dict[str, Any], place: tuple[str, ...]) -> None:
 
 
 def _put(raw: dict[str, Any], path: str, value: Any) -> None:
-    *sections, name = path.split(".")
-    for section in sections:
-        raw = raw.setdefault(section, {})
-    raw[name] = value
+    section, _, rest = path.partition(".")
+    if not rest:
+        raw[section] = value
+        return
+    below = raw.setdefault(section, {})
+    for table in below if isinstance(below, list) else [below]:
+        _put(table, rest, value)
 
 
 def _problems(raw: Mapping[str, Any], model: type[Section]) -> Details:

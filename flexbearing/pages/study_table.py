@@ -26,7 +26,8 @@ def table_file(place: Path) -> Path:
     """
     if not place.is_dir():
         return place
-    if (beside := place.with_name(f"{place.name}.csv")).is_file():
+    folder = place.resolve()  # "." has a name as well
+    if (beside := folder.parent / f"{folder.name}.csv").is_file():
         return beside
     tables = sorted(path for path in place.glob("*.csv") if not path.stem.endswith((CYCLES, *SCATTER)))
     if len(tables) == 1:
