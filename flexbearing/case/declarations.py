@@ -1,12 +1,13 @@
 """What the schema says of a key: the one declaration behind messages, `explain` and the reference page."""
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, cached_property
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, get_args, get_origin
 
+from pydantic import TypeAdapter
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
@@ -122,6 +123,12 @@ class Declaration:
     def whole(self) -> bool:
         """Whether the key holds a whole number."""
         return self.number and float not in tuple(_parts(self.field.annotation))
+
+    @cached_property
+    def reader(self) -> Callable[[Any], Any]:
+        """What reads a single value of the key, as its table does; raises ValidationError."""
+        annotated: Any = Annotated[self.field.annotation, self.field]
+        return TypeAdapter(annotated, config=Section.model_config).validate_python
 
     @property
     def _what(self) -> str:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cache
 from operator import attrgetter
 from pathlib import Path
-from typing import Annotated, Any, TypeVar
+from typing import Any, TypeVar
 
 from flexbearing.case.declarations import by_path, find
 from flexbearing.case.excerpt import excerpt
@@ -116,7 +116,7 @@ class Variants:
         raw = deepcopy(self._tables)
         case = with_settings(raw, self._source(given), self._families)
         alone = [key for key in self.keys if self._is_value_alone(key, type(case))]
-        self._validators = {key: _validator(key, type(case)) for key in alone}
+        self._validators = {key: by_path(type(case))[key].reader for key in alone}
         if len(self._read) < MOST_KINDS:
             tree = _tree([key for key in alone if key in given])
             self._read.setdefault(self._choices(given), _Read(case, tree))
@@ -161,16 +161,6 @@ def _read_apart(model: type[Section]) -> frozenset[str]:
         for validator in table.__pydantic_decorators__.field_validators.values()
         for name in validator.info.fields
     )
-
-
-@cache
-def _validator(key: str, model: type[Section]) -> Callable[[Any], Any]:
-    """What reads a single value of a key, as its table does."""
-    from pydantic import TypeAdapter
-
-    field = by_path(model)[key].field
-    annotated: Any = Annotated[field.annotation, field]
-    return TypeAdapter(annotated, config=Section.model_config).validate_python
 
 
 def _tree(keys: list[str]) -> Tree:

@@ -9,6 +9,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from flexbearing import inputs
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.family import Families
 from flexbearing.case.file_keys import next_to, value_at
@@ -167,9 +168,10 @@ def _sides(name: str, text: Any) -> list[tuple[float, str, bool]]:
     one, two = (_ONE.fullmatch(text), _TWO.fullmatch(text)) if short else (None, None)
     try:
         if one:
-            return [(float(one[2]), one[3] or "", one[1] == "<=")]
+            return [(inputs.number(one[2]), one[3] or "", one[1] == "<=")]
         if two:
-            return [(float(two[1]), two[2] or "", False), (float(two[3]), two[4] or "", True)]
-    except ValueError:
+            low, high = inputs.number(two[1]), inputs.number(two[3])
+            return [(low, two[2] or "", False), (high, two[4] or "", True)]
+    except inputs.BadNumber:
         pass
     raise BadValues(f"{name} = {excerpt(str(text))} is no bound; it must be {BOUND}")

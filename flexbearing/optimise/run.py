@@ -17,8 +17,15 @@ from flexbearing.files import require_folder, require_outputs, write
 from flexbearing.optimise.answer import Optimum, answer, rank
 from flexbearing.optimise.case_file import case_text, require_unedited
 from flexbearing.optimise.correction import Corrected
-from flexbearing.optimise.evaluations import Evaluations, NotComputed, Point, Workers, varied_rings
-from flexbearing.optimise.file import Problem, read
+from flexbearing.optimise.evaluations import (
+    Evaluations,
+    NotComputed,
+    Point,
+    Workers,
+    designs_of,
+    varied_rings,
+)
+from flexbearing.optimise.file import Problem, Settings, read
 from flexbearing.optimise.goals import Numbers
 from flexbearing.optimise.gradients import Gradients
 from flexbearing.optimise.managed_search import from_design, managed_search
@@ -32,6 +39,7 @@ from flexbearing.optimise.search import (
     search,
     starts,
 )
+from flexbearing.optimise.variables import settings as of_point
 from flexbearing.optimise.worker import SlopeWish, slope_name, slope_rows
 from flexbearing.program.threads import cores, limited_to
 from flexbearing.studies.engine import Engine
@@ -49,6 +57,7 @@ VERIFICATIONS = 4  # of the best design until finer models meet its constraints
 SCATTER = 1.25e-3  # of outputs over their size where another ring is meshed for every value
 MESHED_DIGITS = 4  # of the share of a range, where another ring is meshed for every value
 Tell = Callable[[Found], None]
+EMPTY: Settings = {}
 
 
 def optimise(
@@ -125,10 +134,42 @@ def _sound(problem: Problem) -> Prepared:
     """The study of the case as it stands, which must be one that can be computed."""
     base = settle(problem.study)
     base.plan.require_sound()
-    if base.plan.corners:
-        why = "accuracy.target chooses levels anew for every design; take it out, or put it into [[verify]]"
-        raise BadCase(f"{problem.study.path.name}: {why}")
+    _require_starts(problem)
     return base
+
+
+def _require_starts(problem: Problem) -> None:
+    """Refuse settings with which no start can be computed, by the table that they stand in."""
+    file, settings = problem.study.path.name, problem.search
+    first = np.array([each.start for each in problem.variables])
+    shares = starts(settings.starts, first, settings.seed)
+    points = [
+        [each.value(share) for each, share in zip(problem.variables, of, strict=True)] for of in shares
+    ]
+    designs = [of_point(problem.variables, point, problem.lists) for point in points]
+    if why := _impossible(problem, designs):
+        table = "[vary]" if not _impossible(problem, [{}]) else "[set]"
+        raise BadCase(f"{file}: {table}: {why}")
+    if problem.surrogate and (why := _impossible(problem, designs, problem.surrogate)):
+        raise BadCase(f"{file}: [surrogate]: {why}")
+    for number, each in enumerate(problem.verify, 1):
+        if each and (why := _impossible(problem, designs, each, target=True)):
+            raise BadCase(f"{file}: [[verify]] {number}: {why}")
+
+
+def _impossible(
+    problem: Problem, designs: Sequence[Settings], more: Settings = EMPTY, *, target: bool = False
+) -> str:
+    """Why none of some designs can be computed with more settings; empty where one can."""
+    why = ""
+    for design in designs:
+        plan = designs_of(problem, [{**problem.fixed, **design, **more}]).plan
+        if plan.corners and not target:
+            return "accuracy.target chooses levels anew for every design; put it into [[verify]]"
+        if not plan.problems:
+            return ""
+        why = why or plan.problems[0].message
+    return why
 
 
 def _names(problem: Problem) -> list[str]:

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from math import exp, log
 from typing import Any
 
+from pydantic import ValidationError
+
 from flexbearing.case.declarations import Declaration, toml
 from flexbearing.case.excerpt import excerpt
 from flexbearing.studies.file.values import BadValues, ends, in_si_units
@@ -114,10 +116,20 @@ def _variable(
     if bounds["log"] and low <= 0:
         raise BadValues("has a bound that is not above zero, which a logarithmic scale cannot have")
     size = declaration.kind.unit_of(f"1 {unit}")[1] if declaration.kind else 1.0
-    there = _entry(name, key, entry, stated(key))
-    return Variable(
-        name, key, entry, low, high, unit, size, _number(there, declaration, unit), bool(bounds["log"])
-    )
+    given = _number(_entry(name, key, entry, stated(key)), declaration, unit)
+    found = Variable(name, key, entry, low, high, unit, size, given, bool(bounds["log"]))
+    if entry is None:
+        _require_allowed(found, declaration)
+    return found
+
+
+def _require_allowed(found: Variable, declaration: Declaration) -> None:
+    """Refuse bounds that the key itself does not take."""
+    for end in map(found.words, (found.low, found.high)):
+        try:
+            declaration.reader(end)
+        except ValidationError:
+            raise BadValues(f"has the bound {toml(end)}; it must be {declaration.allowed}") from None
 
 
 def _entry(name: str, key: str, entry: int | None, value: Any) -> Any:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.outputs.value import Conversion, Value, WrongUnit, conversion
+from flexbearing.outputs.value import Conversion, Value, WrongUnit, conversion, quoted
 from flexbearing.quantities import Quantity, SummaryValue
 from flexbearing.quantities.axes import FIXED
 from flexbearing.quantities.layout import Layout
@@ -214,20 +214,20 @@ def wanted(layout: Layout, text: str) -> Wanted:
     """
     known = _by_name(layout.quantities)
     parts = _WANTED.fullmatch(text)
-    name = parts["name"] if parts else text
+    name = parts["name"] if parts else text[:100]  # the nearest name takes time with its length
     output = known.get(name) or _of_roller(layout, name)
     if parts is None or output is None:
         near = get_close_matches(name, known, n=1, cutoff=0.4)
         hint = f" Did you mean {near[0]}?" if near else ""
         raise UnknownOutput(
-            f"{text!r}: no output has this name.{hint} The main ones are {', '.join(layout.main)}; "
+            f"{quoted(text)}: no output has this name.{hint} The main ones are {', '.join(layout.main)}; "
             "docs/reference/results.md lists all."
         )
     unit = output.unit if parts["unit"] is None else parts["unit"].strip()
     try:
         way = conversion(output.unit, unit, turning=bool(output.declared.speed))
     except WrongUnit as problem:
-        raise WrongUnit(f"{text!r}: {problem}") from None
+        raise WrongUnit(f"{quoted(text)}: {problem}") from None
     return Wanted(output, parts["block"] or "", unit, way)
 
 

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from math import pi
+from reprlib import Repr
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +12,9 @@ from numpy.typing import NDArray
 from flexbearing.units import BadUnit, Unit, UnknownUnit, alike, unit
 
 TIME, TURN = unit("s").powers, unit("rad").powers
+_SHORT = Repr()
+_SHORT.maxstring = 100
+quoted = _SHORT.repr  # of a text of any length, in messages
 
 
 class WrongUnit(ValueError):
@@ -54,11 +58,11 @@ def conversion(given: str, new: str, *, turning: bool = False) -> Conversion:
     try:
         here = unit(new)
     except (UnknownUnit, BadUnit):
-        raise WrongUnit(f"{new!r} is no unit; {_allowed(there, given, turning)}") from None
+        raise WrongUnit(f"{quoted(new)} is no unit; {_allowed(there, given, turning)}") from None
     per_speed = turning and there.powers == TURN and here.powers == TIME
     if here.offset or (here.powers != there.powers and not per_speed):
         raise WrongUnit(
-            f"{new!r} is a unit of another kind than {given!r}; {_allowed(there, given, turning)}"
+            f"{quoted(new)} is a unit of another kind than {given!r}; {_allowed(there, given, turning)}"
         )
     pi_power = there.pi_power - here.pi_power
     return Conversion(float(there.factor / here.factor * Fraction(pi) ** pi_power), per_speed)

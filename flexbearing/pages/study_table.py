@@ -32,7 +32,8 @@ def table_file(place: Path) -> Path:
     """
     if not is_folder(place):
         return place
-    if is_plain(beside := place.with_name(f"{place.name}.csv")):
+    folder = place.resolve()  # "." has a name as well
+    if is_plain(beside := folder.parent / f"{folder.name}.csv"):
         return beside
     tables = sorted(path for path in place.glob("*.csv") if not path.stem.endswith((CYCLES, *SCATTER)))
     if len(tables) == 1:

@@ -13,9 +13,12 @@ from contextlib import contextmanager
 from functools import lru_cache
 from typing import Any
 
+from flexbearing import inputs
 from flexbearing.case import BadCase
+from flexbearing.case.excerpt import excerpt
 
 VARIABLES = "SLURM_CPUS_PER_TASK", "FLEXBEARING_THREADS"  # of the environment, the first that is set counts
+MOST = 4096  # cores of a machine
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
 
 
@@ -34,13 +37,16 @@ def cores() -> int:
     Raises
     ------
     BadCount
-        for a variable that holds no number above zero
+        for a variable that holds no whole number from 1 to `MOST`
     """
     for name in VARIABLES:
         if text := os.environ.get(name):
-            if not (text.isascii() and text.isdigit() and int(text) > 0):
-                raise BadCount(f"{name}={text!r} is no number of cores; it must be a whole number above 0.")
-            return int(text)
+            try:
+                return inputs.whole(text, 1, MOST)
+            except inputs.BadNumber as problem:
+                raise BadCount(
+                    f"{name}={excerpt(text)!r} is no number of cores from 1 to {MOST}: {problem}"
+                ) from None
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1

@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
+from flexbearing.case.excerpt import excerpt
 from flexbearing.files import BadOutput, require_folder, require_outputs, write
 from flexbearing.report.studies.pareto_table import Study, table
 
@@ -34,8 +35,8 @@ def destinations(folder: Path, name: str, inputs: Iterable[Path]) -> tuple[Path,
     """
     if not _PLAIN.fullmatch(name):
         raise BadOutput(
-            f"--name {name!r}: becomes part of the names of two files, pareto_NAME.csv and pareto_NAME.png: "
-            "not empty, no folders, no dot in front. The folder is named with -o."
+            f"--name {excerpt(name)!r}: becomes part of the names of two files, pareto_NAME.csv and "
+            "pareto_NAME.png: not empty, no folders, no dot in front. The folder is named with -o."
         )
     csv, png = (require_folder(folder) / f"pareto_{name}{suffix}" for suffix in (".csv", ".png"))
     require_outputs((csv, png), inputs)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from flexbearing.cache import Cache, configured
 from flexbearing.case import BadCase, Head
+from flexbearing.case.excerpt import excerpt
 from flexbearing.case.roller import Case
 from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
@@ -26,6 +27,7 @@ from flexbearing.studies.table.drawn import drawn
 from flexbearing.studies.where import Where
 
 FOLDER, HERE = Path("results"), Where()
+LONGEST = 500  # characters of what is wrong with a variant
 
 
 def prepared(file: str | Path) -> Prepared:
@@ -52,14 +54,15 @@ def prepared(file: str | Path) -> Prepared:
 def settle(study: Study) -> Prepared:
     """Settle what a study computes, see `prepared`."""
     family = FAMILIES[study.kind]
+    lives = duty.texts(study.spectrum).values() if study.spectrum else ()
+    require_outputs(study, lives, "duty", FAMILIES)
+    drawn(study, collected(study, FAMILIES, elastic=True, rollers=1), FAMILIES)  # names that none has
     with shared_map() as mapped:
         settled = plan(study, _checked, mapped)
     elastic, first = any(variant.rings for variant in settled.variants), _first(settled)
     settled = replace(settled, side_by_side=not study.full and _is_side_by_side(first))
     rollers = 0 if "bearing.rollers" in settled.base.keys else _rollers(first)
     columns = collected(study, FAMILIES, elastic=elastic, rollers=rollers)
-    lives = duty.texts(study.spectrum).values() if study.spectrum else ()
-    require_outputs(study, lives, "duty", FAMILIES)
     plot, columns = drawn(study, columns, FAMILIES)
     if not settled.corners:
         return Prepared(study, settled, columns, plot)
@@ -81,7 +84,7 @@ def _variant(read: Variants, values: Values) -> Variant | Impossible:
         case = read.case(values)
         require_possible(case, FAMILIES[case.kind])
     except BadCase as problem:
-        return Impossible("; ".join(str(problem).splitlines()))
+        return Impossible(excerpt("; ".join(str(problem).splitlines()), LONGEST))
     return Variant(values, identity(case), rings(case), levels(case), read.in_si(case))
 
 

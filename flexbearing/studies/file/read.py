@@ -198,7 +198,8 @@ def flat_tables(file: Path, of: str, names: Collection[str]) -> dict[str, Any]:
 def _dotted(table: Mapping[str, Any], prefix: str) -> list[tuple[str, Any]]:
     found: list[tuple[str, Any]] = []
     for key, value in table.items():
-        found += _dotted(value, f"{prefix}{key}.") if isinstance(value, dict) else [(f"{prefix}{key}", value)]
+        inside = isinstance(value, dict) and value  # an empty table is told as what stands at its key
+        found += _dotted(value, f"{prefix}{key}.") if inside else [(f"{prefix}{key}", value)]
     return found
 
 

@@ -40,7 +40,7 @@ def rows(file: Path, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], 
     try:
         return _rows(inputs.text(file, LARGEST), has_unit)
     except (BadValues, Unreadable) as problem:
-        raise BadValues(f'file = "{file.name}": {problem}') from None
+        raise BadValues(f'file = "{excerpt(file.name)}": {problem}') from None
 
 
 def _rows(text: str, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], tuple[tuple[Any, ...], ...]]:

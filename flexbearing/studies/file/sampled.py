@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from itertools import accumulate
 from typing import Any
 
+from flexbearing import inputs
 from flexbearing.case.declarations import Declaration, toml
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.quantity import Kind
@@ -192,9 +193,9 @@ def _number(text: str, kind: Kind | None) -> float:
     if kind is not None:
         return in_si_units(text, kind)
     try:
-        return float(text)
-    except ValueError:
-        raise BadValues(f"has {toml(excerpt(text))}, which is no number") from None
+        return inputs.number(text)
+    except inputs.BadNumber as problem:
+        raise BadValues(f"has a number that is none: {problem}") from None
 
 
 def _require_difference(text: str) -> None:

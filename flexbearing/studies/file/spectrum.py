@@ -2,10 +2,11 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import fsum, isfinite
+from math import fsum
 from pathlib import Path
 from typing import Any
 
+from flexbearing import inputs
 from flexbearing.case.declarations import Declaration, toml
 from flexbearing.case.excerpt import excerpt
 from flexbearing.studies.file.axes import Axis, columns_of, together
@@ -51,6 +52,9 @@ def spectrum(duty: Duty, folder: Path, find: Callable[[str], Declaration]) -> tu
         naming key or row
     """
     weights = {name: tuple(given) for name in MEASURES if (given := getattr(duty, name)) is not None}
+    for name in weights:
+        if not weights[name]:
+            raise BadValues(f"{name} is an empty list; every row has a share")
     columns: dict[str, tuple[Any, ...]] = weights | columns_of(duty.model_extra or {}, find)
     if duty.file is not None:
         keys, table = rows(folder / duty.file, lambda key: key in MEASURES or find(key).kind is not None)
@@ -85,17 +89,17 @@ def _weight(measure: str, value: Any) -> tuple[float, str]:
     """A weight in SI units, and the unit that it is written in."""
     if value is None:
         raise BadValues(f"{measure} has an empty cell; every row has a share")
-    number, _, name = value.strip().partition(" ") if isinstance(value, str) else (value, "", "")
+    number, _, name = str(value).strip().partition(" ")
     words = f"{measure} has {excerpt(toml(value))}"
     try:
         of = unit(name.strip() or "1")
-        weight = of.to_si(float(number))
-    except (BadUnit, UnknownUnit, ValueError):
+        weight = of.to_si(inputs.number(number))
+    except (BadUnit, UnknownUnit, inputs.BadNumber):
         raise BadValues(
             f'{words}; a share is a number, a percentage such as "30 %", or a {measure}'
         ) from None
     if of.powers not in (unit("1").powers, unit(MEASURES[measure]).powers):
         raise BadValues(f"{words}, which is no share of {measure}")
-    if not (isfinite(weight) and weight >= 0):
+    if weight < 0:
         raise BadValues(f"{words}; a share is at least 0")
     return weight, name.strip()

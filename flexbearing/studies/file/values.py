@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from pydantic_core import PydanticCustomError
 
+from flexbearing import inputs
 from flexbearing.case.declarations import Declaration, toml
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.quantity import LONGEST, Kind
@@ -112,9 +113,10 @@ def _split(text: str) -> tuple[float, str]:
 
 
 def _plain(text: str) -> float:
-    if not _NUMBER.fullmatch(text):
-        raise BadValues(f"has {toml(excerpt(text))}, which is no number; {RANGE}")
-    return float(text)
+    try:
+        return inputs.number(text)
+    except inputs.BadNumber as problem:
+        raise BadValues(f"has an end that is none: {problem}; {RANGE}") from None
 
 
 def _whole(number: float) -> int:

@@ -18,6 +18,7 @@ LARGEST_RIGID, LARGEST_ELASTIC = 128, 256  # variants of a task: up to 1 s of wo
 FEWEST = 8  # tasks into which a small study is cut, so that several workers have some
 # Most variants of a task between elastic rings start from solved neighbours in it; the first ones have none.
 ENOUGH, OF_LARGE = 16, 8  # a task of more than ENOUGH is at most this part of a worker's share
+LONGEST = 300  # characters of the settings of a variant in a message
 CHECKED_AT_ONCE = 256  # variants, a tenth of a second of work
 
 
@@ -115,7 +116,8 @@ class Plan:
 
     def told(self, problem: Problem, *, others: int = 0) -> str:
         """Line about a variant that cannot be computed, and how many others have the same message."""
-        settings, more = self.settings(problem.number), f" and {others} others" if others else ""
+        settings = excerpt(self.settings(problem.number), LONGEST)
+        more = f" and {others} others" if others else ""
         return f"{self.name}: variant {problem.number + 1} ({settings}){more}: {problem.message}"
 
 

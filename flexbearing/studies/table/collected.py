@@ -10,7 +10,7 @@ from flexbearing.case import BadCase
 from flexbearing.case.family import Families
 from flexbearing.outputs import UnknownOutput, Wanted, WrongUnit, of_rollers, outputs, wanted
 from flexbearing.outputs.names import BLOCKS, Block
-from flexbearing.outputs.value import conversion
+from flexbearing.outputs.value import conversion, quoted
 from flexbearing.quantities.layout import Layout
 from flexbearing.studies.file import Study
 from flexbearing.studies.plan import Row
@@ -140,7 +140,7 @@ def of_text(column: str, text: str, layout: Layout, rollers: int = 0) -> Collect
     if name.strip().rpartition(".")[2] in of_rollers(layout):
         if not rollers:
             raise UnknownOutput(
-                f"{text!r}: a number for every roller needs the same bearing.rollers in all variants."
+                f"{quoted(text)}: a number for every roller needs the same bearing.rollers in all variants."
             )
         first = of_output(column, wanted(layout, f"{name.strip()}.1 {bracket}{unit}"))
         return replace(first, text=first.text.replace(".1 ", " ", 1), rollers=rollers)

@@ -6,6 +6,7 @@ from typing import Any
 
 from pydantic_core import PydanticCustomError
 
+from flexbearing import inputs
 from flexbearing.case.declarations import Declaration
 from flexbearing.case.excerpt import excerpt
 from flexbearing.outputs.value import conversion
@@ -61,7 +62,7 @@ def _place(text: str, along: Declaration | str) -> Any:
     if isinstance(along, str):
         return _number(text, along)
     if along.kind is None:
-        return float(text) if along.number else text
+        return _number(text, "1") if along.number else text
     try:
         return in_table(along.path, along.kind)[1](along.kind.to_si(text))
     except PydanticCustomError as problem:
@@ -71,6 +72,6 @@ def _place(text: str, along: Declaration | str) -> Any:
 def _number(text: str, unit: str) -> float:
     number, _, given = text.strip().partition(" ")
     try:
-        return float(number) / conversion(unit or "1", given.strip() or "1").factor
-    except ValueError as problem:  # of float, and WrongUnit and BadUnit, which are such
+        return inputs.number(number) / conversion(unit or "1", given.strip() or "1").factor
+    except ValueError as problem:  # BadNumber, WrongUnit and BadUnit are such
         raise BadValues(f"{excerpt(text.strip())}: {problem}") from None

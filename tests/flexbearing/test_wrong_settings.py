@@ -1,0 +1,134 @@
+"""Whatever stands at a key of a study, an optimisation or a profile: it is refused in a line, or taken."""
+
+from collections.abc import Iterator
+from copy import deepcopy
+from typing import Any
+
+import pytest
+
+from flexbearing.case import BadCase
+from flexbearing.case.declarations import declared, toml
+from flexbearing.case.quantity import Section
+from flexbearing.optimise.run import optimise
+from flexbearing.optimise.schema import OptimisationFile
+from flexbearing.studies.file.schema import StudyFile
+from flexbearing.studies.file.slurm_profile import SlurmProfile, profile
+from flexbearing.studies.prepare import prepared
+from tests.flexbearing.toy_studies import CASE
+
+LONGEST = 900  # characters of a line: 500 of what is wrong with a variant, and its settings
+LITERALS = (
+    "1", "-1", "0", "1e308", "-1e308", "1000000000000000000", "nan", "-inf", "true", "2024-02-30T00:00:00",
+    "1979-05-27", "07:32:00", '""', '" "', '"x"', '"nan"', '"inf"', '"1e999"', '"-1e999 N"', '"1 .. 2, 3"',
+    '"nan .. inf, 3"', '"1e999 .. 2e999, 3"', '"1 N .. 2 mm, 3"', '"1 N .. 2 N"', '"log -1 .. 1, 3"',
+    '"log 0 .. 1"', '"normal 1, inf"', '"uniform 0, 1e999"', '"lognormal 1, nan"', '"<= nan"', '"<= 1e999"',
+    '">= 1 x"', '".. .."', '"/ / /"', '"."', '"/"', '"[N]"', '"\\u001b[31m"', "[]", "[1]", "[1, 2]", "[[]]",
+    '["x"]', '["1 N", 1, true]', "[[1], [2]]", "[1979-05-27]", "{}", "{x = 1}", "[{}]", "[{x = 1}]",
+    f'"{"9" * 5000}"', f'["{"9" * 70} N"]', f'"{"x" * 20_000}"',
+)  # fmt: skip
+KEYS = (  # of a case: a quantity, numbers, a list, a choice, tables, and what is none
+    "operation.inner_speed", "accuracy.slices", "accuracy.target", "bearing.roller.point_drops", "outer.kind",
+    "lubricant", "assumed", "title", "kind", "nonsense", "bearing.roller.point_drops.3",
+)  # fmt: skip
+LOAD = {"operation.radial_load": ["1 kN", "2 kN"]}
+STUDIES = (
+    {"over": LOAD, "collect": {"life": "life_L10 [h]"},
+     "plot": {"x": "operation.radial_load", "y": ["life"],
+              "marks": [{"y": "life", "value": "1 h", "label": "a", "source": "b"}]}},
+    {"sample": {"count": 2, "operation.radial_load": "uniform 1 kN, 2 kN"},
+     "duty": {"time": ["50 %", "50 %"], "operation.misalignment": ["0 deg", "0.1 deg"]}},
+)  # fmt: skip
+OPTIMISATION = {
+    "vary": {"bearing.clearance": "10 um .. 60 um"}, "maximise": {"output": "life_L10 [h]"},
+    "constrain": {"cage_slip": "<= 6 %"}, "search": {"starts": 2}, "set": {}, "surrogate": {}, "verify": [{}],
+}  # fmt: skip
+PROFILE = {"jobs": 1, "memory": "1 GB"}
+
+
+class Raw(str):
+    """A value as the file has it."""
+
+
+class Computes(Exception):
+    """Everything was checked."""
+
+
+def places(model: type[Section], *tables: str) -> Iterator[tuple[str, ...]]:
+    """Every key of a schema, also those of a case that its tables take."""
+    for item in declared(model):
+        yield tuple(item.path.split("."))
+    for table in tables:
+        yield from ((table, key) for key in KEYS)
+
+
+def written(tables: dict[str, Any]) -> str:
+    return "\n".join(f"{key} = {_value(value)}" for key, value in tables.items())
+
+
+def _value(value: Any) -> str:
+    if isinstance(value, Raw):
+        return value
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{toml(key)} = {_value(item)}" for key, item in value.items()) + "}"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(_value, value)) + "]"
+    return toml(value)
+
+
+def changed(tables: dict[str, Any], place: tuple[str, ...], literal: str) -> dict[str, Any]:
+    """The tables with another value at a place; in the first table of a list of them."""
+    found = deepcopy(tables)
+    table: Any = found
+    for name in place[:-1]:
+        table = table.setdefault(name, {})
+        table = table[0] if isinstance(table, list) else table
+    table[place[-1]] = Raw(literal)
+    return found
+
+
+def wrong(take, file, tables, places) -> list[str]:
+    """What ends otherwise than in a short line: every literal at keys of the file, a third of them at others."""
+    found = []
+    for number, place in enumerate(places):
+        for literal in LITERALS[number % 3 :: 3] if place[-1] in KEYS else LITERALS:
+            file.write_text(written(changed(tables, place, literal)))
+            where = f"{'.'.join(place)} = {literal[:40]}"
+            try:
+                take(file)
+            except BadCase as problem:
+                lines = str(problem).splitlines()
+                if not lines or max(map(len, lines)) > LONGEST:
+                    found.append(f"{where}: {str(problem)[:200]}")
+            except Computes:
+                pass
+            except Exception as problem:
+                found.append(f"{where}: {type(problem).__name__}: {str(problem)[:200]}")
+    return found
+
+
+def checked(file):
+    prepared(file).plan.require_sound()
+
+
+def searched(file):
+    def computes(problem, folder):
+        raise Computes
+
+    optimise(file, file.parent / "results", work=computes)
+
+
+@pytest.mark.parametrize("study", STUDIES, ids=["over", "sample"])
+def test_studies(study, tmp_path):
+    keys = [*places(StudyFile, "over", "sample", "duty", "collect")]
+    keys = [place for place in keys if place[0] in {*study, "case", "name", "results", "search_equilibria"}]
+    assert wrong(checked, tmp_path / "s.toml", {"case": str(CASE), **study}, keys) == []
+
+
+def test_optimisations(tmp_path):
+    keys = [*places(OptimisationFile, "set", "vary", "surrogate", "verify", "constrain", "over")]
+    keys = [place for place in keys if place[0] not in ("duty",)]
+    assert wrong(searched, tmp_path / "o.toml", {"case": str(CASE), **OPTIMISATION}, keys) == []
+
+
+def test_profiles(tmp_path):
+    assert wrong(profile, tmp_path / "p.toml", PROFILE, places(SlurmProfile)) == []
