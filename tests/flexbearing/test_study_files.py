@@ -205,7 +205,7 @@ WRONG = {
     OVER + '"outer.thickness" = "1 mm .. 2 N, 5"': '[over] outer.thickness has "2 N", which is not a length',
     OVER + '"outer.thickness" = "1 mm .. 2 mm, 1"': "[over] outer.thickness has 1 values; a range has 2 to",
     OVER + '"outer.bars" = "10 .. 20, 4"': "[over] outer.bars has 13.3333 among its values, which is no",
-    OVER + '"lubricant.oil_fraction" = "0.1 .. x, 4"': '[over] lubricant.oil_fraction has an end that is none',
+    OVER + '"lubricant.oil_fraction" = "0.1 .. x, 4"': '[over] lubricant.oil_fraction has an end',
     OVER + '"operation.radial_load" = "log 0 N .. 1 N, 4"': "[over] operation.radial_load has an end that",
     OVER + 'zip = true\n"operation.radial_load" = ["1 N", "2 N"]\n"outer.bars" = [1, 2, 3]':
         "[over] needs as many values of every key: operation.radial_load has 2, outer.bars has 3",

@@ -1,8 +1,10 @@
 """The journal of a study: what was finished is there again, whatever ended the process that wrote it."""
 
 import errno
+import json
 import os
 from math import inf, isnan, nan
+from zlib import crc32
 
 import pytest
 from hypothesis import given, settings, strategies as st
@@ -148,3 +150,48 @@ def test_what_a_process_was_at_work_at_is_known_until_it_has_rows_or_the_process
     write(path)
     assert journal.begun(path) == {"b"}  # nothing has come of it yet
     assert journal.read(path) == {"a": ROWS[0]}
+
+
+def sealed(rest: bytes) -> bytes:
+    """A line with the right checksum."""
+    return (journal._HEAD % crc32(b"{" + rest)).encode() + rest + b"\n"
+
+
+def tampered(**parts):
+    entry = {"of": journal._of(NAMES), "identity": "x", "status": "converged", "message": "", "seconds": 0.1,
+             "values": [1.0, 2.0]} | parts  # fmt: skip
+    return sealed(json.dumps(entry).encode()[1:])
+
+
+FOREIGN = {
+    "value is a truth value": tampered(values=[True, 2.0]),
+    "value is a text": tampered(values=["5", 2.0]),
+    "value is a list": tampered(values=[[1.0], 2.0]),
+    "value beyond all numbers": tampered(values=[10**400, 2.0]),
+    "no values": tampered(values=None),
+    "too few values": tampered(values=[1.0]),
+    "status is a number": tampered(status=5),
+    "status controls a terminal": tampered(status="\x1b[2J"),
+    "long status": tampered(status="s" * 100),
+    "message is a list": tampered(message=["a"]),
+    "long message": tampered(message="m" * 20_000),
+    "half a character": tampered(message="\ud800"),
+    "no seconds": tampered(seconds="fast"),
+    "identity is missing": tampered(identity=None),
+    "names are none": sealed(b'"names": 7}'),
+    "no object": sealed(b"]"),
+    "deep": sealed(b'"values": ' + b"[" * 100_000),
+    "long integer": sealed(b'"seconds": ' + b"9" * 5000 + b"}"),
+    "no UTF-8": sealed(b'"message": "\xff"}'),
+    "another checksum": b'{"crc": "00000000", "names": []}\n',
+}
+
+
+@pytest.mark.parametrize("line", FOREIGN.values(), ids=FOREIGN)
+def test_a_line_that_is_no_row_is_left_out_with_its_number(line, path, caplog):
+    write(path, ROWS[0])
+    lines = path.read_bytes().splitlines(keepends=True)
+    path.write_bytes(b"".join([*lines, line, *lines]))
+    assert journal.read(path) == {"a": ROWS[0]}
+    assert journal.begun(path) == frozenset()
+    assert [record.getMessage() for record in caplog.records] == [f"{path}: line 3 is damaged and left out"]

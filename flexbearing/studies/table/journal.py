@@ -1,24 +1,35 @@
 """Rows as they are finished, in a file that is only ever appended to: a study goes on from there.
 
-Each line is a JSON object that begins with the checksum of the rest. A line that a kill or a full disk
-tore is left out when the file is read; its variants are computed again.
+Each line is a JSON object that begins with the checksum of the rest. A line that a kill or a full disk tore,
+or that holds something else than a row, is left out with a warning; its variants are computed again.
 """
 
 import json
+import logging
 import os
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from io import FileIO
-from math import isfinite, isnan
+from itertools import count
+from math import isfinite, isnan, nan
 from pathlib import Path
 from typing import Any
 from zlib import crc32
 
+from flexbearing import inputs
 from flexbearing.files import NotStored, lock
 from flexbearing.studies.plan import Row
 from flexbearing.studies.plan.task import Call, names as names_of
 
 SUFFIX = ".journal.jsonl"
+LONGEST_LINE = 2**24  # bytes: a row with the slopes of a thousand outputs by a hundred keys has a tenth of it
+LONGEST_TEXT, LONGEST_STATUS = 10_000, 60  # characters
+LARGEST_NUMBER = 1.8e308  # of a finite one
+SHOWN = 5  # numbers of damaged lines
+_HALF = re.compile("[\ud800-\udfff]")
+_NOTHING: dict[str, Any] = {"names": None}  # in place of a damaged line
+log = logging.getLogger(__name__)
 _HEAD = '{"crc": "%08x", '
 _BEGINNING = len(_HEAD % 0)
 
@@ -38,13 +49,18 @@ def read(path: Path) -> dict[str, Row]:
         none
     """
     rows: dict[str, Row] = {}
-    names, of = list[str](), ""
-    for entry in _entries(path):
-        if "names" in entry:
-            names, of = entry["names"], _of(entry["names"])
-        elif of and entry.get("of") == of:  # else the line with its names was lost, or a task began
-            row = _row(entry, names)
-            rows[row.identity] = row
+    names, of, damaged = list[str](), "", list[int]()
+    for number, entry in _entries(path):
+        try:
+            if "names" in entry:
+                names = _texts(entry["names"])
+                of = _of(names)
+            elif of and entry.get("of") == of:  # else the line with its names was lost, or a task began
+                row = _row(entry, names)
+                rows[row.identity] = row
+        except _Damaged:
+            damaged.append(number)
+    _warn(path, damaged)
     return rows
 
 
@@ -62,11 +78,12 @@ def begun(path: Path) -> frozenset[str]:
         identities of variants without a row, or the name of a ring
     """
     names = frozenset[str]()
-    for entry in _entries(path):
-        if "begun" in entry:
-            names = frozenset(entry["begun"])
-        elif "identity" in entry:
-            names -= {entry["identity"]}
+    for _, entry in _entries(path):
+        with suppress(_Damaged):  # which `read` reports
+            if "begun" in entry:
+                names = frozenset(_texts(entry["begun"]))
+            elif "identity" in entry:
+                names -= {_text(entry["identity"])}
     return names
 
 
@@ -145,16 +162,40 @@ def opened(path: Path, names: Sequence[str]) -> Iterator[Journal]:
         os.fsync(file.fileno())
 
 
-def _entries(path: Path) -> Iterator[dict[str, Any]]:
-    """Lines that are whole."""
+class _Damaged(ValueError):
+    """A line that holds something else than what is written here."""
+
+
+def _entries(path: Path) -> Iterator[tuple[int, dict[str, Any]]]:
+    """Numbers and content of all lines; a damaged one is an entry whose names are none."""
     if not path.exists():
         return
-    with path.open("rb") as file:
-        for line in file:
-            text = line.rstrip(b"\n")
-            rest = b"{" + text[_BEGINNING:]
-            if text[:_BEGINNING] == (_HEAD % crc32(rest)).encode():
-                yield json.loads(rest)
+    with inputs.opened(path) as file:
+        for number in count(1):
+            line = file.readline(LONGEST_LINE)
+            if not line:
+                return
+            yield number, _entry_of(line.rstrip(b"\n"))
+
+
+def _entry_of(text: bytes) -> dict[str, Any]:
+    rest = b"{" + text[_BEGINNING:]
+    if text[:_BEGINNING] != (_HEAD % crc32(rest)).encode():
+        return _NOTHING
+    try:
+        found = json.loads(rest)
+    except (ValueError, RecursionError):  # no text, no JSON, or integers without end
+        return _NOTHING
+    return found if isinstance(found, dict) else _NOTHING
+
+
+def _warn(path: Path, damaged: Sequence[int]) -> None:
+    """Report lines that were left out, the first of them by number."""
+    if damaged:
+        words = "line {} is" if len(damaged) == 1 else "lines {} are"
+        more = f" and {len(damaged) - SHOWN} more" if len(damaged) > SHOWN else ""
+        numbers = ", ".join(map(str, damaged[:SHOWN])) + more
+        log.warning("%s: %s damaged and left out", path, words.format(numbers))
 
 
 def _line(entry: Mapping[str, Any]) -> bytes:
@@ -186,6 +227,40 @@ def _stored(value: float | None) -> float | str | None:
 
 
 def _row(entry: Mapping[str, Any], names: Sequence[str]) -> Row:
-    numbers = (float("nan") if value is None else float(value) for value in entry["values"])
-    values = dict(zip(names, numbers, strict=True))
-    return Row(entry["identity"], entry["status"], entry["message"], entry["seconds"], values)
+    """A row whose parts all have the types in which they are written."""
+    values, seconds = entry.get("values"), entry.get("seconds")
+    if not isinstance(values, list) or len(values) != len(names) or not _is_number(seconds):
+        raise _Damaged
+    numbers = dict(zip(names, map(_number, values), strict=True))
+    identity, status, message = (_text(entry.get(name)) for name in ("identity", "status", "message"))
+    if not status.isprintable() or len(status) > LONGEST_STATUS:
+        raise _Damaged
+    return Row(identity, status, message, float(seconds), numbers)
+
+
+def _number(stored: Any) -> float:
+    """A number as `_stored` wrote it."""
+    if stored is None:
+        return nan
+    if stored in ("inf", "-inf"):
+        return float(stored)
+    if not _is_number(stored):
+        raise _Damaged
+    return float(stored)
+
+
+def _is_number(found: Any) -> bool:
+    return isinstance(found, int | float) and not isinstance(found, bool) and abs(found) <= LARGEST_NUMBER
+
+
+def _texts(found: Any) -> list[str]:
+    if not isinstance(found, list):
+        raise _Damaged
+    return [_text(each) for each in found]
+
+
+def _text(found: Any) -> str:
+    """A text that can be stored and shown; a JSON text may hold half a character."""
+    if not isinstance(found, str) or len(found) > LONGEST_TEXT or _HALF.search(found):
+        raise _Damaged
+    return found
