@@ -12,7 +12,7 @@ from flexbearing.build.ball_parts import ball, groove
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
 from flexbearing.program.workers import shared_map
 from flexbearing.quantities.angular_contact import LAYOUT
-from flexbearing.quantities.quantity import taken
+from flexbearing.quantities.quantity import row, taken
 from flexbearing.runs import ball_life, dangers, interface, shoulders
 from flexbearing.runs.ball_life import BallLives
 from flexbearing.runs.life_of_state import MREV
@@ -145,7 +145,7 @@ def block(case: FastCase, solution: Solution) -> dict[str, NDArray]:
         "life": solution.lives,
         "rated": {"static_safety": solution.static_safety},
     }
-    return taken(LAYOUT.quantities, parts)
+    return row(taken(LAYOUT.quantities, {name: [part] for name, part in parts.items()}), 0)
 
 
 def _fields(solution: Solution) -> dict[str, NDArray] | None:

@@ -12,7 +12,7 @@ from flexbearing.build.ball_parts import ball, groove
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.program.workers import shared_map
 from flexbearing.quantities.four_point import LAYOUT
-from flexbearing.quantities.quantity import taken
+from flexbearing.quantities.quantity import row, taken
 from flexbearing.rings import bolted
 from flexbearing.runs import dangers, interface, shoulders
 from flexbearing.runs.subsurface import of_balls
@@ -217,7 +217,7 @@ def block(solution: Solution) -> dict[str, NDArray]:
         "rolling": solution.rolling,
         "fields": _fields(solution.case, solution.balls),
     }
-    return taken(LAYOUT.quantities, parts)
+    return row(taken(LAYOUT.quantities, {name: [part] for name, part in parts.items()}), 0)
 
 
 def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray | None]:

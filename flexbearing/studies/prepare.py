@@ -100,10 +100,10 @@ def _rollers(case: Head | None) -> int:
 
 def _is_side_by_side(case: Head | None) -> bool:
     """Whether cases like this one are solved together."""
-    from flexbearing.runs.solved_together import side_by_side
+    from flexbearing.runs.side_by_side import needs_own_run
 
     # A roller on half-spaces takes about as long as a run, however many states are solved beside its own.
-    return isinstance(case, Case) and side_by_side(case) and case.bearing.contact == "slices"
+    return isinstance(case, Case) and not needs_own_run(case) and case.bearing.contact == "slices"
 
 
 def compute(

@@ -170,6 +170,7 @@ def _entry(row: Row, names: Sequence[str], of: str) -> dict[str, Any]:
         "message": row.message,
         "seconds": row.seconds,
         "values": [_stored(row.values.get(name)) for name in names],
+        **({"own_run": row.own_run} if row.own_run else {}),
     }
 
 
@@ -188,4 +189,5 @@ def _stored(value: float | None) -> float | str | None:
 def _row(entry: Mapping[str, Any], names: Sequence[str]) -> Row:
     numbers = (float("nan") if value is None else float(value) for value in entry["values"])
     values = dict(zip(names, numbers, strict=True))
-    return Row(entry["identity"], entry["status"], entry["message"], entry["seconds"], values)
+    own_run = entry.get("own_run", "")
+    return Row(entry["identity"], entry["status"], entry["message"], entry["seconds"], values, own_run)
