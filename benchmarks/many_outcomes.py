@@ -21,7 +21,8 @@ from flexbearing.outputs import outputs, wanted
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs import notes
-from flexbearing.runs.rows import Answer, answers
+from flexbearing.runs.answer import Answer
+from flexbearing.runs.rows import answers
 from flexbearing.runs.side_by_side import Solved, solved_side_by_side
 from flexbearing.runs.solved_rows import SolvedRows
 

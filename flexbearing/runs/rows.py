@@ -1,7 +1,7 @@
 """Rows of a table: outputs of many roller cases, solved side by side or each in a run of its own."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from flexbearing.case.roller import Case
@@ -9,27 +9,13 @@ from flexbearing.outputs import Wanted, wanted
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs import notes
+from flexbearing.runs.answer import CONVERGED, Alone, Answer, message
 from flexbearing.runs.side_by_side import Solved, solved_side_by_side
 from quasidynamic import NotSolved, OutOfRange
-from quasidynamic.note import Note, graded
+from quasidynamic.note import Note
 
 if TYPE_CHECKING:
     from flexbearing.accuracy.shared import Levels
-
-CONVERGED = "converged"
-
-
-@dataclass(frozen=True)
-class Answer:
-    """What a run of a case gives."""
-
-    status: str  # "converged", or how it ended
-    message: str  # dangers of a run that converged, else why it did not
-    numbers: Mapping[str, float]  # by the texts of outputs; NaN or absent: the case does not have it
-    own_run: str = ""  # why it was not solved beside others; empty: it was, or there were none
-
-
-Alone = Callable[[int], Answer]  # the answer of a case, by its place, from a run of its own
 
 
 def answers(
@@ -112,8 +98,3 @@ def _dangers(solved: Solved, search: bool) -> Iterator[tuple[Note, ...]]:
     each = zip(notes.dangers_of(rows), rows.several_likely.tolist(), strict=True)
     for place, (dangers, likely) in enumerate(each):
         yield (*dangers, *(notes.of_others(rows, place, search=search) if likely else ()))
-
-
-def message(notes: Iterable[Note]) -> str:
-    """Message of a run that converged: its dangers, one after the other."""
-    return "; ".join(f"danger: {note.text}" for note in graded(notes) if note.grade == "danger")

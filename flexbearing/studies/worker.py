@@ -24,7 +24,7 @@ from flexbearing.program.memory import keep_freed
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged
 from flexbearing.results import store
-from flexbearing.runs.rows import Answer, answers
+from flexbearing.runs.answer import Answer
 from flexbearing.studies.plan import Condensed, Corners, Ring, Row, Task, Variant
 from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED, ERROR, NOT_STORED, file_name
 from flexbearing.studies.settled import variants_of
@@ -143,25 +143,29 @@ def rings_in(folder: str | None) -> Iterator[None]:
 
 
 def _rows(found: Sequence[tuple[Variant, Head]], wish: Wish) -> Iterator[Row]:
-    """Rows of roller bearings side by side; others from runs, up to a file that cannot be written."""
-    began, rollers = perf_counter(), [case for _, case in found if isinstance(case, Case)]
-    if wish.files is None and len(rollers) == len(found):
-        answered = answers(
-            rollers,
-            wish.texts,
-            lambda place: _answer(rollers[place], wish),
-            search=wish.search,
-            levels=wish.levels,
-        )
-        seconds = (perf_counter() - began) / len(found)
-        for (variant, case), answer in zip(found, answered, strict=True):
-            yield _row(variant, case, answer, seconds, wish)
+    """Rows of variants as their family answers many; from runs where each stores its result.
+
+    A result file that cannot be written is the last row.
+    """
+    began, cases = perf_counter(), [case for _, case in found]
+    family = FAMILIES[cases[0].kind]
+    if wish.files is not None or family.rows is None:
+        for variant, case in found:
+            row = _alone(variant, case, wish)
+            yield row
+            if row.status == NOT_STORED:
+                return
         return
-    for variant, case in found:
-        row = _alone(variant, case, wish)
-        yield row
-        if row.status == NOT_STORED:
-            return
+    answered = family.rows()(
+        cases,
+        wish.texts,
+        lambda place: _answer(cases[place], wish),
+        search=wish.search,
+        levels=wish.levels,
+    )
+    seconds = (perf_counter() - began) / len(found)
+    for (variant, case), answer in zip(found, answered, strict=True):
+        yield _row(variant, case, answer, seconds, wish)
 
 
 def _alone(variant: Variant, case: Head, wish: Wish) -> Row:

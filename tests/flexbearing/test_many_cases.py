@@ -10,7 +10,8 @@ import flexbearing
 from flexbearing.api import read_case
 from flexbearing.outputs import outputs, wanted
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.runs.rows import Answer, answers
+from flexbearing.runs.answer import Answer
+from flexbearing.runs.rows import answers
 from quasidynamic.outcome.ring_stiffness import Tangent
 from tests.cold_oil import PAPER, RIGID, cold_case, settings
 
