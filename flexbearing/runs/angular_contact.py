@@ -124,7 +124,7 @@ def solved(cases: Sequence[FastCase], told: Callable[[float], None] = lambda _: 
     """
     built = [named(case, partial(_built, case)) for case in cases]
     return [
-        state if isinstance(state, Exception) else named(case, partial(_rolled, case, state, told))
+        state if isinstance(state, NotSolved | BadCase) else named(case, partial(_rolled, case, state, told))
         for case, state in zip(cases, _balanced(cases, built), strict=True)
     ]
 

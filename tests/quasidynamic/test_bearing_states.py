@@ -94,11 +94,6 @@ def cases(request):
     return states, together(states, operations(model))
 
 
-def of_one(state: Equilibrium, name: str):
-    """A quantity of one state."""
-    return getattr(state, name)
-
-
 def assert_same(of_all, of_each):
     assert len(of_all) == len(of_each)
     for found, expected in zip(of_all, of_each, strict=True):
@@ -107,15 +102,16 @@ def assert_same(of_all, of_each):
         assert found == approx(expected, rel=0, abs=1e-11 * size, nan_ok=True)
 
 
-@pytest.mark.parametrize("name", QUANTITIES)
-def test_a_quantity_of_many_states_is_that_of_each_alone(cases, name):
+def test_every_quantity_of_many_states_is_that_of_each_alone(cases):
     states, many = cases
-    of_each = [of_one(state, name) for state in states]
-    of_all = getattr(many, name)
-    if of_each[0] is None:
-        assert of_all is None
-    else:
-        assert_same(of_all, of_each)
+    for name in QUANTITIES:
+        of_each, of_all = [getattr(state, name) for state in states], getattr(many, name)
+        if of_each[0] is None:
+            assert of_all is None
+        else:
+            assert_same(of_all, of_each)
+    for name in ("inlet_pressure", "load_moment", "drag", "weight", "pocket_friction", "radii"):
+        assert_same(getattr(many.acting, name), [getattr(state.cases.acting, name)[0] for state in states])
 
 
 def test_losses_and_shares_of_turning_of_many_states(cases):
@@ -185,7 +181,7 @@ def test_states_of_bearings_that_differ_in_every_number(name):
     ).batches
     states = [batch[case] for case in range(4)]
     for quantity in QUANTITIES:
-        of_each = [of_one(state, quantity) for state in states]
+        of_each = [getattr(state, quantity) for state in states]
         if of_each[0] is not None:
             assert_same(getattr(batch.states, quantity), of_each)
     assert_same(batch.states.tangent.stiffness, [state.tangent.stiffness for state in states])
