@@ -20,9 +20,11 @@ from flexbearing.case.roller import Case
 from flexbearing.outputs import outputs, wanted
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.runs.many import Answer, answers
-from flexbearing.runs.solved_together import solved_together
-from flexbearing.runs.together import Together
+from flexbearing.runs import notes
+from flexbearing.runs.answer import Answer
+from flexbearing.runs.rows import answers
+from flexbearing.runs.side_by_side import Solved, solved_side_by_side
+from flexbearing.runs.solved_rows import SolvedRows
 
 Result = TypeVar("Result")
 
@@ -67,22 +69,23 @@ def measured(name: str, cases: list[Case]) -> None:
 
 def measured_once(cases: list[Case]) -> dict[str, float]:
     """Time of a case by part."""
-    together, solving = spent(lambda: list(solved_together(cases, set())))
-    models = [model for some in together for model in some.models]
+    ended, solving = spent(lambda: list(solved_side_by_side(cases, set())))
+    tables = [each.rows for each in ended if isinstance(each, Solved)]
+    models = [model for rows in tables for model in rows.models]
     alone = statistics.median(spent(replace(model).solve)[1] for model in models[:: len(models) // 31])
     row = {"alone": 1e3 * alone, "build and solve": solving / len(cases) / alone}
     for group, names in GROUPS.items():
-        fresh = [replace(some, batch=some.batch.take(np.arange(len(some.cases)))) for some in together]
+        fresh = [replace(rows, states=rows.states.take(np.arange(len(rows)))) for rows in tables]
         row[group] = spent(lambda fresh=fresh, names=names: computed(fresh, names))[1] / len(cases) / alone
-    row["dangers"] = spent(lambda: [some.dangers(search=False) for some in together])[1] / len(cases) / alone
+    row["dangers"] = spent(lambda: [notes.dangers_of(rows) for rows in tables])[1] / len(cases) / alone
     few = spent(lambda: answers(cases, FEW, refused))[1]
     return row | {"a table of loads, slip, life and stiffness, in all": few / len(cases) / alone}
 
 
-def computed(together: list[Together], names: Sequence[str]) -> None:
-    for some in together:
+def computed(tables: list[SolvedRows], names: Sequence[str]) -> None:
+    for rows in tables:
         for name in names:
-            some.numbers(wanted(LAYOUT, name))
+            rows.numbers([wanted(LAYOUT, name)])
 
 
 def refused(place: int) -> Answer:

@@ -263,8 +263,8 @@ def imbalance(state) -> float:
             load[0] @ cos - tangential @ sin - points.load_z[0, 0],
         ]
     )
-    if state.floating is not None and bearing.cage.guidance == "inner":
-        ring = ring + state.acting.land
+    if state.cage_offset is not None and bearing.cage.guidance == "inner":
+        ring = ring + state.cases.acting.land[0]
     cage = -force.sum() * r_m - (s * friction).sum() * r_w + state.land_torque
     cage -= state.rollers.churning.sum()
     moments = [0.0]

@@ -18,7 +18,7 @@ from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
 from flexbearing.case.roller.numerics import AXIAL_MODES
 from flexbearing.coupled.coupled import BearingPartner
-from flexbearing.coupled.states import EndState
+from flexbearing.coupled.states import EndStates
 from flexbearing.coupling import (
     RULES,
     Iteration,
@@ -55,11 +55,11 @@ class Trial:
     @cached_property
     def numbers(self) -> dict[str, float]:
         """Life [10^6 revolutions], stiffness of the bearing and of bearing and supports [N/m]."""
-        end = EndState(self.state, self.rings.linearised(self.state.forces))
+        end = EndStates(self.state.cases, self.rings.linearised(self.state.forces))
         return {
             "life": self.state.life,
-            "stiffness": end.between_raceways.radial_stiffness,
-            "total_stiffness": end.with_supports.radial_stiffness,
+            "stiffness": end.between_raceways.radial_stiffness[0],
+            "total_stiffness": end.with_supports.radial_stiffness[0],
         }
 
 

@@ -35,6 +35,7 @@ class Family:
     profiles: Callable[[], Callable[[Any], Any]] | None = None  # along rollers: places, drops
     initial_state: Callable[[], Callable[..., Any]] | None = None  # from another result; None: it has no such
     sensitivities: Callable[[], Callable[..., Any]] | None = None  # of outputs by keys; None: there are none
+    rows: Callable[[], Callable[..., Any]] | None = None  # as `flexbearing.runs.rows.answers`; None: by runs
     catalogue: Callable[[], Any] | None = (
         None  # a `flexbearing.runs.catalogue_life.Catalogue`; None: no ratings
     )

@@ -1,6 +1,6 @@
 """Bearing and rings until they agree, by one method after the other."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from time import perf_counter
@@ -27,6 +27,7 @@ from flexbearing.results import Recorder
 from quasidynamic import Equilibrium, NotSolved, RollerBearing
 from quasidynamic.solve.rollers.static_equilibrium import series_stiffness
 
+OnIteration = Callable[[int, Iteration, float], None]  # number and seconds of an iteration
 FROM_INITIAL_STATE = "newton from an initial state"
 FALLBACK = ("newton", "iqn-ils", "aitken", "relaxed")  # after the method of the case, in this order
 
@@ -181,13 +182,22 @@ class CoupledBearing:
     def solve(self, record: Recorder, report: Report) -> list[Attempt]:
         """Iterate by one method after the other, and store every iteration; the last attempt counts."""
         attempts: list[Attempt] = []
-        for method in self._methods():
-            done = attempts[-1].iterations if attempts else 0
-            attempts.append(self._attempt(method, record, report, done))
-            if attempts[-1].status == "converged":
-                break
-            report.stage(f"{method}: {attempts[-1].message}", None)
+        stored = partial(_stored, record, report)
+        for attempt in self.attempts(stored):
+            attempts.append(attempt)
+            if attempt.status != "converged":
+                report.stage(f"{attempt.method}: {attempt.message}", None)
         return attempts
+
+    def attempts(self, on_iteration: OnIteration = lambda number, step, seconds: None) -> Iterator[Attempt]:
+        """Yield one attempt after the other up to the one that converges; each iteration is handed on."""
+        done = 0
+        for method in self._methods():
+            attempt = self._attempt(method, on_iteration, done)
+            yield attempt
+            done = attempt.iterations
+            if attempt.status == "converged":
+                return
 
     def _methods(self) -> tuple[str, ...]:
         """Methods in the order in which they are tried."""
@@ -197,11 +207,10 @@ class CoupledBearing:
         methods = (first, *others) if self.case.coupling.fallback else (first,)
         return methods if self.initial is None else (FROM_INITIAL_STATE, *methods)
 
-    def _attempt(self, method: str, record: Recorder, report: Report, done: int) -> Attempt:
+    def _attempt(self, method: str, on_iteration: OnIteration, done: int) -> Attempt:
         began, last = perf_counter(), None
         for last in self._iterations(method):
-            record.iteration(done + last.number, states.iteration(last, perf_counter() - began))
-            report.iteration(last)
+            on_iteration(done + last.number, last, perf_counter() - began)
             began = perf_counter()
         assert last is not None  # every method yields at least once
         message = last.message or _message(method, last, self.case)
@@ -228,6 +237,12 @@ class CoupledBearing:
             yield Iteration(1, self.rigid, np.inf, np.inf, "not solved", str(failure), failure.ending)
             return
         yield from newton(self.partner, self.rings, start, criterion)
+
+
+def _stored(record: Recorder, report: Report, number: int, step: Iteration, seconds: float) -> None:
+    """Store an iteration, and report it."""
+    record.iteration(number, states.iteration(step, seconds))
+    report.iteration(step)
 
 
 def _message(method: str, last: Iteration, case: Case) -> str:

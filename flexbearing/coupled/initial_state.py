@@ -14,21 +14,21 @@ from flexbearing.coupling import Bearing, Structure
 from flexbearing.results import Result
 from quasidynamic import Equilibrium
 from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, Unknowns
+from quasidynamic.outcome.bearing_states import BearingStates
 
 SAME = ("bearing.cage.guidance", "bearing.cage.centre", "lubricant.film")  # what the unknowns mean
 FIELDS = 5  # unknowns of a roller: approach, tilt, both films, spin
 
 
-def flat(state: Equilibrium) -> NDArray:
-    """Unknowns (N) of a state in SI units, in the order of the result file, however it was solved.
+def flat(states: BearingStates) -> NDArray:
+    """Unknowns (C, N) of states in SI units, in the order of the result file, however they were solved.
 
     N = 5 + 5 Z + 2 Z M: ring and cage, fields over the rollers, deviations of both raceways, given or not.
     """
-    x = state.unknowns
+    x, deviation = states.unknowns, states.deviation
+    border = (x.ring[..., 0].T, x.cage_drift)
     fields = (x.approach, x.tilt, *x.film, x.spin_drift)
-    return np.concatenate(
-        [x.ring.ravel(), x.cage_drift.ravel(), *(field.ravel() for field in fields), state.deviation.ravel()]
-    )
+    return np.concatenate([*border, *fields, deviation.reshape(len(deviation), -1)], axis=1)
 
 
 def unknowns(values: NDArray, rollers: int) -> Unknowns:

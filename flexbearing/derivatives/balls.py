@@ -18,7 +18,7 @@ from flexbearing.derivatives.told import told
 from flexbearing.outputs import Wanted, outputs, wanted
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.angular_contact import LAYOUT
-from flexbearing.runs import angular_contact, ball_life
+from flexbearing.runs import angular_contact
 from quasidynamic import AngularContactBallBearing, NotSolved, RingOperation
 from quasidynamic.balance.balls.angular_contact import AngularBalance
 from quasidynamic.solve.balls.implicit_derivative import Places, moved_places
@@ -107,10 +107,7 @@ class _Variant:
         (state,) = self.model.states([self.operation], self.balance, solution)
         if isinstance(state, NotSolved):
             raise state
-        lines = self.case.rolling_lines
-        contact = state.rolling_contact(spin=lines.spin, friction=lines.net_force)
-        lives, safety = ball_life.lives(self.case, state), ball_life.safety(self.case, state)
-        return angular_contact.block(self.case, angular_contact.Solution(state, contact, None, lives, safety))
+        return angular_contact.block(angular_contact.followed(self.case, state))
 
 
 @dataclass(frozen=True)

@@ -11,12 +11,10 @@ from flexbearing.derivatives.keys import Key
 from flexbearing.derivatives.roller_state import SolvedState, Variant
 from flexbearing.derivatives.stencil import Stencil
 from flexbearing.outputs import Wanted
-from flexbearing.runs.together import ANSWER, Together
+from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.outcome.bearing_states import BearingStates
-from quasidynamic.outcome.equilibria import Batch
 from quasidynamic.roller import side_by_side_batches
-from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.implicit_derivative import (
     moved_unknowns,
     nearest_switch,
@@ -26,7 +24,6 @@ from quasidynamic.solve.rollers.implicit_derivative import (
 from quasidynamic.solve.rollers.parametric_balance import between
 
 AT_ONCE = 64  # variants whose slices fit into the processor's cache
-BLOCKS = (*ANSWER, "rigid")
 
 
 @dataclass(frozen=True)
@@ -192,11 +189,8 @@ def _state_of(state: SolvedState, balance: BearingBalance) -> BearingStates:
 
 def _numbers(variants: Sequence[Variant], states: BearingStates, outputs: Sequence[Wanted]) -> NDArray:
     """Numbers (C, O) of outputs of states."""
-    count = len(variants)
-    batch = Batch(np.arange(count), states, (SolverOutcome.CONVERGED,) * count, np.zeros(count, int))
     cases, models, pairs = ([getattr(each, name) for each in variants] for name in ("case", "model", "pair"))
-    together = Together(cases, models, batch, pairs, BLOCKS)
-    return np.array(together.all_numbers(outputs), float).T
+    return np.array(SolvedRows(cases, models, states, pairs).numbers(outputs), float).T
 
 
 def _stacked(deviations: Sequence[NDArray | None]) -> NDArray | None:

@@ -7,7 +7,6 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.errors import NotSolved as RingNotSolved
 from flexbearing.case import BadCase
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.derivatives.by_keys import Differences, columns
@@ -21,7 +20,6 @@ from flexbearing.progress import Logged, Report
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.rings import bolted
 from flexbearing.runs import four_point
-from quasidynamic import NotSolved
 
 DEFAULT = ("torque.inner", "max_contact_load", "peak_pressure.inner", "stiffness_zz")
 ALL = "all"
@@ -88,10 +86,7 @@ def _asked(case: FourPointCase, of: Sequence[str]) -> list[Wanted]:
 
 def _compliance(case: FourPointCase, report: Report) -> NDArray | None:
     """Of elastic rings; None between rigid ones."""
-    try:
-        return None if case.rings.rigid else bolted.compliance(case, report)
-    except RingNotSolved as failure:
-        raise NotSolved(str(failure), "rings not solved") from failure
+    return None if case.rings.rigid else four_point.compliance_of_rings(case, report)
 
 
 @dataclass(frozen=True)

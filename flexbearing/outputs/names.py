@@ -43,6 +43,12 @@ class Output:
     declared: SummaryValue  # with its quantities and unit
     place: tuple[int, ...]  # among the numbers of its reduction
 
+    @property
+    def key(self) -> str:
+        """Its name in the summary, with the unit: "peak_pressure_MPa.inner"."""
+        named = filter(None, (self.declared.parts, self.declared.entries))
+        return ".".join([self.declared.key, *(names[n] for names, n in zip(named, self.place, strict=True))])
+
     def numbers(self, block: Block) -> Any:
         """Its number in `unit`, an array (C) of a block of C cases; NaN where the case does not give it."""
         entry = self.declared

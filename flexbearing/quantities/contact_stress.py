@@ -18,7 +18,7 @@ def worst_contact(source: str, section: str = "") -> tuple[Quantity, ...]:
     Parameters
     ----------
     source : str
-        place of the worst contact among the solved parts, "end.worst"
+        place of the worst contact among the solved parts, "rows.worst"
     section : str
         of the page
 

@@ -98,42 +98,55 @@ def with_defaults(quantities: Iterable[Quantity]) -> tuple[SummaryValue, ...]:
     )
 
 
-def taken(
-    quantities: Iterable[Quantity], solved: Mapping[str, Any], *, many: bool = False
-) -> dict[str, np.ndarray]:
-    """Take quantities from the solved parts of a model, as their `source` says.
+def taken(quantities: Iterable[Quantity], solved: Mapping[str, Any]) -> dict[str, np.ndarray]:
+    """Take quantities of C cases from the solved parts of their models, as their `source` says.
 
     Parameters
     ----------
     quantities : iterable of Quantity
         what is wanted
     solved : mapping
-        parts of the solution by the first word of `source`; None or missing where the case has no such part
-    many : bool
-        whether the parts hold arrays of many cases, which are their first axis
+        parts of the solutions by the first word of `source`: with arrays whose first axis are the cases, or a
+        list of a part for each case; None or missing where the cases have no such part
 
     Returns
     -------
     dict
-        name to array; without optional quantities of parts that are missing
+        name to array, cases first; without what no case has, not a number where some have it and one does not
 
     Raises
     ------
     AttributeError
         if a part does not have the attribute that a source names
     """
-    values = {entry.name: _followed(entry.path, solved, many) for entry in quantities}
+    values = {entry.name: _of_cases(entry.path, solved.get(str(entry.path[0]))) for entry in quantities}
     return {name: np.asarray(value, dtype=float) for name, value in values.items() if value is not None}
 
 
-def _followed(path: tuple[str | int, ...], solved: Mapping[str, Any], many: bool) -> Any:
+def row(table: Mapping[str, np.ndarray], case: int) -> dict[str, np.ndarray]:
+    """The quantities of one of the cases."""
+    return {name: values[case] for name, values in table.items()}
+
+
+def _of_cases(path: tuple[str | int, ...], part: Any) -> Any:
+    """The value of all cases at a source."""
+    if not isinstance(part, list):
+        return _followed(path, part, cases=True)
+    each = [_followed(path, one, cases=False) for one in part]
+    known = [np.asarray(value, dtype=float) for value in each if value is not None]
+    if len(known) == len(each):
+        return np.array(known)
+    return np.array([np.full_like(known[0], np.nan) if v is None else v for v in each]) if known else None
+
+
+def _followed(path: tuple[str | int, ...], part: Any, *, cases: bool) -> Any:
     """The value at a source: attributes, names of a mapping, numbers as indices, methods called."""
-    value: Any = solved.get(str(path[0]))
+    value: Any = part
     for word in path[1:]:
         if value is None:
             return None
         if isinstance(word, int):
-            value = value[:, word] if many else value[word]
+            value = value[:, word] if cases else value[word]
         else:
             value = value[word] if isinstance(value, Mapping) else getattr(value, word)
         value = value() if callable(value) else value

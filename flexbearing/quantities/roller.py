@@ -19,7 +19,6 @@ from flexbearing.quantities.reductions import (
     largest,
     largest_at_mid_roller,
     largest_at_roller_ends,
-    largest_of_all,
     largest_of_ends,
     largest_size,
     length,
@@ -78,7 +77,7 @@ QUANTITIES = (
     Quantity("outer_slice_load", "q_o", "Z K", "N/m", "state",
         "load per length of the outer contact, >= 0", source="state.slice_loads.1"),
     Quantity("roller_azimuth", "phi", "Z", "rad", "block",
-        "place of the roller, 0 on the z axis, positive towards y", source="bearing.azimuths", people=DEG,
+        "place of the roller, 0 on the z axis, positive towards y", source="state.azimuths", people=DEG,
         summary=(
             SummaryValue("loaded_rollers", loaded_rollers, "loaded rollers", "d", of=("inner_load",),
                          unit=COUNT),
@@ -92,18 +91,19 @@ QUANTITIES = (
     # life
     Quantity("life_L10", "L_10", "", "rev", "block",
         "life of both raceways together from the loads of all slices and the capacities of Lundberg and "
-        "Palmgren, 90 % survival; not the basic rating life of ISO 281", source="end.life", people=MREV,
+        "Palmgren, 90 % survival; not the basic rating life of ISO 281", source="rows.basic_life",
+        people=MREV,
         summary=(SummaryValue("life_L10_Mrev", label="life L10", digits=",.2f", error="life",
                               speed="relative_speed"),)),
     Quantity("life_error", "", "", "1", "block",
         "estimated numerical error of the life by slices and axial shapes / life; absent with "
         "accuracy.target, which has another estimate, and where nothing could be estimated",
-        source="end.life_error", people=PERCENT,
+        source="rows.life_error", people=PERCENT,
         optional=True, summary=(
             SummaryValue("life_error_percent", label="  its numerical error, estimated",
                          digits=".2g", compared=False),)),
     Quantity("raceway_life", "L_10,i, L_10,o", "race", "rev", "block",
-        "rating life of each raceway alone (inner, outer), 90 % survival", source="end.raceway_life",
+        "rating life of each raceway alone (inner, outer), 90 % survival", source="rows.raceway_life",
         people=MREV, infinite=True,
         summary=(SummaryValue("raceway_life_Mrev", label="life of each raceway", digits=",.2f", parts=RACES,
                               speed="relative_speed"),)),
@@ -120,7 +120,7 @@ QUANTITIES = (
                               speed="relative_speed"),)),
     Quantity("relative_speed", "", "", "rad/s", "block",
         "speed of the inner ring less that of the outer ring, by which revolutions become hours",
-        source="end.relative_speed", people=RPM),
+        source="rows.relative_speed", people=RPM),
 
     # stiffness and place of the ring
     Quantity("stiffness", "k", "", "N/m", "block",
@@ -151,7 +151,7 @@ QUANTITIES = (
     Quantity("outer_mass", "", "", "kg", "block",
         "mass of the outer ring, of a squirrel cage with bars and flange, without fillets; absent where the "
         "outer raceway is rigid, and of a drawn part",
-        source="end.outer_mass", optional=True, people=Unit("g", 1e3),
+        source="rows.outer_mass", optional=True, people=Unit("g", 1e3),
         summary=(SummaryValue("outer_mass_g", compared=False),)),
     Quantity("support_stiffness_ratio", "", "", "1", "block",
         "support_stiffness of the outer ring over stiffness of the bearing; absent where the outer raceway "
@@ -285,7 +285,7 @@ QUANTITIES = (
     # contacts
     Quantity("peak_pressure", "p", "race", "Pa", "block",
         "largest contact pressure (inner, outer), by slices as bearing.contact says or of the whole roller",
-        source="end.peak_pressure", people=MPA,
+        source="rows.peak_pressure", people=MPA,
         summary=(
             SummaryValue("peak_pressure_MPa", label="peak pressure", digits=",.0f", parts=RACES,
                          error="peak_pressure"),
@@ -299,12 +299,12 @@ QUANTITIES = (
                          ".0f", of=_PRESSURES, unit=PERCENT, parts=RACES, section=CONTACT),
         )),
     Quantity("inner_pressure", "p_i", "Z K", "Pa", "block", f"largest pressure of each slice of the inner "
-        f"contact, >= 0; {_PRESSURE}", source="end.slice_pressure.0", people=MPA),
+        f"contact, >= 0; {_PRESSURE}", source="rows.slice_pressure.0", people=MPA),
     Quantity("outer_pressure", "p_o", "Z K", "Pa", "block", f"largest pressure of each slice of the outer "
-        f"contact, >= 0; {_PRESSURE}", source="end.slice_pressure.1", people=MPA),
-    *worst_contact("end.worst", CONTACT),
+        f"contact, >= 0; {_PRESSURE}", source="rows.slice_pressure.1", people=MPA),
+    *worst_contact("rows.worst", CONTACT),
     *subsurface(CONTACT),
-    static_safety("end.static_safety", "the radial load"),
+    static_safety("rows.static_safety", "the radial load"),
     Quantity("inner_film", "h_i", "Z", "m", "state", "film thickness of the inner contact, 0 without load",
         source="state.loaded_film.0", people=UM),
     Quantity("outer_film", "h_o", "Z", "m", "state", "film thickness of the outer contact, 0 without load",
@@ -314,7 +314,7 @@ QUANTITIES = (
         summary=(SummaryValue("minimum_film_um", label="smallest film", digits=".3f", parts=RACES),)),
     Quantity("inner_film_ratio", "Lambda_i", "Z", "1", "block",
         f"film over composite roughness of the inner contact, 0 without load; {_NO_ROUGHNESS}",
-        source="end.film_ratio.0", optional=True,
+        source="rows.film_ratio.0", optional=True,
         summary=(
             SummaryValue("minimum_lambda", smallest_above_zero, "smallest film ratio", ".2f", parts=RACES,
                          of=("inner_film_ratio", "outer_film_ratio")),
@@ -322,7 +322,7 @@ QUANTITIES = (
         )),
     Quantity("outer_film_ratio", "Lambda_o", "Z", "1", "block",
         f"film over composite roughness of the outer contact, 0 without load; {_NO_ROUGHNESS}",
-        source="end.film_ratio.1", optional=True),
+        source="rows.film_ratio.1", optional=True),
 
     # the most loaded roller as a whole
     Quantity("whole_roller", "", "", "1", "block",
@@ -350,18 +350,18 @@ QUANTITIES = (
                               parts=RACES, compared=False),)),
     Quantity("sliced_peak_pressure", "", "race", "Pa", "block",
         f"largest pressure that slices alone have, each a line contact; {_SLICED}",
-        source="sliced.equilibrium.peak_pressure", people=MPA, optional=True,
+        source="whole.state.peak_pressure", people=MPA, optional=True,
         summary=(SummaryValue("sliced_peak_pressure_MPa", label="  by slices alone", digits=",.0f",
                               parts=RACES),)),
     Quantity("sliced_life", "", "", "rev", "block", f"rating life that slices alone give; {_SLICED}",
-        source="sliced.sliced_life", people=MREV, optional=True,
+        source="whole.sliced_life", people=MREV, optional=True,
         summary=(SummaryValue("sliced_life_Mrev", label="life L10 by slices alone", digits=",.2f"),)),
 
     # bars of a squirrel cage
     Quantity("bar_azimuth", "", "B", "rad", "block",
         "middle of the bar, 0 on the z axis, positive towards y; of bars at both ends those at +x "
         f"come first; {_NO_BARS}",
-        source="bars.forces.azimuths", people=DEG, optional=True),
+        source="rows.bar_azimuths", people=DEG, optional=True),
     Quantity("bar_axial_force", "N", "B", "N", "block",
         f"axial force of the bar, tension positive; {_NO_BARS}", source="bars.forces.axial", optional=True),
     Quantity("bar_radial_moment", "M_n", "B bar_end", "N m", "block",
@@ -449,7 +449,7 @@ QUANTITIES = (
         summary=(
             SummaryValue("skew.rollers_on_both_flanges", touching_both, "rollers on both flanges", "d",
                          unit=COUNT, section=SKEW),
-            SummaryValue("skew.max_flange_force_N", largest_of_all, "largest flange force", ".4g",
+            SummaryValue("skew.max_flange_force_N", largest_of_ends, "largest flange force", ".4g",
                          section=SKEW),
             SummaryValue("skew.flange_forces_N"),
         )),
@@ -492,7 +492,7 @@ QUANTITIES = (
         "where a similar case may start: ring displacement (y, z) and slopes, cage speed less that "
         "of pure rolling; then, Z each, approach and tilt approach of the rollers at the outer raceway, "
         "inner film, outer film, spin less that of pure rolling; then Legendre coefficients of the "
-        "outward deviations of the inner and the outer raceway, roller by roller", source="end.unknowns"),
+        "outward deviations of the inner and the outer raceway, roller by roller", source="rows.unknowns"),
 )
 # fmt: on
 

@@ -1,7 +1,10 @@
 """From a case to a bearing with fast balls, and from its solution to the arrays of a result file."""
 
-from collections.abc import Callable, Iterator
+from collections import defaultdict
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,14 +12,17 @@ from numpy.typing import NDArray
 import quasidynamic as qd
 from flexbearing.build import clearance
 from flexbearing.build.ball_parts import ball, groove
+from flexbearing.case import BadCase, Head
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
 from flexbearing.program.workers import shared_map
 from flexbearing.quantities.angular_contact import LAYOUT
-from flexbearing.quantities.quantity import taken
+from flexbearing.quantities.quantity import row, taken
 from flexbearing.runs import ball_life, dangers, interface, shoulders
 from flexbearing.runs.ball_life import BallLives
 from flexbearing.runs.life_of_state import MREV
 from flexbearing.runs.subsurface import of_balls
+from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
+from quasidynamic.columns import kind_and_numbers
 from quasidynamic.note import Note, information, outside
 from quasidynamic.outcome.rolling_contact import RollingContact
 from quasidynamic.outcome.static_pressure import BALLS
@@ -27,6 +33,7 @@ from quasidynamic.outcome.worst_point_contact import WorstPointContact
 class Solution:
     """A solved case."""
 
+    case: FastCase
     state: qd.AngularContactState
     contact: RollingContact
     rolling: qd.FastRollingBalls | None  # balls whose contacts stick and slip; None in full sliding
@@ -37,6 +44,9 @@ class Solution:
     def friction(self) -> qd.AngularContactState | qd.FastRollingBalls:
         """What tells heat and torque of friction."""
         return self.state if self.rolling is None else self.rolling
+
+
+Ended = Solution | NotSolved | BadCase  # or why there is no solution
 
 
 def bearing(case: FastCase) -> qd.AngularContactBallBearing:
@@ -106,30 +116,74 @@ def build(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperatio
     return bearing(case), operation(case)
 
 
-def solved(case: FastCase, told: Callable[[float], None] = lambda _: None) -> Solution:
-    """Balance, pure rolling lines, and stick and slip where the case asks for them.
+def solved(cases: Sequence[FastCase], told: Callable[[float], None] = lambda _: None) -> list[Ended]:
+    """Balance, pure rolling lines, and stick and slip where a case asks for them; or why there is none.
 
-    The part of the balls whose stick and slip is found is `told`.
-
-    Raises
-    ------
-    NotSolved, OutOfRange, ImpossiblePart
-        see `qd.AngularContactBallBearing.solve` and `qd.AngularContactBallBearing.roll`
+    Cases whose bearings are the same are balanced side by side. The part of the balls whose stick and slip is
+    found is `told`.
     """
-    model, lines = bearing(case), case.rolling_lines
-    state, rolling = model.solve(operation(case)), None
-    if case.friction.model != "full_sliding":
-        along, across = case.friction.cells
-        with shared_map() as mapped:
-            rolling = model.roll(state, case.friction.model, (along, across), told, mapped)
+    built = [named(case, partial(_built, case)) for case in cases]
+    return [
+        state if isinstance(state, NotSolved | BadCase) else named(case, partial(_rolled, case, state, told))
+        for case, state in zip(cases, _balanced(cases, built), strict=True)
+    ]
+
+
+def named(case: Head, solve: Callable[[], Any]) -> Any:
+    """What a case gives, or the error that says why it gives nothing."""
+    try:
+        return solve()
+    except NotSolved as failure:
+        return failure
+    except (ImpossiblePart, OutOfRange) as problem:
+        return BadCase(f"{case.source.path}: {problem}")
+
+
+def _built(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperation]:
+    return bearing(case), operation(case)
+
+
+def _balanced(cases: Sequence[FastCase], built: Sequence[Any]) -> list[Any]:
+    """States of the bearings that could be built, those of the same bearing side by side."""
+    states, alike = list(built), defaultdict[Any, list[int]](list)
+    for place, each in enumerate(built):
+        if not isinstance(each, Exception):
+            alike[kind_and_numbers(each[0])[0], *kind_and_numbers(each[0])[1]].append(place)
+    for places in alike.values():
+        model, operations = built[places[0]][0], [built[place][1] for place in places]
+        try:
+            found = model.solve_many(operations)
+        except OutOfRange:  # of one of them, which says so by itself
+            each = zip(places, operations, strict=True)
+            found = [named(cases[place], partial(model.solve, at)) for place, at in each]
+        for place, state in zip(places, found, strict=True):
+            states[place] = state
+    return states
+
+
+def _rolled(case: FastCase, state: qd.AngularContactState, told: Callable[[float], None]) -> Solution:
+    """A balance with the friction of the case."""
+    if case.friction.model == "full_sliding":
+        return followed(case, state)
+    along, across = case.friction.cells
+    with shared_map() as mapped:
+        rolling = bearing(case).roll(state, case.friction.model, (along, across), told, mapped)
+    return followed(case, state, rolling)
+
+
+def followed(
+    case: FastCase, state: qd.AngularContactState, rolling: qd.FastRollingBalls | None = None
+) -> Solution:
+    """A balance with all that follows from it."""
+    lines = case.rolling_lines
     contact = state.rolling_contact(spin=lines.spin, friction=lines.net_force)
     lives, safety = ball_life.lives(case, state), ball_life.safety(case, state)
-    return Solution(state, contact, rolling, lives, safety)
+    return Solution(case, state, contact, rolling, lives, safety)
 
 
-def block(case: FastCase, solution: Solution) -> dict[str, NDArray]:
+def block(solution: Solution) -> dict[str, NDArray]:
     """Quantities of the solution."""
-    state, contact = solution.state, solution.contact
+    case, state, contact = solution.case, solution.state, solution.contact
     lines = _lines(case, state, contact) if len(contact.balls) else None
     free = {"yaw": state.yaw} if case.operation.control == "coulomb" else None
     worst = WorstPointContact.of(state.peak_pressures.T, *(axis.T for axis in state.semi_axes))
@@ -145,7 +199,7 @@ def block(case: FastCase, solution: Solution) -> dict[str, NDArray]:
         "life": solution.lives,
         "rated": {"static_safety": solution.static_safety},
     }
-    return taken(LAYOUT.quantities, parts)
+    return row(taken(LAYOUT.quantities, {name: [part] for name, part in parts.items()}), 0)
 
 
 def _fields(solution: Solution) -> dict[str, NDArray] | None:
@@ -185,9 +239,9 @@ def _lines(case: FastCase, state: qd.AngularContactState, contact: RollingContac
     }
 
 
-def notes(case: FastCase, solution: Solution) -> tuple[Note, ...]:
+def notes(solution: Solution) -> tuple[Note, ...]:
     """What a user must know of the solution."""
-    state = solution.state
+    case, state = solution.case, solution.state
     pressure = float(state.peak_pressures.max())
     lines = (*dangers.pressed(pressure, BALLS), *_by_life(case, solution.lives))
     if solution.static_safety is not None:

@@ -1,21 +1,27 @@
-"""A ball bearing, from case to result file."""
+"""Ball bearings, from cases to result files and to rows of a table."""
 
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any
 
-from fem.errors import NotSolved as RingNotSolved
 from flexbearing.build import clearance
 from flexbearing.case import BadCase, Head
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.four_point import FourPointCase
-from flexbearing.progress import Report
+from flexbearing.outputs import wanted
+from flexbearing.program.threads import linear_algebra_alone
+from flexbearing.progress import Logged, Report
+from flexbearing.quantities.angular_contact import LAYOUT as OF_FAST_BALLS
+from flexbearing.quantities.four_point import LAYOUT as OF_SLOW_BALLS
+from flexbearing.quantities.layout import Layout
 from flexbearing.results import Recorder
-from flexbearing.rings import bolted
 from flexbearing.runs import angular_contact, four_point
+from flexbearing.runs.angular_contact import named
+from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer, message
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.note import Note, graded
 
-STICK = "stick and slip, ball by ball"  # what is told while it is found
+NOT_SOLVED = "not solved"
 
 
 def opening(case: Head) -> dict[str, object]:
@@ -33,25 +39,19 @@ def solve_four_point(case: FourPointCase, record: Recorder, report: Report) -> d
     BadCase
         when no such bearing can exist
     """
-    told = partial(report.stage, STICK)
+    solution: Any = None
     try:
-        report.stage("slow balls between rigid rings", None)
-        solution = four_point.solved(case, told=told)
-        record.block("rigid", four_point.block(solution))
-        if not case.rings.rigid:
-            compliance = bolted.compliance(case, report)
-            report.stage("slow balls between elastic rings", None)
-            solution = four_point.solved(case, compliance, told)
-            record.block("flexible", four_point.block(solution))
-    except (NotSolved, RingNotSolved) as failure:
+        for name, solution in four_point.blocks(case, report):
+            record.block(name, four_point.block(solution))
+    except NotSolved as failure:
         return _not_solved(failure)
     except (ImpossiblePart, OutOfRange) as problem:
         raise BadCase(f"{case.source.path}: {problem}") from problem
     worst = solution.balls.sliding.imbalance.max()
-    message = f"friction of every ball in balance to {worst:.1e} of its power"
+    words = f"friction of every ball in balance to {worst:.1e} of its power"
     if solution.distribution is not None:
-        message += f", the ring to {solution.distribution.imbalance:.1e} of the largest force"
-    ending = _converged(message, four_point.notes(case, solution))
+        words += f", the ring to {solution.distribution.imbalance:.1e} of the largest force"
+    ending = _converged(words, four_point.notes(solution))
     return {**ending, "clearance": clearance.record(case)}
 
 
@@ -64,18 +64,17 @@ def solve_angular(case: FastCase, record: Recorder, report: Report) -> dict[str,
         when no such bearing can exist
     """
     report.stage("fast balls between rigid rings", None)
-    try:
-        solution = angular_contact.solved(case, partial(report.stage, STICK))
-    except NotSolved as failure:
-        return _not_solved(failure)
-    except (ImpossiblePart, OutOfRange) as problem:
-        raise BadCase(f"{case.source.path}: {problem}") from problem
-    message = (
+    (solution,) = angular_contact.solved([case], partial(report.stage, four_point.STICK))
+    if isinstance(solution, BadCase):
+        raise solution
+    if isinstance(solution, NotSolved):
+        return _not_solved(solution)
+    words = (
         f"ring and balls in balance to {solution.state.imbalance:.1e} of the largest force after "
         f"{solution.state.evaluations} evaluations of all balls"
     )
-    record.block("rigid", angular_contact.block(case, solution))
-    ending = _converged(message, angular_contact.notes(case, solution))
+    record.block("rigid", angular_contact.block(solution))
+    ending = _converged(words, angular_contact.notes(solution))
     life = solution.lives and solution.lives.of_state
     lives = {"rigid": life.record()} if life else {}
     return {**ending, "clearance": clearance.record(case), "life": lives}
@@ -85,10 +84,64 @@ def _converged(message: str, notes: tuple[Note, ...]) -> dict[str, Any]:
     return _ending("converged", message, "converged") | {"notes": [note.record() for note in graded(notes)]}
 
 
-def _not_solved(failure: NotSolved | RingNotSolved) -> dict[str, Any]:
-    ending = str(failure.outcome) if isinstance(failure, NotSolved) else "rings not solved"
-    return _ending("not solved", str(failure), ending)
+def _not_solved(failure: NotSolved) -> dict[str, Any]:
+    return _ending(NOT_SOLVED, str(failure), str(failure.outcome))
 
 
 def _ending(status: str, message: str, ending: str) -> dict[str, Any]:
     return {"status": status, "message": message, "ending": ending, "iterations": 0}
+
+
+# -- rows of a table -------------------------------------------------------------------------------
+
+
+def angular_answers(
+    cases: Sequence[FastCase], texts: Sequence[str], *_: object, **__: object
+) -> list[Answer]:
+    """Wanted outputs of fast bearings, see `flexbearing.runs.rows.answers`; same parts are side by side."""
+    with linear_algebra_alone():
+        return [_of_fast(each, texts) for each in angular_contact.solved(cases)]
+
+
+def four_point_answers(
+    cases: Sequence[FourPointCase], texts: Sequence[str], *_: Any, **__: Any
+) -> list[Answer]:
+    """Wanted outputs of slow bearings, solved one after the other."""
+    with linear_algebra_alone():
+        return [_of_slow(case, texts) for case in cases]
+
+
+def _of_fast(ended: angular_contact.Ended, texts: Sequence[str]) -> Answer:
+    if isinstance(ended, Exception):
+        return _unsolved(ended, {})
+    block = named(ended.case, partial(angular_contact.block, ended))
+    if isinstance(block, Exception):
+        return _unsolved(block, {})
+    numbers = _numbers(OF_FAST_BALLS, {"rigid": block}, texts)
+    return Answer(CONVERGED, message(angular_contact.notes(ended)), numbers)
+
+
+def _of_slow(case: FourPointCase, texts: Sequence[str]) -> Answer:
+    blocks: dict[str, Any] = {}
+
+    def solve() -> Answer:
+        solution: Any = None
+        for name, solution in four_point.blocks(case, Logged()):
+            blocks[name] = four_point.block(solution)
+        numbers = _numbers(OF_SLOW_BALLS, blocks, texts)
+        return Answer(CONVERGED, message(four_point.notes(solution)), numbers)
+
+    answer = named(case, solve)
+    if isinstance(answer, Exception):
+        of_rigid = [text for text in texts if text.startswith("rigid.")]
+        return _unsolved(answer, _numbers(OF_SLOW_BALLS, blocks, of_rigid))
+    return answer
+
+
+def _unsolved(problem: Exception, numbers: Mapping[str, float]) -> Answer:
+    """The answer of a case without a solution; `numbers` are those of states on the way to it."""
+    return Answer(BAD_INPUT if isinstance(problem, BadCase) else NOT_SOLVED, str(problem), numbers)
+
+
+def _numbers(layout: Layout, blocks: Mapping[str, Any], texts: Sequence[str]) -> dict[str, float]:
+    return {text: wanted(layout, text).number(blocks) for text in texts}

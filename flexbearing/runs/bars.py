@@ -8,33 +8,32 @@ from fem.cage.bar_forces import NominalStresses
 from fem.raceway.bar_response import BarResponse
 from flexbearing.build import ring_parts
 from flexbearing.case.roller import Case
-from flexbearing.coupled.states import EndState, EndStates
+from flexbearing.coupled.states import EndStates
 from flexbearing.coupling.raceway_pair import OUTWARD
 from flexbearing.runs.dangers import yielding
 from quasidynamic.note import Note
 
 
-def nominal_stresses(case: Case, end: EndState | EndStates) -> NominalStresses | None:
+def nominal_stresses(case: Case, end: EndStates) -> NominalStresses | None:
     """Section forces and nominal stresses of the bars, without a solve.
 
     Parameters
     ----------
     case : Case
         whose outer ring may be a squirrel cage
-    end : EndState or EndStates
-        an equilibrium with the rings it was found between, or many between rings of the same parts
+    end : EndStates
+        states of C cases between rings of the same parts
 
     Returns
     -------
     NominalStresses or None
-        with `largest` and its `error` [Pa]; None without bars, or between rigid raceways
+        with `largest` (C) and its `error` (C) [Pa]; None without bars, or between rigid raceways
     """
     response = None if end.rings.outer is None else end.rings.outer.bar_response
     part = ring_parts.outer_part(case) if isinstance(response, BarResponse) else None
     if not isinstance(response, BarResponse) or not isinstance(part, fem.SquirrelCage):
         return None
-    states = end.states if isinstance(end, EndStates) else end.equilibrium
-    azimuths = states.balance.roller.bearing.azimuths
+    states, azimuths = end.states, end.states.balance.roller.bearing.azimuths
     return bar_forces.nominal_stresses(part, response, azimuths, OUTWARD[1] * states.forces[..., 1, :, :])
 
 

@@ -1,21 +1,26 @@
 """From a case to a slow ball bearing, and from its solution to the arrays of a result file."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 import quasidynamic as qd
+from fem.errors import NotSolved as RingNotSolved
 from flexbearing.build import clearance
 from flexbearing.build.ball_parts import ball, groove
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.program.workers import shared_map
+from flexbearing.progress import Report
 from flexbearing.quantities.four_point import LAYOUT
-from flexbearing.quantities.quantity import taken
+from flexbearing.quantities.quantity import row, taken
 from flexbearing.rings import bolted
 from flexbearing.runs import dangers, interface, shoulders
 from flexbearing.runs.subsurface import of_balls
+from quasidynamic import NotSolved
 from quasidynamic.four_point import FourPointEquilibrium
 from quasidynamic.note import Note, danger, information, outside
 from quasidynamic.outcome.static_pressure import BALLS
@@ -23,6 +28,7 @@ from quasidynamic.outcome.worst_point_contact import WorstPointContact
 from quasidynamic.solve.balls.elastic_load_distribution import ElasticBallLoads
 from quasidynamic.solve.balls.load_distribution import BallLoads
 
+STICK = "stick and slip, ball by ball"  # what is told while it is found
 FEWEST = 3  # balls of a ring; a single one has the same pitch circle
 NOTABLE = 0.01  # of the torque: change by another reading of the spin that is told
 SIGN = np.array([1.0, -1.0])  # of the torques on inner and outer ring
@@ -187,6 +193,37 @@ def solved(
     )
 
 
+def blocks(case: FourPointCase, report: Report) -> Iterator[tuple[Literal["rigid", "flexible"], Solution]]:
+    """Yield the solution between rigid rings, then that between elastic ones where the case has them.
+
+    Raises
+    ------
+    NotSolved, OutOfRange, ImpossiblePart
+        as `solved`
+    """
+    told = partial(report.stage, STICK)
+    report.stage("slow balls between rigid rings", None)
+    yield "rigid", solved(case, told=told)
+    if not case.rings.rigid:
+        compliance = compliance_of_rings(case, report)
+        report.stage("slow balls between elastic rings", None)
+        yield "flexible", solved(case, compliance, told)
+
+
+def compliance_of_rings(case: FourPointCase, report: Report) -> NDArray:
+    """Compliance of elastic rings [m/N].
+
+    Raises
+    ------
+    NotSolved
+        where it is not found
+    """
+    try:
+        return bolted.compliance(case, report)
+    except RingNotSolved as failure:
+        raise NotSolved(str(failure), "rings not solved") from failure
+
+
 def _rolled(
     case: FourPointCase,
     model: qd.FourPointBallBearing,
@@ -217,7 +254,7 @@ def block(solution: Solution) -> dict[str, NDArray]:
         "rolling": solution.rolling,
         "fields": _fields(solution.case, solution.balls),
     }
-    return taken(LAYOUT.quantities, parts)
+    return row(taken(LAYOUT.quantities, {name: [part] for name, part in parts.items()}), 0)
 
 
 def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray | None]:
@@ -237,9 +274,9 @@ def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray | 
     return {"balls": np.array(chosen), **fields}
 
 
-def notes(case: FourPointCase, solution: Solution) -> tuple[Note, ...]:
+def notes(solution: Solution) -> tuple[Note, ...]:
     """What a user must know of the solution."""
-    balls = solution.balls
+    case, balls = solution.case, solution.balls
     pressed = dangers.pressed(float(balls.peak_pressure.max()), BALLS)
     lines = (*pressed, *balls.notes, *clearance.notes(case))
     if solution.distribution is None:

@@ -1,8 +1,8 @@
 """The life of a case after everything that modifies it."""
 
 from collections.abc import Iterator
-from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,10 +41,6 @@ from quasidynamic.outcome.life_factors import (
 )
 from quasidynamic.outcome.rating_life import LINE_EXPONENT, ROLLER_EXPONENT, rating_life
 
-if TYPE_CHECKING:  # checking a case loads no solver
-    from quasidynamic import Equilibrium
-    from quasidynamic.outcome.whole_roller import WholeRoller
-
 
 def require_possible(case: Case, bearing: CylindricalRollerBearing) -> None:
     """Raise where a factor does not hold for this bearing, speed and oil; loads are not needed."""
@@ -56,17 +52,26 @@ def require_possible(case: Case, bearing: CylindricalRollerBearing) -> None:
     _fixed_factors(case)
 
 
-def modified(case: Case, state: "Equilibrium", whole: "WholeRoller | None" = None) -> LifeOfState | None:
+@dataclass(frozen=True)
+class LoadedState:
+    """What the life of one state of a bearing depends on."""
+
+    bearing: CylindricalRollerBearing
+    basic: float  # basic reference life [10^6 revolutions]
+    loads: NDArray  # (2, Z, K) of each slice [N]
+    turning: tuple[Any, Any]  # how far both rings turn against the load [-]
+    minimum_film: NDArray  # (2) [m]
+
+
+def modified(case: Case, state: LoadedState) -> LifeOfState | None:
     """Life after every factor of a case; None when nothing modifies it or nothing carries load.
 
     Parameters
     ----------
     case : Case
         with its section [life]
-    state : Equilibrium
+    state : LoadedState
         with its loads and films
-    whole : WholeRoller, optional
-        the roller of the state that half-spaces answer for
 
     Returns
     -------
@@ -77,22 +82,16 @@ def modified(case: Case, state: "Equilibrium", whole: "WholeRoller | None" = Non
     OutOfRange
         where a factor does not hold for this bearing, speed and oil
     """
-    if case.life.is_basic or not np.isfinite(state.life):
+    if case.life.is_basic or not np.isfinite(state.basic):
         return None
-    basic, loads = state.life if whole is None else whole.life, _slice_loads(state, whole)
-    by_slices = tuple(_slice_factors(case, state, basic, loads))
-    return LifeOfState.of(
-        basic, by_slices, (*_lubrication_factors(case, state, loads), *_fixed_factors(case))
-    )
+    factors = (*_lubrication_factors(case, state), *_fixed_factors(case))
+    return LifeOfState.of(state.basic, tuple(_slice_factors(case, state)), factors)
 
 
-def _slice_factors(
-    case: Case, state: "Equilibrium", basic: float, loads: NDArray
-) -> Iterator[dict[str, Any]]:
+def _slice_factors(case: Case, state: LoadedState) -> Iterator[dict[str, Any]]:
     """What capacity, edge stress and rollers make of the basic life, one after the other."""
-    bearing = state.balance.roller.bearing
-    inner, outer = loads
-    before, edge, capacity = basic, None, raceway_capacity(bearing)
+    bearing, (inner, outer) = state.bearing, state.loads
+    before, edge, capacity = state.basic, None, raceway_capacity(bearing)
 
     def life(rollers: RollerBody | None = None) -> float:
         return float(slice_life(inner, outer, capacity, state.turning, edge=edge, rollers=rollers))
@@ -132,12 +131,12 @@ def _by_rating(case: Case, bearing: CylindricalRollerBearing) -> float:
     return float(rating_life(rating, case.operation.radial_load, exponent))
 
 
-def _lubrication_factors(case: Case, state: "Equilibrium", loads: NDArray) -> Iterator[LifeFactor]:
+def _lubrication_factors(case: Case, state: LoadedState) -> Iterator[LifeFactor]:
     if case.life.lubrication == "film":
         ratio = float((state.minimum_film / roughness(case)).min())
         yield explained(film_factor(ratio), f"smallest film ratio {ratio:.3g}")
     elif case.life.lubrication == "a_ISO":
-        bearing, (inner, outer) = state.balance.roller.bearing, loads
+        bearing, (inner, outer) = state.bearing, state.loads
         rating, ratio_of_oil = dynamic(case, bearing), kappa(case, bearing)
         edge = case.life.edge_stress
         load = case.operation.radial_load
@@ -159,12 +158,6 @@ def _fixed_factors(case: Case) -> list[LifeFactor]:
         beside = "ISO 281 has no such factor beside a_ISO" if life.lubrication == "a_ISO" else ""
         factors.append(explained(factor, beside))
     return [*factors, *of_reliability(life)]
-
-
-def _slice_loads(state: "Equilibrium", whole: "WholeRoller | None") -> NDArray:
-    """Load (2, Z, K) of each slice [N]."""
-    loads = state.slice_loads if whole is None else whole.slice_loads
-    return loads * state.balance.roller.raceways.slices.width
 
 
 def edge_stress(case: Case, slices: int) -> NDArray | None:

@@ -1,6 +1,5 @@
-"""How far the resolution of a case may put its life off."""
+"""How far the resolution of cases may put their lives off."""
 
-from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,65 +9,41 @@ from flexbearing.case.roller import Case
 from flexbearing.coupling import LinearPair, PartnerFailed
 from flexbearing.progress import Report
 from flexbearing.rings.more_shapes import more_shapes_matter, with_more_shapes
-from quasidynamic import Equilibrium, NotSolved
 from quasidynamic.note import Note, outside
 from quasidynamic.outcome.bearing_states import BearingStates
-from quasidynamic.outcome.finer_life import Compliances, life_error, life_errors
+from quasidynamic.outcome.finer_life import Compliances, life_errors
 
 RESOLVED = 0.05  # of the life: an error that is worth a word (assumed)
+CODE = "life-resolution"
 
 
 @dataclass(frozen=True)
-class LifeError:
-    """Estimated numerical error of the life of a state, with what is to be said of it."""
+class LifeErrors:
+    """Estimated numerical errors of the lives of C states."""
 
-    value: float | None  # over the life [-]; None where nothing was estimated
-    notes: tuple[Note, ...] = ()
+    values: NDArray | None  # (C) over the life [-], not a number where there is none; None without any
+    sought: NDArray | None = None  # (C) whether an error was looked for
+    problems: tuple[str, ...] = ()  # (C) what kept further axial shapes away; empty: nothing
 
-
-def estimated(case: Case, state: Equilibrium, rings: LinearPair, report: Report) -> LifeError:
-    """Estimate what finer slices and more axial shapes would change; see `life_error`.
-
-    Parameters
-    ----------
-    case : Case
-        of the state
-    state : Equilibrium
-        solved
-    rings : LinearPair
-        at its forces
-    report : Report
-        hears of parts that are condensed for it
-
-    Returns
-    -------
-    LifeError
-    """
-    if case.accuracy.target is not None or not np.isfinite(state.life):  # a target has its own estimate
-        return LifeError(None)
-    notes: tuple[Note, ...] = ()
-    richer: Compliances = (None, None)
-    try:
-        richer = with_more_shapes(case, rings, more_shapes_matter(state.cases, rings)[0].tolist(), report)
-    except PartnerFailed as problem:
-        notes = (outside("life-resolution", f"life: its error counts slices, not axial shapes: {problem}"),)
-    try:
-        value = life_error(state, richer)
-    except NotSolved as problem:
-        return LifeError(None, (outside("life-resolution", f"life: no error estimated: {problem}"),))
-    if value > RESOLVED:
-        notes += (
-            outside(
-                "life-resolution",
-                f"life: numerical error of about {value:.0%}; accuracy.slices, accuracy.axial_shapes or "
-                "accuracy.target resolve it",
-            ),
-        )
-    return LifeError(value, notes)
+    def notes(self, case: int) -> tuple[Note, ...]:
+        """What is to be said of one of them."""
+        if self.sought is None or not self.sought[case]:
+            return ()
+        value = np.nan if self.values is None else self.values[case]
+        if np.isnan(value):
+            words = "no error estimated: life with more axial modes: no line loads were found"
+            return (outside(CODE, f"life: {words}"),)
+        problem, told = self.problems[case], []
+        if problem:
+            told.append(outside(CODE, f"life: its error counts slices, not axial shapes: {problem}"))
+        if value > RESOLVED:
+            words = "accuracy.slices, accuracy.axial_shapes or accuracy.target resolve it"
+            told.append(outside(CODE, f"life: numerical error of about {value:.0%}; {words}"))
+        return tuple(told)
 
 
-def estimated_errors(case: Case, states: BearingStates, rings: LinearPair, report: Report) -> NDArray:
-    """Estimate the errors of many states between rings of the same parts.
+def estimated(case: Case, states: BearingStates, rings: LinearPair, report: Report) -> LifeErrors:
+    """Estimate what finer slices and more axial shapes would change; see `life_errors`.
 
     Parameters
     ----------
@@ -83,17 +58,21 @@ def estimated_errors(case: Case, states: BearingStates, rings: LinearPair, repor
 
     Returns
     -------
-    array (C)
-        as `estimated` has them, over the life [-]; not a number where it has none
+    LifeErrors
+        without any where a target has its own estimate
     """
-    errors = np.full(len(states.scaled), np.nan)
-    if case.accuracy.target is not None:  # which has its own estimate
-        return errors
+    sought = np.isfinite(states.life)
+    if case.accuracy.target is not None or not sought.any():
+        return LifeErrors(None)
+    errors, problems = np.full(len(sought), np.nan), [""] * len(sought)
     matter = more_shapes_matter(states, rings)
-    for races in np.unique(matter, axis=0):
-        some, richer = np.flatnonzero((matter == races).all(axis=1)), (None, None)
-        with suppress(PartnerFailed):  # which leaves the error of the slices
+    for races in np.unique(matter[sought], axis=0):
+        some = np.flatnonzero(sought & (matter == races).all(axis=1))
+        richer: Compliances = (None, None)
+        try:
             richer = with_more_shapes(case, rings, races.tolist(), report)
-        of_some = states if len(some) == len(errors) else states.take(some)
-        errors[some] = life_errors(of_some, richer)
-    return errors
+        except PartnerFailed as problem:  # which leaves the error of the slices
+            for place in some:
+                problems[place] = str(problem)
+        errors[some] = life_errors(states if len(some) == len(sought) else states.take(some), richer)
+    return LifeErrors(None if np.isnan(errors).all() else errors, sought, tuple(problems))

@@ -9,10 +9,11 @@ from flexbearing.build import clearance, ring_parts
 from flexbearing.build.lubrication import oil, oil_name
 from flexbearing.case import cage_room
 from flexbearing.case.roller import Case
-from flexbearing.coupled.states import EndState
-from flexbearing.runs import dangers, life
+from flexbearing.runs import bars, dangers, life, several, skew
+from flexbearing.runs.life_of_state import MREV
+from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import Equilibrium
-from quasidynamic.note import Note, information, outside
+from quasidynamic.note import Note, danger, information, outside
 from quasidynamic.outcome.static_pressure import ROLLERS
 from quasidynamic.outcome.validity import validity
 
@@ -92,46 +93,73 @@ def _teeth(case: Case) -> Iterator[Note]:
         )
 
 
-def of_state(case: Case, end: EndState, modified_life: float | None) -> tuple[Note, ...]:
-    """What a solved state adds: dangers, limits of laws that it is beyond, what a reader should weigh.
+def dangers_of(rows: SolvedRows) -> list[tuple[Note, ...]]:
+    """What makes the answer of each case dangerous, or is below what is usual.
 
     Parameters
     ----------
-    case : Case
-        of the state
-    end : EndState
+    rows : SolvedRows
         solved
-    modified_life : float or None
-        life after every factor [10^6 revolutions]; None where the case modifies nothing
+
+    Returns
+    -------
+    list of tuple of Note
+        of each case
+    """
+    lives = [
+        float(basic if life is None else life.modified) / MREV
+        for basic, life in zip(rows.basic_life, rows.life, strict=True)
+    ]
+    figures = (rows.bounded_pressure.max(axis=1), rows.static_safety, lives, rows.relative_speed)
+    limits = [case.materials.outer_ring.yield_stress for case in rows.cases]
+    stressed = rows.bars if any(limit is not None for limit in limits) else None
+    largest = [None] * len(rows) if stressed is None else stressed.largest.tolist()
+    each = zip(*(np.asarray(figure).tolist() for figure in figures), strict=True)
+    return [
+        (*_dangers(*of_case), *bars.dangers(case, of_bars))
+        for case, of_case, of_bars in zip(rows.cases, each, largest, strict=True)
+    ]
+
+
+def _dangers(pressure: float, safety: float, life: float, speed: float) -> Iterator[Note]:
+    yield from dangers.pressed(pressure, ROLLERS)
+    yield from dangers.overloaded(safety, dangers.USUAL_OF_ROLLERS)
+    yield from dangers.short_lived(life, speed)
+
+
+def of_solution(rows: SolvedRows) -> tuple[Note, ...]:
+    """What a single solved case adds: dangers, limits of laws that it is beyond, what a reader should weigh.
+
+    Parameters
+    ----------
+    rows : SolvedRows
+        one
 
     Returns
     -------
     tuple of Note
     """
-    state, whole = end.equilibrium, end.whole
-    basic = state.life if whole is None else whole.life
-    lived = basic if modified_life is None else modified_life
-    load = float(np.hypot(*state.applied_load))
-    rating = life.dynamic(case, state.balance.roller.bearing)
-    heavy = dangers.heavily_loaded(load, rating)
-    light = dangers.lightly_loaded(load, rating, dangers.LEAST_OF_ROLLERS)
-    return (*_dangers(end, lived), *heavy, *validity(state), *light, *_information(case, state))
+    (case,), (state,), (dangerous,), (skewed,) = rows.cases, rows.each, dangers_of(rows), rows.skew
+    load, rating = float(np.hypot(*state.applied_load)), life.dynamic(case, rows.models[0].bearing)
+    return (
+        *dangerous,
+        *dangers.heavily_loaded(load, rating),
+        *validity(state),
+        *dangers.lightly_loaded(load, rating, dangers.LEAST_OF_ROLLERS),
+        *_information(case, state),
+        *(skew.notes(skewed, state, state.minimum_film) if skewed else ()),
+        *rows.life_errors.notes(0),
+        *rows.notes_of_whole[0],
+    )
 
 
-def largest_pressure(end: EndState) -> float:
-    """Largest contact pressure [Pa] but for one without bound, at a sharp end, which says nothing."""
-    pressure = end.peak_pressure
-    if end.whole is not None:
-        pressure = np.where(end.whole.peak_at_ends, end.equilibrium.peak_pressure, pressure)
-    return float(pressure.max())
-
-
-def _dangers(end: EndState, lived: float) -> Iterator[Note]:
-    points = end.equilibrium.balance.points
-    yield from dangers.pressed(largest_pressure(end), ROLLERS)
-    if end.static_safety is not None:
-        yield from dangers.overloaded(float(end.static_safety), dangers.USUAL_OF_ROLLERS)
-    yield from dangers.short_lived(lived, float(points.inner_speed[0, 0] - points.outer_speed[0, 0]))
+def of_others(rows: SolvedRows, place: int, *, search: bool) -> tuple[Note, ...]:
+    """Other equilibria of a case that likely has some: those that are found, or that nobody searched."""
+    if not search:
+        words = "several equilibria are likely; others than the computed one were not searched"
+        return (danger(several.CODE, words),)
+    found = rows.other_equilibria(place)
+    return (found.note(),) if found else ()
 
 
 def of_structure(figures: Mapping[str, Any]) -> tuple[Note, ...]:

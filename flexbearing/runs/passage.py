@@ -8,30 +8,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.case.roller import Case
-from flexbearing.coupled import states
 from flexbearing.coupled.coupled import BearingPartner, CoupledBearing
 from flexbearing.coupled.initial_state import InitialState, flat, unknowns
 from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
+from flexbearing.outputs import outputs
 from flexbearing.progress import Report
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.runs import half_space
-from flexbearing.runs.end_state import end_state
+from flexbearing.runs.solved_rows import QUANTITIES, SolvedRows
 from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.note import Note, danger, information
 
 RIGID = LinearPair(None, None)
+SHOWN = [  # on the page of a result; the error of a life is that of its case
+    output
+    for output in outputs(LAYOUT)
+    if output.declared.label and not output.declared.section and output.declared.of != ("life_error",)
+]
 TOLD = 0.01  # change of load or life over a pitch that is told in a case without accuracy.target
 JUDGED = {"max_roller_load_N": "largest roller load", "life_L10_Mrev": "life"}
-
-
-class Unstored:
-    """Takes the iterations between two positions, which no file holds and nobody hears of."""
-
-    def iteration(self, *_: object) -> None:
-        """Nothing is kept."""
-
-    def stage(self, *_: object) -> None:
-        """Nothing is told."""
 
 
 @dataclass(frozen=True)
@@ -120,7 +114,7 @@ def passage(
     count = case.operation.roller_positions
     assert count is not None  # or there is no passage
     azimuth, pitch = model.bearing.first_roller_azimuth, 2 * np.pi / model.bearing.rollers
-    near, positions = first, [Position(azimuth, _values(case, first, rings), "converged")]
+    near, positions = first, [Position(azimuth, _values(case, model, first, rings), "converged")]
     for place in range(1, count):
         at = azimuth + pitch * place / count
         report.stage(f"rollers at {np.degrees(at):.3g} deg, position {place + 1} of {count}", None)
@@ -128,7 +122,7 @@ def passage(
         try:
             moved_rings = rings.under(moved.bearing.azimuths)
             near = solved_near(case, moved, moved_rings, near)
-            positions.append(Position(at, _values(case, near, moved_rings), "converged"))
+            positions.append(Position(at, _values(case, moved, near, moved_rings), "converged"))
         except PartnerFailed as failure:
             positions.append(Position(at, {}, failure.ending or "not solved", str(failure)))
     return Passage(tuple(positions), case.accuracy.target or TOLD)
@@ -163,29 +157,21 @@ def solved_near(case: Case, model: RollerBearing, rings: RacewayPair, near: Equi
             return partner.solve(start=near)
         except PartnerFailed:
             return partner.solve()
-    warm = InitialState("the position before", unknowns(flat(near), model.bearing.rollers))
+    warm = InitialState("the position before", unknowns(flat(near.cases)[0], model.bearing.rollers))
     start = None if rings.solved_in_full else warm  # which has no tangent to begin with
-    unstored: Any = Unstored()
-    *_, last = CoupledBearing(case, partner, rings, partner.solve(), start).solve(unstored, unstored)
+    *_, last = CoupledBearing(case, partner, rings, partner.solve(), start).attempts()
     if last.status != "converged":
         raise PartnerFailed(last.message, last.status)
     return last.state
 
 
-def _values(case: Case, state: Equilibrium, rings: RacewayPair) -> dict[str, float]:
+def _values(case: Case, model: RollerBearing, state: Equilibrium, rings: RacewayPair) -> dict[str, float]:
     """Every single number that the page of a result shows, by its name in the summary."""
     tangent = RIGID if rings.rigid else rings.linearised(state.forces)
-    whole, _ = half_space.most_loaded(case, state)
-    block = states.block(end_state(case, state, tangent, whole=whole))
-    values = {}
-    for entry in LAYOUT.summary:
-        if entry.label and not entry.section and all(name in block for name in entry.of):
-            assert entry.unit is not None  # a layout fills it in
-            scale = 1.0 if entry.in_si else entry.unit.scale
-            numbers = np.ravel(scale * np.asarray(entry.reduction(*(block[name] for name in entry.of))))
-            names = [f"{entry.key}.{part}" for part in entry.parts] or [entry.key]
-            values |= dict(zip(names, map(float, numbers), strict=True))
-    return values
+    names = dict.fromkeys(name for output in SHOWN for name in output.declared.of)
+    block = SolvedRows.of(case, model, state, tangent).block(QUANTITIES[name] for name in names)
+    known = (output for output in SHOWN if all(name in block for name in output.declared.of))
+    return {output.key: float(output.numbers(block)[0]) for output in known}
 
 
 def _finite(value: float | None) -> float | None:

@@ -5,18 +5,15 @@ from typing import Any, Literal
 
 from flexbearing.build import clearance
 from flexbearing.case.roller import Case
-from flexbearing.coupled import states
-from flexbearing.coupled.states import EndState
 from flexbearing.coupling import LinearPair
 from flexbearing.progress import Report
+from flexbearing.quantities.quantity import row
 from flexbearing.results import Arrays, Recorder
-from flexbearing.runs import bars, fields, half_space, life, notes, skew, sliced_peak, subsurface
-from flexbearing.runs.end_state import end_state
-from flexbearing.runs.life_error import LifeError, estimated
-from flexbearing.runs.life_of_state import MREV
+from flexbearing.runs import fields, notes, sliced_peak
 from flexbearing.runs.part_fields import NoFields
-from flexbearing.runs.several import SeveralEquilibria, between_flexible_raceways
-from quasidynamic import Equilibrium
+from flexbearing.runs.several import SeveralEquilibria
+from flexbearing.runs.solved_rows import SolvedRows
+from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.contact.film import lambda_ratio, regime
 from quasidynamic.note import Note, graded, information
 
@@ -34,29 +31,24 @@ class Postprocessing:
     of_state: dict[str, tuple[Note, ...]] = field(default_factory=dict)  # by block
     stresses: dict[str, Any] = field(default_factory=dict)  # by part
     blocks: dict[str, Arrays] = field(default_factory=dict)  # that were written
-    solved: dict[str, EndState] = field(default_factory=dict)  # by block
+    solved: dict[str, SolvedRows] = field(default_factory=dict)  # by block
     several: dict[str, SeveralEquilibria | None] = field(default_factory=dict)  # by block that was examined
 
     def store(
         self,
         name: Literal["rigid", "flexible"],
+        model: RollerBearing,
         state: Equilibrium,
         rings: LinearPair,
         *,
         converged: bool = True,
     ) -> None:
         """Write a block; lives, regimes, skew, stresses and notes are those of solutions only."""
-        error = estimated(self.case, state, rings, self.report) if converged else LifeError(None)
-        whole, of_whole = half_space.most_loaded(self.case, state) if converged else (None, ())
-        end = end_state(self.case, state, rings, error=error.value, whole=whole)
-        block = states.block(end, **self._of_solution(name, end)) if converged else states.block(end)
-        if converged and name == "flexible" and self.case.outputs.stresses:
-            self._add_stresses(block)
+        rows = SolvedRows([self.case], [model], state.cases, [rings], self.report, converged)
+        self.blocks[name] = row(rows.block(), 0)
+        self.record.block(name, self.blocks[name], converged=converged)
         if converged:
-            self.of_state[name] += error.notes + of_whole
-            self.solved[name] = end
-        self.blocks[name] = block
-        self.record.block(name, block, converged=converged)
+            self._add_solution(name, rows)
 
     def repeat_rigid(self) -> None:
         """Write the rigid solution as the flexible one, where no part is flexible."""
@@ -65,26 +57,18 @@ class Postprocessing:
             if "rigid" in said:
                 said["flexible"] = said["rigid"]
 
-    def _of_solution(self, name: str, end: EndState) -> dict[str, Any]:
-        """Modified life and skew of a solution, and other equilibria; its records and notes are collected."""
-        state = end.equilibrium
-        modified = life.modified(self.case, state, end.whole)
-        skewed = skew.at(self.case, state)
-        if modified:
-            self.lives[name] = modified.record()
-        if end.roughness is not None:
-            words = (str(word) for word in regime(lambda_ratio(state.minimum_film, end.roughness)))
-            self.regimes[name] = dict(zip(("inner", "outer"), words, strict=True))
-        rated = modified.modified / MREV if modified else None
-        self.of_state[name] = notes.of_state(self.case, end, rated)
-        if skewed:
-            self.of_state[name] += skew.notes(skewed, state, state.minimum_film)
-        if not end.rings.rigid:
-            self.add_equilibria(name, between_flexible_raceways(state, end.rings))
-        nominal = bars.nominal_stresses(self.case, end)
-        self.of_state[name] += tuple(bars.dangers(self.case, nominal and nominal.largest))
-        below = subsurface.of_rollers(self.case, end)
-        return {"life": modified, "skew": skewed, "bars": nominal, "subsurface": below}
+    def _add_solution(self, name: Literal["rigid", "flexible"], rows: SolvedRows) -> None:
+        """Collect what attributes say of a solution, and its notes."""
+        self.solved[name] = rows
+        if (life := rows.life[0]) is not None:
+            self.lives[name] = life.record()
+        if rows.roughness is not None:
+            ratios = lambda_ratio(rows.states.minimum_film[0], rows.roughness[0])
+            self.regimes[name] = dict(zip(("inner", "outer"), map(str, regime(ratios)), strict=True))
+        self.of_state[name] = notes.of_solution(rows)
+        if name == "flexible" and self.case.outputs.stresses:
+            self._add_stresses(self.blocks[name])
+        self.several[name] = rows.other_equilibria(0)
 
     def _add_stresses(self, block: Arrays) -> None:
         """Stresses come on top of a solution: what keeps them away is a note, and the solution stays."""
@@ -97,10 +81,6 @@ class Postprocessing:
                 self.stresses[race] = record
                 self.of_state["flexible"] += tuple(fields.dangers(self.case, race, record))
 
-    def add_equilibria(self, name: str, found: SeveralEquilibria | None) -> None:
-        """Keep what was found beside the equilibrium of a block; None says that nothing was."""
-        self.several[name] = found
-
     def _notes_on_several(self) -> list[Note]:
         """One for each block that is one of several equilibria; the last that was examined is the answer."""
         last = list(self.several)[-1:]
@@ -112,7 +92,7 @@ class Postprocessing:
         every_note = [*notes.of_case(self.case), *self.notes, *(solutions[-1] if solutions else ())]
         every_note += self._notes_on_several()
         if self.solved:  # once, of the answer
-            every_note += sliced_peak.notes(self.case, list(self.solved.values())[-1])
+            every_note += sliced_peak.notes(list(self.solved.values())[-1])
         stresses = {"stresses": self.stresses} if self.case.outputs.stresses else {}
         records = {name: found.record() for name, found in self.several.items() if found and found.others}
         return {

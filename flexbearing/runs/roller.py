@@ -14,7 +14,7 @@ from flexbearing.progress import Report
 from flexbearing.results import Recorder
 from flexbearing.rings.condensed import condensed_raceways
 from flexbearing.rings.full_solve import full_fe_raceways
-from flexbearing.runs import notes, roller_position, several, slice_error
+from flexbearing.runs import notes, roller_position, slice_error
 from flexbearing.runs.postprocess import Postprocessing
 from flexbearing.runs.tilt import TiltComparison
 from quasidynamic import Equilibrium, RollerBearing
@@ -119,8 +119,7 @@ def _solve(
         rigid = partner.solve()
     except PartnerFailed as failure:
         return _not_solved(f"rigid raceways: {failure}", failure)
-    postprocessing.store("rigid", rigid, RIGID)
-    postprocessing.add_equilibria("rigid", several.between_rigid_raceways(resolved.model, rigid))
+    postprocessing.store("rigid", resolved.model, rigid, RIGID)
     try:
         rings = resolved.rings()
     except PartnerFailed as failure:
@@ -144,10 +143,10 @@ def _solve(
     except PartnerFailed as failure:  # rings that fail at the end state may have been why it did not converge
         failed = {"status": "not solved", "message": str(failure), "ending": failure.ending}
         return ending | failed if converged else ending
-    postprocessing.store("flexible", stored.state, tangent, converged=converged)
+    postprocessing.store("flexible", resolved.model, stored.state, tangent, converged=converged)
     if converged:
         postprocessing.notes.extend([*resolved.notes(stored.state), *notes.of_structure(figures)])
-        ending |= _tilt(TiltComparison.at(case, stored.state, tangent), postprocessing)
+        ending |= _tilt(TiltComparison.at(case, resolved.model, stored.state, tangent), postprocessing)
         ending |= _passage(case, resolved.model, rings, stored.state, postprocessing, report)
         ending |= _slice_error(case, resolved.model, rings, stored.state, postprocessing)
     return ending | {"structure": figures}

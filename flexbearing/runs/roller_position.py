@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from flexbearing.case.roller import Case
 from flexbearing.coupled.coupled import BearingPartner
-from flexbearing.coupled.states import EndState
+from flexbearing.coupled.states import EndStates
 from flexbearing.coupling import PartnerFailed, RacewayPair
 from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.contact.line import EXPONENT
@@ -100,7 +100,7 @@ def notes(case: Case, model: RollerBearing, rings: RacewayPair, end: Equilibrium
 def _stiffnesses(state: Equilibrium, rings: RacewayPair) -> str:
     """Radial stiffness along y and z [kN/mm], supports included."""
     there = rings.under(state.balance.roller.bearing.azimuths)
-    matrix = EndState(state, there.linearised(state.forces)).with_supports.radial_matrix
+    matrix = EndStates(state.cases, there.linearised(state.forces)).with_supports.radial_matrix[0]
     return " and ".join(f"{1e-6 * each:,.4g}" for each in np.diagonal(matrix))
 
 

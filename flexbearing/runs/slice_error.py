@@ -8,7 +8,7 @@ import numpy as np
 
 from flexbearing.case.roller import Case
 from flexbearing.coupled.coupled import BearingPartner
-from flexbearing.coupled.states import EndState
+from flexbearing.coupled.states import EndStates
 from flexbearing.coupling import PartnerFailed, RacewayPair, StoppingCriterion, newton
 from flexbearing.quantities.roller import CAGE_SLIP
 from quasidynamic import Equilibrium, RollerBearing
@@ -70,10 +70,10 @@ def _solved(case: Case, model: RollerBearing, rings: RacewayPair, end: Equilibri
 
 def _numbers(state: Equilibrium, rings: RacewayPair) -> Iterator[tuple[str, Any]]:
     """The outputs whose errors are estimated."""
-    end = EndState(state, rings.linearised(state.forces))
+    end = EndStates(state.cases, rings.linearised(state.forces))
     yield "roller_load", state.loads
     yield CAGE_SLIP.name, state.cage_slip
-    yield "stiffness", end.between_raceways.radial_stiffness
-    yield "total_stiffness", end.with_supports.radial_stiffness
+    yield "stiffness", end.between_raceways.radial_stiffness[0]
+    yield "total_stiffness", end.with_supports.radial_stiffness[0]
     yield "peak_pressure", state.peak_pressure
     yield "driving_torque", state.driving_torque

@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.case.roller import Case
-from flexbearing.coupled.states import EndState
+from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import Equilibrium, NotSolved, OutOfRange
 from quasidynamic.note import Note, outside
 from quasidynamic.outcome.largest_slice import LargestSlice, largest_slice
@@ -20,28 +19,27 @@ MILLIMETRE, GIGAPASCAL = 1e-3, 1e9
 RACEWAYS = ("inner", "outer")
 
 
-def notes(case: Case, end: EndState) -> tuple[Note, ...]:
+def notes(rows: SolvedRows) -> tuple[Note, ...]:
     """What must be said of the peak pressure of a solved state: corners of profiles, and ends.
 
     Parameters
     ----------
-    case : Case
-        of the state
-    end : EndState
-        solved
+    rows : SolvedRows
+        one, solved
 
     Returns
     -------
     tuple of Note
         empty where the slices have the peak pressure of the contact as `SlicedPeak` says
     """
-    state, told = end.equilibrium, []
+    (case,), (state,), told = rows.cases, rows.each, []
     rise = corner_rise(state)
     if rise > CORNER_DECADE:
         told.append(_corner(rise))
     if case.bearing.contact == "slices":
-        largest = largest_slice(state, end.edge_stress)
-        told += [_pressed_end(state, largest)] if largest.pressed_end else _checked(state, end.edge_stress)
+        edge_stress = None if rows.edge_stress is None else rows.edge_stress[0]
+        largest = largest_slice(state, edge_stress)
+        told += [_pressed_end(state, largest)] if largest.pressed_end else _checked(state, edge_stress)
     return tuple(told)
 
 

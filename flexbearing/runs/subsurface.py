@@ -3,26 +3,36 @@
 from functools import partial
 from typing import TYPE_CHECKING
 
-import numpy as np
+from numpy.typing import NDArray
 
 if TYPE_CHECKING:  # balls load no rollers, and these no balls
     from flexbearing.case.balls.angular_contact import FastCase
     from flexbearing.case.balls.four_point import FourPointCase
     from flexbearing.case.roller import Case
-    from flexbearing.coupled.states import EndState
+    from quasidynamic import CylindricalRollerBearing
     from quasidynamic.outcome.subsurface import Subsurface
     from quasidynamic.outcome.worst_point_contact import WorstPointContact
 
 
-def of_rollers(case: "Case", end: "EndState") -> "Subsurface | None":
+def of_rollers(
+    case: "Case",
+    bearing: "CylindricalRollerBearing",
+    pressure: NDArray,
+    half_width: NDArray,
+    friction: NDArray,
+) -> "Subsurface | None":
     """Field below the most pressed slice of both raceways, under the traction of its roller as it slides.
 
     Parameters
     ----------
     case : Case
         of the state
-    end : EndState
-        solved
+    bearing : CylindricalRollerBearing
+        of the case
+    pressure, half_width : array (2)
+        of these slices [Pa], [m]
+    friction : array (2)
+        traction on the raceway over the load of their rollers [-]
 
     Returns
     -------
@@ -34,16 +44,11 @@ def of_rollers(case: "Case", end: "EndState") -> "Subsurface | None":
     from quasidynamic.contact.line.subsurface import line_contact_stress
     from quasidynamic.outcome.subsurface import below
 
-    state, worst = end.equilibrium, end.worst
-    roller = end.slice_pressure.max(axis=2).argmax(axis=1)
-    load, traction = (values[np.arange(2), roller] for values in (state.loads, state.traction))
-    friction = np.divide(-traction, load, out=np.zeros(2), where=load > 0)  # on the raceway
-    bearing = state.balance.roller.bearing
     stresses = [
         partial(line_contact_stress, poisson_ratio=ring.poisson_ratio, friction=share)
         for ring, share in zip((bearing.inner_ring, bearing.outer_ring), friction, strict=True)
     ]
-    return below(stresses, worst.pressure, worst.half_width, friction)
+    return below(stresses, pressure, half_width, friction)
 
 
 def of_balls(case: "FastCase | FourPointCase", worst: "WorstPointContact") -> "Subsurface | None":

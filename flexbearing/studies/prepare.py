@@ -103,10 +103,12 @@ def _rollers(case: Head | None) -> int:
 
 def _is_side_by_side(case: Head | None) -> bool:
     """Whether cases like this one are solved together."""
-    from flexbearing.runs.solved_together import side_by_side
+    from flexbearing.runs.side_by_side import needs_own_run
 
-    # A roller on half-spaces takes about as long as a run, however many states are solved beside its own.
-    return isinstance(case, Case) and side_by_side(case) and case.bearing.contact == "slices"
+    if not isinstance(case, Case) or needs_own_run(case):
+        return False
+    # A roller on half-spaces or a field below takes as long as a run, however many states are side by side.
+    return case.bearing.contact == "slices" and not case.outputs.subsurface_stresses
 
 
 def compute(

@@ -1,6 +1,5 @@
 """What a worker does with a task: variants side by side, with the answers of single runs."""
 
-import logging
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
@@ -25,14 +24,13 @@ from flexbearing.program.memory import keep_freed
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged
 from flexbearing.results import store
-from flexbearing.runs.many import Answer, answers
+from flexbearing.runs.answer import Answer
 from flexbearing.studies.plan import Condensed, Corners, Ring, Row, Task, Variant
 from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED, ERROR, NOT_STORED, file_name
 from flexbearing.studies.settled import variants_of
 from flexbearing.studies.table.collected import errors, numbers
 
 LONGEST = 500  # characters of a message
-log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
@@ -69,10 +67,9 @@ def rows(task: Task, wish: Wish, cache: str | None = None) -> tuple[Row, ...]:
     levels = UsualLevels(task.levels) if isinstance(task.levels, str) else task.levels
     wish = replace(wish, levels=levels)
     with rings_in(cache), complaints() as heard:
-        found = list(zip(task.variants, cases, strict=True))
-        ended = _together(found, wish) or list(_one_by_one(found, wish))
+        ended = tuple(_rows(list(zip(task.variants, cases, strict=True)), wish))
     told = tuple(dict.fromkeys(heard))
-    return tuple(replace(row, complaints=told) for row in ended) if told else tuple(ended)
+    return tuple(replace(row, complaints=told) for row in ended) if told else ended
 
 
 def condense(ring: Ring | Corners, cache: str | None = None, *, here: bool = False) -> Condensed:
@@ -145,47 +142,30 @@ def rings_in(folder: str | None) -> Iterator[None]:
             os.environ |= {} if before is None else {VARIABLE: before}
 
 
-def _together(found: Sequence[tuple[Variant, Head]], wish: Wish) -> list[Row]:
-    """Rows of roller bearings that are solved side by side; none where that is not possible."""
-    began, rollers = perf_counter(), [case for _, case in found if isinstance(case, Case)]
-    if len(rollers) < len(found) or wish.files is not None:
-        return []
-    try:
-        batch = answers(
-            rollers,
-            wish.texts,
-            lambda place: _answer(rollers[place], wish),
-            search=wish.search,
-            levels=wish.levels,
-        )
-    except Exception:  # of one of them, whose own run tells it
-        log.debug("a batch of %d variants is computed one by one", len(found), exc_info=True)
-        return []
+def _rows(found: Sequence[tuple[Variant, Head]], wish: Wish) -> Iterator[Row]:
+    """Rows of variants as their family answers many; from runs where each stores its result.
+
+    A result file that cannot be written is the last row.
+    """
+    began, cases = perf_counter(), [case for _, case in found]
+    family = FAMILIES[cases[0].kind]
+    if wish.files is not None or family.rows is None:
+        for variant, case in found:
+            row = _alone(variant, case, wish)
+            yield row
+            if row.status == NOT_STORED:
+                return
+        return
+    answered = family.rows()(
+        cases,
+        wish.texts,
+        lambda place: _answer(cases[place], wish),
+        search=wish.search,
+        levels=wish.levels,
+    )
     seconds = (perf_counter() - began) / len(found)
-    columns = {text: numbers.tolist() for text, numbers in batch.numbers.items()}
-    return [
-        _row(
-            variant,
-            case,
-            Answer(
-                batch.statuses[place],
-                batch.messages[place],
-                {text: column[place] for text, column in columns.items()},
-            ),
-            seconds,
-            wish,
-        )
-        for place, (variant, case) in enumerate(found)
-    ]
-
-
-def _one_by_one(found: Sequence[tuple[Variant, Head]], wish: Wish) -> Iterator[Row]:
-    """Rows from runs of their own, up to a result file that cannot be written."""
-    for variant, case in found:
-        row = _alone(variant, case, wish)
-        yield row
-        if row.status == NOT_STORED:
-            return
+    for (variant, case), answer in zip(found, answered, strict=True):
+        yield _row(variant, case, answer, seconds, wish)
 
 
 def _alone(variant: Variant, case: Head, wish: Wish) -> Row:
@@ -201,7 +181,7 @@ def _row(variant: Variant, case: Head, answer: Answer, seconds: float, wish: Wis
     values = {text: number for text, number in answer.numbers.items() if not isnan(number)}
     if wish.levels is not None and answer.status == CONVERGED:
         values |= errors(wish.levels.estimate, wish.texts, case.kind, FAMILIES)
-    return Row(variant.identity, answer.status, words, round(seconds, 6), values)
+    return Row(variant.identity, answer.status, words, round(seconds, 6), values, own_run=answer.own_run)
 
 
 def _answer(case: Head, wish: Wish, file: Path | None = None) -> Answer:

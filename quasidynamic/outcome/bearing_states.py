@@ -12,6 +12,7 @@ from quasidynamic.balance.rollers.roller import RollerState
 from quasidynamic.balance.rollers.unknowns import CAGE, INNER, OUTER, TILT_Z, Unknowns
 from quasidynamic.contact.cage import displacement_in_pocket, land_torque
 from quasidynamic.contact.line import Slices, palmgren, peak_pressure
+from quasidynamic.outcome.acting_forces import ActingForces
 from quasidynamic.outcome.life import basic_life, raceway_lives, turning_share
 from quasidynamic.outcome.losses import Losses
 from quasidynamic.outcome.ring_stiffness import (
@@ -211,6 +212,12 @@ class BearingStates:
         return self.rollers.pocket[0]
 
     @property
+    def acting(self) -> ActingForces:
+        """Every force on rollers and cage as it acts."""
+        roller = self.balance.roller
+        return ActingForces(self.rollers, roller.bearing, roller.raceways.slices, self.floating)
+
+    @property
     def applied_load(self) -> NDArray:
         """Load on the inner ring (C, 2), y and z [N]."""
         return np.concatenate([self.balance.points.load_y, self.balance.points.load_z], axis=1)
@@ -316,6 +323,12 @@ class BearingStates:
         """Largest Hertz pressure (C, 2, Z, K) of each slice [Pa]."""
         pair = (each[..., None, None] for each in (self.contact_radius, self.contact_modulus))
         return peak_pressure(self.slice_loads, *pair)
+
+    @property
+    def azimuths(self) -> NDArray:
+        """Places of the rollers (C, Z) from the load line [rad]."""
+        azimuths = self.balance.roller.bearing.azimuths
+        return np.broadcast_to(azimuths, (len(self.scaled), azimuths.shape[-1]))
 
     @property
     def contact_radius(self) -> NDArray:

@@ -7,11 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.contact.line import LoadLaw, Slices
-from quasidynamic.errors import NotSolved
 from quasidynamic.outcome.bearing_states import BearingStates
-from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.outcome.life import basic_life
-from quasidynamic.solve.outcome import SolverOutcome
 
 Compliances = tuple[NDArray | None, NDArray | None]  # (Z, M', Z, M') [m/N] of inner and outer raceway
 FINER = (2, 4)  # times as many slices: the life may pass its limit on the way
@@ -19,36 +16,6 @@ ERROR_OVER_CHANGE = 1.6  # calibrated: on rings of 1 to 15 mm, tilted up to 4 ar
 LOADED = 1e-6  # of the largest load: a contact below it does not count in the life
 TOLERANCE = 1e-6  # of the load
 LIMIT = 20
-
-
-def life_error(state: Equilibrium, compliance: Compliances = (None, None)) -> float:
-    """Estimate how far the life of one state is from that of fine slices and many axial modes.
-
-    Parameters
-    ----------
-    state : Equilibrium
-        solved
-    compliance : pair of arrays (Z, M', Z, M') or None
-        as for `life_errors` [m/N]
-
-    Returns
-    -------
-    float
-        error over the life [-]
-
-    Raises
-    ------
-    NotSolved
-        if no line loads were found that belong to the richer deviations
-
-    Source
-    ------
-    `life_errors`.
-    """
-    error = float(life_errors(state.cases, compliance)[0])
-    if np.isnan(error):
-        raise NotSolved("life with more axial modes: no line loads were found", SolverOutcome.LIMIT)
-    return error
 
 
 def life_errors(states: BearingStates, compliance: Compliances = (None, None)) -> NDArray:

@@ -237,9 +237,9 @@ def _land_flow(state: Equilibrium) -> Iterator[Note]:
 
 
 def _land_centre(state: Equilibrium) -> Iterator[Note]:
-    if state.floating is not None:
+    if state.cage_offset is not None:
         clearance = state.balance.roller.bearing.cage.land_clearance
-        yield from land_notes(np.hypot(*state.floating.offset[0]) / (clearance / 2))
+        yield from land_notes(np.hypot(*state.cage_offset) / (clearance / 2))
 
 
 def _drag(state: Equilibrium) -> Iterator[Note]:

@@ -60,6 +60,11 @@ class WholeRoller:
         return float(basic_life(inner, outer, self._bearing, self.state.turning))
 
     @property
+    def sliced_life(self) -> float:
+        """Basic reference life by slices alone [revolutions]."""
+        return 1e6 * self.state.life
+
+    @property
     def raceway_lives(self) -> NDArray:
         """Basic life (2) of each raceway on its own [10^6 revolutions]."""
         inner, outer = self._loads

@@ -23,7 +23,7 @@ from flexbearing.case.roller.lubricant import (
 )
 from flexbearing.coupling import LinearPair
 from flexbearing.runs import notes
-from flexbearing.runs.end_state import end_state
+from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic.contact.traction import ROLLING_LAWS
 from quasidynamic.contact.traction.adore import ADORE_OILS
 from quasidynamic.contact.traction.asperity_friction import Carter, RoundedCoulomb
@@ -259,8 +259,8 @@ def test_load_direction_and_misalignment_reach_the_operation():
 
 
 def of_code(code, case):
-    end = end_state(case, roller_bearing.bearing(case).solve(), LinearPair(None, None))
-    found = notes.of_state(case, end, None)
+    model = roller_bearing.bearing(case)
+    found = notes.of_solution(SolvedRows.of(case, model, model.solve(), LinearPair(None, None)))
     return [note.text for note in found if note.code == code]
 
 

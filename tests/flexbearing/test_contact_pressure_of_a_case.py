@@ -12,7 +12,7 @@ from flexbearing.api import read_case
 from flexbearing.report import text, write_figures
 from flexbearing.report.balls import angular_contact_figures, four_point_figures
 from flexbearing.report.roller.figures import pictures
-from flexbearing.runs.many import Answer, answers
+from flexbearing.runs.rows import answers
 from quasidynamic.contact.line import reduced_radius
 from quasidynamic.outcome.life import edge_stress_factor
 
@@ -159,15 +159,13 @@ def test_below_the_surface_of_balls(name):
     assert "subsurface" in drawn.pictures(result)
 
 
-def test_cases_with_stresses_below_have_runs_of_their_own_in_a_study():
-    asked = []
-
-    def alone(place):
-        asked.append(place)
-        return Answer("converged", "", {})
-
-    answers([read_case(PLAIN, BELOW)], ["von_mises_stress.inner"], alone)
-    assert asked == [0]
+def test_stresses_below_are_solved_beside_others_in_a_study():
+    settings = BELOW | {"operation.radial_load": "5 kN"}
+    cases = [read_case(PLAIN, each) for each in (BELOW, settings)]
+    found = answers(cases, ["von_mises_stress.inner"], lambda place: pytest.fail("a run of its own"))
+    largest = [answer.numbers["von_mises_stress.inner"] for answer in found]
+    assert largest[1] == approx(flexbearing.run(PLAIN, settings).rigid["von_mises_stress"][0] / 1e6, rel=1e-9)
+    assert largest[0] != largest[1]
 
 
 def test_without_being_asked_for_nothing_below_is_stored():

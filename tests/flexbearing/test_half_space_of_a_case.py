@@ -14,8 +14,8 @@ from flexbearing.case import BadCase
 from flexbearing.coupling import LinearPair
 from flexbearing.report import text, write_figures
 from flexbearing.report.roller.figures import pictures
-from flexbearing.runs import half_space, life, notes
-from flexbearing.runs.end_state import end_state
+from flexbearing.runs import half_space, notes
+from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic.errors import NotSolved
 from quasidynamic.outcome import whole_roller
 
@@ -76,12 +76,17 @@ def test_picture_shows_both_contacts_beside_their_slices(runs, tmp_path):
     assert "whole_roller" not in pictures(runs[1])
 
 
+def row_of(case, state):
+    return SolvedRows.of(case, roller_bearing.bearing(case), state, LinearPair(None, None))
+
+
 def test_modified_life_starts_from_the_whole_roller():
-    case = read_case(PLAIN, [*WHOLE, *TILTED, "life.capacity=iso281"])
+    settings = [*TILTED, "life.capacity=iso281"]
+    case = read_case(PLAIN, [*WHOLE, *settings])
     state = roller_bearing.bearing(case).solve()
     whole, _ = half_space.most_loaded(case, state)
     assert whole is not None
-    rated, sliced = life.modified(case, state, whole), life.modified(case, state)
+    rated, sliced = (row_of(each, state).life[0] for each in (case, read_case(PLAIN, settings)))
     assert rated is not None
     assert sliced is not None
     assert rated.basic == approx(whole.life, rel=1e-12)
@@ -138,7 +143,7 @@ def test_danger_of_pressure_is_that_of_slices_where_the_peak_is_no_number(profil
     assert whole is not None
     pressures = []
     monkeypatch.setattr(notes.dangers, "pressed", lambda pressure, limit: pressures.append(pressure) or ())
-    notes.of_state(case, end_state(case, state, LinearPair(None, None), whole=whole), None)
+    notes.dangers_of(row_of(case, state))
     assert pressures == [(state if of_slices else whole).peak_pressure.max()]
 
 
@@ -160,7 +165,7 @@ def test_edge_stress_of_the_standard_is_refused_beside_the_true_ends():
 
 def test_case_with_a_whole_roller_answers_a_study_like_its_own_run(runs):
     """Beside its like, apart from cases of slices."""
-    from flexbearing.runs.solved_together import solved_together
+    from flexbearing.runs.side_by_side import solved_side_by_side
 
     cases = [read_case(PLAIN, [*WHOLE, *TILTED]), read_case(PLAIN, TILTED)]
-    assert [together.places.tolist() for together in solved_together(cases, {""})] == [[0], [1]]
+    assert [solved.places for solved in solved_side_by_side(cases, {""})] == [[0], [1]]

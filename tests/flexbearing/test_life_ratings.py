@@ -9,7 +9,9 @@ from flexbearing import check
 from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
+from flexbearing.coupling import LinearPair
 from flexbearing.runs import life
+from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic.outcome.capacity import dynamic_rating, raceway_capacity, reference_raceway_capacity
 from quasidynamic.outcome.life import reference_life
 
@@ -24,7 +26,8 @@ def state():
 
 
 def lived(state, settings):
-    rated = life.modified(read_case(PLAIN, settings), state)
+    case = read_case(PLAIN, settings)
+    rated = SolvedRows.of(case, roller_bearing.bearing(case), state, LinearPair(None, None)).life[0]
     return None if rated is None else rated.record()
 
 

@@ -11,7 +11,7 @@ import pytest
 import flexbearing
 from flexbearing.families import FAMILIES
 from flexbearing.quantities import Quantity, Unit, units
-from flexbearing.quantities.quantity import taken
+from flexbearing.quantities.quantity import row, taken
 from flexbearing.quantities.roller import CAGE_SLIP, LAYOUT, LOSSES
 from flexbearing.units import unit
 
@@ -82,11 +82,13 @@ def test_quantities_are_taken_by_their_sources():
     part = SimpleNamespace(
         inside=SimpleNamespace(pair=np.array([[1.0, 2], [3, 4]])), power=np.array([5.0, 6])
     )
-    solved = {"part": part, "names": {"x": 7.0}, "state": SimpleNamespace(d=8.0), "skew": None}
+    many = SimpleNamespace(d=np.array([8.0, 9.0]))
+    solved = {"part": [part, None], "names": [{"x": 7.0}, {"x": 6.0}], "state": many, "skew": [None, None]}
     values = taken((pair, total, by_name, of_state, absent), solved)
     assert values.keys() == {"a", "b", "c", "d"}
-    assert list(values["a"]) == [3.0, 4.0]
-    assert (values["b"], values["c"], values["d"]) == (11.0, 7.0, 8.0)
+    assert values["a"] == pytest.approx(np.array([[3.0, 4.0], [np.nan, np.nan]]), nan_ok=True)
+    assert row(values, 0) | {"a": None} == {"a": None, "b": 11.0, "c": 7.0, "d": 8.0}
+    assert row(values, 1)["d"] == 9.0
     with pytest.raises(AttributeError, match="d"):
         taken((of_state,), {"state": SimpleNamespace()})
 

@@ -11,7 +11,7 @@ from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from flexbearing.coupling import LinearPair
 from flexbearing.runs import sliced_peak
-from flexbearing.runs.end_state import end_state
+from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic.errors import NotSolved
 from quasidynamic.outcome import sliced_peak as check
 from quasidynamic.outcome.largest_slice import END, end_share, largest_slice
@@ -32,7 +32,9 @@ WHOLE = ['bearing.contact="half_space"']
 def told(settings):
     case = read_case(PLAIN, settings)
     state = roller_bearing.bearing(case).solve()
-    return state, sliced_peak.notes(case, end_state(case, state, LinearPair(None, None)))
+    return state, sliced_peak.notes(
+        SolvedRows.of(case, roller_bearing.bearing(case), state, LinearPair(None, None))
+    )
 
 
 def test_logarithmic_rollers_under_usual_loads_need_no_word():

@@ -9,6 +9,7 @@ import pytest
 import flexbearing
 from flexbearing import __main__ as program
 from flexbearing.results import BadResult, store
+from quasidynamic import OutOfRange
 from tests.flexbearing.toy_studies import CASE
 
 ROOT = Path(__file__).parents[2]
@@ -111,14 +112,27 @@ def test_a_result_file_of_every_variant_comes_where_it_is_asked_for(file, tmp_pa
     assert [row["seconds"] for row in table(tmp_path)[:2]] == [row["seconds"] for row in rows[:2]]
 
 
-@pytest.mark.slow
-def test_a_batch_that_fails_as_a_whole_is_computed_one_by_one(file, tmp_path, monkeypatch):
+def test_a_fault_of_the_program_side_by_side_is_not_hidden_by_runs_one_by_one(file, tmp_path, monkeypatch):
     def broken(*arguments, **options):
         raise FloatingPointError("one of them")
 
-    monkeypatch.setattr("flexbearing.studies.worker.answers", broken)
-    assert command(file, "-o", tmp_path) == 0
-    assert {row["status"] for row in table(tmp_path)} == {"converged"}
+    monkeypatch.setattr("flexbearing.runs.side_by_side.solve_many", broken)
+    assert command(file, "-o", tmp_path) == 1
+    rows = table(tmp_path)
+    assert {row["status"] for row in rows} == {"error"}
+    assert all("FloatingPointError" in row["message"] for row in rows)
+
+
+def test_a_table_says_which_rows_were_not_solved_beside_others_and_why(file, tmp_path, monkeypatch):
+    def no_answer(*arguments, **options):
+        raise OutOfRange("speed of one of them")
+
+    assert command(file, "-o", tmp_path / "beside") == 0
+    assert "own_run" not in table(tmp_path / "beside")[0]
+    monkeypatch.setattr("flexbearing.runs.side_by_side.solve_many", no_answer)
+    assert command(file, "-o", tmp_path / "apart") == 0
+    rows = table(tmp_path / "apart")
+    assert {(row["status"], row["own_run"]) for row in rows} == {("converged", "speed of one of them")}
 
 
 def test_the_status_touches_nothing(file, tmp_path, capsys):

@@ -56,7 +56,7 @@ def test_land_pockets_weight_and_unbalance_balance_on_the_cage(guidance):
     state = model.solve()
     points, azimuth = state.balance.points, model.bearing.azimuths
     ring = {"outer": points.outer_speed, "inner": points.inner_speed}[guidance][0, 0]
-    land = land_force(state.floating.offset, ring + state.cage_speed, model.bearing.cage, OIL).force[0]
+    land = land_force(state.cases.floating.offset, ring + state.cage_speed, model.bearing.cage, OIL).force[0]
     along, outward = state.rollers.pocket[:, 0]
     pockets = -np.array([
         (along * np.cos(azimuth) + outward * np.sin(azimuth)).sum(),
@@ -66,7 +66,7 @@ def test_land_pockets_weight_and_unbalance_balance_on_the_cage(guidance):
     thrown = mass * np.array([np.sin(1.0), np.cos(1.0)])
     weight = np.array([0.0, 9.81 * model.bearing.cage.mass])
     assert land + pockets + thrown + weight == approx(np.zeros(2), abs=1e-9 * np.abs(along).sum())
-    assert np.hypot(*state.floating.offset[0]) < 1.01 * model.bearing.cage.land_clearance / 2
+    assert np.hypot(*state.cage_offset) < 1.01 * model.bearing.cage.land_clearance / 2
 
 
 def test_a_guiding_inner_ring_bears_the_cage():
@@ -87,7 +87,7 @@ def test_a_guiding_inner_ring_bears_the_cage():
 
 def test_an_eccentric_land_brakes_more():
     held, free = paper_bearing().solve(), floating().solve()
-    eccentricity = np.hypot(*free.floating.offset[0]) / (CAGE.land_clearance / 2)
+    eccentricity = np.hypot(*free.cage_offset) / (CAGE.land_clearance / 2)
     assert eccentricity > 0.9
     assert abs(free.land_torque) > 2 * abs(held.land_torque)
     assert free.cage_slip > held.cage_slip

@@ -185,7 +185,7 @@ def test_free_cage_without_radial_load_has_an_equilibrium(guidance, gravity, cha
     model = paper_bearing(load=0.0, cage=cage, gravity=gravity, **changes)
     state = solve_many([model])[0]
     assert state.status is SolverOutcome.CONVERGED
-    assert np.isfinite(state.floating.offset).all()
+    assert np.isfinite(state.cage_offset).all()
 
 
 # -- life --------------------------------------------------------------------------------------------

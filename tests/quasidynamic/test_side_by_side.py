@@ -70,7 +70,7 @@ BEARINGS = {
     "rough": {"traction": ROUGH, "rolling": ROLLING_LAWS["dowson-higginson"], "load": 1e3},
     "rough and slow": {"traction": CREEPING, "load": 1e3, "speed": 20 * RPM},
 }
-FEW = ("aligned", "free tilt", "free cage", "rough")  # of these every number in the fast tests
+FEW = ("aligned", "free tilt", "free cage", "rough")
 STEP = 1e-4  # of a number that is zero
 
 
@@ -126,19 +126,15 @@ def differing(name, index, factor):
     return with_numbers(bearing(name), numbers)
 
 
-@pytest.mark.parametrize(
-    ("name", "index"),
-    [
-        pytest.param(name, i, id=f"{name}, {place}", marks=[] if name in FEW else pytest.mark.slow)
-        for name in BEARINGS
-        for i, place in enumerate(places(bearing(name)))
-    ],
-)
-def test_bearings_may_differ_in_any_number(name, index):
-    other = differing(name, index, 1.03)
-    here, there = solve_many([bearing(name), other])
-    same(here, alone(name))
-    same(there, solve_many([other])[0])
+@pytest.mark.parametrize("name", FEW)
+def test_bearings_may_differ_in_one_number_alone(name):
+    """Some of all; that all may differ at once is asked below."""
+    count = len(list(places(bearing(name))))
+    for index in np.random.default_rng(3).choice(count, 5, replace=False):
+        other = differing(name, index, 1.03)
+        here, there = solve_many([bearing(name), other])
+        same(here, alone(name))
+        same(there, solve_many([other])[0])
 
 
 @pytest.mark.parametrize(

@@ -16,13 +16,11 @@ from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.program.workers import shared_map
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.runs.together import Together
+from flexbearing.runs.solved_rows import SolvedRows
 from flexbearing.studies.maps.axes import MapAxis
 from flexbearing.studies.maps.grid import MapGrid, grid
 from quasidynamic.maps import GridPoints, MapFolds, SolvedGrid, folds, solve
 from quasidynamic.outcome.bearing_states import BearingStates
-from quasidynamic.outcome.equilibria import Batch
-from quasidynamic.solve.outcome import SolverOutcome
 
 AT_ONCE = 128  # states whose matrices fit into the processor's cache
 OUTPUTS = (
@@ -123,7 +121,7 @@ def _outputs(
 ) -> dict[str, NDArray]:
     """Outputs of all states; those that no state has are left out."""
     entries = [wanted(LAYOUT, text) for text in texts]
-    parts = mapped(partial(_numbers, texts), _together(whole, solved))
+    parts = mapped(partial(_numbers, texts), _rows(whole, solved))
     columns = [np.concatenate(column) for column in zip(*parts, strict=True)]
     named = (
         (_heading(entry.name, entry.unit), column) for entry, column in zip(entries, columns, strict=True)
@@ -131,22 +129,21 @@ def _outputs(
     return {name: column for name, column in named if not np.isnan(column).all()}
 
 
-def _numbers(texts: Sequence[str], together: Together) -> list[NDArray]:
+def _numbers(texts: Sequence[str], rows: SolvedRows) -> list[NDArray]:
     """Outputs of some states."""
-    return together.all_numbers([wanted(LAYOUT, text) for text in texts])
+    return rows.numbers([wanted(LAYOUT, text) for text in texts])
 
 
 def _heading(name: str, unit: str) -> str:
     return name if unit == "1" else f"{name} [{unit}]"
 
 
-def _together(whole: MapGrid, solved: SolvedGrid) -> Iterator[Together]:
+def _rows(whole: MapGrid, solved: SolvedGrid) -> Iterator[SolvedRows]:
     """States some at once, as runs of their cases would give them."""
     points: GridPoints = whole.points
     for first in range(0, len(solved.point), AT_ONCE):
         some = solved.point[first : first + AT_ONCE]
         states = BearingStates(points.at(some), solved.scaled[first : first + AT_ONCE], points.axial_modes)
-        batch = Batch(some, states, (SolverOutcome.CONVERGED,) * len(some), np.zeros(len(some), int))
         each = [whole.cases[point] for point in some], [points.bearings[point] for point in some]
         rings = [whole.rings[some[0]]] * len(some)  # only their shapes without load differ, which states know
-        yield Together(*each, batch, rings, ("", "flexible"))
+        yield SolvedRows(*each, states, rings)

@@ -95,6 +95,7 @@ class Row:
     message: str  # one line
     seconds: float
     values: Mapping[str, float] = field(default_factory=dict)  # by names of outputs; absent: not known
+    own_run: str = ""  # why it was not solved beside others; empty where it was, or nothing is
     complaints: tuple[str, ...] = ()  # of its worker, about the cache of rings; not kept in a journal
 
     @property

@@ -23,8 +23,10 @@ class Column:
 
 
 def ends(rows: Sequence[Row]) -> tuple[Column, ...]:
-    """Columns that say how each variant ended."""
+    """Columns that say how each variant ended, and why some were not solved beside others."""
+    own_runs = tuple(row.own_run for row in rows)
     return (
+        *((Column("own_run", "", own_runs),) if any(own_runs) else ()),
         Column("status", "", tuple(row.status for row in rows)),
         Column("message", "", tuple(row.message for row in rows)),
         Column("seconds", "", tuple(row.seconds for row in rows)),

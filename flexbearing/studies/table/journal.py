@@ -211,6 +211,7 @@ def _entry(row: Row, names: Sequence[str], of: str) -> dict[str, Any]:
         "message": row.message,
         "seconds": row.seconds,
         "values": [_stored(row.values.get(name)) for name in names],
+        **({"own_run": row.own_run} if row.own_run else {}),
     }
 
 
@@ -235,7 +236,7 @@ def _row(entry: Mapping[str, Any], names: Sequence[str]) -> Row:
     identity, status, message = (_text(entry.get(name)) for name in ("identity", "status", "message"))
     if not status.isprintable() or len(status) > LONGEST_STATUS:
         raise _Damaged
-    return Row(identity, status, message, float(seconds), numbers)
+    return Row(identity, status, message, float(seconds), numbers, _text(entry.get("own_run", "")))
 
 
 def _number(stored: Any) -> float:

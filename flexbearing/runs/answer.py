@@ -1,0 +1,26 @@
+"""What is asked of many cases at once, and what each of them answers."""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+
+from quasidynamic.note import Note, graded
+
+CONVERGED, BAD_INPUT = "converged", "bad input"
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a run of a case gives."""
+
+    status: str  # "converged", or how it ended
+    message: str  # dangers of a run that converged, else why it did not
+    numbers: Mapping[str, float]  # by the texts of outputs; NaN or absent: the case does not have it
+    own_run: str = ""  # why it was not solved beside others; empty: it was, or there were none
+
+
+Alone = Callable[[int], Answer]  # the answer of a case, by its place, from a run of its own
+
+
+def message(notes: Iterable[Note]) -> str:
+    """Message of a run that converged: its dangers, one after the other."""
+    return "; ".join(f"danger: {note.text}" for note in graded(notes) if note.grade == "danger")

@@ -1,0 +1,100 @@
+"""Rows of a table: outputs of many roller cases, solved side by side or each in a run of its own."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from flexbearing.case.roller import Case
+from flexbearing.outputs import Wanted, wanted
+from flexbearing.program.threads import linear_algebra_alone
+from flexbearing.quantities.roller import LAYOUT
+from flexbearing.runs import notes
+from flexbearing.runs.answer import CONVERGED, Alone, Answer, message
+from flexbearing.runs.side_by_side import Solved, solved_side_by_side
+from quasidynamic import NotSolved, OutOfRange
+from quasidynamic.note import Note
+
+if TYPE_CHECKING:
+    from flexbearing.accuracy.shared import Levels
+
+
+def answers(
+    cases: Sequence[Case],
+    texts: Sequence[str],
+    alone: Alone,
+    *,
+    search: bool = False,
+    levels: "Levels | None" = None,
+) -> list[Answer]:
+    """Compute the wanted outputs of many cases.
+
+    Cases that differ in numbers only, between rigid rings or between the same elastic ones, are solved side
+    by side, and their outputs are arrays. What needs a run of its own has one, and its answer says why, see
+    `solved_side_by_side`. Nothing is computed but what is wanted, and what dangers need.
+
+    Parameters
+    ----------
+    cases : sequence of Case
+        as they were read
+    texts : sequence of str
+        outputs with their units, as `flexbearing.outputs.wanted` takes them
+    alone : callable
+        the answer of a case from a run of its own
+    search : bool
+        whether other equilibria are searched where they are likely, as a run does, for some hundred times the
+        cost of a case; else the message says that they are likely, which is so for more cases than have any
+    levels : Levels, optional
+        of cases with a target, which share them
+
+    Returns
+    -------
+    list of Answer
+        equal to those of single runs to 1e-9
+
+    Raises
+    ------
+    UnknownOutput, WrongUnit
+        for texts that name no output
+    """
+    outputs = {text: wanted(LAYOUT, text) for text in texts}
+    blocks = {output.block for output in outputs.values()}
+    numbers: list[dict[str, float]] = [{} for _ in cases]
+    messages: dict[int, str] = {}
+    own_run: dict[int, str] = {}
+    of_levels = tuple(levels.notes()) if levels else ()
+    # The bearings' matrices are small: threads of the linear algebra would only wait for each other.
+    with linear_algebra_alone():
+        for solved in solved_side_by_side(cases, blocks, levels):
+            if not isinstance(solved, Solved):
+                own_run[solved.place] = solved.why
+                continue
+            try:
+                for place, found in zip(solved.places, _numbers(solved, outputs), strict=True):
+                    numbers[place] |= found
+                if solved.answer:
+                    for place, told in zip(solved.places, _dangers(solved, search), strict=True):
+                        messages[place] = message((*of_levels, *told))
+            except (NotSolved, OutOfRange) as problem:  # of one of them
+                own_run |= dict.fromkeys(solved.places, str(problem))
+    return [
+        replace(alone(place), own_run=own_run[place])
+        if place in own_run
+        else Answer(CONVERGED, messages[place], numbers[place])
+        for place in range(len(cases))
+    ]
+
+
+def _numbers(solved: Solved, outputs: Mapping[str, Wanted]) -> Iterator[dict[str, float]]:
+    """Numbers of each case that its block has, by the texts of outputs."""
+    some = {text: output for text, output in outputs.items() if output.block in solved.blocks}
+    columns = [values.tolist() for values in solved.rows.numbers(list(some.values()))]
+    rows = zip(*columns, strict=True) if columns else [()] * len(solved.places)
+    return (dict(zip(some, row, strict=True)) for row in rows)
+
+
+def _dangers(solved: Solved, search: bool) -> Iterator[tuple[Note, ...]]:
+    """Dangers of each case; without a `search` it is told where other equilibria are likely."""
+    rows = solved.rows
+    each = zip(notes.dangers_of(rows), rows.several_likely.tolist(), strict=True)
+    for place, (dangers, likely) in enumerate(each):
+        yield (*dangers, *(notes.of_others(rows, place, search=search) if likely else ()))

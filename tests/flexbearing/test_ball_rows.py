@@ -1,0 +1,67 @@
+"""Rows of ball bearings are those of their runs; those of the same parts are balanced side by side."""
+
+from pathlib import Path
+
+import pytest
+from pytest import approx
+
+import flexbearing
+from flexbearing.api import read_case
+from flexbearing.families import FAMILIES
+from flexbearing.outputs import outputs, wanted
+from flexbearing.runs import ball_life
+from quasidynamic import AngularContactBallBearing, OutOfRange
+
+CONFIGS = Path(__file__).parents[2] / "configs"
+SPEEDS = [{"operation.inner_speed": f"{speed} rpm"} for speed in (3000, 6000, 9000)]
+TABLES = {
+    "fast": ("harris218", SPEEDS),
+    "fast, stick and slip": ("catalogue/6208", [{"operation.load.axial": "1 kN"}, {}]),
+    "slow": ("joshi2015_qj309", [{"friction.coefficient": 0.05}, {"friction.coefficient": 0.1}]),
+}
+
+
+def rows_of(cases, texts):
+    return FAMILIES[cases[0].kind].rows()(cases, texts, lambda place: pytest.fail("a run of its own"))
+
+
+@pytest.mark.parametrize(("name", "changes"), TABLES.values(), ids=TABLES)
+def test_every_output_of_a_row_is_that_of_its_run(name, changes):
+    cases = [read_case(CONFIGS / f"{name}.toml", each) for each in changes]
+    layout = FAMILIES[cases[0].kind].layout()
+    texts = [output.name for output in outputs(layout)]
+    for case, row in zip(cases, rows_of(cases, texts), strict=True):
+        run = flexbearing.api.compute(case)
+        assert row.status == run.attributes["status"]
+        assert row.message == "; ".join(f"danger: {note['text']}" for note in run.dangers)
+        expected = [wanted(layout, text).number({"rigid": run.rigid}) for text in texts]
+        found = [row.numbers[text] for text in texts]
+        assert found == approx(expected, rel=1e-9, abs=1e-6, nan_ok=True)
+
+
+def test_cases_of_the_same_bearing_are_balanced_side_by_side(monkeypatch):
+    solve, counts = AngularContactBallBearing.solve_many, []
+    monkeypatch.setattr(
+        AngularContactBallBearing, "solve_many", lambda self, at: counts.append(len(at)) or solve(self, at)
+    )
+    other = {"bearing.pitch_diameter": "125.5 mm"}
+    cases = [read_case(CONFIGS / "harris218.toml", each) for each in (*SPEEDS, other)]
+    assert len({row.numbers["life_L10"] for row in rows_of(cases, ["life_L10"])}) == 4
+    assert counts == [3, 1]
+
+
+@pytest.mark.parametrize("status", ["not solved", "bad input"])
+def test_a_row_without_a_solution_says_why_and_the_others_have_theirs(status, monkeypatch):
+    changes = (SPEEDS[0], {"operation.load.axial": "0 N"} if status == "not solved" else {}, SPEEDS[1])
+    cases, lives = [read_case(CONFIGS / "harris218.toml", each) for each in changes], ball_life.lives
+
+    def no_factor(case, state):
+        if case is cases[1]:
+            raise OutOfRange("a factor does not hold")
+        return lives(case, state)
+
+    monkeypatch.setattr(ball_life, "lives", no_factor)
+    first, failed, last = rows_of(cases, ["life_L10"])
+    assert (failed.status, failed.numbers) == (status, {})
+    assert ("nothing holds the inner ring" if status == "not solved" else "does not hold") in failed.message
+    assert first.status == last.status == "converged"
