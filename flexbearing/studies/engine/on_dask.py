@@ -1,7 +1,9 @@
 """Calls on the workers of a Dask scheduler."""
 
+import asyncio
 import logging
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from ipaddress import ip_address
 from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any
@@ -13,9 +15,11 @@ from flexbearing.studies.engine.certificates import Certificates
 
 if TYPE_CHECKING:
     from distributed import Client, Future
+    from distributed.security import Security
 
 log = logging.getLogger(__name__)
 PATIENCE = 30.0  # [s] for a scheduler to answer
+LONGEST = 300  # characters of what it answers instead
 
 
 class NoConnection(RuntimeError):
@@ -80,20 +84,37 @@ def connected(address: str, certificates: Certificates | None = None) -> OnDask:
         where there is no such address, nobody answers, or not without TLS or other certificates
     """
     encrypted = _require_address(address)
-    if certificates and not encrypted:
-        raise NoConnection("certificates are given; the address must begin with tls://")
     from distributed import Client
+    from distributed.security import Security
 
-    security = certificates.security() if certificates else None
-    try:
-        client = Client(address, timeout=PATIENCE, set_as_default=False, security=security)
-    except TypeError as problem:  # what Dask raises without certificates
-        needed = "--tls-ca, --tls-cert and --tls-key, or the certificates of Dask's configuration"
-        raise NoConnection(f"it needs {needed}: {problem}") from problem
-    except (OSError, ValueError, RuntimeError) as problem:
-        raise NoConnection(f"no scheduler answers there: {problem}") from problem
-    threads = sum(worker["nthreads"] for worker in client.scheduler_info(n_workers=-1)["workers"].values())
+    security = certificates.security() if certificates else Security()
+    role = security.get_tls_config_for_role("client")
+    if encrypted and not (role["ca_file"] and role["cert"]):
+        raise NoConnection(
+            "it needs --tls-ca, --tls-cert and --tls-key, or the certificates of Dask's configuration"
+        )
+    if security.require_encryption and not encrypted:
+        raise NoConnection("certificates are given, or required; the address must begin with tls://")
+    with ThreadPoolExecutor(1) as another:  # a notebook has a loop in this thread
+        threads = another.submit(asyncio.run, _threads(address, security)).result()
+    client = Client(address, timeout=PATIENCE, set_as_default=False, security=security)
     return OnDask(client, max(1, threads))
+
+
+async def _threads(address: str, security: "Security") -> int:
+    """How many calls a scheduler can have made at once; a client would not end if something else answers."""
+    from distributed.comm.core import connect
+    from distributed.core import send_recv
+
+    try:
+        options = security.get_connection_args("client")
+        answering = await connect(address, timeout=PATIENCE, **options)
+        identity: Any = await asyncio.wait_for(send_recv(answering, op="identity", n_workers=-1), PATIENCE)
+        await answering.close()
+        return sum(worker["nthreads"] for worker in identity["workers"].values())
+    except Exception as problem:  # whatever comes from there, also what asks for all memory
+        words = excerpt(f"{type(problem).__name__}: {problem}", LONGEST)
+        raise NoConnection(f"no scheduler answers there: {words}") from problem
 
 
 def _require_address(address: str) -> bool:
