@@ -4,7 +4,19 @@ Every file that a user, another program or another machine wrote is opened here.
 the rooms that know the format.
 """
 
-from flexbearing.inputs.file import Unreadable, content, require_plain, text
+from flexbearing.inputs.file import Stamp, Unreadable, content, lines, opened, size, stamp, text
 from flexbearing.inputs.number import BadNumber, number, whole
 
-__all__ = ["BadNumber", "Unreadable", "content", "number", "require_plain", "text", "whole"]
+__all__ = [
+    "BadNumber",
+    "Stamp",
+    "Unreadable",
+    "content",
+    "lines",
+    "number",
+    "opened",
+    "size",
+    "stamp",
+    "text",
+    "whole",
+]

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 from zlib import crc32
 
+from flexbearing import inputs
 from flexbearing.files import NotStored, lock
 from flexbearing.studies.plan import Row
 from flexbearing.studies.plan.task import Call, names as names_of
@@ -149,7 +150,7 @@ def _entries(path: Path) -> Iterator[dict[str, Any]]:
     """Lines that are whole."""
     if not path.exists():
         return
-    with path.open("rb") as file:
+    with inputs.opened(path) as file:
         for line in file:
             text = line.rstrip(b"\n")
             rest = b"{" + text[_BEGINNING:]
