@@ -100,7 +100,9 @@ def text(path: Path, most: int) -> str:
         place = f"byte {found[problem.start]:#04x} at {problem.start}"
         raise Unreadable(f"is not text in UTF-8 ({place}); save it as UTF-8", path) from None
     if control := _CONTROL.search(text):
-        raise Unreadable(f"is no text: it has a control character, {control[0]!r}, at {control.start()}", path)
+        raise Unreadable(
+            f"is no text: it has a control character, {control[0]!r}, at {control.start()}", path
+        )
     return text
 
 

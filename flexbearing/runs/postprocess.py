@@ -79,7 +79,7 @@ class Postprocessing:
         self.of_state[name] = notes.of_state(self.case, end, rated)
         if skewed:
             self.of_state[name] += skew.notes(skewed, state, state.minimum_film)
-        if not end.rings.rigid:
+        if not (end.rings.rigid or self.record.compared):
             self.add_equilibria(name, between_flexible_raceways(state, end.rings))
         nominal = bars.nominal_stresses(self.case, end)
         self.of_state[name] += tuple(bars.dangers(self.case, nominal and nominal.largest))

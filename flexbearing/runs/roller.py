@@ -120,7 +120,8 @@ def _solve(
     except PartnerFailed as failure:
         return _not_solved(f"rigid raceways: {failure}", failure)
     postprocessing.store("rigid", rigid, RIGID)
-    postprocessing.add_equilibria("rigid", several.between_rigid_raceways(resolved.model, rigid))
+    if not postprocessing.record.compared:
+        postprocessing.add_equilibria("rigid", several.between_rigid_raceways(resolved.model, rigid))
     try:
         rings = resolved.rings()
     except PartnerFailed as failure:

@@ -37,7 +37,9 @@ def csv_text(place: Path) -> str:
         packed = [metadata.schema.column(k).path for k in range(metadata.num_columns)]
         return _text(ParquetFile(content, read_dictionary=packed))
     except (pyarrow.ArrowException, OSError) as problem:
-        raise inputs.Unreadable(f"is no Parquet file, or damaged: {excerpt(str(problem))}", place) from problem
+        raise inputs.Unreadable(
+            f"is no Parquet file, or damaged: {excerpt(str(problem))}", place
+        ) from problem
 
 
 def _require_size(metadata: Any) -> None:

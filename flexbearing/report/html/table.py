@@ -8,6 +8,7 @@ from functools import cached_property
 from io import StringIO
 from math import nan
 from pathlib import Path
+
 from flexbearing import inputs
 from flexbearing.case.declarations import find
 from flexbearing.case.family import Families
