@@ -31,7 +31,7 @@ def points(file: Path) -> tuple[NDArray, NDArray]:
     try:
         return _read(inputs.stamp(file))
     except (ImpossiblePart, inputs.Unreadable, inputs.BadNumber) as problem:
-        raise ImpossiblePart(f'"{excerpt(file.name)}" {problem}') from problem
+        raise ImpossiblePart(f'"{excerpt(file.name)}": {problem}') from problem
 
 
 @lru_cache(maxsize=64)  # variants of a case have it in common

@@ -5,9 +5,9 @@ import re
 import stat
 from collections.abc import Iterator
 from contextlib import contextmanager
-from io import BytesIO, TextIOWrapper
+from io import BufferedReader, BytesIO, TextIOWrapper
 from pathlib import Path
-from typing import BinaryIO, NamedTuple
+from typing import NamedTuple
 
 LONGEST_LINE = 2**16  # characters of a line of another program
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0e-\x1f\x7f]")  # but for tabs, ends of lines and of pages
@@ -31,7 +31,7 @@ class Stamp(NamedTuple):
 
 
 @contextmanager
-def opened(path: Path) -> Iterator[BinaryIO]:
+def opened(path: Path) -> Iterator[BufferedReader]:
     """Open a plain file for reading.
 
     Parameters
@@ -41,7 +41,7 @@ def opened(path: Path) -> Iterator[BinaryIO]:
 
     Yields
     ------
-    BinaryIO
+    BufferedReader
         at its beginning
 
     Raises
@@ -100,9 +100,8 @@ def text(path: Path, most: int) -> str:
         place = f"byte {found[problem.start]:#04x} at {problem.start}"
         raise Unreadable(f"is not text in UTF-8 ({place}); save it as UTF-8", path) from None
     if control := _CONTROL.search(text):
-        raise Unreadable(
-            f"is no text: it has a control character, {control[0]!r}, at {control.start()}", path
-        )
+        place = f"{control[0]!r} at {control.start()}"
+        raise Unreadable(f"is no text: it has a control character, {place}", path)
     return text
 
 

@@ -1,4 +1,4 @@
-"""How large a file of each format may be, in bytes: no real one comes near, and its content fits in memory."""
+"""Bytes that a file of each format may have: more than any real one, and not more than memory."""
 
 from flexbearing.inputs.file import size
 

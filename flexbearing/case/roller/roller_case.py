@@ -66,9 +66,15 @@ class Case(Head):
 
     @property
     def named_files(self) -> tuple[Path, ...]:
-        """The drawing, matrix and mesh, and the files with points of profiles."""
+        """The drawing; matrix, mesh and unknowns of CalculiX; the files with points of profiles."""
         tables = self.bearing.roller, self.bearing.inner_raceway, self.bearing.outer_raceway
-        files = [self.drawing, *self.matrix_files, *(self.points_file(table) for table in tables if table)]
+        unknowns = [file.with_suffix(".dof") for file in self.matrix_files if file.suffix.lower() == ".sti"]
+        files = [
+            self.drawing,
+            *self.matrix_files,
+            *unknowns,
+            *(self.points_file(table) for table in tables if table),
+        ]
         return tuple(file for file in files if file)
 
     def points_file(self, table: Generatrix) -> Path | None:

@@ -49,8 +49,8 @@ def _require_size(metadata: Any) -> None:
     unpacked = sum(group.total_byte_size for group in groups)
     if metadata.num_rows > MOST_ROWS or cells > MOST_CELLS or unpacked > TABLE:
         raise inputs.Unreadable(
-            f"has {metadata.num_rows} rows, {cells} cells, {inputs.size(unpacked)} unpacked; a table of a study "
-            f"has at most {MOST_ROWS} rows, {MOST_CELLS} cells, {inputs.size(TABLE)}"
+            f"has {metadata.num_rows} rows, {cells} cells, {inputs.size(unpacked)} unpacked; a table of a "
+            f"study has at most {MOST_ROWS} rows, {MOST_CELLS} cells, {inputs.size(TABLE)}"
         )
 
 
