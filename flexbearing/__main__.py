@@ -99,6 +99,10 @@ def _meaning(problem: Exception) -> tuple[int, str]:
 
     if isinstance(problem, BadResult | NotInLayout):
         return BAD_INPUT, str(problem)
+    from flexbearing.inputs import Unreadable
+
+    if isinstance(problem, Unreadable) and problem.path:
+        return BAD_INPUT, f"{problem.path}: {problem}."
     return INTERNAL, _refused(problem) or f"internal error: {type(problem).__name__}: {problem}"
 
 

@@ -4,6 +4,7 @@ Every function binds the registered bearing families to a room below; what a cal
 """
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -121,14 +122,18 @@ def compute(
     report: "Report | None" = None,
     start: "str | Path | Result | None" = None,
     levels: "Levels | None" = None,
+    compared: bool = False,
 ) -> "Result":
     """Compute a case that was read before; everything else as for `run`.
 
-    A roller case with a target takes the `levels` that it shares with others, where they are given.
+    A roller case with a target takes the `levels` that it shares with others, where they are given. One
+    whose numbers alone are `compared` with those of others is solved without a search for other equilibria.
     """
     from flexbearing.families import FAMILIES
-    from flexbearing.runs.run_case import run_case
+    from flexbearing.runs.run_case import compared as solved_to_compare, run_case
 
+    if compared:
+        return solved_to_compare(case, FAMILIES[case.kind])
     near = read(start) if isinstance(start, str | Path) else start
     return run_case(case, FAMILIES[case.kind], output, report, near, levels)
 
@@ -164,7 +169,8 @@ def against_catalogue(case: str | Path, overrides: Overrides = ()) -> dict[str, 
     catalogue = FAMILIES[wanted.kind].catalogue
     if catalogue is None:
         raise BadCase(f'{case}: kind = "{wanted.kind}" has no ratings in ISO 281, so no life is compared.')
-    return compared(wanted, catalogue(), lambda further: read_case(case, [*given, *further]), compute)
+    solved = partial(compute, compared=True)
+    return compared(wanted, catalogue(), lambda further: read_case(case, [*given, *further]), solved)
 
 
 def sensitivities(

@@ -6,11 +6,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
-from scipy.sparse.linalg import splu
+from scipy.sparse.linalg import SuperLU, splu
 
 from fem.parts.material import ImpossiblePart
 
-UNEQUAL = 1e-6  # of the largest number: by what an entry and its mirror may differ
+UNEQUAL = 1e-6  # of the largest number: rounding of files, by which an entry and its mirror may differ
+LOOSE = 1e-13  # of the diagonal: pivots below it are of unknowns that move without force
 MOTIONS = 3  # along x, y, z, numbered from 1; 4 to 6 turn
 
 
@@ -40,7 +41,8 @@ class Stiffness:
         Raises
         ------
         ImpossiblePart
-            if a node has not all three motions, or the others can move without force
+            if a node has not all three motions, or the others can move without force or push where they
+            should pull
 
         Source
         ------
@@ -61,16 +63,73 @@ class Stiffness:
         S = self.matrix[kept][:, kept].toarray()
         if others.size:
             coupling = self.matrix[others][:, kept].tocsc()
-            try:
-                solved = splu(self.matrix[others][:, others].tocsc()).solve(coupling.toarray())
-            except RuntimeError as problem:
-                raise ImpossiblePart(
-                    f"nodes away from the seat can move without force: {problem}"
-                ) from problem
-            S = S - coupling.T @ solved
+            held = self.matrix[others][:, others].tocsc()
+            S = S - coupling.T @ _definite(held).solve(coupling.toarray())
         if not np.isfinite(S).all():
             raise ImpossiblePart("nodes away from the seat can move without force")
         return (S + S.T) / 2
+
+    def held_nodes(self) -> int:
+        """Number of nodes that a translation of everything loads: they are held, or next to what is."""
+        along = self.motions[:, None] == np.arange(1, MOTIONS + 1)
+        forces, sizes = abs(self.matrix @ along), abs(self.matrix) @ along.any(axis=1)
+        return len(np.unique(self.nodes[(forces > UNEQUAL * sizes[:, None]).any(axis=1)]))
+
+
+def extremes(S: NDArray) -> tuple[float, float]:
+    """Smallest and largest eigenvalue of a dense stiffness that resists every displacement.
+
+    Parameters
+    ----------
+    S : array (n, n)
+        symmetric
+
+    Returns
+    -------
+    tuple
+        in its units; the smallest may be below zero by what numbers of a file are rounded
+
+    Raises
+    ------
+    ImpossiblePart
+        if it is indefinite beyond that: a body would deflect against its load
+    """
+    eigenvalues = np.linalg.eigvalsh(S)
+    smallest, largest = float(eigenvalues[0]), float(eigenvalues[-1])
+    if smallest < -UNEQUAL * abs(largest) or largest <= 0:
+        raise ImpossiblePart(
+            f"the stiffness of the seat is indefinite: its eigenvalues reach from {smallest:.4g} to "
+            f"{largest:.4g}, that of a body has none below zero; are signs of entries wrong, or some missing?"
+        )
+    return smallest, largest
+
+
+def _definite(matrix: sparse.csc_array) -> SuperLU:
+    """Factors of a matrix whose eigenvalues are above zero.
+
+    With pivots on the diagonal the factors are L D L^T, and D has as many numbers below zero as the matrix
+    has eigenvalues (Sylvester's law of inertia).
+    """
+    diagonal = matrix.diagonal()
+    loose = ImpossiblePart("nodes away from the seat can move without force")
+    if (diagonal == 0).any():
+        raise loose
+    try:
+        factors = splu(
+            matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
+        )
+    except RuntimeError as problem:  # exactly singular
+        raise loose from problem
+    pivots = factors.U.diagonal()[factors.perm_c]
+    if below := int((pivots < -UNEQUAL * abs(diagonal)).sum()):
+        raise ImpossiblePart(
+            f"the stiffness of the nodes away from the seat is indefinite: {below} of its {len(pivots)} "
+            f"eigenvalues are below zero, its diagonal reaches from {diagonal.min():.4g} to "
+            f"{diagonal.max():.4g}; that of a body has none below zero; are signs of entries wrong?"
+        )
+    if (pivots < LOOSE * abs(diagonal)).any():
+        raise loose
+    return factors
 
 
 def symmetric(

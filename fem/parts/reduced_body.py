@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from fem.parts.material import ImpossiblePart
 
-LOOSE = 1e-9  # smallest over largest stiffness against rigid motions of a body that is held
+LOOSE = 1e-9  # smallest stiffness against rigid motions of a body that is held, over that of its entries
 FEWEST = 8  # azimuths of nodes, by which the harmonics of a translation are told from others
 
 
@@ -29,8 +29,7 @@ class ReducedBody:
             raise ImpossiblePart(
                 f"nodes stand at {self.azimuths} azimuths of the seat; allowed are {FEWEST} or more"
             )
-        held = np.linalg.eigvalsh(self.rigid_stiffness)
-        if held[0] <= LOOSE * held[-1]:
+        if self.hold <= LOOSE:
             raise ImpossiblePart("the body of the matrix can move or turn without force: hold it there")
 
     @property
@@ -44,8 +43,20 @@ class ReducedBody:
     @property
     def rigid_stiffness(self) -> NDArray:
         """Stiffness against rigid motions (6, 6) [N/m]: translations, turns times the size of the seat."""
+        R = self._rigid_motions
+        return R.T @ self.stiffness @ R
+
+    @property
+    def hold(self) -> float:
+        """Least stiffness against a rigid motion over what its entries add up to; rounding of a free body."""
+        R = abs(self._rigid_motions)
+        entries = np.diag(R.T @ abs(self.stiffness) @ R).max()
+        return float(np.linalg.eigvalsh(self.rigid_stiffness)[0] / entries)
+
+    @property
+    def _rigid_motions(self) -> NDArray:
+        """Displacements of the nodes (3 K, 6)."""
         x, y, z = self.places.T / np.abs(self.places).max()
         o, i = np.zeros_like(x), np.ones_like(x)
         motions = [(i, o, o), (o, i, o), (o, o, i), (o, -z, y), (z, o, -x), (-y, x, o)]
-        R = np.stack([np.stack(motion, axis=1).ravel() for motion in motions], axis=1)
-        return R.T @ self.stiffness @ R
+        return np.stack([np.stack(motion, axis=1).ravel() for motion in motions], axis=1)

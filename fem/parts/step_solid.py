@@ -4,10 +4,8 @@ The drawing has coordinates of its own; lengths here are in metres all the same.
 along its axis from the middle of the loaded band, z points to azimuth 0 and y completes the frame.
 """
 
-import stat
 from dataclasses import dataclass, field
 from math import inf
-from pathlib import Path
 
 import numpy as np
 
@@ -15,8 +13,6 @@ from fem.parts.material import Elastic, ImpossiblePart, require, require_positiv
 from fem.parts.quoted import shortened
 
 BEGINNING = b"ISO-10303-21"  # of every STEP file
-LARGEST = 2**26  # bytes of a drawing: rings with their seats take up to some millions
-LONGEST_NAME = 255  # characters of a file's name in a message
 SQUARE = 1e-9  # allowed cosine between axis and zenith
 
 Vector = tuple[float, float, float]
@@ -115,36 +111,3 @@ class StepSolid:
     def materials(self) -> dict[str, Elastic]:
         """Material of every named body; "ring" carries the raceway."""
         return {"ring": self.elastic}
-
-
-def drawing(path: Path | str) -> bytes:
-    """Content of a STEP file.
-
-    Parameters
-    ----------
-    path : Path
-        of a regular file of at most `LARGEST` bytes
-
-    Returns
-    -------
-    bytes
-
-    Raises
-    ------
-    ImpossiblePart
-        if there is no such file, or it cannot be read
-    """
-    file, name = Path(path), shortened(str(path), LONGEST_NAME)
-    try:
-        about = file.stat()
-        if not stat.S_ISREG(about.st_mode):  # devices and pipes may have no end
-            raise ImpossiblePart(f"{name} is no file; allowed is a STEP file")
-        with file.open("rb") as opened:
-            content = opened.read(LARGEST + 1) if about.st_size <= LARGEST else None
-    except OSError as problem:
-        raise ImpossiblePart(f"{name} cannot be read: {problem.strerror}") from problem
-    if content is None or len(content) > LARGEST:
-        raise ImpossiblePart(
-            f"{name} is larger than {LARGEST >> 20} MiB; leave out what is no part of the ring"
-        )
-    return content

@@ -2,22 +2,25 @@
 
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 import fem
+from fem.matrix.stiffness import Stiffness, extremes
+from flexbearing import inputs
+from flexbearing.build import matrix_files
+from flexbearing.case.excerpt import excerpt
 from flexbearing.case.roller import Case
-
-if TYPE_CHECKING:
-    from fem.matrix.stiffness import Stiffness
+from quasidynamic.note import Note, information, outside
 
 ON_SEAT = 2e-3  # of the outer radius: how far nodes of the seat may stand from it, on straight elements
 OVER = 1 + 1e-3  # of half the width: how far they may stand beside the ring
+HARDLY = 1e-6  # of its entries: what holds a body less may be their rounding
 
 
-def reduced_body(case: Case) -> "fem.ReducedBody":
+def reduced_body(case: Case) -> fem.ReducedBody:
     """Body of `outer.kind = "matrix"`, condensed to the nodes on the outer surface of the ring.
 
     Parameters
@@ -34,12 +37,52 @@ def reduced_body(case: Case) -> "fem.ReducedBody":
     ImpossiblePart
         where a file cannot be read, or no nodes stand on that surface, or the matrix does not hold them
     """
+    frame = _frame(case)
+    nodes, places = _seat(case, frame)
+    stiffness, _ = _condensed(_stamp(case.matrix_files[0]), nodes)
+    turned = np.kron(np.eye(len(nodes)), frame)
+    return fem.ReducedBody(places, _unit(case) * turned @ stiffness @ turned.T)
+
+
+def notes(case: Case) -> tuple[Note, ...]:
+    """What was found of a matrix on reading, and a warning where hardly anything holds its body."""
+    stamp, unit = _stamp(case.matrix_files[0]), _unit(case)
+    whole, body = _matrix(stamp), reduced_body(case)
+    nodes, _ = _seat(case, _frame(case))
+    smallest, largest = (unit * each for each in _condensed(stamp, nodes)[1])
+    along = ", ".join(f"{1e-9 * each:.4g}" for each in np.diag(body.rigid_stiffness)[:3])
+    name, count = excerpt(stamp.path.name), len(np.unique(whole.nodes))
+    words = (
+        f"{name}: {len(nodes)} of {count} nodes are the seat; its stiffness is symmetric, with eigenvalues "
+        f"from {smallest:.4g} to {largest:.4g} N/m, and resists a translation along x, y, z with {along} "
+        f"kN/um; a translation of everything loads {whole.held_nodes()} of {count} nodes: of a whole mesh "
+        "only those next to where it is held"
+    )
+    loose = (
+        f"{name}: against one rigid motion the body is held by {body.hold:.1g} of what its entries add up "
+        "to, which may be their rounding: does the mesh have its boundary conditions?"
+    )
+    hardly = (outside("loose-matrix", loose),) if body.hold < HARDLY else ()
+    return (information("matrix", words), *hardly)
+
+
+def _frame(case: Case) -> NDArray:
+    """The bearing's x, y, z (3, 3) in the mesh."""
     outer: Any = case.outer  # checked on reading
-    matrix_file, nodes_file = case.matrix_files
+    axis, zenith = _direction(outer.axis), _direction(outer.zenith)
+    return np.array([axis, np.cross(zenith, axis), zenith])
+
+
+def _unit(case: Case) -> float:
+    outer: Any = case.outer
+    return outer.force_unit / outer.length_unit
+
+
+def _seat(case: Case, frame: NDArray) -> tuple[tuple[int, ...], NDArray]:
+    """Numbers and places (K, 3) [m] of the nodes on the outer surface of the ring."""
+    outer: Any = case.outer
+    nodes_file = case.matrix_files[1]
     numbers, places = _places(_stamp(nodes_file))
-    axis = _direction(outer.axis)
-    zenith = _direction(outer.zenith)
-    frame = np.array([axis, np.cross(zenith, axis), zenith])  # x, y, z of the bearing in the mesh
     centre = np.array([outer.centre_x, outer.centre_y, outer.centre_z])
     moved = (outer.length_unit * places - centre) @ frame.T
     radius = case.bearing.outer_raceway_diameter / 2 + outer.thickness
@@ -48,43 +91,38 @@ def reduced_body(case: Case) -> "fem.ReducedBody":
     on_seat = np.flatnonzero((away <= ON_SEAT * radius) & (beside <= OVER * outer.width / 2))
     if not on_seat.size:
         raise fem.ImpossiblePart(
-            f"{nodes_file.name}: no node is on the outer surface of the ring, radius "
+            f"{excerpt(nodes_file.name)}: no node is on the outer surface of the ring, radius "
             f"{1e3 * radius:.6g} mm and width {1e3 * outer.width:.6g} mm; outer.axis, outer.zenith, "
             "outer.centre_x, _y, _z and outer.length_unit say where the mesh is"
         )
-    stiffness = _seat(_stamp(matrix_file), tuple(numbers[on_seat].tolist()))
-    turned = np.kron(np.eye(on_seat.size), frame)
-    unit = outer.force_unit / outer.length_unit
-    return fem.ReducedBody(moved[on_seat], unit * turned @ stiffness @ turned.T)
+    return tuple(numbers[on_seat].tolist()), moved[on_seat]
 
 
-def _stamp(path: Path) -> tuple[Path, int, int]:
-    """A file and what tells that it changed."""
+def _stamp(path: Path) -> inputs.Stamp:
     try:
-        state = path.stat()
-    except OSError as problem:
-        raise fem.ImpossiblePart(f"{path.name}: cannot be read: {problem.strerror}") from problem
-    return path, state.st_mtime_ns, state.st_size
+        return inputs.stamp(path)
+    except inputs.Unreadable as problem:
+        raise fem.ImpossiblePart(f"{excerpt(path.name)}: {problem}") from problem
 
 
 @lru_cache(maxsize=2)
-def _places(stamp: tuple[Path, int, int]) -> tuple[NDArray, NDArray]:
-    from fem.matrix import read
-
-    found = read.places(stamp[0])
-    return np.array([*found]), np.array([*found.values()])
+def _places(stamp: inputs.Stamp) -> tuple[NDArray, NDArray]:
+    return matrix_files.places(stamp.path)
 
 
 @lru_cache(maxsize=2)
-def _matrix(stamp: tuple[Path, int, int]) -> "Stiffness":
-    from fem.matrix import read
-
-    return read.stiffness(stamp[0])
+def _matrix(stamp: inputs.Stamp) -> Stiffness:
+    return matrix_files.stiffness(stamp.path)
 
 
 @lru_cache(maxsize=2)
-def _seat(stamp: tuple[Path, int, int], nodes: tuple[int, ...]) -> NDArray:
-    return _matrix(stamp).at(nodes)
+def _condensed(stamp: inputs.Stamp, nodes: tuple[int, ...]) -> tuple[NDArray, tuple[float, float]]:
+    """Stiffness of the seat, and its smallest and largest eigenvalue, in the units of the file."""
+    try:
+        stiffness = _matrix(stamp).at(nodes)
+        return stiffness, extremes(stiffness)
+    except fem.ImpossiblePart as problem:
+        raise fem.ImpossiblePart(f"{excerpt(stamp.path.name)}: {problem}") from problem
 
 
 def _direction(name: str) -> NDArray:

@@ -2,13 +2,17 @@
 
 import math
 import re
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import fem
 from fem.parts.volume import volume
+from flexbearing import inputs
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
 from flexbearing.case.excerpt import excerpt
+from flexbearing.case.read import LONGEST_NAME
 from flexbearing.case.roller import Case
+from flexbearing.inputs.limits import DRAWING
 from quasidynamic.note import Note, information
 
 if TYPE_CHECKING:
@@ -105,12 +109,12 @@ def _support(case: Case) -> Any:
 
 def _drawn(case: Case, **ring: Any) -> "StepSolid":
     """Solid from the STEP file that lies next to the case."""
-    from fem.parts.step_solid import StepSolid, drawing
+    from fem.parts.step_solid import StepSolid
 
     outer: Any = case.outer
     assert case.drawing  # or the ring would not be drawn
     return StepSolid(
-        drawing=drawing(case.drawing),
+        drawing=_content(case.drawing),
         clamps=tuple(_pick(face) for face in outer.clamps),
         raceway=None if outer.raceway is None else _pick(outer.raceway),
         centre=(outer.centre_x, outer.centre_y, outer.centre_z),
@@ -119,6 +123,13 @@ def _drawn(case: Case, **ring: Any) -> "StepSolid":
         source=excerpt(outer.file),
         **ring,
     )
+
+
+def _content(drawing: Path) -> bytes:
+    try:
+        return inputs.content(drawing, DRAWING)
+    except inputs.Unreadable as problem:
+        raise fem.ImpossiblePart(f"{excerpt(str(drawing), LONGEST_NAME)}: {problem}") from problem
 
 
 def _pick(face: str) -> "Named | Coloured":
@@ -184,6 +195,15 @@ def _inner_raceway_diameter(case: Case) -> float:
 
 
 def notes(case: Case) -> tuple[Note, ...]:
+    """What the parts say before anything is solved."""
+    if case.outer.kind != "matrix":
+        return _without_effect(case)
+    from flexbearing.build import reduced_bodies
+
+    return (*reduced_bodies.notes(case), *_without_effect(case))
+
+
+def _without_effect(case: Case) -> tuple[Note, ...]:
     """Say so when a dimension of the rings has no effect."""
     inner = case.inner
     if inner.kind == "rigid" or inner.ribbed or inner.thickness is None:

@@ -116,10 +116,10 @@ def _materials() -> list[str]:
 
 def _limits() -> list[str]:
     """What holds for every value and every file."""
-    from fem.parts import step_solid
     from flexbearing import units
     from flexbearing.case import quantity, text
     from flexbearing.case.read import MOST_SETTINGS
+    from flexbearing.inputs import limits
 
     return [
         f"- A quantity is text: a number and a unit, at most {quantity.LONGEST} characters. A unit is a "
@@ -127,9 +127,9 @@ def _limits() -> list[str]:
         "characters: `mm`, `N/mm^2`, `W/(m K)`, `1/K`.",
         "- `3000 rpm`, `3000 1/min`, `3000 r/min` and `3000 min⁻¹` are the same speed. `1/s` and `Hz` are "
         "refused: they may mean turns or radians per second.",
-        f"- A case file is TOML in UTF-8, at most {text.LARGEST >> 10} KiB, lists and tables at most "
-        f"{text.DEEPEST} deep, integers up to 64 bits; at most {MOST_SETTINGS} settings come on top of it. "
-        f"A STEP drawing has at most {step_solid.LARGEST >> 20} MiB.",
+        f"- A case file is TOML in UTF-8, lists and tables at most {text.DEEPEST} deep, integers up to 64 "
+        f"bits; at most {MOST_SETTINGS} settings come on top of it.",
+        "- Only plain files are read, no pipes and no devices, up to a size: " + limits.sizes() + ".",
     ]
 
 

@@ -14,10 +14,8 @@ from typing import Any
 
 from flexbearing.case.excerpt import excerpt
 from flexbearing.inputs import Unreadable
+from flexbearing.inputs.limits import CASE as LARGEST
 
-# The largest file that comes along has 3.5 kB, one with every key and a note to each some 15 kB; tomllib
-# takes up to 0.05 s for 64 KiB.
-LARGEST = 2**16  # bytes of a case file
 DEEPEST = 8  # arrays and tables in each other, and parts of a key; the keys of a case have up to 4
 LARGEST_INTEGER = 2**63  # as TOML says
 _READ_BY = {"case": "run", "study": "study", "optimisation": "optimise"}  # kind of file to command

@@ -19,6 +19,7 @@ from flexbearing.files import BadOutput, require_output, write
 from flexbearing.outputs import outputs
 from flexbearing.quantities.effects import LIVES
 from flexbearing.runs import assumed_effects
+from flexbearing.runs.validate import require_possible
 from quasidynamic import ImpossiblePart, OutOfRange
 
 QUICK: dict[str, Settings] = {
@@ -91,11 +92,11 @@ def _case(page: Page, file: Path, title: str, source: str) -> tuple[str, str]:
     known = {each.name: each for each in outputs(family.layout())}
     comparable = QUICK.get(page.like, {})
     plain = text("", title or file.stem, lines, model)
-    understood(plain, file, {}, FAMILIES)  # tells what cannot be before anything is computed
+    require_possible(understood(plain, file, {}, FAMILIES), family)  # before anything is computed
 
     def measured(settings: Settings) -> dict[str, float]:
         case = understood(plain, file, as_settings(comparable | settings), FAMILIES)
-        values = assumed_effects.measured(api.compute(case))
+        values = assumed_effects.measured(api.compute(case, compared=True))
         life = [("life", values[each]) for each in LIVES if each in values]
         told = (each for each in named if each in values and not known[each].rounds_to_zero(values[each]))
         return dict([*life[:1], *((named[each], values[each]) for each in told)])

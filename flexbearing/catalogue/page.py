@@ -8,12 +8,15 @@ from typing import Any, get_args
 
 from pydantic_core import PydanticCustomError
 
+from flexbearing import inputs
 from flexbearing.case import BadCase, quantity
 from flexbearing.case.declarations import find
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.quantity import Kind
 from flexbearing.catalogue.entries import ENTRIES, LIKES, Entry, Like
 from flexbearing.units import unit
+
+ELEMENTS = 3, 1000  # how many rollers or balls a case may have
 
 
 @dataclass(frozen=True)
@@ -119,9 +122,10 @@ def value(name: str, text: str, like: str) -> Value:
             raise BadCase(f"{told}: it must be {_either(text, choices)}")
         return Value(text)
     if not entry.quantity:
-        if not text.isdecimal():
-            raise BadCase(f"{told}: it must be {_allowed(entry)}.")
-        return Value(text, int(text))
+        try:
+            return Value(text.strip(), inputs.whole(text, *ELEMENTS))
+        except inputs.BadNumber:
+            raise BadCase(f"{told}: it must be {_allowed(entry)}.") from None
     try:
         si = _kind(entry).to_si(text)
     except PydanticCustomError as problem:
@@ -169,7 +173,11 @@ def names(entry: Entry, like: str) -> tuple[str, ...]:
 
 
 def _allowed(entry: Entry) -> str:
-    what = f"{_kind(entry).name} with its unit" if entry.quantity else "a whole number"
+    what = (
+        f"{_kind(entry).name} with its unit"
+        if entry.quantity
+        else "a whole number from {} to {}".format(*ELEMENTS)
+    )
     return f'{what}, such as "{entry.example}"'
 
 

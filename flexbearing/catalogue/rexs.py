@@ -1,17 +1,24 @@
 """The entries of a catalogue page from a model of REXS, the exchange format of gearbox programs."""
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from math import hypot
 from pathlib import Path
 from xml.etree import ElementTree
 
+from flexbearing import inputs
 from flexbearing.case import BadCase
-from flexbearing.case.excerpt import excerpt
+from flexbearing.case.excerpt import enumerated, excerpt
+from flexbearing.case.read import LONGEST_NAME
 from flexbearing.catalogue.entries import ENTRIES, LIKES
 from flexbearing.catalogue.page import names
+from flexbearing.inputs.limits import REXS
 
-LARGEST = 200_000_000  # bytes of a model
+ENCODINGS = (b"utf-8", b"utf-16", b"us-ascii", b"iso-8859-1", b"windows-1252")
+HIGHEST = 10**9  # order of a relation
+_ENCODING = re.compile(rb"(?:\xef\xbb\xbf)?\s*<\?xml[^>]{0,200}?encoding\s*=\s*[\"']([^\"'>]*)")
+
 BEARING, ROW, ELEMENT = "rolling_bearing_with_detailed_geometry", "rolling_bearing_row", "rolling_element"
 LIKE = {  # kinds of bearing that a case can be written for
     "radial_roller_bearing": "cylindrical_roller",
@@ -68,11 +75,12 @@ class Part:
         given, text = self.attributes[name]
         try:
             if given == unit:
-                return float(text)
-        except ValueError:
-            pass
+                return inputs.number(text)
+        except inputs.BadNumber as problem:
+            raise BadCase(f"component {excerpt(self.number)}: {name}: {problem}.") from problem
         raise BadCase(
-            f"component {self.number}: {name} is {excerpt(text)} {excerpt(given)}, no number in {unit}."
+            f"component {excerpt(self.number)}: {name} is {excerpt(text)} {excerpt(given)}, no number in "
+            f"{unit}."
         )
 
     def text_of(self, name: str) -> str:
@@ -121,15 +129,14 @@ def options(path: Path, number: str | None = None) -> tuple[str, dict[str, str]]
     model = read(path)
     try:
         bearing = _bearing(model, number)
-        like = LIKE[bearing.text_of("bearing_type")]
+        kind = bearing.text_of("bearing_type")
+        if kind not in LIKE:
+            raise BadCase(f"bearing_type {excerpt(kind)!r} is none of {', '.join(LIKE)}.")
+        like = LIKE[kind]
         taken = LIKES[like].taken
         return like, {name: text for name, text in _entries(model, bearing, like) if name in taken}
     except BadCase as problem:
-        raise BadCase(f"{path}: {problem}") from problem
-    except KeyError as problem:
-        raise BadCase(
-            f"{path}: bearing_type {excerpt(str(problem))} is none of {', '.join(LIKE)}."
-        ) from problem
+        raise BadCase(f"{excerpt(str(path), LONGEST_NAME)}: {problem}") from problem
 
 
 def read(path: Path) -> Parts:
@@ -150,14 +157,34 @@ def read(path: Path) -> Parts:
         where it is none
     """
     try:
-        if path.stat().st_size > LARGEST:
-            raise BadCase(f"{path}: has more than {LARGEST // 10**6} MB.")
-        root = ElementTree.fromstring(path.read_bytes())
-    except (OSError, ElementTree.ParseError) as problem:
-        raise BadCase(f"{path}: {getattr(problem, 'strerror', None) or 'is no XML'}.") from problem
+        return _parts(_root(inputs.content(path, REXS)))
+    except (inputs.Unreadable, BadCase) as problem:
+        raise BadCase(f"{excerpt(str(path), LONGEST_NAME)}: {str(problem).rstrip('.')}.") from problem
+
+
+def _root(content: bytes) -> ElementTree.Element:
+    """The model in an XML file whose encoding is one that every parser knows."""
+    declared = _ENCODING.match(content)
+    if declared and declared[1].lower() not in ENCODINGS:
+        allowed = b", ".join(ENCODINGS).decode()
+        raise BadCase(f"is in the encoding {excerpt(declared[1].decode('latin-1'))}; allowed are {allowed}")
+    if b"<!DOCTYPE" in content.replace(b"\0", b""):  # its entities may stand for texts of any length
+        raise BadCase("has a DOCTYPE, which no model of REXS has")
+    try:
+        root = ElementTree.fromstring(content)
+    except (ElementTree.ParseError, ValueError, LookupError) as problem:
+        raise BadCase(f"is no XML: {excerpt(str(problem))}") from problem
     if root.tag != "model" or not root.get("version", "").startswith("1."):
-        raise BadCase(f"{path}: is no model of REXS 1.x.")
-    parts = {part.number: part for part in map(_part, root.iterfind("components/component"))}
+        raise BadCase("is no model of REXS 1.x")
+    return root
+
+
+def _parts(root: ElementTree.Element) -> Parts:
+    parts: dict[str, Part] = {}
+    for part in map(_part, root.iterfind("components/component")):
+        if part.number in parts:
+            raise BadCase(f"has two components with the id {excerpt(part.number)}")
+        parts[part.number] = part
     for loaded in map(_part, root.iterfind("load_spectrum[1]/load_case[1]/component")):
         if base := parts.get(loaded.number):
             both = {**base.attributes, **loaded.attributes}
@@ -175,7 +202,10 @@ def read(path: Path) -> Parts:
 
 def _order(relation: ElementTree.Element) -> int:
     order = relation.get("order", "0")
-    return int(order) if order.isdecimal() else 0
+    try:
+        return inputs.whole(order, 0, HIGHEST)
+    except inputs.BadNumber as problem:
+        raise BadCase(f"relation {excerpt(relation.get('id', ''))}: order: {problem}") from problem
 
 
 def _part(component: ElementTree.Element) -> Part:
@@ -189,7 +219,7 @@ def _part(component: ElementTree.Element) -> Part:
 def _bearing(model: Parts, number: str | None) -> Part:
     """The bearing that is wanted, or the only one."""
     found = {part.number: part for part in model.parts.values() if part.kind == BEARING}
-    told = ", ".join(f"{part.number} ({excerpt(part.name)})" for part in found.values())
+    told = enumerated([f"{excerpt(part.number)} ({excerpt(part.name)})" for part in found.values()])
     if not found:
         raise BadCase(f"has no {BEARING}.")
     if number is None and len(found) > 1:
@@ -206,8 +236,8 @@ def _entries(model: Parts, bearing: Part, like: str) -> Iterator[tuple[str, str]
     yield from _lengths(bearing, OF_BEARING)
     if element:
         yield from _lengths(element, OF_ELEMENT)
-    if row and (count := row.number_of("number_of_rolling_elements", "none")):
-        yield "elements", str(int(count))
+    if row and (count := row.number_of("number_of_rolling_elements", "none")) is not None:
+        yield "elements", f"{count:.12g}"
     if row and element:
         pitch = row.number_of("reference_diameter", "mm")
         rollers = element.number_of("diameter_of_rolling_element", "mm")

@@ -10,13 +10,16 @@ import json
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from io import StringIO
 from math import isfinite
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing import inputs
 from flexbearing.files import require_folder, require_outputs, write
+from flexbearing.inputs.limits import TABLE
 from flexbearing.outputs.value import WrongUnit, conversion
 from flexbearing.results import BadResult
 
@@ -113,11 +116,11 @@ def read(path: Path) -> Bearing:
         naming the column or the row that is missing or wrong
     """
     try:
-        with path.open(newline="", encoding="utf-8") as file:
-            heads, *rows = csv.reader(file, strict=True)
-    except (OSError, ValueError, csv.Error) as problem:
-        reason = getattr(problem, "strerror", None) or "it is no CSV"
-        raise BadResult(f"{path}: is no table of a study: {reason}.") from problem
+        heads, *rows = csv.reader(StringIO(inputs.text(path, TABLE), newline=""), strict=True)
+    except inputs.Unreadable as problem:
+        raise BadResult(f"{path}: {problem}.") from problem
+    except (ValueError, csv.Error) as problem:
+        raise BadResult(f"{path}: is no table of a study: it is no CSV.") from problem
     speeds = _column(path, heads, rows, (SPEED,), "rad/s")
     of_balls = not any(TILT_FOLLOWS in head for head in heads) and any(TILT_HELD in head for head in heads)
     which = TILT_HELD if of_balls else TILT_FOLLOWS
@@ -151,8 +154,8 @@ def _column(
     place, given = found[name]
     try:
         factor = conversion(given, unit).factor
-        values = np.array([float(row[place]) for row in rows]) * factor
-    except (WrongUnit, ValueError, IndexError) as problem:
+        values = np.array([inputs.number(row[place]) for row in rows]) * factor
+    except (WrongUnit, inputs.BadNumber, IndexError) as problem:
         raise BadResult(f"{path}: column {name}: a row has no number, or not in {unit}.") from problem
     return values
 

@@ -4,17 +4,32 @@ Every file that a user, another program or another machine wrote is opened here.
 the rooms that know the format.
 """
 
-from flexbearing.inputs.file import Unreadable, content, is_folder, is_plain, require_plain, text
+from flexbearing.inputs.file import (
+    Stamp,
+    Unreadable,
+    content,
+    is_folder,
+    is_plain,
+    lines,
+    opened,
+    size,
+    stamp,
+    text,
+)
 from flexbearing.inputs.number import BadNumber, number, whole
 
 __all__ = [
     "BadNumber",
+    "Stamp",
     "Unreadable",
     "content",
     "is_folder",
     "is_plain",
+    "lines",
     "number",
-    "require_plain",
+    "opened",
+    "size",
+    "stamp",
     "text",
     "whole",
 ]

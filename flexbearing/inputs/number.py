@@ -4,7 +4,7 @@ import re
 
 LONGEST = 64  # characters of a number; 17 digits and an exponent take 24
 LARGEST = 1e100  # its square is finite
-_NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[DEde][+-]?[0-9]+)?", re.ASCII)
+_NUMBER = re.compile(r"([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))(?:[DEde]?([+-][0-9]+)|[DEde]([0-9]+))?", re.ASCII)
 _WHOLE = re.compile(r"[+-]?[0-9]+", re.ASCII)
 
 
@@ -13,7 +13,7 @@ class BadNumber(ValueError):
 
 
 def number(text: str, largest: float = LARGEST) -> float:
-    """A finite number; D before an exponent is that of Fortran.
+    """A finite number; 1.5D+06 is that of Fortran, 1.5+6 that of Nastran.
 
     Parameters
     ----------
@@ -35,9 +35,10 @@ def number(text: str, largest: float = LARGEST) -> float:
     1500000.0
     """
     bare = _short(text)
-    if not _NUMBER.fullmatch(bare):
+    parts = _NUMBER.fullmatch(bare)
+    if parts is None:
         raise BadNumber(f"{bare!r} is no number")
-    value = float(bare.replace("D", "E").replace("d", "e"))
+    value = float(bare if parts.lastindex == 1 else f"{parts[1]}e{parts[2] or parts[3]}")
     if abs(value) > largest:
         raise BadNumber(f"{bare} is above {largest:g}")
     return value
@@ -76,7 +77,7 @@ def whole(text: str, least: int, most: int) -> int:
 
 def _short(text: str) -> str:
     """A text without blanks around it that is short enough for a number."""
-    bare = text[: 2 * LONGEST].strip()
-    if len(bare) > LONGEST or len(text) > 2 * LONGEST:
+    bare = text.strip()
+    if len(bare) > LONGEST:
         raise BadNumber(f"{bare[:20]!r}... is longer than a number, {len(text)} characters")
     return bare

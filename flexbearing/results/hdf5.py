@@ -14,6 +14,8 @@ import numpy as np
 from h5py import h5a, h5d, h5ds, h5f, h5g, h5l, h5o, h5p, h5r, h5s, h5t, h5z  # pyright: ignore[reportAttributeAccessIssue]
 from numpy.typing import NDArray
 
+from flexbearing import inputs
+from flexbearing.inputs.limits import RESULT
 from flexbearing.quantities.attributes import FORMAT
 from flexbearing.results.content import DIGEST, Content
 from flexbearing.results.image import (
@@ -30,7 +32,6 @@ from flexbearing.results.image import (
 MOST = 256  # groups of a file, arrays of a group, attributes of an array
 MOST_TEXTS = 10_000  # of a list
 _TEXT_MEMORY = 500_000_000  # bytes that a list of texts may come to
-LONGEST = 4_000_000_000  # bytes of a file
 _SIGNATURE = b"\x89HDF\r\n\x1a\n"
 _SUPERBLOCKS = (
     b"\2",
@@ -51,7 +52,7 @@ def stored(path: Path) -> bytes:
     Parameters
     ----------
     path : Path
-        a regular file
+        of a file
 
     Returns
     -------
@@ -61,10 +62,10 @@ def stored(path: Path) -> bytes:
     ------
     BadContent
         for another kind of file, one that is longer or shorter than it says, or longer than any result
-    OSError
+    Unreadable
         if it cannot be read
     """
-    with path.open("rb") as file:
+    with inputs.opened(path) as file:
         start, length = file.read(_END_OF_FILE.stop), os.fstat(file.fileno()).st_size
         if not start.startswith(_SIGNATURE):
             raise BadContent("not an HDF5 file, or damaged")
@@ -72,8 +73,8 @@ def stored(path: Path) -> bytes:
             said = int.from_bytes(start[_END_OF_FILE], "little")
             if said != length:
                 raise BadContent(f"damaged: it has {length} bytes and says that it ends after {said}")
-        if length > LONGEST:
-            raise BadContent(f"it has {length} bytes; {LONGEST} is the most of a result")
+        if length > RESULT:
+            raise BadContent(f"it is larger than {inputs.size(RESULT)}, the most of a result")
         return start + file.read()
 
 

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from flexbearing import inputs
 from flexbearing.case.family import Families
 from flexbearing.files import parts_of
 from flexbearing.files.whole import UNFINISHED
@@ -64,6 +65,8 @@ def read(path: str | Path, families: Families) -> Result:
         raise BadResult(f"{path}: {_other_format(problem)}") from problem
     except BadResult:
         raise
+    except inputs.Unreadable as problem:
+        raise BadResult(f"{path}: {problem}.") from problem
     except (OSError, MemoryError) as problem:
         raise BadResult(f"{path}: cannot be read: {getattr(problem, 'strerror', problem)}.") from problem
     except ValueError as problem:  # BadContent, NotInLayout, a NUL in the name
@@ -83,8 +86,8 @@ def case_file(path: Path) -> str:
     str
         empty where nothing could be read
     """
-    with suppress(OSError, hdf5.BadContent):
-        stated = hdf5.attribute(hdf5.stored(path), "case_file") if path.is_file() else None
+    with suppress(OSError, inputs.Unreadable, hdf5.BadContent):
+        stated = hdf5.attribute(hdf5.stored(path), "case_file")
         return stated if isinstance(stated, str) else ""
     return ""
 

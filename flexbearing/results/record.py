@@ -26,6 +26,7 @@ class Recorder(Protocol):
     """Takes what a run reaches: a `Record`, or a `ResultFile`, which also stores it."""
 
     stores: ClassVar[bool]  # whether a file is written
+    compared: bool  # whether numbers alone matter, and no other equilibria
 
     def iteration(self, number: int, values: Mapping[str, ArrayLike]) -> None:
         """Add an iteration."""
@@ -47,6 +48,8 @@ class Record:
         root attributes that are known when the run begins, such as ``title`` and ``case_text``
     family : Family
         of the bearing; it decides the layout
+    compared : bool
+        whether its numbers alone are compared with those of other cases: other equilibria are not searched
 
     Raises
     ------
@@ -56,7 +59,8 @@ class Record:
 
     stores: ClassVar[bool] = False
 
-    def __init__(self, attributes: Mapping[str, Any], family: Family):
+    def __init__(self, attributes: Mapping[str, Any], family: Family, *, compared: bool = False):
+        self.compared = compared
         self._family = family
         self._layout: Layout = family.layout()
         self._attributes = self._allowed({**stamp(), "kind": family.kind, **attributes})

@@ -67,6 +67,7 @@ class ResultFile:
     """
 
     stores: ClassVar[bool] = True
+    compared: bool = False
 
     def __init__(
         self, path: str | Path, attributes: Mapping[str, Any], family: Family, inputs: tuple[Path, ...] = ()

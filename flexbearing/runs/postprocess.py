@@ -68,7 +68,8 @@ class Postprocessing:
         self.of_state[name] = notes.of_solution(rows)
         if name == "flexible" and self.case.outputs.stresses:
             self._add_stresses(self.blocks[name])
-        self.several[name] = rows.other_equilibria(0)
+        if not self.record.compared:
+            self.several[name] = rows.other_equilibria(0)
 
     def _add_stresses(self, block: Arrays) -> None:
         """Stresses come on top of a solution: what keeps them away is a note, and the solution stays."""

@@ -81,6 +81,34 @@ def run_case(
             return record.finish(**ending, wall_time_s=perf_counter() - began)
 
 
+def compared(case: Head, family: Family) -> Result:
+    """Compute a case whose numbers are compared with those of another: other equilibria are not searched.
+
+    Parameters
+    ----------
+    case : Head
+        as it was read
+    family : Family
+        its family
+
+    Returns
+    -------
+    Result
+        that is written nowhere
+
+    Raises
+    ------
+    BadCase
+        when the case cannot be computed as it stands
+    """
+    began = perf_counter()
+    require_possible(case, family)
+    with family.ahead()(case) if family.ahead else nullcontext() as ahead, linear_algebra_alone():
+        record = Record(_head(case) | family.opening()(case), family, compared=True)
+        ending = _solver(case, family, None, ahead=ahead)(case, record, Logged())
+        return record.finish(**ending, wall_time_s=perf_counter() - began)
+
+
 def _solver(
     case: Head, family: Family, start: Result | None, **further: Any
 ) -> Callable[..., dict[str, Any]]:
@@ -107,7 +135,7 @@ def _lives_compared(case: Head, family: Family, report: Report, notes: list[Any]
     report.stage("lives against those of a catalogue", None)
     try:
         compared = against_catalogue(
-            case, family.catalogue(), _reader(case, family), lambda each: run_case(each, family)
+            case, family.catalogue(), _reader(case, family), lambda each: compared(each, family)
         )
     except BadCase as problem:
         why = information("no-catalogue-life", f"no life of a catalogue to compare with: {problem}")
@@ -126,7 +154,7 @@ def _inputs_weighed(case: Head, family: Family, report: Report, notes: list[Any]
     from quasidynamic.note import information
 
     try:
-        found = assumed_effects(case, _reader(case, family), lambda each: run_case(each, family), report)
+        found = assumed_effects(case, _reader(case, family), lambda each: compared(each, family), report)
     except BadCase as problem:
         why = information("no-assumed-effects", f"how much assumed inputs matter is not known: {problem}")
         return {"notes": [*notes, why.record()]}

@@ -8,8 +8,8 @@ from scipy import linalg
 
 from fem import Foundation, Housing, ImpossiblePart, MeshSize, OuterRing, ReducedBody, RigidSeat
 from fem.condense import BEAM, HARMONICS, condense
-from fem.matrix import read
 from fem.parts.resolution import Resolution
+from flexbearing.build import matrix_files
 from tests.fem import written_matrices as write
 from tests.fem.test_parts import STEEL
 
@@ -128,11 +128,9 @@ def test_own_solid_written_and_read_back_is_the_housing(tube, program, tmp_path)
     ways = {"sti": write.calculix, "mtx": write.abaqus, "dmig": write.nastran}
     nodes = (write.grid_bdf if program == "dmig" else write.nodes_inp)(tmp_path / "m.inp", places, numbers)
     path = ways[program](tmp_path / f"k.{program}", unknowns, matrix)
-    there = read.places(nodes)
-    on_seat = [number for number, (_, y, z) in there.items() if np.hypot(y, z) < 1e3 * RADIUS + 0.1]
-    body = ReducedBody(
-        1e-3 * np.array([there[number] for number in on_seat]), 1e3 * read.stiffness(path).at(on_seat)
-    )
+    there, places = matrix_files.places(nodes)
+    on_seat = np.hypot(*places[:, 1:].T) < 1e3 * RADIUS + 0.1
+    body = ReducedBody(1e-3 * places[on_seat], 1e3 * matrix_files.stiffness(path).at(there[on_seat]))
     found = answers(body)
     known = answers(Housing(thickness=8e-3, width=WIDTH, elastic=STEEL, support=RigidSeat()))
     assert_allclose(found.support_stiffness, known.support_stiffness, rtol=0.01)

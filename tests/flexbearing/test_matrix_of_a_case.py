@@ -82,8 +82,8 @@ def test_mesh_with_other_axes_is_the_same_body(tmp_path):
 
 
 WRONG = {
-    "no matrix": ({"outer.matrix": "none.sti"}, "none.dof: cannot be read|none.sti: cannot be read"),
-    "no nodes": ({"outer.nodes": "none.inp"}, "none.inp: cannot be read"),
+    "no matrix": ({"outer.matrix": "none.sti"}, "none.sti: there is no such file"),
+    "no nodes": ({"outer.nodes": "none.inp"}, "none.inp: there is no such file"),
     "another program": ({"outer.matrix": str(PAPER)}, "a matrix has the ending"),
     "a ring of another size": ({"outer.thickness": "7 mm"}, "no node is on the outer surface"),
     "another length": ({"outer.length_unit": "1 m"}, "no node is on the outer surface"),

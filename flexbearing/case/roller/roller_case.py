@@ -69,6 +69,12 @@ class Case(Head):
         fitted = self.bearing.fits is not None and self.bearing.fits.housing is not None
         return housed and (fitted or self.outer.housing_clearance is not None)
 
+    @property
+    def named_files(self) -> tuple[Path, ...]:
+        """Files of its keys, and the unknowns of a matrix of CalculiX beside it."""
+        unknowns = (file.with_suffix(".dof") for file in self.matrix_files if file.suffix.lower() == ".sti")
+        return (*super().named_files, *unknowns)
+
     def points_file(self, table: Generatrix) -> Path | None:
         """CSV file of a profile, next to the case file; None for one without."""
         return None if table.points_file is None else Path(self.source.path).parent / table.points_file

@@ -8,12 +8,14 @@ from math import isnan, nan
 from pathlib import Path
 from typing import Any
 
+from flexbearing import inputs
 from flexbearing.inputs import is_plain
 from flexbearing.printable import printable
 from flexbearing.report.html.document import Block, Cell, Figure, Items, Number, Table
 from flexbearing.report.html.figures import COLOURS
-from flexbearing.report.html.table import PARQUET, csv_of_parquet
+from flexbearing.report.html.table import table_text
 from flexbearing.report.html.units import NOTHING, Units, converted, with_unit
+from flexbearing.results import BadResult
 
 PARTS = ("percentiles", "shares", "histogram")  # names of the tables, behind that of the study
 MOST_FIGURES = 12  # outputs with figures; the tables have all
@@ -51,8 +53,13 @@ def read_scatter(place: Path) -> ScatterTables | None:
 
 
 def _read(file: Path) -> list[Row]:
-    text = csv_of_parquet(file) if file.suffix == PARQUET else file.read_text("utf-8")
-    return [{name: _cell(name, cell) for name, cell in row.items()} for row in csv.DictReader(StringIO(text))]
+    try:
+        rows = csv.DictReader(StringIO(table_text(file)), strict=True)
+        return [{name: _cell(name, cell) for name, cell in row.items()} for row in rows]
+    except inputs.Unreadable as problem:
+        raise BadResult(f"{file}: {problem}.") from problem
+    except (ValueError, TypeError, csv.Error) as problem:
+        raise BadResult(f"{file}: is no table of a sampled study: {problem}.") from problem
 
 
 def _cell(name: str, text: str) -> Any:

@@ -6,11 +6,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from io import StringIO
-from math import isnan, nan
+from math import nan
 from pathlib import Path
 
+from flexbearing import inputs
 from flexbearing.case.declarations import find
 from flexbearing.case.family import Families
+from flexbearing.inputs.limits import TABLE
 from flexbearing.results import BadResult
 
 PARQUET = ".parquet"
@@ -112,43 +114,30 @@ def read_table(place: Path, families: Families) -> StudyTable:
         where there is no such file, or it is no table of a study
     """
     try:
-        text = csv_of_parquet(place) if place.suffix == PARQUET else place.read_text("utf-8")
+        text = table_text(place)
         head, *rows = list(csv.reader(StringIO(text, newline=""), strict=True))
-    except (OSError, ValueError, csv.Error) as problem:
-        reason = getattr(problem, "strerror", None) or problem
-        raise BadResult(f"{place}: is no table of a study that can be read: {reason}.") from problem
+    except inputs.Unreadable as problem:
+        raise BadResult(f"{place}: {problem}.") from problem
+    except (ValueError, csv.Error) as problem:
+        raise BadResult(f"{place}: is no table of a study: {problem}.") from problem
     if not rows or any(len(row) != len(head) for row in rows) or not set(ENDS) <= set(head):
         raise BadResult(f"{place}: is no table of a study: it has no rows with {', '.join(ENDS)}.")
     return StudyTable(place, text, tuple(_columns(head, rows, families)))
 
 
-def csv_of_parquet(place: Path) -> str:
-    """Text of the CSV file with the same table as a Parquet file.
+def table_text(place: Path) -> str:
+    """Text of a CSV file, or of one with the same table as a Parquet file.
 
     Raises
     ------
-    BadResult
-        without the package that reads it
-    OSError, ValueError
-        where the file cannot be read
+    Unreadable
+        where the file cannot be read, also without the package that reads Parquet
     """
-    try:
-        from pyarrow import parquet
-    except ImportError:
-        raise BadResult(
-            f'{place}: reading Parquet needs pyarrow: pip install "flexbearing[studies]".'
-        ) from None
-    table = parquet.read_table(place)
-    file = StringIO(newline="")
-    writer = csv.writer(file, lineterminator="\n")
-    writer.writerow(table.column_names)
-    columns = [["" if _nothing(value) else value for value in column.to_pylist()] for column in table.columns]
-    writer.writerows(zip(*columns, strict=True))
-    return file.getvalue()
+    if place.suffix != PARQUET:
+        return inputs.text(place, TABLE)
+    from flexbearing.report.html.parquet import csv_text
 
-
-def _nothing(value: object) -> bool:
-    return value is None or (isinstance(value, float) and isnan(value))
+    return csv_text(place)
 
 
 def _columns(head: list[str], rows: list[list[str]], families: Families) -> Iterator[StudyColumn]:

@@ -71,7 +71,7 @@ def certificates(*files: Path | None) -> Certificates | None:
         raise BadCase(f"{', '.join(OPTIONS)}: all three are needed for TLS, {len(named)} given")
     for option, file in zip(OPTIONS, named, strict=True):
         try:
-            inputs.require_plain(file)
+            inputs.stamp(file)
         except inputs.Unreadable as problem:
             raise BadCase(f"{option} {excerpt(str(file), LONGEST_NAME)}: {problem}") from problem
     found = Certificates(*named)

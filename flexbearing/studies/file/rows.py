@@ -10,9 +10,9 @@ from typing import Any
 from flexbearing import inputs
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.text import Unreadable, setting_value
+from flexbearing.inputs.limits import VARIANTS
 from flexbearing.studies.file.values import MOST, BadValues
 
-LARGEST = 2**27  # bytes: a million rows of ten numbers
 HEADING = re.compile(r"\s*(?P<name>[^\[\]]*?)\s*(?:\[(?P<unit>[^\[\]]*)\])?\s*")
 _HEADER = 'a header holds keys with units, such as "operation.radial_load [kN],operation.inner_speed [rpm]"'
 
@@ -38,7 +38,7 @@ def rows(file: Path, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], 
         naming file, row and column
     """
     try:
-        return _rows(inputs.text(file, LARGEST), has_unit)
+        return _rows(inputs.text(file, VARIANTS), has_unit)
     except (BadValues, Unreadable) as problem:
         raise BadValues(f'file = "{excerpt(file.name)}": {problem}') from None
 

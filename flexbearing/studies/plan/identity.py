@@ -1,9 +1,11 @@
 """The name of a variant: a digest of all that its numbers depend on."""
 
+from contextlib import suppress
 from functools import lru_cache
-from hashlib import sha256
+from hashlib import file_digest, sha256
 from pathlib import Path
 
+from flexbearing import inputs
 from flexbearing.case import Head
 from flexbearing.quantities.attributes import FORMAT
 
@@ -31,4 +33,6 @@ def identity(case: Head) -> str:
 @lru_cache(maxsize=64)
 def _content(path: Path) -> str:
     """Digest of a file; that there is none is told when the part is made."""
-    return sha256(path.read_bytes()).hexdigest() if path.is_file() else ""
+    with suppress(inputs.Unreadable), inputs.opened(path) as file:
+        return file_digest(file, "sha256").hexdigest()
+    return ""

@@ -1,0 +1,84 @@
+"""The table of a study in a Parquet file, as text of a CSV file."""
+
+import csv
+from io import StringIO
+from math import isnan
+from pathlib import Path
+from typing import Any
+
+from flexbearing import inputs
+from flexbearing.case.excerpt import excerpt
+from flexbearing.inputs.limits import TABLE
+
+MOST_ROWS, MOST_CELLS = 1_000_000, 20_000_000  # numbers and texts, those of lists among them
+LONGEST = 10_000  # bytes of a text
+AT_ONCE = 1000  # rows
+
+
+def csv_text(place: Path) -> str:
+    """Text of the CSV file with the same table.
+
+    Raises
+    ------
+    Unreadable
+        where the file cannot be read, is larger than any table of a study, or pyarrow is not installed
+    """
+    try:
+        import pyarrow
+        from pyarrow.parquet import ParquetFile
+    except ImportError:
+        raise inputs.Unreadable(
+            'reading Parquet needs pyarrow: pip install "flexbearing[studies]"', place
+        ) from None
+    content = pyarrow.BufferReader(inputs.content(place, TABLE))
+    try:
+        metadata = ParquetFile(content).metadata
+        _require_size(metadata)
+        packed = [metadata.schema.column(k).path for k in range(metadata.num_columns)]
+        return _text(ParquetFile(content, read_dictionary=packed))
+    except (pyarrow.ArrowException, OSError) as problem:
+        raise inputs.Unreadable(
+            f"is no Parquet file, or damaged: {excerpt(str(problem))}", place
+        ) from problem
+
+
+def _require_size(metadata: Any) -> None:
+    """Refuse what is no table of a study before it is unpacked."""
+    groups = [metadata.row_group(k) for k in range(metadata.num_row_groups)]
+    cells = sum(group.column(k).num_values for group in groups for k in range(group.num_columns))
+    unpacked = sum(group.total_byte_size for group in groups)
+    if metadata.num_rows > MOST_ROWS or cells > MOST_CELLS or unpacked > TABLE:
+        raise inputs.Unreadable(
+            f"has {metadata.num_rows} rows, {cells} cells, {inputs.size(unpacked)} unpacked; a table of a "
+            f"study has at most {MOST_ROWS} rows, {MOST_CELLS} cells, {inputs.size(TABLE)}"
+        )
+
+
+def _text(opened: Any) -> str:
+    """Rows as CSV; texts are unpacked last, as one may stand in a million cells."""
+    file = StringIO(newline="")
+    writer = csv.writer(file, lineterminator="\n")
+    writer.writerow(opened.schema_arrow.names)
+    for batch in opened.iter_batches(AT_ONCE):
+        if max(map(_longest_text, batch.columns), default=0) > LONGEST:
+            raise inputs.Unreadable(f"has a text of more than {LONGEST} bytes")
+        writer.writerows(zip(*map(_cells, batch.columns), strict=True))
+        if file.tell() > TABLE:
+            raise inputs.Unreadable(f"is larger than {inputs.size(TABLE)} unpacked")
+    return file.getvalue()
+
+
+def _longest_text(column: Any) -> int:
+    """Bytes of the longest text of a column, or in its lists."""
+    import pyarrow
+    from pyarrow import compute
+
+    flat = column.flatten() if pyarrow.types.is_list(column.type) else column
+    if not pyarrow.types.is_dictionary(flat.type):
+        return 0
+    return compute.max(compute.binary_length(flat.dictionary)).as_py() or 0  # type: ignore[attr-defined]
+
+
+def _cells(column: Any) -> list[Any]:
+    return ["" if value is None or (isinstance(value, float) and isnan(value)) else value
+            for value in column.to_pylist()]  # fmt: skip
