@@ -1,15 +1,13 @@
 """The arrays of a result as CSV: a table for every block and every set of axes, with units in its header."""
 
-import csv
 from collections.abc import Iterator, Mapping, Sequence
-from io import StringIO
 from itertools import product
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.files import require_folder, require_outputs, write
+from flexbearing.files import as_csv, require_folder, require_outputs, write
 from flexbearing.quantities.axes import Axis
 from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.quantity import Quantity
@@ -51,9 +49,7 @@ def export(result: Result, directory: Path) -> Iterator[Path]:
         raise BadResult(f"{result.place}: nothing was solved, so there is nothing to export.")
     places = require_outputs(tables, result.files)
     for place, (path, rows) in zip(places, tables.items(), strict=True):
-        file = StringIO(newline="")
-        csv.writer(file, lineterminator="\n").writerows(rows)
-        write(place, file.getvalue().encode())
+        write(place, as_csv(rows).encode())
         yield path
 
 

@@ -118,7 +118,7 @@ def read(path: Path) -> Bearing:
     try:
         heads, *rows = csv.reader(StringIO(inputs.text(path, TABLE), newline=""), strict=True)
     except inputs.Unreadable as problem:
-        raise BadResult(f"{path}: {problem}.") from problem
+        raise BadResult(f"{path}: is no table of a study: {problem}.") from problem
     except (ValueError, csv.Error) as problem:
         raise BadResult(f"{path}: is no table of a study: it is no CSV.") from problem
     speeds = _column(path, heads, rows, (SPEED,), "rad/s")

@@ -3,6 +3,7 @@
 What stands in them belongs to the rooms that make them: results, report, cache.
 """
 
+from flexbearing.files.csv_rows import as_csv
 from flexbearing.files.destination import BadOutput, require_folder, require_output, require_outputs
 from flexbearing.files.lock import lock
 from flexbearing.files.whole import NotStored, parts_of, write
@@ -10,6 +11,7 @@ from flexbearing.files.whole import NotStored, parts_of, write
 __all__ = [
     "BadOutput",
     "NotStored",
+    "as_csv",
     "lock",
     "parts_of",
     "require_folder",

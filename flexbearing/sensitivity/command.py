@@ -126,16 +126,10 @@ def _write(found: "Sensitivities", picture: Path, table: Path, form: str) -> Non
 
 
 def _csv(found: "Sensitivities") -> str:
-    from csv import DictWriter
-    from io import StringIO
-
     from flexbearing.derivatives.table import COLUMNS
+    from flexbearing.files import as_csv
 
-    file = StringIO(newline="")
-    writer = DictWriter(file, list(COLUMNS))
-    writer.writeheader()
-    writer.writerows(found.records())
-    return file.getvalue()
+    return as_csv([COLUMNS, *([record[name] for name in COLUMNS] for record in found.records())])
 
 
 def _as_json(found: "Sensitivities") -> dict[str, object]:

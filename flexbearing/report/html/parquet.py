@@ -1,16 +1,17 @@
 """The table of a study in a Parquet file, as text of a CSV file."""
 
-import csv
+from hashlib import sha256
 from io import StringIO
-from math import isnan
 from pathlib import Path
 from typing import Any
 
 from flexbearing import inputs
 from flexbearing.case.excerpt import excerpt
+from flexbearing.files import as_csv
 from flexbearing.inputs.limits import TABLE
 
 MOST_ROWS, MOST_CELLS = 1_000_000, 20_000_000  # numbers and texts, those of lists among them
+DIGEST = b"sha256"  # of the same table as CSV, in the metadata of the schema
 LONGEST = 10_000  # bytes of a text
 AT_ONCE = 1000  # rows
 
@@ -57,14 +58,16 @@ def _require_size(metadata: Any) -> None:
 def _text(opened: Any) -> str:
     """Rows as CSV; texts are unpacked last, as one may stand in a million cells."""
     file = StringIO(newline="")
-    writer = csv.writer(file, lineterminator="\n")
-    writer.writerow(opened.schema_arrow.names)
+    file.write(as_csv([opened.schema_arrow.names]))
     for batch in opened.iter_batches(AT_ONCE):
         if max(map(_longest_text, batch.columns), default=0) > LONGEST:
             raise inputs.Unreadable(f"has a text of more than {LONGEST} bytes")
-        writer.writerows(zip(*map(_cells, batch.columns), strict=True))
+        file.write(as_csv(zip(*(column.to_pylist() for column in batch.columns), strict=True)))
         if file.tell() > TABLE:
             raise inputs.Unreadable(f"is larger than {inputs.size(TABLE)} unpacked")
+    said = (opened.schema_arrow.metadata or {}).get(DIGEST)
+    if said and said != sha256(file.getvalue().encode()).hexdigest().encode():
+        raise inputs.Unreadable("is damaged: its table is another one than its digest says")
     return file.getvalue()
 
 
@@ -77,8 +80,3 @@ def _longest_text(column: Any) -> int:
     if not pyarrow.types.is_dictionary(flat.type):
         return 0
     return compute.max(compute.binary_length(flat.dictionary)).as_py() or 0  # type: ignore[attr-defined]
-
-
-def _cells(column: Any) -> list[Any]:
-    return ["" if value is None or (isinstance(value, float) and isnan(value)) else value
-            for value in column.to_pylist()]  # fmt: skip

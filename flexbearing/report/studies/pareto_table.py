@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from csv import writer
 from dataclasses import dataclass, field
-from io import StringIO
+
+from flexbearing.files import as_csv
 
 OUTPUTS = {  # name, what it is the error of
     "load": "loads of rollers or balls, largest error over largest load",
@@ -142,27 +142,16 @@ def text(study: Study) -> str:
 
 def table(study: Study) -> str:
     """Every level with its settings, times [s], errors [-] and message, as CSV."""
-    file = StringIO(newline="")
-    rows = writer(file)
-    rows.writerow(
-        [
-            "level",
-            "kind",
-            *(f"{when}_s" for when in TIMES),
-            *(f"error_{name}" for name in study.outputs),
-            *(f"told_{name}" for name in TOLD),
-            "picked",
-            "settings",
-            "message",
-        ]
-    )
+    errors = (*(f"error_{name}" for name in study.outputs), *(f"told_{name}" for name in TOLD))
+    head = ["level", "kind", *(f"{when}_s" for when in TIMES), *errors, "picked", "settings", "message"]
+    rows: list[list[object]] = [[*head]]
     for level in (*study.levels, study.reference):
-        numbers = [level.times.get(when, "") for when in TIMES]
+        numbers: list[object] = [level.times.get(when, "") for when in TIMES]
         numbers += [level.errors.get(name, "") for name in study.outputs]
         numbers += [level.told.get(name, "") for name in TOLD]
         kind = "reference" if level is study.reference else "physics" if level.physics else "numerical"
-        rows.writerow([level.name, kind, *numbers, level.picked, " ".join(level.settings), level.message])
-    return file.getvalue()
+        rows.append([level.name, kind, *numbers, level.picked, " ".join(level.settings), level.message])
+    return as_csv(rows)
 
 
 def percent(value: float) -> str:

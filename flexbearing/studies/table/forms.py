@@ -1,13 +1,12 @@
 """The forms of a table: the bytes of each file, with units in all of them."""
 
-import csv
 import json
 from collections.abc import Callable
+from hashlib import sha256
 from importlib.util import find_spec
-from io import BytesIO, StringIO
-from math import isnan
-from typing import Any
+from io import BytesIO
 
+from flexbearing.files import as_csv
 from flexbearing.studies.table.table import Table
 
 EXTRA = 'pip install "flexbearing[studies]"'
@@ -15,21 +14,15 @@ EXTRA = 'pip install "flexbearing[studies]"'
 
 def csv_bytes(table: Table) -> bytes:
     """A table as CSV: headings with units, then the rows; nothing stands where there is no number."""
-    file = StringIO(newline="")
-    writer = csv.writer(file, lineterminator="\n")
-    writer.writerow(column.heading for column in table.columns)
-    writer.writerows(zip(*(map(_cell, column.values) for column in table.columns), strict=True))
-    return file.getvalue().encode()
-
-
-def _cell(value: Any) -> Any:
-    return "" if isinstance(value, float) and isnan(value) else value
+    headings = [column.heading for column in table.columns]
+    return as_csv([headings, *zip(*(column.values for column in table.columns), strict=True)]).encode()
 
 
 def parquet_bytes(table: Table) -> bytes:
     """A table as Parquet, fields called as the headings.
 
-    Each field has its unit as metadata, and the metadata of the file hold all of them as JSON, "units".
+    Each field has its unit as metadata, and the metadata of the file hold all of them as JSON, "units", and
+    the digest of the same table as CSV, by which a reader sees whether the file is damaged.
     """
     import pyarrow
     from pyarrow import parquet
@@ -40,7 +33,8 @@ def parquet_bytes(table: Table) -> bytes:
         for column, array in zip(table.columns, arrays, strict=True)
     ]
     units = json.dumps({column.heading: column.unit for column in table.columns if column.unit})
-    schema = pyarrow.schema(fields, metadata={"title": table.name, "units": units})
+    digest = sha256(csv_bytes(table)).hexdigest()
+    schema = pyarrow.schema(fields, metadata={"title": table.name, "units": units, "sha256": digest})
     file = BytesIO()
     parquet.write_table(pyarrow.table(arrays, schema=schema), file, compression="zstd")
     return file.getvalue()

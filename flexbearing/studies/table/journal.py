@@ -8,6 +8,7 @@ import json
 import logging
 import os
 import re
+import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from io import FileIO
@@ -25,7 +26,7 @@ from flexbearing.studies.plan.task import Call, names as names_of
 SUFFIX = ".journal.jsonl"
 LONGEST_LINE = 2**24  # bytes: a row with the slopes of a thousand outputs by a hundred keys has a tenth of it
 LONGEST_TEXT, LONGEST_STATUS = 10_000, 60  # characters
-LARGEST_NUMBER = 1.8e308  # of a finite one
+LARGEST_NUMBER = sys.float_info.max
 SHOWN = 5  # numbers of damaged lines
 _HALF = re.compile("[\ud800-\udfff]")
 _NOTHING: dict[str, Any] = {"names": None}  # in place of a damaged line

@@ -1,0 +1,30 @@
+"""Rows as the text of a CSV file, the one form in which the program writes them."""
+
+import csv
+from collections.abc import Iterable
+from io import StringIO
+from math import isnan
+from typing import Any
+
+from flexbearing.printable import printable
+
+_FORMULA = ("=", "+", "-", "@", "\t", "\r")  # what a spreadsheet takes for the beginning of a formula
+
+
+def as_csv(rows: Iterable[Iterable[Any]]) -> str:
+    r"""Rows with a comma between cells; nothing stands where a cell is None or not a number.
+
+    A text that a spreadsheet would compute stands behind an apostrophe, as OWASP (CSV injection) recommends.
+
+    >>> as_csv([["load [N]", "note"], [1.5, "=1+1"], [float("nan"), "a\x1b[0m"]])
+    "load [N],note\n1.5,'=1+1\n,a\\x1b[0m\n"
+    """
+    file = StringIO(newline="")
+    csv.writer(file, lineterminator="\n").writerows(map(_cell, row) for row in rows)
+    return file.getvalue()
+
+
+def _cell(value: Any) -> Any:
+    if isinstance(value, str):
+        return f"'{printable(value)}" if value.startswith(_FORMULA) else printable(value)
+    return "" if isinstance(value, float) and isnan(value) else value
