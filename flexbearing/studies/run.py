@@ -170,6 +170,7 @@ def compute_missing(
         tasks = [replace(task, levels=levels.get(task.variants[0].levels)) for task in tasks]
         began, rows_of = perf_counter(), Counter(variant.identity for variant in settled.plan.variants)
         for end in finished(tasks, work.rows, started):
+            end = replace(end, rows=tuple(row for row in end.rows if row.identity not in rows))
             stored = [row for row in end.rows if row.status != NOT_STORED]
             kept.add(stored)
             rows |= {row.identity: row for row in stored}

@@ -14,7 +14,8 @@ from flexbearing.studies.plan.task import NOT_STORED
 from flexbearing.studies.prepare import compute
 from flexbearing.studies.run import Work, run
 from flexbearing.studies.table import journal
-from tests.flexbearing.toy_studies import cubes, load, no_ring, toy
+from flexbearing.studies.table.journal import SUFFIX
+from tests.flexbearing.toy_studies import CASE, cubes, load, no_ring, toy
 
 
 def computed(settled, folder, work=cubes, engine=None, **options):
@@ -84,7 +85,7 @@ def test_failed_rows_are_computed_again_where_it_is_asked_for(tmp_path):
     computed(settled, tmp_path)
     work, loads = counting()
     computed(settled, tmp_path, work, retry_failed=True)
-    assert loads == [1.0]
+    assert loads == [1.0, 2.0]  # a task is computed whole
 
 
 def test_another_axis_takes_the_rows_that_it_shares(tmp_path):
@@ -169,7 +170,7 @@ def test_a_result_file_that_finds_no_place_ends_the_study_and_is_no_row(tmp_path
     assert problem.value.__notes__ == ["5 of 10 variants are kept, the same study goes on from there"]
     work, loads = counting()
     table = computed(settled, tmp_path, work)
-    assert sorted(loads) == [6.0, 7.0, 8.0, 9.0, 10.0]
+    assert sorted(loads) == [5.0, 6.0, 7.0, 8.0, 9.0, 10.0]  # tasks of two, computed whole
     assert str(table.rows) == str(computed(settled, tmp_path / "at once").rows)
 
 
@@ -292,3 +293,24 @@ def test_equal_variants_are_computed_once_and_stand_in_every_row(tmp_path):
     table = computed(toy(tmp_path, '"operation.radial_load" = ["5 kN", "5000 N", "5 kN"]'), tmp_path, work)
     assert len(loads) == 1
     assert table["life"].values == (8.0, 8.0, 8.0)
+
+
+def test_a_study_that_goes_on_has_the_numbers_of_one_that_was_not_interrupted(tmp_path):
+    """To the last digit: tasks are cut alike, whatever rows are there already."""
+    from flexbearing.studies.study import study
+
+    file = tmp_path / "s.toml"
+    file.write_text(
+        f'case = "{CASE}"\n[over]\n"operation.radial_load" = "1 kN .. 20 kN, 12"\n'
+        '"bearing.clearance" = ["5 um", "20 um", "40 um"]\n'
+    )
+    whole = study(file, tmp_path / "whole", jobs=1)
+    lines = (tmp_path / "whole" / f"s{SUFFIX}").read_bytes().splitlines(keepends=True)
+    for part in (5, 17, 30):
+        folder = tmp_path / str(part)
+        folder.mkdir()
+        (folder / f"s{SUFFIX}").write_bytes(b"".join(lines[:part]))
+        again = study(file, folder, jobs=1)
+        for one, other in zip(again.columns, whole.columns, strict=True):
+            if one.name != "seconds":
+                assert str(one.values) == str(other.values)

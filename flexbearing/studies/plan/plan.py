@@ -51,7 +51,10 @@ class Plan:
     side_by_side: bool = False  # whether the variants of a task are solved together
 
     def tasks(self, wanted: Callable[[Variant], bool]) -> tuple[Task, ...]:
-        """Bundle variants that are still wanted, each identity once, those between the same rings together.
+        """Bundle variants, each identity once, those between the same rings together.
+
+        Tasks are cut alike whatever is still wanted: numbers of variants solved side by side depend on their
+        neighbours in the last digits, so that a task is computed whole or not at all.
 
         Parameters
         ----------
@@ -64,14 +67,16 @@ class Plan:
         """
         groups: dict[tuple[tuple[str, ...], str], dict[str, Variant]] = {}
         for variant in self.variants:
-            if wanted(variant):
-                groups.setdefault((variant.rings, variant.levels), {})[variant.identity] = variant
+            groups.setdefault((variant.rings, variant.levels), {})[variant.identity] = variant
         total = sum(map(len, groups.values()))
-        return tuple(
-            Task(self.base, bundle)
+        bundles = (
+            bundle
             for (rings, _), group in groups.items()
             for bundle in _bundles([*group.values()], self._size(total, elastic=bool(rings)))
         )
+        chosen = ((bundle, tuple(filter(wanted, bundle))) for bundle in bundles)
+        whole = self.side_by_side
+        return tuple(Task(self.base, bundle if whole else some) for bundle, some in chosen if some)
 
     def _size(self, total: int, *, elastic: bool) -> int:
         """Most variants of a task, so that little is lost when one of them ends a worker."""
