@@ -79,6 +79,8 @@ def write(path: Path, data: bytes, *, beside: Path | None = None, lasting: bool 
         if part.read_bytes() != data:
             raise NotStored(f"{path}: the disk did not keep what was written; nothing was replaced.")
         part.replace(path)
+        if lasting:
+            _remove_abandoned(beside or path)
     except OSError as problem:
         _remove(part)
         raise NotStored(
@@ -88,6 +90,26 @@ def write(path: Path, data: bytes, *, beside: Path | None = None, lasting: bool 
     except BaseException:  # an interrupt leaves no part behind
         _remove(part)
         raise
+
+
+def _remove_abandoned(path: Path) -> None:
+    """Remove torn files of the same output whose process was killed while it wrote them."""
+    for part, where, process in parts_of(path):
+        if part.suffix == _WRITING and where == host() and not _lives(process):
+            _remove(part)
+
+
+def _lives(process: int) -> bool:
+    """Whether a process of this host is there; true where that cannot be known."""
+    if os.name != "posix":
+        return True
+    try:
+        os.kill(process, 0)  # asks without a signal
+    except (ProcessLookupError, OverflowError):
+        return False
+    except OSError:  # of another account
+        return True
+    return True
 
 
 def _remove(part: Path) -> None:

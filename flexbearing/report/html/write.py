@@ -2,13 +2,16 @@
 
 import json
 import re
+from collections.abc import Mapping
 from html import escape
 from importlib.resources import files
+from typing import Any
 
 from flexbearing.report.html.document import Document
 
 _CODE = re.compile(r"`([^`]+)`")
 _LINK = re.compile(r"\[([^\[\]]+)\]\(#([\w-]+)\)")
+TEMPLATE = "hovertemplate"  # of a trace, which holds markup of ours and no text from elsewhere
 PLOTLY = "plotly-cartesian-4.1.1.min.js"  # scatter, bars, heatmaps; its licence lies beside it
 
 
@@ -32,7 +35,8 @@ def html(document: Document) -> str:
         autoescape=True, undefined=StrictUndefined, trim_blocks=False, lstrip_blocks=True
     )
     figures = [
-        {"name": figure.name, "traces": figure.traces, "layout": figure.layout} for figure in document.figures
+        {"name": each.name, "traces": plain(each.traces), "layout": plain(each.layout)}
+        for each in document.figures
     ]
     environment.filters["marked"] = marked
     template = environment.from_string((page / "report.html.j2").read_text("utf-8"))
@@ -55,6 +59,21 @@ def marked(text: str) -> str:
     'see <a href="#life">Life</a>, [bearing](other)'
     """
     return _LINK.sub(r'<a href="#\2">\1</a>', _CODE.sub(r"<code>\1</code>", escape(text)))
+
+
+def plain(value: Any, key: str = "") -> Any:
+    """Traces or layout whose texts Plotly shows as they are, and takes for no markup; templates are ours.
+
+    >>> plain({"name": "<a href='x'>load</a>", "hovertemplate": "%{y}<extra></extra>"})
+    {'name': "&lt;a href='x'>load&lt;/a>", 'hovertemplate': '%{y}<extra></extra>'}
+    """
+    if isinstance(value, str):
+        return value if key == TEMPLATE else value.replace("<", "&lt;")
+    if isinstance(value, Mapping):
+        return {name: plain(item, name) for name, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [plain(item, key) for item in value]
+    return value
 
 
 def in_script(value: object) -> str:
