@@ -49,7 +49,7 @@ def nothing_computed(monkeypatch):
     def never(*_, **__):
         raise AssertionError("computed before the output was settled")
 
-    for module, name in ((fields, "fields"), (branch, "completed"), (pareto, "Apart")):
+    for module, name in ((fields, "fields"), (branch, "completed"), (pareto, "Processes")):
         monkeypatch.setattr(module, name, never)
 
 

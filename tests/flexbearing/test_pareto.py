@@ -188,7 +188,7 @@ def command(capsys):
 @pytest.fixture
 def in_this_process(monkeypatch):
     """Levels see what a test puts in the place of functions."""
-    monkeypatch.setattr(pareto, "Apart", Serial)
+    monkeypatch.setattr(pareto, "Processes", lambda workers: Serial())
 
 
 @pytest.mark.slow
