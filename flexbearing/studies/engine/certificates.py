@@ -1,6 +1,5 @@
 """Certificates by which a scheduler, its workers and this program know each other."""
 
-import ssl
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -81,8 +80,10 @@ def certificates(*files: Path | None) -> Certificates | None:
 
 def _require_usable(found: Certificates) -> None:
     """Load the files as a connection does; nobody is asked for a passphrase."""
+    from ssl import create_default_context
+
     try:
-        context = ssl.create_default_context(cafile=found.authority)
+        context = create_default_context(cafile=found.authority)
         context.load_cert_chain(found.certificate, found.key, password="")
     except (OSError, ValueError) as problem:
         raise BadCase(

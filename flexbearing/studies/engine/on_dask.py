@@ -1,9 +1,7 @@
 """Calls on the workers of a Dask scheduler."""
 
-import asyncio
 import logging
 from collections.abc import Callable, Iterator
-from concurrent.futures import ThreadPoolExecutor
 from ipaddress import ip_address
 from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any
@@ -84,6 +82,9 @@ def connected(address: str, certificates: Certificates | None = None) -> OnDask:
         where there is no such address, nobody answers, or not without TLS or other certificates
     """
     encrypted = _require_address(address)
+    import asyncio
+    from concurrent.futures import ThreadPoolExecutor
+
     from distributed import Client
     from distributed.security import Security
 
@@ -103,13 +104,15 @@ def connected(address: str, certificates: Certificates | None = None) -> OnDask:
 
 async def _threads(address: str, security: "Security") -> int:
     """How many calls a scheduler can have made at once; a client would not end if something else answers."""
+    from asyncio import wait_for
+
     from distributed.comm.core import connect
     from distributed.core import send_recv
 
     try:
         options = security.get_connection_args("client")
         answering = await connect(address, timeout=PATIENCE, **options)
-        identity: Any = await asyncio.wait_for(send_recv(answering, op="identity", n_workers=-1), PATIENCE)
+        identity: Any = await wait_for(send_recv(answering, op="identity", n_workers=-1), PATIENCE)
         await answering.close()
         return sum(worker["nthreads"] for worker in identity["workers"].values())
     except Exception as problem:  # whatever comes from there, also what asks for all memory
