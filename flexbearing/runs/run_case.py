@@ -134,13 +134,13 @@ def _lives_compared(case: Head, family: Family, report: Report, notes: list[Any]
     assert family.catalogue is not None  # of a case that has this output
     report.stage("lives against those of a catalogue", None)
     try:
-        compared = against_catalogue(
+        lives = against_catalogue(
             case, family.catalogue(), _reader(case, family), lambda each: compared(each, family)
         )
     except BadCase as problem:
         why = information("no-catalogue-life", f"no life of a catalogue to compare with: {problem}")
         return {"notes": [*notes, why.record()]}
-    return {"catalogue_life": compared}
+    return {"catalogue_life": lives}
 
 
 def _weighing(case: Head) -> bool:
