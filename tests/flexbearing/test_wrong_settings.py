@@ -1,5 +1,6 @@
 """Whatever stands at a key of a study, an optimisation or a profile: it is refused in a line, or taken."""
 
+import tracemalloc
 from collections.abc import Iterator
 from copy import deepcopy
 from typing import Any
@@ -9,8 +10,10 @@ import pytest
 from flexbearing.case import BadCase
 from flexbearing.case.declarations import declared, toml
 from flexbearing.case.quantity import Section
+from flexbearing.families import FAMILIES
 from flexbearing.optimise.run import optimise
 from flexbearing.optimise.schema import OptimisationFile
+from flexbearing.studies.file import read
 from flexbearing.studies.file.schema import StudyFile
 from flexbearing.studies.file.slurm_profile import SlurmProfile, profile
 from flexbearing.studies.prepare import prepared
@@ -132,3 +135,27 @@ def test_optimisations(tmp_path):
 
 def test_profiles(tmp_path):
     assert wrong(profile, tmp_path / "p.toml", PROFILE, places(SlurmProfile)) == []
+
+
+MILLIONS = """
+"operation.radial_load" = "1 kN .. 2 kN, 1000000"
+"bearing.clearance" = "1 um .. 2 um, 1000000"
+"operation.inner_speed" = "1 rpm .. 2 rpm, 1000000"
+"""
+DRAWN = 'count = 1000000\n"bearing.form_error.roller_diameters" = "14 x normal 11 mm, 1 um"'
+
+
+@pytest.mark.parametrize(
+    ("table", "message"),
+    [(MILLIONS, "gives 1000000000000000000 variants"), (DRAWN, "draws 14000000 numbers")],
+    ids=["axes", "sample"],
+)
+def test_what_is_too_large_is_refused_before_it_is_made(table, message, tmp_path):
+    file = tmp_path / "large.toml"
+    file.write_text(f'case = "{CASE}"\n[{"sample" if "count" in table else "over"}]\n{table}\n')
+    tracemalloc.start()
+    with pytest.raises(BadCase, match=message):
+        read(file, FAMILIES)
+    most = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert most < 2e7  # bytes

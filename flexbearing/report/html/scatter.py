@@ -17,7 +17,21 @@ from flexbearing.report.html.table import table_text
 from flexbearing.report.html.units import NOTHING, Units, converted, with_unit
 from flexbearing.results import BadResult
 
-PARTS = ("percentiles", "shares", "histogram")  # names of the tables, behind that of the study
+_P = ("P10", "P50", "P90")
+COLUMNS = {  # of the tables, by their names behind that of the study
+    "percentiles": {
+        "output", "unit", "mean", "deviation", *_P, *(f"{p}_{end}" for p in _P for end in ("low", "high")),
+        "linear_mean", "linear_deviation", *(f"linear_{p}" for p in _P), "linear_explains [%]",
+        "rows", "unsolved",
+    },
+    "shares": {
+        "output", "key", "first", "total", "points", "linear_share", "halved_P10", "halved_P90",
+        "narrower [%]",
+        "by",
+        *(f"{index}_{end}" for index in ("first", "total") for end in ("low", "high")),
+    },
+    "histogram": {"output", "bin", "unit", "from", "to", "rows", "linear_rows"},
+}  # fmt: skip
 MOST_FIGURES = 12  # outputs with figures; the tables have all
 TEXTS = ("output", "unit", "key", "by")  # columns of texts
 GREY = "#c0c4cc"
@@ -46,15 +60,23 @@ def read_scatter(place: Path) -> ScatterTables | None:
     ScatterTables or None
         None where it is not there, as of other studies
     """
-    files = [place.with_name(f"{place.stem}_{part}{place.suffix}") for part in PARTS]
+    files = [place.with_name(f"{place.stem}_{part}{place.suffix}") for part in COLUMNS]
     if not all(map(is_plain, files)):
         return None
-    return ScatterTables(*(_read(file) for file in files))
+    found = ScatterTables(*(_read(file, names) for file, names in zip(files, COLUMNS.values(), strict=True)))
+    known = {row["output"] for row in found.outputs}
+    for rows in (found.shares, found.bins):
+        if {row["output"] for row in rows} != known:
+            raise BadResult(f"{place}: its tables of the scatter have other outputs than each other.")
+    return found
 
 
-def _read(file: Path) -> list[Row]:
+def _read(file: Path, names: set[str]) -> list[Row]:
+    """Rows of one of the tables; none of one that only says that nothing scatters."""
     try:
-        rows = csv.DictReader(StringIO(table_text(file)), strict=True)
+        rows = [*csv.DictReader(StringIO(table_text(file)), strict=True)]
+        if any(set(row) != names for row in rows):
+            raise BadResult(f"{file}: has other columns than a table of a sampled study.")
         return [{name: _cell(name, cell) for name, cell in row.items()} for row in rows]
     except inputs.Unreadable as problem:
         raise BadResult(f"{file}: {problem}.") from problem

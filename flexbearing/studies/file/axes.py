@@ -8,7 +8,7 @@ from typing import Any
 
 from flexbearing.case.declarations import Declaration
 from flexbearing.studies.file.rows import rows
-from flexbearing.studies.file.values import MOST, BadValues, values
+from flexbearing.studies.file.values import MOST, BadValues, count, values
 
 TOGETHER, OF_FILE = "variant", "row"  # names of axes of several keys
 
@@ -49,6 +49,8 @@ def axes(
         naming the key
     """
     found = [Axis(OF_FILE, *rows(table, lambda key: find(key).kind is not None))] if table else []
+    if not zipped:
+        _require_few(prod(map(count, over.values())))
     columns = columns_of(over, find)
     if zipped and columns:
         found.append(together(columns, TOGETHER))
@@ -110,8 +112,8 @@ def together(columns: Mapping[str, tuple[Any, ...]], name: str) -> Axis:
     if len({*lengths.values()}) > 1:
         told = ", ".join(f"{key} has {length}" for key, length in lengths.items())
         raise BadValues(f"needs as many values of every key: {told}")
-    count = max(lengths.values(), default=1)
-    full = [column if len(column) > 1 else column * count for column in columns.values()]
+    longest = max(lengths.values(), default=1)
+    full = [column if len(column) > 1 else column * longest for column in columns.values()]
     return Axis(name, tuple(columns), tuple(zip(*full, strict=True)))
 
 
@@ -127,5 +129,9 @@ def require_crossable(found: Sequence[Axis]) -> None:
     for key in keys:
         if keys.count(key) > 1:
             raise BadValues(f"{key} is varied twice")
-    if (count := prod(len(axis.rows) for axis in found)) > MOST:
-        raise BadValues(f"gives {count} variants; a study has at most {MOST}")
+    _require_few(prod(len(axis.rows) for axis in found))
+
+
+def _require_few(variants: int) -> None:
+    if variants > MOST:
+        raise BadValues(f"gives {variants} variants; a study has at most {MOST}")

@@ -22,6 +22,7 @@ _TEXT = re.compile(
 )
 _PLAIN = re.compile(r"\s*[+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?(?:\s[^,]*)?")  # one value, with or without a unit
 MOST_NUMBERS = 1000  # of one list
+MOST_DRAWN = 5_000_000  # numbers of a study, each some 200 bytes in the words of a case
 _UNIT = re.compile(r"[+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?\s*(.*)")
 
 
@@ -116,6 +117,10 @@ def sampled(sample: Sample, find: Callable[[str], Declaration]) -> tuple[Axis, D
     if not factors:
         raise BadValues('names no key; give one or more, such as "bearing.clearance" = "normal 75 um, 5 um"')
     design = _design(sample, len(factors))
+    if (drawn := sample.count * sum(factor.width for factor in factors)) > MOST_DRAWN:
+        raise BadValues(
+            f"draws {drawn} numbers; a study draws at most {MOST_DRAWN}: lower count or the lists"
+        )
     points = design.points([factor.width for factor in factors])
     ends = accumulate(factor.width for factor in factors)
     columns = [

@@ -54,6 +54,13 @@ def values(given: Any, declaration: Declaration) -> tuple[Any, ...]:
     return (given,)
 
 
+def count(given: Any) -> int:
+    """How many values a range has, before they are made; 1 of anything else."""
+    short = isinstance(given, str) and len(given) <= 3 * LONGEST
+    parts = _RANGE.fullmatch(given) if short else None
+    return int(parts["count"]) if parts else 1
+
+
 def _lists(given: list[Any]) -> bool:
     """Whether every value is a list itself, as the values of a key that holds a list are."""
     return all(isinstance(value, list) for value in given)
@@ -63,14 +70,14 @@ def _range(text: str, declaration: Declaration) -> tuple[Any, ...]:
     parts = _RANGE.fullmatch(text) if len(text) <= 3 * LONGEST else None
     if parts is None:
         raise BadValues(f"is no range: {RANGE}")
-    count = int(parts["count"])
-    if not 2 <= count <= MOST:
-        raise BadValues(f"has {count} values; a range has 2 to {MOST}")
+    number = int(parts["count"])
+    if not 2 <= number <= MOST:
+        raise BadValues(f"has {number} values; a range has 2 to {MOST}")
     (first, last), unit = ends(parts["first"], parts["last"], declaration)
     if parts["log"] and min(first, last) <= 0:
         raise BadValues("has an end that is not above zero, which a logarithmic range cannot have")
     spread = np.geomspace if parts["log"] else np.linspace
-    numbers = [float(f"{number:.{DIGITS}g}") for number in spread(first, last, count)]
+    numbers = [float(f"{each:.{DIGITS}g}") for each in spread(first, last, number)]
     if declaration.whole:
         return tuple(_whole(number) for number in numbers)
     return tuple(f"{number!r} {unit}" for number in numbers) if unit else tuple(numbers)

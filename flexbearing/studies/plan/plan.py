@@ -1,9 +1,11 @@
 """The plan of a study, a frozen value: every variant with its identity, and what is wrong with it."""
 
+import logging
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import chain, islice, product
+from math import prod
 from typing import Any
 
 from flexbearing.case import BadCase
@@ -19,7 +21,11 @@ FEWEST = 8  # tasks into which a small study is cut, so that several workers hav
 # Most variants of a task between elastic rings start from solved neighbours in it; the first ones have none.
 ENOUGH, OF_LARGE = 16, 8  # a task of more than ENOUGH is at most this part of a worker's share
 LONGEST = 300  # characters of the settings of a variant in a message
+MANY, CHECK = 20_000, 2.5e-4  # variants whose check is worth a message, and what each takes [s]
 CHECKED_AT_ONCE = 256  # variants, a tenth of a second of work
+
+
+log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
@@ -148,6 +154,8 @@ def plan(
         also with variants that cannot be computed: `Plan.require_sound` refuses them
     """
     base = Base(study.case.resolve(), study.text, study.keys)
+    if (count := prod(len(axis.rows) for axis in study.axes)) > MANY:
+        log.warning("%s: %d variants are checked first, about %.2g s", study.name, count, CHECK * count)
     rows, variants, problems = list(_crossed(study.axes)), [], []
     for values, found in zip(
         rows, chain.from_iterable(mapped(partial(checked, base), _cut(rows))), strict=True
