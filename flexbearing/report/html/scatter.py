@@ -59,6 +59,11 @@ def read_scatter(place: Path) -> ScatterTables | None:
     -------
     ScatterTables or None
         None where it is not there, as of other studies
+
+    Raises
+    ------
+    BadResult
+        where a table has other columns or outputs than `flexbearing study` writes
     """
     files = [place.with_name(f"{place.stem}_{part}{place.suffix}") for part in COLUMNS]
     if not all(map(is_plain, files)):
