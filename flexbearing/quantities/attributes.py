@@ -3,9 +3,13 @@
 from dataclasses import dataclass
 from typing import Literal
 
+from flexbearing.findings import GRADES as FINDING_GRADES, MET, NOT_CHECKED, NOT_MET
+from flexbearing.findings.declared import is_declared
+from flexbearing.findings.finding import AT_LEAST, AT_MOST
 from flexbearing.quantities.forms import (
     COUNT,
     NUMBER,
+    NUMBER_OR_NULL,
     TEXT,
     Anything,
     Each,
@@ -13,7 +17,8 @@ from flexbearing.quantities.forms import (
     ListOf,
     OneOf,
     Record,
-)  # fmt: skip
+    Such,
+)
 
 FORMAT = 10
 OLDER = {  # what the files of an older format are
@@ -49,6 +54,27 @@ EFFECTS = Record(
         ),
     },
     optional={"together": ListOf(OTHER_CASE)},
+)
+
+FINDINGS = ListOf(
+    Such(
+        Record(
+            {
+                "code": TEXT,
+                "grade": OneOf(FINDING_GRADES),
+                "quantity": TEXT,
+                "place": TEXT,
+                "value": NUMBER,
+                "side": OneOf((AT_MOST, AT_LEAST)),
+                "limit": NUMBER_OR_NULL,
+                "source": TEXT,
+                "share": NUMBER_OR_NULL,
+                "verdict": OneOf((MET, NOT_MET, NOT_CHECKED)),
+            }
+        ),
+        is_declared,
+        "with code and grade of a finding of this program",
+    )
 )
 
 
@@ -114,6 +140,14 @@ COMMON = (
         "what a reader must know in addition to the numbers, the most serious first",
         form=NOTES,
     ),
+    Attribute(
+        "findings",
+        "records",
+        "numbers of the last end state against their limits, in SI units: share is value over a limit from "
+        "above, or limit over value; limit is null where the case gives none; absent without a solution",
+        optional=True,
+        form=FINDINGS,
+    ),
     Attribute("created", "text", "time the run began, ISO 8601"),
 )
 HEAD = (  # root attributes that the summary of every family repeats
@@ -127,4 +161,5 @@ HEAD = (  # root attributes that the summary of every family repeats
     "calibrated",
     "assumed_effects",
     "notes",
+    "findings",
 )

@@ -8,6 +8,7 @@ from flexbearing.build import clearance
 from flexbearing.case import BadCase, Head
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.four_point import FourPointCase
+from flexbearing.findings import Judged, records
 from flexbearing.progress import Report
 from flexbearing.results import Recorder
 from flexbearing.rings import bolted
@@ -51,7 +52,8 @@ def solve_four_point(case: FourPointCase, record: Recorder, report: Report) -> d
     message = f"friction of every ball in balance to {worst:.1e} of its power"
     if solution.distribution is not None:
         message += f", the ring to {solution.distribution.imbalance:.1e} of the largest force"
-    ending = _converged(message, four_point.notes(case, solution))
+    found = four_point.judge(solution)
+    ending = _converged(message, four_point.notes(case, solution, found), found)
     return {**ending, "clearance": clearance.record(case)}
 
 
@@ -75,14 +77,17 @@ def solve_angular(case: FastCase, record: Recorder, report: Report) -> dict[str,
         f"{solution.state.evaluations} evaluations of all balls"
     )
     record.block("rigid", angular_contact.block(case, solution))
-    ending = _converged(message, angular_contact.notes(case, solution))
+    of_clearance = clearance.record(case)
+    found = angular_contact.judge(case, solution, of_clearance)
+    ending = _converged(message, angular_contact.notes(case, solution, found), found)
     life = solution.lives and solution.lives.of_state
     lives = {"rigid": life.record()} if life else {}
-    return {**ending, "clearance": clearance.record(case), "life": lives}
+    return {**ending, "clearance": of_clearance, "life": lives}
 
 
-def _converged(message: str, notes: tuple[Note, ...]) -> dict[str, Any]:
-    return _ending("converged", message, "converged") | {"notes": [note.record() for note in graded(notes)]}
+def _converged(message: str, notes: tuple[Note, ...], found: tuple[Judged, ...]) -> dict[str, Any]:
+    noted = {"notes": [note.record() for note in graded(notes)], "findings": records(found)}
+    return _ending("converged", message, "converged") | noted
 
 
 def _not_solved(failure: NotSolved | RingNotSolved) -> dict[str, Any]:

@@ -1,6 +1,6 @@
 """Nominal stresses of the bars of a squirrel cage at an end state, from its condensed stiffness."""
 
-from collections.abc import Iterator
+from typing import Any
 
 import fem
 from fem.cage import bar_forces
@@ -10,8 +10,7 @@ from flexbearing.build import ring_parts
 from flexbearing.case.roller import Case
 from flexbearing.coupled.states import EndState, EndStates
 from flexbearing.coupling.raceway_pair import OUTWARD
-from flexbearing.runs.dangers import yielding
-from quasidynamic.note import Note
+from flexbearing.runs.judged import BARS
 
 
 def nominal_stresses(case: Case, end: EndState | EndStates) -> NominalStresses | None:
@@ -38,21 +37,8 @@ def nominal_stresses(case: Case, end: EndState | EndStates) -> NominalStresses |
     return bar_forces.nominal_stresses(part, response, azimuths, OUTWARD[1] * states.forces[..., 1, :, :])
 
 
-def dangers(case: Case, largest: float | None) -> Iterator[Note]:
-    """Danger of bars whose nominal stress is above the yield stress of their material.
-
-    Parameters
-    ----------
-    case : Case
-        which may give a yield stress of the outer ring
-    largest : float or None
-        largest nominal stress of its bars [Pa]; None without bars
-
-    Yields
-    ------
-    Note
-        "yield-stress"
-    """
-    if largest is not None:
-        limit = case.materials.outer_ring.yield_stress
-        yield from yielding("bars of the squirrel cage", largest, limit)
+def values(case: Case, largest: Any) -> dict[str, Any]:
+    """Largest nominal stress of bars and its limit [Pa], for findings; empty without bars."""
+    if largest is None:
+        return {}
+    return {"stress": {BARS: largest}, "yield_stress": {BARS: case.materials.outer_ring.yield_stress}}

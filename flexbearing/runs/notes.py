@@ -9,11 +9,8 @@ from flexbearing.build import clearance, ring_parts
 from flexbearing.build.lubrication import oil, oil_name
 from flexbearing.case import cage_room
 from flexbearing.case.roller import Case
-from flexbearing.coupled.states import EndState
-from flexbearing.runs import dangers, life
 from quasidynamic import Equilibrium
 from quasidynamic.note import Note, information, outside
-from quasidynamic.outcome.static_pressure import ROLLERS
 from quasidynamic.outcome.validity import validity
 
 LARGE_SHARE = 0.5  # of the losses: worth a word (assumed)
@@ -92,46 +89,9 @@ def _teeth(case: Case) -> Iterator[Note]:
         )
 
 
-def of_state(case: Case, end: EndState, modified_life: float | None) -> tuple[Note, ...]:
-    """What a solved state adds: dangers, limits of laws that it is beyond, what a reader should weigh.
-
-    Parameters
-    ----------
-    case : Case
-        of the state
-    end : EndState
-        solved
-    modified_life : float or None
-        life after every factor [10^6 revolutions]; None where the case modifies nothing
-
-    Returns
-    -------
-    tuple of Note
-    """
-    state, whole = end.equilibrium, end.whole
-    basic = state.life if whole is None else whole.life
-    lived = basic if modified_life is None else modified_life
-    load = float(np.hypot(*state.applied_load))
-    rating = life.dynamic(case, state.balance.roller.bearing)
-    heavy = dangers.heavily_loaded(load, rating)
-    light = dangers.lightly_loaded(load, rating, dangers.LEAST_OF_ROLLERS)
-    return (*_dangers(end, lived), *heavy, *validity(state), *light, *_information(case, state))
-
-
-def largest_pressure(end: EndState) -> float:
-    """Largest contact pressure [Pa] but for one without bound, at a sharp end, which says nothing."""
-    pressure = end.peak_pressure
-    if end.whole is not None:
-        pressure = np.where(end.whole.peak_at_ends, end.equilibrium.peak_pressure, pressure)
-    return float(pressure.max())
-
-
-def _dangers(end: EndState, lived: float) -> Iterator[Note]:
-    points = end.equilibrium.balance.points
-    yield from dangers.pressed(largest_pressure(end), ROLLERS)
-    if end.static_safety is not None:
-        yield from dangers.overloaded(float(end.static_safety), dangers.USUAL_OF_ROLLERS)
-    yield from dangers.short_lived(lived, float(points.inner_speed[0, 0] - points.outer_speed[0, 0]))
+def of_state(case: Case, state: Equilibrium) -> tuple[Note, ...]:
+    """What a solved state adds: limits of laws that it is beyond, what a reader should weigh."""
+    return (*validity(state), *_information(case, state))
 
 
 def of_structure(figures: Mapping[str, Any]) -> tuple[Note, ...]:

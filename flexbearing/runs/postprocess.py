@@ -3,14 +3,16 @@
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+from flexbearing import findings
 from flexbearing.build import clearance
 from flexbearing.case.roller import Case
 from flexbearing.coupled import states
 from flexbearing.coupled.states import EndState
 from flexbearing.coupling import LinearPair
+from flexbearing.findings import Judged, declared
 from flexbearing.progress import Report
 from flexbearing.results import Arrays, Recorder
-from flexbearing.runs import bars, fields, half_space, life, notes, skew, sliced_peak, subsurface
+from flexbearing.runs import bars, fields, half_space, judged, life, notes, skew, sliced_peak, subsurface
 from flexbearing.runs.end_state import end_state
 from flexbearing.runs.life_error import LifeError, estimated
 from flexbearing.runs.life_of_state import MREV
@@ -32,6 +34,7 @@ class Postprocessing:
     regimes: dict[str, Any] = field(default_factory=dict)  # by block
     notes: list[Note] = field(default_factory=list)  # of the run
     of_state: dict[str, tuple[Note, ...]] = field(default_factory=dict)  # by block
+    values: dict[str, dict[str, Any]] = field(default_factory=dict)  # that findings judge, by block
     stresses: dict[str, Any] = field(default_factory=dict)  # by part
     blocks: dict[str, Arrays] = field(default_factory=dict)  # that were written
     solved: dict[str, EndState] = field(default_factory=dict)  # by block
@@ -61,7 +64,7 @@ class Postprocessing:
     def repeat_rigid(self) -> None:
         """Write the rigid solution as the flexible one, where no part is flexible."""
         self.record.block("flexible", self.blocks["rigid"])
-        for said in (self.lives, self.regimes, self.of_state):
+        for said in (self.lives, self.regimes, self.of_state, self.values):
             if "rigid" in said:
                 said["flexible"] = said["rigid"]
 
@@ -76,13 +79,14 @@ class Postprocessing:
             words = (str(word) for word in regime(lambda_ratio(state.minimum_film, end.roughness)))
             self.regimes[name] = dict(zip(("inner", "outer"), words, strict=True))
         rated = modified.modified / MREV if modified else None
-        self.of_state[name] = notes.of_state(self.case, end, rated)
+        self.of_state[name] = notes.of_state(self.case, state)
+        self.values[name] = judged.of_rollers(self.case, end, rated)
         if skewed:
             self.of_state[name] += skew.notes(skewed, state, state.minimum_film)
         if not end.rings.rigid:
             self.add_equilibria(name, between_flexible_raceways(state, end.rings))
         nominal = bars.nominal_stresses(self.case, end)
-        self.of_state[name] += tuple(bars.dangers(self.case, nominal and nominal.largest))
+        self.values[name] |= bars.values(self.case, nominal and nominal.largest)
         below = subsurface.of_rollers(self.case, end)
         return {"life": modified, "skew": skewed, "bars": nominal, "subsurface": below}
 
@@ -95,7 +99,8 @@ class Postprocessing:
                 self.notes.append(information("no-stresses", f"no stresses: {problem}"))
             else:
                 self.stresses[race] = record
-                self.of_state["flexible"] += tuple(fields.dangers(self.case, race, record))
+                for quantity, of_bodies in fields.values(self.case, race, record).items():
+                    self.values["flexible"].setdefault(quantity, {}).update(of_bodies)
 
     def add_equilibria(self, name: str, found: SeveralEquilibria | None) -> None:
         """Keep what was found beside the equilibrium of a block; None says that nothing was."""
@@ -106,10 +111,20 @@ class Postprocessing:
         last = list(self.several)[-1:]
         return [found.note(answer=[name] == last) for name, found in self.several.items() if found]
 
+    def _judged(self, of_clearance: dict[str, Any]) -> tuple[Judged, ...]:
+        """What the last solution, which answers the case, is judged by."""
+        if not self.values:
+            return ()
+        values = list(self.values.values())[-1] | {"clearance": judged.clearances(of_clearance)}
+        return findings.evaluate(declared.OF_ROLLERS, values)
+
     def attributes(self) -> dict[str, Any]:
         """Root attributes that the end states decide."""
         solutions = list(self.of_state.values())  # the last one answers the case
-        every_note = [*notes.of_case(self.case), *self.notes, *(solutions[-1] if solutions else ())]
+        of_clearance = clearance.record(self.case)
+        found = self._judged(of_clearance)
+        every_note = [*notes.of_case(self.case), *self.notes, *judged.notes(found)]
+        every_note += solutions[-1] if solutions else ()
         every_note += self._notes_on_several()
         if self.solved:  # once, of the answer
             every_note += sliced_peak.notes(self.case, list(self.solved.values())[-1])
@@ -118,7 +133,8 @@ class Postprocessing:
         return {
             **stresses,
             **({"equilibria": records} if records else {}),
-            "clearance": clearance.record(self.case),
+            "clearance": of_clearance,
+            "findings": findings.records(found),
             "life": self.lives,
             "regimes": self.regimes,
             "notes": [note.record() for note in graded(every_note)],

@@ -16,12 +16,15 @@ from flexbearing.case.roller import Case
 from flexbearing.coupled import states
 from flexbearing.coupled.states import EndState, EndStates
 from flexbearing.coupling import LinearPair
+from flexbearing.findings import DANGER, evaluate
+from flexbearing.findings.declared import OF_ROLLERS
 from flexbearing.outputs import Wanted
 from flexbearing.progress import Logged
 from flexbearing.quantities.quantity import Quantity, taken
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.runs import bars, dangers, half_space, life, notes, several, skew
+from flexbearing.runs import bars, half_space, judged, life, several, skew
 from flexbearing.runs.end_state import end_state
+from flexbearing.runs.judged import BARS
 from flexbearing.runs.life_error import estimated, estimated_errors
 from flexbearing.runs.life_of_state import MREV, LifeOfState
 from quasidynamic import Equilibrium, RollerBearing
@@ -201,33 +204,38 @@ class Together:
 
         Without a `search` for other equilibria it is told where they are likely.
         """
-        solved = self.batch.states
-        pressure, safety = self._end.peak_pressure.max(axis=1), np.asarray(self._end.static_safety)
-        lives, speed = solved.life, solved.balance.points.relative_speed[:, 0]
-        if self._on_half_spaces:
-            pressure = np.array([notes.largest_pressure(each.whole) for each in self._each])
-            lives = np.array([each.whole.life for each in self._each]) / MREV
+        found = evaluate(filter(lambda each: each.grade == DANGER, OF_ROLLERS), self._values())
         known, others = self.batch.doubtful, self._others if search else _not_searched
-        likely = each_several_likely(solved) if known is None else known
-        each_figure = (pressure, safety, lives, speed)
-        figures = zip(*(figure.tolist() for figure in each_figure), strict=True)
+        likely = each_several_likely(self.batch.states) if known is None else known
         return [
-            (*self._dangers(case, *each), *(others(case) if likely[case] else ()))
-            for case, each in enumerate(figures)
+            (*judged.notes(found, case), *(others(case) if likely[case] else ()))
+            for case in range(len(self.cases))
         ]
 
-    def _dangers(
-        self, case: int, pressure: float, safety: float, rated: float, speed: float
-    ) -> Iterator[Note]:
-        given = self.cases[case]
-        yield from dangers.pressed(pressure, ROLLERS)
-        yield from dangers.overloaded(safety, dangers.USUAL_OF_ROLLERS)
-        if not given.life.is_basic:
-            modified = self._each[case].life
-            rated = modified.modified / MREV if modified else rated
-        yield from dangers.short_lived(rated, speed)
-        if given.materials.outer_ring.yield_stress is not None and self._bars:
-            yield from bars.dangers(given, float(self._bars.largest[case]))
+    def _values(self) -> dict[str, Any]:
+        """What dangers are judged by, cases first."""
+        pressure, lives = self._end.peak_pressure, self.batch.states.life
+        if self._on_half_spaces:
+            pressure = np.array([judged.bounded_pressure(each.whole) for each in self._each])
+            lives = np.array([each.whole.life for each in self._each]) / MREV
+        modified = (
+            None if case.life.is_basic else each.life
+            for case, each in zip(self.cases, self._each, strict=True)
+        )
+        rated = [
+            basic if life is None else life.modified / MREV
+            for basic, life in zip(lives, modified, strict=True)
+        ]
+        limits = [case.materials.outer_ring.yield_stress or np.nan for case in self.cases]
+        stresses = (
+            {"stress": {BARS: self._bars.largest}, "yield_stress": {BARS: limits}} if self._bars else {}
+        )
+        return {
+            **judged.pressures(pressure.T, ROLLERS),
+            "static_safety": self._end.static_safety,
+            "life": judged.seconds(rated, self.batch.states.balance.points.relative_speed[:, 0]),
+            **stresses,
+        }
 
     def _others(self, case: int) -> Iterator[Note]:
         """Other equilibria that are found."""

@@ -7,12 +7,6 @@ import sys
 from pathlib import Path
 
 import pytest
-
-import flexbearing
-from flexbearing.api import read_case
-from flexbearing.quantities.attributes import GRADES as STORED
-from flexbearing.report import text
-from flexbearing.report.html import strength_checks
 from flexbearing.runs.dangers import (
     LEAST_OF_BALLS,
     LEAST_OF_ROLLERS,
@@ -23,6 +17,12 @@ from flexbearing.runs.dangers import (
     short_lived,
     yielding,
 )
+
+import flexbearing
+from flexbearing.api import read_case
+from flexbearing.quantities.attributes import GRADES as STORED
+from flexbearing.report import text
+from flexbearing.report.html import strength_checks
 from flexbearing.runs.notes import of_case
 from quasidynamic.note import GRADES, Note, danger, graded, information, outside
 from tests.flexbearing.noted import codes, texts
