@@ -1,6 +1,10 @@
 """Limits of loads, pressures and stresses."""
 
+from dataclasses import replace
+
 from flexbearing.findings.finding import DANGER, OUTSIDE, USUAL, Finding
+
+BARS = "bars of the squirrel cage"  # place of their nominal stress
 
 CONTACT_PRESSURE = Finding(
     code="contact-pressure", label="peak contact pressure", quantity="contact_pressure",
@@ -27,26 +31,21 @@ YIELD_STRESS = Finding(
 )  # fmt: skip
 HEAVY_LOAD = Finding(
     code="heavy-load", label="equivalent load P", quantity="load",
-    at_most=0.5, times="dynamic_rating", grade=OUTSIDE, source="C_r/2, ISO 281 (2007), 5",
+    at_most=0.5, times="dynamic_rating", grade=OUTSIDE, source="half of C_r, ISO 281 (2007)",
     unit="N", shown="kN",
     meaning="life formulas hold up to there, ISO 281 leaves loads beyond to the maker",
     action="take a bearing with C_r {share:.3g} times as large, or a load as much lower",
 )  # fmt: skip
 LOAD_ABOVE_STATIC_RATING = Finding(
     code="heavy-load", label="equivalent load P", quantity="load",
-    at_most=1.0, times="static_rating", grade=OUTSIDE, source="C_0, ISO 281 (2007), 5", unit="N", shown="kN",
+    at_most=1.0, times="static_rating", grade=OUTSIDE, source="C_0, ISO 281 (2007)", unit="N", shown="kN",
     meaning=HEAVY_LOAD.meaning,
     action="take a bearing with C_0 {share:.3g} times as large, or a load as much lower",
 )  # fmt: skip
-_LIGHT = {
-    "code": "light-load", "label": "minimum load", "quantity": "load", "times": "dynamic_rating",
-    "unit": "N", "shown": "kN",
-    "meaning": "rolling elements may skid; which slip does damage is not computed",
-    "action": "preload the bearing, take a smaller one, or see that it carries load before it turns fast",
-}  # fmt: skip
 LIGHT_LOAD_OF_ROLLERS = Finding(
-    at_least=0.02, grade=USUAL, source="0.02 C_r, SKF, Rolling bearings (2018)", **_LIGHT
-)
-LIGHT_LOAD_OF_BALLS = Finding(
-    at_least=0.01, grade=USUAL, source="0.01 C_r, SKF, Rolling bearings (2018)", **_LIGHT
-)
+    code="light-load", label="minimum load", quantity="load",
+    at_least=0.02, times="dynamic_rating", grade=USUAL, source="share of C_r by SKF, Rolling bearings (2018)",
+    unit="N", shown="kN", meaning="rolling elements may skid; which slip does damage is not computed",
+    action="preload the bearing, take a smaller one, or see that it carries load before it turns fast",
+)  # fmt: skip
+LIGHT_LOAD_OF_BALLS = replace(LIGHT_LOAD_OF_ROLLERS, at_least=0.01)

@@ -129,9 +129,16 @@ COMMON = (
         "lives and weighed outputs of the last end state, in the units of the summary, and with other values "
         "of assumed or fitted keys, each with the settings that give it and the source of its range; "
         "role: input, choice of a rule, or comparison that no range counts; together: all changes at once "
-        "that shorten the life, and all that lengthen it; absent without outputs.assumed_effects",
+        "that shorten the life, and all that lengthen it; absent without outputs.assumed_effects, unless "
+        "CASE.effects.json beside the case has those of the same inputs",
         optional=True,
         form=EFFECTS,
+    ),
+    Attribute(
+        "effects_left_out",
+        "text",
+        "that the effects beside the case were computed for other inputs; absent where they were not",
+        optional=True,
     ),
     Attribute("calibrated", "json", "keys whose values were fitted, each to what", form=Each("key", TEXT)),
     Attribute(

@@ -10,7 +10,7 @@ from flexbearing.build import ring_parts
 from flexbearing.case.roller import Case
 from flexbearing.coupled.states import EndState, EndStates
 from flexbearing.coupling.raceway_pair import OUTWARD
-from flexbearing.runs.judged import BARS
+from flexbearing.findings.strength import BARS
 
 
 def nominal_stresses(case: Case, end: EndState | EndStates) -> NominalStresses | None:

@@ -17,7 +17,6 @@ from quasidynamic.note import Grade, Note
 from quasidynamic.outcome.static_pressure import ROLLERS
 
 RACES = ("inner", "outer")
-BARS = "bars of the squirrel cage"  # place of their nominal stress
 _GRADES: dict[str, Grade] = {findings.DANGER: "danger", OUTSIDE: "outside validity", USUAL: "information"}
 
 

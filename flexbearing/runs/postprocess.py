@@ -64,7 +64,8 @@ class Postprocessing:
     def repeat_rigid(self) -> None:
         """Write the rigid solution as the flexible one, where no part is flexible."""
         self.record.block("flexible", self.blocks["rigid"])
-        for said in (self.lives, self.regimes, self.of_state, self.values):
+        by_block: tuple[Any, ...] = (self.lives, self.regimes, self.of_state, self.values)
+        for said in by_block:
             if "rigid" in said:
                 said["flexible"] = said["rigid"]
 

@@ -18,13 +18,13 @@ from flexbearing.coupled.states import EndState, EndStates
 from flexbearing.coupling import LinearPair
 from flexbearing.findings import DANGER, evaluate
 from flexbearing.findings.declared import OF_ROLLERS
+from flexbearing.findings.strength import BARS
 from flexbearing.outputs import Wanted
 from flexbearing.progress import Logged
 from flexbearing.quantities.quantity import Quantity, taken
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs import bars, half_space, judged, life, several, skew
 from flexbearing.runs.end_state import end_state
-from flexbearing.runs.judged import BARS
 from flexbearing.runs.life_error import estimated, estimated_errors
 from flexbearing.runs.life_of_state import MREV, LifeOfState
 from quasidynamic import Equilibrium, RollerBearing

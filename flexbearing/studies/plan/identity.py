@@ -1,10 +1,9 @@
 """The name of a variant: a digest of all that its numbers depend on."""
 
-from functools import lru_cache
 from hashlib import sha256
-from pathlib import Path
 
 from flexbearing.case import Head
+from flexbearing.case.named_files import digests
 from flexbearing.quantities.attributes import FORMAT
 
 LENGTH = 32  # characters that are kept, 128 bits
@@ -23,12 +22,5 @@ def identity(case: Head) -> str:
     str
         32 hexadecimal characters
     """
-    files = "".join(_content(path) for path in case.named_files)
-    text = f"{FORMAT} {case.model_dump_json()} {files}"
+    text = f"{FORMAT} {case.model_dump_json()} {digests(case)}"
     return sha256(text.encode()).hexdigest()[:LENGTH]
-
-
-@lru_cache(maxsize=64)
-def _content(path: Path) -> str:
-    """Digest of a file; that there is none is told when the part is made."""
-    return sha256(path.read_bytes()).hexdigest() if path.is_file() else ""
