@@ -11,8 +11,7 @@ import quasidynamic as qd
 from flexbearing.build import clearance
 from flexbearing.build.ball_parts import ball, groove
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
-from flexbearing.findings import Judged, evaluate
-from flexbearing.findings.declared import OF_BALLS
+from flexbearing.findings import Judged, declared, evaluate
 from flexbearing.findings.running import GYROSCOPIC_MOMENT
 from flexbearing.program.workers import shared_map
 from flexbearing.quantities.angular_contact import LAYOUT
@@ -210,7 +209,7 @@ def judge(case: FastCase, solution: Solution, of_clearance: dict[str, Any]) -> t
             "static_rating": ball_life.static(case),
             "life": judged.seconds(life / MREV, speed),
         }
-    return evaluate(OF_BALLS, values)
+    return evaluate(declared.OF_BALLS, values)
 
 
 def notes(case: FastCase, solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:

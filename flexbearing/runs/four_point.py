@@ -10,8 +10,7 @@ import quasidynamic as qd
 from flexbearing.build import clearance
 from flexbearing.build.ball_parts import ball, groove
 from flexbearing.case.balls.four_point import FourPointCase
-from flexbearing.findings import Judged, evaluate
-from flexbearing.findings.declared import OF_BALLS
+from flexbearing.findings import Judged, declared, evaluate
 from flexbearing.program.workers import shared_map
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import taken
@@ -242,7 +241,7 @@ def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray | 
 def judge(solution: Solution) -> tuple[Judged, ...]:
     """The solution against the limits of ball bearings."""
     largest = solution.balls.peak_pressure.max(axis=(0, 1))
-    return evaluate(OF_BALLS, judged.pressures(largest, BALLS))
+    return evaluate(declared.OF_BALLS, judged.pressures(largest, BALLS))
 
 
 def notes(case: FourPointCase, solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:

@@ -16,7 +16,7 @@ from quasidynamic.contact.film.roughness import MIXED_FROM
 from quasidynamic.note import Grade, Note
 from quasidynamic.outcome.static_pressure import ROLLERS
 
-RACES = ("inner", "outer")
+RACES = ("inner raceway", "outer raceway")  # places
 _GRADES: dict[str, Grade] = {findings.DANGER: "danger", OUTSIDE: "outside validity", USUAL: "information"}
 
 

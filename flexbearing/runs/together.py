@@ -16,8 +16,7 @@ from flexbearing.case.roller import Case
 from flexbearing.coupled import states
 from flexbearing.coupled.states import EndState, EndStates
 from flexbearing.coupling import LinearPair
-from flexbearing.findings import DANGER, evaluate
-from flexbearing.findings.declared import OF_ROLLERS
+from flexbearing.findings import DANGER, declared, evaluate
 from flexbearing.findings.strength import BARS
 from flexbearing.outputs import Wanted
 from flexbearing.progress import Logged
@@ -204,7 +203,7 @@ class Together:
 
         Without a `search` for other equilibria it is told where they are likely.
         """
-        found = evaluate(filter(lambda each: each.grade == DANGER, OF_ROLLERS), self._values())
+        found = evaluate(filter(lambda each: each.grade == DANGER, declared.OF_ROLLERS), self._values())
         known, others = self.batch.doubtful, self._others if search else _not_searched
         likely = each_several_likely(self.batch.states) if known is None else known
         return [

@@ -74,8 +74,9 @@ def _explained(reader: Reader, code: str, check: Check) -> Check:
             return replace(check, verdict=f"{check.verdict}{words}")
         why = f"{NOT_CHECKED}: {_NO_YIELD}{words}"
         return replace(check, verdict=why, who=_ANALYST, do=_GIVE_YIELD, urgent=True)
-    if code == "film-ratio" and check.place in (found := _regimes(reader)):
-        return replace(check, verdict=f"{check.verdict}: {found[check.place]}")
+    if code == "film-ratio":
+        regime = _regimes(reader).get(check.place.partition(" ")[0], "")
+        return replace(check, verdict=": ".join(filter(None, (check.verdict, regime))))
     counted = (reader.attributes["case_si"].get("life") or {}).get("lubrication")
     if code == "viscosity-ratio" and not (check.broken or counted):
         return replace(check, do=_COUNT_OIL)
