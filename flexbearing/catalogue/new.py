@@ -75,9 +75,9 @@ def new(
         raise BadCase(f"{problem}.") from problem
     write(place, written.encode())
     if isinstance(effects, str):
-        return f"{ratings}effects of assumed values: {effects}\n"
+        return f"{ratings}effects: {effects}\n"
     write(beside, effects)
-    return f"{ratings}effects of assumed values: {effects_file.name(Path(file))}\n"
+    return f"{ratings}effects: {effects_file.name(Path(file))}\n"
 
 
 def _case(page: Page, file: Path, title: str, source: str) -> tuple[str, str]:

@@ -1,6 +1,7 @@
 """Pages of reports, parsed, and the numbers that a result file has at the places they name."""
 
 import json
+from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -11,6 +12,8 @@ from pytest import approx
 from flexbearing import api
 from flexbearing.case import understood
 from flexbearing.outputs import AbsentOutput
+from flexbearing.report.html.reader import Reader
+from flexbearing.runs import effects_file
 from flexbearing.units import unit
 
 
@@ -47,6 +50,14 @@ class Page(HTMLParser):
     @property
     def figures(self):
         return json.loads(self.scripts["figures"])
+
+
+def with_effects(reader):
+    """A reader of the same result with the effects beside its case, computed with other rings."""
+    case = Path(reader.result.attributes["case_file"])
+    known = json.loads(effects_file.name(case).read_text())["effects"]
+    attributes = {**reader.result.attributes, "assumed_effects": known}
+    return Reader(replace(reader.result, attributes=attributes), reader.units)
 
 
 class Numbers:
