@@ -21,9 +21,7 @@ from flexbearing.case.roller.lubricant import (
     ShareName,
     TractionName,
 )
-from flexbearing.coupling import LinearPair
 from flexbearing.runs import notes
-from flexbearing.runs.end_state import end_state
 from quasidynamic.contact.traction import ROLLING_LAWS
 from quasidynamic.contact.traction.adore import ADORE_OILS
 from quasidynamic.contact.traction.asperity_friction import Carter, RoundedCoulomb
@@ -259,8 +257,7 @@ def test_load_direction_and_misalignment_reach_the_operation():
 
 
 def of_code(code, case):
-    end = end_state(case, roller_bearing.bearing(case).solve(), LinearPair(None, None))
-    found = notes.of_state(case, end, None)
+    found = notes.of_state(case, roller_bearing.bearing(case).solve())
     return [note.text for note in found if note.code == code]
 
 

@@ -380,7 +380,7 @@ def test_main_results_stand_with_what_all_assumed_and_toleranced_inputs_make_of_
     stiffness_row = rows["radial stiffness along the load, of the bearing alone"]
     assert [cell.text for cell in stiffness_row[4:8]] == ["0.855", "1.18", "0.746", "1.3"]
     assert stiffness_row[8] == "bearing.roller.profile"
-    assert "490,000 h. Range: 79,500 to 5,550,000 h by what is assumed" in words(readers("catalogue"))
+    assert "490,000 h. Range: 79,800 to 6,700,000 h by what is assumed" in words(readers("catalogue"))
     assert rows["cage slip (error in percentage points)"][4:] == ("–",) * 5  # zero to the printed digit
     assert all(len(row) == 4 for row in main_results(readers("plain")).values())  # no comment tells anything
 
