@@ -14,7 +14,7 @@ from flexbearing.case import BadCase
 from flexbearing.coupling import LinearPair
 from flexbearing.report import text, write_figures
 from flexbearing.report.roller.figures import pictures
-from flexbearing.runs import half_space, life
+from flexbearing.runs import half_space, judged, life
 from flexbearing.runs.end_state import end_state
 from quasidynamic.errors import NotSolved
 from quasidynamic.outcome import whole_roller
