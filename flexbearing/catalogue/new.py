@@ -65,7 +65,7 @@ def new(
     """
     wanted = pages.read(like, options)
     place = require_output(file)
-    beside = require_output(effects_file.name(place))
+    stored = require_output(effects_file.name(place))
     if place.exists() and not force:
         raise BadOutput(f"{file}: is there already; --force replaces it.")
     try:
@@ -76,7 +76,7 @@ def new(
     write(place, written.encode())
     if isinstance(effects, str):
         return f"{ratings}effects: {effects}\n"
-    write(beside, effects)
+    write(stored, effects)
     return f"{ratings}effects: {effects_file.name(Path(file))}\n"
 
 

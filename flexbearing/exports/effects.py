@@ -1,4 +1,4 @@
-"""Effects of assumed inputs from a result to the file beside its case, where later runs find them."""
+"""Effects of assumed inputs from a result to the file next to its case, where later runs find them."""
 
 from collections.abc import Iterator
 from pathlib import Path

@@ -130,14 +130,14 @@ COMMON = (
         "of assumed or fitted keys, each with the settings that give it and the source of its range; "
         "role: input, choice of a rule, or comparison that no range counts; together: all changes at once "
         "that shorten the life, and all that lengthen it; absent without outputs.assumed_effects, unless "
-        "CASE.effects.json beside the case has those of the same inputs",
+        "CASE.effects.json next to the case has those of the same inputs",
         optional=True,
         form=EFFECTS,
     ),
     Attribute(
         "effects_left_out",
         "text",
-        "that the effects beside the case were computed for other inputs; absent where they were not",
+        "that the effects next to the case were computed for other inputs; absent where they were not",
         optional=True,
     ),
     Attribute("calibrated", "json", "keys whose values were fitted, each to what", form=Each("key", TEXT)),

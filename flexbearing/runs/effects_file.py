@@ -1,4 +1,4 @@
-"""Effects of assumed inputs as data beside the case, with a digest of the case they were computed for."""
+"""Effects of assumed inputs as data next to the case, with a digest of the case they were computed for."""
 
 import json
 from hashlib import sha256
@@ -20,7 +20,7 @@ _NO_INPUTS = {*Head.model_fields, "outputs"} - {"kind"}  # of a case: no effect 
 
 
 def name(case_file: Path) -> Path:
-    """The file beside a case."""
+    """The file next to a case."""
     return case_file.with_suffix(ENDING)
 
 
@@ -45,7 +45,7 @@ def content(case: Head, effects: dict[str, Any]) -> bytes:
 
 
 def attributes(case: Head) -> dict[str, Any]:
-    """Root attributes of a result by the file beside its case.
+    """Root attributes of a result by the file next to its case.
 
     Parameters
     ----------

@@ -13,6 +13,8 @@ from flexbearing.findings.finding import AT_MOST
 from flexbearing.report.html import METRIC, against_limits, html, of_result
 from flexbearing.report.html.reader import Reader
 from flexbearing.runs import judged
+from quasidynamic.contact.film.roughness import MIXED_FROM
+from quasidynamic.outcome import static_pressure
 from tests.flexbearing.hostile_cases import CONFIGS
 
 # kind of case with a value of the finding: keys that it needs
@@ -59,6 +61,9 @@ def test_declared_limits_are_those_of_their_sources():
     found = {(each.code, each.grade, each.times): each.limit for each in declared.DECLARED}
     light = [each.limit for each in (declared.LIGHT_LOAD_OF_ROLLERS, declared.LIGHT_LOAD_OF_BALLS)]
     assert light == [0.02, 0.01]
+    pressures = (static_pressure.ROLLERS, static_pressure.BALLS, static_pressure.SELF_ALIGNING_BALLS)
+    assert pressures == (4.0e9, 4.2e9, 4.6e9)  # ISO 76
+    assert MIXED_FROM == 1.0
     assert {key: limit for key, limit in found.items() if key[0] != "light-load"} == LIMITS
 
 

@@ -1,4 +1,4 @@
-"""Effects of assumed inputs beside a case: used for its inputs alone, and read from no comment."""
+"""Effects of assumed inputs next to a case: used for its inputs alone, and read from no comment."""
 
 import json
 import re
