@@ -75,9 +75,9 @@ def _read(place: Path) -> dict[str, Any]:
     try:
         found = json.loads(inputs.content(place, LARGEST))
     except (inputs.Unreadable, ValueError, RecursionError) as problem:
-        raise BadCase(f"{place}: {_why(problem)}; delete it, or write it again.") from problem
+        raise BadCase(f"{place}: {_why(problem)}; delete it.") from problem
     if problem := next(_FORM.problems(found, "it"), ""):
-        raise BadCase(f"{place}: is no file of effects: {problem}; delete it, or write it again.")
+        raise BadCase(f"{place}: is no file of effects: {problem}; delete it.")
     return found
 
 

@@ -116,3 +116,15 @@ def test_results_read_no_comment():
     bare = re.sub(r"(?m)\s*#.*$", "", result.attributes["case_text"])
     stripped = replace(result, attributes={**result.attributes, "case_text": bare})
     assert life(stripped) == life(result)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("key", ["bearing.roller.drop", "lubricant.oil_fraction", "outer.bar_width"])
+def test_effects_of_the_paper_bearing_are_those_of_its_runs(key):
+    path = CONFIGS / "mao2016.toml"
+    effects = api.run(path).attributes["assumed_effects"]
+    (found,) = [each for each in effects["keys"] if each["key"] == key]
+    for other in found["others"]:
+        again = api.run(path, other["settings"])
+        for name, value in other["values"].items():
+            assert value == approx(again[name].number, rel=1e-3, abs=1e-6), name
