@@ -133,7 +133,7 @@ def _calculix(path: Path) -> Stiffness:
     pairs, values = _table(path, 2)
     if pairs.min() < 1 or pairs.max() > len(unknowns):
         raise ImpossiblePart(f"has rows that {excerpt(path.stem)}.dof does not name")
-    return symmetric(*unknowns.T, *(pairs.T - 1), values)
+    return symmetric(*unknowns.T, *(pairs.T - 1), values)  # pyright: ignore[reportCallIssue]
 
 
 @_named
@@ -192,7 +192,7 @@ def _by_pairs(pairs: NDArray, values: NDArray) -> Stiffness:
     coded = np.concatenate([pairs[:, :2], pairs[:, 2:]])
     if coded[:, 1].min() < 1 or coded[:, 1].max() > COMPONENTS:
         raise ImpossiblePart(f"a motion of a node is none of 1 to {COMPONENTS}")
-    unknowns, _, where = _unique(coded[:, 0] * (COMPONENTS + 1) + coded[:, 1])
+    unknowns, _, where = _unique(coded[:, 0] * (COMPONENTS + 1) + coded[:, 1])  # pyright: ignore[reportArgumentType]
     rows, columns = np.split(where.ravel(), 2)
     return symmetric(unknowns // (COMPONENTS + 1), unknowns % (COMPONENTS + 1), rows, columns, values)
 

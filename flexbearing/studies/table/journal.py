@@ -15,7 +15,7 @@ from io import FileIO
 from itertools import count
 from math import isfinite, isnan, nan
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeGuard
 from zlib import crc32
 
 from flexbearing import inputs
@@ -251,7 +251,7 @@ def _number(stored: Any) -> float:
     return float(stored)
 
 
-def _is_number(found: Any) -> bool:
+def _is_number(found: Any) -> TypeGuard[int | float]:
     return isinstance(found, int | float) and not isinstance(found, bool) and abs(found) <= LARGEST_NUMBER
 
 
