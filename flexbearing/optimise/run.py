@@ -142,9 +142,7 @@ def _require_starts(problem: Problem) -> None:
     file, settings = problem.study.path.name, problem.search
     first = np.array([each.start for each in problem.variables])
     shares = starts(settings.starts, first, settings.seed)
-    points = [
-        [each.value(share) for each, share in zip(problem.variables, of, strict=True)] for of in shares
-    ]
+    points = [[each.value(share) for each, share in zip(problem.variables, of, strict=True)] for of in shares]
     designs = [of_point(problem.variables, point, problem.lists) for point in points]
     if why := _impossible(problem, designs):
         table = "[vary]" if not _impossible(problem, [{}]) else "[set]"

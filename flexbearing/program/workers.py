@@ -6,6 +6,7 @@ contact.
 
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from itertools import chain, count, islice
 from multiprocessing.connection import wait
 from typing import Any
 
@@ -36,19 +37,20 @@ def shared_map(
             worker.send(_loaded, ahead)
 
     def mapped(function: Callable[[Any], Any], arguments: Iterable[Any]) -> Iterator[Any]:
-        waiting = list(arguments)
-        count = min(cores(), len(waiting) // FEWEST)
-        if count < 2:
+        left = iter(arguments)
+        first = list(islice(left, FEWEST * cores()))
+        number, waiting = len(first) // FEWEST, chain(first, left)
+        if number < 2:
             return map(function, waiting)
         while loading:
             worker = loading.pop()
             worker.await_start()
             _answer(worker)
-        started = range(len(workers), count)  # others are there from the call before
-        workers.extend(Interpreter(count) for _ in started)
+        started = range(len(workers), number)  # others are there from the call before
+        workers.extend(Interpreter(number) for _ in started)
         for place in started:
             workers[place].await_start()
-        return _in_order(workers[:count], function, waiting)
+        return _in_order(workers[:number], function, waiting)
 
     try:
         yield mapped
@@ -62,15 +64,17 @@ def _loaded(function: Callable[..., Any]) -> None:
 
 
 def _in_order(
-    workers: list[Interpreter], function: Callable[[Any], Any], arguments: list[Any]
+    workers: list[Interpreter], function: Callable[[Any], Any], arguments: Iterator[Any]
 ) -> Iterator[Any]:
     """Answers in the order of the arguments, the next argument to the worker that is free first."""
-    free, under_way, answers, sent = workers, {}, {}, 0
-    for number in range(len(arguments)):
+    free, under_way, answers, left = workers, {}, {}, enumerate(arguments)
+    for number in count():
         while number not in answers:
-            for worker in free[: len(arguments) - sent]:
-                worker.send(function, arguments[sent])
-                under_way[worker.calls], sent = (worker, sent), sent + 1
+            for worker, (place, argument) in zip(free, left, strict=False):
+                worker.send(function, argument)
+                under_way[worker.calls] = worker, place
+            if not under_way:
+                return
             done = [under_way.pop(calls) for calls in wait(list(under_way))]
             answers |= {place: _answer(worker) for worker, place in done}
             free = [worker for worker, _ in done]

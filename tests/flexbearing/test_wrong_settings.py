@@ -87,7 +87,7 @@ def changed(tables: dict[str, Any], place: tuple[str, ...], literal: str) -> dic
 
 
 def wrong(take, file, tables, places) -> list[str]:
-    """What ends otherwise than in a short line: every literal at keys of the file, a third of them at others."""
+    """What ends otherwise than in a short line, a third of the literals at each key of a case."""
     found = []
     for number, place in enumerate(places):
         for literal in LITERALS[number % 3 :: 3] if place[-1] in KEYS else LITERALS:
