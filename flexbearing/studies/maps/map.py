@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from flexbearing.api import check
 from flexbearing.case import BadCase
+from flexbearing.case.excerpt import excerpt
 from flexbearing.case.roller import Case
 from flexbearing.files import require_output, write
 from flexbearing.progress import Report
@@ -75,9 +76,9 @@ def map_case(request: MapRequest, report: Report) -> WrittenMap:
     default = Path("results") / f"{stem_of_outputs(case, overrides)}_map.csv"
     table = Path(request.output or default)
     if table.suffix != ".csv":
-        raise BadCase(f"--output {table}: the table is written as CSV; name it {table.with_suffix('.csv')}")
+        raise BadCase(f"--output {excerpt(str(table))}: the table is written as CSV; its name ends in .csv")
     if form not in FORMATS:
-        raise BadCase(f"--format {form}: it is one of {', '.join(FORMATS)}")
+        raise BadCase(f"--format {excerpt(form)}: it is one of {', '.join(FORMATS)}")
     picture = table.with_suffix(f".{form}")
     if branch.is_followed(over):
         return _followed(case, over[0], overrides, {"table": table, "picture": picture})
