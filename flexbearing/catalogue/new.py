@@ -5,14 +5,12 @@ from pathlib import Path
 
 from flexbearing.case import BadCase, Head, understood
 from flexbearing.case.family import Family
-from flexbearing.catalogue import ball_lines, page as pages, roller_lines
-from flexbearing.catalogue.ball_set import ball_set
+from flexbearing.catalogue import page as pages
 from flexbearing.catalogue.entries import LIKES
 from flexbearing.catalogue.head import one_line, origin
-from flexbearing.catalogue.lines import Settings, as_settings, text
+from flexbearing.catalogue.lines import Line, Settings, as_settings, text
 from flexbearing.catalogue.page import Page
 from flexbearing.catalogue.ratings import table
-from flexbearing.catalogue.roller_set import roller_set
 from flexbearing.catalogue.weights import NO_RESULT, Measured, told, weighed
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, require_output, write
@@ -82,17 +80,12 @@ def new(  # noqa: PLR0913  # an argument for each option
 
 def _case(page: Page, file: Path, title: str, source: str, tell: Tell) -> tuple[str, str]:
     """Text of the case of a page, and the ratings in it."""
-    if LIKES[page.like].kind == "cylindrical_roller":
-        rollers = roller_set(page)
-        lines, ratings = roller_lines.lines(page, rollers), table(page, rollers, "length")
-    else:
-        balls = ball_set(page, ball_lines.angle(page))
-        lines, ratings = ball_lines.lines(page, balls), table(page, balls, "diameter")
+    lines, ratings = _lines(page)
+    from flexbearing.runs.validate import require_possible
+
     family = FAMILIES[LIKES[page.like].kind]
     model, comparable = family.case(), QUICK.get(page.like, {})
     plain = text("", title or file.stem, lines, model)
-    from flexbearing.runs.validate import require_possible
-
     require_possible(understood(plain, file, {}, FAMILIES), family)  # before anything is computed
     measured = _measured(
         family, lambda settings: understood(plain, file, as_settings(comparable | settings), FAMILIES)
@@ -106,6 +99,21 @@ def _case(page: Page, file: Path, title: str, source: str, tell: Tell) -> tuple[
         weights = f"How much assumed values matter is not known: {one_line(str(problem))}"
     head = [*origin(page, file, title, source), "", *weights.splitlines(), *ratings.splitlines()]
     return text("\n".join(head), title or file.stem, lines, model), ratings
+
+
+def _lines(page: Page) -> tuple[list[Line], str]:
+    """Lines of the case of a page, and its ratings; a refusal loads only what belongs to the kind."""
+    if LIKES[page.like].kind == "cylindrical_roller":
+        from flexbearing.catalogue import roller_lines
+        from flexbearing.catalogue.roller_set import roller_set
+
+        rollers = roller_set(page)
+        return roller_lines.lines(page, rollers), table(page, rollers, "length")
+    from flexbearing.catalogue import ball_lines
+    from flexbearing.catalogue.ball_set import ball_set
+
+    balls = ball_set(page, ball_lines.angle(page))
+    return ball_lines.lines(page, balls), table(page, balls, "diameter")
 
 
 def _measured(family: Family, case_with: Callable[[Settings], Head]) -> Measured:
