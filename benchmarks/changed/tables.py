@@ -10,6 +10,7 @@ from benchmarks.changed.bases import Bases
 from benchmarks.changed.changes import cells, damaged, flipped, in_file
 from benchmarks.changed.files import Bundle, Change, ChangedFiles
 from benchmarks.changed.texts import ABSURD, DIGITS, FORMULA
+from flexbearing.report.html.parquet import sealed
 
 HEADINGS = ("", "x", "life [h]", "life [", "life [parsec]", "status", "message", "seconds", FORMULA,
 "\x1b[31m", "a\nb",
@@ -63,14 +64,9 @@ def _parquet(rng: Random, name: str, whole: Any) -> Change:
 
 def _written(whole: bytes, what: str, rng: Random) -> bytes:
     """Another table as Parquet."""
-    import pyarrow
     from pyarrow import parquet
 
-    file = BytesIO()
-    compression = rng.choice(("zstd", "snappy", "none", "gzip"))
-    changed: pyarrow.Table = WAYS[what](parquet.read_table(BytesIO(whole), use_threads=False), rng)
-    parquet.write_table(changed, file, compression=compression)
-    return file.getvalue()
+    return sealed(WAYS[what](parquet.read_table(BytesIO(whole), use_threads=False), rng))
 
 
 def _column(table: Any, rng: Random, values: list[Any], kind: Any = None) -> Any:

@@ -10,7 +10,9 @@ from pytest import approx
 
 import flexbearing
 from flexbearing.case import BadCase
+from flexbearing.inputs import Unreadable
 from flexbearing.pages.make import report
+from flexbearing.report.html.table import table_text
 from flexbearing.results import BadResult
 from tests.flexbearing.hostile_cases import CONFIGS
 from tests.flexbearing.html_pages import Page, require_equal
@@ -64,6 +66,16 @@ def test_every_number_of_a_study_is_that_of_its_table(tables, tmp_path, units):
     page = Page(written.read_text("utf-8"))
     assert len(page.cells) == 6 * 5  # rows by keys, outputs and seconds
     require_equal(page.cells, Rows(rows=tables / "sweep" / "sweep.csv"))
+
+
+def test_a_damaged_parquet_table_is_refused_before_pyarrow_reads_it(tables, tmp_path):
+    """A byte changed anywhere: at some of them pyarrow ends the process."""
+    whole = (tables / "sweep" / "sweep.parquet").read_bytes()
+    damaged = tmp_path / "sweep.parquet"
+    for place in np.linspace(0, len(whole) - 1, 400).astype(int):
+        damaged.write_bytes(whole[:place] + bytes([whole[place] ^ 0x5A]) + whole[place + 1 :])
+        with pytest.raises(Unreadable, match=r"is damaged|has no digest"):
+            table_text(damaged)
 
 
 def test_a_parquet_table_has_the_report_of_its_csv(tables, tmp_path):

@@ -1,7 +1,8 @@
 """The table of a study in a Parquet file, as text of a CSV file."""
 
+import re
 from hashlib import sha256
-from io import StringIO
+from io import BytesIO, StringIO
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +12,8 @@ from flexbearing.files import as_csv
 from flexbearing.inputs.limits import TABLE
 
 MOST_ROWS, MOST_CELLS = 1_000_000, 20_000_000  # numbers and texts, those of lists among them
-DIGEST = b"sha256"  # of the same table as CSV, in the metadata of the schema
+DIGEST, NO_DIGEST = "sha256", "0" * 64  # in the metadata: of the bytes of the file, with zeros in its place
+_SEAL = re.compile(rb"\x06sha256\x18@([0-9a-f]{64})")  # name and value behind their lengths, in Thrift
 LONGEST = 10_000  # bytes of a text
 AT_ONCE = 1000  # rows
 
@@ -31,7 +33,9 @@ def csv_text(place: Path) -> str:
         raise inputs.Unreadable(
             'reading Parquet needs pyarrow: pip install "flexbearing[studies]"', place
         ) from None
-    content = pyarrow.BufferReader(inputs.content(place, TABLE))
+    stored = inputs.content(place, TABLE)
+    _require_sealed(stored, place)
+    content = pyarrow.BufferReader(stored)
     try:
         metadata = ParquetFile(content).metadata
         _require_size(metadata)
@@ -41,6 +45,36 @@ def csv_text(place: Path) -> str:
         raise inputs.Unreadable(
             f"is no Parquet file, or damaged: {excerpt(str(problem))}", place
         ) from problem
+
+
+def sealed(table: Any) -> bytes:
+    """A Parquet file with the digest of its bytes, as pyarrow may crash while it reads a damaged one."""
+    from pyarrow.parquet import ParquetWriter
+
+    file = BytesIO()
+    with ParquetWriter(file, table.schema, compression="zstd") as writer:
+        writer.write_table(table)
+        writer.add_key_value_metadata({DIGEST: NO_DIGEST})
+    content = file.getvalue()
+    (seal,) = _SEAL.finditer(content)
+    return content[: seal.start(1)] + _digest(content).encode() + content[seal.end(1) :]
+
+
+def _require_sealed(content: bytes, place: Path) -> None:
+    """Refuse what is not as `flexbearing study` wrote it, before pyarrow reads it."""
+    seals = [*_SEAL.finditer(content)]
+    if len(seals) != 1:
+        words = (
+            "has no digest of flexbearing study: take its CSV file, or run the study again, which writes both"
+        )
+        raise inputs.Unreadable(words, place)
+    (seal,) = seals
+    if seal[1].decode() != _digest(content[: seal.start(1)] + NO_DIGEST.encode() + content[seal.end(1) :]):
+        raise inputs.Unreadable("is damaged: its bytes are others than its digest says", place)
+
+
+def _digest(content: bytes) -> str:
+    return sha256(content).hexdigest()
 
 
 def _require_size(metadata: Any) -> None:
@@ -65,9 +99,6 @@ def _text(opened: Any) -> str:
         file.write(as_csv(zip(*(column.to_pylist() for column in batch.columns), strict=True)))
         if file.tell() > TABLE:
             raise inputs.Unreadable(f"is larger than {inputs.size(TABLE)} unpacked")
-    said = (opened.schema_arrow.metadata or {}).get(DIGEST)
-    if said and said != sha256(file.getvalue().encode()).hexdigest().encode():
-        raise inputs.Unreadable("is damaged: its table is another one than its digest says")
     return file.getvalue()
 
 

@@ -2,9 +2,7 @@
 
 import json
 from collections.abc import Callable
-from hashlib import sha256
 from importlib.util import find_spec
-from io import BytesIO
 
 from flexbearing.files import as_csv
 from flexbearing.studies.table.table import Table
@@ -21,11 +19,11 @@ def csv_bytes(table: Table) -> bytes:
 def parquet_bytes(table: Table) -> bytes:
     """A table as Parquet, fields called as the headings.
 
-    Each field has its unit as metadata, and the metadata of the file hold all of them as JSON, "units", and
-    the digest of the same table as CSV, by which a reader sees whether the file is damaged.
+    Each field has its unit as metadata, and the metadata of the file hold all of them as JSON, "units".
     """
     import pyarrow
-    from pyarrow import parquet
+
+    from flexbearing.report.html.parquet import sealed
 
     arrays = [pyarrow.array(column.values) for column in table.columns]
     fields = [
@@ -33,11 +31,8 @@ def parquet_bytes(table: Table) -> bytes:
         for column, array in zip(table.columns, arrays, strict=True)
     ]
     units = json.dumps({column.heading: column.unit for column in table.columns if column.unit})
-    digest = sha256(csv_bytes(table)).hexdigest()
-    schema = pyarrow.schema(fields, metadata={"title": table.name, "units": units, "sha256": digest})
-    file = BytesIO()
-    parquet.write_table(pyarrow.table(arrays, schema=schema), file, compression="zstd")
-    return file.getvalue()
+    schema = pyarrow.schema(fields, metadata={"title": table.name, "units": units})
+    return sealed(pyarrow.table(arrays, schema=schema))
 
 
 def netcdf_bytes(table: Table) -> bytes:
