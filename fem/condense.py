@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from fem.raceway.growth import RacewayGrowth
     from fem.raceway.harmonics import HarmonicCompliance
     from fem.section.bolted_ring import GrooveCompliance
+    from fem.section.free_ring import FreeRing
     from fem.section.planet_rim import PlanetRim
     from fem.section.ring_on_foundation import RingOnFoundation
     from fem.section.ring_on_lines import RingOnLines
@@ -209,10 +210,7 @@ def condense_in_process(
             return _on_foundation(part, discretisation, resolution, stage, seconds)
         case OuterRing(support=ReducedBody()), Discretisation.HARMONICS:
             require_on_track(resolution.length, part.track)
-            from fem.section.ring_on_matrix import ring_on_matrix
-
-            last = _last_harmonic(part, HARMONICS, resolution)
-            condensed = ring_on_matrix(part, resolution, last, stage, seconds)
+            condensed = _on_matrix(part, resolution, stage, seconds)
         case OuterRing(support=ReducedBody()), _:
             raise ImpossiblePart(
                 f"a ring on a matrix is impossible as {discretisation.name}, only as HARMONICS"
@@ -235,8 +233,8 @@ def _in_harmonics(
     if isinstance(part, SquirrelCage) and discretisation is HARMONICS:
         return _cage_in_space(part, resolution, stage, seconds)
 
-    def up_to(last: int) -> "HarmonicCompliance":
-        return harmonic_compliance(
+    def condensed(resolution: Resolution, last: int) -> "HarmonicCompliance":
+        compliance = harmonic_compliance(
             _responses_of(part, discretisation)(part, resolution, last, stage),
             radius=part.raceway_diameter / 2,
             length=resolution.length,
@@ -244,8 +242,10 @@ def _in_harmonics(
             bars=None,
             seconds=seconds,
         )
+        compliance.require_enough()
+        return compliance
 
-    return _with_enough_harmonics(up_to, lambda compliance: compliance, part, discretisation, resolution)
+    return _with_enough_harmonics(condensed, part, discretisation, resolution)
 
 
 def _cage_in_space(
@@ -258,11 +258,18 @@ def _cage_in_space(
     """
     from fem.cage.cyclic_symmetry import cage_responses
     from fem.cage.moved_cage import near_responses
-    from fem.raceway.harmonics import FEWEST, harmonic_compliance, needed_harmonics, with_short_waves
+    from fem.raceway.harmonics import (
+        FEWEST,
+        harmonic_compliance,
+        needed_harmonics,
+        resolving,
+        with_short_waves,
+    )
     from fem.section.smeared_cage import short_waves
 
-    shape = resolution.nodes_of or Shape(part=cage, length=resolution.length)  # the same with moved nodes
+    shape = _shape(cage, resolution)
     resolved = coupled = _last_harmonic(cage, HARMONICS, resolution)
+    resolution = resolving(resolution, shape.part.raceway_diameter / 2, resolved)
     needed = needed_harmonics(shape.part.raceway_diameter / 2, shape.length / resolution.axial_modes)
     is_coarse = resolution.harmonics is None and resolved + 1 < needed
     if is_coarse:
@@ -284,26 +291,18 @@ def _cage_in_space(
 
 
 def _with_enough_harmonics(
-    up_to: Callable[[int], Condensed],
-    raceway_of: Callable[[Condensed], "HarmonicCompliance"],
+    condensed: Callable[[Resolution, int], Condensed],
     part: Part,
     discretisation: Discretisation,
     resolution: Resolution,
 ) -> Condensed:
-    """What is condensed up to the usual harmonic; a beam on stiff springs up to one that is high enough.
-
-    The elements of a section set a limit, the closed form of a beam does not.
-    """
-    from fem.raceway.harmonics import MOST, TRUNCATED
+    """What is condensed up to the usual harmonic, or to one that is high enough."""
+    from fem.raceway.harmonics import with_enough_harmonics
 
     last = _last_harmonic(part, discretisation, resolution)
-    condensed = up_to(last)
-    if discretisation is not BEAM or resolution.harmonics is not None:
-        return condensed
-    while raceway_of(condensed).truncation > TRUNCATED and 2 * last <= MOST:
-        last *= 2
-        condensed = up_to(last)
-    return condensed
+    return with_enough_harmonics(
+        condensed, resolution, _shape(part, resolution).part.raceway_diameter / 2, last
+    )
 
 
 def _responses_of(part: Part, discretisation: Discretisation) -> Any:
@@ -322,10 +321,15 @@ def _responses_of(part: Part, discretisation: Discretisation) -> Any:
     return responses
 
 
+def _shape(part: Part, resolution: Resolution) -> Shape:
+    """What is meshed: the part, or the same before its nodes were moved."""
+    return resolution.nodes_of or Shape(part=part, length=resolution.length)
+
+
 def _last_harmonic(part: Part, discretisation: Discretisation, resolution: Resolution) -> int:
     from fem.raceway.harmonics import detail_of_ring, highest_harmonic
 
-    shape = resolution.nodes_of or Shape(part=part, length=resolution.length)  # the same with moved nodes
+    shape = _shape(part, resolution)
     if discretisation is BEAM:
         from fem.beam.thin_ring import last_harmonic
 
@@ -341,11 +345,25 @@ def _on_foundation(
     """A ring that springs only push, from what its raceway and its outer surface are answered with."""
     from fem.section.ring_on_foundation import ALONG, ring_on_foundation
 
-    def up_to(last: int) -> "RingOnFoundation":
+    def condensed(resolution: Resolution, last: int) -> "RingOnFoundation":
         responses = _responses_of(part, discretisation)(part, resolution, last, stage, face_modes=ALONG)
-        return ring_on_foundation(part, resolution.length, responses, seconds)
+        ring = ring_on_foundation(part, resolution.length, responses, seconds)
+        ring.raceway.require_enough()
+        return ring
 
-    return _with_enough_harmonics(up_to, lambda ring: ring.raceway, part, discretisation, resolution)
+    return _with_enough_harmonics(condensed, part, discretisation, resolution)
+
+
+def _on_matrix(part: OuterRing, resolution: Resolution, stage: Stage, seconds: dict) -> "HarmonicCompliance":
+    """A ring on a body that another program reduced."""
+    from fem.section.ring_on_matrix import ring_on_matrix
+
+    def condensed(resolution: Resolution, last: int) -> "HarmonicCompliance":
+        compliance = ring_on_matrix(part, resolution, last, stage, seconds)
+        compliance.require_enough()
+        return compliance
+
+    return _with_enough_harmonics(condensed, part, HARMONICS, resolution)
 
 
 def _free_ring(part: OuterRing, resolution: Resolution, stage: Stage, seconds: dict) -> Any:
@@ -354,9 +372,13 @@ def _free_ring(part: OuterRing, resolution: Resolution, stage: Stage, seconds: d
     from fem.section.planet_rim import PlanetRim
     from fem.section.ring_on_lines import RingOnLines, require_held
 
-    support, last = part.support, _last_harmonic(part, HARMONICS, resolution)
-    if isinstance(support, PlanetGear):
-        return PlanetRim(free_ring(part, resolution, last, stage, seconds), support)
-    assert isinstance(support, LineSupports)
-    require_held(support, resolution.axial_modes)
-    return RingOnLines(free_ring(part, resolution, last, stage, seconds), support)
+    def condensed(resolution: Resolution, last: int) -> "FreeRing":
+        ring = free_ring(part, resolution, last, stage, seconds)
+        ring.raceway.require_enough()
+        return ring
+
+    support = part.support
+    if isinstance(support, LineSupports):
+        require_held(support, resolution.axial_modes)
+    free = _with_enough_harmonics(condensed, part, HARMONICS, resolution)
+    return PlanetRim(free, support) if isinstance(support, PlanetGear) else RingOnLines(free, support)

@@ -10,14 +10,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from fem.assembly.factorisation import threads
-from fem.errors import NotSolved
 from fem.joint.face_condensation import CondensedBody, ContactFace, condense_body
 from fem.mesh.axial_section import AxialSection, sections
 from fem.parts.boundary_conditions import ClampedFace, Housing, RigidSeat
 from fem.parts.material import ImpossiblePart
 from fem.parts.resolution import Resolution, Shape
 from fem.parts.rings import SLENDEREST_SLOT, OuterRing, RingOnShaft, require_on_track
-from fem.raceway.harmonics import highest_harmonic
+from fem.raceway.harmonics import highest_harmonic, resolving
 from fem.section.expansion import Along
 from fem.section.revolved_body import assembled
 
@@ -144,7 +143,7 @@ def condense_fitted(
     ImpossiblePart
         if the band is longer than the track, or a variation ends inside its body
     NotSolved
-        if a solve fails, or if the mesh is too coarse for the harmonics of the fit
+        if a solve fails
 
     Valid
     -----
@@ -153,13 +152,8 @@ def condense_fitted(
     """
     grid, shape = grid or FitGrid(), resolution.nodes_of or Shape(part=part, length=resolution.length)
     radius, detail = shape.part.seat.raceway_diameter / 2, shape.length / resolution.axial_modes
-    last = highest_harmonic(radius, detail, resolution.mesh)
-    if last < grid.harmonics:
-        raise NotSolved(
-            f"{grid.harmonics} harmonics of the fit are more than the {last} of the raceway: "
-            "a smaller raceway_size or a higher order resolves more"
-        )
-    return _condensed(part, resolution, last, grid, variations)
+    last = max(grid.harmonics, highest_harmonic(radius, detail, resolution.mesh))
+    return _condensed(part, resolving(resolution, radius, last), last, grid, variations)
 
 
 def condense_axisymmetric(

@@ -7,16 +7,19 @@ local radial direction, :math:`a_m = \frac{2m+1}{l} L_m(2x/l)`. The raceway answ
 a line only what differs from a half-space (`fem.half_space.line_load`) has a sum.
 """
 
-from dataclasses import dataclass, field
+import logging
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import ceil, floor
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.errors import NotSolved
+from fem.errors import NotSolved, TooFewHarmonics
 from fem.half_space.line_load import cubic_tail, curvature_tail, indentation, indentation_harmonics
+from fem.parts.resolution import Resolution
 from fem.parts.rings import Elastic, ImpossiblePart, MeshSize
 from fem.raceway.bar_response import BarResponse
 from fem.raceway.compliance import RacewayCompliance
@@ -30,11 +33,17 @@ PLACES = 4  # sets of azimuths whose compliances are kept
 FINENESS = 6.0  # highest harmonic over M R/l, unless one is requested
 DEPTH = 10.0  # highest harmonic over R/thickness: through the ring less than exp(-10) of it is felt
 MARGIN = 1.5  # highest harmonic over that of a band whose ends are far from the ends of its ring
+DOUBLINGS = 4  # of the harmonics on a mesh: the time of each is about six times that of the one before
 RESOLVED = 0.6  # highest harmonic over order times R/h on raceway elements of size h: beyond, errors grow
 
 
+Condensed = TypeVar("Condensed")
+
+_log = logging.getLogger(__name__)
+
+
 def highest_harmonic(radius: float, detail: float, mesh: MeshSize, wish: int | None = None) -> int:
-    """Choose the last harmonic: one that the elements of the raceway still resolve.
+    """Choose the last harmonic: one that the elements of the raceway still resolve, or the least of all.
 
     Parameters
     ----------
@@ -68,6 +77,53 @@ def highest_harmonic(radius: float, detail: float, mesh: MeshSize, wish: int | N
     return wish
 
 
+def resolving(resolution: Resolution, radius: float, last: int) -> Resolution:
+    """The same with elements of the raceway, of radius R [m], that resolve a last harmonic."""
+    if resolution.mesh_size is None:  # of a beam
+        return resolution
+    mesh = resolution.mesh_size
+    size = min(mesh.raceway_size, RESOLVED * mesh.order * radius / last)
+    return replace(resolution, mesh_size=replace(mesh, raceway_size=size))
+
+
+def with_enough_harmonics(
+    condensed: Callable[[Resolution, int], Condensed], resolution: Resolution, radius: float, last: int
+) -> Condensed:
+    """Condense a part with twice the harmonics, on elements that resolve them, until they are enough.
+
+    Parameters
+    ----------
+    condensed : callable (resolution, last)
+        raises TooFewHarmonics where more of them are needed
+    resolution : Resolution
+        as wanted; with a given last harmonic that alone is tried
+    radius : float
+        R of the raceway [m]
+    last : int
+        harmonic to begin with
+
+    Returns
+    -------
+    what is condensed
+
+    Raises
+    ------
+    TooFewHarmonics
+        if `DOUBLINGS` of them are not enough on a mesh, or if MOST harmonics are none
+    """
+    if resolution.harmonics is not None:
+        return condensed(resolution, last)
+    highest = min(MOST, last * 2**DOUBLINGS if resolution.mesh_size else MOST)
+    while True:
+        try:
+            return condensed(resolving(resolution, radius, last), last)
+        except TooFewHarmonics as problem:
+            if 2 * last > highest:
+                raise
+            last *= 2
+            _log.info("%s; %d harmonics are tried", problem, last)
+
+
 def needed_harmonics(radius: float, detail: float) -> int:
     """Last harmonic that loads of some axial detail need.
 
@@ -87,13 +143,8 @@ def needed_harmonics(radius: float, detail: float) -> int:
 
 
 def _usual(needed: int, limit: int) -> int:
-    """As many harmonics as are needed, or as the mesh resolves."""
-    last = min(needed, limit)
-    if last < FEWEST:
-        raise NotSolved(
-            f"the mesh of the raceway resolves {limit} harmonics of {needed} that are needed, allowed are "
-            f"{FEWEST} or more: a smaller raceway_size or a higher order resolves more"
-        )
+    """As many harmonics as are needed, or as the mesh resolves, or the least of all."""
+    last = max(FEWEST, min(needed, limit))
     if last > MOST:
         raise NotSolved(
             f"{last} harmonics resolve what rollers load on so large a raceway, allowed are {MOST} or fewer: "
@@ -321,13 +372,17 @@ class HarmonicCompliance:
         NotSolved
             if the harmonics end too early for the own terms
         """
+        self.require_enough()
+        absolute = self._series(azimuths) + self._beyond(azimuths) + self._neighbours(azimuths)
+        return (absolute + absolute.transpose(2, 3, 0, 1)) / 2
+
+    def require_enough(self) -> None:
+        """Raise TooFewHarmonics where too much of the own compliance is extrapolated."""
         if not self.truncation <= TRUNCATED:
-            raise NotSolved(
+            raise TooFewHarmonics(
                 f"{self.truncation:.2g} of the own compliance lies beyond harmonic {self.harmonics[-1]}, "
                 f"allowed {TRUNCATED:g}: take more harmonics"
             )
-        absolute = self._series(azimuths) + self._beyond(azimuths) + self._neighbours(azimuths)
-        return (absolute + absolute.transpose(2, 3, 0, 1)) / 2
 
     @property
     def truncation(self) -> float:

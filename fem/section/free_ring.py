@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.assembly.factorisation import threads
-from fem.errors import NotSolved
+from fem.errors import TooFewHarmonics
 from fem.parts.resolution import Resolution
 from fem.parts.rings import OuterRing
 from fem.raceway.harmonics import HarmonicCompliance, Responses, harmonic_compliance
@@ -159,7 +159,7 @@ def free_ring(part: OuterRing, resolution: Resolution, last: int, stage: Stage, 
     Raises
     ------
     NotSolved
-        if a solve fails, or if there are too few harmonics
+        if a solve fails; TooFewHarmonics where more are needed
     """
     radius, length, axial_modes = part.raceway_diameter / 2, resolution.length, resolution.axial_modes
     with stage("factor"):
@@ -222,7 +222,7 @@ def _require_all_harmonics(ring: FreeRing, slenderness: float) -> None:
     for answer in (ring.radial, ring.tangential):
         rest = slenderness * np.abs(answer[-1]).max() / np.abs(answer[2:]).sum(axis=0).max()
         if not rest <= REST:
-            raise NotSolved(
+            raise TooFewHarmonics(
                 f"{rest:.2g} of the deflection of the ring lies beyond harmonic {len(answer) - 1}, "
                 f"allowed {REST:g}: take more harmonics, on elements of a smaller raceway_size"
             )

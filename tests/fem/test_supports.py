@@ -25,6 +25,8 @@ from fem import (
 )
 from fem.assembly.elasticity import elastic_energy
 from fem.assembly.factorisation import NotSolved, factorised, threads
+from fem.errors import TooFewHarmonics
+from fem.half_space.line_load import indentation_harmonics
 from fem.mesh.solid import meshed
 from fem.section.planet_rim import PlanetRim
 from fem.section.revolved_body import edge_modes
@@ -472,3 +474,28 @@ def test_answer_on_springs_is_that_of_non_negative_least_squares(tangential):
     shift = np.tensordot(rollers.closed.translation, PRESSED, 2) - rollers.shifted.T @ t
     found = np.tensordot(rollers.near(PRESSED).translation, PRESSED, 2)
     assert found == approx(shift, rel=0, abs=1e-5 * np.abs(shift).max())
+
+
+WIDE = 80e-3  # of a band as long as the radius is large
+
+
+@pytest.mark.parametrize(
+    "support", [RigidSeat(), LineSupports(azimuths=(0.0, 2.0, 4.0))], ids=["seat", "lines"]
+)
+def test_harmonics_are_added_until_they_are_enough(support):
+    """On elements that resolve them: a quarter of a long roller is far too coarse for a thin ring."""
+    ring = OuterRing(raceway_diameter=160e-3, thickness=2.4e-3, width=90e-3, elastic=STEEL, support=support)
+    coarse = MeshSize(order=5, size=96e-3, raceway_size=20e-3)
+
+    def own(harmonics=None, mesh=coarse):
+        found = by_harmonics(ring, WIDE, M, mesh, harmonics)
+        raceway = found.ring.raceway if isinstance(found, RingOnLines) else found
+        return raceway.harmonics[-1], raceway.absolute(np.array([0.0, 0.1]))
+
+    last, compliance = own()
+    assert last > 12
+    _, exact = own(4 * last, replace(coarse, raceway_size=20e-3 * 12 / (4 * last)))
+    half_space = indentation_harmonics(np.arange(-last, last + 1), 80e-3, WIDE, M, STEEL).sum(axis=0).max()
+    assert compliance == approx(exact, rel=0, abs=0.02 * (np.abs(exact).max() + half_space))
+    with pytest.raises(TooFewHarmonics, match="take more harmonics"):
+        own(12)

@@ -7,7 +7,7 @@ import flexbearing.api
 from fem.errors import NotSolved
 from fem.mesh.axial_section import AxialSection, meshed
 from fem.mesh.expense import LARGEST, require_affordable
-from fem.raceway.harmonics import FEWEST, MOST, highest_harmonic
+from fem.raceway.harmonics import FEWEST, MOST, highest_harmonic, resolving
 from flexbearing.__main__ import command
 from flexbearing.case import BadCase
 from flexbearing.case.declarations import declarations
@@ -132,10 +132,11 @@ def test_estimate_of_unknowns_is_near_what_the_mesh_has():
     assert LARGEST[2] > estimate
 
 
-def test_raceway_elements_that_resolve_no_harmonics_are_told():
+def test_the_least_harmonics_are_taken_and_resolved_on_any_mesh():
     mesh = fem.MeshSize(order=2, size=12e-3, raceway_size=4.0)
-    with pytest.raises(NotSolved, match=f"allowed are {FEWEST} or more"):
-        highest_harmonic(37e-3, 2e-3, mesh)
+    assert highest_harmonic(37e-3, 2e-3, mesh) == FEWEST
+    finer = resolving(fem.Resolution(length=2e-3, mesh_size=mesh), 37e-3, FEWEST)
+    assert highest_harmonic(37e-3, 2e-3, finer.mesh, FEWEST) == FEWEST
 
 
 def test_harmonics_have_an_upper_limit():

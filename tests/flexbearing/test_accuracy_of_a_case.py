@@ -171,9 +171,9 @@ ON_LINES = [
 
 
 def test_a_part_whose_levels_cannot_be_computed_is_not_left_rigid(folder, capsys):
-    """Elements of order 2 are too few for its harmonics: the answer was rigid beside an error of 200 %."""
+    """Its harmonics are too few: the answer was rigid beside an error of 200 %."""
     path = folder / "coarse.h5"
-    settings = [*ON_LINES, "accuracy.element_order=2"]
+    settings = [*ON_LINES, "accuracy.harmonics=8"]
     words = ["run", str(PLAIN), "-o", str(path), *(word for key in settings for word in ("--set", key))]
     assert command(words) == 1
     result = flexbearing.read(path)
