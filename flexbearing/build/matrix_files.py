@@ -2,13 +2,13 @@
 
 import re
 from array import array
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from functools import wraps
 from pathlib import Path
 from typing import TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from fem import ImpossiblePart
 from fem.matrix.stiffness import Stiffness, symmetric
@@ -96,14 +96,14 @@ def places(path: Path) -> tuple[NDArray, NDArray]:
             break
     else:
         raise ImpossiblePart("holds no nodes: neither *NODE nor GRID")
-    found, (there, first, again) = np.array(where).reshape(-1, 3), _unique(numbers)
+    found, (there, first, again) = np.array(where).reshape(-1, 3), _unique(np.array(numbers))
     if (moved := (found != found[first[again]]).any(axis=1)).any():
         raise ImpossiblePart(f"node {numbers[int(np.argmax(moved))]} stands at two places")
     return there, found[first]
 
 
-def _unique(numbers: Sequence[int]) -> tuple[NDArray, NDArray, NDArray]:
-    return np.unique(np.array(numbers), return_index=True, return_inverse=True)
+def _unique(numbers: ArrayLike) -> tuple[NDArray, NDArray, NDArray]:
+    return np.unique(numbers, return_index=True, return_inverse=True)
 
 
 def _table(path: Path, columns: int) -> tuple[NDArray, NDArray]:
@@ -133,7 +133,8 @@ def _calculix(path: Path) -> Stiffness:
     pairs, values = _table(path, 2)
     if pairs.min() < 1 or pairs.max() > len(unknowns):
         raise ImpossiblePart(f"has rows that {excerpt(path.stem)}.dof does not name")
-    return symmetric(*unknowns.T, *(pairs.T - 1), values)  # pyright: ignore[reportCallIssue]
+    (nodes, motions), (rows, columns) = unknowns.T, pairs.T - 1
+    return symmetric(nodes, motions, rows, columns, values)
 
 
 @_named
@@ -192,7 +193,7 @@ def _by_pairs(pairs: NDArray, values: NDArray) -> Stiffness:
     coded = np.concatenate([pairs[:, :2], pairs[:, 2:]])
     if coded[:, 1].min() < 1 or coded[:, 1].max() > COMPONENTS:
         raise ImpossiblePart(f"a motion of a node is none of 1 to {COMPONENTS}")
-    unknowns, _, where = _unique(coded[:, 0] * (COMPONENTS + 1) + coded[:, 1])  # pyright: ignore[reportArgumentType]
+    unknowns, _, where = _unique(coded[:, 0] * (COMPONENTS + 1) + coded[:, 1])
     rows, columns = np.split(where.ravel(), 2)
     return symmetric(unknowns // (COMPONENTS + 1), unknowns % (COMPONENTS + 1), rows, columns, values)
 
