@@ -3,7 +3,7 @@
 import re
 from array import array
 from collections.abc import Callable, Iterator
-from functools import wraps
+from functools import lru_cache, wraps
 from pathlib import Path
 from typing import TypeVar
 
@@ -122,6 +122,7 @@ def _table(path: Path, columns: int) -> tuple[NDArray, NDArray]:
     return np.array(whole).reshape(-1, columns), np.array(values)
 
 
+@lru_cache(maxsize=2**16)  # every entry of a row names the same node
 def _node(word: str) -> int:
     """Number of a node or of one of its motions; those that a program adds may be negative."""
     return inputs.whole(word, -HIGHEST, HIGHEST)
