@@ -133,7 +133,7 @@ def test_values_are_compared_without_a_search_for_other_equilibria(tmp_path, mon
     def never(*_):
         raise AssertionError("searched")
 
-    monkeypatch.setattr("flexbearing.runs.postprocess.between_rigid_raceways", never)
+    monkeypatch.setattr("flexbearing.runs.several.between_rigid_raceways", never)
     new(tmp_path / "case.toml", "cylindrical_roller", NU210 | {"oil": "ISO VG 32"})
     assert "not known" not in (tmp_path / "case.toml").read_text()
 
