@@ -19,6 +19,7 @@ from flexbearing.inputs.limits import MATRIX
 
 HIGHEST = 10**9  # number of a node
 COMPONENTS = 6
+LONGEST_NAME = 20  # of a matrix, in a message
 _NODE = re.compile(r"\*NODE\s*(,.*)?", re.I)
 _ANOTHER_SYSTEM = re.compile(r",\s*SYSTEM\s*=\s*[CS]\b", re.I)
 
@@ -163,7 +164,7 @@ def _nastran(path: Path) -> Stiffness:
     """DMIG: a column of the matrix in every card after the header."""
     pairs, values, names = array("q"), array("d"), set[str]()
     for fields in cards(inputs.lines(path, MATRIX), "DMIG"):
-        names.add(excerpt(fields[0].upper()))
+        names.add(fields[0].upper())
         if fields[1] == "0":
             _require_real(fields)
             continue
@@ -173,10 +174,11 @@ def _nastran(path: Path) -> Stiffness:
                 pairs.extend((_node(fields[k]), _node(fields[k + 1]), *column))
                 values.append(inputs.number(fields[k + 2]))
     if len(names) != 1:
-        found = f"{len(names)} matrices, {enumerated(sorted(names))}" if names else "no DMIG"
+        quoted = [excerpt(name, LONGEST_NAME) for name in sorted(names)]
+        found = f"{len(names)} matrices, {enumerated(quoted)}" if names else "no DMIG"
         raise ImpossiblePart(f"holds {found}; allowed is one")
     if not values:
-        raise ImpossiblePart(f"its matrix {names.pop()} has no entries")
+        raise ImpossiblePart(f"its matrix {excerpt(names.pop())} has no entries")
     return _by_pairs(np.array(pairs).reshape(-1, 4), np.array(values))
 
 

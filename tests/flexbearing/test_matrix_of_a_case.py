@@ -117,6 +117,11 @@ INDEFINITE = {
 }
 
 
+def test_the_name_of_a_file_begins_its_problem_once(tmp_path):
+    with pytest.raises(BadCase, match=r"(?<!mtx: )k.mtx: '1.5e' is no number"):
+        flexbearing.check(PAPER, turned(tmp_path, lambda row: "1.5e"))
+
+
 @pytest.mark.parametrize("change", INDEFINITE.values(), ids=INDEFINITE)
 def test_indefinite_matrices_are_refused_with_their_eigenvalues(change, tmp_path):
     with pytest.raises(BadCase, match=r"k.mtx: the stiffness of the seat is indefinite.* from -[0-9.e+]+ to"):

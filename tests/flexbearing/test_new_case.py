@@ -127,13 +127,14 @@ def test_what_no_case_can_have_is_refused_before_anything_is_computed(option, wo
     assert not (tmp_path / "case.toml").exists()
 
 
-def test_values_are_compared_without_a_search_for_other_equilibria(tmp_path, monkeypatch):
-    """At 0 degC the search takes ten times as long as the rest."""
+@pytest.mark.parametrize("search", ["several.between_rigid_raceways", "roller_position.notes"])
+def test_values_are_compared_without_what_ends_in_notes_alone(search, tmp_path, monkeypatch):
+    """At 0 degC other equilibria take ten times as long as the rest, other positions of the rollers five."""
 
     def never(*_):
         raise AssertionError("searched")
 
-    monkeypatch.setattr("flexbearing.runs.several.between_rigid_raceways", never)
+    monkeypatch.setattr(f"flexbearing.runs.{search}", never)
     new(tmp_path / "case.toml", "cylindrical_roller", NU210 | {"oil": "ISO VG 32"})
     assert "not known" not in (tmp_path / "case.toml").read_text()
 
