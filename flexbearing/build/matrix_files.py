@@ -19,7 +19,7 @@ from flexbearing.inputs.limits import MATRIX
 
 HIGHEST = 10**9  # number of a node
 COMPONENTS = 6
-LONGEST_NAME = 20  # of a matrix, in a message
+LONGEST_NAME = 8  # characters of the name of a matrix
 _NODE = re.compile(r"\*NODE\s*(,.*)?", re.I)
 _ANOTHER_SYSTEM = re.compile(r",\s*SYSTEM\s*=\s*[CS]\b", re.I)
 

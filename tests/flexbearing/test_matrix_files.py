@@ -132,7 +132,6 @@ def test_only_the_first_names_of_many_matrices_are_listed(tmp_path):
     (tmp_path / "k.bdf").write_text("".join(f"DMIG,{n:0>90},0,6,2,0\n" for n in range(1000)))
     message = refusal(matrix_files.stiffness, tmp_path / "k.bdf")
     assert re.search(r"1000 matrices, .* and 992 more; allowed is one", message)
-    assert len(message) < 500
 
 
 @pytest.mark.parametrize(
