@@ -7,12 +7,14 @@ contact.
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import closing, contextmanager
 from functools import partial
+from itertools import chain, count, islice
 from typing import Any
 
 from flexbearing.program.interpreter import Died
 from flexbearing.program.processes import Processes
 from flexbearing.program.threads import cores
 
+AHEAD = 2  # arguments that are taken for each worker
 FEWEST = 8  # calls for each worker; the start of one takes as long as a few balls
 
 
@@ -33,30 +35,39 @@ def shared_map(
             processes.start()
 
         def mapped(function: Callable[[Any], Any], arguments: Iterable[Any]) -> Iterator[Any]:
-            waiting = list(arguments)
-            count = min(cores(), len(waiting) // FEWEST)
-            if count < 2:
+            left = iter(arguments)
+            first = list(islice(left, FEWEST * cores()))
+            workers, waiting = len(first) // FEWEST, chain(first, left)
+            if workers < 2:
                 return map(function, waiting)
-            processes.workers = count
+            processes.workers = workers
             return _in_order(processes, function, waiting)
 
         yield mapped
 
 
-def _in_order(processes: Processes, function: Callable[[Any], Any], arguments: list[Any]) -> Iterator[Any]:
-    """Answers in the order of the arguments, the next argument to the worker that is free first."""
-    answers = {}
-    for numbered in enumerate(arguments):
-        processes.submit(partial(_answer, function), numbered)
-    ends = processes.as_completed()
-    for number in range(len(arguments)):
+def _in_order(
+    processes: Processes, function: Callable[[Any], Any], arguments: Iterator[Any]
+) -> Iterator[Any]:
+    """Answers in the order of the arguments, each of which is taken when a worker will soon be free."""
+    answers, left, ends = {}, enumerate(arguments), processes.as_completed()
+
+    def submit(some: int) -> None:
+        for numbered in islice(left, some):
+            processes.submit(partial(_answer, function), numbered)
+
+    submit(AHEAD * processes.workers)
+    for number in count():
         while number not in answers:
-            done = next(ends)
+            done = next(ends, None)
+            if done is None:
+                return
             if done.raised is not None:
                 raise done.raised
             if done.died:
                 raise Died("a worker process ended without an answer: is there enough memory?")
             answers[done.argument[0]] = done.answer
+            submit(1)
         yield answers.pop(number)
 
 

@@ -19,6 +19,10 @@ class Design:
     count: int  # of points; of base points for sobol_indices
     seed: int
 
+    def rows(self, keys: int) -> int:
+        """How many points there are of K inputs."""
+        return self.count * (keys + 2) if self.method == "sobol_indices" else self.count
+
     def points(self, widths: Sequence[int]) -> NDArray:
         """Points of the unit cube.
 

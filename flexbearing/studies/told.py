@@ -19,6 +19,7 @@ from flexbearing.studies.where import ALONE, RING, SIDE_BY_SIDE, Cost, expected
 LIFE_ERROR = "life error [%]"  # column of duty cycles with a target
 ADVICE = "the next study condenses its rings again, FLEXBEARING_CACHE names another folder"
 PAUSE = 10.0  # [s] between lines that no terminal shows
+FIRST, LONG = 1.0, 5.0  # [s] after which the time of a check is known; that is worth a line
 
 
 def variants(settled: Prepared) -> str:
@@ -184,6 +185,22 @@ def duration(seconds: float) -> str:
         if seconds >= 2 * size:
             return f"{seconds / size:.3g} {unit}"
     return f"{seconds:.2g} s"
+
+
+class Checking:
+    """Says how long the checking of many variants takes, as soon as this is known, and how far it is."""
+
+    def __init__(self, stream: TextIO):
+        self._stream, self._began, self._next = stream, perf_counter(), FIRST
+
+    def __call__(self, checked: int, total: int) -> None:
+        """Take note of how many variants are checked."""
+        seconds = perf_counter() - self._began
+        left = seconds / checked * (total - checked)
+        if seconds >= self._next and left > LONG:
+            self._next = seconds + PAUSE
+            self._stream.write(f"{checked} of {total} variants checked, {duration(left)} left\n")
+            self._stream.flush()
 
 
 class Shown:
