@@ -13,9 +13,10 @@ from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
 from flexbearing.report.html.study import MOST_MESSAGES, _by_message
 from flexbearing.studies import told
-from flexbearing.studies.file import read
+from flexbearing.studies.file import read, sampled
 from flexbearing.studies.maps.axes import axes
 from flexbearing.studies.plan import Impossible, plan
+from flexbearing.studies.plan.checked import CheckedVariants
 from flexbearing.studies.plan.task import Variant
 from tests.flexbearing.toy_studies import CASE
 
@@ -56,50 +57,72 @@ def test_axes_of_a_map_are_counted_before_they_are_made():
     assert process_time() - began < 0.3
 
 
-def bytes_of_a_variant(study, checked):
-    """Memory of each of 20 000 variants of a plan; the last plan as well."""
-    tracemalloc.start()
-    try:
-        made = plan(study(), checked)
-        return tracemalloc.get_traced_memory()[0] / len(made.variants), made
-    finally:
+def bytes_of_a_variant(folder, text, checked):
+    """Memory of each further variant of a study in which COUNT stands for their number, and the last plan."""
+    study_of(folder, text.replace("COUNT", "2"))  # loads what it needs
+    sizes, made = [], None
+    for count in (2500, 5000):  # fewer are as many as Python keeps of freed tuples
+        tracemalloc.start()
+        made = plan(study_of(folder, text.replace("COUNT", str(count))), checked)
+        sizes.append(tracemalloc.get_traced_memory()[0])
         tracemalloc.stop()
+    return (sizes[1] - sizes[0]) / 2500, made
 
 
 def test_a_variant_of_a_plan_takes_some_ten_bytes_a_number(tmp_path):
     def checked(base, rows):
         for number, values in enumerate(rows):
-            in_si = (float(values[0].split()[0]),)
+            in_si = (1e3 * float(values[0].split()[0]),)
             yield Variant(values, f"{number:032x}", ("outer a",), "", in_si)
 
-    text = '[over]\n"operation.radial_load" = "1 kN .. 2 kN, 20000"'
-    size, made = bytes_of_a_variant(
-        lambda: study_of(tmp_path, text), lambda base, rows: [*checked(base, rows)]
+    text = '[over]\n"operation.radial_load" = "1 kN .. 2 kN, COUNT"'
+    size, made = bytes_of_a_variant(tmp_path, text, lambda base, rows: [*checked(base, rows)])
+    assert size < 45
+    assert made.variants[5] == Variant(
+        ("1.00100020004 kN",), f"{5:032x}", ("outer a",), "", (1e3 * 1.00100020004,)
     )
-    assert size < 60
-    assert made.variants[7] == Variant(("1.0003500175 kN",), f"{7:032x}", ("outer a",), "", (1.0003500175,))
-    assert [each.values for each in made.variants] == [row for row in made.axes[0].rows]
+    assert [each.values for each in made.variants] == [*made.axes[0].rows]
 
 
-def test_drawn_lists_take_two_doubles_a_number(tmp_path):
+def test_drawn_lists_take_four_bytes_a_number(tmp_path, monkeypatch):
     def checked(base, rows):
         return [Variant(v, f"{1:032x}", (), "", (tuple(float(w.split()[0]) for w in v[0]),)) for v in rows]
 
-    text = '[sample]\ncount = 20000\n"bearing.form_error.roller_diameters" = "14 x normal 0 um, 1 um"'
-    size, made = bytes_of_a_variant(lambda: study_of(tmp_path, text), checked)
-    assert size < 14 * 16 + 60
+    text = '[sample]\ncount = COUNT\n"bearing.form_error.roller_diameters" = "14 x normal 0 um, 1 um"'
+    monkeypatch.setattr(sampled, "AT_ONCE", 64)  # rows whose words stay
+    size, made = bytes_of_a_variant(tmp_path, text, checked)
+    assert size < 80
     words = made.variants[3].values[0]
     assert made.variants[3].in_si == (tuple(float(word.split()[0]) for word in words),)
+    assert made.variants[:] == tuple(made.variants)
+
+
+UNITS = ["5 N", "6 N", "x", "0.007 kN", "8 N", None, ["1 N", "2 N"], ["1 N", 2], "steel"]
+IN_SI = [5.0, 6.0, None, 7.0, 8.0, 9.0, (1.0, 2.0), (1.0, 2.0), "steel"]
+
+
+@pytest.mark.parametrize("count", range(1, len(UNITS) + 1))
+def test_numbers_of_cases_are_those_of_rows_or_stored(count):
+    """Whatever stood before: a number in another unit, one that is left out, a list, a word."""
+    expected = [
+        Variant((word,), "" if word == "x" else f"{number:032x}", (), "", () if word == "x" else (value,))
+        for number, (word, value) in enumerate(zip(UNITS[:count], IN_SI, strict=False))
+    ]
+    stored = CheckedVariants([each.values for each in expected])
+    for each in expected:
+        stored.append(each if each.identity else None)
+    assert [*stored] == [stored[number] for number in range(count)] == expected
+    assert [[*map(type, each.in_si)] for each in stored] == [[*map(type, each.in_si)] for each in expected]
 
 
 def test_variants_that_cannot_be_are_few_words(tmp_path):
     def checked(base, rows):
         return [Impossible(f"{values} is too much") for values in rows]
 
-    text = '[over]\n"operation.radial_load" = "1 kN .. 2 kN, 20000"'
-    size, made = bytes_of_a_variant(lambda: study_of(tmp_path, text), checked)
+    text = '[over]\n"operation.radial_load" = "1 kN .. 2 kN, COUNT"'
+    size, made = bytes_of_a_variant(tmp_path, text, checked)
     assert size < 150
-    assert (len(made.problems), made.variants[-1].identity) == (20000, "")
+    assert (len(made.problems), made.variants[-1].identity) == (5000, "")
 
 
 def test_a_drawn_number_below_every_size_is_zero(tmp_path):

@@ -31,7 +31,7 @@ class Written(Sequence[Any]):
         return self.written(self.numbers[place].tolist())
 
 
-class _Rows(Sequence[Row]):
+class MadeRows(Sequence[Row]):
     """Rows that are made where they are read."""
 
     def _row(self, number: int) -> Row:
@@ -47,7 +47,7 @@ class _Rows(Sequence[Row]):
 
 
 @dataclass(frozen=True, eq=False)
-class Zipped(_Rows):
+class Zipped(MadeRows):
     """Columns side by side; one of a single value has it in every row."""
 
     columns: tuple[Sequence[Any], ...]
@@ -65,7 +65,7 @@ class Zipped(_Rows):
 
 
 @dataclass(frozen=True, eq=False)
-class Crossed(_Rows):
+class Crossed(MadeRows):
     """Every combination of rows of several axes, those of the last one change fastest."""
 
     axes: tuple[Sequence[Row], ...]

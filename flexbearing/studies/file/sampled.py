@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import accumulate
 from typing import Any
 
@@ -12,8 +13,9 @@ from flexbearing.case.excerpt import excerpt
 from flexbearing.case.quantity import Kind
 from flexbearing.sampling.design import POWERS_OF_2, Design
 from flexbearing.sampling.distribution import Distribution, lognormal, normal, truncated_normal, uniform
+from flexbearing.sampling.points import Points
 from flexbearing.studies.file.axes import TOGETHER, Axis
-from flexbearing.studies.file.columns import Written, Zipped
+from flexbearing.studies.file.columns import MadeRows, Row
 from flexbearing.studies.file.schema import Sample
 from flexbearing.studies.file.values import MOST, BadValues, in_si_units
 from flexbearing.units import BadUnit, UnknownUnit, unit
@@ -23,7 +25,8 @@ _TEXT = re.compile(
 )
 _PLAIN = re.compile(r"\s*[+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?(?:\s[^,]*)?")  # one value, with or without a unit
 MOST_NUMBERS = 1000  # of one list
-MOST_DRAWN, MOST_DIMENSIONS = 20_000_000, 10_000  # of a study, 160 MB; of a variant
+MOST_DRAWN, MOST_DIMENSIONS = 20_000_000, 10_000  # of a study, 80 MB; of a variant
+AT_ONCE = 1024  # rows
 _UNIT = re.compile(r"[+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?\s*(.*)")
 
 
@@ -54,6 +57,30 @@ class Factor:
         sized = [number if abs(number) >= self.smallest else 0.0 for number in numbers]
         words = [f"{number!r} {self.unit}" if self.unit else number for number in sized]
         return words if self.listed else words[0]
+
+
+class DrawnRows(MadeRows):
+    """Rows made of points, many at once where one is read; the last ones stay."""
+
+    def __init__(self, points: Points, factors: Sequence[Factor], alike: Row):
+        self._points, self._factors, self._alike = points, factors, alike
+        self._some = lru_cache(maxsize=1)(self._made)
+
+    def __len__(self) -> int:
+        return len(self._points)
+
+    def _row(self, number: int) -> Row:
+        some, place = divmod(number, AT_ONCE)
+        return self._some(some * AT_ONCE)[place]
+
+    def _made(self, first: int) -> list[Row]:
+        points = self._points[first : first + AT_ONCE]
+        ends = accumulate(factor.width for factor in self._factors)
+        columns = [
+            map(factor.written, factor.distribution.quantile(points[:, end - factor.width : end]).tolist())
+            for factor, end in zip(self._factors, ends, strict=True)
+        ]
+        return [(*row, *self._alike) for row in zip(*columns, strict=True)]
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,14 +148,8 @@ def sampled(sample: Sample, find: Callable[[str], Declaration]) -> tuple[Axis, D
         raise BadValues('names no key; give one or more, such as "bearing.clearance" = "normal 75 um, 5 um"')
     design, widths = _design(sample), [factor.width for factor in factors]
     _require_few(design.rows(len(factors)), sum(widths))
-    points = design.points(widths)
-    ends = accumulate(factor.width for factor in factors)
-    columns = [
-        Written(factor.distribution.quantile(points[:, end - factor.width : end]), factor.written)
-        for factor, end in zip(factors, ends, strict=True)
-    ]
     keys = *(factor.key for factor in factors), *alike
-    rows = Zipped((*columns, *((value,) for value in alike.values())), len(points))
+    rows = DrawnRows(design.points(widths), factors, tuple(alike.values()))
     return Axis(TOGETHER, keys, rows), Drawn(tuple(factors), design)
 
 

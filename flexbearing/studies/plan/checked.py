@@ -16,15 +16,16 @@ Shared = tuple[tuple[str, ...], str]  # rings and name of the levels
 class CheckedVariants(Sequence[Variant]):
     """Variants row by row; one that cannot be computed has no identity.
 
-    Each takes 20 bytes and 8 for each number that its case has at a varied key.
+    Each takes 20 bytes, and 8 for each number of its case that is not the one of its row, as of another unit.
     """
 
     def __init__(self, rows: Sequence[Row]):
         self._rows = rows
         self._identities = bytearray()
-        self._shared: dict[Shared, int] = {}
-        self._which = array("I")  # of what is shared
-        self._in_si: tuple[_Column, ...] = ()
+        self._numbers: dict[Shared, int] = {}  # of what is shared
+        self._shared: list[Shared] = []
+        self._which = array("I")  # of these numbers
+        self._in_si: list[_Column | None] = []  # None of a key whose values are those of the rows
         self._impossible = array("Q")  # numbers of those without an identity, which are not stored
         self._count = 0
 
@@ -33,19 +34,35 @@ class CheckedVariants(Sequence[Variant]):
         if found is None:
             self._impossible.append(self._count)
         else:
-            self._in_si = self._in_si or tuple(_Column() for _ in found.in_si)
-            for column, value in zip(self._in_si, found.in_si, strict=True):
-                column.append(value)
+            self._in_si = self._in_si or [None] * len(found.in_si)
+            for key, value in enumerate(found.in_si):
+                self._add(key, value, found.values[key])
             self._identities += bytes.fromhex(found.identity)
-            self._which.append(self._shared.setdefault((found.rings, found.levels), len(self._shared)))
+            self._which.append(self._number_of((found.rings, found.levels)))
         self._count += 1
+
+    def _add(self, key: int, value: Any, written: Any) -> None:
+        column = self._in_si[key]
+        if column is None and not _same(value, _plain(written)):
+            column = self._in_si[key] = _Column()
+            for number, row in zip(range(self._count), self._rows, strict=False):
+                if self._is_possible(number):
+                    column.append(_plain(row[key]))
+        if column is not None:
+            column.append(value)
 
     def rename(self, number: int, identity: str, levels: str) -> None:
         """Give a variant another identity and other levels."""
         place, size = self._place(number), LENGTH // 2
-        rings = [*self._shared][self._which[place]][0]
+        rings, _ = self._shared[self._which[place]]
         self._identities[place * size : (place + 1) * size] = bytes.fromhex(identity)
-        self._which[place] = self._shared.setdefault((rings, levels), len(self._shared))
+        self._which[place] = self._number_of((rings, levels))
+
+    def _number_of(self, shared: Shared) -> int:
+        if shared not in self._numbers:
+            self._numbers[shared] = len(self._shared)
+            self._shared.append(shared)
+        return self._numbers[shared]
 
     def __len__(self) -> int:
         return self._count
@@ -55,33 +72,37 @@ class CheckedVariants(Sequence[Variant]):
     @overload
     def __getitem__(self, place: slice) -> tuple[Variant, ...]: ...
     def __getitem__(self, place: int | slice) -> Any:
-        numbers, shared = range(self._count)[place], [*self._shared]
+        numbers = range(self._count)[place]
         if isinstance(numbers, int):
-            return self._variant(numbers, self._rows[numbers], shared)
-        return tuple(self._variant(number, self._rows[number], shared) for number in numbers)
+            return self._variant(numbers, self._rows[numbers])
+        return tuple(self._variant(number, self._rows[number]) for number in numbers)
+
+    def identity(self, number: int) -> str:
+        """The identity of a variant that can be computed, whose row is not made."""
+        place, size = self._place(number), LENGTH // 2
+        return self._identities[place * size : (place + 1) * size].hex()
 
     def __iter__(self) -> Iterator[Variant]:
-        shared = [*self._shared]
         for number, row in enumerate(self._rows):
-            yield self._variant(number, row, shared)
+            yield self._variant(number, row)
 
-    def _variant(self, number: int, row: Row, shared: list[Shared]) -> Variant:
-        place = self._place(number)
-        if place is None:
+    def _variant(self, number: int, row: Row) -> Variant:
+        if not self._is_possible(number):
             return Variant(row, "")
-        first, size = place * LENGTH // 2, LENGTH // 2
-        identity = self._identities[first : first + size].hex()
-        rings, levels = shared[self._which[place]]
-        return Variant(row, identity, rings, levels, tuple([column[place] for column in self._in_si]))
+        place = self._place(number)
+        rings, levels = self._shared[self._which[place]]
+        in_si = [
+            _plain(row[key]) if column is None else column[place] for key, column in enumerate(self._in_si)
+        ]
+        return Variant(row, self.identity(number), rings, levels, tuple(in_si))
 
-    def _place(self, number: int) -> int | None:
-        """Among those that can be computed; None of one that cannot."""
-        if not self._impossible:
-            return number
+    def _is_possible(self, number: int) -> bool:
         before = bisect_left(self._impossible, number)
-        if before < len(self._impossible) and self._impossible[before] == number:
-            return None
-        return number - before
+        return before == len(self._impossible) or self._impossible[before] != number
+
+    def _place(self, number: int) -> int:
+        """Of a variant among those that can be computed."""
+        return number - bisect_left(self._impossible, number)
 
 
 class _Column:
@@ -116,6 +137,24 @@ class _Column:
             if kind is float
             else tuple(self._numbers[place * width : (place + 1) * width])
         )
+
+
+def _plain(written: Any) -> Any:
+    """The number of a value in the words of a case file, whatever its unit; the value itself without one."""
+    if isinstance(written, list):
+        return tuple(map(_plain, written))
+    if not isinstance(written, str):
+        return written
+    try:
+        return float(written.partition(" ")[0])
+    except ValueError:
+        return written
+
+
+def _same(one: Any, other: Any) -> bool:
+    if type(one) is not type(other):
+        return False
+    return len(one) == len(other) and all(map(_same, one, other)) if type(one) is tuple else one == other
 
 
 def _form(value: Any) -> tuple[type, int] | None:

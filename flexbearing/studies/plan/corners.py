@@ -46,9 +46,9 @@ def share_levels(base: Base, variants: CheckedVariants) -> tuple[Corners, ...]:
     for members, points in groups.values():
         some = extremes(np.array(points).reshape(len(members), len(points) // len(members)))
         places = [members[place] for place in some]
-        name = sha256(" ".join(variants[place].identity for place in places).encode()).hexdigest()[:LENGTH]
+        name = sha256(" ".join(variants.identity(place) for place in places).encode()).hexdigest()[:LENGTH]
         for number in members:
-            text = f"{variants[number].identity} {name}"
+            text = f"{variants.identity(number)} {name}"
             variants.rename(number, sha256(text.encode()).hexdigest()[:LENGTH], name)
         corners.append(Corners(base, tuple(variants[place] for place in places), name))
     return tuple(corners)
