@@ -61,12 +61,12 @@ def bytes_of_a_variant(folder, text, checked):
     """Memory of each further variant of a study in which COUNT stands for their number, and the last plan."""
     study_of(folder, text.replace("COUNT", "2"))  # loads what it needs
     sizes, made = [], None
-    for count in (2500, 5000):  # fewer are as many as Python keeps of freed tuples
+    for count in (2000, 3000):  # fewer are as many as Python keeps of freed tuples
         tracemalloc.start()
         made = plan(study_of(folder, text.replace("COUNT", str(count))), checked)
         sizes.append(tracemalloc.get_traced_memory()[0])
         tracemalloc.stop()
-    return (sizes[1] - sizes[0]) / 2500, made
+    return (sizes[1] - sizes[0]) / 1000, made
 
 
 def test_a_variant_of_a_plan_takes_some_ten_bytes_a_number(tmp_path):
@@ -79,7 +79,7 @@ def test_a_variant_of_a_plan_takes_some_ten_bytes_a_number(tmp_path):
     size, made = bytes_of_a_variant(tmp_path, text, lambda base, rows: [*checked(base, rows)])
     assert size < 45
     assert made.variants[5] == Variant(
-        ("1.00100020004 kN",), f"{5:032x}", ("outer a",), "", (1e3 * 1.00100020004,)
+        ("1.00166722241 kN",), f"{5:032x}", ("outer a",), "", (1e3 * 1.00166722241,)
     )
     assert [each.values for each in made.variants] == [*made.axes[0].rows]
 
@@ -91,7 +91,7 @@ def test_drawn_lists_take_four_bytes_a_number(tmp_path, monkeypatch):
     text = '[sample]\ncount = COUNT\n"bearing.form_error.roller_diameters" = "14 x normal 0 um, 1 um"'
     monkeypatch.setattr(sampled, "AT_ONCE", 64)  # rows whose words stay
     size, made = bytes_of_a_variant(tmp_path, text, checked)
-    assert size < 80
+    assert size < 100
     words = made.variants[3].values[0]
     assert made.variants[3].in_si == (tuple(float(word.split()[0]) for word in words),)
     assert made.variants[:] == tuple(made.variants)
@@ -122,7 +122,7 @@ def test_variants_that_cannot_be_are_few_words(tmp_path):
     text = '[over]\n"operation.radial_load" = "1 kN .. 2 kN, COUNT"'
     size, made = bytes_of_a_variant(tmp_path, text, checked)
     assert size < 150
-    assert (len(made.problems), made.variants[-1].identity) == (5000, "")
+    assert (len(made.problems), made.variants[-1].identity) == (3000, "")
 
 
 def test_a_drawn_number_below_every_size_is_zero(tmp_path):

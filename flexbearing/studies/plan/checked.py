@@ -64,6 +64,11 @@ class CheckedVariants(Sequence[Variant]):
             self._shared.append(shared)
         return self._numbers[shared]
 
+    @property
+    def have_levels(self) -> bool:
+        """Whether any of them share levels."""
+        return any(levels for _, levels in self._shared)
+
     def __len__(self) -> int:
         return self._count
 

@@ -32,6 +32,8 @@ def share_levels(base: Base, variants: CheckedVariants) -> tuple[Corners, ...]:
     tuple of Corners
         one for each name; variants with other words, such as the profile of the rollers, have others
     """
+    if not variants.have_levels:
+        return ()
     keys = sorted(range(len(base.keys)), key=lambda number: not base.keys[number].startswith(FIRST))
     groups: dict[Any, tuple[array, array]] = {}  # numbers of variants, and their coordinates
     for number, variant in enumerate(variants):
