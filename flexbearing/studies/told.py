@@ -184,19 +184,26 @@ def duration(seconds: float) -> str:
     for unit, size in (("h", 3600), ("min", 60)):
         if seconds >= 2 * size:
             return f"{seconds / size:.3g} {unit}"
-    return f"{seconds:.2g} s"
+    return f"{seconds:.0f} s" if seconds >= 10 else f"{seconds:.2g} s"
 
 
 class Checking:
     """Says how long the checking of many variants takes, as soon as this is known, and how far it is."""
 
     def __init__(self, stream: TextIO):
-        self._stream, self._began, self._next = stream, perf_counter(), FIRST
+        self._stream, self._next = stream, FIRST
+        self._began, self._before = (
+            0.0,
+            0,
+        )  # when the first ones were checked, which workers have to start for
 
     def __call__(self, checked: int, total: int) -> None:
         """Take note of how many variants are checked."""
+        if not self._before:
+            self._began, self._before = perf_counter(), checked
+            return
         seconds = perf_counter() - self._began
-        left = seconds / checked * (total - checked)
+        left = seconds / (checked - self._before) * (total - checked)
         if seconds >= self._next and left > LONG:
             self._next = seconds + PAUSE
             self._stream.write(f"{checked} of {total} variants checked, {duration(left)} left\n")
