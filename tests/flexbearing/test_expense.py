@@ -56,6 +56,12 @@ def test_axes_of_a_map_are_counted_before_they_are_made():
     assert process_time() - began < 0.3
 
 
+@pytest.fixture(autouse=True)
+def made_anew(monkeypatch):
+    """As the variants of a large plan are."""
+    monkeypatch.setattr(f"{plan.__module__}.MADE_ONCE", 0)
+
+
 def bytes_of_a_variant(folder, text, checked):
     """Memory of each further variant of a study in which COUNT stands for their number, and the last plan."""
     study_of(folder, text.replace("COUNT", "2"))  # loads what it needs

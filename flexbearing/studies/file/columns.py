@@ -8,6 +8,7 @@ from typing import Any, overload
 
 from numpy.typing import NDArray
 
+FEW = 1000  # rows of an axis whose words are made once for all rows of the others
 Row = tuple[Any, ...]  # a value for each key, in the words of a case file
 
 
@@ -81,10 +82,14 @@ class Crossed(MadeRows):
         return found
 
     def __iter__(self) -> Iterator[Row]:
-        if not self.axes:
-            yield ()
-            return
-        *before, last = self.axes
-        for first in Crossed(tuple(before)):
-            for row in last:
-                yield (*first, *row)
+        return _crossed([rows if len(rows) > FEW else tuple(rows) for rows in self.axes])
+
+
+def _crossed(axes: Sequence[Sequence[Row]]) -> Iterator[Row]:
+    if not axes:
+        yield ()
+        return
+    *before, last = axes
+    for first in _crossed(before):
+        for row in last:
+            yield (*first, *row)

@@ -92,12 +92,12 @@ class CheckedVariants(Sequence[Variant]):
             yield self._variant(number, row)
 
     def _variant(self, number: int, row: Row) -> Variant:
-        if not self._is_possible(number):
+        if self._impossible and not self._is_possible(number):
             return Variant(row, "")
-        place = self._place(number)
-        rings, levels = self._shared[self._which[place]]
+        rings, levels = self._shared[self._which[self._place(number)]]
         in_si = [
-            _plain(row[key]) if column is None else column[place] for key, column in enumerate(self._in_si)
+            _plain(row[key]) if column is None else column[self._place(number)]
+            for key, column in enumerate(self._in_si)
         ]
         return Variant(row, self.identity(number), rings, levels, tuple(in_si))
 
@@ -107,7 +107,7 @@ class CheckedVariants(Sequence[Variant]):
 
     def _place(self, number: int) -> int:
         """Of a variant among those that can be computed."""
-        return number - bisect_left(self._impossible, number)
+        return number - bisect_left(self._impossible, number) if self._impossible else number
 
 
 class _Column:

@@ -23,6 +23,7 @@ FEWEST = 8  # tasks into which a small study is cut, so that several workers hav
 ENOUGH, OF_LARGE = 16, 8  # a task of more than ENOUGH is at most this part of a worker's share
 LONGEST = 300  # characters of the settings of a variant in a message
 CHECKED_AT_ONCE = 256  # variants, a tenth of a second of work
+MADE_ONCE = 10_000  # variants of a plan, some 10 MB; more are made anew whenever they are read
 MOST_MESSAGES, FURTHER = 1000, "it cannot be computed either"  # that differ; of all further ones
 
 
@@ -175,7 +176,9 @@ def plan(
                 problems.append(Problem(len(variants), messages.setdefault(why, why)))
             variants.append(None if isinstance(each, Impossible) else each)
         tell(len(variants), len(rows))
-    return Plan(study.name, base, study.axes, variants, tuple(problems), share_levels(base, variants))
+    corners = share_levels(base, variants)
+    few = tuple(variants) if len(rows) <= MADE_ONCE else variants
+    return Plan(study.name, base, study.axes, few, tuple(problems), corners)
 
 
 def _cut(rows: Iterable[Values]) -> Iterator[list[Values]]:
