@@ -59,7 +59,7 @@ def test_axes_of_a_map_are_counted_before_they_are_made():
 @pytest.fixture(autouse=True)
 def made_anew(monkeypatch):
     """As the variants of a large plan are."""
-    monkeypatch.setattr(f"{plan.__module__}.MADE_ONCE", 0)
+    monkeypatch.setattr(sys.modules[plan.__module__], "MADE_ONCE", 0)
 
 
 def bytes_of_a_variant(folder, text, checked):
