@@ -131,9 +131,10 @@ def test_variants_that_cannot_be_are_few_words(tmp_path):
 
 
 def test_a_drawn_number_below_every_size_is_zero(tmp_path):
-    study = study_of(tmp_path, '[sample]\ncount = 4\n"bearing.clearance" = "normal 0 um, 1 um"')
-    assert study.drawn.factors[0].written([1e-13]) == "0.0 m"
-    assert study.drawn.factors[0].written([1e-11]) == "1e-11 m"
+    drawn = study_of(tmp_path, '[sample]\ncount = 4\n"bearing.clearance" = "normal 0 um, 1 um"').drawn
+    assert drawn is not None
+    assert drawn.factors[0].written([1e-13]) == "0.0 m"
+    assert drawn.factors[0].written([1e-11]) == "1e-11 m"
 
 
 def test_the_time_of_a_long_check_is_said_once_it_is_known(monkeypatch):
