@@ -110,6 +110,10 @@ def _refused(problem: Exception) -> str:
     """Words for what the machine does not give; empty for anything else."""
     if isinstance(problem, MemoryError):
         return "out of memory: take larger elements or fewer slices, or run fewer cases at a time."
+    from flexbearing.program.interpreter import Died
+
+    if isinstance(problem, Died):
+        return f"{problem}."
     if not isinstance(problem, OSError):
         return ""
     from errno import errorcode

@@ -99,7 +99,8 @@ def extremes(S: NDArray) -> tuple[float, float]:
     if smallest < -UNEQUAL * abs(largest) or largest <= 0:
         raise ImpossiblePart(
             f"the stiffness of the seat is indefinite: its eigenvalues reach from {smallest:.4g} to "
-            f"{largest:.4g}, that of a body has none below zero; are signs of entries wrong, or some missing?"
+            f"{largest:.4g} in the units of its file, that of a body has none below zero; are signs of "
+            "entries wrong, or some missing?"
         )
     return smallest, largest
 

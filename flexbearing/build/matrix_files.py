@@ -2,13 +2,13 @@
 
 import re
 from array import array
-from collections.abc import Callable, Iterator, Sequence
-from functools import wraps
+from collections.abc import Callable, Iterator
+from functools import lru_cache, wraps
 from pathlib import Path
 from typing import TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from fem import ImpossiblePart
 from fem.matrix.stiffness import Stiffness, symmetric
@@ -19,6 +19,7 @@ from flexbearing.inputs.limits import MATRIX
 
 HIGHEST = 10**9  # number of a node
 COMPONENTS = 6
+LONGEST_NAME = 8  # characters of the name of a matrix
 _NODE = re.compile(r"\*NODE\s*(,.*)?", re.I)
 _ANOTHER_SYSTEM = re.compile(r",\s*SYSTEM\s*=\s*[CS]\b", re.I)
 
@@ -96,14 +97,14 @@ def places(path: Path) -> tuple[NDArray, NDArray]:
             break
     else:
         raise ImpossiblePart("holds no nodes: neither *NODE nor GRID")
-    found, (there, first, again) = np.array(where).reshape(-1, 3), _unique(numbers)
+    found, (there, first, again) = np.array(where).reshape(-1, 3), _unique(np.array(numbers))
     if (moved := (found != found[first[again]]).any(axis=1)).any():
         raise ImpossiblePart(f"node {numbers[int(np.argmax(moved))]} stands at two places")
     return there, found[first]
 
 
-def _unique(numbers: Sequence[int]) -> tuple[NDArray, NDArray, NDArray]:
-    return np.unique(np.array(numbers), return_index=True, return_inverse=True)
+def _unique(numbers: ArrayLike) -> tuple[NDArray, NDArray, NDArray]:
+    return np.unique(numbers, return_index=True, return_inverse=True)
 
 
 def _table(path: Path, columns: int) -> tuple[NDArray, NDArray]:
@@ -122,6 +123,7 @@ def _table(path: Path, columns: int) -> tuple[NDArray, NDArray]:
     return np.array(whole).reshape(-1, columns), np.array(values)
 
 
+@lru_cache(maxsize=2**16)  # every entry of a row names the same node
 def _node(word: str) -> int:
     """Number of a node or of one of its motions; those that a program adds may be negative."""
     return inputs.whole(word, -HIGHEST, HIGHEST)
@@ -133,7 +135,8 @@ def _calculix(path: Path) -> Stiffness:
     pairs, values = _table(path, 2)
     if pairs.min() < 1 or pairs.max() > len(unknowns):
         raise ImpossiblePart(f"has rows that {excerpt(path.stem)}.dof does not name")
-    return symmetric(*unknowns.T, *(pairs.T - 1), values)  # pyright: ignore[reportCallIssue]
+    (nodes, motions), (rows, columns) = unknowns.T, pairs.T - 1
+    return symmetric(nodes, motions, rows, columns, values)
 
 
 @_named
@@ -161,7 +164,7 @@ def _nastran(path: Path) -> Stiffness:
     """DMIG: a column of the matrix in every card after the header."""
     pairs, values, names = array("q"), array("d"), set[str]()
     for fields in cards(inputs.lines(path, MATRIX), "DMIG"):
-        names.add(excerpt(fields[0].upper()))
+        names.add(fields[0].upper())
         if fields[1] == "0":
             _require_real(fields)
             continue
@@ -171,10 +174,11 @@ def _nastran(path: Path) -> Stiffness:
                 pairs.extend((_node(fields[k]), _node(fields[k + 1]), *column))
                 values.append(inputs.number(fields[k + 2]))
     if len(names) != 1:
-        found = f"{len(names)} matrices, {enumerated(sorted(names))}" if names else "no DMIG"
+        quoted = [excerpt(name, LONGEST_NAME) for name in sorted(names)]
+        found = f"{len(names)} matrices, {enumerated(quoted)}" if names else "no DMIG"
         raise ImpossiblePart(f"holds {found}; allowed is one")
     if not values:
-        raise ImpossiblePart(f"its matrix {names.pop()} has no entries")
+        raise ImpossiblePart(f"its matrix {excerpt(names.pop())} has no entries")
     return _by_pairs(np.array(pairs).reshape(-1, 4), np.array(values))
 
 
@@ -192,7 +196,7 @@ def _by_pairs(pairs: NDArray, values: NDArray) -> Stiffness:
     coded = np.concatenate([pairs[:, :2], pairs[:, 2:]])
     if coded[:, 1].min() < 1 or coded[:, 1].max() > COMPONENTS:
         raise ImpossiblePart(f"a motion of a node is none of 1 to {COMPONENTS}")
-    unknowns, _, where = _unique(coded[:, 0] * (COMPONENTS + 1) + coded[:, 1])  # pyright: ignore[reportArgumentType]
+    unknowns, _, where = _unique(coded[:, 0] * (COMPONENTS + 1) + coded[:, 1])
     rows, columns = np.split(where.ravel(), 2)
     return symmetric(unknowns // (COMPONENTS + 1), unknowns % (COMPONENTS + 1), rows, columns, values)
 

@@ -118,8 +118,9 @@ def _matrix(stamp: inputs.Stamp) -> Stiffness:
 @lru_cache(maxsize=2)
 def _condensed(stamp: inputs.Stamp, nodes: tuple[int, ...]) -> tuple[NDArray, tuple[float, float]]:
     """Stiffness of the seat, and its smallest and largest eigenvalue, in the units of the file."""
+    whole = _matrix(stamp)  # whose own problems begin with its name
     try:
-        stiffness = _matrix(stamp).at(nodes)
+        stiffness = whole.at(nodes)
         return stiffness, extremes(stiffness)
     except fem.ImpossiblePart as problem:
         raise fem.ImpossiblePart(f"{excerpt(stamp.path.name)}: {problem}") from problem

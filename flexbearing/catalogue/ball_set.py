@@ -8,8 +8,6 @@ from functools import partial
 from math import asin, floor, pi, sin
 from typing import cast
 
-from scipy.optimize import brentq
-
 from flexbearing.case import BadCase
 from flexbearing.catalogue.element_set import ElementSet, Pair, Ratings, chosen, span
 from flexbearing.catalogue.page import Page
@@ -120,6 +118,8 @@ def _pairs(page: Page, rated: partial[Ratings], ends: dict[int, tuple[float, flo
     if "diameter" in page:
         nearest = min(ends, key=lambda number: abs(rated(number, page["diameter"].si).static - wanted))
         return [(nearest, page["diameter"].si)]
+    from scipy.optimize import brentq  # takes longer to load than what is refused before
+
     spans = {number: [rated(number, size).static for size in sizes] for number, sizes in ends.items()}
     pairs = [
         (number, cast(float, brentq(partial(_beyond, rated, number, wanted), *ends[number])))

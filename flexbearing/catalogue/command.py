@@ -89,7 +89,11 @@ def new(  # noqa: PLR0913  # an argument for each option
         from flexbearing.catalogue.questions import answers
 
         options |= answers(like, {name: text for name, text in options.items() if text})
-    ratings = write(file, like, options, title=title, source=source, force=force)
+
+    def tell(words: str) -> None:
+        sys.stderr.write(printable(f"{words}\n"))
+
+    ratings = write(file, like, options, title=title, source=source, force=force, tell=tell)
     sys.stdout.write(printable(f"case: {file}\n{ratings}"))
     for wanted, name in ((life, "life"), (run, "run")):
         if wanted:

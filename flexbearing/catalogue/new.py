@@ -1,33 +1,29 @@
 """From the entries of a catalogue page to a case file."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from flexbearing import api
-from flexbearing.case import BadCase, understood
-from flexbearing.catalogue import ball_lines, page as pages, roller_lines
-from flexbearing.catalogue.ball_set import ball_set
+from flexbearing.case import BadCase, Head, understood
+from flexbearing.case.family import Family
+from flexbearing.catalogue import page as pages
 from flexbearing.catalogue.entries import LIKES
 from flexbearing.catalogue.head import one_line, origin
-from flexbearing.catalogue.lines import Settings, as_settings, text
+from flexbearing.catalogue.lines import Line, Settings, as_settings, text
 from flexbearing.catalogue.page import Page
 from flexbearing.catalogue.ratings import table
-from flexbearing.catalogue.roller_set import roller_set
-from flexbearing.catalogue.weights import NO_RESULT, told, weighed
+from flexbearing.catalogue.weights import NO_RESULT, Measured, told, weighed
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, require_output, write
 from flexbearing.outputs import outputs
-from flexbearing.quantities.effects import LIVES
-from flexbearing.runs import assumed_effects
-from flexbearing.runs.validate import require_possible
 from quasidynamic import ImpossiblePart, OutOfRange
 
+Tell = Callable[[str], None]
 QUICK: dict[str, Settings] = {
     "squirrel_cage": {"accuracy.structure": "beam"}
 }  # with which lives are compared
 
 
-def new(
+def new(  # noqa: PLR0913  # an argument for each option
     file: str | Path,
     like: str,
     options: Mapping[str, str | None],
@@ -35,6 +31,7 @@ def new(
     title: str = "",
     source: str = "",
     force: bool = False,
+    tell: Tell = lambda words: None,
 ) -> str:
     """Write a case from the page of a catalogue.
 
@@ -52,6 +49,8 @@ def new(
         where the numbers come from, for the head of the file
     force : bool
         whether a file of this name is replaced
+    tell : callable (words), optional
+        hears how often the case is computed, before it is
 
     Returns
     -------
@@ -72,35 +71,26 @@ def new(
     if place.exists() and not force:
         raise BadOutput(f"{file}: is there already; --force replaces it.")
     try:
-        written, ratings = _case(wanted, place, title, source)
+        written, ratings = _case(wanted, place, title, source, tell)
     except (ImpossiblePart, OutOfRange) as problem:
         raise BadCase(f"{problem}.") from problem
     write(place, written.encode())
     return ratings
 
 
-def _case(page: Page, file: Path, title: str, source: str) -> tuple[str, str]:
+def _case(page: Page, file: Path, title: str, source: str, tell: Tell) -> tuple[str, str]:
     """Text of the case of a page, and the ratings in it."""
-    if LIKES[page.like].kind == "cylindrical_roller":
-        rollers = roller_set(page)
-        lines, ratings = roller_lines.lines(page, rollers), table(page, rollers, "length")
-    else:
-        balls = ball_set(page, ball_lines.angle(page))
-        lines, ratings = ball_lines.lines(page, balls), table(page, balls, "diameter")
+    lines, ratings = _lines(page)
+    from flexbearing.runs.validate import require_possible
+
     family = FAMILIES[LIKES[page.like].kind]
-    model, named = family.case(), dict(family.layout().weighed)
-    known = {each.name: each for each in outputs(family.layout())}
-    comparable = QUICK.get(page.like, {})
+    model, comparable = family.case(), QUICK.get(page.like, {})
     plain = text("", title or file.stem, lines, model)
     require_possible(understood(plain, file, {}, FAMILIES), family)  # before anything is computed
-
-    def measured(settings: Settings) -> dict[str, float]:
-        case = understood(plain, file, as_settings(comparable | settings), FAMILIES)
-        values = assumed_effects.measured(api.compute(case, compared=True))
-        life = [("life", values[each]) for each in LIVES if each in values]
-        told = (each for each in named if each in values and not known[each].rounds_to_zero(values[each]))
-        return dict([*life[:1], *((named[each], values[each]) for each in told)])
-
+    measured = _measured(
+        family, lambda settings: understood(plain, file, as_settings(comparable | settings), FAMILIES)
+    )
+    tell(f"computing the case with {sum(len(line.others) for line in lines)} other values of what is assumed")
     try:
         basis = measured({})
         lines = weighed(lines, basis, measured)
@@ -109,3 +99,36 @@ def _case(page: Page, file: Path, title: str, source: str) -> tuple[str, str]:
         weights = f"How much assumed values matter is not known: {one_line(str(problem))}"
     head = [*origin(page, file, title, source), "", *weights.splitlines(), *ratings.splitlines()]
     return text("\n".join(head), title or file.stem, lines, model), ratings
+
+
+def _lines(page: Page) -> tuple[list[Line], str]:
+    """Lines of the case of a page, and its ratings; a refusal loads only what belongs to the kind."""
+    if LIKES[page.like].kind == "cylindrical_roller":
+        from flexbearing.catalogue import roller_lines
+        from flexbearing.catalogue.roller_set import roller_set
+
+        rollers = roller_set(page)
+        return roller_lines.lines(page, rollers), table(page, rollers, "length")
+    from flexbearing.catalogue import ball_lines
+    from flexbearing.catalogue.ball_set import ball_set
+
+    balls = ball_set(page, ball_lines.angle(page))
+    return ball_lines.lines(page, balls), table(page, balls, "diameter")
+
+
+def _measured(family: Family, case_with: Callable[[Settings], Head]) -> Measured:
+    """What computes the outputs that are compared, of a case with settings."""
+    from flexbearing.api import compute
+    from flexbearing.quantities.effects import LIVES
+    from flexbearing.runs import assumed_effects
+
+    named = dict(family.layout().weighed)
+    known = {each.name: each for each in outputs(family.layout())}
+
+    def measured(settings: Settings) -> dict[str, float]:
+        values = assumed_effects.measured(compute(case_with(settings), compared=True))
+        life = [("life", values[each]) for each in LIVES if each in values]
+        told = (each for each in named if each in values and not known[each].rounds_to_zero(values[each]))
+        return dict([*life[:1], *((named[each], values[each]) for each in told)])
+
+    return measured

@@ -173,11 +173,9 @@ def names(entry: Entry, like: str) -> tuple[str, ...]:
 
 
 def _allowed(entry: Entry) -> str:
-    what = (
-        f"{_kind(entry).name} with its unit"
-        if entry.quantity
-        else "a whole number from {} to {}".format(*ELEMENTS)
-    )
+    least, most = ELEMENTS
+    number = f"a whole number from {least} to {most}"
+    what = f"{_kind(entry).name} with its unit" if entry.quantity else number
     return f'{what}, such as "{entry.example}"'
 
 

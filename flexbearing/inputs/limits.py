@@ -2,9 +2,7 @@
 
 from flexbearing.inputs.file import size
 
-CASE = (
-    2**16
-)  # the largest that comes along has 3.5 kB, one with every key some 15 kB; tomllib takes up to 0.05 s
+CASE = 2**16  # one with every key and a note to each has some 15 kB; tomllib takes up to 0.05 s
 POINTS = 2**20
 DRAWING = 2**26  # rings with their seats take up to some millions
 REXS = 2**25

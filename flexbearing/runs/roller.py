@@ -175,9 +175,10 @@ def _passage(
     postprocessing: Postprocessing,
     report: Report,
 ) -> dict[str, object]:
-    """Other positions of the rollers where the case asks for them, or a note where they matter."""
+    """Other positions of the rollers where the case asks for them, or a note where they matter to people."""
     if case.operation.roller_positions is None:
-        postprocessing.notes.extend(roller_position.notes(case, model, rings, end))
+        if not postprocessing.record.compared:
+            postprocessing.notes.extend(roller_position.notes(case, model, rings, end))
         return {}
     from flexbearing.runs.passage import passage
 

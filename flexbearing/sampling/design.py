@@ -7,6 +7,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.sampling.points import LatinHypercube, Points, SobolPoints
+
 Method = Literal["latin_hypercube", "sobol", "sobol_indices"]
 POWERS_OF_2 = ("sobol", "sobol_indices")  # methods whose points are even for these counts only
 
@@ -19,7 +21,11 @@ class Design:
     count: int  # of points; of base points for sobol_indices
     seed: int
 
-    def points(self, widths: Sequence[int]) -> NDArray:
+    def rows(self, keys: int) -> int:
+        """How many points there are of K inputs."""
+        return self.count * (keys + 2) if self.method == "sobol_indices" else self.count
+
+    def points(self, widths: Sequence[int]) -> Points:
         """Points of the unit cube.
 
         Parameters
@@ -29,7 +35,7 @@ class Design:
 
         Returns
         -------
-        array (rows, sum of widths)
+        Points (rows, sum of widths)
             for sobol_indices K + 2 rows for each base point: A, B, and A with one input at a time from B
 
         Source
@@ -37,20 +43,18 @@ class Design:
         Saltelli et al., Computer Physics Communications 181 (2010) 259-270, sec. 5: A and B are the two
         halves of the coordinates of one Sobol sequence.
         """
-        from scipy.stats import qmc  # since SciPy 1.15 seed is called rng, too
-
         dimensions = sum(widths)
         if self.method == "latin_hypercube":
-            return qmc.LatinHypercube(dimensions, seed=self.seed).random(self.count)  # pyright: ignore[reportCallIssue]
+            return LatinHypercube(self.count, dimensions, self.seed)
         twice = 2 if self.method == "sobol_indices" else 1
-        found = qmc.Sobol(twice * dimensions, seed=self.seed).random(self.count)  # pyright: ignore[reportCallIssue]
+        found = SobolPoints.of(self.count, twice * dimensions, self.seed)
         if twice == 1:
             return found
-        first, second = found[:, :dimensions], found[:, dimensions:]
+        first, second = found.codes[:, :dimensions], found.codes[:, dimensions:]
         mixed = [
             np.where(own, second, first) for own in np.repeat(np.eye(len(widths), dtype=bool), widths, 1)
         ]
-        return np.stack([first, second, *mixed], axis=1).reshape(-1, dimensions)
+        return SobolPoints(np.stack([first, second, *mixed], axis=1).reshape(-1, dimensions))
 
     def independent(self, rows: int) -> NDArray:
         """Which rows are drawn independently of each other, so that their outputs have the distribution."""

@@ -65,7 +65,7 @@ def study(  # noqa: PLR0913  # an argument for each option
     if emit not in (None, "sbatch"):
         raise BadCase(f'--emit {excerpt(emit)}: it must be "sbatch"')
     with limited_to(jobs):
-        settled = prepared(file)
+        settled = prepared(file, told.Checking(sys.stderr))
     if check or status:
         _say(told.status(settled, output) if status else told.variants(settled))
         raise typer.Exit(BAD_INPUT if settled.plan.problems else CONVERGED)

@@ -1,6 +1,6 @@
 """A study file, settled and computed with the bearings of this program."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
@@ -27,16 +27,19 @@ from flexbearing.studies.table.drawn import drawn
 from flexbearing.studies.where import Where
 
 FOLDER, HERE = Path("results"), Where()
+TellChecked = Callable[[int, int], None]
 LONGEST = 500  # characters of what is wrong with a variant
 
 
-def prepared(file: str | Path) -> Prepared:
+def prepared(file: str | Path, tell: TellChecked = lambda done, total: None) -> Prepared:
     """Read a study and settle what it computes.
 
     Parameters
     ----------
     file : path
         study file
+    tell : callable (checked, total), optional
+        hears of variants as they are checked
 
     Returns
     -------
@@ -48,17 +51,17 @@ def prepared(file: str | Path) -> Prepared:
     BadCase
         one line for each problem of the study file, or of the case that its variants are made of
     """
-    return settle(read(file, FAMILIES))
+    return settle(read(file, FAMILIES), tell)
 
 
-def settle(study: Study) -> Prepared:
+def settle(study: Study, tell: TellChecked = lambda done, total: None) -> Prepared:
     """Settle what a study computes, see `prepared`."""
     family = FAMILIES[study.kind]
     lives = duty.texts(study.spectrum).values() if study.spectrum else ()
     require_outputs(study, lives, "duty", FAMILIES)
     drawn(study, collected(study, FAMILIES, elastic=True, rollers=1), FAMILIES)  # names that none has
     with shared_map() as mapped:
-        settled = plan(study, _checked, mapped)
+        settled = plan(study, _checked, mapped, tell)
     elastic, first = any(variant.rings for variant in settled.variants), _first(settled)
     settled = replace(settled, side_by_side=not study.full and _is_side_by_side(first))
     rollers = 0 if "bearing.rollers" in settled.base.keys else _rollers(first)

@@ -1,7 +1,7 @@
 """Reference page of study files and of profiles of clusters, from their declarations."""
 
 from flexbearing.case.explain import table_of_keys
-from flexbearing.studies.file.sampled import FORMS
+from flexbearing.studies.file.sampled import FORMS, MOST_DIMENSIONS, MOST_DRAWN
 from flexbearing.studies.file.schema import StudyFile
 from flexbearing.studies.file.slurm_profile import SlurmProfile
 from flexbearing.studies.file.values import MOST, RANGE
@@ -20,7 +20,8 @@ def reference_page() -> str:
             "",
             f"- `[over]`: a list, a single value or a range; {RANGE}.",
             f'- `[sample]`: {"; ".join(drawn)}; "30 x normal ..." for a list; a single value is that of all.',
-            f"- A study has at most {MOST} variants.",
+            f"- A study has at most {MOST} variants, and draws at most {MOST_DIMENSIONS} numbers for each, "
+            f"{MOST_DRAWN} for all.",
             "",
             *table_of_keys(StudyFile),
             "",

@@ -19,6 +19,7 @@ from flexbearing.studies.where import ALONE, RING, SIDE_BY_SIDE, Cost, expected
 LIFE_ERROR = "life error [%]"  # column of duty cycles with a target
 ADVICE = "the next study condenses its rings again, FLEXBEARING_CACHE names another folder"
 PAUSE = 10.0  # [s] between lines that no terminal shows
+FIRST, LONG = 1.0, 5.0  # [s] after which the time of a check is known; that is worth a line
 
 
 def variants(settled: Prepared) -> str:
@@ -183,7 +184,30 @@ def duration(seconds: float) -> str:
     for unit, size in (("h", 3600), ("min", 60)):
         if seconds >= 2 * size:
             return f"{seconds / size:.3g} {unit}"
-    return f"{seconds:.2g} s"
+    return f"{seconds:.0f} s" if seconds >= 10 else f"{seconds:.2g} s"
+
+
+class Checking:
+    """Says how long the checking of many variants takes, as soon as this is known, and how far it is."""
+
+    def __init__(self, stream: TextIO):
+        self._stream, self._next = stream, FIRST
+        self._began, self._before = (
+            0.0,
+            0,
+        )  # when the first ones were checked, which workers have to start for
+
+    def __call__(self, checked: int, total: int) -> None:
+        """Take note of how many variants are checked."""
+        if not self._before:
+            self._began, self._before = perf_counter(), checked
+            return
+        seconds = perf_counter() - self._began
+        left = seconds / (checked - self._before) * (total - checked)
+        if seconds >= self._next and left > LONG:
+            self._next = seconds + PAUSE
+            self._stream.write(f"{checked} of {total} variants checked, {duration(left)} left\n")
+            self._stream.flush()
 
 
 class Shown:

@@ -93,8 +93,7 @@ def _connected(address: str, found: Certificates | None, tasks: int) -> Engine:
 def expected(plan: Plan) -> float:
     """Usual processor time of all variants of a study [s]."""
     costs, time = SIDE_BY_SIDE if plan.side_by_side else ALONE, RING * len(plan.rings())
-    for task in plan.tasks(lambda variant: True):
-        cost = costs[bool(task.variants[0].rings)]
-        time += cost.task + cost.variant * len(task.variants)
+    for elastic, variants, tasks in plan.sizes:
+        time += costs[elastic].task * tasks + costs[elastic].variant * variants
     choices = sum(len(corners.variants) for corners in plan.corners)  # some solves each
     return time + ALONE[True].variant * choices

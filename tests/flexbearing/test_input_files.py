@@ -4,12 +4,16 @@ import os
 from pathlib import Path
 from time import process_time
 
+import numpy as np
 import pytest
 
 from flexbearing.__main__ import command
 from flexbearing.api import read_case
 from flexbearing.case.declarations import declared
 from flexbearing.families import FAMILIES
+from flexbearing.inputs import Unreadable
+from flexbearing.report.html.parquet import sealed
+from flexbearing.report.html.table import table_text
 from flexbearing.studies.file.rows import rows
 
 CONFIGS, SEAT = Path(__file__).parents[2] / "configs", Path(__file__).parent / "seat"
@@ -143,6 +147,25 @@ def test_what_is_no_plain_file_is_refused_at_once(suffix, words, no_file, tmp_pa
     message = capsys.readouterr().err
     assert 10 < len(message) < 500
     assert len(message.splitlines()) == 1
+
+
+def parquet(place, **columns):
+    pyarrow = pytest.importorskip("pyarrow")
+    place.write_bytes(sealed(pyarrow.table(columns)))
+    return place
+
+
+def test_a_packed_table_is_refused_before_it_is_unpacked(tmp_path):
+    zeros = np.zeros(5_000_000)
+    with pytest.raises(Unreadable, match=r"has 5000000 rows, .* at most 1000000 rows"):
+        table_text(parquet(tmp_path / "long.parquet", status=zeros))
+    with pytest.raises(Unreadable, match=r"has 1000000 rows, 30000000 cells, .* at most .* 20000000 cells"):
+        table_text(parquet(tmp_path / "wide.parquet", **{f"c{k}": zeros[:1_000_000] for k in range(30)}))
+    with pytest.raises(Unreadable, match="a text of more than 10000 bytes"):
+        table_text(parquet(tmp_path / "text.parquet", status=["c" * 1_000_000] * 1000))
+    (tmp_path / "none.parquet").write_bytes(b"PAR1" * 100)
+    with pytest.raises(Unreadable, match="has no digest"):
+        table_text(tmp_path / "none.parquet")
 
 
 def test_text_with_control_characters_is_no_table(tmp_path):

@@ -129,9 +129,9 @@ def test_files_that_hold_no_stiffness_are_refused(name, text, complaint, tmp_pat
 
 
 def test_only_the_first_names_of_many_matrices_are_listed(tmp_path):
-    (tmp_path / "k.bdf").write_text("".join(f"DMIG,{n:0>60},0,6,2,0\n" for n in range(1000)))
-    with pytest.raises(ImpossiblePart, match=r"1000 matrices, .* and 992 more; allowed is one"):
-        matrix_files.stiffness(tmp_path / "k.bdf")
+    (tmp_path / "k.bdf").write_text("".join(f"DMIG,{n:0>90},0,6,2,0\n" for n in range(1000)))
+    message = refusal(matrix_files.stiffness, tmp_path / "k.bdf")
+    assert re.search(r"1000 matrices, .* and 992 more; allowed is one", message)
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,7 @@ from pytest import approx
 import flexbearing
 from flexbearing import BadCase
 from flexbearing.__main__ import command
+from flexbearing.build import ring_parts
 from flexbearing.build.ring_parts import outer_part
 
 CONFIGS, SEAT = Path(__file__).parents[2] / "configs", Path(__file__).parent / "seat"
@@ -100,6 +101,51 @@ WRONG = {
 def test_matrices_that_carry_no_ring_are_refused(changes, complaint):
     with pytest.raises(BadCase, match=complaint):
         flexbearing.check(PAPER, COARSE | MATRIX | changes)
+
+
+def turned(folder, change):
+    """The springs with other entries."""
+    rows = [line.split(",") for line in (SEAT / "springs.mtx").read_text().splitlines() if line[0] != "*"]
+    path = folder / "k.mtx"
+    path.write_text("".join(f"{','.join(row[:4])},{change(row)}\n" for row in rows))
+    return COARSE | MATRIX | {"outer.matrix": str(path)}
+
+
+INDEFINITE = {
+    "diagonal entries": lambda row: -float(row[4]) if row[:2] == row[2:4] and int(row[0]) < 4 else row[4],
+    "coupling entries": lambda row: "5e4" if row[0] == row[2] == "1" and row[1] != row[3] else row[4],
+}
+
+
+def test_the_name_of_a_file_begins_its_problem_once(tmp_path):
+    with pytest.raises(BadCase, match=r"(?<!mtx: )k.mtx: '1.5e' is no number"):
+        flexbearing.check(PAPER, turned(tmp_path, lambda row: "1.5e"))
+
+
+@pytest.mark.parametrize("change", INDEFINITE.values(), ids=INDEFINITE)
+def test_indefinite_matrices_are_refused_with_their_eigenvalues(change, tmp_path):
+    with pytest.raises(BadCase, match=r"k.mtx: the stiffness of the seat is indefinite.* from -[0-9.e+]+ to"):
+        flexbearing.check(PAPER, turned(tmp_path, change))
+
+
+def codes(case):
+    return {note.code: note.text for note in ring_parts.notes(case)}
+
+
+def test_the_note_on_a_matrix_tells_its_eigenvalues_and_what_holds_it(on_matrix):
+    """Softest and stiffest springs of 24 by 3 nodes; all of them stand on the ground."""
+    (text,) = [note["text"] for note in on_matrix.attributes["notes"] if note["code"] == "matrix"]
+    assert "72 of 72 nodes are the seat" in text
+    assert "eigenvalues from 1.854e+07 to 1.187e+08 N/m" in text
+    assert "x, y, z with 3.204, 4.006, 4.006 kN/um" in text
+    assert "loads 72 of 72 nodes" in text
+
+
+def test_a_body_that_rounding_may_hold_is_noted(tmp_path):
+    """Springs along x that nearly vanish."""
+    soft = turned(tmp_path, lambda row: 1e-7 * float(row[4]) if row[1] == row[3] == "1" else row[4])
+    assert "loose-matrix" in codes(flexbearing.check(PAPER, soft))
+    assert "loose-matrix" not in codes(flexbearing.check(PAPER, COARSE | MATRIX))
 
 
 def test_body_without_a_solid_has_no_fields(on_matrix, capsys):

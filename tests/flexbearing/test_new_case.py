@@ -110,6 +110,35 @@ def test_misalignment_of_a_held_ring_is_assumed_and_shortens_the_life(name):
     assert float(told[2]) < float(told[1]) < 1
 
 
+@pytest.mark.parametrize(
+    ("option", "words"),
+    [
+        ({"temperature": "0 K"}, "above zero"),
+        ({"temperature": "1e-320 K"}, "is not of a size"),
+        ({"temperature": "210 degC"}, "outside 0 to 200 degC"),
+        ({"elements": "9" * 5000}, "a whole number from 3 to 1000"),
+        ({"elements": "\N{FULLWIDTH DIGIT ONE}6"}, "a whole number from 3 to 1000"),
+    ],
+    ids=str,
+)
+def test_what_no_case_can_have_is_refused_before_anything_is_computed(option, words, tmp_path):
+    with pytest.raises(BadCase, match=words):
+        new(tmp_path / "case.toml", "cylindrical_roller", NU210 | option)
+    assert not (tmp_path / "case.toml").exists()
+
+
+@pytest.mark.parametrize("search", ["several.between_rigid_raceways", "roller_position.notes"])
+def test_values_are_compared_without_what_ends_in_notes_alone(search, tmp_path, monkeypatch):
+    """At 0 degC other equilibria take ten times as long as the rest, other positions of the rollers five."""
+
+    def never(*_):
+        raise AssertionError("searched")
+
+    monkeypatch.setattr(f"flexbearing.runs.{search}", never)
+    new(tmp_path / "case.toml", "cylindrical_roller", NU210 | {"oil": "ISO VG 32"})
+    assert "not known" not in (tmp_path / "case.toml").read_text()
+
+
 def test_what_the_application_chooses_says_so(write, tmp_path):
     write(oil="ISO VG 68", shaft="k5", housing="H7", clearance_class="CN")
     lines = (tmp_path / "case.toml").read_text().splitlines()

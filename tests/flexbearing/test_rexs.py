@@ -216,6 +216,7 @@ def test_options_count_more_than_the_model(catalogue, tmp_path, monkeypatch):
 
 WRONG = {
     "no XML": ("<model", "is no XML"),
+    "a DOCTYPE": ('<!DOCTYPE m [<!ENTITY a "b">]><model version="1.7"/>', "has a DOCTYPE"),
     "another format": ("<html/>", "no model of REXS 1.x"),
     "version 2": ('<model version="2.0"/>', "no model of REXS 1.x"),
     "no bearing": ('<model version="1.7"/>', f"no {BEARING}"),
@@ -237,6 +238,80 @@ WRONG = {
         "bearing_type .*axial_roller_bearing.* is none of",
     ),
 }  # fmt: skip
+
+
+def bearing(attributes="", order="1", row="16", more=""):
+    """A bearing with its row, with whatever another program may write."""
+    return (
+        f'<model version="1.4"><relations><relation id="7" type="ordered_assembly" order="{order}">'
+        '<ref id="4" role="assembly"/><ref id="5" role="part"/></relation></relations><components>'
+        f'<component id="4" type="{BEARING}"><attribute id="bearing_type" unit="none">radial_roller_bearing'
+        f'</attribute>{attributes}</component><component id="5" type="rolling_bearing_row"><attribute '
+        f'id="number_of_rolling_elements" unit="none">{row}</attribute></component>{more}</components>'
+        "</model>"
+    )
+
+
+NUMBERS = (
+    "nan",
+    "inf",
+    "1e400",
+    "1" * 5000,
+    "\N{FULLWIDTH DIGIT ONE}\N{FULLWIDTH DIGIT SIX}",
+    "",
+    "0x10",
+    "1_6",
+)
+
+
+@pytest.mark.parametrize("number", NUMBERS, ids=lambda number: number[:5])
+@pytest.mark.parametrize("key", ["row", "order", "bore"])
+def test_what_is_no_number_is_refused_in_a_short_line(key, number, tmp_path):
+    bore = f'<attribute id="inner_diameter" unit="mm">{number}</attribute>'
+    model = bearing(bore) if key == "bore" else bearing(**{key: number})
+    (tmp_path / "m.rexs").write_text(model, encoding="utf-8")
+    with pytest.raises(BadCase, match=r"no number|no whole number|above|longer than a number") as problem:
+        reader.options(tmp_path / "m.rexs")
+    assert len(str(problem.value)) < 300
+
+
+@pytest.mark.parametrize("number", ["2", "1001", "1e9", "14.5", "-16"])
+def test_elements_of_a_row_are_a_whole_number_that_a_bearing_can_have(number, tmp_path, capsys):
+    (tmp_path / "m.rexs").write_text(bearing(row=number))
+    assert command(["new", str(tmp_path / "c.toml"), "--from-rexs", str(tmp_path / "m.rexs")]) == 2
+    assert "a whole number from 3 to 1000" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "encoding", ["foo-bar", "big5", "utf-7", "idna", "shift_jis", "punycode", "x" * 5000, "utf-32"]
+)
+def test_an_encoding_that_is_not_allowed_is_refused_in_a_line(encoding, tmp_path):
+    (tmp_path / "m.rexs").write_text(f'<?xml version="1.0" encoding="{encoding}"?>{bearing()}')
+    with pytest.raises(BadCase, match=r"is in the encoding .*; allowed are utf-8") as problem:
+        reader.options(tmp_path / "m.rexs")
+    assert len(str(problem.value)) < 300
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16", "us-ascii", "iso-8859-1", "windows-1252"])
+def test_encodings_that_are_allowed_are_read(encoding, tmp_path):
+    text = f'<?xml version="1.0" encoding="{encoding}"?>{bearing()}'
+    (tmp_path / "m.rexs").write_text(text, encoding=encoding)
+    assert reader.options(tmp_path / "m.rexs") == ("cylindrical_roller", {"elements": "16"})
+
+
+def test_only_the_first_of_many_bearings_are_listed(tmp_path):
+    more = "".join(f'<component id="x{k}" type="{BEARING}" name="{"n" * 60}"/>' for k in range(2000))
+    (tmp_path / "m.rexs").write_text(bearing(more=more))
+    for number in (None, "none"):
+        with pytest.raises(BadCase, match="and 1993 more") as problem:
+            reader.options(tmp_path / "m.rexs", number)
+        assert len(str(problem.value)) < 1000
+
+
+def test_two_components_of_one_id_are_refused(tmp_path):
+    (tmp_path / "m.rexs").write_text(bearing(more=f'<component id="4" type="{BEARING}"/>'))
+    with pytest.raises(BadCase, match="two components with the id 4"):
+        reader.options(tmp_path / "m.rexs")
 
 
 @pytest.mark.parametrize(("text", "complaint"), WRONG.values(), ids=WRONG)

@@ -1,5 +1,6 @@
 """Quantiles, Sobol indices and linear predictions of functions whose answers are known."""
 
+import tracemalloc
 from math import pi
 
 import numpy as np
@@ -30,7 +31,7 @@ def ishigami(points):
 
 
 def indices_of(function, count, seed, widths=(1, 1, 1)):
-    points = Design("sobol_indices", count, seed).points(widths)
+    points = Design("sobol_indices", count, seed).points(widths)[:]
     return sobol_indices(function(points).reshape(count, -1), seed)
 
 
@@ -54,7 +55,7 @@ def test_lists_are_one_input_of_a_linear_function():
 
 
 def test_indices_are_those_of_scipy():
-    values = ishigami(Design("sobol_indices", 64, 5).points((1, 1, 1))).reshape(64, 5)
+    values = ishigami(Design("sobol_indices", 64, 5).points((1, 1, 1))[:]).reshape(64, 5)
     a, b, mixed = values[:, 0], values[:, 1], values[:, 2:].T[:, None]
     scipy = stats.sobol_indices(func={"f_A": a[None], "f_B": b[None], "f_AB": mixed}, n=64)
     found = sobol_indices(values, 0)
@@ -62,8 +63,21 @@ def test_indices_are_those_of_scipy():
     assert found.total == approx(scipy.total_order.ravel(), rel=1e-12, abs=1e-12)
 
 
+@pytest.mark.parametrize("method", ["latin_hypercube", "sobol"])
+def test_points_are_those_of_scipy_in_four_bytes_a_number(method):
+    engine = {"latin_hypercube": stats.qmc.LatinHypercube, "sobol": stats.qmc.Sobol}[method]
+    points, expected = Design(method, 512, 7).points((3, 2)), engine(5, seed=7).random(512)
+    assert np.array_equal(points[:], expected)
+    assert np.array_equal(points[100:130], expected[100:130])
+    tracemalloc.start()
+    made = Design(method, 2**14, 7).points((14,))
+    size, _ = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert size < 4.1 * 14 * len(made)
+
+
 def test_points_with_a_row_without_answer_are_left_out_and_counted():
-    values = ishigami(Design("sobol_indices", 256, 5).points((1, 1, 1))).reshape(256, 5)
+    values = ishigami(Design("sobol_indices", 256, 5).points((1, 1, 1))[:]).reshape(256, 5)
     torn = values.copy()
     torn[[3, 100], [0, 4]] = np.nan
     found, kept = sobol_indices(torn, 2), sobol_indices(np.delete(values, [3, 100], axis=0), 2)
@@ -135,7 +149,7 @@ def test_linear_prediction_of_a_linear_function_is_exact():
     laws = uniform(2, 5), normal(1, 0.3), lognormal(2, 1.5)
     means, deviations = (np.array([getattr(law, name) for law in laws]) for name in ("mean", "deviation"))
     linear = Linear(float(4 + means @ SLOPES), SLOPES, means, deviations)
-    points = Design("sobol", 4096, 0).points((1, 1, 1))
+    points = Design("sobol", 4096, 0).points((1, 1, 1))[:]
     numbers = np.array([law.quantile(column) for law, column in zip(laws, points.T, strict=True)]).T
     values = 4 + numbers @ SLOPES
     assert linear.at(numbers) == approx(values, rel=1e-12)

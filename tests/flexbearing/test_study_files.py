@@ -26,7 +26,7 @@ def study_of(tmp_path):
 
 
 def rows(study):
-    return [axis.rows for axis in study.axes]
+    return [tuple(axis.rows) for axis in study.axes]
 
 
 def test_every_key_is_an_axis_and_the_last_one_changes_fastest(study_of):
@@ -68,7 +68,7 @@ def test_ranges_hold_both_ends_and_are_even(study_of, text, expected):
 
 
 def test_ends_in_two_units_make_a_range_in_si_units(study_of):
-    values = study_of('[over]\n"operation.radial_load" = "500 N .. 1.5 kN, 3"').axes[0].rows
+    values = study_of('[over]\n"operation.radial_load" = "500 N .. 1.5 kN, 3"').axes[0].rows[:]
     assert values == (("500.0 N",), ("1000.0 N",), ("1500.0 N",))
 
 
@@ -173,7 +173,7 @@ def test_a_duty_cycle_is_the_last_axis_and_its_shares_add_up_to_one(study_of):
         """
     )
     assert [axis.name for axis in study.axes] == ["bearing.clearance", "duty"]
-    assert study.axes[1].rows == tuple((f"{load} kN", "30000 rpm") for load in (1, 2, 3))
+    assert tuple(study.axes[1].rows) == tuple((f"{load} kN", "30000 rpm") for load in (1, 2, 3))
     assert (study.spectrum.measure, study.spectrum.shares) == ("time", (0.25, 0.5, 0.25))
 
 
@@ -235,7 +235,7 @@ WRONG = {
         "has a count, but the key takes a force as text",
     '[sample]\ncount = 262144\nmethod = "sobol_indices"\n"operation.radial_load" = "uniform 1 N, 2 N"\n'
     '"operation.inner_speed" = "uniform 1 rpm, 2 rpm"':
-        "[sample] gives 1048576 variants, 4 for each of 262144 points; a study has at most 1000000",
+        "[sample] gives 1048576 variants; a study has at most 1000000",
     '[duty]\n' + LOAD: "[duty] needs the shares of its rows",
     "[duty]\ntime = [1, 2]": "[duty] needs the shares of its rows",
     "[duty]\ntime = [1, 2]\nrevolutions = [1, 2]\n" + LOAD: "[duty] needs the shares of",

@@ -142,12 +142,12 @@ def test_a_plan_needs_no_bearing():
     )  # fmt: skip
 
     def checked(base, rows):
-        return [Variant(values, values[0], ("ring",)) for values in rows]
+        return [Variant(values, f"{int(values[0][0]):032x}", ("ring",)) for values in rows]
 
     settled = plan(study, checked)
     assert [(each.identity, each.rings) for each in settled.variants] == [
-        ("1 kN", ("ring",)),
-        ("2 kN", ("ring",)),
+        (f"{1:032x}", ("ring",)),
+        (f"{2:032x}", ("ring",)),
     ]
 
 
@@ -162,5 +162,6 @@ def test_a_plan_by_several_processes_is_that_by_one(tmp_path, monkeypatch):
     for processes in ("1", "2"):
         monkeypatch.setenv("FLEXBEARING_THREADS", processes)
         plans.append(prepared(file).plan)
-    assert plans[0] == plans[1]
+    assert plans[0].variants[:] == plans[1].variants[:]
+    assert plans[0].problems == plans[1].problems
     assert [problem.number for problem in plans[1].problems] == list(range(2, 90, 3))

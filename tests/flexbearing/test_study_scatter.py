@@ -147,7 +147,7 @@ def test_the_report_shows_the_scatter_with_the_numbers_of_its_tables(study, tmp_
 def two_inputs(method, count):
     """Two drawn keys at the points of a design, and their numbers."""
     drawn = Drawn((Factor("a", uniform(0, 1)), Factor("b", normal(0, 1))), Design(method, count, 1))
-    points = drawn.design.points([1, 1])
+    points = drawn.design.points([1, 1])[:]
     numbers = [
         each.distribution.quantile(column) for each, column in zip(drawn.factors, points.T, strict=True)
     ]

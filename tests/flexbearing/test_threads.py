@@ -26,7 +26,7 @@ def test_cores_are_those_of_the_queue_then_of_the_user_then_of_the_system(monkey
     assert threads.cores() == 3
 
 
-@pytest.mark.parametrize("text", ["0", "two", "-1", "1.5", "²"])
+@pytest.mark.parametrize("text", ["0", "two", "-1", "1.5", "²", "9" * 5000, "1e3", "4097"])
 def test_a_number_of_cores_that_is_none_is_refused(monkeypatch, text):
     monkeypatch.setenv("SLURM_CPUS_PER_TASK", text)
     with pytest.raises(threads.BadCount, match=r"SLURM_CPUS_PER_TASK=.* is no number of cores"):

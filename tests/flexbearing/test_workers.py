@@ -39,6 +39,14 @@ def dead(_):
     os._exit(1)
 
 
+def dead_once(number, place):
+    """The first worker that is given the number 3 dies."""
+    if number == 3 and not place.exists():
+        place.touch()
+        os._exit(1)
+    return number
+
+
 def in_two_processes(function):
     with shared_map() as mapped:
         return list(mapped(function, NUMBERS))
@@ -92,8 +100,12 @@ def test_what_a_call_raises_is_raised_here():
 
 
 def test_a_worker_that_dies_is_told():
-    with pytest.raises(Died, match="worker process ended"):
+    with pytest.raises(Died, match="worker process ended 3 times"):
         in_two_processes(dead)
+
+
+def test_what_a_worker_did_not_answer_is_answered_by_another(tmp_path):
+    assert in_two_processes(partial(dead_once, place=tmp_path / "died")) == [*NUMBERS]
 
 
 @pytest.mark.slow

@@ -1,19 +1,17 @@
 """Whatever stands at a key of a study, an optimisation or a profile: it is refused in a line, or taken."""
 
-import tracemalloc
 from collections.abc import Iterator
 from copy import deepcopy
 from typing import Any
 
 import pytest
 
+from flexbearing import __main__ as program
 from flexbearing.case import BadCase
 from flexbearing.case.declarations import declared, toml
 from flexbearing.case.quantity import Section
-from flexbearing.families import FAMILIES
 from flexbearing.optimise.run import optimise
 from flexbearing.optimise.schema import OptimisationFile
-from flexbearing.studies.file import read
 from flexbearing.studies.file.schema import StudyFile
 from flexbearing.studies.file.slurm_profile import SlurmProfile, profile
 from flexbearing.studies.prepare import prepared
@@ -90,10 +88,11 @@ def changed(tables: dict[str, Any], place: tuple[str, ...], literal: str) -> dic
 
 
 def wrong(take, file, tables, places) -> list[str]:
-    """What ends otherwise than in a short line: every literal at keys of the file, a third elsewhere."""
+    """What ends otherwise than in a short line; the literals take turns, so that it is soon known."""
     found = []
     for number, place in enumerate(places):
-        for literal in LITERALS[number % 3 :: 3] if place[-1] in KEYS else LITERALS:
+        turns = 6 if place[-1] in KEYS else 2
+        for literal in LITERALS[number % turns :: turns]:
             file.write_text(written(changed(tables, place, literal)))
             where = f"{'.'.join(place)} = {literal[:40]}"
             try:
@@ -137,25 +136,48 @@ def test_profiles(tmp_path):
     assert wrong(profile, tmp_path / "p.toml", PROFILE, places(SlurmProfile)) == []
 
 
-MILLIONS = """
-"operation.radial_load" = "1 kN .. 2 kN, 1000000"
-"bearing.clearance" = "1 um .. 2 um, 1000000"
-"operation.inner_speed" = "1 rpm .. 2 rpm, 1000000"
-"""
-DRAWN = 'count = 1000000\n"bearing.form_error.roller_diameters" = "14 x normal 11 mm, 1 um"'
+IMPOSSIBLE = {  # in each table alone; the message names it
+    '[set]\n"operation.radial_load" = "x kN"': r"o.toml: \[set\]: .*radial_load = .x kN",
+    '[set]\n"operation.radial_load" = ["5 kN", 1]': r"o.toml: \[set\]: ",
+    '[set]\n"accuracy.target" = "5 %"': r"o.toml: \[set\]: accuracy.target chooses levels anew",
+    '[surrogate]\n"accuracy.slices" = 1979-05-27': r"o.toml: \[surrogate\]: .*slices = 1979-05-27",
+    '[[verify]]\n"accuracy.slices" = 50\n[[verify]]\n"accuracy.slices" = -3': r"\[\[verify\]\] 2: .*-3",
+    '[vary]\n"bearing.clearance" = "6 mm .. 7 mm"': r"o.toml: \[vary\]: .*clearance",
+    '[vary]\n"operation.radial_load" = "-1 kN .. 5 kN"': r"\[vary\] operation.radial_load .*at least 0 kN",
+    '[set]\nbearing = {}': r"o.toml: \[set\]: ",
+}  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("table", "message"),
-    [(MILLIONS, "gives 1000000000000000000 variants"), (DRAWN, "draws 14000000 numbers")],
-    ids=["axes", "sample"],
-)
-def test_what_is_too_large_is_refused_before_it_is_made(table, message, tmp_path):
-    file = tmp_path / "large.toml"
-    file.write_text(f'case = "{CASE}"\n[{"sample" if "count" in table else "over"}]\n{table}\n')
-    tracemalloc.start()
-    with pytest.raises(BadCase, match=message):
-        read(file, FAMILIES)
-    most = tracemalloc.get_traced_memory()[1]
-    tracemalloc.stop()
-    assert most < 2e7  # bytes
+@pytest.mark.parametrize(("text", "words"), IMPOSSIBLE.items(), ids=list(IMPOSSIBLE))
+def test_what_no_start_can_have_is_refused_by_its_table(text, words, tmp_path):
+    file = tmp_path / "o.toml"
+    vary = "" if "[vary]" in text else '[vary]\n"bearing.roller.drop" = "1 um .. 20 um"\n'
+    file.write_text(f'case = "{CASE}"\n{vary}[maximise]\noutput = "life_L10 [h]"\n{text}\n')
+    with pytest.raises(BadCase, match=words):
+        searched(file)
+
+
+def test_an_impossible_start_beside_possible_ones_ends_nothing(tmp_path):
+    """The case is outside of these bounds, whose upper half no bearing has."""
+    file = tmp_path / "o.toml"
+    vary = '[vary]\n"bearing.clearance" = "1 um .. 20 mm"\n[maximise]\noutput = "life_L10 [h]"\n'
+    file.write_text(f'case = "{CASE}"\n{vary}')
+    with pytest.raises(Computes):
+        searched(file)
+
+
+def test_names_that_no_output_has_are_refused_before_the_first_variant(tmp_path, monkeypatch):
+    file = tmp_path / "s.toml"
+    file.write_text(f'case = "{CASE}"\n{written(STUDIES[0])}\n'.replace("life_L10 [h]", "no_such_output"))
+    monkeypatch.setattr("flexbearing.studies.prepare.plan", None)
+    with pytest.raises(BadCase, match=r"\[collect\] life: 'no_such_output': no output has this name"):
+        prepared(file)
+
+
+@pytest.mark.parametrize("place", [".", "..", "/", ""])
+def test_folders_are_no_files(place, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    over = "operation.radial_load=1 kN..2 kN,2"
+    for words in (["report", place], ["map", str(CASE), "--over", over, "-o", place], ["study", place]):
+        assert program.command(words) == 2
+    assert max(map(len, capsys.readouterr().err.splitlines())) < 200

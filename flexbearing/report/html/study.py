@@ -1,6 +1,7 @@
 """The report of a study: outputs over what was varied, duty cycles, every row."""
 
 from collections.abc import Iterator
+from itertools import islice
 from math import isnan
 
 from flexbearing.case.excerpt import excerpt
@@ -13,6 +14,7 @@ from flexbearing.report.html.units import METRIC, NOTHING, Units, converted, pri
 
 LINES = 12  # of a figure at most; more are points
 MOST_ROWS = 2000  # of a table that a browser still shows at once
+MOST_MESSAGES = 50  # of rows, and rows of each
 LONGEST = 40  # characters of a list that a cell shows
 SHORT = 4  # lines that a legend names within a figure of usual height
 CONVERGED = "converged"
@@ -90,10 +92,16 @@ def _verdict(table: StudyTable) -> Iterator[Block]:
 
 
 def _by_message(rows: list[tuple[int, str]]) -> Iterator[str]:
-    """Every message once, with its rows."""
-    for message in dict.fromkeys(text for _, text in rows):
-        numbers = [str(row) for row, text in rows if text == message]
-        yield f"row{'s' if len(numbers) > 1 else ''} {', '.join(numbers)}: {message}"
+    """The first messages, each once with its first rows."""
+    alike: dict[str, list[int]] = {}
+    for row, message in rows:
+        alike.setdefault(message, []).append(row)
+    for message, numbers in islice(alike.items(), MOST_MESSAGES):
+        shown = ", ".join(map(str, numbers[:MOST_MESSAGES]))
+        more = f" and {len(numbers) - MOST_MESSAGES} more" if len(numbers) > MOST_MESSAGES else ""
+        yield f"row{'s' if len(numbers) > 1 else ''} {shown}{more}: {message}"
+    if len(alike) > MOST_MESSAGES:
+        yield f"{len(alike) - MOST_MESSAGES} further messages, in the table"
 
 
 def _cycles(cycles: StudyTable, units: Units) -> Iterator[Block]:

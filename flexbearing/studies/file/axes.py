@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from flexbearing.case.declarations import Declaration
+from flexbearing.studies.file.columns import Row, Zipped
 from flexbearing.studies.file.rows import rows
 from flexbearing.studies.file.values import MOST, BadValues, count, values
 
@@ -19,7 +20,7 @@ class Axis:
 
     name: str  # the key, where there is one
     keys: tuple[str, ...]
-    rows: tuple[tuple[Any, ...], ...]  # a value for each key, in the words of a case file
+    rows: Sequence[Row]  # a value for each key, in the words of a case file
 
 
 def axes(
@@ -55,11 +56,11 @@ def axes(
     if zipped and columns:
         found.append(together(columns, TOGETHER))
     elif columns:
-        found += [Axis(key, (key,), tuple((value,) for value in column)) for key, column in columns.items()]
+        found += [Axis(key, (key,), Zipped((column,), len(column))) for key, column in columns.items()]
     return tuple(found)
 
 
-def columns_of(given: Mapping[str, Any], find: Callable[[str], Declaration]) -> dict[str, tuple[Any, ...]]:
+def columns_of(given: Mapping[str, Any], find: Callable[[str], Declaration]) -> dict[str, Sequence[Any]]:
     """Values of varied keys, one after the other.
 
     Parameters
@@ -79,7 +80,7 @@ def columns_of(given: Mapping[str, Any], find: Callable[[str], Declaration]) -> 
     BadValues
         naming the key
     """
-    columns: dict[str, tuple[Any, ...]] = {}
+    columns: dict[str, Sequence[Any]] = {}
     for key, text in given.items():
         declaration = find(key)
         try:
@@ -89,7 +90,7 @@ def columns_of(given: Mapping[str, Any], find: Callable[[str], Declaration]) -> 
     return columns
 
 
-def together(columns: Mapping[str, tuple[Any, ...]], name: str) -> Axis:
+def together(columns: Mapping[str, Sequence[Any]], name: str) -> Axis:
     """One axis of all keys.
 
     Parameters
@@ -112,9 +113,8 @@ def together(columns: Mapping[str, tuple[Any, ...]], name: str) -> Axis:
     if len({*lengths.values()}) > 1:
         told = ", ".join(f"{key} has {length}" for key, length in lengths.items())
         raise BadValues(f"needs as many values of every key: {told}")
-    longest = max(lengths.values(), default=1)
-    full = [column if len(column) > 1 else column * longest for column in columns.values()]
-    return Axis(name, tuple(columns), tuple(zip(*full, strict=True)))
+    count = max(lengths.values(), default=1)
+    return Axis(name, tuple(columns), Zipped(tuple(columns.values()), count))
 
 
 def require_crossable(found: Sequence[Axis]) -> None:

@@ -146,8 +146,9 @@ def _file_names(stated: dict[str, Any], found: Iterable[Axis], model: type[Head]
     """What the case and its variants have at keys that name files."""
     for key in model.file_keys:
         yield value_at(stated, key)
-        for axis in found:
-            yield from (row[axis.keys.index(key)] for row in axis.rows if key in axis.keys)
+        for axis in (each for each in found if key in each.keys):
+            place = axis.keys.index(key)
+            yield from (row[place] for row in axis.rows)
 
 
 def declared(key: str, model: type[Head], families: Families) -> Declaration:

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import accumulate
 from typing import Any
 
@@ -12,7 +13,9 @@ from flexbearing.case.excerpt import excerpt
 from flexbearing.case.quantity import Kind
 from flexbearing.sampling.design import POWERS_OF_2, Design
 from flexbearing.sampling.distribution import Distribution, lognormal, normal, truncated_normal, uniform
+from flexbearing.sampling.points import Points
 from flexbearing.studies.file.axes import TOGETHER, Axis
+from flexbearing.studies.file.columns import MadeRows, Row
 from flexbearing.studies.file.schema import Sample
 from flexbearing.studies.file.values import MOST, BadValues, in_si_units
 from flexbearing.units import BadUnit, UnknownUnit, unit
@@ -22,7 +25,8 @@ _TEXT = re.compile(
 )
 _PLAIN = re.compile(r"\s*[+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?(?:\s[^,]*)?")  # one value, with or without a unit
 MOST_NUMBERS = 1000  # of one list
-MOST_DRAWN = 5_000_000  # numbers of a study, each some 200 bytes in the words of a case
+MOST_DRAWN, MOST_DIMENSIONS = 20_000_000, 10_000  # of a study, 80 MB; of a variant
+AT_ONCE = 1024  # rows
 _UNIT = re.compile(r"[+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?\s*(.*)")
 
 
@@ -46,11 +50,37 @@ class Factor:
     unit: str = ""  # SI, empty of plain numbers
     width: int = 1  # how many numbers are drawn for it, independently
     listed: bool = False
+    smallest: float = 0.0  # [SI] size of a value of the key that is not zero; what is drawn below is zero
 
     def written(self, numbers: Sequence[float]) -> Any:
         """Numbers (width) in SI units in the words of a case file."""
-        words = [f"{number!r} {self.unit}" if self.unit else number for number in numbers]
+        sized = [number if abs(number) >= self.smallest else 0.0 for number in numbers]
+        words = [f"{number!r} {self.unit}" if self.unit else number for number in sized]
         return words if self.listed else words[0]
+
+
+class DrawnRows(MadeRows):
+    """Rows made of points, many at once where one is read; the last ones stay."""
+
+    def __init__(self, points: Points, factors: Sequence[Factor], alike: Row):
+        self._points, self._factors, self._alike = points, factors, alike
+        self._some = lru_cache(maxsize=1)(self._made)
+
+    def __len__(self) -> int:
+        return len(self._points)
+
+    def _row(self, number: int) -> Row:
+        some, place = divmod(number, AT_ONCE)
+        return self._some(some * AT_ONCE)[place]
+
+    def _made(self, first: int) -> list[Row]:
+        points = self._points[first : first + AT_ONCE]
+        ends = accumulate(factor.width for factor in self._factors)
+        columns = [
+            map(factor.written, factor.distribution.quantile(points[:, end - factor.width : end]).tolist())
+            for factor, end in zip(self._factors, ends, strict=True)
+        ]
+        return [(*row, *self._alike) for row in zip(*columns, strict=True)]
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,32 +146,30 @@ def sampled(sample: Sample, find: Callable[[str], Declaration]) -> tuple[Axis, D
         find(key)
     if not factors:
         raise BadValues('names no key; give one or more, such as "bearing.clearance" = "normal 75 um, 5 um"')
-    design = _design(sample, len(factors))
-    if (drawn := sample.count * sum(factor.width for factor in factors)) > MOST_DRAWN:
-        raise BadValues(
-            f"draws {drawn} numbers; a study draws at most {MOST_DRAWN}: lower count or the lists"
-        )
-    points = design.points([factor.width for factor in factors])
-    ends = accumulate(factor.width for factor in factors)
-    columns = [
-        [*map(factor.written, factor.distribution.quantile(points[:, end - factor.width : end]).tolist())]
-        for factor, end in zip(factors, ends, strict=True)
-    ]
-    columns += [[value] * len(points) for value in alike.values()]
+    design, widths = _design(sample), [factor.width for factor in factors]
+    _require_few(design.rows(len(factors)), sum(widths))
     keys = *(factor.key for factor in factors), *alike
-    return Axis(TOGETHER, keys, tuple(zip(*columns, strict=True))), Drawn(tuple(factors), design)
+    rows = DrawnRows(design.points(widths), factors, tuple(alike.values()))
+    return Axis(TOGETHER, keys, rows), Drawn(tuple(factors), design)
 
 
 def _is_one_value(given: Any) -> bool:
     return not isinstance(given, str) or bool(_PLAIN.fullmatch(given))
 
 
-def _design(sample: Sample, keys: int) -> Design:
-    count = sample.count
-    if sample.method == "sobol_indices" and (rows := count * (keys + 2)) > MOST:
+def _require_few(rows: int, numbers: int) -> None:
+    """Refuse more than memory holds and SciPy draws."""
+    if rows > MOST:
+        raise BadValues(f"gives {rows} variants; a study has at most {MOST}")
+    if numbers > MOST_DIMENSIONS or rows * numbers > MOST_DRAWN:
         raise BadValues(
-            f"gives {rows} variants, {keys + 2} for each of {count} points; a study has at most {MOST}"
+            f"draws {numbers} numbers for each of {rows} variants; there may be {MOST_DIMENSIONS}, and "
+            f"{MOST_DRAWN} of all variants"
         )
+
+
+def _design(sample: Sample) -> Design:
+    count = sample.count
     if sample.method in POWERS_OF_2 and count & (count - 1):
         below = 1 << (count.bit_length() - 1)
         raise BadValues(
@@ -177,8 +205,8 @@ def _read(key: str, text: Any, declaration: Declaration) -> Factor:
     width = int(parts["count"] or 1)
     if not 1 <= width <= MOST_NUMBERS:
         raise BadValues(f"has a list of {width} numbers; it must be of 1 to {MOST_NUMBERS}")
-    unit_text = declaration.kind.unit if declaration.kind else ""
-    return Factor(key, form.made(*numbers), unit_text, width, declaration.listed)
+    unit_text, smallest = (kind.unit, kind.smallest) if (kind := declaration.kind) else ("", 0.0)
+    return Factor(key, form.made(*numbers), unit_text, width, declaration.listed, smallest)
 
 
 def _numbers(text: str, form: Form, kind: Kind | None) -> list[float]:

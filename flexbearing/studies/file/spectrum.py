@@ -55,7 +55,7 @@ def spectrum(duty: Duty, folder: Path, find: Callable[[str], Declaration]) -> tu
     for name in weights:
         if not weights[name]:
             raise BadValues(f"{name} is an empty list; every row has a share")
-    columns: dict[str, tuple[Any, ...]] = weights | columns_of(duty.model_extra or {}, find)
+    columns: dict[str, Sequence[Any]] = weights | columns_of(duty.model_extra or {}, find)
     if duty.file is not None:
         keys, table = rows(folder / duty.file, lambda key: key in MEASURES or find(key).kind is not None)
         if twice := columns.keys() & {*keys}:
@@ -67,7 +67,7 @@ def spectrum(duty: Duty, folder: Path, find: Callable[[str], Declaration]) -> tu
             "needs the shares of its rows, either time or revolutions, and keys such as operation.radial_load"
         )
     joined = together({measures[0]: columns.pop(measures[0]), **columns}, AXIS)
-    axis = Axis(AXIS, joined.keys[1:], tuple(row[1:] for row in joined.rows))
+    axis = Axis(AXIS, joined.keys[1:], tuple(row[1:] for row in joined.rows))  # a few rows
     return axis, Spectrum(measures[0], _shares(measures[0], [row[0] for row in joined.rows]), duty.life)
 
 

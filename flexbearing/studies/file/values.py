@@ -1,15 +1,19 @@
 """Values of one varied key: a list, a range, a single value."""
 
 import re
+from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic_core import PydanticCustomError
 
 from flexbearing import inputs
 from flexbearing.case.declarations import Declaration, toml
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.quantity import LONGEST, Kind
+from flexbearing.studies.file.columns import Written
 
 MOST = 1_000_000  # variants of a study
 DIGITS = 12  # of values within a range
@@ -23,7 +27,7 @@ class BadValues(ValueError):
     """Values that a key cannot take; the message completes a sentence that names file and key."""
 
 
-def values(given: Any, declaration: Declaration) -> tuple[Any, ...]:
+def values(given: Any, declaration: Declaration) -> Sequence[Any]:
     """Values of a key, in the words of a case file.
 
     Parameters
@@ -35,7 +39,7 @@ def values(given: Any, declaration: Declaration) -> tuple[Any, ...]:
 
     Returns
     -------
-    tuple
+    sequence
         at least one; whether each is allowed is told when the case is read
 
     Raises
@@ -65,7 +69,7 @@ def _lists(given: list[Any]) -> bool:
     return all(isinstance(value, list) for value in given)
 
 
-def _range(text: str, declaration: Declaration) -> tuple[Any, ...]:
+def _range(text: str, declaration: Declaration) -> Written:
     parts = _RANGE.fullmatch(text) if len(text) <= 3 * LONGEST else None
     if parts is None:
         raise BadValues(f"is no range: {RANGE}")
@@ -75,11 +79,16 @@ def _range(text: str, declaration: Declaration) -> tuple[Any, ...]:
     (first, last), unit = ends(parts["first"], parts["last"], declaration)
     if parts["log"] and min(first, last) <= 0:
         raise BadValues("has an end that is not above zero, which a logarithmic range cannot have")
-    spread = np.geomspace if parts["log"] else np.linspace
-    numbers = [float(f"{each:.{DIGITS}g}") for each in spread(first, last, number)]
+    numbers = (np.geomspace if parts["log"] else np.linspace)(first, last, number)
     if declaration.whole:
-        return tuple(_whole(number) for number in numbers)
-    return tuple(f"{number!r} {unit}" for number in numbers) if unit else tuple(numbers)
+        _require_whole(numbers)
+        return Written(numbers, round)
+    return Written(numbers, partial(_word, unit=unit))
+
+
+def _word(number: float, unit: str) -> str | float:
+    rounded = float(f"{number:.{DIGITS}g}")
+    return f"{rounded!r} {unit}" if unit else rounded
 
 
 def ends(first: str, last: str, declaration: Declaration) -> tuple[tuple[float, float], str]:
@@ -119,7 +128,7 @@ def _plain(text: str) -> float:
         raise BadValues(f"has an end that is none: {problem}; {RANGE}") from None
 
 
-def _whole(number: float) -> int:
-    if not number.is_integer():
-        raise BadValues(f"has {number:g} among its values, which is no whole number")
-    return int(number)
+def _require_whole(numbers: NDArray) -> None:
+    broken = np.abs(numbers - np.rint(numbers)) > 10.0**-DIGITS * np.abs(numbers)
+    if broken.any():
+        raise BadValues(f"has {numbers[broken][0]:g} among its values, which is no whole number")

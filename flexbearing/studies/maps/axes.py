@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import prod
 from typing import Any
 
 import numpy as np
@@ -23,7 +24,7 @@ class MapAxis:
     """A key of the case and its values."""
 
     declaration: Declaration
-    values: tuple[Any, ...]  # in the words of a case file, as they were given
+    values: Sequence[Any]  # in the words of a case file, as they were given
     unit: str = ""  # of `numbers`; empty for plain numbers
     numbers: tuple[float, ...] = ()  # the same for people
 
@@ -78,7 +79,7 @@ def axes(over: Sequence[str], model: type[Head]) -> tuple[MapAxis, ...]:
     keys = [axis.key for axis in found]
     if twice := [key for key in keys if keys.count(key) > 1]:
         raise BadCase(f"--over {twice[0]}: the key is varied twice")
-    if (count := int(np.prod([len(axis.values) for axis in found]))) > MOST:
+    if (count := prod(len(axis.values) for axis in found)) > MOST:
         raise BadCase(f"--over gives {count} points; a map has at most {MOST}")
     return found
 

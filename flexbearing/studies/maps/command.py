@@ -46,10 +46,13 @@ def map_(
     from flexbearing.studies.maps.map import MapRequest, map_case
     from quasidynamic import NotSolved
 
+    def tell(words: str) -> None:
+        sys.stderr.write(printable(f"{words}\n"))
+
     try:
         outputs = tuple(of.split(",")) if of else ()
         request = MapRequest(case, tuple(over), outputs, output, tuple(settings or ()), form)
-        found = map_case(request, Logged())
+        found = map_case(request, Logged(tell))
     except NotSolved as problem:
         sys.stderr.write(printable(f"{case}: not converged: {problem}\n"))
         raise typer.Exit(NOT_CONVERGED) from None

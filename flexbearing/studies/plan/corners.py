@@ -1,59 +1,59 @@
 """The variants at which levels are chosen that others share: extremes of what varies, and some between."""
 
-from collections.abc import Sequence
-from dataclasses import replace
+from array import array
 from hashlib import sha256
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.studies.plan.checked import CheckedVariants
 from flexbearing.studies.plan.identity import LENGTH
-from flexbearing.studies.plan.task import Base, Corners, Variant
+from flexbearing.studies.plan.task import Base, Corners
 
 MOST = 6  # variants at which levels are chosen; two for each of the first three keys
 FIRST = "operation."  # keys that come first: errors depend on loads before all
 
 
-def sharing_levels(
-    base: Base, variants: Sequence[Variant]
-) -> tuple[tuple[Variant, ...], tuple[Corners, ...]]:
+def share_levels(base: Base, variants: CheckedVariants) -> tuple[Corners, ...]:
     """Find which variants share their levels, and where these are chosen.
 
     Parameters
     ----------
     base : Base
         what the variants are made of
-    variants : sequence of Variant
-        of a study; those with the same `levels` have the same parts and the same choices
+    variants : CheckedVariants
+        of a study; those with the same `levels` have the same parts and the same choices. Their levels are
+        then named by their corners, which the identities contain too: other corners may ask for other levels,
+        and give other numbers
 
     Returns
     -------
-    variants : tuple of Variant
-        whose levels are named by their corners, which the identities contain too: other corners may ask for
-        other levels, and give other numbers
-    corners : tuple of Corners
+    tuple of Corners
         one for each name; variants with other words, such as the profile of the rollers, have others
     """
+    if not variants.have_levels:
+        return ()
     keys = sorted(range(len(base.keys)), key=lambda number: not base.keys[number].startswith(FIRST))
-    groups: dict[Any, dict[int, tuple[float, ...]]] = {}
+    groups: dict[Any, tuple[array, array]] = {}  # numbers of variants, and their coordinates
     for number, variant in enumerate(variants):
         if not variant.levels:
             continue
         values = [variant.in_si[key] for key in keys]
         words = tuple(repr(value) for value in values if not _is_number(value))
-        numbers = tuple(float(value) for value in values if _is_number(value))
-        groups.setdefault((variant.levels, words), {})[number] = numbers
-    found, corners = list(variants), []
-    for group in groups.values():
-        places = [[*group][place] for place in extremes(np.array([*group.values()]))]
-        name = sha256(" ".join(variants[place].identity for place in places).encode()).hexdigest()[:LENGTH]
-        for number in group:
-            text = f"{variants[number].identity} {name}"
-            identity = sha256(text.encode()).hexdigest()[:LENGTH]
-            found[number] = replace(variants[number], identity=identity, levels=name)
-        corners.append(Corners(base, tuple(found[place] for place in places), name))
-    return tuple(found), tuple(corners)
+        members, points = groups.setdefault((variant.levels, words), (array("Q"), array("d")))
+        members.append(number)
+        points.extend(float(value) for value in values if _is_number(value))
+    corners = []
+    for members, points in groups.values():
+        some = extremes(np.array(points).reshape(len(members), len(points) // len(members)))
+        places = [members[place] for place in some]
+        name = sha256(" ".join(variants.identity(place) for place in places).encode()).hexdigest()[:LENGTH]
+        for number in members:
+            text = f"{variants.identity(number)} {name}"
+            variants.rename(number, sha256(text.encode()).hexdigest()[:LENGTH], name)
+        corners.append(Corners(base, tuple(variants[place] for place in places), name))
+    return tuple(corners)
 
 
 def extremes(points: NDArray) -> list[int]:
@@ -95,7 +95,7 @@ def _away(points: NDArray, taken: NDArray) -> NDArray:
     """Distance of points (N, K) from the nearest of those taken (T, K); at first how low they are."""
     if not len(taken):
         return -points.sum(axis=1)
-    return np.linalg.norm(points[:, None] - taken, axis=2).min(axis=1)
+    return np.min([np.linalg.norm(points - one, axis=1) for one in taken], axis=0)
 
 
 def _is_number(value: Any) -> bool:

@@ -1,11 +1,10 @@
 """The plan of a study, a frozen value: every variant with its identity, and what is wrong with it."""
 
-import logging
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
-from itertools import chain, islice, product
-from math import prod
+from itertools import islice
 from typing import Any
 
 from flexbearing.case import BadCase
@@ -13,7 +12,9 @@ from flexbearing.case.declarations import toml
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.problems import MOST
 from flexbearing.studies.file import Axis, Study
-from flexbearing.studies.plan.corners import sharing_levels
+from flexbearing.studies.file.columns import Crossed
+from flexbearing.studies.plan.checked import CheckedVariants
+from flexbearing.studies.plan.corners import share_levels
 from flexbearing.studies.plan.task import Base, Corners, Ring, Task, Values, Variant
 
 LARGEST_RIGID, LARGEST_ELASTIC = 128, 256  # variants of a task: up to 1 s of work
@@ -21,11 +22,9 @@ FEWEST = 8  # tasks into which a small study is cut, so that several workers hav
 # Most variants of a task between elastic rings start from solved neighbours in it; the first ones have none.
 ENOUGH, OF_LARGE = 16, 8  # a task of more than ENOUGH is at most this part of a worker's share
 LONGEST = 300  # characters of the settings of a variant in a message
-MANY, CHECK = 20_000, 2.5e-4  # variants whose check is worth a message, and what each takes [s]
 CHECKED_AT_ONCE = 256  # variants, a tenth of a second of work
-
-
-log = logging.getLogger(__name__)
+MADE_ONCE = 10_000  # variants of a plan, some 10 MB; more are made anew whenever they are read
+MOST_MESSAGES, FURTHER = 1000, "it cannot be computed either"  # that differ; of all further ones
 
 
 @dataclass(frozen=True)
@@ -35,7 +34,7 @@ class Impossible:
     why: str  # one line
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Problem:
     """A variant that cannot be computed as it stands."""
 
@@ -50,7 +49,7 @@ class Plan:
     name: str
     base: Base
     axes: tuple[Axis, ...]
-    variants: tuple[Variant, ...]  # row by row
+    variants: Sequence[Variant]  # row by row
     problems: tuple[Problem, ...]
     corners: tuple[Corners, ...] = ()  # where levels are chosen that variants share
     fewest: int = FEWEST  # tasks into which a small study is cut
@@ -89,6 +88,15 @@ class Plan:
         share = -(-total // self.fewest)
         largest = min(LARGEST_ELASTIC, max(ENOUGH, share // OF_LARGE)) if elastic else LARGEST_RIGID
         return min(largest, share)
+
+    @property
+    def sizes(self) -> list[tuple[bool, int, int]]:
+        """Whether rings are elastic, how many variants and how many tasks, for all with the same rings."""
+        groups = Counter((each.rings, each.levels) for each in self.variants)
+        return [
+            (bool(rings), count, -(-count // self._size(groups.total(), elastic=bool(rings))))
+            for (rings, _), count in groups.items()
+        ]
 
     def rings(self, wanted: Callable[[Variant], bool] = lambda variant: True) -> tuple[Ring, ...]:
         """Elastic rings of variants that are still wanted, each once."""
@@ -136,6 +144,7 @@ def plan(
     study: Study,
     checked: Callable[[Base, Sequence[Values]], Iterable[Variant | Impossible]],
     mapped: Callable[..., Iterable[Any]] = map,
+    tell: Callable[[int, int], None] = lambda done, total: None,
 ) -> Plan:
     """Settle what a study computes.
 
@@ -147,34 +156,35 @@ def plan(
         gives each variant, or why it cannot be computed
     mapped : callable, optional
         `map`, or one that shares calls among processes
+    tell : callable (checked, total), optional
+        hears of variants as they are checked
 
     Returns
     -------
     Plan
         also with variants that cannot be computed: `Plan.require_sound` refuses them
     """
-    base = Base(study.case.resolve(), study.text, study.keys)
-    if (count := prod(len(axis.rows) for axis in study.axes)) > MANY:
-        log.warning("%s: %d variants are checked first, about %.2g s", study.name, count, CHECK * count)
-    rows, variants, problems = list(_crossed(study.axes)), [], []
-    for values, found in zip(
-        rows, chain.from_iterable(mapped(partial(checked, base), _cut(rows))), strict=True
-    ):
-        if isinstance(found, Impossible):
-            problems.append(Problem(len(variants), found.why))
-            found = Variant(values, "")
-        variants.append(found)
-    levelled, corners = sharing_levels(base, variants)
-    return Plan(study.name, base, study.axes, levelled, tuple(problems), corners)
+    base, rows = (
+        Base(study.case.resolve(), study.text, study.keys),
+        Crossed(tuple(axis.rows for axis in study.axes)),
+    )
+    variants, problems, messages = CheckedVariants(rows), list[Problem](), dict[str, str]()
+    for found in mapped(partial(checked, base), _cut(rows)):
+        for each in found:
+            if isinstance(each, Impossible):
+                why = each.why if len(messages) < MOST_MESSAGES else messages.get(each.why, FURTHER)
+                problems.append(Problem(len(variants), messages.setdefault(why, why)))
+            variants.append(None if isinstance(each, Impossible) else each)
+        tell(len(variants), len(rows))
+    corners = share_levels(base, variants)
+    few = tuple(variants) if len(rows) <= MADE_ONCE else variants
+    return Plan(study.name, base, study.axes, few, tuple(problems), corners)
 
 
-def _cut(rows: list[Values]) -> list[list[Values]]:
-    return [rows[first : first + CHECKED_AT_ONCE] for first in range(0, len(rows), CHECKED_AT_ONCE)]
-
-
-def _crossed(axes: tuple[Axis, ...]) -> Iterator[tuple[Any, ...]]:
-    for rows in product(*(axis.rows for axis in axes)):
-        yield tuple(chain.from_iterable(rows))
+def _cut(rows: Iterable[Values]) -> Iterator[list[Values]]:
+    left = iter(rows)
+    while some := list(islice(left, CHECKED_AT_ONCE)):
+        yield some
 
 
 def _bundles(group: list[Variant], size: int) -> Iterator[tuple[Variant, ...]]:
