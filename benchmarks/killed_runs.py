@@ -1,10 +1,11 @@
 """Commands that are killed at random moments: `python -m benchmarks.killed_runs --n 60 --seed S --of map`.
 
-Every command replaces what it made of another speed. After the kill each output must be the earlier or the new
-one, complete, or a table that says which rows are not computed; the journal must hold every line that it had.
-A second start must end with what an undisturbed one makes, and leave no other file and no process. Two of
-three are killed (SIGKILL), the others ended by SIGTERM or SIGINT, after which nothing unfinished may lie about.
-With `--second`, another start to the same output begins while the first is at work.
+Every command replaces what it made of another speed. After the kill each output must be the earlier or the
+new one, complete, or a table that says which rows are not computed; the journal must hold every line that it
+had. A second start must end with what an undisturbed one makes, numbers equal to 1e-12, all else to the last
+byte, and leave no other file and no process. Two of three are killed (SIGKILL), the others ended by SIGTERM
+or SIGINT, which leave time to remove what is unfinished. `--second`: in some rounds another start to the same
+output begins while the first is at work.
 
 Modules are loaded once and every start is a fork: moments are spread over what the command does.
 """
@@ -34,8 +35,7 @@ from benchmarks.machine import describe
 from flexbearing import read
 from flexbearing.__main__ import main as program
 from flexbearing.cache.store import VARIABLE
-from flexbearing.report.html.table import table_text
-from flexbearing.studies.settled import NOT_COMPUTED
+from flexbearing.report.html.table import NOT_COMPUTED, table_text
 from flexbearing.studies.table.journal import SUFFIX as JOURNAL
 
 CONFIGS = Path(__file__).parents[1] / "configs"
@@ -57,7 +57,9 @@ class Killed:
     before: tuple[str, ...] = ()  # a command that makes a file for it
 
 
-CLEARANCES = '[over]\n"operation.radial_load" = "1 kN .. 9 kN, 20"\n"bearing.clearance" = "10 um .. 50 um, 20"\n'
+CLEARANCES = (
+    '[over]\n"operation.radial_load" = "1 kN .. 9 kN, 20"\n"bearing.clearance" = "10 um .. 50 um, 20"\n'
+)
 STUDY = f'case = "case.toml"\n{CLEARANCES}[collect]\nlife = "life_L10 [h]"\nslip = "cage_slip [%]"\n'
 BEST = """case = "case.toml"
 [vary]
@@ -122,7 +124,9 @@ class Rounds:
 
     def killed(self, kills: int, second: int, draw: random.Random) -> tuple[Counter[str], float]:
         """Counts of what was seen, and the largest difference of a number of the second start."""
-        counts = Counter(dict.fromkeys(("kills", "ended before", "lost", "left over", "differing", "FAULT"), 0))
+        counts = Counter(
+            dict.fromkeys(("kills", "ended before", "lost", "left over", "differing", "FAULT"), 0)
+        )
         with_second, largest = set(draw.sample(range(kills), second)), 0.0
         for number in range(kills):
             moment, kind = draw.uniform(0.0, 1.05) * self.seconds, draw.choice(SIGNALS)
@@ -143,12 +147,16 @@ class Rounds:
         ended = self._killed(place, moment, kind, begin)
         seen["ended before"] = ended >= 0 and ended != 128 + kind
         told = [f"{signal.Signals(kind).name} after {moment:.3f} s, exit {ended}"]
-        told += [f"left {path.name}" for path in out.iterdir() if kind != signal.SIGKILL and path.suffix in TORN]
+        told += [
+            f"left {path.name}" for path in out.iterdir() if kind != signal.SIGKILL and path.suffix in TORN
+        ]
         told += _processes_left(place)
         lines = _lines(out)
         lost = [f"lost {path.name}" for path in out.iterdir() if not self._is_known(path)]
         seconds, code = _waited(_started(place, self.command.words), time.perf_counter())
-        lost += [f"lost lines of {name}" for name, text in lines.items() if not _lines(out)[name].startswith(text)]
+        lost += [
+            f"lost lines of {name}" for name, text in lines.items() if not _lines(out)[name].startswith(text)
+        ]
         told += [f"left {name}" for name in {path.name for path in out.iterdir()} ^ self.outputs]
         told += _processes_left(place)
         self.seconds = max(self.seconds / 2, seconds) if not lines else self.seconds
@@ -178,7 +186,9 @@ class Rounds:
         place = self._prepared(state, state)
         self.seconds, code = _waited(_started(place, self.command.words), time.perf_counter())
         assert code == 0, (place / "printed").read_text()
-        return {path.name: rows(path) for path in (place / "out").iterdir() if not path.name.endswith(JOURNAL)}
+        return {
+            path.name: rows(path) for path in (place / "out").iterdir() if not path.name.endswith(JOURNAL)
+        }
 
     def _prepared(self, name: str, state: str) -> Path:
         """A folder with the inputs of a command."""
@@ -229,7 +239,7 @@ def rows(path: Path) -> Rows:
 
 
 def distance(one: Rows, other: Rows) -> float:
-    """Largest relative difference of numbers, infinite where anything else differs; rows to come have none."""
+    """Largest relative difference of numbers, infinite where texts differ; rows to come are left out."""
     if [*map(len, one)] != [*map(len, other)]:
         return float("inf")
     pairs = (zip(a, b, strict=True) for a, b in zip(one, other, strict=True) if NOT_COMPUTED not in a)

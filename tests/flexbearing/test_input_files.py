@@ -10,6 +10,7 @@ from flexbearing.__main__ import command
 from flexbearing.api import read_case
 from flexbearing.case.declarations import declared
 from flexbearing.families import FAMILIES
+from flexbearing.report.html.parquet import sealed
 from flexbearing.studies.file.rows import rows
 
 CONFIGS, SEAT = Path(__file__).parents[2] / "configs", Path(__file__).parent / "seat"
@@ -143,6 +144,39 @@ def test_what_is_no_plain_file_is_refused_at_once(suffix, words, no_file, tmp_pa
     message = capsys.readouterr().err
     assert 10 < len(message) < 500
     assert len(message.splitlines()) == 1
+
+
+def parquet(place):
+    from pyarrow import csv
+
+    place.write_bytes(sealed(csv.read_csv(place.with_suffix(".csv"))))
+
+
+TABLES = {
+    "variants": "operation.radial_load [N],operation.radial_load [kN]\n",
+    "duty cycle": "time [%],operation.radial_load [N],time [%]\n",
+    "table": "life [h],status,message,seconds,life [h]\n",
+    "table in Parquet": "life [h],status,message,seconds,life [h]\n",
+    "table for ROSS": "operation.inner_speed [rpm],status,status\n",
+    "scatter": "output,unit,output\n",
+}
+
+
+@pytest.mark.parametrize("kind", TABLES)
+def test_a_column_twice_is_refused_before_its_cells_are_read(kind, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    row = ",".join(["=nothing that any column can hold"] * (TABLES[kind].count(",") + 1))
+    (tmp_path / "t.csv").write_text(f"{TABLES[kind]}{row}\n")
+    if kind == "scatter":
+        for part in ("percentiles", "shares", "histogram"):
+            (tmp_path / f"t_{part}.csv").write_text(f"{TABLES[kind]}{row}\n")
+        (tmp_path / "t.csv").write_text("status,message,seconds\nconverged,,1\n")
+    suffix, words = READERS[kind if kind != "scatter" else "table"]
+    place = tmp_path / f"t{suffix}"
+    if suffix == ".parquet":
+        parquet(place)
+    assert command(words(place)) == 2
+    assert "several columns '" in capsys.readouterr().err
 
 
 def test_text_with_control_characters_is_no_table(tmp_path):

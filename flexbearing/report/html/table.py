@@ -18,6 +18,9 @@ from flexbearing.results import BadResult
 
 PARQUET = ".parquet"
 ENDS = ("status", "message", "seconds")
+NOT_COMPUTED = (
+    "not computed"  # status of a variant that is still to come, in the table of an interrupted study
+)
 SHARES = ("time_share", "revolution_share")  # of a duty cycle, no outputs
 AT_ONCE = 10_000  # rows
 _HEADING = re.compile(r"(?P<name>.*?)(?: \[(?P<unit>[^]]*)\])?")
@@ -68,6 +71,11 @@ class StudyTable:
 
     def __len__(self) -> int:
         return len(self.columns[0].texts)
+
+    @cached_property
+    def to_come(self) -> int:
+        """Variants that are not computed yet."""
+        return next(column.texts.count(NOT_COMPUTED) for column in self.columns if column.name == ENDS[0])
 
     def first(self, rows: int) -> "StudyTable":
         """The first rows of it, or all."""
