@@ -69,9 +69,9 @@ BEST = """case = "case.toml"
 output = "peak_pressure.inner [MPa]"
 over = "worst"
 [over]
-"operation.misalignment" = ["0 arcmin", "2 arcmin", "4 arcmin"]
+"operation.misalignment" = ["0 arcmin", "3 arcmin"]
 [search]
-starts = 4
+starts = 2
 """
 COMMANDS = {
     "run": Killed(
