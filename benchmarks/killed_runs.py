@@ -44,6 +44,7 @@ SIGNALS = (signal.SIGKILL, signal.SIGKILL, signal.SIGKILL, signal.SIGKILL, signa
 SAME = 1e-12  # largest relative difference of numbers
 TORN = (".tmp", ".lock")  # endings of what SIGTERM and SIGINT leave time to remove; a .part is a whole file
 PATIENCE = 10.0  # [s] until worker processes of a killed one are gone
+SEEN = "kills", "ended before", "lost", "left over", "differing"  # what is counted, beside faults
 MARK = "KILLED_ROUND"  # variable of all processes of a round
 
 
@@ -93,7 +94,7 @@ Rows = list[list[Any]]
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser()
     parser.add_argument("--n", type=int, default=60, help="kills of each command")
     parser.add_argument("--second", type=int, default=0, help="of these, with a second start meanwhile")
     parser.add_argument("--seed", default="0", help="any text")
@@ -124,49 +125,44 @@ class Rounds:
 
     def killed(self, kills: int, second: int, draw: random.Random) -> tuple[Counter[str], float]:
         """Counts of what was seen, and the largest difference of a number of the second start."""
-        counts = Counter(
-            dict.fromkeys(("kills", "ended before", "lost", "left over", "differing", "FAULT"), 0)
-        )
+        counts = Counter[str](dict.fromkeys((*SEEN, "FAULT"), 0))
         with_second, largest = set(draw.sample(range(kills), second)), 0.0
         for number in range(kills):
             moment, kind = draw.uniform(0.0, 1.05) * self.seconds, draw.choice(SIGNALS)
             begin = draw.uniform(0.0, 0.7) * moment if number in with_second else None
-            seen, difference = self._round(number, moment, kind, begin)
-            counts.update(seen)
+            seen, words, difference = self._round(place := f"round{number}", moment, kind, begin)
+            counts.update(what for what in SEEN if seen[what])
             largest = max(largest, difference)
-            counts["FAULT"] += any(seen[what] for what in ("lost", "left over", "differing"))
+            if words:
+                counts["FAULT"] += 1
+                print(f"  {place}: {signal.Signals(kind).name} after {moment:.3f} s: {words}", flush=True)
         return counts, largest
 
     def _round(
-        self, number: int, moment: float, kind: int, begin: float | None
-    ) -> tuple[Counter[str], float]:
-        place = self._prepared(f"round{number}", "new")
-        out, seen = place / "out", Counter({"kills": 1})
+        self, name: str, moment: float, kind: int, begin: float | None
+    ) -> tuple[dict[str, Any], str, float]:
+        """What was seen of a kill and of the start after it, faults in words, the largest difference."""
+        place = self._prepared(name, "new")
+        out = place / "out"
         for path in (self.folder / "earlier" / "out").iterdir():
             (out / path.name).write_bytes(path.read_bytes())
         ended = self._killed(place, moment, kind, begin)
-        seen["ended before"] = ended >= 0 and ended != 128 + kind
-        told = [f"{signal.Signals(kind).name} after {moment:.3f} s, exit {ended}"]
-        told += [
-            f"left {path.name}" for path in out.iterdir() if kind != signal.SIGKILL and path.suffix in TORN
-        ]
-        told += _processes_left(place)
-        lines = _lines(out)
-        lost = [f"lost {path.name}" for path in out.iterdir() if not self._is_known(path)]
+        left = [path.name for path in out.iterdir() if kind != signal.SIGKILL and path.suffix in TORN]
+        left += _processes_left(place)
+        lost, lines = [name for name in self.known["new"] if not self._is_whole(out / name)], _lines(out)
         seconds, code = _waited(_started(place, self.command.words), time.perf_counter())
-        lost += [
-            f"lost lines of {name}" for name, text in lines.items() if not _lines(out)[name].startswith(text)
-        ]
-        told += [f"left {name}" for name in {path.name for path in out.iterdir()} ^ self.outputs]
-        told += _processes_left(place)
-        self.seconds = max(self.seconds / 2, seconds) if not lines else self.seconds
-        differences = {name: self._distance(out / name, "new") for name in self.outputs - {*lines}}
-        differing = [f"{name} differs by {far:.1e}" for name, far in differences.items() if not far <= SAME]
-        differing += [f"exit {code}"] if code else []
-        if len(told) > 1 or lost or differing:
-            print(f"  round {number}: {'; '.join([*told, *lost, *differing])}", flush=True)
-        seen.update({"lost": bool(lost), "left over": len(told) > 1, "differing": bool(differing)})
-        return seen, max(differences.values())
+        self.seconds = (
+            self.seconds if lines else max(self.seconds / 2, seconds)
+        )  # others use the machine, too
+        lost += [f"lines of {name}" for name, text in lines.items() if not _lines(out)[name].startswith(text)]
+        left += [*({path.name for path in out.iterdir()} ^ self.outputs), *_processes_left(place)]
+        far = {name: self._distance(out / name, "new") for name in self.known["new"]}
+        differing = [f"{name} by {each:.1e}" for name, each in far.items() if not each <= SAME]
+        differing += [f"exit code {code}"] if code else []
+        faults = {"lost": lost, "left over": left, "differing": differing}
+        words = "; ".join(f"{what}: {', '.join(names)}" for what, names in faults.items() if names)
+        before = ended >= 0 and ended != 128 + kind
+        return {"kills": True, "ended before": before, **faults}, words, max(far.values())
 
     def _killed(self, place: Path, moment: float, kind: int, begin: float | None) -> int:
         """Exit code of a start that is ended after some seconds; a second one may begin before."""
@@ -207,10 +203,8 @@ class Rounds:
                 _waited(_started(place, self.command.before), 0.0)
         return place
 
-    def _is_known(self, path: Path) -> bool:
-        """Whether a file is as a whole command leaves it, or none that a command promises anything of."""
-        if path.name not in self.outputs or path.name.endswith(JOURNAL):
-            return True
+    def _is_whole(self, path: Path) -> bool:
+        """Whether an output is as a whole command leaves it."""
         return any(self._distance(path, state) <= SAME for state in SPEEDS)
 
     def _distance(self, path: Path, state: str) -> float:
@@ -288,7 +282,7 @@ def _processes_left(place: Path) -> list[str]:
     last = time.perf_counter() + PATIENCE
     while left := [*_processes(place)]:
         if time.perf_counter() > last:
-            return [f"left process {each}" for each in left]
+            return [f"process {each}" for each in left]
         time.sleep(0.02)
     return []
 
