@@ -32,6 +32,8 @@ LARGE = {
     "variants": 500,
 }  # fmt: skip
 ANNOUNCED = re.compile(rf"(?:about|of) (\d+) ({'|'.join(LARGE)})")
+# Words that announce how long is worked whose size no number tells.
+ANNOUNCED_TIME = "variants are checked first, about", "curves of folds through them are followed, up to"
 WARNINGS = ("Warning:", "Traceback", "internal error", "MUMPS", "Segmentation")
 LEFTOVER = re.compile(r"\.(part|tmp|lock)$")
 MODULES = ("h5py", "matplotlib.pyplot", "netCDF4", "ngsolve", "pandas", "pyarrow.parquet", "scipy.optimize",
@@ -251,7 +253,9 @@ def preload() -> None:
 
 def announced(text: str) -> bool:
     """Whether a run said that it is a large one before it took its time."""
-    return any(int(number) > LARGE[what] for number, what in ANNOUNCED.findall(text))
+    return any(words in text for words in ANNOUNCED_TIME) or any(
+        int(number) > LARGE[what] for number, what in ANNOUNCED.findall(text)
+    )
 
 
 def by_shape(answers: Iterable[Answer]) -> dict[str, list[Answer]]:

@@ -227,7 +227,7 @@ JOBS = {
     "damaged or malicious cases": Job("refused by name", "refusing", (), of_refused),
     "killed runs": Job(
         "result complete, the same run again succeeds", "killed_runs",
-        ("--n", "20", "--second", "4", "--seed", SEED), of_kills,
+        ("--of", "run", "--n", "20", "--second", "4", "--seed", SEED), of_kills,
     ),
 }  # fmt: skip
 

@@ -149,8 +149,9 @@ def _set(name: str, place: Place, value: Any) -> Change:
     what = f"{_words(place)} = {text[:60]}" + (f"... ({len(text)})" if len(text) > 60 else "")
 
     def change(tables: dict[str, Any]) -> dict[str, Any]:
-        if isinstance(holder := _at(tables, place[:-1]), dict | list):
-            holder[place[-1]] = value  # type: ignore[call-overload]
+        holder, key = _at(tables, place[:-1]), place[-1]
+        if isinstance(holder, dict) or (isinstance(holder, list) and key in range(len(holder))):
+            holder[key] = value
         return tables
 
     return in_file(what, name, change, dict)

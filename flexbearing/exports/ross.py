@@ -117,6 +117,7 @@ def read(path: Path) -> Bearing:
     """
     try:
         heads, *rows = csv.reader(StringIO(inputs.text(path, TABLE), newline=""), strict=True)
+        inputs.require_different(heads)
     except inputs.Unreadable as problem:
         raise BadResult(f"{path}: is no table of a study: {problem}.") from problem
     except (ValueError, csv.Error) as problem:

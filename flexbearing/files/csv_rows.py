@@ -2,6 +2,7 @@
 
 import csv
 from collections.abc import Iterable
+from functools import lru_cache
 from io import StringIO
 from math import isnan
 from typing import Any
@@ -25,6 +26,11 @@ def as_csv(rows: Iterable[Iterable[Any]]) -> str:
 
 
 def _cell(value: Any) -> Any:
-    if isinstance(value, str):
-        return f"'{printable(value)}" if value.startswith(_FORMULA) else printable(value)
-    return "" if isinstance(value, float) and isnan(value) else value
+    if isinstance(value, float):
+        return "" if isnan(value) else value
+    return _text(value) if isinstance(value, str) else value
+
+
+@lru_cache(maxsize=1024)  # the same few texts in the rows of a study
+def _text(text: str) -> str:
+    return f"'{printable(text)}" if text.startswith(_FORMULA) else printable(text)

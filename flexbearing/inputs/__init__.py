@@ -16,6 +16,7 @@ from flexbearing.inputs.file import (
     stamp,
     text,
 )
+from flexbearing.inputs.headings import require_different
 from flexbearing.inputs.number import BadNumber, number, whole
 
 __all__ = [
@@ -28,6 +29,7 @@ __all__ = [
     "lines",
     "number",
     "opened",
+    "require_different",
     "size",
     "stamp",
     "text",

@@ -41,7 +41,7 @@ from flexbearing.optimise.search import (
 )
 from flexbearing.optimise.variables import settings as of_point
 from flexbearing.optimise.worker import SlopeWish, slope_name, slope_rows
-from flexbearing.program.threads import cores, limited_to
+from flexbearing.program.threads import cores, limited_to, processes
 from flexbearing.studies.engine import Engine
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.prepare import settle
@@ -103,15 +103,15 @@ def optimise(
     table, case, path = require_outputs(places, inputs)
     require_unedited(case)
     meshed = varied_rings(problem)
-    processes = jobs or (cores() if meshed else 1)
+    count = processes(jobs) if jobs else (cores() if meshed else 1)
     if meshed and not problem.surrogate:  # noise of meshes is all that nearer designs differ by
         rounded = tuple(replace(each, digits=MESHED_DIGITS) for each in problem.variables)
         problem = replace(problem, variables=rounded)
-    workers = replace((work or _bearings)(problem, folder), processes=processes)
+    workers = replace((work or _bearings)(problem, folder), processes=count)
     with (
-        limited_to(processes),
+        limited_to(count),
         journal.opened(path, _names(problem)) as kept,
-        _engine(processes, base) as engine,
+        _engine(count, base) as engine,
     ):
         start = partial(guarded, engine, kept, journal.begun(path))
         evaluations = Evaluations(problem, workers, start, kept, journal.read(path))
@@ -191,12 +191,12 @@ def _bearings(problem: Problem, folder: Path) -> Workers:
 
 
 @contextmanager
-def _engine(processes: int, base: Prepared) -> Iterator[Callable[[int], Engine]]:
+def _engine(count: int, base: Prepared) -> Iterator[Callable[[int], Engine]]:
     """What gives the engine of each batch of designs: worker processes stay from one to the next."""
-    if processes == 1:
+    if count == 1:
         yield lambda tasks: Serial()
         return
-    engine = Where(processes).engine(base.plan)(processes)
+    engine = Where(count).engine(base.plan)(count)
     close, engine.close = engine.close, lambda: None
     try:
         yield lambda tasks: engine

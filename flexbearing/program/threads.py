@@ -6,6 +6,7 @@ processes share them. NGSolve takes those of its process for whole solids, one f
 algebra of NumPy has one thread: the matrices of a bearing are small, and threads would wait for each other.
 """
 
+import logging
 import os
 import sys
 from collections.abc import Iterator
@@ -20,6 +21,7 @@ from flexbearing.case.excerpt import excerpt
 VARIABLES = "SLURM_CPUS_PER_TASK", "FLEXBEARING_THREADS"  # of the environment, the first that is set counts
 MOST = 4096  # cores of a machine
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+log = logging.getLogger(__name__)
 
 
 class BadCount(BadCase):
@@ -50,6 +52,13 @@ def cores() -> int:
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
+
+
+def processes(jobs: int) -> int:
+    """Processes that compute for `--jobs`: with more than one on a core a warning says how many there are."""
+    if jobs > (most := cores()):
+        log.warning("--jobs %d: only %d compute, one on each core that this program may use", jobs, most)
+    return min(jobs, most)
 
 
 @contextmanager

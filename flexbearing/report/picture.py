@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from io import BytesIO
 from textwrap import fill
@@ -64,6 +66,14 @@ def titled(title: str, width: int) -> str:
     return fill(printable(title), width, max_lines=LINES, placeholder=" ...")
 
 
+@contextmanager
+def boxes_for_glyphs() -> Iterator[None]:
+    """Let characters that a font lacks be empty boxes, without a warning."""
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "Glyph .* missing from", UserWarning)
+        yield
+
+
 def picture_bytes(figure: Figure, form: Format = PNG, dpi: int = 150) -> bytes:
     """Draw a figure; characters that its font lacks become empty boxes.
 
@@ -85,8 +95,7 @@ def picture_bytes(figure: Figure, form: Format = PNG, dpi: int = 150) -> bytes:
 
     page = None if form.titles else _without_heading(figure)
     file = BytesIO()
-    with warnings.catch_warnings(), rc_context({"svg.hashsalt": "flexbearing"}):
-        warnings.filterwarnings("ignore", "Glyph .* missing from", UserWarning)
+    with boxes_for_glyphs(), rc_context({"svg.hashsalt": "flexbearing"}):
         metadata = _UNDATED[form.name]
         figure.savefig(file, format=form.name, dpi=dpi, metadata=metadata, bbox_inches=page)
     return file.getvalue()

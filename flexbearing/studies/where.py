@@ -9,7 +9,7 @@ from pathlib import Path
 from flexbearing.case import BadCase
 from flexbearing.case.excerpt import excerpt
 from flexbearing.program.processes import Processes
-from flexbearing.program.threads import cores
+from flexbearing.program.threads import cores, processes
 from flexbearing.studies.engine import Engine
 from flexbearing.studies.engine.certificates import OPTIONS, Certificates, certificates
 from flexbearing.studies.engine.on_dask import NoConnection, connected
@@ -71,8 +71,8 @@ class Where:
         return partial(_queued, self.slurm, profile(self.slurm), found)
 
     def _here(self, tasks: int, plan: Plan) -> Engine:
-        most = self.jobs or (cores() if expected(plan) > WORTH_WORKERS else 1)
-        jobs = min(tasks, most)
+        worth = cores() if expected(plan) > WORTH_WORKERS else 1
+        jobs = min(tasks, processes(self.jobs) if self.jobs else worth)
         return Serial() if jobs == 1 else Processes(jobs)
 
 

@@ -15,6 +15,7 @@ from flexbearing import api
 from flexbearing.__main__ import command
 from flexbearing.case import BadCase
 from flexbearing.case.declarations import by_path
+from flexbearing.report.picture import picture_bytes
 from flexbearing.units import unit
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -320,6 +321,19 @@ def test_every_shipped_case_is_drawn_without_a_warning(case):
         sheets = api.drawings(api.read_case(case))
     assert sheets[0].name == "section"
     assert all(sheet.caption and sheet.alternative for sheet in sheets)
+
+
+@pytest.mark.parametrize("name", ["\x1b[31mred.step", "\u5916\u5708.step"], ids=["escape", "other glyphs"])
+def test_a_name_that_no_font_draws_is_no_warning(name):
+    case = api.read_case(CONFIGS / "step_ring.toml")
+    case = case.model_copy(update={"outer": case.outer.model_copy(update={"file": name})})
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        section = api.drawings(case)[0].figure
+        picture_bytes(section)
+    texts = [text.get_text() for text in section.axes[0].texts]
+    assert any(name.removeprefix("\x1b") in text for text in texts)
+    assert not any("\x1b" in text for text in texts)
 
 
 def test_no_extension_line_crosses_the_text_of_a_length():

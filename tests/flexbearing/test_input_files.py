@@ -168,6 +168,39 @@ def test_a_packed_table_is_refused_before_it_is_unpacked(tmp_path):
         table_text(tmp_path / "none.parquet")
 
 
+def packed(place):
+    from pyarrow import csv
+
+    place.write_bytes(sealed(csv.read_csv(place.with_suffix(".csv"))))
+
+
+TABLES = {
+    "variants": "operation.radial_load [N],operation.radial_load [kN]\n",
+    "duty cycle": "time [%],operation.radial_load [N],time [%]\n",
+    "table": "life [h],status,message,seconds,life [h]\n",
+    "table in Parquet": "life [h],status,message,seconds,life [h]\n",
+    "table for ROSS": "operation.inner_speed [rpm],status,status\n",
+    "scatter": "output,unit,output\n",
+}
+
+
+@pytest.mark.parametrize("kind", TABLES)
+def test_a_column_twice_is_refused_before_its_cells_are_read(kind, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    row = ",".join(["=nothing that any column can hold"] * (TABLES[kind].count(",") + 1))
+    (tmp_path / "t.csv").write_text(f"{TABLES[kind]}{row}\n")
+    if kind == "scatter":
+        for part in ("percentiles", "shares", "histogram"):
+            (tmp_path / f"t_{part}.csv").write_text(f"{TABLES[kind]}{row}\n")
+        (tmp_path / "t.csv").write_text("status,message,seconds\nconverged,,1\n")
+    suffix, words = READERS[kind if kind != "scatter" else "table"]
+    place = tmp_path / f"t{suffix}"
+    if suffix == ".parquet":
+        packed(place)
+    assert command(words(place)) == 2
+    assert "several columns '" in capsys.readouterr().err
+
+
 def test_text_with_control_characters_is_no_table(tmp_path):
     (tmp_path / "v.csv").write_bytes(b"operation.radial_load [N]\n1\x1b[31m\n")
     with pytest.raises(ValueError, match=r"v.csv\": is no text: it has a control character, '.x1b' at 27"):

@@ -8,6 +8,7 @@ from math import isnan
 import pytest
 
 from flexbearing.files import BadOutput, NotStored
+from flexbearing.pages.make import report
 from flexbearing.studies.engine import Done, finished
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan.task import NOT_STORED
@@ -117,6 +118,10 @@ def test_what_an_interruption_finished_stays_and_is_told(tmp_path):
     assert [row[3] for row in read_csv(tmp_path / "toy.csv")[1:]] == (
         ["iteration limit"] + ["converged"] * 5 + ["not computed"] * 4
     )
+    for form in ("csv", "parquet"):
+        (page,) = report(tmp_path / f"toy.{form}")
+        assert "The table is partial: 4 are not computed" in page.read_text("utf-8")
+        assert "row 1: iteration limit" in page.read_text("utf-8")  # of those without an answer, alone
     work, loads = counting()
     table = computed(settled, tmp_path, work)
     assert sorted(loads) == [7.0, 8.0, 9.0, 10.0]

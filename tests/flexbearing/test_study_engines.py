@@ -12,6 +12,7 @@ import pytest
 
 from flexbearing.case import BadCase
 from flexbearing.program.processes import Processes
+from flexbearing.program.threads import limited_to
 from flexbearing.studies.engine import Done, completed
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan import Ring
@@ -37,6 +38,13 @@ def test_one_job_and_short_studies_start_no_process(tmp_path):
     for where in (Where(jobs=1), Where()):
         assert isinstance(where.engine(plan)(10), Serial)
     assert isinstance(Where(jobs=4).engine(plan)(1), Serial)
+
+
+def test_a_million_jobs_are_a_process_on_each_core(tmp_path, monkeypatch, caplog):
+    monkeypatch.setenv("SLURM_CPUS_PER_TASK", "3")
+    with limited_to(1_000_000):
+        assert Where(jobs=1_000_000).engine(toy(tmp_path).plan)(5000).workers == 3
+    assert caplog.messages == ["--jobs 1000000: only 3 compute, one on each core that this program may use"]
 
 
 @pytest.mark.parametrize(

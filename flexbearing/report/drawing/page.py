@@ -8,6 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.printable import printable
+from flexbearing.report.picture import boxes_for_glyphs
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
@@ -84,7 +87,7 @@ class Page:
         given = {"fontsize": TEXT, "ha": "center", "va": "center", "parse_math": False, "zorder": 9}
         x, y = np.asarray(place)
         paper = {"fc": "white", "ec": "none", "pad": 0.4}
-        self.axes.text(x, y, text, **(given | {"bbox": paper} | style))
+        self.axes.text(x, y, printable(text), **(given | {"bbox": paper} | style))
 
     def cross(self, foot: NDArray) -> None:
         """Arrows along x and r."""
@@ -116,5 +119,6 @@ def width_of(text: str) -> float:
 
     font = get_font(findfont("DejaVu Sans"))
     font.set_size(TEXT, 72)
-    font.set_text(text)
+    with boxes_for_glyphs():
+        font.set_text(printable(text))
     return font.get_width_height()[0] / 64 * POINT  # in 64ths of a point

@@ -91,15 +91,28 @@ def _require_size(metadata: Any) -> None:
 
 def _text(opened: Any) -> str:
     """Rows as CSV; texts are unpacked last, as one may stand in a million cells."""
+    inputs.require_different(opened.schema_arrow.names)
     file = StringIO(newline="")
     file.write(as_csv([opened.schema_arrow.names]))
     for batch in opened.iter_batches(AT_ONCE):
         if max(map(_longest_text, batch.columns), default=0) > LONGEST:
             raise inputs.Unreadable(f"has a text of more than {LONGEST} bytes")
-        file.write(as_csv(zip(*(column.to_pylist() for column in batch.columns), strict=True)))
+        file.write(as_csv(zip(*map(_cells, batch.columns), strict=True)))
         if file.tell() > TABLE:
             raise inputs.Unreadable(f"is larger than {inputs.size(TABLE)} unpacked")
     return file.getvalue()
+
+
+def _cells(column: Any) -> list[Any]:
+    """Cells of a column, most of which are numbers, or the same few texts."""
+    import pyarrow
+
+    if pyarrow.types.is_floating(column.type):
+        return column.to_numpy(zero_copy_only=False).tolist()  # NaN where there is none
+    if pyarrow.types.is_dictionary(column.type):
+        texts = [*column.dictionary.to_pylist(), None]
+        return [texts[place] for place in column.indices.fill_null(-1).to_numpy().tolist()]
+    return column.to_pylist()
 
 
 def _longest_text(column: Any) -> int:

@@ -79,7 +79,9 @@ def read_scatter(place: Path) -> ScatterTables | None:
 def _read(file: Path, names: set[str]) -> list[Row]:
     """Rows of one of the tables; none of one that only says that nothing scatters."""
     try:
-        rows = [*csv.DictReader(StringIO(table_text(file)), strict=True)]
+        reader = csv.DictReader(StringIO(table_text(file)), strict=True)
+        inputs.require_different(reader.fieldnames or ())
+        rows = [*reader]
         if any(set(row) != names for row in rows):
             raise BadResult(f"{file}: has other columns than a table of a sampled study.")
         return [{name: _cell(name, cell) for name, cell in row.items()} for row in rows]

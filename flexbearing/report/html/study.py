@@ -9,7 +9,7 @@ from flexbearing.printable import printable
 from flexbearing.report.html.document import Block, Cell, Document, Figure, Items, Section, Table, Words
 from flexbearing.report.html.figures import COLOURS
 from flexbearing.report.html.scatter import ScatterTables, scatter_blocks
-from flexbearing.report.html.table import StudyColumn, StudyTable
+from flexbearing.report.html.table import NOT_COMPUTED, StudyColumn, StudyTable
 from flexbearing.report.html.units import METRIC, NOTHING, Units, converted, printed, with_unit
 
 LINES = 12  # of a figure at most; more are points
@@ -38,13 +38,13 @@ def of_study(
     units : Units
         of all numbers but those in the titles of rows and in messages
     scatter : ScatterTables, optional
-        of a sampled study
+        of a sampled study; left out where rows are still to come, as it is that of former ones
 
     Returns
     -------
     Document
     """
-    shown = table.first(MOST_ROWS)
+    shown, scatter = table.first(MOST_ROWS), None if table.to_come else scatter
     sections = [
         ("verdict", "Verdict", tuple(_verdict(table))),
         ("duty", "Life under the duty cycle", tuple(_cycles(cycles, units)) if cycles else ()),
@@ -79,13 +79,20 @@ def _verdict(table: StudyTable) -> Iterator[Block]:
         for status, message in zip(columns["status"], columns["message"], strict=True)
     ]
     failed = [
-        (row, f"{status}: {message}") for row, (status, message) in enumerate(ends, 1) if status != CONVERGED
+        (row, f"{status}: {message}")
+        for row, (status, message) in enumerate(ends, 1)
+        if status not in (CONVERGED, NOT_COMPUTED)
     ]
     noted = [
         (row, message) for row, (status, message) in enumerate(ends, 1) if message and status == CONVERGED
     ]
-    words = f"{len(table) - len(failed)} of {len(table)} variants converged."
-    yield Words((words,), "danger" if failed else "good")
+    words = f"{len(table) - len(failed) - table.to_come} of {len(table)} variants converged."
+    partial = (
+        f"The table is partial: {table.to_come} are not computed; the same study started again adds them."
+    )
+    yield Words(
+        (words, *([partial] if table.to_come else [])), "danger" if failed or table.to_come else "good"
+    )
     for title, rows in (("Rows without an answer", failed), ("Noted", noted)):
         if rows:
             yield Items(title, tuple(_by_message(rows)), "danger")

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from io import StringIO
+from itertools import islice
 from math import nan
 from pathlib import Path
 
@@ -17,7 +18,11 @@ from flexbearing.results import BadResult
 
 PARQUET = ".parquet"
 ENDS = ("status", "message", "seconds")
+NOT_COMPUTED = (
+    "not computed"  # status of a variant that is still to come, in the table of an interrupted study
+)
 SHARES = ("time_share", "revolution_share")  # of a duty cycle, no outputs
+AT_ONCE = 10_000  # rows
 _HEADING = re.compile(r"(?P<name>.*?)(?: \[(?P<unit>[^]]*)\])?")
 
 
@@ -40,12 +45,12 @@ class StudyColumn:
             return None
         return found if any(self.texts) else None
 
-    @property
+    @cached_property
     def listed(self) -> bool:
         """Whether its cells are lists, such as the diameters of all rollers."""
         return any(text.startswith("[") for text in self.texts)
 
-    @property
+    @cached_property
     def distinct(self) -> list[str]:
         """Different cells, in their order."""
         return list(dict.fromkeys(self.texts))
@@ -66,6 +71,11 @@ class StudyTable:
 
     def __len__(self) -> int:
         return len(self.columns[0].texts)
+
+    @cached_property
+    def to_come(self) -> int:
+        """Variants that are not computed yet."""
+        return next(column.texts.count(NOT_COMPUTED) for column in self.columns if column.name == ENDS[0])
 
     def first(self, rows: int) -> "StudyTable":
         """The first rows of it, or all."""
@@ -115,14 +125,17 @@ def read_table(place: Path, families: Families) -> StudyTable:
     """
     try:
         text = table_text(place)
-        head, *rows = list(csv.reader(StringIO(text, newline=""), strict=True))
+        lines = csv.reader(StringIO(text, newline=""), strict=True)
+        head = next(lines)
+        inputs.require_different(head)
+        cells = _cells(lines, len(head))
     except inputs.Unreadable as problem:
         raise BadResult(f"{place}: {problem}.") from problem
-    except (ValueError, csv.Error) as problem:
+    except (ValueError, StopIteration, csv.Error) as problem:
         raise BadResult(f"{place}: is no table of a study: {problem}.") from problem
-    if not rows or any(len(row) != len(head) for row in rows) or not set(ENDS) <= set(head):
+    if not any(cells) or not set(ENDS) <= set(head):
         raise BadResult(f"{place}: is no table of a study: it has no rows with {', '.join(ENDS)}.")
-    return StudyTable(place, text, tuple(_columns(head, rows, families)))
+    return StudyTable(place, text, tuple(_columns(head, cells, families)))
 
 
 def table_text(place: Path) -> str:
@@ -140,14 +153,24 @@ def table_text(place: Path) -> str:
     return csv_text(place)
 
 
-def _columns(head: list[str], rows: list[list[str]], families: Families) -> Iterator[StudyColumn]:
+def _cells(lines: Iterator[list[str]], count: int) -> list[list[str]]:
+    """Cells column by column; some rows at once, whose equal cells are one text in memory."""
+    columns: list[list[str]] = [[] for _ in range(count)]
+    while some := [*islice(lines, AT_ONCE)]:
+        texts: dict[str, str] = {}
+        for column, cells in zip(columns, zip(*some, strict=True), strict=True):
+            column += (texts.setdefault(cell, cell) for cell in cells)
+    return columns
+
+
+def _columns(head: list[str], cells: list[list[str]], families: Families) -> Iterator[StudyColumn]:
     """Columns with their units; varied keys come first."""
     varied = True
-    for number, heading in enumerate(head):
+    for heading, texts in zip(head, cells, strict=True):
         parts = _HEADING.fullmatch(heading)
         name, unit = (parts["name"], parts["unit"] or "") if parts else (heading, "")
         varied = varied and _is_key(name, families)
-        yield StudyColumn(heading, name, unit, tuple(row[number] for row in rows), varied)
+        yield StudyColumn(heading, name, unit, tuple(texts), varied)
 
 
 def _is_key(name: str, families: Families) -> bool:

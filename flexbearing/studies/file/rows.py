@@ -55,6 +55,7 @@ def _rows(text: str, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], 
     if not 0 < len(table) <= MOST:
         raise BadValues(f"has {len(table)} rows below its header; a study has 1 to {MOST} variants")
     columns = [_heading(cell) for cell in header]
+    inputs.require_different([key for key, _ in columns])
     for place, (key, unit) in enumerate(columns, 1):
         if not has_unit(key) and unit:
             raise BadValues(f"column {place}: {key} has no unit, found [{excerpt(unit)}]")

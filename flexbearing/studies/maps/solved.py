@@ -1,5 +1,6 @@
 """A map that is computed: every state of every point, with its outputs."""
 
+import logging
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -22,11 +23,13 @@ from flexbearing.studies.maps.grid import MapGrid, grid
 from quasidynamic.maps import GridPoints, MapFolds, SolvedGrid, folds, solve
 from quasidynamic.outcome.bearing_states import BearingStates
 
+ENOUGH = 64  # points for which worker processes are started at once, three seconds of a processor for two
 AT_ONCE = 128  # states whose matrices fit into the processor's cache
 OUTPUTS = (
     "cage_slip [%]", "max_roller_load [N]", "life_L10 [h]", "peak_pressure.inner [MPa]", "static_safety",
     "minimum_lambda.inner", "minimum_film.inner [um]", "driving_torque [N m]",
 )  # fmt: skip
+log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
@@ -97,10 +100,16 @@ def solved_map(first: Case, axes: Sequence[MapAxis], texts: Sequence[str], repor
         where a ring has no trustworthy answer
     """
     _require_outputs(texts)
-    with linear_algebra_alone(), shared_map(ahead=__name__) as mapped:
+    ahead = __name__ if prod(len(axis.values) for axis in axes) >= ENOUGH else None
+    with linear_algebra_alone(), shared_map(ahead) as mapped:
         whole = grid(first, axes, Logged())  # its rings tell of every point
         solved = solve(whole.points, mapped, lambda stage: report.stage(stage, None))
         report.stage("folds", None)
+        if len(axes) > 1 and (ends := len(solved.ends[0])):
+            log.warning(
+                "%d ends of stable states: the curves of folds through them are followed, up to 20 s each",
+                ends,
+            )
         ended = folds(solved)
         report.stage("outputs", None)
         outputs = _outputs(whole, solved, texts, mapped)
