@@ -377,7 +377,13 @@ class HarmonicCompliance:
         return (absolute + absolute.transpose(2, 3, 0, 1)) / 2
 
     def require_enough(self) -> None:
-        """Raise TooFewHarmonics where too much of the own compliance is extrapolated."""
+        """Refuse a compliance of which too much is extrapolated.
+
+        Raises
+        ------
+        TooFewHarmonics
+            if more than `TRUNCATED` of the own terms comes from beyond the last harmonic
+        """
         if not self.truncation <= TRUNCATED:
             raise TooFewHarmonics(
                 f"{self.truncation:.2g} of the own compliance lies beyond harmonic {self.harmonics[-1]}, "
