@@ -5,7 +5,18 @@ from math import pi
 
 from flexbearing.catalogue.ball_set import USUAL_CONFORMITY, BallSet
 from flexbearing.catalogue.life_lines import life, oil
-from flexbearing.catalogue.lines import CHOSEN, RATED, THUMB, Line, Other, assumed, mm, usual_number
+from flexbearing.catalogue.lines import (
+    CHOSEN,
+    HALF_OR_TWICE,
+    RATED,
+    THUMB,
+    Line,
+    Other,
+    assumed,
+    entry,
+    mm,
+    usual_number,
+)
 from flexbearing.catalogue.mounting_lines import mounting, surroundings
 from flexbearing.catalogue.page import Page
 
@@ -83,7 +94,7 @@ def _balls(page: Page, balls: BallSet) -> Iterator[Line]:
 
 def _contact_angle(page: Page) -> Iterator[Line]:
     if "angle" in page:
-        yield Line("bearing.contact_angle", page["angle"].text)
+        yield entry(page, "angle", "bearing.contact_angle", shares=(0.625, 0.75))
     elif page.like == "four_point_ball":
         why = "usual of four-point bearings"
         yield assumed("bearing.contact_angle", "35 deg", why, "30 deg", "40 deg")
@@ -99,11 +110,11 @@ def _material(page: Page) -> Iterator[Line]:
 def _load(page: Page) -> Iterator[Line]:
     for key, name in (("axial", "axial"), ("radial_z", "load")):
         if name in page:
-            yield Line(f"operation.load.{key}", page[name].text, CHOSEN)
+            yield entry(page, name, f"operation.load.{key}", CHOSEN, HALF_OR_TWICE)
 
 
 def _fast(page: Page) -> Iterator[Line]:
-    yield Line("operation.inner_speed", page["speed"].text, CHOSEN)
+    yield entry(page, "speed", "operation.inner_speed", CHOSEN, HALF_OR_TWICE)
     yield assumed("operation.control", "outer", "usual of fast bearings", "coulomb")
 
 
@@ -116,5 +127,6 @@ def _held() -> Iterator[Line]:
 
 
 def _slow(page: Page) -> Iterator[Line]:
-    yield Line("operation.speed", page["speed"].text, "torque does not depend on it, power is in proportion")
+    why = "torque does not depend on it, power is in proportion"
+    yield entry(page, "speed", "operation.speed", why, HALF_OR_TWICE)
     yield assumed("bearing.clearance", "0 um", f"{THUMB}, along a diagonal", "-5 um", "20 um")

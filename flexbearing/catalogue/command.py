@@ -1,12 +1,13 @@
 """The command `new`; what it does not need is not loaded."""
 
 import sys
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
-from flexbearing.catalogue.entries import ENTRIES, LIKES
+from flexbearing.catalogue.entries import ENTRIES, LIKES, MODELS
 from flexbearing.printable import printable
 
 
@@ -19,7 +20,14 @@ def _option(name: str) -> Any:
 
 def new(  # noqa: PLR0913  # an argument for each option
     context: typer.Context,
-    file: Annotated[Path, typer.Argument(help="case file to write (TOML)", metavar="FILE")],
+    file: Annotated[
+        Path,
+        typer.Argument(
+            help="case file to write (TOML), or the model"
+            " of a gearbox (REXS), whose cases are written to the folder of work",
+            metavar="FILE",
+        ),
+    ],
     like: Annotated[
         str, typer.Option("--like", metavar="KIND", help=" or ".join(LIKES))
     ] = "cylindrical_roller",
@@ -51,11 +59,14 @@ def new(  # noqa: PLR0913  # an argument for each option
         typer.Option(
             "--from-rexs",
             metavar="MODEL.rexs",
-            help="take what is not given from a model of a gearbox program",
+            help="take what is not given from a model of a gearbox program; a case for each of its bearings",
         ),
     ] = None,
     rexs_bearing: Annotated[
-        str | None, typer.Option("--rexs-bearing", metavar="ID", help="component of it, where it has several")
+        str | None,
+        typer.Option(
+            "--rexs-bearing", metavar="ID", help="component of it, where only one of several is wanted"
+        ),
     ] = None,
     title: Annotated[str, typer.Option("--title", help="what the case is, for people")] = "",
     source: Annotated[str, typer.Option("--source", help="where the numbers come from")] = "",
@@ -71,33 +82,53 @@ def new(  # noqa: PLR0913  # an argument for each option
 
     Numbers have units, such as --bore "50 mm" or --load "5 kN". On a terminal, what is missing is asked for.
     """
-    from flexbearing.catalogue.new import new as write
-
-    options: dict[str, str | None] = {
-        name: context.params[entry.option.strip("-").replace("-", "_")] for name, entry in ENTRIES.items()
+    options = {
+        name: text
+        for name, entry in ENTRIES.items()
+        if (text := context.params[entry.option.strip("-").replace("-", "_")])
     }
-    if from_rexs:
-        from flexbearing.catalogue.rexs import options as of_model
-        from flexbearing.files import require_outputs
-        from flexbearing.runs.run_case import usual_output
-
-        require_outputs([file, *([usual_output(file)] if run else [])], [from_rexs])
-        like, found = of_model(from_rexs, rexs_bearing)
-        options = {**found, **{name: text for name, text in options.items() if text}}
-        source = source or f"REXS, {from_rexs.name}"
-    if sys.stdin.isatty() and sys.stdout.isatty():
-        from flexbearing.catalogue.questions import answers
-
-        options |= answers(like, {name: text for name, text in options.items() if text})
 
     def tell(words: str) -> None:
         sys.stderr.write(printable(f"{words}\n"))
 
-    ratings = write(file, like, options, title=title, source=source, force=force, tell=tell)
-    sys.stdout.write(printable(f"case: {file}\n{ratings}"))
-    for wanted, name in ((life, "life"), (run, "run")):
-        if wanted:
-            _go_on(context, name, file)
+    about = {"title": title, "source": source, "force": force}
+    if from_rexs or file.name.lower().endswith(MODELS):
+        written = _of_model(file, from_rexs, rexs_bearing, run, {"given": options, **about}, tell)
+    else:
+        written = _of_page(file, like, options, about, tell)
+    for case, ratings in written:
+        sys.stdout.write(printable(f"case: {case}\n{ratings}"))
+        for wanted, name in ((life, "life"), (run, "run")):
+            if wanted:
+                _go_on(context, name, case)
+
+
+def _of_page(
+    file: Path, like: str, options: dict[str, str], about: dict[str, Any], tell: Callable[[str], None]
+) -> Iterator[tuple[Path, str]]:
+    """The case of a page, with questions for what it lacks."""
+    from flexbearing.catalogue.new import new as write
+
+    if sys.stdin.isatty() and sys.stdout.isatty():
+        from flexbearing.catalogue.questions import answers
+
+        options = options | answers(like, options)
+    yield file, write(file, like, options, tell=tell, **about)
+
+
+def _of_model(
+    file: Path, model: Path | None, number: str | None, run: bool, about: dict[str, Any],
+    tell: Callable[[str], None],
+) -> Iterator[tuple[Path, str]]:  # fmt: skip
+    """The cases of a model, which is the file itself where no other is given."""
+    from flexbearing.catalogue.rexs import Order, case_file, cases
+    from flexbearing.files import require_outputs
+    from flexbearing.runs.run_case import usual_output
+
+    if model is None:
+        file, model = case_file(file), file
+    require_outputs([file, *([usual_output(file)] if run else [])], [model])
+    yield from cases(file, Order(model, number, **about), tell)
 
 
 def _go_on(context: typer.Context, name: str, file: Path) -> None:

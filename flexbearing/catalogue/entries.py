@@ -6,6 +6,8 @@ Only words stand here: the command line shows them without loading the model of 
 from collections.abc import Collection
 from dataclasses import dataclass
 
+MODELS = (".rexs", ".rexsj", ".rexsz", ".rexs.xml", ".rexs.json", ".rexs.zip")  # endings of gearbox models
+
 
 @dataclass(frozen=True)
 class Entry:

@@ -8,12 +8,14 @@ from textwrap import wrap
 from flexbearing.case.declarations import by_path, toml
 from flexbearing.case.quantity import Section
 from flexbearing.catalogue.element_set import ElementSet, span
+from flexbearing.catalogue.page import Page
 
 WIDTH = 110  # characters of a line
 COLUMN = 40  # where short comments begin
 THUMB = "rule of thumb"
 RATED = "C_0 of the maker by ISO 76"
 CHOSEN = "chosen, no catalogue has it"  # load, speed, fits, oil
+HALF_OR_TWICE = (0.5, 2.0)
 GLUE = "\0"  # stands for a space at which no line ends
 
 
@@ -43,6 +45,16 @@ def assumed(key: str, value: str | float | bool, why: str, *others: str | float)
     """A line whose value nothing gives, and what it might be instead."""
     return Line(
         key, value, why, assumed=True, others=tuple(Other(toml(other), {key: other}) for other in others)
+    )
+
+
+def entry(page: Page, name: str, key: str, why: str = "", shares: tuple[float, ...] = ()) -> Line:
+    """The line of an entry; where it is assumed, marked, with shares of it that it might be instead."""
+    given = page[name]
+    if name not in page.assumed:
+        return Line(key, given.text, why)
+    return assumed(
+        key, given.text, page.assumed[name], *(given.with_unit_of_this(share * given.si) for share in shares)
     )
 
 

@@ -32,6 +32,7 @@ def new(  # noqa: PLR0913  # an argument for each option
     source: str = "",
     force: bool = False,
     tell: Tell = lambda words: None,
+    assumed: Mapping[str, str] | None = None,
 ) -> str:
     """Write a case from the page of a catalogue.
 
@@ -51,6 +52,8 @@ def new(  # noqa: PLR0913  # an argument for each option
         whether a file of this name is replaced
     tell : callable (words), optional
         hears how often the case is computed, before it is
+    assumed : mapping, optional
+        entries among the options that nobody gave, each with the reason for its value
 
     Returns
     -------
@@ -66,7 +69,7 @@ def new(  # noqa: PLR0913  # an argument for each option
     NotStored
         if it could not be written, as on a full disk
     """
-    wanted = pages.read(like, options)
+    wanted = pages.read(like, options, assumed)
     place = require_output(file)
     if place.exists() and not force:
         raise BadOutput(f"{file}: is there already; --force replaces it.")

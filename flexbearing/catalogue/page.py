@@ -1,7 +1,7 @@
 """The entries of a page, read: numbers with their units, names of the lists of the case."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 from math import pi
 from typing import Any, get_args
@@ -38,6 +38,7 @@ class Page:
 
     like: str
     values: Mapping[str, Value]
+    assumed: Mapping[str, str] = field(default_factory=dict)  # entries that nobody gave, and why they are so
 
     def __contains__(self, name: str) -> bool:
         return name in self.values
@@ -50,7 +51,7 @@ class Page:
         return f"{ENTRIES[name].option} {self.values[name].text}"
 
 
-def read(like: str, options: Mapping[str, str | None]) -> Page:
+def read(like: str, options: Mapping[str, str | None], assumed: Mapping[str, str] | None = None) -> Page:
     """Read the entries of a page.
 
     Parameters
@@ -59,6 +60,8 @@ def read(like: str, options: Mapping[str, str | None]) -> Page:
         one of `LIKES`
     options : mapping
         name of an entry to its text; None or nothing where it is not given
+    assumed : mapping, optional
+        entries among them that nobody gave, each with the reason for its value
 
     Returns
     -------
@@ -90,7 +93,7 @@ def read(like: str, options: Mapping[str, str | None]) -> Page:
     problems += [f"{words}." for words in missing(wanted, given, like)]
     if problems:
         raise BadCase("\n".join(problems))
-    return Page(like, values)
+    return Page(like, values, assumed or {})
 
 
 def value(name: str, text: str, like: str) -> Value:

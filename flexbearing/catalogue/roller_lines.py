@@ -3,7 +3,19 @@
 from collections.abc import Iterator
 
 from flexbearing.catalogue.life_lines import life, oil
-from flexbearing.catalogue.lines import CHOSEN, RATED, THUMB, Line, Other, assumed, mm, um, usual_number
+from flexbearing.catalogue.lines import (
+    CHOSEN,
+    HALF_OR_TWICE,
+    RATED,
+    THUMB,
+    Line,
+    Other,
+    assumed,
+    entry,
+    mm,
+    um,
+    usual_number,
+)
 from flexbearing.catalogue.mounting_lines import mounting, surroundings
 from flexbearing.catalogue.page import Page
 from flexbearing.catalogue.roller_set import RollerSet
@@ -49,12 +61,14 @@ def _bearing(page: Page, rollers: RollerSet) -> Iterator[Line]:
     yield Line("bearing.kind", "cylindrical_roller")
     yield number
     if "outer_raceway" in page:
-        yield Line("bearing.outer_raceway_diameter", page["outer_raceway"].text, "E of the catalogue")
+        yield entry(
+            page, "outer_raceway", "bearing.outer_raceway_diameter", "E of the catalogue", (0.99, 1.01)
+        )
     else:
         yield Line("bearing.outer_raceway_diameter", f"{1e3 * rollers.outer_raceway:.9g} mm", "F + 2 D_w")
     yield Line("bearing.contact_law", "iso16281", "as the life, ISO/TS 16281")
     if "diameter" in page:
-        yield Line("bearing.roller.diameter", page["diameter"].text)
+        yield entry(page, "diameter", "bearing.roller.diameter", shares=(0.95, 1.05))
     else:
         yield Line("bearing.roller.diameter", f"{1e3 * rollers.diameter:.9g} mm", "(E - F)/2")
     yield length
@@ -145,8 +159,8 @@ def _reference_life() -> Iterator[Line]:
 
 
 def _operation(page: Page, cage: bool) -> Iterator[Line]:
-    yield Line("operation.radial_load", page["load"].text, CHOSEN)
-    yield Line("operation.inner_speed", page["speed"].text, CHOSEN)
+    yield entry(page, "load", "operation.radial_load", CHOSEN, HALF_OR_TWICE)
+    yield entry(page, "speed", "operation.inner_speed", CHOSEN, HALF_OR_TWICE)
     if cage:
         yield assumed("operation.tilt", "fixed", "a stiff shaft keeps the inner ring straight", "free")
     else:

@@ -4,6 +4,7 @@ Every file that a user, another program or another machine wrote is opened here.
 the rooms that know the format.
 """
 
+from flexbearing.inputs.archive import unpacked
 from flexbearing.inputs.file import (
     Stamp,
     Unreadable,
@@ -33,5 +34,6 @@ __all__ = [
     "size",
     "stamp",
     "text",
+    "unpacked",
     "whole",
 ]

@@ -1,0 +1,243 @@
+"""The bearings of a gearbox model as entries of a catalogue page, and what of them has no place there."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from flexbearing.case import BadCase
+from flexbearing.case.excerpt import excerpt
+from flexbearing.catalogue.entries import ENTRIES, LIKES
+from flexbearing.catalogue.page import names
+from flexbearing.catalogue.rexs.operation import CASING, Point, heaviest, points
+from flexbearing.catalogue.rexs.parts import Model, Part
+
+KINDS = ("rolling_bearing_with_detailed_geometry", "rolling_bearing_with_catalog_geometry")
+OTHERS = ("concept_bearing", "slide_bearing", "hydrodynamic_radial_plain_bearing")  # without rollers or balls
+ROW, ELEMENT, RING = "rolling_bearing_row", "rolling_element", "bearing_ring"
+LIKE = {  # kinds of bearing that a case can be written for
+    "radial_roller_bearing": "cylindrical_roller",
+    "radial_cylindrical_roller_bearing": "cylindrical_roller",
+    "radial_grooved_ball_bearing": "deep_groove_ball",
+    "angular_contact_ball_bearing": "angular_contact_ball",
+    "four_point_contact_ball_bearing": "four_point_ball",
+}
+CLASSES = {"C0": "CN"}  # that have another name in cases
+# entry to unit in REXS, that of a case, and attributes: of the schemas from 1.1 on, of other programs, of 1.0
+OF_BEARING = {
+    "bore": ("mm", "mm", ("inner_diameter",)),
+    "outside": ("mm", "mm", ("outer_diameter",)),
+    "width": ("mm", "mm", ("width",)),
+    "dynamic_rating": (
+        "kN", "kN", ("radial_dynamic_load_rating", "dynamic_load_rating", "dynamic_capacity"),
+    ),
+    "static_rating": ("kN", "kN", ("radial_static_load_rating", "static_load_rating", "static_capacity")),
+    "fatigue_limit": ("kN", "kN", ("fatigue_limit_load",)),
+    "angle": ("deg", "deg", ("nominal_contact_angle",)),
+    "clearance": ("mum", "um", ("operating_radial_bearing_clearance", "radial_backlash")),
+}  # fmt: skip
+OF_ELEMENT = {
+    "diameter": ("mm", "mm", ("diameter_of_rolling_element",)),
+    "length": ("mm", "mm", ("length_of_rolling_element",)),
+}
+OF_ROW = {
+    "elements": ("none", "", ("number_of_rolling_elements",)),
+    "angle": ("deg", "deg", ("pressure_angle",)),
+}
+NAMED = {  # entry to attributes with a name of a list of the case
+    "clearance_class": ("radial_clearance_class", "clearance_class"),
+    "shaft": ("shaft_tolerance_class", "pin_tolerance_class"),
+    "housing": ("casing_bore_tolerance_class", "boring_tolerance_class"),
+}
+READ = {"bearing_type", "number_of_bearing_rows", "catalogue_designation", "name"}  # that are no entries
+PLACE = {  # of a bearing in its gearbox
+    "u_axis_vector", "w_axis_vector", "support_vector", "reference_component_for_position",
+    "u_coordinate_on_shaft_inner_side", "u_coordinate_on_shaft_outer_side",
+}  # fmt: skip
+
+Entry = tuple[str, str, str]  # name, text, attribute
+
+
+@dataclass(frozen=True)
+class Bearing:
+    """What a model has of a bearing that a case can be written for."""
+
+    number: str
+    designation: str
+    like: str  # one of `flexbearing.catalogue.entries.LIKES`
+    options: Mapping[str, str]  # entries as texts with units
+    points: tuple[Point, ...]
+    point: int  # whose load and speed are among the options
+    not_used: tuple[str, ...]  # attributes and components
+
+
+def called(part: Part) -> str:
+    """A component in messages: its number and its designation or name."""
+    return f"{excerpt(part.number)} ({excerpt(_designation(part))})"
+
+
+def kind_of(part: Part) -> str:
+    """Kind of a bearing in the words of the format."""
+    return excerpt(part.text_of("bearing_type") or part.kind)
+
+
+def is_computable(part: Part) -> bool:
+    """Whether a case can be written for a bearing of this kind."""
+    return part.kind in KINDS and part.text_of("bearing_type") in LIKE
+
+
+def bearing(model: Model, part: Part) -> Bearing:
+    """Read a bearing.
+
+    Parameters
+    ----------
+    model : Model
+        that it is in
+    part : Part
+        the bearing
+
+    Returns
+    -------
+    Bearing
+
+    Raises
+    ------
+    BadCase
+        for a kind or a number of rows that no case can have, and for numbers that are none
+    """
+    if not is_computable(part):
+        raise BadCase(f"bearing_type {kind_of(part)!r} is none of {', '.join(LIKE)}.")
+    rows = [each for each in model.all_of("ordered_assembly", part, "assembly", "part") if each.kind == ROW]
+    count = part.number_of("number_of_bearing_rows", "none") or 1
+    if max(count, len(rows)) > 1:
+        raise BadCase(f"has {max(count, len(rows)):g} rows of rolling elements; a case has one.")
+    like = LIKE[part.text_of("bearing_type")]
+    row = rows[0] if rows else None
+    element = model.one_of("ordered_assembly", row, "assembly", "part", ELEMENT)
+    known = points(model, part)
+    point = heaviest(known)
+    entries = [
+        *_entries(model.loaded(part, point), row, element),
+        *_names(like, part),
+        *_application(known[point]),
+    ]
+    entries = [each for each in entries if each[0] in LIKES[like].taken]
+    if any(name in LIKES[like].instead for name, _, _ in entries):  # a class counts more than a clearance
+        entries = [each for each in entries if each[0] != "clearance"]
+    surroundings, strange = _surroundings(model, part, element, like)
+    used = {attribute for _, _, attribute in entries}.union(*(each.used for each in known))
+    parts = [each for each in (part, row, element) if each]
+    return Bearing(
+        part.number,
+        _designation(part),
+        like,
+        {**{name: text for name, text, _ in entries}, **surroundings},
+        tuple(known),
+        point,
+        (*_not_used(model, parts, used), *_without_entry(known, like), *strange),
+    )
+
+
+def _designation(part: Part) -> str:
+    return part.text_of("catalogue_designation") or part.text_of("name") or part.name
+
+
+def _entries(part: Part, row: Part | None, element: Part | None) -> Iterator[Entry]:
+    """Entries with numbers; the last of a name counts."""
+    yield from _numbers(part, OF_BEARING)
+    if element:
+        yield from _numbers(element, OF_ELEMENT)
+    if row:
+        yield from _numbers(row, OF_ROW)
+    if row and element:
+        pitch = row.number_of("reference_diameter", "mm")
+        diameter = element.number_of("diameter_of_rolling_element", "mm")
+        if pitch and diameter:
+            yield "outer_raceway", f"{pitch + diameter:.12g} mm", "reference_diameter"
+
+
+def _numbers(part: Part, wanted: Mapping[str, tuple[str, str, tuple[str, ...]]]) -> Iterator[Entry]:
+    """The first attribute of each entry; zero stands for one that is not known."""
+    for entry, (unit, ours, attributes) in wanted.items():
+        for attribute in attributes:
+            if value := part.number_of(attribute, unit):
+                value = abs(value) if entry == "angle" else value
+                yield entry, f"{value:.12g} {ours}".strip(), attribute
+                break
+
+
+def _names(like: str, part: Part) -> Iterator[Entry]:
+    """Classes of clearance and of tolerances that the case knows."""
+    for entry, attributes in NAMED.items():
+        if entry not in LIKES[like].taken:
+            continue
+        for attribute in attributes:
+            text = part.text_of(attribute)
+            if CLASSES.get(text, text) in names(ENTRIES[entry], like):
+                yield entry, CLASSES.get(text, text), attribute
+
+
+def _application(point: Point) -> Iterator[Entry]:
+    """Load, speed and temperature of a load case."""
+    for entry, value, unit in (
+        ("load", point.radial, "N"),
+        ("axial", point.axial, "N"),
+        ("speed", point.speed, "rpm"),
+    ):
+        if value:
+            yield entry, f"{value:.12g} {unit}", ""
+    if point.temperature is not None:
+        yield "temperature", f"{point.temperature:.12g} degC", ""
+
+
+def _surroundings(
+    model: Model, part: Part, element: Part | None, like: str
+) -> tuple[dict[str, str], list[str]]:
+    """Material and oil where the case knows their names, and those that it does not know."""
+    material = model.one_of("reference", element, "origin", "referenced", "material")
+    oil = next(_oils(model, part), None)
+    viscosity = oil.number_of("viscosity_at_40_degree_celsius", "mm^2 / s") if oil else None
+    candidates = (
+        ("material", material, (material.text_of("material_designation"), material.name) if material else ()),
+        ("oil", oil, (oil.text_of("name"), oil.name, f"ISO VG {viscosity or 0:g}") if oil else ()),
+    )
+    found, strange = dict[str, str](), list[str]()
+    for entry, component, texts in candidates:
+        known = names(ENTRIES[entry], like) if entry in LIKES[like].taken else ()
+        fitting = [text for text in texts if text in known]
+        if fitting:
+            found[entry] = fitting[0]
+        elif component:
+            strange.append(f"{component.kind} {excerpt(' '.join(filter(None, texts)))}")
+    return found, strange
+
+
+def _oils(model: Model, part: Part) -> Iterator[Part]:
+    """Lubricants of the bearing, then of the casing that it sits in."""
+    casing = model.one_of("side", part, "assembly", "outer_part", CASING)
+    for owner in (part, casing):
+        if oil := model.one_of("reference", owner, "origin", "referenced", "lubricant"):
+            yield oil
+
+
+def _not_used(model: Model, parts: list[Part], used: set[str]) -> Iterator[str]:
+    """Attributes that have no entry, with those of all load cases; those that are zero or empty last."""
+    found: dict[str, bool] = {}
+    for part in parts:
+        for number in range(max(len(model.load_cases), 1)):
+            for name, value in model.loaded(part, number).attributes.items():
+                if name not in used | READ:
+                    found[name] = found.get(name, False) or _has_content(value.text, value.array)
+    if PLACE & {*found}:
+        yield "its place in the gearbox"
+    yield from (excerpt(name) for name in sorted({*found} - PLACE, key=lambda name: not found[name]))
+
+
+def _without_entry(known: list[Point], like: str) -> Iterator[str]:
+    """What a bearing of this kind has no entry for in any load case."""
+    if "axial" not in LIKES[like].taken and any(point.axial for point in known):
+        yield "axial force"
+    if "temperature" not in LIKES[like].taken and any(point.temperature is not None for point in known):
+        yield "temperature of the oil"
+
+
+def _has_content(text: str, array: tuple[str, ...]) -> bool:
+    return bool(array) or text.rstrip("0.") not in ("", "false", "none")

@@ -1,0 +1,165 @@
+"""A case for each bearing of a gearbox model that can be computed."""
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from flexbearing.case import BadCase
+from flexbearing.case.excerpt import enumerated, excerpt
+from flexbearing.case.read import LONGEST_NAME
+from flexbearing.catalogue.entries import LIKES, MODELS
+from flexbearing.catalogue.new import new
+from flexbearing.catalogue.rexs import duty
+from flexbearing.catalogue.rexs.bearings import (
+    KINDS,
+    OTHERS,
+    Bearing,
+    bearing,
+    called,
+    is_computable,
+    kind_of,
+)
+from flexbearing.catalogue.rexs.file import read
+from flexbearing.catalogue.rexs.missing import filled
+from flexbearing.catalogue.rexs.parts import Model, Part
+from flexbearing.files import BadOutput, require_outputs
+
+MOST = 100  # bearings of a model whose cases are written at once
+LONGEST = 500  # characters of the names of what is not used
+_PLAIN = re.compile(r"[A-Za-z0-9_-]{1,40}")
+
+Tell = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Order:
+    """What is to be written of a model."""
+
+    model: Path
+    number: str | None  # of a component; all bearings without it
+    given: Mapping[str, str]  # entries that count more than those of the model
+    title: str
+    source: str
+    force: bool
+
+
+def cases(file: Path, order: Order, tell: Tell) -> Iterator[tuple[Path, str]]:
+    """Write the cases.
+
+    Parameters
+    ----------
+    file : Path
+        of the case of a single bearing; those of several have the numbers of their components behind it
+    order : Order
+        model and entries
+    tell : callable (words)
+        hears what was not used, and which bearings have no case
+
+    Yields
+    ------
+    Path, str
+        a case that is written, and its load ratings as lines
+
+    Raises
+    ------
+    BadCase
+        where the file is no model of REXS 1.x, and where no case can be written of it
+    BadOutput, NotStored
+        where a case cannot be written
+    """
+    model = read(order.model)
+    name = excerpt(str(order.model), LONGEST_NAME)
+    if model.not_read:
+        tell(f"{name}: not read: {enumerated([excerpt(each) for each in model.not_read])}")
+    parts, left = _chosen(model, order.number, name)
+    refused = [f"{called(part)}: {kind_of(part)}" for part in left]
+    places = _places(file, parts)
+    require_outputs(places.values(), [order.model])
+    count = 0
+    for part in parts:
+        try:
+            found = bearing(model, part)
+            ratings = _written(found, places[part.number], order, model.version, tell)
+        except BadCase as problem:
+            refused.append(f"{called(part)}: {problem}")
+        else:
+            count += 1
+            yield places[part.number], ratings
+    if refused and count:
+        tell(f"no case for {'; '.join(refused[:MOST])}{' ...' * (len(refused) > MOST)}")
+    if not count:
+        raise BadCase(f"{name}: no case can be written of {enumerated(refused)}")
+
+
+def case_file(model: Path) -> Path:
+    """Name of the case of a model in the folder of work."""
+    ending = max((each for each in MODELS if model.name.lower().endswith(each)), key=len, default="")
+    return Path(f"{model.name[: len(model.name) - len(ending)]}.toml")
+
+
+def _chosen(model: Model, number: str | None, name: str) -> tuple[list[Part], list[Part]]:
+    """Bearings whose cases are wanted, and those of kinds that have none."""
+    found = {part.number: part for part in model.parts.values() if part.kind in (*KINDS, *OTHERS)}
+    if not found:
+        raise BadCase(f"{name}: has no {' or '.join(KINDS)}.")
+    if number is not None:
+        if number not in found:
+            listed = enumerated([called(part) for part in found.values()])
+            raise BadCase(f"{name}: has no bearing {excerpt(number)}; there are {listed}.")
+        return [found[number]], []
+    computable = [part for part in found.values() if is_computable(part)]
+    if len(computable) > MOST:
+        listed = enumerated([called(part) for part in computable])
+        raise BadCase(f"{name}: has more than {MOST} bearings; choose one by --rexs-bearing: {listed}.")
+    return computable, [part for part in found.values() if not is_computable(part)]
+
+
+def _places(file: Path, parts: list[Part]) -> dict[str, Path]:
+    """A file for each bearing; numbers that are no plain words are replaced by their place."""
+    if len(parts) == 1:
+        return {parts[0].number: file}
+    endings = (
+        part.number if _PLAIN.fullmatch(part.number) else f"bearing{place}"
+        for place, part in enumerate(parts, 1)
+    )
+    return {
+        part.number: file.with_name(f"{file.stem}-{ending}{file.suffix}")
+        for part, ending in zip(parts, endings, strict=True)
+    }
+
+
+def _written(found: Bearing, file: Path, order: Order, version: str, tell: Tell) -> str:
+    """Write the case of a bearing with its duty cycle; its ratings."""
+    if not order.force and (there := [each for each in duty.places(file) if each.exists()]):
+        raise BadOutput(f"{there[0]}: is there already; --force replaces it.")
+    options, assumed = filled(found.like, _combined(found, order.given))
+    source = order.source or (
+        f"REXS {version}, {order.model.name}, component {excerpt(found.number)}, {excerpt(found.designation)}"
+    )
+    title = order.title or excerpt(found.designation)
+    ratings = new(
+        file, found.like, options,
+        title=title, source=source, force=order.force, tell=tell, assumed=assumed,
+    )  # fmt: skip
+    cycle = duty.written(found, file, order.given, source)
+    alone = f"load case {found.point + 1} of {len(found.points)}" if len(found.points) > 1 else ""
+    words = [alone, cycle, *_listed("assumed", assumed), *_listed("not used", found.not_used)]
+    tell(f"{excerpt(found.number)} ({excerpt(found.designation)}): {'; '.join(filter(None, words))}")
+    return ratings
+
+
+def _combined(found: Bearing, given: Mapping[str, str]) -> dict[str, str]:
+    """Entries of the model under those of the user, of which a clearance stands for classes and fits."""
+    instead = LIKES[found.like].instead
+    crossed = {"clearance"} if {*instead} & {*given} else {*instead} if "clearance" in given else set[str]()
+    return {name: text for name, text in found.options.items() if name not in crossed} | dict(given)
+
+
+def _listed(words: str, names: Iterable[str]) -> Iterator[str]:
+    """Names one after the other, within a length."""
+    listed = [*names]
+    some = [name for place, name in enumerate(listed) if len(", ".join(listed[: place + 1])) <= LONGEST]
+    left = len(listed) - len(some)
+    if some:
+        yield f"{words}: {', '.join(some)}{f' and {left} more' if left else ''}"

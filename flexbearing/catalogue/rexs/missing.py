@@ -1,0 +1,85 @@
+"""Entries that a gearbox model lacks, by rules of thumb: nobody is there to give them."""
+
+from collections.abc import Callable, Iterator, Mapping
+
+from flexbearing.catalogue.entries import LIKES
+from flexbearing.catalogue.page import value
+
+Given = Mapping[str, float]  # entries in SI units
+Guess = tuple[str, str, str]  # name, text and reason of an entry
+
+# Harris' 209 and an NU 210 have rollers of 0.55 (D - d)/2 and pitch diameters of 1.007 (d + D)/2, an NU 308
+# and an NUP 204 0.56 and 1.015.
+ROLLER, PITCH = 0.555, 1.01
+USUAL_LOAD = 0.1  # of C: a bearing of usual life
+SMALL = 0.01  # of the axial load, where a radial one must be there
+
+
+def filled(like: str, options: Mapping[str, str]) -> tuple[dict[str, str], dict[str, str]]:
+    """Complete the entries of a page.
+
+    Parameters
+    ----------
+    like : str
+        one of `flexbearing.catalogue.entries.LIKES`
+    options : mapping
+        entries that are given, as texts
+
+    Returns
+    -------
+    dict, dict
+        all entries, and those that are assumed with the reason; what no rule gives stays missing
+
+    Raises
+    ------
+    BadCase
+        for a given entry that cannot be read
+    """
+    numbers = (*LIKES[like].needed, *LIKES[like].two_of, "dynamic_rating", "static_rating", "axial")
+    given = {name: value(name, options[name], like).si for name in numbers if name in options}
+    found, why = dict(options), dict[str, str]()
+    for rule in _RULES:
+        for name, text, reason in rule(like, given):
+            found[name], why[name] = text, reason
+            given[name] = value(name, text, like).si
+    return found, why
+
+
+def _raceways(like: str, given: Given) -> Iterator[Guess]:
+    """Diameter of the rollers and of the outer raceway, until two diameters are known."""
+    two_of = LIKES[like].two_of
+    if not two_of or not {"bore", "outside"} <= {*given}:
+        return
+    known = [name for name in two_of if name in given]
+    diameter = given.get("diameter", ROLLER * (given["outside"] - given["bore"]) / 2)
+    if "diameter" not in given and len(known) < 2:  # of three
+        yield "diameter", f"{1e3 * diameter:.4g} mm", f"rule of thumb, {ROLLER:g} (D - d)/2"
+    if not {"inner_raceway", "outer_raceway"} & {*given}:
+        raceway = PITCH * (given["outside"] + given["bore"]) / 2 + diameter
+        yield "outer_raceway", f"{1e3 * raceway:.5g} mm", f"rule of thumb, {PITCH:g} (d + D)/2 + D_w"
+
+
+def _angle(like: str, given: Given) -> Iterator[Guess]:
+    if "angle" in LIKES[like].needed and "angle" not in given:
+        yield "angle", "40 deg", "usual of angular contact bearings"
+
+
+def _loads(like: str, given: Given) -> Iterator[Guess]:
+    """A tenth of C, or of C_0 without it, along the direction that the kind needs."""
+    ratings = [given[name] for name in ("dynamic_rating", "static_rating") if name in given]
+    for name in ("axial", "load"):
+        if name in LIKES[like].needed and name not in given:
+            if name == "load" and "axial" in given:
+                words = "the model has axial load alone, and a case needs some radial load"
+                yield name, f"{SMALL * given['axial']:.4g} N", words
+            elif ratings:
+                words = f"the model has none; {USUAL_LOAD:g} C gives a usual life"
+                yield name, f"{USUAL_LOAD * ratings[0]:.4g} N", words
+
+
+def _speed(like: str, given: Given) -> Iterator[Guess]:
+    if "speed" in LIKES[like].needed and "speed" not in given:
+        yield "speed", "1000 rpm", "the model has none"
+
+
+_RULES: tuple[Callable[[str, Given], Iterator[Guess]], ...] = (_raceways, _angle, _loads, _speed)
