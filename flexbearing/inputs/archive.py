@@ -6,9 +6,9 @@ from io import BytesIO
 from pathlib import PurePosixPath
 
 from flexbearing.inputs.file import Unreadable, size
+from flexbearing.inputs.limits import ARCHIVE
 
 BEGINNING = b"PK\x03\x04"
-PACKED = 2**22  # bytes of an archive: the members of a larger one may fill the memory before one is read
 MEMBERS = 100
 _METHODS = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED
 _BAD = zipfile.BadZipFile, zlib.error, EOFError, ValueError, NotImplementedError, RuntimeError
@@ -37,8 +37,8 @@ def unpacked(content: bytes, endings: tuple[str, ...], most: int) -> tuple[bytes
         for no archive, none or several such files, names that lead out of a folder, an encrypted or
         larger file
     """
-    if len(content) > PACKED:
-        raise Unreadable(f"is an archive larger than {size(PACKED)}")
+    if len(content) > ARCHIVE:
+        raise Unreadable(f"is an archive larger than {size(ARCHIVE)}")
     try:
         with zipfile.ZipFile(BytesIO(content)) as archive:
             members = [each for each in archive.infolist() if not each.is_dir()]

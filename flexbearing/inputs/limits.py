@@ -6,6 +6,7 @@ CASE = 2**16  # one with every key and a note to each has some 15 kB; tomllib ta
 POINTS = 2**20
 DRAWING = 2**26  # rings with their seats take up to some millions
 REXS = 2**25
+ARCHIVE = 2**22  # some 100 000 members, whose list alone takes 50 MB
 VARIANTS = 2**27  # a million rows of ten numbers
 TABLE = 2**28  # a million rows of some twenty numbers
 MATRIX = 2**29  # some ten million entries
@@ -15,6 +16,7 @@ FORMATS = {
     "a case, a study, an optimisation or a profile of jobs (TOML)": CASE,
     "the points of a profile (CSV)": POINTS,
     "a model of a gearbox (REXS)": REXS,
+    "the same as an archive (ZIP)": ARCHIVE,
     "a STEP drawing": DRAWING,
     "variants or a duty cycle of a study (CSV)": VARIANTS,
     "the table of a study (CSV or Parquet)": TABLE,

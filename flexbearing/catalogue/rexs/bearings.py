@@ -71,7 +71,8 @@ class Bearing:
 
 def called(part: Part) -> str:
     """A component in messages: its number and its designation or name."""
-    return f"{excerpt(part.number)} ({excerpt(_designation(part))})"
+    designation = _designation(part)
+    return f"{excerpt(part.number)} ({excerpt(designation)})" if designation else excerpt(part.number)
 
 
 def kind_of(part: Part) -> str:

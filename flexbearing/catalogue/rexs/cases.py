@@ -8,7 +8,7 @@ from pathlib import Path
 from flexbearing.case import BadCase
 from flexbearing.case.excerpt import enumerated, excerpt
 from flexbearing.case.read import LONGEST_NAME
-from flexbearing.catalogue.entries import LIKES, MODELS
+from flexbearing.catalogue.entries import ENTRIES, LIKES, MODELS
 from flexbearing.catalogue.new import new
 from flexbearing.catalogue.rexs import duty
 from flexbearing.catalogue.rexs.bearings import (
@@ -73,7 +73,7 @@ def cases(file: Path, order: Order, tell: Tell) -> Iterator[tuple[Path, str]]:
     if model.not_read:
         tell(f"{name}: not read: {enumerated([excerpt(each) for each in model.not_read])}")
     parts, left = _chosen(model, order.number, name)
-    refused = [f"{called(part)}: {kind_of(part)}" for part in left]
+    refused = [*_of_other_kinds(left)]
     places = _places(file, parts)
     require_outputs(places.values(), [order.model])
     count = 0
@@ -82,14 +82,14 @@ def cases(file: Path, order: Order, tell: Tell) -> Iterator[tuple[Path, str]]:
             found = bearing(model, part)
             ratings = _written(found, places[part.number], order, model.version, tell)
         except BadCase as problem:
-            refused.append(f"{called(part)}: {problem}")
+            refused.append(f"{called(part)}: {' '.join(str(problem).splitlines())}")
         else:
             count += 1
             yield places[part.number], ratings
     if refused and count:
-        tell(f"no case for {'; '.join(refused[:MOST])}{' ...' * (len(refused) > MOST)}")
+        tell("\n".join(f"no case for {each}" for each in refused))
     if not count:
-        raise BadCase(f"{name}: no case can be written of {enumerated(refused)}")
+        raise BadCase("\n".join(f"{name}: no case for {each}" for each in refused[:8]))
 
 
 def case_file(model: Path) -> Path:
@@ -115,6 +115,15 @@ def _chosen(model: Model, number: str | None, name: str) -> tuple[list[Part], li
     return computable, [part for part in found.values() if not is_computable(part)]
 
 
+def _of_other_kinds(parts: list[Part]) -> Iterator[str]:
+    """Bearings that no case can be written for, kind by kind."""
+    kinds: dict[str, list[str]] = {}
+    for part in parts:
+        kinds.setdefault(kind_of(part), []).append(called(part))
+    for kind, listed in kinds.items():
+        yield from _listed(kind, listed)
+
+
 def _places(file: Path, parts: list[Part]) -> dict[str, Path]:
     """A file for each bearing; numbers that are no plain words are replaced by their place."""
     if len(parts) == 1:
@@ -134,6 +143,11 @@ def _written(found: Bearing, file: Path, order: Order, version: str, tell: Tell)
     if not order.force and (there := [each for each in duty.places(file) if each.exists()]):
         raise BadOutput(f"{there[0]}: is there already; --force replaces it.")
     options, assumed = filled(found.like, _combined(found, order.given))
+    if lacking := [ENTRIES[name] for name in ("bore", "outside", "width") if name not in options]:
+        raise BadCase(
+            f"has no {', '.join(each.meaning for each in lacking)}; give "
+            f"{', '.join(each.option for each in lacking)} with --rexs-bearing {excerpt(found.number)}."
+        )
     source = order.source or (
         f"REXS {version}, {order.model.name}, component {excerpt(found.number)}, {excerpt(found.designation)}"
     )

@@ -75,7 +75,8 @@ def _model(root: ElementTree.Element, others: tuple[str, ...]) -> Model:
         {part.number: part for part in map(_part, case.iterfind("component"))}
         for case in (spectra[0].iterfind("load_case") if spectra else ())
     )
-    further = (f"{len(spectra) - 1} further load spectra",) * (len(spectra) > 1)
+    further = [f"{len(spectra) - 1} further load spectra"] * (len(spectra) > 1)
+    further += ["accumulation of the load spectrum"] * (root.find("load_spectrum/accumulation") is not None)
     return Model(excerpt(version, 8), parts, _related(root), load_cases, (*others, *further))
 
 

@@ -32,6 +32,8 @@ def root(content: bytes) -> Element:
         place = SubElement(made, "load_spectrum")
         for load_case in _objects(spectrum, "load_cases"):
             _components(SubElement(place, "load_case"), load_case)
+        if "accumulation" in spectrum:
+            SubElement(place, "accumulation")
     for relation, given in zip(
         made.iterfind("relations/relation"), _objects(model, "relations"), strict=True
     ):

@@ -41,7 +41,8 @@ class Point:
 
 def points(model: Model, bearing: Part) -> list[Point]:
     """Operation of a bearing in every load case, or in the model itself, which then has none."""
-    return [_point(model, bearing, number) for number in range(max(len(model.load_cases), 1))]
+    casing = _casing(model, bearing)
+    return [_point(model, bearing, casing, number) for number in range(max(len(model.load_cases), 1))]
 
 
 def heaviest(found: list[Point]) -> int:
@@ -49,12 +50,12 @@ def heaviest(found: list[Point]) -> int:
     return max(range(len(found)), key=lambda place: (bool(found[place].speed), found[place].load))
 
 
-def _point(model: Model, bearing: Part, number: int) -> Point:
+def _point(model: Model, bearing: Part, casing: Part | None, number: int) -> Point:
     loaded = model.loaded(bearing, number)
     axial, radial, of_force = _forces(loaded)
     speed = _speed(model, loaded, number)
     temperature = loaded.number_of("temperature_lubricant", "C")
-    if temperature is None and (casing := _casing(model, bearing)):
+    if temperature is None and casing:
         temperature = model.loaded(casing, number).number_of("temperature_lubricant", "C")
     used = {*of_force, "temperature_lubricant"}
     used |= {"speed_inner_ring", "speed_outer_ring"} if speed is not None else set()
@@ -107,7 +108,11 @@ def _shares(model: Model, number: int) -> dict[str, float]:
     """Shares of the time of a load case by unit, given for the gear unit."""
     if number >= len(model.load_cases):
         return {}
-    units = [part for part in model.load_cases[number].values() if part.kind == GEAR_UNIT]
+    units = [
+        part
+        for name, part in model.load_cases[number].items()
+        if name in model.parts and model.parts[name].kind == GEAR_UNIT
+    ]
     return dict(_share(units[0])) if units else {}
 
 

@@ -1,0 +1,374 @@
+"""Gearbox models of REXS 1.0 to 1.7, as XML, JSON and archive: a case for each bearing."""
+
+import io
+import json
+import tomllib
+import zipfile
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+from flexbearing import BadCase, api, inputs
+from flexbearing.__main__ import command
+from flexbearing.catalogue.rexs.bearings import bearing as bearing_of
+from flexbearing.catalogue.rexs.file import ENDINGS, read
+from flexbearing.catalogue.rexs.missing import filled
+
+HERE = Path(__file__).parent / "rexs"
+OLD, NEW = (HERE / f"gearbox_{version}.rexs" for version in ("1.0", "1.4"))
+VERSIONS = [f"1.{minor}" for minor in range(8)]
+DETAILED, CATALOGUE = (f"rolling_bearing_with_{form}_geometry" for form in ("detailed", "catalog"))
+
+
+@pytest.fixture
+def written(tmp_path, monkeypatch, capsys):
+    """What `new` writes of a model without computing it: exit code, cases by name, its messages."""
+
+    def never(*_, **__):
+        raise BadCase("not here")
+
+    def of(*words):
+        code = command(["new", *map(str, words)])
+        cases = {path.name: tomllib.loads(path.read_text()) for path in tmp_path.glob("*.toml")}
+        return code, cases, capsys.readouterr().err
+
+    monkeypatch.setattr(api, "compute", never)
+    monkeypatch.chdir(tmp_path)
+    return of
+
+
+def test_catalogue_bearings_of_1_0_become_cases(written):
+    code, cases, messages = written(OLD)
+    assert (code, {*cases}) == (0, {"gearbox_1.0-3.toml", "gearbox_1.0-4.toml"})
+    ball, roller = cases["gearbox_1.0-3.toml"], cases["gearbox_1.0-4.toml"]
+    assert (ball["kind"], ball["title"]) == ("deep_groove_ball", "6308")
+    assert ball["life"]["dynamic_rating"] == "42.5 kN"
+    assert ball["life"]["static_rating"] == "25 kN"
+    assert ball["life"]["fatigue_limit_load"] == "1.64 kN"
+    assert ball["operation"]["inner_speed"] == "1450 rpm"
+    assert ball["operation"]["load"]["radial_z"] == "4250 N"
+    assert "operation.load.radial_z" in ball["assumed"]
+    assert "operation.inner_speed" not in ball["assumed"]
+    assert (roller["bearing"]["kind"], roller["life"]["dynamic_rating"]) == ("cylindrical_roller", "93 kN")
+    assert {"bearing.roller.diameter", "bearing.outer_raceway_diameter"} <= {*roller["assumed"]}
+    (of_ball,) = (line for line in messages.splitlines() if line.startswith("3 (6308): "))
+    assert "assumed: load" in of_ball
+    assert "not used: contamination_factor_according_to_din_26281" in of_ball
+    assert "nominal_contact_angle" in of_ball
+    assert "misalignment_in_v_direction" in of_ball
+
+
+def test_load_cases_of_1_4_become_a_duty_cycle(written, tmp_path):
+    code, cases, messages = written(NEW)
+    assert (code, {*cases}) == (0, {"gearbox_1.4.toml", "gearbox_1.4_cycle.toml"})
+    case = cases["gearbox_1.4.toml"]
+    assert case["life"]["dynamic_rating"] == "37 kN"
+    assert case["operation"]["load"] == {"radial_z": "4200 N"}
+    assert case["lubricant"]["inlet_temperature"] == "70 degC"
+    assert cases["gearbox_1.4_cycle.toml"]["case"] == "gearbox_1.4.toml"
+    assert cases["gearbox_1.4_cycle.toml"]["duty"] == {"file": "gearbox_1.4_duty.csv"}
+    head, *rows = (tmp_path / "gearbox_1.4_duty.csv").read_text().splitlines()
+    assert head == (
+        "time [%],operation.load.radial_z [N],operation.load.axial [N],operation.inner_speed [rpm],"
+        "lubricant.inlet_temperature [degC]"
+    )
+    assert [[float(cell) for cell in row.split(",")] for row in rows] == [
+        [20, 4200, 0, 1450, 70],
+        [80, 0, 0, 0, 70],
+    ]
+    assert "load case 1 of 2" in messages
+
+
+def spectrum_of(shares=("30", "70"), forces=("2", "1"), version="1.7"):
+    """A deep groove bearing with two load cases in the words of a version."""
+    old, share = version == "1.0", "load_duration_fraction" if version < "1.3" else "operating_time_fraction"
+    rating = "{}_capacity" if old else "radial_{}_load_rating"
+    unit, force = ("kN", "radial_force_in_v") if old else ("N", "force_acting_on_inner_component_v")
+    none, scale = "" if version == "1.4" else "none", 1 if old else 1000
+    root = ElementTree.Element("model", version=version)
+    relation = ElementTree.SubElement(ElementTree.SubElement(root, "relations"), "relation", type="side")
+    for number, role in (("3", "assembly"), ("2", "inner_part"), ("5", "outer_part")):
+        ElementTree.SubElement(relation, "ref", id=number, role=role)
+    components = ElementTree.SubElement(root, "components")
+    add(components, "1", "gear_unit")
+    add(components, "2", "shaft", rotational_speed=("1000", "1 / min"))
+    add(
+        components, "3", CATALOGUE, bearing_type=("radial_grooved_ball_bearing", none),
+        inner_diameter=("50", "mm"), outer_diameter=("90", "mm"), width=("20", "mm"),
+        **{rating.format("dynamic"): ("37", "kN"), rating.format("static"): ("23", "kN")},
+    )  # fmt: skip
+    add(components, "5", "gear_casing", temperature_lubricant=("60", "C"))
+    spectrum = ElementTree.SubElement(root, "load_spectrum", id="1")
+    for part, load in zip(shares, forces, strict=True):
+        case = ElementTree.SubElement(spectrum, "load_case")
+        add(case, "1", "gear_unit", **{share: (part, "%")} if part else {})
+        add(case, "3", CATALOGUE, **{force: (f"{scale * float(load):g}", unit)} if load else {})
+    return root
+
+
+def add(place, number, kind, **attributes):
+    part = ElementTree.SubElement(place, "component", id=number, type=kind)
+    for name, (text, unit) in attributes.items():
+        ElementTree.SubElement(part, "attribute", id=name, unit=unit).text = text
+
+
+def as_json(root):
+    """The JSON form of a model; numbers are numbers there."""
+
+    def components(place):
+        return [
+            {
+                "id": int(part.get("id")),
+                "type": part.get("type"),
+                "attributes": [value(each) for each in part.iterfind("attribute")],
+            }
+            for part in place.iterfind("component")
+        ]
+
+    def value(attribute):
+        named = {name: text for name, text in attribute.attrib.items() if text}
+        if (array := attribute.find("array")) is not None:
+            return named | {"floating_point_array": [float(cell.text) for cell in array]}
+        try:
+            return named | {"floating_point": float(attribute.text)}
+        except ValueError:
+            return named | {"enum": attribute.text}
+
+    relations = [
+        {
+            "id": number,
+            "type": relation.get("type"),
+            "refs": [{"id": int(ref.get("id")), "role": ref.get("role")} for ref in relation],
+        }
+        for number, relation in enumerate(root.iterfind("relations/relation"))
+    ]
+    cases = [
+        {"id": place, "components": components(case)}
+        for place, case in enumerate(root.iter("load_case"), 1)
+    ]  # fmt: skip
+    model = {"version": root.get("version"), "relations": relations}
+    model["components"] = components(root.find("components"))
+    model["load_spectrum"] = {"id": 1, "load_cases": cases}
+    return json.dumps({"model": model}).encode()
+
+
+def archive(**members):
+    file = io.BytesIO()
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as packed:
+        for name, content in members.items():
+            packed.writestr(name, content)
+    return file.getvalue()
+
+
+@pytest.mark.parametrize("form", ["rexs", "rexsj", "rexsz", "rexsjz"])
+@pytest.mark.parametrize("version", VERSIONS)
+def test_every_version_in_every_form_gives_the_same_bearing(version, form, tmp_path):
+    root, member = spectrum_of(version=version), form.removesuffix("z")
+    content = as_json(root) if member == "rexsj" else ElementTree.tostring(root)
+    path = tmp_path / "m"
+    path.write_bytes(archive(**{f"m.{member}": content}) if form.endswith("z") else content)
+    model = read(path)
+    found = bearing_of(model, model.parts["3"])
+    assert found.like == "deep_groove_ball"
+    assert found.options == {
+        "bore": "50 mm", "outside": "90 mm", "width": "20 mm", "dynamic_rating": "37 kN",
+        "static_rating": "23 kN", "load": "2000 N", "speed": "1000 rpm", "temperature": "60 degC",
+    }  # fmt: skip
+    assert [point.radial for point in found.points] == [2000, 1000]
+    assert [point.shares for point in found.points] == [{"%": 30}, {"%": 70}]
+    assert found.not_used == ()
+
+
+@pytest.mark.parametrize("path", [OLD, NEW], ids=lambda path: path.stem)
+def test_json_of_the_public_forms_is_read_as_their_xml(path, tmp_path):
+    (tmp_path / "m.rexsj").write_bytes(as_json(ElementTree.parse(path).getroot()))
+    xml, other = read(path), read(tmp_path / "m.rexsj")
+    for number in (number for number, part in xml.parts.items() if part.kind == CATALOGUE):
+        one, two = (bearing_of(model, model.parts[number]) for model in (xml, other))
+        assert (one.like, one.options, one.points) == (two.like, two.options, two.points)
+        assert {*one.not_used} == {*two.not_used}
+
+
+def test_degree_sign_of_1_0_is_a_degree(tmp_path):
+    root = spectrum_of(version="1.0")
+    (part,) = root.iterfind("components/component[@id='3']")
+    part[0].text = "angular_contact_ball_bearing"
+    ElementTree.SubElement(part, "attribute", id="nominal_contact_angle", unit="\N{DEGREE SIGN}").text = "25"
+    (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(root))
+    model = read(tmp_path / "m.rexs")
+    assert bearing_of(model, model.parts["3"]).options["angle"] == "25 deg"
+
+
+def of_attributes(tmp_path, kind="radial_grooved_ball_bearing", **attributes):
+    """The bearing of a model with these attributes beside its kind, without load cases."""
+    root = spectrum_of()
+    root.remove(root.find("load_spectrum"))
+    components = root.find("components")
+    components.remove(components.find("component[@id='3']"))
+    add(components, "3", CATALOGUE, bearing_type=(kind, "none"), **attributes)
+    (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(root))
+    model = read(tmp_path / "m.rexs")
+    return bearing_of(model, model.parts["3"])
+
+
+FORCES = {
+    "on the inner side": ("N", 1, [f"force_acting_on_inner_component_{axis}" for axis in "uvw"]),
+    "on the outer side": ("N", 1, [f"force_acting_on_outer_component_{axis}" for axis in "uvw"]),
+    "of 1.0": ("kN", 1000, ["axial_force", "radial_force_in_v", "radial_force_in_w"]),
+}
+
+
+@pytest.mark.parametrize(("unit", "scale", "names"), FORCES.values(), ids=FORCES)
+def test_forces_along_the_shaft_and_across_it(unit, scale, names, tmp_path):
+    forces = {name: (text, unit) for name, text in zip(names, ("-2", "3", "-4"), strict=True)}
+    found = of_attributes(tmp_path, **forces)
+    assert (found.options["axial"], found.options["load"]) == (f"{2 * scale} N", f"{5 * scale} N")
+    assert found.not_used == ()
+
+
+def test_axial_force_of_a_cylindrical_roller_bearing_is_reported(tmp_path):
+    force = {"force_acting_on_inner_component_u": ("300", "N")}
+    found = of_attributes(tmp_path, "radial_roller_bearing", **force)
+    assert found.not_used == ("axial force",)
+
+
+def test_speed_is_that_of_one_ring_over_the_other(tmp_path):
+    found = of_attributes(tmp_path, speed_outer_ring=("-200", "1 / min"))
+    assert found.options["speed"] == "1200 rpm"
+
+
+def test_a_class_counts_more_than_a_clearance_in_operation(tmp_path):
+    clearance = {"operating_radial_bearing_clearance": ("12", "mum")}
+    assert of_attributes(tmp_path, **clearance).options["clearance"] == "12 um"
+    both = of_attributes(tmp_path, radial_clearance_class=("C3", "none"), **clearance)
+    assert (both.options["clearance_class"], both.options.get("clearance")) == ("C3", None)
+    assert both.not_used == ("operating_radial_bearing_clearance",)
+
+
+UNUSABLE = {
+    "shares": ((("30", ""), ("2", "1")), "not all have a share of the time"),
+    "forces": ((("30", "70"), ("2", "")), "not all have a force on the bearing"),
+}
+
+
+@pytest.mark.parametrize(("given", "why"), UNUSABLE.values(), ids=UNUSABLE)
+def test_load_cases_that_make_no_duty_cycle_are_reported(given, why, written, tmp_path):
+    (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(spectrum_of(*given)))
+    code, cases, messages = written("m.rexs")
+    assert (code, {*cases}) == (0, {"m.toml"})
+    assert f"no duty cycle of its 2 load cases: {why}" in messages
+
+
+def test_shares_that_do_not_add_up_are_scaled_with_a_message(written, tmp_path):
+    (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(spectrum_of(("30", "60"))))
+    _, _, messages = written("m.rexs")
+    assert "add up to 90 %" in messages
+    assert (tmp_path / "m_duty.csv").read_text().startswith("time,operation")
+
+
+def test_a_study_takes_the_duty_cycle(written, tmp_path):
+    (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(spectrum_of()))
+    assert written("m.rexs")[0] == 0
+    assert command(["study", "m_cycle.toml", "--check"]) == 0
+
+
+def test_bearings_without_a_case_are_named_beside_those_that_have_one(written, tmp_path):
+    root = spectrum_of()
+    components = root.find("components")
+    add(components, "7", CATALOGUE, bearing_type=("radial_tapered_roller_bearing", ""))
+    add(components, "8", "slide_bearing")
+    rows = {"bearing_type": ("radial_roller_bearing", ""), "number_of_bearing_rows": ("2", "")}
+    add(components, "9", DETAILED, **rows)
+    (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(root))
+    code, cases, messages = written("m.rexs")
+    assert (code, {*cases}) == (0, {"m-3.toml", "m-3_cycle.toml"})
+    assert "no case for radial_tapered_roller_bearing: 7" in messages
+    assert "no case for slide_bearing: 8" in messages
+    assert "no case for 9: has 2 rows" in messages
+
+
+def test_a_bearing_without_dimensions_takes_them_from_options(written, tmp_path):
+    root = spectrum_of()
+    (part,) = root.iterfind("components/component[@id='3']")
+    for each in [each for each in part if each.get("unit") == "mm"]:
+        part.remove(each)
+    (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(root))
+    code, cases, messages = written("m.rexs")
+    assert (code, cases) == (2, {})
+    assert "has no bore, outside diameter, width; give --bore, --outside, --width" in messages
+    assert written("m.rexs", "-d", "50 mm", "-D", "90 mm", "-B", "20 mm")[0] == 0
+
+
+def test_nothing_replaces_files_that_are_there(written, tmp_path):
+    (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(spectrum_of()))
+    (tmp_path / "m_duty.csv").write_text("mine")
+    code, _, messages = written("m.rexs")
+    assert (code, (tmp_path / "m_duty.csv").read_text()) == (2, "mine")
+    assert "--force replaces it" in messages
+
+
+@pytest.mark.parametrize(("bore", "outside", "diameter", "raceway"), [(50, 90, 11, 81.5), (45, 85, 11, 76.5)])
+def test_assumed_raceways_are_near_those_of_catalogues(bore, outside, diameter, raceway):
+    """An NU 210 and an NU 209, by their catalogue pages."""
+    given = {"bore": f"{bore} mm", "outside": f"{outside} mm", "load": "1 kN", "speed": "1 rpm"}
+    options, assumed = filled("cylindrical_roller", given)
+    assert {*assumed} == {"diameter", "outer_raceway"}
+    for name, length in (("diameter", diameter), ("outer_raceway", raceway)):
+        assert float(options[name].removesuffix(" mm")) == pytest.approx(length, rel=0.02)
+
+
+BOMB = archive(**{"m.rexs": b" " * (2**25 + 1)})
+ARCHIVES = {
+    "no model": (archive(a="1"), "with 0 files"),
+    "two models": (archive(**{"a.rexs": "1", "b.rexsj": "2"}), "with 2 files"),
+    "a way out": (archive(**{"../m.rexs": "1"}), "leads out of its folder"),
+    "a root": (archive(**{"/m.rexs": "1"}), "leads out of its folder"),
+    "many files": (archive(**{f"{k}.gde": "" for k in range(101)}), "at most 100"),
+    "too large": (BOMB, "larger than 32 MiB when unpacked"),
+    "cut off": (archive(**{"m.rexs": "1" * 100})[:-30], "damaged archive"),
+    "packed too large": (b"PK\x03\x04" + b"\0" * 2**22, "archive larger than 4 MiB"),
+}
+
+
+@pytest.mark.parametrize(("content", "complaint"), ARCHIVES.values(), ids=ARCHIVES)
+def test_archives_are_guarded(content, complaint, tmp_path):
+    (tmp_path / "m.rexsz").write_bytes(content)
+    with pytest.raises(BadCase, match=complaint) as problem:
+        read(tmp_path / "m.rexsz")
+    assert len(str(problem.value)) < 500
+
+
+def test_a_damaged_member_is_refused():
+    packed = bytearray(archive(**{"m.rexs": bytes(range(256)) * 20}))
+    packed[60] ^= 0xFF
+    with pytest.raises(inputs.Unreadable):
+        inputs.unpacked(bytes(packed), ENDINGS, 2**20)
+
+
+JSONS = {
+    "cut off": '{"model": {',
+    "no model": '{"version": "1.4"}',
+    "components that are none": '{"model": {"version": "1.4", "components": [1]}}',
+    "a deep one": '{"model": ' + "[" * 100_000 + "]" * 100_000 + "}",
+    "version 2": '{"model": {"version": "2.0"}}',
+    "no UTF-8": '{"model": "\xff"}',
+}
+
+
+@pytest.mark.parametrize("text", JSONS.values(), ids=JSONS)
+def test_what_is_no_json_of_rexs_is_refused_in_a_line(text, tmp_path):
+    (tmp_path / "m.rexsj").write_bytes(text.encode("latin-1"))
+    with pytest.raises(BadCase, match=r"is no JSON|is no model of REXS") as problem:
+        read(tmp_path / "m.rexsj")
+    assert len(str(problem.value).splitlines()) == 1
+
+
+@pytest.mark.parametrize("number", ["NaN", "1e400", "9" * 5000, "true", "null", '"0x10"'])
+def test_numbers_of_json_are_guarded(number, tmp_path):
+    text = as_json(spectrum_of()).decode().replace('"floating_point": 50.0', f'"floating_point": {number}')
+    (tmp_path / "m.rexsj").write_text(text)
+    model = read(tmp_path / "m.rexsj")
+    with pytest.raises(BadCase, match="component 3: inner_diameter: ") as problem:
+        bearing_of(model, model.parts["3"])
+    assert len(str(problem.value)) < 300
