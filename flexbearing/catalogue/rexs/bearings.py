@@ -60,7 +60,7 @@ Entry = tuple[str, str, str]  # name, text, attribute
 class Bearing:
     """What a model has of a bearing that a case can be written for."""
 
-    number: str
+    name: str  # in messages
     designation: str
     like: str  # one of `flexbearing.catalogue.entries.LIKES`
     options: Mapping[str, str]  # entries as texts with units
@@ -127,7 +127,7 @@ def bearing(model: Model, part: Part) -> Bearing:
     used = {attribute for _, _, attribute in entries}.union(*(each.used for each in known))
     parts = [each for each in (part, row, element) if each]
     return Bearing(
-        part.number,
+        called(part),
         _designation(part),
         like,
         {**{name: text for name, text, _ in entries}, **surroundings},

@@ -146,11 +146,9 @@ def _written(found: Bearing, file: Path, order: Order, version: str, tell: Tell)
     if lacking := [ENTRIES[name] for name in ("bore", "outside", "width") if name not in options]:
         raise BadCase(
             f"has no {', '.join(each.meaning for each in lacking)}; give "
-            f"{', '.join(each.option for each in lacking)} with --rexs-bearing {excerpt(found.number)}."
+            f"{', '.join(each.option for each in lacking)} with --rexs-bearing."
         )
-    source = order.source or (
-        f"REXS {version}, {order.model.name}, component {excerpt(found.number)}, {excerpt(found.designation)}"
-    )
+    source = order.source or f"REXS {version}, {excerpt(order.model.name)}, component {found.name}"
     title = order.title or excerpt(found.designation)
     ratings = new(
         file, found.like, options,
@@ -159,7 +157,7 @@ def _written(found: Bearing, file: Path, order: Order, version: str, tell: Tell)
     cycle = duty.written(found, file, order.given, source)
     alone = f"load case {found.point + 1} of {len(found.points)}" if len(found.points) > 1 else ""
     words = [alone, cycle, *_listed("assumed", assumed), *_listed("not used", found.not_used)]
-    tell(f"{excerpt(found.number)} ({excerpt(found.designation)}): {'; '.join(filter(None, words))}")
+    tell(f"{found.name}: {'; '.join(filter(None, words))}")
     return ratings
 
 
