@@ -300,6 +300,23 @@ def test_a_bearing_without_dimensions_takes_them_from_options(written, tmp_path)
     assert written("m.rexs", "-d", "50 mm", "-D", "90 mm", "-B", "20 mm")[0] == 0
 
 
+def test_a_clearance_of_the_user_replaces_the_class_of_the_model(written, tmp_path):
+    root = spectrum_of()
+    (part,) = root.iterfind("components/component[@id='3']")
+    ElementTree.SubElement(part, "attribute", id="radial_clearance_class", unit="none").text = "C3"
+    (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(root))
+    code, cases, _ = written("m.rexs", "--clearance", "10 um")
+    assert (code, cases["m.toml"]["bearing"]["clearance"]) == (0, "10 um")
+    assert "clearance_class" not in cases["m.toml"]["bearing"]
+
+
+def test_too_many_load_cases_are_refused(tmp_path):
+    spectrum = f"<load_spectrum>{'<load_case/>' * 10_001}</load_spectrum>"
+    (tmp_path / "m.rexs").write_text(f'<model version="1.4"><components/>{spectrum}</model>')
+    with pytest.raises(BadCase, match="has 10001 load cases; at most 10000"):
+        read(tmp_path / "m.rexs")
+
+
 def test_nothing_replaces_files_that_are_there(written, tmp_path):
     (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(spectrum_of()))
     (tmp_path / "m_duty.csv").write_text("mine")

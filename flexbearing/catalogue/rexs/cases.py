@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from itertools import accumulate
 from pathlib import Path
 
 from flexbearing.case import BadCase
@@ -155,7 +156,11 @@ def _written(found: Bearing, file: Path, order: Order, version: str, tell: Tell)
         title=title, source=source, force=order.force, tell=tell, assumed=assumed,
     )  # fmt: skip
     cycle = duty.written(found, file, order.given, source)
-    alone = f"load case {found.point + 1} of {len(found.points)}" if len(found.points) > 1 else ""
+    alone = (
+        f"load and speed of load case {found.point + 1} of {len(found.points)}"
+        if len(found.points) > 1
+        else ""
+    )
     words = [alone, cycle, *_listed("assumed", assumed), *_listed("not used", found.not_used)]
     tell(f"{found.name}: {'; '.join(filter(None, words))}")
     return ratings
@@ -171,7 +176,8 @@ def _combined(found: Bearing, given: Mapping[str, str]) -> dict[str, str]:
 def _listed(words: str, names: Iterable[str]) -> Iterator[str]:
     """Names one after the other, within a length."""
     listed = [*names]
-    some = [name for place, name in enumerate(listed) if len(", ".join(listed[: place + 1])) <= LONGEST]
+    ends = accumulate(len(name) + 2 for name in listed)
+    some = [name for name, end in zip(listed, ends, strict=True) if end <= LONGEST]
     left = len(listed) - len(some)
     if some:
         yield f"{words}: {', '.join(some)}{f' and {left} more' if left else ''}"

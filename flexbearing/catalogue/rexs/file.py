@@ -17,6 +17,7 @@ from flexbearing.inputs.limits import REXS
 ENCODINGS = (b"utf-8", b"utf-16", b"us-ascii", b"iso-8859-1", b"windows-1252")
 ENDINGS = (".rexs", ".rexsj", ".rexs.xml", ".rexs.json")  # of a model in an archive
 HIGHEST = 10**9  # order of a relation
+MOST = 10_000  # load cases, each of which is looked up for every bearing
 _ENCODING = re.compile(rb"(?:\xef\xbb\xbf)?\s*<\?xml[^>]{0,200}?encoding\s*=\s*[\"']([^\"'>]*)")
 
 
@@ -75,6 +76,8 @@ def _model(root: ElementTree.Element, others: tuple[str, ...]) -> Model:
         {part.number: part for part in map(_part, case.iterfind("component"))}
         for case in (spectra[0].iterfind("load_case") if spectra else ())
     )
+    if len(load_cases) > MOST:
+        raise BadCase(f"has {len(load_cases)} load cases; at most {MOST} are allowed")
     further = [f"{len(spectra) - 1} further load spectra"] * (len(spectra) > 1)
     further += ["accumulation of the load spectrum"] * (root.find("load_spectrum/accumulation") is not None)
     return Model(excerpt(version, 8), parts, _related(root), load_cases, (*others, *further))
