@@ -249,6 +249,8 @@ def test_a_class_counts_more_than_a_clearance_in_operation(tmp_path):
 UNUSABLE = {
     "shares": ((("30", ""), ("2", "1")), "not all have a share of the time"),
     "forces": ((("30", "70"), ("2", "")), "not all have a force on the bearing"),
+    "time": ((("-30", "130"), ("2", "1")), "their shares of the time are below zero"),
+    "any time": ((("0", "0"), ("2", "1")), "their shares of the time are below zero, or none is above it"),
 }
 
 
@@ -269,7 +271,8 @@ def test_shares_that_do_not_add_up_are_scaled_with_a_message(written, tmp_path):
 
 def test_a_study_takes_the_duty_cycle(written, tmp_path):
     (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(spectrum_of()))
-    assert written("m.rexs")[0] == 0
+    assert written("m.rexs", "--source", "of\nours", "--temperature", "70 degC")[0] == 0
+    assert "temperature" not in (tmp_path / "m_duty.csv").read_text()
     assert command(["study", "m_cycle.toml", "--check"]) == 0
 
 

@@ -12,7 +12,7 @@ from flexbearing.catalogue.rexs.parts import Model, Part
 
 KINDS = ("rolling_bearing_with_detailed_geometry", "rolling_bearing_with_catalog_geometry")
 OTHERS = ("concept_bearing", "slide_bearing", "hydrodynamic_radial_plain_bearing")  # without rollers or balls
-ROW, ELEMENT, RING = "rolling_bearing_row", "rolling_element", "bearing_ring"
+ROW, ELEMENT = "rolling_bearing_row", "rolling_element"
 LIKE = {  # kinds of bearing that a case can be written for
     "radial_roller_bearing": "cylindrical_roller",
     "radial_cylindrical_roller_bearing": "cylindrical_roller",
@@ -106,35 +106,35 @@ def bearing(model: Model, part: Part) -> Bearing:
     """
     if not is_computable(part):
         raise BadCase(f"bearing_type {kind_of(part)!r} is none of {', '.join(LIKE)}.")
-    rows = [each for each in model.all_of("ordered_assembly", part, "assembly", "part") if each.kind == ROW]
-    count = part.number_of("number_of_bearing_rows", "none") or 1
-    if max(count, len(rows)) > 1:
-        raise BadCase(f"has {max(count, len(rows)):g} rows of rolling elements; a case has one.")
-    like = LIKE[part.text_of("bearing_type")]
-    row = rows[0] if rows else None
+    like, row = LIKE[part.text_of("bearing_type")], _row(model, part)
     element = model.one_of("ordered_assembly", row, "assembly", "part", ELEMENT)
     known = points(model, part)
     point = heaviest(known)
-    entries = [
-        *_entries(model.loaded(part, point), row, element),
-        *_names(like, part),
-        *_application(known[point]),
-    ]
-    entries = [each for each in entries if each[0] in LIKES[like].taken]
+    entries = [*_entries(model.loaded(part, point), row, element), *_names(like, part)]
+    entries = [each for each in (*entries, *_application(known[point])) if each[0] in LIKES[like].taken]
     if any(name in LIKES[like].instead for name, _, _ in entries):  # a class counts more than a clearance
         entries = [each for each in entries if each[0] != "clearance"]
     surroundings, strange = _surroundings(model, part, element, like)
     used = {attribute for _, _, attribute in entries}.union(*(each.used for each in known))
-    parts = [each for each in (part, row, element) if each]
+    attributes = _not_used(model, [each for each in (part, row, element) if each], used)
     return Bearing(
-        called(part),
-        _designation(part),
-        like,
-        {**{name: text for name, text, _ in entries}, **surroundings},
-        tuple(known),
-        point,
-        (*_not_used(model, parts, used), *_without_entry(known, like), *strange),
+        name=called(part),
+        designation=_designation(part),
+        like=like,
+        options={**{name: text for name, text, _ in entries}, **surroundings},
+        points=tuple(known),
+        point=point,
+        not_used=(*attributes, *_without_entry(known, like), *strange),
     )
+
+
+def _row(model: Model, part: Part) -> Part | None:
+    """The only row of rolling elements, where the model has it."""
+    rows = [each for each in model.all_of("ordered_assembly", part, "assembly", "part") if each.kind == ROW]
+    count = max(part.number_of("number_of_bearing_rows", "none") or 1, len(rows))
+    if count > 1:
+        raise BadCase(f"has {count:g} rows of rolling elements; a case has one.")
+    return rows[0] if rows else None
 
 
 def _designation(part: Part) -> str:

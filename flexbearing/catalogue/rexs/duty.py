@@ -1,22 +1,24 @@
 """Load cases of a bearing as a duty cycle: a table, and the study of it."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from math import fsum
 from pathlib import Path
 
 from flexbearing.case.declarations import toml
 from flexbearing.catalogue.entries import LIKES
+from flexbearing.catalogue.head import one_line
 from flexbearing.catalogue.rexs.bearings import Bearing
-from flexbearing.catalogue.rexs.operation import Point
+from flexbearing.catalogue.rexs.operation import SHARES, Point
 from flexbearing.files import as_csv, require_outputs, write
 
-RATED = 0.5  # [%] by how much a sum of percentages may be off
+COMPLETE = 0.5  # [%] by how much a sum of percentages may be off, as studies allow
 COLUMNS = {  # entry to heading
     "load": "operation.load.radial_z [N]",
     "axial": "operation.load.axial [N]",
     "speed": "operation.inner_speed [rpm]",
     "temperature": "lubricant.inlet_temperature [degC]",
 }
+OF_POINT = {"load": "radial", "axial": "axial", "speed": "speed", "temperature": "temperature"}
 OF_ROLLERS = {"load": "operation.radial_load [N]"}
 
 
@@ -49,50 +51,61 @@ def written(bearing: Bearing, case: Path, given: Collection[str], source: str) -
     BadOutput, NotStored
         where it cannot be written
     """
-    points = bearing.points
-    if len(points) < 2:
+    count = len(bearing.points)
+    if count < 2:
         return ""
-    lacking = _lacking(bearing)
-    if lacking:
-        return f"no duty cycle of its {len(points)} load cases: {lacking}"
-    measure = next(unit for unit in ("%", "h") if all(unit in point.shares for point in points))
-    shares = [point.shares[measure] for point in points]
-    known = {name: [_value(point, name) for point in points] for name in COLUMNS}
-    known = {
-        name: values
-        for name, values in known.items()
-        if name in LIKES[bearing.like].taken and name not in given and None not in values
-    }
-    complete = measure == "h" or abs(fsum(shares) - 100) <= RATED
-    headings = COLUMNS | (OF_ROLLERS if LIKES[bearing.like].kind == "cylindrical_roller" else {})
-    header = [f"time [{measure}]" if complete else "time", *(headings[name] for name in known)]
+    columns = _columns(bearing, given)
+    if lacking := _lacking(bearing, columns):
+        return f"no duty cycle of its {count} load cases: {lacking}"
+    heading, shares, total = _shares(bearing.points)
+    header = [heading, *(_heading(bearing.like, name) for name in columns)]
     table, study = require_outputs(places(case))
-    write(table, as_csv([header, *zip(shares, *known.values(), strict=True)]).encode())
-    words = f"# Load cases of {source}, with their shares of the time.\n"
+    write(table, as_csv([header, *zip(shares, *columns.values(), strict=True)]).encode())
+    words = f"# Load cases of {one_line(source)}, with their shares of the time.\n"
     write(study, f"{words}case = {toml(case.name)}\n\n[duty]\nfile = {toml(table.name)}\n".encode())
-    off = "" if complete else f", whose shares add up to {fsum(shares):g} % and are scaled to 100 %"
-    return f"{len(points)} load cases: flexbearing study {study.name}{off}"
+    off = "" if "[" in heading else f", whose shares add up to {total:g} % and are scaled to 100 %"
+    some = any(point.temperature is not None for point in bearing.points)
+    left = (
+        " without temperature, which not all have" if some and "temperature" not in {*columns, *given} else ""
+    )
+    return f"{count} load cases: flexbearing study {study.name}{off}{left}"
 
 
-def _lacking(bearing: Bearing) -> str:
+def _columns(bearing: Bearing, given: Collection[str]) -> dict[str, list[float | None]]:
+    """What changes from load case to load case, by entries that the user does not give; all have loads."""
+    columns = {name: [getattr(point, OF_POINT[name]) for point in bearing.points] for name in COLUMNS}
+    return {
+        name: values
+        for name, values in columns.items()
+        if name in LIKES[bearing.like].taken
+        and name not in given
+        and (name != "temperature" or None not in values)
+    }
+
+
+def _lacking(bearing: Bearing, columns: Mapping[str, list[float | None]]) -> str:
     """Why there is no duty cycle."""
-    points = bearing.points
+    shares = [point.shares for point in bearing.points]
     if "dynamic_rating" not in LIKES[bearing.like].taken:
         return f"a {bearing.like} has no life"
-    if not any(all(unit in point.shares for point in points) for unit in ("%", "h")):
+    if not any(all(unit in each for each in shares) for unit in SHARES):
         return "not all have a share of the time (load_duration_fraction, operating_time_fraction)"
-    if any(point.radial is None for point in points):
-        return "not all have a force on the bearing"
-    if any(point.speed is None for point in points):
-        return "not all have a speed"
-    return ""
+    if min(min(each.values()) for each in shares) < 0 or not any(max(each.values()) for each in shares):
+        return "their shares of the time are below zero, or none is above it"
+    for name, words in (("load", "force on the bearing"), ("axial", "axial force"), ("speed", "speed")):
+        if None in columns.get(name, ()):
+            return f"not all have a {words}"
+    return "" if columns else "options give all that changes"
 
 
-def _value(point: Point, name: str) -> float | None:
-    values = {
-        "load": point.radial,
-        "axial": point.axial,
-        "speed": point.speed,
-        "temperature": point.temperature,
-    }
-    return values[name]
+def _shares(points: tuple[Point, ...]) -> tuple[str, list[float], float]:
+    """Heading and shares of the time, and their sum."""
+    measure = next(unit for unit in SHARES if all(unit in point.shares for point in points))
+    shares = [point.shares[measure] for point in points]
+    total = fsum(shares)
+    complete = measure != "%" or abs(total - 100) <= COMPLETE
+    return (f"time [{measure}]" if complete else "time"), shares, total
+
+
+def _heading(like: str, name: str) -> str:
+    return OF_ROLLERS.get(name, COLUMNS[name]) if like == "cylindrical_roller" else COLUMNS[name]
