@@ -233,6 +233,11 @@ def test_axial_force_of_a_cylindrical_roller_bearing_is_reported(tmp_path):
     assert found.not_used == ("axial force",)
 
 
+def test_what_is_not_used_is_listed_by_name_with_zeros_last(tmp_path):
+    given = {name: (text, "none") for name, text in zip("edcba", ("1", "0.0", "3", "", "x"), strict=True)}
+    assert of_attributes(tmp_path, **given).not_used == ("a", "c", "e", "b", "d")
+
+
 def test_speed_is_that_of_one_ring_over_the_other(tmp_path):
     found = of_attributes(tmp_path, speed_outer_ring=("-200", "1 / min"))
     assert found.options["speed"] == "1200 rpm"

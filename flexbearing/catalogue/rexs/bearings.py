@@ -229,7 +229,7 @@ def _not_used(model: Model, parts: list[Part], used: set[str]) -> Iterator[str]:
                     found[name] = found.get(name, False) or _has_content(value.text, value.array)
     if PLACE & {*found}:
         yield "its place in the gearbox"
-    yield from (excerpt(name) for name in sorted({*found} - PLACE, key=lambda name: not found[name]))
+    yield from (excerpt(name) for name in sorted({*found} - PLACE, key=lambda name: (not found[name], name)))
 
 
 def _without_entry(known: list[Point], like: str) -> Iterator[str]:
