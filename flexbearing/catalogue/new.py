@@ -9,22 +9,19 @@ from flexbearing.catalogue import ball_lines, page as pages, roller_lines
 from flexbearing.catalogue.ball_set import ball_set
 from flexbearing.catalogue.entries import LIKES
 from flexbearing.catalogue.head import one_line, origin
-from flexbearing.catalogue.lines import Settings, as_settings, text
+from flexbearing.catalogue.lines import text
 from flexbearing.catalogue.page import Page
 from flexbearing.catalogue.ratings import table
 from flexbearing.catalogue.roller_set import roller_set
-from flexbearing.catalogue.weights import NO_RESULT, told, weighed
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, require_output, write
-from flexbearing.outputs import outputs
-from flexbearing.quantities.effects import LIVES
-from flexbearing.runs import assumed_effects
+from flexbearing.runs import effects_file
 from flexbearing.runs.validate import require_possible
-from quasidynamic import ImpossiblePart, OutOfRange
+from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 
-QUICK: dict[str, Settings] = {
-    "squirrel_cage": {"accuracy.structure": "beam"}
-}  # with which lives are compared
+EFFECTS = "outputs.assumed_effects"
+ELASTIC = "squirrel_cage"  # whose effects take minutes
+NO_RESULT = (BadCase, NotSolved, OutOfRange)  # of a case that cannot be computed
 
 
 def new(
@@ -69,14 +66,19 @@ def new(
     """
     wanted = pages.read(like, options)
     place = require_output(file)
+    stored = require_output(effects_file.name(place))
     if place.exists() and not force:
         raise BadOutput(f"{file}: is there already; --force replaces it.")
     try:
         written, ratings = _case(wanted, place, title, source)
+        effects = _effects(like, written, place)
     except (ImpossiblePart, OutOfRange) as problem:
         raise BadCase(f"{problem}.") from problem
     write(place, written.encode())
-    return ratings
+    if isinstance(effects, str):
+        return f"{ratings}effects: {effects}\n"
+    write(stored, effects)
+    return f"{ratings}effects: {effects_file.name(Path(file))}\n"
 
 
 def _case(page: Page, file: Path, title: str, source: str) -> tuple[str, str]:
@@ -87,25 +89,22 @@ def _case(page: Page, file: Path, title: str, source: str) -> tuple[str, str]:
     else:
         balls = ball_set(page, ball_lines.angle(page))
         lines, ratings = ball_lines.lines(page, balls), table(page, balls, "diameter")
-    family = FAMILIES[LIKES[page.like].kind]
-    model, named = family.case(), dict(family.layout().weighed)
-    known = {each.name: each for each in outputs(family.layout())}
-    comparable = QUICK.get(page.like, {})
-    plain = text("", title or file.stem, lines, model)
-    require_possible(understood(plain, file, {}, FAMILIES), family)  # before anything is computed
-
-    def measured(settings: Settings) -> dict[str, float]:
-        case = understood(plain, file, as_settings(comparable | settings), FAMILIES)
-        values = assumed_effects.measured(api.compute(case, compared=True))
-        life = [("life", values[each]) for each in LIVES if each in values]
-        told = (each for each in named if each in values and not known[each].rounds_to_zero(values[each]))
-        return dict([*life[:1], *((named[each], values[each]) for each in told)])
-
-    try:
-        basis = measured({})
-        lines = weighed(lines, basis, measured)
-        weights = told(basis, comparable)
-    except NO_RESULT as problem:
-        weights = f"How much assumed values matter is not known: {one_line(str(problem))}"
-    head = [*origin(page, file, title, source), "", *weights.splitlines(), *ratings.splitlines()]
+    head = [*origin(page, file, title, source), *ratings.splitlines()]
+    model = FAMILIES[LIKES[page.like].kind].case()
     return text("\n".join(head), title or file.stem, lines, model), ratings
+
+
+def _effects(like: str, written: str, file: Path) -> bytes | str:
+    """The file of what other values of assumed keys make of the case, or why there is none."""
+    kind = LIKES[like].kind
+    case = understood(written, file, [f"{EFFECTS}=true"], FAMILIES)
+    require_possible(case, FAMILIES[kind])  # before anything is computed
+    if like == ELASTIC:
+        return f"flexbearing run {file} --set {EFFECTS}=true; flexbearing export OUT.h5 --to effects"
+    try:
+        attributes = api.compute(case).attributes
+    except NO_RESULT as problem:
+        return f"not known: {one_line(str(problem))}"
+    if not attributes.get("assumed_effects"):
+        return f"not known: {one_line(attributes['message'])}"
+    return effects_file.content(case, attributes["assumed_effects"])

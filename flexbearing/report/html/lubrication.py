@@ -2,12 +2,12 @@
 
 from collections.abc import Iterator
 
+from flexbearing.findings.running import VISCOSITY_RATIO
 from flexbearing.report.html import oil, ratings
 from flexbearing.report.html.document import Block, Cell, Number, Table, Words
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import printed
 
-FULL_FILM = 3  # film ratio
 _DIFFER = (
     "κ and the film are two measures. κ is the viscosity of the oil at the inlet temperature over that which "
     "a bearing of this size and speed needs by ISO 281: load, roughness and lack of oil do not count in it. "
@@ -17,11 +17,9 @@ _DIFFER = (
 )
 _EXTRAPOLATED = "The oil is used outside the temperatures of its data: both κ and films are extrapolated."
 _MEANINGS = {
-    "kappa": "1 or more is usual",
+    "kappa": f"{VISCOSITY_RATIO.limit:g} or more is usual",
     "largest": "with the cleanest oil, e_C = 1, at the load that has the life of this case by C_r; ISO 281",
     "film": "in the thinnest contact with load; the film ratio Λ is 1 with a combined roughness of this size",
-    "ratio": "from 1 on surfaces seldom touch, from 3 on the film is full",
-    "full": "a smoother pair has a full film",
 }
 
 
@@ -39,26 +37,18 @@ def blocks(reader: Reader) -> Iterator[Block]:
     for race, film in films(reader).items():
         rows.append((f"smallest film, {race} raceway", film, printed(film.unit), _MEANINGS["film"]))
         if (ratio := film_ratio(reader, race)) is not None:
-            rows.append((f"smallest film ratio Λ, {race} raceway", ratio, "", _MEANINGS["ratio"]))
-            continue
-        value = needed_roughness(reader, race, FULL_FILM)
-        label = f"combined roughness for Λ = {FULL_FILM}, {race} raceway"
-        rows.append((label, value, printed(value.unit), _MEANINGS["full"]))
+            rows.append((f"smallest film ratio Λ, {race} raceway", ratio, "", "film over roughness"))
     if not rows:
         return
     yield Table("Lubrication", ("quantity", "value", "unit", "meaning"), tuple(rows))
-    extrapolated = any("is extrapolated" in note["text"] for note in reader.attributes["notes"])
+    extrapolated = "oil-temperature" in reader.codes
     if films(reader):
         yield Words((_DIFFER, *([_EXTRAPOLATED] if extrapolated else [])))
 
 
 def flooded(reader: Reader) -> str:
     """What little oil makes of the films, computed with flooded inlets; empty where they have the oil."""
-    told = next((note["text"] for note in reader.attributes["notes"] if note["code"] == "flooding"), "")
-    _, _, left = told.partition("thinner: ")
-    return (
-        f"Films are those of fully flooded inlets; with little oil they are thinner: {left}." if left else ""
-    )
+    return next((note["text"] for note in reader.attributes["notes"] if note["code"] == "flooding"), "")
 
 
 def viscosity_ratio(reader: Reader) -> Number | None:
@@ -83,10 +73,3 @@ def film_ratio(reader: Reader, race: str) -> Number | None:
     if found.get(race) is None:
         return None
     return reader.units.number(found[race], "", "", ".2f", f"summary/{reader.last}/minimum_lambda/{race}")
-
-
-def needed_roughness(reader: Reader, race: str, ratio: float) -> Number:
-    """Combined roughness with which the smallest film of a raceway has a film ratio."""
-    film = reader.summary[reader.last]["minimum_film_um"][race]
-    path = f"part/{float(ratio)!r}/summary/{reader.last}/minimum_film_um/{race}"
-    return reader.units.number(film / ratio, "um", "um", ".3f", path)

@@ -1,0 +1,147 @@
+"""Findings: every limit is declared once, and note, check and report follow it."""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from flexbearing import api, findings
+from flexbearing.findings import DANGER, MET, NOT_CHECKED, NOT_MET, OUTSIDE, USUAL, declared
+from flexbearing.findings.finding import AT_MOST
+from flexbearing.report.html import METRIC, against_limits, html, of_result
+from flexbearing.report.html.reader import Reader
+from flexbearing.runs import judged
+from quasidynamic.contact.film.roughness import MIXED_FROM
+from quasidynamic.outcome import static_pressure
+from tests.flexbearing.hostile_cases import CONFIGS
+
+# kind of case with a value of the finding: keys that it needs
+ROLLERS = ("nu209_fits.toml", "operation.misalignment=1 arcmin")
+BARS = ("mao2016.toml", "accuracy.structure=beam", "materials.outer_ring.yield_stress=900 MPa")
+BALLS = ("harris218.toml", "lubricant.oil=ISO VG 68", "lubricant.inlet_temperature=60 degC")
+DEEP = ("6209.toml",)
+LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the number
+    ("contact-pressure", DANGER, "static_pressure"): 1.0,
+    ("static-safety", DANGER, ""): 1.0,
+    ("static-safety", USUAL, ""): 1.5,  # SKF
+    ("yield-stress", DANGER, "yield_stress"): 1.0,
+    ("heavy-load", OUTSIDE, "dynamic_rating"): 0.5,  # ISO 281
+    ("heavy-load", OUTSIDE, "static_rating"): 1.0,  # ISO 281, of balls
+    ("short-life", DANGER, ""): 3600.0,
+    ("viscosity-ratio", USUAL, ""): 1.0,
+    ("film-ratio", USUAL, "mixed_film_ratio"): 1.0,
+    ("gyroscopic-moment", OUTSIDE, "friction"): 1.0,
+    ("preload", USUAL, ""): 0.0,
+    ("raceway-slope", USUAL, ""): np.radians(4 / 60),
+}
+CASES = [
+    *((number, "OF_ROLLERS", BARS if each.code == "yield-stress" else ROLLERS)
+      for number, each in enumerate(declared.OF_ROLLERS)),
+    *((number, "OF_BALLS", DEEP if each.code == "preload" else BALLS)
+      for number, each in enumerate(declared.OF_BALLS)),
+]  # fmt: skip
+
+
+@cache
+def computed(case, settings):
+    return api.run(CONFIGS / case, settings)
+
+
+def records(result, finding):
+    """Stored records of a finding."""
+    return [
+        each for each in result.attributes["findings"]
+        if (each["code"], each["grade"], each["source"]) == (finding.code, finding.grade, finding.source)
+    ]  # fmt: skip
+
+
+def test_declared_limits_are_those_of_their_sources():
+    found = {(each.code, each.grade, each.times): each.limit for each in declared.DECLARED}
+    light = [each.limit for each in (declared.LIGHT_LOAD_OF_ROLLERS, declared.LIGHT_LOAD_OF_BALLS)]
+    assert light == [0.02, 0.01]
+    pressures = (static_pressure.ROLLERS, static_pressure.BALLS, static_pressure.SELF_ALIGNING_BALLS)
+    assert pressures == (4.0e9, 4.2e9, 4.6e9)  # ISO 76
+    assert MIXED_FROM == 1.0
+    assert {key: limit for key, limit in found.items() if key[0] != "light-load"} == LIMITS
+
+
+@pytest.mark.parametrize(
+    ("number", "table", "case"), CASES, ids=lambda each: str(each) if isinstance(each, int | str) else each[0]
+)
+def test_note_check_and_report_follow_each_limit(monkeypatch, number, table, case):
+    """With its limit moved to the other side of the value, every view says the other."""
+    finding = getattr(declared, table)[number]
+    file, *settings = case
+    before = computed(file, tuple(settings))
+    known = records(before, finding)
+    assert known, "the case has no value of it"
+    first = max(known, key=lambda each: each["share"] or 0.0)
+    past = {MET: 0.5, NOT_MET: 2.0}[first["verdict"]]
+    factor = past * first["value"] / first["limit"] if first["limit"] else None
+    if finding.side != AT_MOST and factor:
+        factor = first["value"] / first["limit"] / past
+    limit = 2 * first["value"] if factor is None else factor * finding.limit
+    side = "at_most" if finding.side == AT_MOST else "at_least"
+    moved = replace(finding, **{side: limit})
+    others = (moved if each is finding else each for each in getattr(declared, table))
+    monkeypatch.setattr(declared, table, tuple(others))
+    after = api.run(CONFIGS / file, settings)
+    assert max(records(after, finding), key=lambda each: each["share"] or 0.0)["verdict"] != first["verdict"]
+    seen = [_views(result, finding, first["place"]) for result in (before, after)]
+    assert seen[0]["check"] != seen[1]["check"]
+    assert seen[0]["limit"] != seen[1]["limit"]
+    if finding.noted:
+        assert seen[0]["note"] != seen[1]["note"]
+    else:
+        assert [each["note"] for each in seen] == [[], []]
+
+
+def _views(result, finding, place):
+    """What note, check and page say of it."""
+    (check,) = [
+        each for each in against_limits.ranked(Reader(result, METRIC))
+        if each.what.lower().startswith(finding.label.lower()) and each.place == place
+    ]  # fmt: skip
+    assert check.limit in html(of_result(result))
+    notes = [
+        (note["grade"], note["text"]) for note in result.attributes["notes"] if note["code"] == finding.code
+    ]
+    return {"check": check.verdict, "limit": check.limit, "note": notes}
+
+
+def test_values_are_judged_cases_first():
+    values = {"static_safety": np.array([0.9, 1.2, 1.6]), "contact_pressure": {"inner": 5e9, "outer": 3e9},
+              "static_pressure": 4e9}  # fmt: skip
+    found = findings.evaluate(declared.OF_ROLLERS, values)
+    by_case = [[(note.code, note.grade) for note in judged.notes(found[2:], case)] for case in range(3)]
+    assert by_case == [[("static-safety", "danger")], [("static-safety", "information")], []]
+    (note,) = judged.notes(found[:2])
+    assert "inner: 5,000 MPa, at most 4,000 MPa (ISO 76)" in note.text
+    first = found[0].record()
+    assert (first["share"], first["verdict"], first["limit"]) == (approx(1.25, rel=1e-12), NOT_MET, 4e9)
+
+
+def test_a_limit_that_the_case_does_not_give_is_not_checked_and_warns_of_nothing():
+    (found,) = findings.evaluate(
+        declared.OF_ROLLERS, {"stress": {"bars": 1e9}, "yield_stress": {"bars": None}}
+    )
+    assert found.record() | {"verdict": NOT_CHECKED, "limit": None, "share": None} == found.record()
+    assert judged.notes([found]) == ()
+
+
+@pytest.mark.parametrize("value", [np.inf, np.nan])
+def test_what_is_not_finite_is_not_stored(value):
+    found = findings.evaluate(declared.OF_ROLLERS, {"life": value})
+    assert findings.records(found) == []
+
+
+def test_a_row_of_a_study_has_the_dangers_of_its_own_run():
+    settings = ["operation.radial_load=100 kN"]
+    result = api.run(CONFIGS / "nu209.toml", settings)
+    codes = [note["code"] for note in result.attributes["notes"] if note["grade"] == "danger"]
+    assert codes == ["contact-pressure", "static-safety", "short-life"]
+    broken = [each["code"] for each in result.attributes["findings"]
+              if each["verdict"] == NOT_MET and each["grade"] == DANGER]  # fmt: skip
+    assert list(dict.fromkeys(broken)) == codes
