@@ -7,7 +7,7 @@ from flexbearing.findings.finding import DANGER, OUTSIDE, USUAL, Finding
 SHORT_LIFE = Finding(
     code="short-life", label="life after all factors", quantity="life",
     at_least=3600.0, grade=DANGER, source="an hour, limit of this program", unit="s", shown="h",
-    meaning="the bearing fails at once", action="larger bearing, lower load or speed",
+    meaning="the bearing fails at once", action="take a larger bearing, a lower load or speed",
 )  # fmt: skip
 VISCOSITY_RATIO = Finding(
     code="viscosity-ratio", label="viscosity ratio κ", quantity="viscosity_ratio",
@@ -19,8 +19,9 @@ FILM_RATIO = Finding(
     code="film-ratio", label="smallest film ratio Λ", quantity="film_ratio",
     at_least=1.0, times="mixed_film_ratio", grade=USUAL, source="asperities carry below", noted=False,
     meaning="asperities carry most of the load",
-    action="smoother raceways, a more viscous or a cooler oil",
+    action="take smoother raceways, a more viscous or a cooler oil",
 )  # fmt: skip
+FULL_FILM = 3.0  # film ratio from which surfaces hardly ever touch: no limit, for the words of reports
 GYROSCOPIC_MOMENT = Finding(
     code="gyroscopic-moment", label="friction needed to hold the gyroscopic moments",
     quantity="needed_friction", at_most=1.0, times="friction", grade=OUTSIDE, source="friction.coefficient",
@@ -29,12 +30,13 @@ GYROSCOPIC_MOMENT = Finding(
 )  # fmt: skip
 CLEARANCE = Finding(
     code="preload", label="diametral clearance", quantity="clearance",
-    at_least=0.0, grade=USUAL, source="zero", unit="m", shown="um", noted=False,
-    meaning="the bearing is preloaded", action="looser fits, a larger clearance class or a cooler inner ring",
+    at_least=0.0, grade=USUAL, source="else preload", unit="m", shown="um", noted=False,
+    meaning="the bearing is preloaded",
+    action="take looser fits, a larger clearance class or a cooler inner ring",
 )  # fmt: skip
 RACEWAY_SLOPE = Finding(
     code="raceway-slope", label="slope between the raceways at the most loaded roller",
     quantity="raceway_slope", at_most=4 / 60 * pi / 180, grade=USUAL, unit="rad", shown="mrad", noted=False,
-    source="4 arcmin, rule of thumb: range of the edge stress of ISO/TS 16281",
-    meaning="the ends of rollers are pressed", action="stiffer shaft, or seats in line",
+    source="4 arcmin, rule of thumb: range of the edge stress of ISO/TS 16281; the maker's limit counts",
+    meaning="the ends of rollers are pressed", action="take a stiffer shaft, or align the seats",
 )  # fmt: skip

@@ -257,7 +257,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
     if lives is not None:
         life = lives.basic if lives.modified is None else lives.modified
         values |= {
-            "load": ball_life.equivalent(case, lives),
+            "load": {"by the loads of the balls": ball_life.equivalent(case, lives)},
             "dynamic_rating": ball_life.dynamic(case),
             "static_rating": ball_life.static(case),
             "life": judged.seconds(life / MREV, speed),

@@ -41,7 +41,7 @@ def values(case: Case, race: Race, record: dict[str, Any]) -> dict[str, dict[str
     found: dict[str, dict[str, Any]] = {"stress": {}, "yield_stress": {}}
     for body, most in record["bodies"].items():
         material = expansion.material(case, body if body in ("shaft", "housing") else f"{race}_ring")
-        place = f"{race}: {body}"
+        place = f"{race}: {body} (von Mises)"
         found["stress"][place] = MEGA * most["von_mises_MPa"]
         found["yield_stress"][place] = getattr(material, "yield_stress", None)  # not of every material
     return found

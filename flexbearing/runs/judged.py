@@ -32,7 +32,8 @@ def notes(judged: Iterable[Judged], case: int = 0) -> tuple[Note, ...]:
 
 def _note(records: list[dict[str, Any]]) -> Note:
     worst = findings.gravest(records)
-    return Note(_GRADES[worst["grade"]], worst["code"], findings.text(worst))
+    places = [each["place"] for each in records if each["grade"] == worst["grade"]]
+    return Note(_GRADES[worst["grade"]], worst["code"], findings.text(worst, list(dict.fromkeys(places))))
 
 
 def of_rollers(rows: SolvedRows) -> dict[str, Any]:

@@ -92,6 +92,7 @@ class Numbers:
             "warmth": self.warmth,
             "ratings_at": self.ratings_at,
             "own_life_at": self.own_life_at,
+            "part": self.part,
             "series": self.series,
             "torque_error": self.torque_error,
             "viscosity_ratio": self.viscosity_ratio,
@@ -239,6 +240,11 @@ class Numbers:
         (used,) = (factor["value"] for factor in life["factors"] if factor["name"] == "a_ISO")
         hours = self.ratings["life_h"] / self.ratings["life_Mrev"]
         return life["modified_Mrev"] * hours * a_iso / used
+
+    def part(self, rest):
+        """A number over another one that is no output."""
+        of, path = rest.split("/", 1)
+        return self(path) / float(of)
 
     def torque_error(self, rest):
         """Of the grid, and the power that no cause of heat explains."""

@@ -10,10 +10,11 @@ from pytest import approx
 from flexbearing import api, findings
 from flexbearing.findings import DANGER, MET, NOT_CHECKED, NOT_MET, OUTSIDE, USUAL, declared
 from flexbearing.findings.finding import AT_MOST
+from flexbearing.findings.running import FULL_FILM
 from flexbearing.report.html import METRIC, against_limits, html, of_result
 from flexbearing.report.html.reader import Reader
 from flexbearing.runs import judged
-from quasidynamic.contact.film.roughness import MIXED_FROM
+from quasidynamic.contact.film.roughness import FULL_FILM_FROM, MIXED_FROM
 from quasidynamic.outcome import static_pressure
 from tests.flexbearing.hostile_cases import CONFIGS
 
@@ -63,7 +64,7 @@ def test_declared_limits_are_those_of_their_sources():
     assert light == [0.02, 0.01]
     pressures = (static_pressure.ROLLERS, static_pressure.BALLS, static_pressure.SELF_ALIGNING_BALLS)
     assert pressures == (4.0e9, 4.2e9, 4.6e9)  # ISO 76
-    assert MIXED_FROM == 1.0
+    assert (MIXED_FROM, FULL_FILM) == (1.0, FULL_FILM_FROM)
     assert {key: limit for key, limit in found.items() if key[0] != "light-load"} == LIMITS
 
 

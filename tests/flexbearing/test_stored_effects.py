@@ -58,10 +58,14 @@ def test_ranges_computed_at_another_load_are_those_of_that_load():
     assert life(api.run(NU210)) == approx((0.163, 13.7), rel=0.01)
 
 
-def test_outputs_and_marks_of_a_case_are_no_inputs():
-    for setting in ("outputs.catalogue_life=true", 'assumed=["life.cleanliness"]', "title=another"):
+def test_outputs_and_title_of_a_case_are_no_inputs_but_what_is_assumed_is():
+    for setting in ("outputs.catalogue_life=true", "title=another"):
         assert "assumed_effects" in api.run(NU210, [setting]).attributes
-    for setting in ("accuracy.slices=31", "lubricant.inlet_temperature=71 degC"):
+    for setting in (
+        "accuracy.slices=31",
+        "lubricant.inlet_temperature=71 degC",
+        'assumed=["life.cleanliness"]',
+    ):
         assert "assumed_effects" not in api.run(NU210, [setting]).attributes
 
 

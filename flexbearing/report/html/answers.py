@@ -7,7 +7,7 @@ import numpy as np
 
 from flexbearing.findings import DANGER, NOT_MET, OUTSIDE, USUAL
 from flexbearing.findings.codes import PEAK_AT_ENDS
-from flexbearing.findings.running import VISCOSITY_RATIO
+from flexbearing.findings.running import FULL_FILM, VISCOSITY_RATIO
 from flexbearing.findings.strength import BARS
 from flexbearing.quantities.effects import CHOICE, COMPARISON, LIVES
 from flexbearing.report.html import (
@@ -361,7 +361,11 @@ def _lubrication(reader: Reader) -> Iterator[str]:
         if ratio is not None:
             yield f"Smallest film, {race} raceway: {text_of(film)}, film ratio Λ {ratio.text}."
         else:
-            yield f"Smallest film, {race} raceway: {text_of(film)}; the case gives no roughness for Λ."
+            full = text_of(lubrication.needed_roughness(reader, race))
+            yield (
+                f"Smallest film, {race} raceway: {text_of(film)}; Λ is 1 with a combined roughness of "
+                f"{text_of(film)}, and {FULL_FILM:g} with {full}; the case gives none."
+            )
     yield lubrication.flooded(reader)
 
 

@@ -99,14 +99,27 @@ def moving(reader: Reader) -> list[str]:
     told: list[str] = []
     ranked = sorted(range(len(found["keys"])), key=lambda place: -_effect(found, place, name))
     for place in (place for place in ranked if _effect(found, place, name) > log(WORTH)):
-        key, base = found["keys"][place], found["of"][name]
-        others = [
-            f"{other['values'][name] / base:.3g} times with {units_in_words(other['words'])}"
-            for other in key["others"] if other["values"].get(name) is not None
-        ]  # fmt: skip
+        key = found["keys"][place]
         compared = " (for comparison)" * (key.get("role") == COMPARISON)
-        told.append(f"{assumptions.named(key['key'])}{compared}: life {', '.join(others)}")
+        told.append(f"{assumptions.named(key['key'])}{compared}: {_of_life(reader, key)}")
     return told
+
+
+def of_life(reader: Reader, key: str) -> str:
+    """Change of the life by other values of a key; empty where it is not known."""
+    found = reader.attributes.get("assumed_effects") or {}
+    known = [each for each in found.get("keys", ()) if each["key"] == key]
+    return _of_life(reader, known[0]) if known and ranked_by(reader) in LIVES else ""
+
+
+def _of_life(reader: Reader, key: dict[str, Any]) -> str:
+    name = ranked_by(reader)
+    base = reader.attributes["assumed_effects"]["of"][name]
+    others = [
+        f"{other['values'][name] / base:.3g} times with {units_in_words(other['words'])}"
+        for other in key["others"] if other["values"].get(name) is not None
+    ]  # fmt: skip
+    return f"life {', '.join(others)}" if others else ""
 
 
 def solved_again(reader: Reader, key: str, value: str) -> tuple[float, str] | None:

@@ -120,7 +120,7 @@ def changes(reader: Reader, word: str) -> dict[str, list[Change]]:
     if not found:
         return {}
     named = {word: name for name, word in (*reader.layout.weighed, *reader.layout.weighed_in_results)}
-    name = assumed_effects.ranked_by(reader) if word == LIFE else named[word]
+    name = assumed_effects.ranked_by(reader) if word == LIFE else named.get(word, "")
     if assumed_effects.base(reader, name) is None or (word == LIFE and name not in LIVES):
         return {}
     for key in (key for key in found["keys"] if key.get("role") != COMPARISON):

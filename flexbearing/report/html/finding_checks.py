@@ -19,6 +19,7 @@ _OF_BARS = (
     "Mises stress of the bars leaves out these places, so it may be lower"
 )
 _ENDS = 'set bearing.contact = "half_space" for the peak pressure at the ends of the rollers'
+_GIVE_OIL = "give the oil in [lubricant] for the viscosity ratio and a life with oil and cleanliness"
 _COUNT_OIL = 'set life.lubrication = "a_ISO" for a life that counts oil and cleanliness'
 
 
@@ -69,11 +70,13 @@ def _explained(reader: Reader, code: str, check: Check) -> Check:
     if code == "contact-pressure" and not check.broken and PEAK_AT_ENDS & reader.codes:
         return replace(check, verdict="met by slices, not checked at the ends", do=_ENDS)
     if code == "yield-stress":
-        words = f"; {_OF_BARS}" * (check.place == BARS)
+        of_bars = check.place == BARS
+        words = f"; {_OF_BARS}" * of_bars
         if not check.unchecked:
             return replace(check, verdict=f"{check.verdict}{words}")
         why = f"{NOT_CHECKED}: {_NO_YIELD}{words}"
-        return replace(check, verdict=why, who=_ANALYST, do=_GIVE_YIELD, urgent=True)
+        who = _ANALYST + ", times the stress concentration factor of the fillet" * of_bars
+        return replace(check, verdict=why, who=who, do=_GIVE_YIELD, urgent=True)
     if code == "film-ratio":
         regime = _regimes(reader).get(check.place.partition(" ")[0], "")
         return replace(check, verdict=": ".join(filter(None, (check.verdict, regime))))
@@ -95,7 +98,8 @@ def _without(reader: Reader, codes: set[str]) -> Iterator[Check]:
         yield unchecked("Equivalent load and minimum load", known.rstrip("."), who)
     elif "viscosity-ratio" not in codes:
         who = "oil supplier: viscosity at the temperature of the inlets"
-        yield unchecked("Viscosity ratio κ", "the case gives no oil, or nothing turns", who)
+        do = "" if reader.attributes["case_si"].get("lubricant") else _GIVE_OIL
+        yield unchecked("Viscosity ratio κ", "the case gives no oil, or nothing turns", who, do=do)
     if "film-ratio" not in codes:
         films = "minimum_film_um" in reader.summary[reader.last]
         why = "no roughness given (bearing.roughness)" if films else "no film is computed for this kind"

@@ -9,6 +9,7 @@ from flexbearing.report.html.against_limits import ranked
 from flexbearing.report.html.check import BUILD, MISSED, WORST_FIRST, Check, one, text_of
 from flexbearing.report.html.document import Block, Items, Number, Words
 from flexbearing.report.html.lives import lives
+from flexbearing.report.html.open_checks import straight
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.sentences import rounded
 
@@ -90,6 +91,8 @@ def _lines(reader: Reader, checks: Sequence[Check]) -> Iterator[str]:
                   if check.urgent and isinstance(check.value, Number)]:  # fmt: skip
         yield f"Possibly the first limit, without a strength in the case: {'; '.join(urgent)}."
     yield tight_end(reader) if grade(reader, checks) else ""  # else beside the nearest limit
+    if straight(reader) and (changed := assumed_effects.of_life(reader, "operation.misalignment")):
+        yield f"Misalignment of the shaft is assumed to be none: {changed}."
     left = sum(check.unchecked for check in checks)
     yield f"{left} items are not checked here: [who checks them, with what](#not-checked)."
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from flexbearing.findings.running import VISCOSITY_RATIO
+from flexbearing.findings.running import FULL_FILM, VISCOSITY_RATIO
 from flexbearing.report.html import oil, ratings
 from flexbearing.report.html.document import Block, Cell, Number, Table, Words
 from flexbearing.report.html.reader import Reader
@@ -20,6 +20,8 @@ _MEANINGS = {
     "kappa": f"{VISCOSITY_RATIO.limit:g} or more is usual",
     "largest": "with the cleanest oil, e_C = 1, at the load that has the life of this case by C_r; ISO 281",
     "film": "in the thinnest contact with load; the film ratio Λ is 1 with a combined roughness of this size",
+    "ratio": f"from 1 on surfaces seldom touch, from {FULL_FILM:g} on the film is full",
+    "full": "a smoother pair has a full film",
 }
 
 
@@ -37,7 +39,11 @@ def blocks(reader: Reader) -> Iterator[Block]:
     for race, film in films(reader).items():
         rows.append((f"smallest film, {race} raceway", film, printed(film.unit), _MEANINGS["film"]))
         if (ratio := film_ratio(reader, race)) is not None:
-            rows.append((f"smallest film ratio Λ, {race} raceway", ratio, "", "film over roughness"))
+            rows.append((f"smallest film ratio Λ, {race} raceway", ratio, "", _MEANINGS["ratio"]))
+            continue
+        value = needed_roughness(reader, race)
+        label = f"combined roughness for Λ = {FULL_FILM:g}, {race} raceway"
+        rows.append((label, value, printed(value.unit), _MEANINGS["full"]))
     if not rows:
         return
     yield Table("Lubrication", ("quantity", "value", "unit", "meaning"), tuple(rows))
@@ -48,7 +54,8 @@ def blocks(reader: Reader) -> Iterator[Block]:
 
 def flooded(reader: Reader) -> str:
     """What little oil makes of the films, computed with flooded inlets; empty where they have the oil."""
-    return next((note["text"] for note in reader.attributes["notes"] if note["code"] == "flooding"), "")
+    text = next((note["text"] for note in reader.attributes["notes"] if note["code"] == "flooding"), "")
+    return f"{text[0].upper()}{text[1:]}." if text else ""
 
 
 def viscosity_ratio(reader: Reader) -> Number | None:
@@ -73,3 +80,10 @@ def film_ratio(reader: Reader, race: str) -> Number | None:
     if found.get(race) is None:
         return None
     return reader.units.number(found[race], "", "", ".2f", f"summary/{reader.last}/minimum_lambda/{race}")
+
+
+def needed_roughness(reader: Reader, race: str) -> Number:
+    """Combined roughness with which the smallest film of a raceway is full."""
+    film = reader.summary[reader.last]["minimum_film_um"][race]
+    path = f"part/{FULL_FILM!r}/summary/{reader.last}/minimum_film_um/{race}"
+    return reader.units.number(film / FULL_FILM, "um", "um", ".3f", path)
