@@ -37,6 +37,6 @@ CLEARANCE = Finding(
 RACEWAY_SLOPE = Finding(
     code="raceway-slope", label="slope between the raceways at the most loaded roller",
     quantity="raceway_slope", at_most=4 / 60 * pi / 180, grade=USUAL, unit="rad", shown="mrad", noted=False,
-    source="4 arcmin, rule of thumb: range of the edge stress of ISO/TS 16281; the maker's limit counts",
+    source="4 arcmin, rule of thumb: range of the edge stress of ISO/TS 16281; that of the maker counts",
     meaning="the ends of rollers are pressed", action="take a stiffer shaft, or align the seats",
 )  # fmt: skip

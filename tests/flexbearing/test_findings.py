@@ -11,7 +11,7 @@ from flexbearing import api, findings
 from flexbearing.findings import DANGER, MET, NOT_CHECKED, NOT_MET, OUTSIDE, USUAL, declared
 from flexbearing.findings.finding import AT_MOST
 from flexbearing.findings.running import FULL_FILM
-from flexbearing.report.html import METRIC, against_limits, html, of_result
+from flexbearing.report.html import METRIC, against_limits
 from flexbearing.report.html.reader import Reader
 from flexbearing.runs import judged
 from quasidynamic.contact.film.roughness import FULL_FILM_FROM, MIXED_FROM
@@ -100,12 +100,15 @@ def test_note_check_and_report_follow_each_limit(monkeypatch, number, table, cas
 
 
 def _views(result, finding, place):
-    """What note, check and page say of it."""
+    """What note, check and the limits on the page say of it."""
+    reader = Reader(result, METRIC)
     (check,) = [
-        each for each in against_limits.ranked(Reader(result, METRIC))
+        each for each in against_limits.ranked(reader)
         if each.what.lower().startswith(finding.label.lower()) and each.place == place
     ]  # fmt: skip
-    assert check.limit in html(of_result(result))
+    assert [check.limit] == [
+        row[3] for row in next(against_limits.blocks(reader)).rows if row[0] == check.what
+    ]
     notes = [
         (note["grade"], note["text"]) for note in result.attributes["notes"] if note["code"] == finding.code
     ]
@@ -138,7 +141,7 @@ def test_what_is_not_finite_is_not_stored(value):
     assert findings.records(found) == []
 
 
-def test_a_row_of_a_study_has_the_dangers_of_its_own_run():
+def test_dangers_are_notes_of_findings_that_are_not_met():
     settings = ["operation.radial_load=100 kN"]
     result = api.run(CONFIGS / "nu209.toml", settings)
     codes = [note["code"] for note in result.attributes["notes"] if note["grade"] == "danger"]
