@@ -11,7 +11,7 @@ from flexbearing.findings import Judged, declared
 from flexbearing.progress import Report
 from flexbearing.quantities.quantity import row
 from flexbearing.results import Arrays, Recorder
-from flexbearing.runs import fields, judged, notes, sliced_peak
+from flexbearing.runs import fields, judged, notes, roller_findings, sliced_peak
 from flexbearing.runs.part_fields import NoFields
 from flexbearing.runs.several import SeveralEquilibria
 from flexbearing.runs.solved_rows import SolvedRows
@@ -70,7 +70,7 @@ class Postprocessing:
             ratios = lambda_ratio(rows.states.minimum_film[0], rows.roughness[0])
             self.regimes[name] = dict(zip(("inner", "outer"), map(str, regime(ratios)), strict=True))
         self.of_state[name] = notes.of_solution(rows)
-        self.values[name] = judged.of_rollers(rows)
+        self.values[name] = roller_findings.values(rows)
         if name == "flexible" and self.case.outputs.stresses:
             self._add_stresses(self.blocks[name])
         if not self.record.compared:

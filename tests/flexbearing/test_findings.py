@@ -11,7 +11,7 @@ from flexbearing import api, findings
 from flexbearing.findings import DANGER, MET, NOT_CHECKED, NOT_MET, OUTSIDE, USUAL, declared
 from flexbearing.findings.finding import AT_MOST
 from flexbearing.findings.running import FULL_FILM
-from flexbearing.report.html import METRIC, against_limits
+from flexbearing.report.html import METRIC, against_limits, finding_checks
 from flexbearing.report.html.reader import Reader
 from flexbearing.runs import judged
 from quasidynamic.contact.film.roughness import FULL_FILM_FROM, MIXED_FROM
@@ -37,6 +37,8 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
     ("preload", USUAL, ""): 0.0,
     ("raceway-slope", USUAL, ""): np.radians(4 / 60),
 }
+BASES = {"static_pressure": static_pressure.ROLLERS, "dynamic_rating": 7e4, "static_rating": 6e4,
+         "yield_stress": 9e8, "friction": 0.1, "mixed_film_ratio": MIXED_FROM}  # fmt: skip
 CASES = [
     *((number, "OF_ROLLERS", BARS if each.code == "yield-stress" else ROLLERS)
       for number, each in enumerate(declared.OF_ROLLERS)),
@@ -113,6 +115,51 @@ def _views(result, finding, place):
         (note["grade"], note["text"]) for note in result.attributes["notes"] if note["code"] == finding.code
     ]
     return {"check": check.verdict, "limit": check.limit, "note": notes}
+
+
+@pytest.mark.parametrize("finding", declared.DECLARED, ids=lambda each: f"{each.code}-{each.limit:g}")
+def test_note_and_check_change_at_the_limit(finding):
+    limit = finding.limit * BASES.get(finding.times, 1.0)
+    step = 1e-6 * (limit or 1.0)
+    result = computed("nu209.toml", ())
+    for value in (limit - step, limit + step):
+        found = findings.evaluate([finding], BASES | {finding.quantity: value})
+        about = {**result.attributes, "findings": findings.records(found)}
+        reader = Reader(replace(result, attributes=about), METRIC)
+        (check,) = [
+            each for each in finding_checks.checks(reader) if each.grade == finding.grade and each.share
+        ]
+        broken = (value > limit) == (finding.side == AT_MOST)
+        assert check.broken == broken
+        assert bool(judged.notes(found)) == (broken and finding.noted)
+
+
+def test_values_are_those_of_the_result():
+    result = computed(ROLLERS[0], ROLLERS[1:])
+    found = {(each["code"], each["place"]): each["value"] for each in result.attributes["findings"]}
+    summary = result.summary()["flexible"]
+    turns = 1e6 * result.attributes["life"]["flexible"]["modified_Mrev"]
+    assert found["short-life", ""] == approx(turns * 60 / 3000)
+    for race in ("inner", "outer"):
+        assert found["film-ratio", f"{race} raceway"] == approx(summary["minimum_lambda"][race])
+
+
+def test_clearance_is_judged_at_the_tight_end_of_the_tolerances():
+    result = computed("catalogue/nu210.toml", ())
+    tight, ends = records(result, declared.CLEARANCE)[1], result.attributes["clearance"]["tolerances"]["ends"]
+    assert (tight["value"], tight["verdict"]) == (ends["tightest_m"], MET)
+
+
+def test_slope_counts_the_lean_of_elastic_raceways():
+    """Radial distance between the raceways along the most loaded roller, end by end."""
+    result = computed(BARS[0], BARS[1:])
+    block = result.flexible
+    roller, along = np.argmax(block["inner_load"]), block["slice_position"]
+    azimuth = block["roller_azimuth"][roller]
+    gap = block["inner_deviation"][roller] - block["outer_deviation"][roller]
+    gap = gap + along * (block["ring_tilt"] @ (np.cos(azimuth), np.sin(azimuth)))
+    (found,) = records(result, declared.RACEWAY_SLOPE)
+    assert found["value"] == approx(abs(np.cov(along, gap)[0, 1] / np.var(along, ddof=1)), rel=1e-6)
 
 
 def test_values_are_judged_cases_first():

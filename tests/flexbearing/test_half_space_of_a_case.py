@@ -14,7 +14,7 @@ from flexbearing.case import BadCase
 from flexbearing.coupling import LinearPair
 from flexbearing.report import text, write_figures
 from flexbearing.report.roller.figures import pictures
-from flexbearing.runs import half_space, judged
+from flexbearing.runs import half_space, roller_findings
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic.errors import NotSolved
 from quasidynamic.outcome import whole_roller
@@ -141,7 +141,7 @@ def test_danger_of_pressure_is_that_of_slices_where_the_peak_is_no_number(profil
     state = roller_bearing.bearing(case).solve()
     whole, _ = half_space.most_loaded(case, state)
     assert whole is not None
-    pressures = judged.of_dangers(row_of(case, state))["contact_pressure"].values()
+    pressures = roller_findings.values_of_dangers(row_of(case, state))["contact_pressure"].values()
     assert max(each[0] for each in pressures) == (state if of_slices else whole).peak_pressure.max()
 
 

@@ -108,11 +108,16 @@ def test_a_file_that_is_none_of_effects_is_refused_in_one_line(case, text):
     assert "\n" not in str(problem.value)
 
 
-def test_effects_of_a_drawing_depend_on_its_content(tmp_path, monkeypatch):
-    case = api.read_case(CONFIGS / "step_ring.toml")
-    before = effects_file.digest(case)
-    monkeypatch.setattr(effects_file, "digests", lambda _: "another drawing")
-    assert effects_file.digest(case) != before
+def test_effects_of_a_drawing_depend_on_its_content(tmp_path):
+    (drawing,) = api.read_case(CONFIGS / "step_ring.toml").named_files
+    case = tmp_path / "step_ring.toml"
+    shutil.copy(CONFIGS / case.name, case)
+    (copy,) = api.read_case(case).named_files
+    copy.parent.mkdir(exist_ok=True)
+    shutil.copy(drawing, copy)
+    before = effects_file.digest(api.read_case(case))
+    copy.write_bytes(copy.read_bytes() + b"\n")
+    assert effects_file.digest(api.read_case(case)) != before
 
 
 def test_results_read_no_comment():
