@@ -1,6 +1,6 @@
 # With Python 3.11, 3.12 or 3.13 and make alone: `make run` computes the main case, `make test` runs the fast tests,
-# `make test-python` those with another Python, `make test-slow` the slow ones, `make test-slurm` those with a queue,
-# `make test-ross` those with a rotor, `make test-browser` those of reports in a browser.
+# `make test-python` those with another Python, `make test-slow` the slow ones, `make test-long` the longest,
+# `make test-slurm` those with a queue, `make test-ross` those with a rotor, `make test-browser` those of reports in a browser.
 PYTHON ?= python3
 PYTHON_OTHER ?= python3.13
 VENV := .venv
@@ -12,7 +12,7 @@ READY := $(VENV)/.installed
 export OMP_NUM_THREADS ?= 2
 export OPENBLAS_NUM_THREADS ?= 2
 
-.PHONY: run test test-python test-slow test-slurm test-ross test-calculix test-browser test-docs lint benchmark docs lock clean
+.PHONY: run test test-python test-slow test-long test-slurm test-ross test-calculix test-browser test-docs lint benchmark docs lock clean
 
 run: $(READY)
 	$(BIN)/flexbearing run configs/mao2016.toml -o results/mao2016.h5
@@ -32,6 +32,10 @@ test-python:
 
 test-slow: $(READY)
 	$(FAST) $(BIN)/python -m pytest -m slow -n auto --maxprocesses 2 --dist loadscope
+
+# Pages of evidence that take minutes to compute; not in continuous integration.
+test-long: $(READY)
+	$(FAST) $(BIN)/python -m pytest -m long -n auto --maxprocesses 2 --dist load
 
 # For root, with the Debian packages slurm-wlm and munge: a queue with two nodes on this machine.
 test-slurm: $(READY)
@@ -65,7 +69,7 @@ lint: $(READY)
 benchmark: $(READY)
 	$(BIN)/python -m benchmarks.main_job
 
-# Computes all cases of docs/evidence again; `make test-slow` fails where their numbers moved.
+# Computes all cases of docs/evidence again; `make test-slow` and `make test-long` fail where their numbers moved.
 evidence: $(READY)
 	$(BIN)/python -m evidence
 

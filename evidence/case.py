@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from typing import Literal
 
 from matplotlib.figure import Figure
 
@@ -75,7 +76,7 @@ class Case:
     moves: float = 1e-3  # share of a number by which it may move before the check fails
     draw: Callable[[Findings], Figure] | None = None
     caption: str = ""
-    slow: bool = False  # takes more than a second
+    takes: Literal["", "seconds", "minutes"] = ""  # to compute; above ten seconds, `make test-long` does
     remarks: str = ""
 
     @property

@@ -1,6 +1,6 @@
 """Flexible rings as finite elements; `fem.condense.condense` is the way in.
 
-Only the parts are re-exported here, and loaded when they are asked for: describing a ring costs nothing,
+Only the parts are re-exported here, and loaded when they are requested: describing a ring costs nothing,
 NGSolve is loaded by the modules that compute.
 """
 

@@ -1,4 +1,4 @@
-"""The one entry: a part condensed to what rollers or balls feel on its raceway.
+"""The one entry: a part condensed to the compliance of its raceway under rollers or balls.
 
 A discretisation is loaded with NGSolve when it is used: importing this module loads neither.
 """
@@ -56,7 +56,7 @@ def condense(part, discretisation, resolution, report=unheard):
     resolution : Resolution
         loaded band, axial modes, element sizes and harmonics; azimuths and patches of a solid
     report : callable (stage, fraction)
-        told "mesh", "factor" and "condense" with the finished fraction of the stage, None if unknown
+        called with "mesh", "factor" and "condense" with the finished fraction of the stage, None if unknown
 
     Returns
     -------
@@ -128,7 +128,7 @@ def seat_growth(part: Part, resolution: Resolution) -> "RacewayGrowth":
     ImpossiblePart
         for another part
     NotSolved
-        if a solve fails, or the process ends without an answer
+        if a solve fails, or the process ends without a result
     """
     if isinstance(part, SquirrelCage):
         return in_subprocess(_cage_seat_growth, part, resolution)
@@ -160,7 +160,7 @@ def require_drawing(part: Part | StepSolid, length: float) -> None:
     ImpossiblePart
         if the drawing does not hold such a part
     NotSolved
-        if the process ends without an answer
+        if the process ends without a result
     """
     if isinstance(part, StepSolid):
         in_subprocess(_open, part, length)
@@ -254,7 +254,7 @@ def _cage_in_space(
     """A cage by its elements in space, and what these do not resolve from an axial section.
 
     A wave too short for them is still coupled to long ones by the bars: an answer to the long wave, which
-    they resolve, tells how much. What the short wave answers to itself comes from the section.
+    they resolve, says how much. What the short wave answers to itself comes from the section.
     """
     from fem.cage.cyclic_symmetry import cage_responses
     from fem.cage.moved_cage import near_responses

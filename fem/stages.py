@@ -18,12 +18,12 @@ def stages(report: Report) -> tuple[Stage, dict[str, float]]:
     Parameters
     ----------
     report : callable (stage, fraction)
-        told of each stage as it starts and ends, with the finished fraction, None if unknown
+        called for each stage as it starts and ends, with the finished fraction, None if unknown
 
     Returns
     -------
     stage : callable (name)
-        context manager around a stage; it gives a function that is told the finished fraction
+        context manager around a stage; it gives a function to call with the finished fraction
     seconds : dict
         of the stages that have ended, by name; it fills as they end
     """

@@ -49,8 +49,8 @@ def in_subprocess(function: Callable, *arguments: Any, report: Report = unheard,
     Raises
     ------
     NotSolved
-        if the process ends without an answer or is silent for too long; ImpossiblePart and
-        NotSolved of the function come through, its other exceptions are told in a NotSolved
+        if the process ends without a result or is silent for too long; ImpossiblePart and
+        NotSolved of the function come through, its other exceptions become a NotSolved
     """
     with started(function, *arguments, wait=wait) as answer:
         return answer(report)
@@ -131,7 +131,7 @@ def _held(numbers: set[int]) -> Callable[[], None]:
 
 def _hand_over(process: subprocess.Popen, task: tuple) -> None:
     assert process.stdin
-    with suppress(BrokenPipeError):  # the process has ended: its answer tells how
+    with suppress(BrokenPipeError):  # the process has ended: its result says how
         pickle.dump(task, process.stdin)
         process.stdin.flush()
 

@@ -13,11 +13,15 @@ LARGEST_FACTOR, HIGHEST_PI = (
     16,
 )  # of a product, which brackets with powers can raise beyond all floats
 
-_TOKEN = re.compile(r"\s*(\*\*|[*/^()·]|[+-]?[0-9]+|[A-Za-zµμ°%_]+|⁻?[¹²³⁴])")
+_BETWEEN = ("*", "·", ".", "-", "/")  # factors
+_INTEGER = re.compile("[+-]?[0-9]+")
+_TOKEN = re.compile(r"\s*(\*\*|[*/^()·]|[.-](?=[A-Za-z])|[+-]?[0-9]+|[A-Za-zµμ°%_]+|''?|\"|⁻?[¹²³⁴])")
 _SUPERSCRIPTS = {f"{sign}{digit}": int(f"{number}{power}")
                  for sign, number in (("", ""), ("⁻", "-"))
                  for power, digit in enumerate("¹²³⁴", 1)}  # fmt: skip
-_PREFIXES = {"n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "d": -1, "h": 2, "k": 3, "M": 6, "G": 9}
+_PREFIXES = {
+    "n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "d": -1, "da": 1, "h": 2, "k": 3, "M": 6, "G": 9
+}  # fmt: skip
 
 
 class UnknownUnit(ValueError):
@@ -82,7 +86,8 @@ _POUND_FORCE = Fraction("0.45359237") * Fraction("9.80665")
 _INCH = Fraction("0.0254")
 _ANGLE = (0, 0, 0, 0, 1)
 _DEGREE = Fraction(1, 180)
-_ANY = "".join(_PREFIXES)
+_ANY, _MOMENT = tuple(_PREFIXES), (2, 1, -2)
+_FAHRENHEIT = _unit(Fraction(5, 9), 0, 0, 0, 1, offset=Fraction("273.15") - 32 * Fraction(5, 9))
 _PREFIXED = {  # names with the prefixes they take
     "m": (_unit(1, 1), _ANY), "g": (_unit("0.001", 0, 1), "nuµμmk"), "s": (_unit(1, 0, 0, 1), "nuµμm"),
     "N": (_unit(1, *_FORCE), _ANY), "Pa": (_unit(1, *_PRESSURE), _ANY),
@@ -92,9 +97,12 @@ _PREFIXED = {  # names with the prefixes they take
     "rpm": (_unit(Fraction(1, 30), 0, 0, -1, 0, 1, pi_power=1), "k"),
     "rev": (_unit(2, *_ANGLE, pi_power=1), "kM"), "P": (_unit("0.1", -1, 1, -1), "cm"),
     "St": (_unit("0.0001", 2, 0, -1), "cm"), "in": (_unit(_INCH, 1), "uµμ"),
+    "Nm": (_unit(1, *_MOMENT), ("m", "da", "k", "M")), "Nmm": (_unit("0.001", *_MOMENT), "k"),
+    "Ncm": (_unit("0.01", *_MOMENT), ""), "Pas": (_unit(1, -1, 1, -1), "m"),
 }  # fmt: skip
 _PLAIN = {
     "meter": _unit(1, 1), "metre": _unit(1, 1), "inch": _unit(_INCH, 1),
+    "mil": _unit(_INCH / 1000, 1), "thou": _unit(_INCH / 1000, 1),
     "ft": _unit(12 * _INCH, 1), "micron": _unit("1e-6", 1), "t": _unit(1000, 0, 1),
     "lb": _unit("0.45359237", 0, 1), "min": _unit(60, 0, 0, 1), "minute": _unit(60, 0, 0, 1),
     "h": _unit(3600, 0, 0, 1), "hour": _unit(3600, 0, 0, 1),
@@ -105,10 +113,13 @@ _PLAIN = {
     "deg": _unit(_DEGREE, *_ANGLE, pi_power=1), "°": _unit(_DEGREE, *_ANGLE, pi_power=1),
     "degree": _unit(_DEGREE, *_ANGLE, pi_power=1), "degrees": _unit(_DEGREE, *_ANGLE, pi_power=1),
     "arcmin": _unit(_DEGREE / 60, *_ANGLE, pi_power=1), "arcsec": _unit(_DEGREE / 3600, *_ANGLE, pi_power=1),
-    "r": _unit(2, *_ANGLE, pi_power=1),
+    "'": _unit(_DEGREE / 60, *_ANGLE, pi_power=1), "''": _unit(_DEGREE / 3600, *_ANGLE, pi_power=1),
+    '"': _unit(_DEGREE / 3600, *_ANGLE, pi_power=1),
+    "r": _unit(2, *_ANGLE, pi_power=1), "U": _unit(2, *_ANGLE, pi_power=1),
+    "RPM": _unit(Fraction(1, 30), 0, 0, -1, 0, 1, pi_power=1),
     "revolution": _unit(2, *_ANGLE, pi_power=1), "turn": _unit(2, *_ANGLE, pi_power=1),
     "degC": _unit(1, 0, 0, 0, 1, offset="273.15"), "°C": _unit(1, 0, 0, 0, 1, offset="273.15"),
-    "degF": _unit(Fraction(5, 9), 0, 0, 0, 1, offset=Fraction("273.15") - 32 * Fraction(5, 9)),
+    "degF": _FAHRENHEIT, "°F": _FAHRENHEIT,
     "%": _unit("0.01"), "percent": _unit("0.01"), "ppm": _unit("1e-6"),
 }  # fmt: skip
 
@@ -119,10 +130,11 @@ def _named(name: str) -> Unit:
         return _PLAIN[name]
     if name in _PREFIXED:
         return _PREFIXED[name][0]
-    base, prefixes = _PREFIXED.get(name[1:], (ONE, ""))
-    if name[0] not in prefixes:
-        raise UnknownUnit(name)
-    return Unit(base.factor * Fraction(10) ** _PREFIXES[name[0]], base.powers, base.pi_power)
+    for length in (1, 2):  # of the prefix
+        base, prefixes = _PREFIXED.get(name[length:], (ONE, ""))
+        if name[:length] in prefixes:
+            return Unit(base.factor * Fraction(10) ** _PREFIXES[name[:length]], base.powers, base.pi_power)
+    raise UnknownUnit(name)
 
 
 @lru_cache(maxsize=256)
@@ -162,6 +174,13 @@ def alike(kind: Unit) -> tuple[str, ...]:
     return tuple(name for name, base in bases.items() if base.powers == kind.powers and not base.offset)
 
 
+def spelt_otherwise(name: str) -> tuple[str, ...]:
+    """Names, with their prefixes, that differ from an unknown one in capitals alone."""
+    prefixed = {prefix + name for name, (_, prefixes) in _PREFIXED.items() for prefix in ("", *prefixes)}
+    alike = (each for each in {*_PLAIN, *prefixed} if each.lower() == name.lower())
+    return tuple(sorted(alike, key=lambda each: (each != name.lower(), each)))
+
+
 def _tokens(text: str) -> list[str]:
     if len(text) > LONGEST:
         raise BadUnit(text)
@@ -180,7 +199,7 @@ def _product(tokens: list[str]) -> tuple[Unit, list[str]]:
     product, tokens = _power(tokens)
     while tokens and tokens[0] != ")":
         sign = -1 if tokens[0] == "/" else 1
-        factor, tokens = _power(tokens[1:] if tokens[0] in ("*", "·", "/") else tokens)
+        factor, tokens = _power(tokens[1:] if tokens[0] in _BETWEEN else tokens)
         product = product.times(factor, sign)
     return product, tokens
 
@@ -191,9 +210,11 @@ def _power(tokens: list[str]) -> tuple[Unit, list[str]]:
     if tokens and tokens[0] in _SUPERSCRIPTS:
         return _raised(base, _SUPERSCRIPTS[tokens[0]]), tokens[1:]
     if tokens and tokens[0] in ("^", "**"):
-        if len(tokens) == 1 or not re.fullmatch(r"[+-]?[0-9]+", tokens[1]):
+        if len(tokens) == 1 or not _INTEGER.fullmatch(tokens[1]):
             raise BadUnit("^")
         return _raised(base, int(tokens[1])), tokens[2:]
+    if tokens and base is not ONE and _INTEGER.fullmatch(tokens[0]):  # N/mm2, min-1
+        return _raised(base, int(tokens[0])), tokens[1:]
     return base, tokens
 
 
@@ -207,7 +228,7 @@ def _base(tokens: list[str]) -> tuple[Unit, list[str]]:
         return inside, tokens[1:]
     if first == "1":
         return ONE, tokens
-    if first[:1].isalpha() or first[:1] in ("°", "%"):
+    if first[:1].isalpha() or first[:1] in ("°", "%", "'", '"'):
         return _named(first), tokens
     raise BadUnit(first)
 

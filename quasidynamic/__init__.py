@@ -1,6 +1,6 @@
 """Bearings: rollers or balls, raceways, film, traction and cage, with NumPy and SciPy alone.
 
-What others may use is listed here and loaded when it is asked for: a roller bearing loads no ball code, a
+What others may use is listed here and loaded when it is requested: a roller bearing loads no ball code, a
 ball bearing no roller solver.
 """
 

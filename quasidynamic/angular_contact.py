@@ -26,7 +26,7 @@ from quasidynamic.solve.balls.ring_on_balls import SINGULAR, RingSolution, solve
 from quasidynamic.solve.outcome import SolverOutcome
 
 DIRECTIONS = ("along x", "along y", "along z", "about y", "about z")
-LEAST_SHARE = 1e-3  # of a motion without a force: component that is told
+LEAST_SHARE = 1e-3  # of a motion without a force: component that is reported
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -88,14 +88,14 @@ class AngularContactBallBearing:
         return state
 
     def solve_many(self, operations: Sequence[RingOperation]) -> list[AngularContactState | NotSolved]:
-        """Balance at several operating points side by side; an error stands in its place."""
+        """Balance at several operating points side by side; an error takes its place."""
         balance = self.equations(operations)
         return self.states(operations, balance, solve(balance))
 
     def states(
         self, operations: Sequence[RingOperation], balance: AngularBalance, solution: RingSolution
     ) -> list[AngularContactState | NotSolved]:
-        """What bearings do at operating points whose `equations` are solved; an error stands in its place."""
+        """What bearings do at operating points whose `equations` are solved; an error takes its place."""
         balls, ring = solution.forces(balance)
         kinematics, scale, control, heat = balls.kinematics, self._scale, self._race_control, None
         if isinstance(control, CoulombControl):
@@ -146,7 +146,7 @@ class AngularContactBallBearing:
         state: AngularContactState,
         model: RollingModel,
         cells: tuple[int, int] = (40, 80),
-        told: Callable[[float], None] = lambda _: None,
+        progress: Callable[[float], None] = lambda _: None,
         mapped: Callable[..., Iterable[RefinedRolling]] = map,
     ) -> FastRollingBalls:
         """Friction of contacts that stick and slip, loads and motion of the balance kept.
@@ -161,7 +161,7 @@ class AngularContactBallBearing:
             friction of the contacts
         cells : pair of int
             over each contact, along and across the rolling direction
-        told : callable, optional
+        progress : callable, optional
             takes the part of the balls that are solved, after each
         mapped : callable, optional
             calls a function for each ball as `map` does, such as on several cores
@@ -190,7 +190,7 @@ class AngularContactBallBearing:
         rolled: list[RefinedRolling | None] = [None] * state.loads.shape[1]
         for done, (number, one) in enumerate(zip(touching, refined, strict=True), start=1):
             rolled[number] = one
-            told(done / len(touching))
+            progress(done / len(touching))
         return FastRollingBalls(state, tuple(rolled))
 
     @cached_property

@@ -183,7 +183,7 @@ class FourPointBallBearing:
         sliding: SlidingBalls,
         model: RollingModel,
         cells: tuple[int, int] = (40, 80),
-        told: Callable[[float], None] = lambda _: None,
+        progress: Callable[[float], None] = lambda _: None,
         mapped: Callable[..., Iterable[RefinedRolling]] = map,
     ) -> RollingBalls:
         """Motion and torque of balls whose contacts stick and slip.
@@ -196,7 +196,7 @@ class FourPointBallBearing:
             friction of the contacts
         cells : pair of int
             over each contact, along and across the rolling direction
-        told : callable, optional
+        progress : callable, optional
             takes the part of the balls that are solved, after each
         mapped : callable, optional
             calls a function for each ball as `map` does, such as on several cores
@@ -218,7 +218,7 @@ class FourPointBallBearing:
         refined = mapped(each, [_Ball.of(sliding, one) for one in driven])
         for number, one in zip(driven, refined, strict=True):
             rolled[number] = one
-            told(len(rolled) / len(driven))
+            progress(len(rolled) / len(driven))
         return rolling_balls(sliding, rolled, self.hysteresis_loss, self.contact_pressure != "hertz")
 
     def _grooves(

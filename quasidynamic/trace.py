@@ -25,7 +25,7 @@ __all__ = ["PARAMETERS", "Branch", "BranchEnd", "TracedEquilibrium", "equilibria
 PARAMETERS = ("radial_load", "inner_speed")
 TRIAL_SLIPS = np.concatenate([np.geomspace(1e-6, 0.03, 28), np.linspace(0.05, 0.99, 24)])
 SLIP_HALVINGS = 14
-LOAD_RANGE = 3.0  # loads over that asked for, and below it, between which a branch is searched
+LOAD_RANGE = 3.0  # loads over that requested, and below it, between which a branch is searched
 SAME_EQUILIBRIUM = 1e-5  # distance on the branch between two equilibria that are one
 
 
@@ -112,7 +112,7 @@ def trace(
     Parameters
     ----------
     model : RollerBearing
-        whatever else its operation says is kept
+        all else that its operation says is kept
     over : str
         "radial_load" or "inner_speed"
     span : pair of floats

@@ -61,14 +61,13 @@ def test_case_names_source_error_and_the_files_it_uses(case, kept):
         assert (root / file).exists(), file
 
 
-@pytest.mark.parametrize("case", [c for c in CASES.values() if not c.slow], ids=lambda case: case.name)
+MARKS = {"": (), "seconds": pytest.mark.slow, "minutes": pytest.mark.long}
+
+
+@pytest.mark.parametrize(
+    "case", [pytest.param(case, marks=MARKS[case.takes], id=name) for name, case in CASES.items()]
+)
 def test_numbers_are_those_that_are_computed(case, kept):
-    assert moved(case, kept[case.name], case.compute()) == []
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("case", [c for c in CASES.values() if c.slow], ids=lambda case: case.name)
-def test_numbers_of_long_cases_are_those_that_are_computed(case, kept):
     assert moved(case, kept[case.name], case.compute()) == []
 
 

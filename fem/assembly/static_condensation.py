@@ -103,7 +103,7 @@ def eliminate(stiffness: sparse.csr_array, loads: NDArray, owner: NDArray, kept:
     Parameters
     ----------
     stiffness : sparse array (unknowns, unknowns)
-        K, whole and symmetric; positive definite at the eliminated unknowns, whatever at the kept ones
+        K, whole and symmetric; positive definite at the eliminated unknowns, any at the kept ones
     loads : array (unknowns, loads)
         F, load vectors of unit forces q
     owner : array (unknowns,) of int
@@ -203,7 +203,7 @@ def _depth(number):
 def _assembled(pivots, entries, children, position):
     """The remaining unknowns of a front, its columns to eliminate, and what its children add to the others.
 
-    Both matrices stand by rows, and what would stand above the diagonal is zero: for LAPACK, which reads
+    Both matrices are stored by rows, and what would be above the diagonal is zero: for LAPACK, which reads
     by columns, they are upper triangles.
     """
     row, column, values = entries

@@ -107,7 +107,7 @@ def last_harmonic(part: Part, resolution: Resolution) -> int:
     part : OuterRing, SquirrelCage, RingOnShaft
         as for `beam_responses`
     resolution : Resolution
-        of the band, with the harmonic that is asked for
+        of the band, with the harmonic that is requested
 
     Returns
     -------
@@ -117,7 +117,7 @@ def last_harmonic(part: Part, resolution: Resolution) -> int:
     Raises
     ------
     NotSolved
-        if fewer harmonics are asked for than any ring needs
+        if fewer harmonics are requested than any ring needs
     """
     wish = resolution.harmonics
     if wish is not None and wish < FEWEST:

@@ -18,7 +18,7 @@ EXACT = 4  # orders of quadrature beyond that of the displacement
 
 
 def cage_seat_growth(cage: SquirrelCage, resolution: Resolution) -> RacewayGrowth:
-    r"""Growth of the raceway of a squirrel cage whose flange stands on a seat that expands.
+    r"""Growth of the raceway of a squirrel cage whose flange rests on a seat that expands.
 
     .. math:: w_{km} = \frac{(2 - \delta_{k0})(2m + 1)}{l a R} \int L_m(2x/l) \cos(k N \varphi)\,u_r\,dA
 

@@ -85,7 +85,7 @@ def indentation_harmonics(
 def _known_harmonics(
     harmonics: tuple[int, ...], radius: float, length: float, axial_modes: int, elastic: Elastic
 ) -> NDArray:
-    """`indentation_harmonics`, which a run or a study asks for again and again; not to be written to."""
+    """`indentation_harmonics`, which a run or a study requires again and again; not to be written to."""
     found = fourier(np.array(harmonics), lambda phi: indentation(phi, radius, length, axial_modes, elastic))
     found.setflags(write=False)
     return found

@@ -115,7 +115,7 @@ def _moments(s: NDArray, count: int) -> NDArray:
 def _half_line(scale: float) -> tuple[NDArray, NDArray]:
     """Nodes and weights for both sides of s = 0 of an even function with a logarithm at 0.
 
-    The trapezoidal rule in t, s = scale exp(t), converges exponentially: both ends fall off.
+    The trapezoidal rule in t, s = scale exp(t), converges exponentially: both ends decay.
     """
     t, step = np.linspace(-40.0, 3.0, 861, retstep=True)
     s = scale * np.exp(t)

@@ -127,7 +127,7 @@ class ContactEquations:
     def tangent(self, state: InterfaceState, forces: NDArray) -> NDArray:
         """Change of the jump (K, P, A, D) [m] with K changes of `offset` (K, P, A, D) [N].
 
-        At a kink, that of the side that `state` stands on.
+        At a kink, that of the side that `state` rests on.
         """
         of_force, _ = self._slopes(state)
         return self._answer(state, -_each(of_force, forces), np.zeros_like(forces))

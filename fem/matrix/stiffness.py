@@ -135,7 +135,7 @@ def _definite(matrix: sparse.csc_array) -> SuperLU:
 def symmetric(
     nodes: NDArray, motions: NDArray, rows: NDArray, columns: NDArray, values: NDArray
 ) -> Stiffness:
-    """Stiffness of entries that stand in the file once, in either triangle, or twice alike.
+    """Stiffness of entries that are in the file once, in either triangle, or twice alike.
 
     Parameters
     ----------

@@ -16,7 +16,7 @@ from fem.parts.rings import ImpossiblePart, MeshSize
 
 LEAST = 0.02  # of the volume of a straight element that is left where it does not count as folded
 FOLDED = 1e-3  # share of a volume that may fold beside fillets; that changes compliances by 1e-3 at most
-FINER = (1.0, 0.85, 0.7)  # sizes over those asked for, one after the other
+FINER = (1.0, 0.85, 0.7)  # sizes over those requested, one after the other
 
 _log = logging.getLogger(__name__)
 

@@ -3,7 +3,7 @@
 """The solid of a STEP drawing, brought to the bearing's frame, its loaded band cut out [mm].
 
 A CAD program may have drawn a cylinder as halves, with other names, about another axis, in inches.
-Faces are told by points on their edges, seams included: the bounding boxes of the kernel are loose.
+Faces are recognised by points on their edges, seams included: the bounding boxes of the kernel are loose.
 """
 
 import re

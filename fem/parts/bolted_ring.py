@@ -14,7 +14,7 @@ from fem.parts.material import Elastic, require, require_positive
 class BoltedGrooveRing:
     """A ring of rectangular section with two arches, one to each side of the balls.
 
-    Its whole bolted face stands on something rigid, or on springs per area. The groove is two arcs that
+    Its whole bolted face rests on something rigid, or on springs per area. The groove is two arcs that
     meet at its bottom, see `fem.mesh.bolted_ring_section`.
     """
 

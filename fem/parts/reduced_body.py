@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from fem.parts.material import ImpossiblePart
 
 LOOSE = 1e-9  # smallest stiffness against rigid motions of a body that is held, over that of its entries
-FEWEST = 8  # azimuths of nodes, by which the harmonics of a translation are told from others
+FEWEST = 8  # azimuths of nodes, by which the harmonics of a translation are distinguished from others
 
 
 @dataclass(frozen=True, eq=False)

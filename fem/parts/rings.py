@@ -165,7 +165,7 @@ class SquirrelCage:
         largest = min(step - SMALLEST_FILLET / 2, gap - SLENDEREST_SLOT / 2)
         require(
             SMALLEST_FILLET <= self.fillet <= largest, "fillet", self.fillet,
-            f"zero, or {SMALLEST_FILLET:.1g} m to {largest:.3g} m: inside the faces that the bars stand on, "
+            f"zero, or {SMALLEST_FILLET:.1g} m to {largest:.3g} m: inside the faces that the bars rest on, "
             f"{step:.3g} m wide beside the bars, and short of half the bars, {gap:.3g} m",
         )  # fmt: skip
         widest = widest_bar(self.bars, self.bar_radii[0] - self.fillet) - self.bar_width
@@ -193,7 +193,7 @@ class SquirrelCage:
 
     @property
     def ends(self) -> tuple[int, ...]:
-        """Ends of the ring that bars stand on, as the sign of their x."""
+        """Ends of the ring that bars rest on, as the sign of their x."""
         return (1, -1) if self.two_sided else (1,)
 
     def end_distance(self, end: int) -> float:

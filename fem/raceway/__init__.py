@@ -1,4 +1,4 @@
-"""How a raceway deflects under its rollers, in harmonics and at azimuths, whatever computed it.
+"""How a raceway deflects under its rollers, in harmonics and at azimuths, by any discretisation.
 
-Arrays and sums only: how they are found belongs to the discretisations, which stand above.
+Arrays and sums only: how they are found belongs to the discretisations, which import it.
 """

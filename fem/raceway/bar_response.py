@@ -1,4 +1,4 @@
-"""What the bars of a squirrel cage carry when rollers load its raceway, whatever computed it."""
+"""What the bars of a squirrel cage carry when rollers load its raceway, by any discretisation."""
 
 from dataclasses import dataclass
 
@@ -32,7 +32,7 @@ class BarResponse:
 
     bars: int  # equally spaced at each end of the ring that has any, one at azimuth 0
     response: NDArray  # g (K, M, 6), harmonics -N .. N [N/N, N m/N]; or 12, then those of the end at -x
-    neighbour: NDArray | None  # the same by displacements of another order, which tells the error
+    neighbour: NDArray | None  # the same by displacements of another order, for the error
 
     def __post_init__(self):
         K, _, forces = self.response.shape

@@ -1,4 +1,4 @@
-"""How a raceway deflects under its rollers, whatever computed it."""
+"""How a raceway deflects under its rollers, by any discretisation."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace

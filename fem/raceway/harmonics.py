@@ -25,9 +25,9 @@ TRUNCATED = 0.05  # allowed part of the own terms that comes from beyond the las
 SAME = 1e-9  # half the difference of azimuths that are taken as one [rad]
 SAME_DIGITS = 12  # of azimuths in radians: equal pitches give equal differences
 MOST = 10_000  # harmonics that are solved for
-FEWEST = 8  # harmonics from which the fall of the rest can be told
+FEWEST = 8  # harmonics from which the decay of the rest can be estimated
 PLACES = 4  # sets of azimuths whose compliances are kept
-FINENESS = 6.0  # highest harmonic over M R/l, unless one is asked for
+FINENESS = 6.0  # highest harmonic over M R/l, unless one is requested
 DEPTH = 10.0  # highest harmonic over R/thickness: through the ring less than exp(-10) of it is felt
 MARGIN = 1.5  # highest harmonic over that of a band whose ends are far from the ends of its ring
 RESOLVED = 0.6  # highest harmonic over order times R/h on raceway elements of size h: beyond, errors grow
@@ -45,7 +45,7 @@ def highest_harmonic(radius: float, detail: float, mesh: MeshSize, wish: int | N
     mesh : MeshSize
         order and raceway size of the elements
     wish : int, optional
-        N that is asked for
+        N that is requested
 
     Returns
     -------
@@ -55,7 +55,7 @@ def highest_harmonic(radius: float, detail: float, mesh: MeshSize, wish: int | N
     Raises
     ------
     NotSolved
-        if the mesh is too coarse for what is asked for, or the raceway too large for so fine a detail
+        if the mesh is too coarse for what is requested, or the raceway too large for so fine a detail
     """
     limit = floor(RESOLVED * mesh.order * radius / mesh.raceway_size)
     if wish is None:
@@ -284,7 +284,7 @@ class HarmonicCompliance:
 
     @cached_property
     def _at(self) -> "dict[bytes, RacewayCompliance]":
-        """Compliances for the azimuths that were asked for last."""
+        """Compliances for the azimuths that were requested last."""
         return {}
 
     def _computed_at(self, phi: NDArray) -> RacewayCompliance:

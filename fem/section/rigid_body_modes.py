@@ -21,7 +21,7 @@ from fem.section.revolved_body import Body, Springs, assembled
 def body_of(
     part: OuterRing | RingOnShaft, length: float, mesh: MeshSize, nodes_of: Shape | None = None
 ) -> Body:
-    """Assemble the sections of a part with the springs that it stands on.
+    """Assemble the sections of a part with the springs that it rests on.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
 r"""A plain ring bonded to a body that another program reduced to the nodes of the seat.
 
 The nodes move with the outer surface of the ring, whose displacement along x, e_r and e_phi is given by
-harmonics and Legendre polynomials, :math:`u = P \hat u`. So the surface feels the forces
+harmonics and Legendre polynomials, :math:`u = P \hat u`. So on the surface act the forces
 :math:`-P^H S P \hat u`. The ring is condensed on soft springs K_0, which are taken away again:
 
 .. math:: \hat w = C_{rr} F - C_{rf} D (1 + C_{ff} D)^{-1} C_{fr} F, \quad D = P^H S P - K_0
@@ -63,7 +63,7 @@ def ring_on_matrix(
     Raises
     ------
     ImpossiblePart
-        if nodes do not stand on the outer surface of the ring
+        if nodes do not rest on the outer surface of the ring
     NotSolved
         if a solve fails
 
@@ -110,7 +110,7 @@ def _on_surface(part: OuterRing, support: ReducedBody, radius: float) -> tuple[N
 def _taken(
     support: ReducedBody, xi: NDArray, azimuth: NDArray, around: int, along: int, springs: float
 ) -> NDArray:
-    r"""What the surface feels of the body more than of the springs (H, H), H = (2 n + 1) 3 A.
+    r"""What acts on the surface by the body beyond the springs (H, H), H = (2 n + 1) 3 A.
 
     Harmonics -n .. n, then x, e_r, e_phi, then polynomials. The springs give
     :math:`k_0\,2 \pi R\,b / (2 a + 1)` to a polynomial a.

@@ -186,7 +186,7 @@ def _sections(cage: SquirrelCage, length: float) -> list[AxialSection]:
 
 
 def _sleeve_and_flange(cage: SquirrelCage, end: int) -> tuple[AxialSection, AxialSection]:
-    """What stands on one end of the ring."""
+    """What rests on one end of the ring."""
     inner, side, (low, high) = cage.raceway_diameter / 2, cage.end_distance(end), cage.bar_radii
     outer, foot = inner + cage.thickness, side + cage.bar_length
     last = foot + cage.flange_length

@@ -17,7 +17,7 @@ MOVED = 1000  # places of a roller that are moved to where its reach ends: there
 
 @dataclass(frozen=True, kw_only=True)
 class Clearing:
-    """What tells whether stresses of a place count, see `clearing`."""
+    """What says whether stresses of a place count, see `clearing`."""
 
     part: Part | StepSolid
     sharp: Notches
@@ -90,7 +90,7 @@ class Clearing:
 
 
 def clearing(part: Part | StepSolid, patches: Patches, forces: NDArray, radius: float) -> Clearing:
-    """What tells whether stresses of a place count.
+    """What says whether stresses of a place count.
 
     Left out is what lies within `CONTACT` patch widths of a loaded roller's line, where the Gaussian patch
     rules, which is not the true contact; close to sharp edges (`fem.mesh.notches`), where a finer mesh gives

@@ -1,4 +1,4 @@
-"""The stiffness of a ring condensed to what rollers feel on its raceway."""
+"""The stiffness of a ring condensed to its raceway under rollers."""
 
 from collections.abc import Callable
 from math import ceil, pi
@@ -22,7 +22,7 @@ from fem.raceway.harmonics import FINENESS
 from fem.solid.factored_solid import FactoredSolid, factored_on
 from fem.stages import Stage
 
-MOST_OF_BARS = 200  # harmonics that bars feel: higher ones do not reach through the ring
+MOST_OF_BARS = 200  # harmonics that reach the bars: higher ones do not reach through the ring
 
 
 def condense_solid(part: Part | StepSolid, resolution: Resolution, stage: Stage) -> RacewayCompliance:
@@ -72,7 +72,7 @@ def condensed(
     solid : FactoredSolid
         with its rollers and patches
     progress : callable (fraction)
-        told the finished fraction of the solves
+        called with the finished fraction of the solves
 
     Returns
     -------

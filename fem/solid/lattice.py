@@ -13,7 +13,7 @@ from fem.parts.material import Elastic
 
 SQUEEZED = 0.25  # of the mean of its element, volume per point below which a gradient is not trusted
 NEAR = 0.05  # of a box, by which curved elements may reach beyond points in them
-ROUGH = 2  # intervals of a lattice that tells the size of an element
+ROUGH = 2  # intervals of a lattice that gives the size of an element
 INSIDE = 1e-7  # of an element's edge, by which points stay away from its faces: some maps have poles there
 
 

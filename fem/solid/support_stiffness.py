@@ -83,7 +83,7 @@ def motion_forces(space, band: roller_loads.Band) -> NDArray:
     and translations across by radial pressures like sin and cos,
     `fem.assembly.roller_loads.translation_forces`. A moment
     thus comes by tractions that turn the band as a whole: rollers, which only press, also twist the section
-    of a thin ring, and that is part of the compliance that they feel.
+    of a thin ring, and that is part of their compliance.
 
     Parameters
     ----------

@@ -124,7 +124,8 @@ def _limits() -> list[str]:
     return [
         f"- A quantity is text: a number and a unit, at most {quantity.LONGEST} characters. A unit is a "
         f"product or quotient of units with whole powers up to {units.HIGHEST}, at most {units.LONGEST} "
-        "characters: `mm`, `N/mm^2`, `W/(m K)`, `1/K`.",
+        "characters: `mm`, `N/mm^2` or `N/mm2`, `W/(m K)`, `1/K`, `Nm`, `ft-lb`. A decimal comma is "
+        "read as one; `1,000 mm` is refused, as it may mean a thousand.",
         "- `3000 rpm`, `3000 1/min`, `3000 r/min` and `3000 min⁻¹` are the same speed. `1/s` and `Hz` are "
         "refused: they may mean turns or radians per second.",
         f"- A case file is TOML in UTF-8, lists and tables at most {text.DEEPEST} deep, integers up to 64 "

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
 from math import isfinite
@@ -11,10 +12,12 @@ from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
 from flexbearing.case.excerpt import excerpt
-from flexbearing.units import BadUnit, Unit, UnknownUnit, unit
+from flexbearing.units import BadUnit, Unit, UnknownUnit, spelt_otherwise, unit
 
 LONGEST = 100  # characters of a quantity: a number with all its digits, a unit, and room between them
-_NUMBER_UNIT = re.compile(r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(\S.*?)?\s*")
+_NUMBER_UNIT = re.compile(r"\s*([+-]?(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(\S.*?)?\s*")
+_THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}")  # or a decimal comma
+_POUND, _KILOGRAM, _WORD = re.compile(r"\blb\b"), re.compile(r"\bkg\b"), re.compile(r"[A-Za-zµμ°%]+")
 SPEED, PER_MINUTE = "rad/s", unit("1/min")
 
 
@@ -44,26 +47,48 @@ class Kind:
 
     def of_text(self, text: str) -> float:
         """Value of a text of bounded length in SI units; refused as by `to_si`."""
+        number, unit = self.split(text)
+        if unit is None:
+            raise self._refused("has no unit")
+        return self._of_size(self._unit(unit).to_si(number))
+
+    def split(self, text: str) -> tuple[float, str | None]:
+        """Number and unit of a text, with a point or a decimal comma."""
         parts = _NUMBER_UNIT.fullmatch(text)
         if parts is None:
             raise self._refused("does not begin with a number")
         number, unit = parts.groups()
-        if unit is None:
-            raise self._refused("has no unit")
-        return self._converted(float(number), f"1 {unit}" if unit.startswith("/") else unit)
+        if _THOUSANDS.fullmatch(number):
+            decimal, whole = number.replace(",", "."), number.replace(",", "")
+            raise self._refused(f"has a comma; did you mean {decimal} or {whole}?")
+        return float(number.replace(",", ".")), unit
 
-    def _converted(self, number: float, text: str) -> float:
+    def _unit(self, text: str) -> Unit:
+        """The unit of a quantity of this kind."""
+        text = f"1 {text}" if text.startswith("/") else text
         try:
             given = unit(text)
         except UnknownUnit as problem:
-            raise self._refused(f"has an unknown unit, {problem}") from None
+            raise self._refused(f"has an unknown unit, {problem}{self._proposal(text)}") from None
         except BadUnit:
             raise self._refused(f"has a unit that cannot be read, {excerpt(text)}") from None
         if self.unit == SPEED and given.powers == PER_MINUTE.powers:
             given = self._turning(given)
-        if given.powers != unit(self.unit).powers:
-            raise self._refused(f"is not {self.name}")
-        return self._of_size(given.to_si(number))
+        if given.powers == unit(self.unit).powers:
+            return given
+        if (pound := _POUND.sub("lbf", text)) != text:  # a force, where a mass has no meaning
+            return self._unit(pound)
+        raise self._refused(f"is not {self.name}{self._proposal(text)}")
+
+    def _proposal(self, text: str) -> str:
+        """A unit of this kind that differs in capitals, or in a force for a mass, as a question."""
+        own = unit(self.unit).powers
+        words = (text.replace(word, other) for word in _WORD.findall(text) for other in spelt_otherwise(word))
+        for proposed in (*words, _KILOGRAM.sub("kgf", text)):
+            with suppress(UnknownUnit, BadUnit):
+                if unit(proposed).powers == own:
+                    return f"; did you mean {proposed}?"
+        return ""
 
     def _of_size(self, value: float) -> float:
         if not isfinite(value):
@@ -86,13 +111,9 @@ class Kind:
         return name, given.scale
 
     def _unit_like(self, like: str) -> tuple[str, Unit]:
-        match = _NUMBER_UNIT.fullmatch(like)
-        assert match
-        name = match[2]
-        given = unit(name)
-        if self.unit == SPEED and given.powers == PER_MINUTE.powers:
-            given = unit("rpm")
-        return name, given
+        _, name = self.split(like)
+        assert name
+        return name, self._unit(name)
 
     @property
     def sizes(self) -> str:

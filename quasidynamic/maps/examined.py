@@ -56,8 +56,8 @@ def each_examined(points: GridPoints, states: Reached, mapped: Mapped = map) -> 
         those = some()
         those = those[states.converged[those]]
         found[those] = examined(points, those, states.take(those), mapped)
-    told = np.isnan(found[:, 1])
-    return np.stack([told | (found[:, 0] < 0), ~told & (found[:, 1] > 0)], axis=1)
+    unknown = np.isnan(found[:, 1])
+    return np.stack([unknown | (found[:, 0] < 0), ~unknown & (found[:, 1] > 0)], axis=1)
 
 
 def implied(points: GridPoints, states: Reached, found: NDArray) -> NDArray:

@@ -160,7 +160,7 @@ def folds(solved: SolvedGrid) -> MapFolds:
         for number, fold in zip(numbers, found, strict=True):
             if fold is not None:
                 places[number], located[number] = equations.whole(fold.place[None])[0], True
-        curves += [_told(equations, curve) for curve in new]
+        curves += [_plane_curve(equations, curve) for curve in new]
     return MapFolds(places, located, tuple(curves))
 
 
@@ -234,7 +234,7 @@ def _distance(equations: MapPlaneEquations, one: NDArray, other: NDArray) -> flo
     return float(np.sqrt(equations.weight @ (one - other) ** 2))
 
 
-def _told(equations: MapPlaneEquations, curve: FoldCurve) -> PlaneCurve:
+def _plane_curve(equations: MapPlaneEquations, curve: FoldCurve) -> PlaneCurve:
     return PlaneCurve(
         places=equations.whole(curve.places),
         cusps=np.array([fold.cusp for fold in curve.folds]),

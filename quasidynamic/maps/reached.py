@@ -61,8 +61,8 @@ def by_newton(task: tuple[BearingBalance, NDArray]) -> Reached:
         for iterate in newton(balance, starts):
             done = np.array([outcome is SolverOutcome.CONVERGED for outcome in iterate.outcomes])
             found[iterate.cases[done]] = iterate.unknowns[done]
-            told = done & iterate.accepted  # else the system is that of a step which was not taken
-            systems.append((iterate.cases[told], told, iterate.system))
+            evaluated = done & iterate.accepted  # else the system is that of a step which was not taken
+            systems.append((iterate.cases[evaluated], evaluated, iterate.system))
             if iterate.number >= EVALUATIONS:
                 break
     return _of_systems(balance, found, systems)
@@ -94,9 +94,9 @@ def _of_systems(
     rest = np.flatnonzero(missing)
     if len(rest):
         known = [*known, (rest, np.ones(len(rest), bool), balance.take(rest).evaluate(scaled[rest]))]
-    for cases, told, system in known:
-        loads[cases] = system.state.contact.force[:, 0, told].swapaxes(0, 1)
-        residual[cases] = np.abs(system.residual[told]).max(axis=1)
+    for cases, evaluated, system in known:
+        loads[cases] = system.state.contact.force[:, 0, evaluated].swapaxes(0, 1)
+        residual[cases] = np.abs(system.residual[evaluated]).max(axis=1)
     balanced = (residual < BALANCED)[:, None]
     spin = balance.speeds(balance.unpack(scaled))[0] / balance.rolling_spin
     return Reached(

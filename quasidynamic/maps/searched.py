@@ -16,9 +16,9 @@ from quasidynamic.several.search import started
 from quasidynamic.several.starts import Patterns, far, in_order, near
 from quasidynamic.solve.outcome import SolverOutcome
 
-SEED = 20  # of points and patterns by lot, the same at every call
+SEED = 20  # of points and patterns at random, the same at every call
 POINTS = 48  # of a round
-PATTERNS, CROSSED, ZONES = 4, 3, 3  # of a point: around a state, between two states, zones by lot
+PATTERNS, CROSSED, ZONES = 4, 3, 3  # of a point: around a state, between two states, zones at random
 SLOWING = 0.6  # spin over rolling that a roller loses in a radian behind the zone, at most
 SLIPS = 1e-4, 0.9  # of the cage
 SEARCHED_AT_ONCE = 16  # starts of a call, few enough to be shared among processes
@@ -53,7 +53,7 @@ def search(points: GridPoints, states: States, mapped: Mapped) -> tuple[int, boo
 
 
 def _try(points: GridPoints, states: States, some: NDArray, rng: np.random.Generator, mapped: Mapped) -> None:
-    """Solve from patterns by lot around a state by lot of each of some points."""
+    """Solve from patterns at random around a state at random of each of some points."""
     begun = np.array([rng.choice(states.at_point[point]) for point in some])
     chosen = [_patterns(points, states, state, rng) for state in begun]
     every = np.repeat(begun, [len(each.spin) for each in chosen])
@@ -86,7 +86,7 @@ def _patterns(points: GridPoints, states: States, state: int, rng: np.random.Gen
 
 
 def _zones(known: Equilibrium, rng: np.random.Generator) -> Patterns:
-    """Rollers that roll in a zone by lot and slow down behind it, cages that slip by any share."""
+    """Rollers that roll in a zone at random and slow down behind it, cages that slip by any share."""
     rollers = known.balance.layout.rollers
     begin, end = rng.uniform(0, 0.5, (ZONES, 1)), rng.uniform(0.5, 1, (ZONES, 1))
     passed = np.arange(rollers) / rollers  # of a turn, from opposite to the load
@@ -101,7 +101,7 @@ def _zones(known: Equilibrium, rng: np.random.Generator) -> Patterns:
 
 
 def _crossed(points: GridPoints, states: States, one: int, other: int, rng: np.random.Generator) -> Patterns:
-    """Rollers in an arc by lot as one state has them, all others as another state of the same point."""
+    """Rollers in an arc at random as one state has them, all others as another state of the same point."""
     spins, rollers = states.reached.spin[[one, other]], states.reached.spin.shape[1]
     begin, length = rng.integers(0, rollers, CROSSED), rng.integers(1, rollers, CROSSED)
     place = np.mod(np.arange(rollers) - begin[:, None], rollers)

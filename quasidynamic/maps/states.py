@@ -9,7 +9,7 @@ from quasidynamic.maps.examined import each_examined, examined
 from quasidynamic.maps.points import GridPoints
 from quasidynamic.maps.reached import Mapped, Reached, apart
 
-SAME = 1e-3  # of the largest load, or of the spin in pure rolling: nearer states are one
+SAME = 1e-3  # of the largest load, or of the spin in pure rolling: closer states are one
 UNKNOWN, ENDS, OUTSIDE = -1, -2, -3  # of a state at a neighbouring point
 
 

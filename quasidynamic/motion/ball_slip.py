@@ -177,10 +177,10 @@ def rolling_motion(contacts: BallContacts, diagonal: int) -> NDArray:
     """
     angle, height = contacts.angle[:, diagonal], contacts.height[:, diagonal]
     mean = angle.mean(axis=-1)
-    lean = np.cos(angle - mean[:, None])
+    tilt = np.cos(angle - mean[:, None])
     pitch = contacts.pitch_radius
-    ball = (pitch / height[:, INNER] - np.cos(angle[:, INNER])) / lean[:, INNER]
-    outer = height[:, OUTER] * lean[:, OUTER] / (pitch + height[:, OUTER] * np.cos(angle[:, OUTER]))
+    ball = (pitch / height[:, INNER] - np.cos(angle[:, INNER])) / tilt[:, INNER]
+    outer = height[:, OUTER] * tilt[:, OUTER] / (pitch + height[:, OUTER] * np.cos(angle[:, OUTER]))
     inner_speed = 1.0 / (1.0 + ball * outer)
     return _motion(inner_speed, ball * inner_speed, DIAGONAL[diagonal] * mean)
 

@@ -148,7 +148,7 @@ def slip_velocity(
     position : array (...)
         x/a, from -1 to 1 [-], positive towards smaller contact angles
     lines : RollingLines
-        c, the one nearer to the middle of the contact, fixes where the ball rolls
+        c, the one closer to the middle of the contact, fixes where the ball rolls
     semi_axis, section_radius : array (...)
         a, R [m]
     rolling : array (...)

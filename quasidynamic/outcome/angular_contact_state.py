@@ -140,7 +140,7 @@ class AngularContactState:
     def needed_shoulders(self) -> NDArray:
         """Height of the races above the bottoms of their grooves up to which contacts reach (2, Z) [m].
 
-        Zero without a load. The grooves of the balance have no end: on a lower shoulder contacts are cut off,
+        Zero without a load. Grooves of the balance are unbounded: on a lower shoulder contacts are cut off,
         and balls climb it. See `truncation`.
         """
         diameter = self.bearing.ball.diameter
@@ -188,8 +188,8 @@ class AngularContactState:
         radius, touching = self._surfaces, (self.loads > 0).all(0)
         wide = touching & self._wide
         keep = np.flatnonzero(touching & ~wide)
-        lean = self.contact_angles if spin == "contact angle" else self.attitude
-        ratios = spin_to_roll(self.contact_angles, lean, ratio, side)
+        spin_axis = self.contact_angles if spin == "contact angle" else self.attitude
+        ratios = spin_to_roll(self.contact_angles, spin_axis, ratio, side)
         parameter = spin_parameter(ratios[:, keep], radius, across[:, keep])
         net, slides = np.zeros_like(parameter), np.zeros(len(keep), bool)
         if friction == "balanced":

@@ -56,7 +56,7 @@ def ball_geometry_factor(row: BallRow) -> float:
               \Big(\frac{f_i}{f_o}\, \frac{2 f_o - 1}{2 f_i - 1}\Big)^{0.41}\Big]^{10/3}\Big\}^{-3/10}
 
     The first part is the printed table, which holds for grooves up to f_i = 0.52 and f_o = 0.53: closer ones
-    are not rated higher. The second reduces it for wider ones, as the standard asks for.
+    are not rated higher. The second reduces it for wider ones, as the standard requires.
 
     Parameters
     ----------

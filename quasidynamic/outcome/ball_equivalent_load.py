@@ -29,7 +29,7 @@ _BY_LOAD = {  # X, then relative loads with e and Y of each
     ),
 }
 LOADS = (0.172, 7.14)  # relative loads of the table, widest columns
-_BY_ANGLE = {  # X, e, Y whatever the load
+_BY_ANGLE = {  # X, e, Y at any load
     20.0: (0.43, 0.57, 1.00),
     25.0: (0.41, 0.68, 0.87),
     30.0: (0.39, 0.80, 0.76),

@@ -17,7 +17,7 @@ def ball_raceway_lives(
 
     .. math:: L_{10,i} = (Q_{ci}/Q_{ei})^3,\quad Q_e = \Big(\frac1Z \sum_j Q_j^s\Big)^{1/s}
 
-    with s = 3 of a ring that turns against the load and 10/3 of one that stands still under it.
+    with s = 3 of a ring that turns against the load and 10/3 of one that is at rest under it.
 
     Parameters
     ----------

@@ -144,7 +144,7 @@ class BearingStates:
 
     @property
     def cage_slip(self) -> NDArray:
-        """Lag of the cage behind pure rolling (C), as a fraction [-]; not a number when that stands still."""
+        """Lag of the cage behind pure rolling (C), as a fraction [-]; not a number when that is at rest."""
         return _lag(self.unknowns.cage_drift, self.balance.rolling_cage)[:, 0]
 
     @property
@@ -154,7 +154,7 @@ class BearingStates:
 
     @property
     def roller_slip(self) -> NDArray:
-        """Lag of the spins behind pure rolling (C, Z), as a fraction [-]; not a number when they stand still.
+        """Lag of the spins behind pure rolling (C, Z), as a fraction [-]; not a number when they are at rest.
 
         Of spins as `cage_slip` is of the cage: 0 in pure rolling, 1 where a roller does not spin.
         """

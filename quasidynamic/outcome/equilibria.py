@@ -43,7 +43,7 @@ class Batch:
 
 @dataclass(frozen=True)
 class Equilibria:
-    """Equilibria of many bearings, in their order; a single one is made when it is asked for."""
+    """Equilibria of many bearings, in their order; a single one is made when it is requested."""
 
     batches: tuple[Batch, ...]
 

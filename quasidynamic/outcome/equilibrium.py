@@ -81,7 +81,7 @@ class Equilibrium:
         )
 
     def refined(self) -> "Equilibrium":
-        """State after another step of Newton's method, where that comes nearer to balance."""
+        """State after another step of Newton's method, where that is closer to balance."""
         with np.errstate(all="ignore"):  # a step from a singular matrix is not finite, and not taken
             change = step(self.balance, self.system)
             further = replace(self, scaled=bounded(self.balance, self.scaled[None], self.scaled + change)[0])
@@ -101,7 +101,7 @@ class Equilibrium:
 
     def __getattr__(self, name: str) -> Any:
         """Every other quantity: row 0 of that of `BearingStates`."""
-        if name.startswith("_"):  # asked for by copies and pickles before there is any state
+        if name.startswith("_"):  # requested by copies and pickles before there is any state
             raise AttributeError(name)
         return _first(getattr(self.cases, name))
 

@@ -163,8 +163,8 @@ def slice_life(
               + \frac{s_t}{Z} \sum_i (f_k q_{i,k})^4 \big]^{9/8} \Big)^{1/4.5},\; q_c = Q_c K^{-7/9}
 
     with the share s_t of the damage that turning spreads evenly around the ring: the mean of power 4 of a
-    ring that turns against the load, s_t = 1, and of power 4.5 of one that stands still under it, s_t = 0.
-    A roller meets all loads of the circle in turn, lives (q_cr/q_r)^4 of its own turns, s of
+    ring that turns against the load, s_t = 1, and of power 4.5 of one that is at rest under it, s_t = 0.
+    A roller meets all loads of the circle one after the other, lives (q_cr/q_r)^4 of its own turns, s of
     them in a turn of the ring, (1 - gamma^2)/(2 gamma) where it rolls, and all Z rollers must survive.
 
     Parameters
@@ -275,7 +275,7 @@ def turning_share(speed: Any, relative_speed: Any) -> Any:
     .. math:: s_t = \frac{x^2}{1 + x^2},\quad x = 10^6 \left| \frac{\omega}{\omega_i - \omega_o} \right|
 
     A ring that turns x times while the rings turn a million times against each other meets the load with
-    one place of its raceway (x = 0) or with all of them in turn: nothing jumps where it begins to move.
+    one place of its raceway (x = 0) or with all of them in order: nothing jumps where it begins to move.
 
     Parameters
     ----------
@@ -287,7 +287,7 @@ def turning_share(speed: Any, relative_speed: Any) -> Any:
     Returns
     -------
     float or array (...)
-        s_t [-], 0 for a ring that stands still, 0.5 for one turn, 1 - 1e-6 for a thousand turns
+        s_t [-], 0 for a ring that is at rest, 0.5 for one turn, 1 - 1e-6 for a thousand turns
 
     Source
     ------

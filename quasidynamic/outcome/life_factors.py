@@ -249,7 +249,7 @@ def modification_factor(
     Returns
     -------
     LifeFactor
-        a_ISO [-], 0.1 to 50; a note tells where a limit was met
+        a_ISO [-], 0.1 to 50; a note says where a limit was met
 
     Raises
     ------
@@ -354,7 +354,7 @@ def film_factor(film_ratio: ArrayLike) -> LifeFactor:
     Returns
     -------
     LifeFactor
-        factor [-], 0.19 to 3.03; a note tells where an end of the table was held
+        factor [-], 0.19 to 3.03; a note says where an end of the table was held
 
     Raises
     ------

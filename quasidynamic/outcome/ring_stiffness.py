@@ -64,7 +64,7 @@ class Tangent:
     def radial_matrix(self) -> NDArray:
         """Radial load per radial displacement (..., 2, 2), along y and z [N/m].
 
-        The ring tilts as its loads ask for; where a guide holds its tilts, they stay.
+        The ring tilts as its loads require; where a guide holds its tilts, they stay.
         """
         follows = np.linalg.inv(self.response[..., :2, :2])
         stays = np.linalg.inv(self.response)[..., :2, :2]

@@ -60,7 +60,7 @@ class Skew:
 
     @property
     def load_shift(self) -> float:
-        r"""Largest shift along a loaded roller from outer to inner load that axial forces ask for [m].
+        r"""Largest shift along a loaded roller from outer to inner load that axial forces require [m].
 
         .. math:: |r_w (F_{xi} - F_{xo}) + \rho (F_{xi} + F_{xo})| / Q_i
 
@@ -116,7 +116,7 @@ def skewed(
     Valid
     -----
     Small angles; cage pockets leave the rollers free to skew. What the skew would change in the equilibrium
-    is not fed back: `end_gap`, `load_shift`, `traction_change` and the two powers say how much it is.
+    is outside the balance: `end_gap`, `load_shift`, `traction_change` and the two powers say how much it is.
     """
     balance = SkewBalance(running=running, raceways=raceways, bearing=bearing, flange=flange)
     return Skew(balance, *skew_equilibrium(balance))

@@ -12,7 +12,7 @@ from quasidynamic.outcome.whole_roller import whole_contact
 CELLS = (16, 256)  # across and along: 0.5 % of the peak pressure where the contact ends before the roller
 CLAIMED = 0.05  # of the peak pressure that slices may be off without a note
 TOLERANCE = 1e-3  # of the pressure: a tenth of a per cent of its peak
-UNCERTAIN = 0.01  # of it, by the cells: errors above `CLAIMED` less this are told
+UNCERTAIN = 0.01  # of it, by the cells: errors above `CLAIMED` less this are reported
 
 
 @dataclass(frozen=True)

@@ -76,7 +76,7 @@ class SlidingBalls:
         """Height of a race above the bottom of its groove up to which contacts reach (N, G) [m].
 
         The centres of its arches lie a distance [m] aside of the middle; zero without a load. The arches of
-        the model have no end: on a lower shoulder contacts are cut off.
+        the model are unbounded: on a lower shoulder contacts are cut off.
         """
         angle, across = (values[..., race] for values in (self.contacts.angle, self.reach))
         edge = edge_angle(np.abs(angle), across, groove_radius, "arc")
@@ -188,7 +188,7 @@ def rolling_balls(
         by_slip[:, number, loaded] = -state.ball.power_by_slip(state.motion, state.rolled)[..., :3]
     slip = slip_of(motion, slip_by_motion(contacts))
     torques = torques_by_slip(contacts, by_slip.sum(0), by_slip[1])
-    unbalanced = torques.total - RING_SIGN * power[:, None]  # heat tells the torque a thousand times better
+    unbalanced = torques.total - RING_SIGN * power[:, None]  # by heat a thousand times more exact
     changed = {
         "sliding": replace(sliding.sliding, motion=motion, slip=slip, power=power, imbalance=imbalance),
         "torques": replace(torques, roll=torques.roll - unbalanced),

@@ -103,7 +103,7 @@ class WholeRoller:
 
     @property
     def tilt(self) -> NDArray:
-        """Tilt of the roller against each raceway (2), held or as its moment asks for [rad]."""
+        """Tilt of the roller against each raceway (2), held or as its moment requires [rad]."""
         return np.array([contact.tilt for contact in self.contacts])
 
     @property

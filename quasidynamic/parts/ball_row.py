@@ -13,7 +13,7 @@ class BallRow:
     balls: int
     ball_diameter: float  # [m]
     pitch_diameter: float  # [m] of the ball centres
-    contact_angle: float  # [rad] nominal, whatever clearance and load make of it
+    contact_angle: float  # [rad] nominal: without clearance and load
     inner_conformity: float  # [-] groove radius over ball diameter
     outer_conformity: float  # [-]
 

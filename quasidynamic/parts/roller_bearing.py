@@ -103,12 +103,12 @@ class CylindricalRollerBearing:
         waves = [waves for waves in (self.inner_waves, self.outer_waves) if waves is not None]
         if not waves and not self.roller_deviations:
             return self.clearance
-        nearer = [each.height(self.azimuths) for each in waves]
+        closer = [each.height(self.azimuths) for each in waves]
         if self.roller_deviations:
-            nearer.append(
+            closer.append(
                 np.concatenate(np.broadcast_arrays(*map(np.atleast_1d, self.roller_deviations)), axis=-1)
             )
-        return self.clearance - 2 * sum(nearer)
+        return self.clearance - 2 * sum(closer)
 
     @property
     def symmetric(self) -> bool:

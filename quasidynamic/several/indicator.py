@@ -1,4 +1,4 @@
-"""Whether bearings may have several equilibria, told from one of them without a further solve."""
+"""Whether bearings may have several equilibria, judged by one of them without a further solve."""
 
 from dataclasses import replace
 
@@ -67,7 +67,7 @@ def doubts(states: BearingStates) -> NDArray:
     A roller that enters the loaded zone either rolls, with films that fill its gap and load it, or stays
     slow, with films too thin to touch. The gap is that of the raceways around the roller without films. An
     unloaded roller would be loaded, at the place of the ring as it is, if it rolled and its films were
-    larger than the gap; a loaded one would not if it stood still and they were smaller. The doubt is that
+    larger than the gap; a loaded one would not if it were at rest and they were smaller. The doubt is that
     difference over the films when it rolls.
     """
     balance, unknowns, raceways = states.balance, states.unknowns, states.balance.roller.raceways

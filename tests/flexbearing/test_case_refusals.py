@@ -12,7 +12,7 @@ from flexbearing import explain
 from flexbearing.api import read_case
 from flexbearing.case import BadCase
 from flexbearing.case.declarations import declarations
-from flexbearing.case.quantity import Angle, Length, Moment, PerTemperature, Speed, Temperature
+from flexbearing.case.quantity import Angle, Force, Length, Moment, PerTemperature, Speed, Temperature
 from flexbearing.families import FAMILIES
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
@@ -36,7 +36,10 @@ def refusal(*settings):
         (Length, "5 m^5/m^4", "a unit that cannot be read"),
         (Length, "5 (m", "a unit that cannot be read"),
         (Length, "5 furlong", "an unknown unit, furlong"),
-        (Temperature, "75,5 degC", "a unit that cannot be read, ,5 degC"),
+        (Temperature, "1.075,5 degC", "a unit that cannot be read, ,5 degC"),
+        (Force, "12,000 N", "a comma; did you mean 12.000 or 12000?"),
+        (Force, "12 KN", "an unknown unit, KN; did you mean kN?"),
+        (Length, "12 MM", "an unknown unit, MM; did you mean mm?"),
         (Temperature, "75.5 )(", "a unit that cannot be read, )("),
     ],
     ids=lambda value: value if isinstance(value, str) else "",

@@ -12,7 +12,19 @@ from pytest import approx
 from flexbearing import check, units
 from flexbearing.api import read_case
 from flexbearing.case import BadCase, quantity
-from flexbearing.case.quantity import Angle, Fraction as Share, Length, Pressure, Speed, Temperature
+from flexbearing.case.quantity import (
+    Angle,
+    Force,
+    Fraction as Share,
+    Length,
+    Mass,
+    Moment,
+    Pressure,
+    Speed,
+    Stiffness,
+    Temperature,
+    Viscosity,
+)
 from tests.flexbearing.hostile_cases import CONFIGS
 
 PAPER = CONFIGS / "mao2016.toml"
@@ -33,7 +45,7 @@ def refusal(kind, text):
     [
         "3000 1/min", "3000/min", "3000 / min", "3000 1/minute", "3000 min^-1", "3000 min⁻¹", "3000 min**-1",
         "3000 r/min", "3000 rev/min", "3000 r min^-1", "3000 turn/min", "3 krpm", "50 r/s", "50 rev/s",
-        "18000 deg/s",
+        "18000 deg/s", "3000 RPM", "3000 U/min", "3000 min-1", "3000,0 rpm", "3e3 rpm",
     ],
 )  # fmt: skip
 def test_turns_a_minute_are_a_speed_however_they_are_written(text):
@@ -41,6 +53,31 @@ def test_turns_a_minute_are_a_speed_however_they_are_written(text):
     assert check(PAPER, [f"operation.inner_speed={text}"]).operation.inner_speed == approx(
         100 * pi, rel=1e-12
     )
+
+
+POUND = 0.45359237 * 9.80665  # [N], exact
+
+
+@pytest.mark.parametrize(
+    ("kind", "text", "value"),
+    [
+        (Moment, "5 Nm", 5), (Moment, "5 N-m", 5), (Moment, "5 N.m", 5), (Moment, "5000 Nmm", 5),
+        (Moment, "0,005 kNm", 5), (Moment, "5 in-lbf", 5 * 0.0254 * POUND),
+        (Moment, "5 ft-lb", 5 * 0.3048 * POUND), (Force, "5 daN", 50), (Force, "5 lb", 5 * POUND),
+        (Mass, "5 lb", 5 * 0.45359237), (Stiffness, "5 lb/in", 5 * POUND / 0.0254),
+        (Pressure, "5 N/mm2", 5e6), (Pressure, "5 lb/in2", 5 * POUND / 0.0254**2),
+        (Viscosity, "5 mPa.s", 5e-3),
+        (Viscosity, "5 mPas", 5e-3), (Length, "2 mil", 5.08e-5), (Length, "2 thou", 5.08e-5),
+        (Length, "3,5 mm", 3.5e-3), (Length, "-0,125 mm", -1.25e-4), (Temperature, "158 °F", 343.15),
+        (Angle, "2'", pi / 5400), (Angle, "2''", pi / 324000), (Angle, '2"', pi / 324000),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "",
+)  # fmt: skip
+def test_units_and_commas_as_people_write_them(kind, text, value):
+    assert si(kind, text) == approx(value, rel=1e-14)
+    declared = kind.__metadata__[0]
+    again = declared.written(si(kind, text), text)  # in the same unit, as reports do
+    assert si(kind, again) == approx(value, rel=1e-5)
 
 
 @pytest.mark.parametrize("text", ["50 1/s", "50 Hz", "50 s^-1", "3000 1/h", "0.05 kHz", "50/s"])

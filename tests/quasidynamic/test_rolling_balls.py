@@ -177,7 +177,7 @@ def test_material_that_flows_both_ways_is_refused():
     motion, turned = np.array([[-0.5, -15.0, 0.0, 0.0], [-0.5, -14.0, 0.0, 0.0]])
     middle, other = (ball.material_speed(each)[0].mean() for each in (motion, turned))
     still = motion + middle / (middle - other) * (turned - motion)
-    with pytest.raises(OutOfRange, match="stands still or flows both ways"):
+    with pytest.raises(OutOfRange, match="is at rest or flows both ways"):
         refined_rolling(lambda _: ball, "fastsim", CELLS, still)
 
 

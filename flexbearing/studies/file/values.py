@@ -17,7 +17,6 @@ RANGE = 'a range is "FROM .. TO, COUNT", such as "2.9 mm .. 5.1 mm, 6", or "log 
 _RANGE = re.compile(
     r"\s*(?P<log>log\s)?\s*(?P<first>.+?)\s*\.\.\s*(?P<last>.+?)\s*,\s*(?P<count>[0-9]{1,7})\s*"
 )
-_NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 
 
 class BadValues(ValueError):
@@ -95,8 +94,8 @@ def ends(first: str, last: str, declaration: Declaration) -> tuple[tuple[float, 
     if kind is None:
         return (_plain(first), _plain(last)), ""
     in_si = in_si_units(first, kind), in_si_units(last, kind)
-    (one, unit), (other, unit_of_last) = _split(first), _split(last)
-    return ((one, other), unit) if unit == unit_of_last else (in_si, kind.unit)
+    (one, unit), (other, unit_of_last) = kind.split(first), kind.split(last)
+    return ((one, other), unit) if unit and unit == unit_of_last else (in_si, kind.unit)
 
 
 def in_si_units(text: str, kind: Kind) -> float:
@@ -111,12 +110,6 @@ def in_si_units(text: str, kind: Kind) -> float:
         return kind.to_si(text)
     except PydanticCustomError as problem:
         raise BadValues(f"has {toml(excerpt(text))}, which {problem.message()}") from None
-
-
-def _split(text: str) -> tuple[float, str]:
-    number = _NUMBER.match(text.strip())
-    assert number  # or it would not have had a value in SI units
-    return float(number[0]), text.strip()[number.end() :].strip()
 
 
 def _plain(text: str) -> float:

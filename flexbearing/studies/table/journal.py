@@ -1,7 +1,8 @@
-"""Rows as they are finished, in a file that is only ever appended to: a study goes on from there.
+"""Rows as they are finished, in a file that is only appended to: a study goes on from there.
 
-Each line is a JSON object that begins with the checksum of the rest. A line that a kill or a full disk tore,
-or that holds something else than a row, is left out with a warning; its variants are computed again.
+Each line is a JSON object that begins with the checksum of the rest. One that holds something else than a row
+is left out with a warning, its variants are computed again; so are those of a last line that a kill or a full
+disk tore, without a word, and the next writer removes it.
 """
 
 import json
@@ -153,14 +154,24 @@ def opened(path: Path, names: Sequence[str]) -> Iterator[Journal]:
         if there is no room for it
     """
     with lock(path), FileIO(path, "ab+") as file:
-        torn = file.seek(0, os.SEEK_END) and os.pread(file.fileno(), 1, file.tell() - 1) != b"\n"
-        kept = Journal(file, path, names, after=b"\n" if torn else b"")
+        kept = Journal(file, path, names, after=_mended(file))
         try:
             yield kept
         finally:
             with suppress(NotStored):  # then the same calls are only made more carefully
                 kept.ends()
         os.fsync(file.fileno())
+
+
+def _mended(file: FileIO) -> bytes:
+    """Remove a torn last line; what has to stand before the next one where it is longer than any line."""
+    size = file.seek(0, os.SEEK_END)
+    end = os.pread(file.fileno(), LONGEST_LINE, max(0, size - LONGEST_LINE))
+    torn = len(end) - end.rfind(b"\n") - 1
+    if torn == LONGEST_LINE:
+        return b"\n"
+    file.truncate(size - torn)
+    return b""
 
 
 class _Damaged(ValueError):
@@ -174,7 +185,7 @@ def _entries(path: Path) -> Iterator[tuple[int, dict[str, Any]]]:
     with inputs.opened(path) as file:
         for number in count(1):
             line = file.readline(LONGEST_LINE)
-            if not line:
+            if not line.endswith(b"\n") and len(line) < LONGEST_LINE:  # the end, or torn
                 return
             yield number, _entry_of(line.rstrip(b"\n"))
 

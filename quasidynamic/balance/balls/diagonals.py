@@ -10,7 +10,7 @@ from quasidynamic.contact.ellipse.point_contact import point_contact, race_curva
 from quasidynamic.motion.ball_slip import SIDE
 from quasidynamic.parts.ball import FourPointBearing
 
-SIGN = np.array([1.0, -1.0])  # of the axial direction in which the diagonals lean outwards
+SIGN = np.array([1.0, -1.0])  # of the axial direction in which the diagonals point outwards
 
 
 class LoadedDiagonals(NamedTuple):

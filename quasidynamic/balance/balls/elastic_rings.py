@@ -38,7 +38,7 @@ class ElasticRings:
         return ElasticRingState(place, shape, loaded, excess, shape - self.compliance @ loaded.force.ravel())
 
     def imbalance(self, state: ElasticRingState) -> float:
-        """Largest force that balance or the shape of the rings asks for, over the largest force [-]."""
+        """Largest force that balance or the shape of the rings requires, over the largest force [-]."""
         largest = max(np.abs(self.rigid.load).max(), state.diagonals.loads.max())
         return float(max(np.abs(state.excess).max(), self._misfit_forces(state).max()) / largest)
 

@@ -40,7 +40,7 @@ class Linearisation(NamedTuple):
     """Scaled residual of C cases and its derivatives, block by block.
 
     Columns of `table[row, column]` (.., C, Z) are the unknowns of a roller, the last of them its spin, then
-    those of the border, which are ring and cage, and what it feels of the deviations at this roller. Rows are
+    those of the border, which are ring and cage, and the deviations that act on it at this roller. Rows are
     the balances of the roller, its part in the five balances of the border, and its forces on elastic
     raceways.
     """
@@ -112,7 +112,7 @@ class BearingBalance:
     def slow_cage(self) -> NDArray:
         """Cage speed (C, 1) [rad/s] below which a roller's weight may pull it off the outer raceway.
 
-        Twice its weight, with the friction of the pocket that it leans on, is its centrifugal force there.
+        Twice its weight, with the friction of the pocket that holds it, is its centrifugal force there.
         """
         bearing, gravity = self.roller.bearing, np.hypot(self.points.gravity_y, self.points.gravity_z)
         return np.sqrt(4 * gravity * (1 + bearing.cage.pocket_friction) / bearing.pitch_diameter)
@@ -291,7 +291,7 @@ class BearingBalance:
 
     @cached_property
     def felt_deflections(self) -> NDArray:
-        """Deviations that rollers feel (Z felt, Z, D) [m] per contact force on elastic raceways [N]."""
+        """Deviations that act on rollers (Z felt, Z, D) [m] per contact force on elastic raceways [N]."""
         m, rollers, felt = self.layout.axial_modes, self.layout.rollers, self.kinematics.felt
         by_force = np.empty((rollers * len(felt), rollers, felt.shape[1]))
         for place, race in enumerate(self.layout.elastic_raceways):

@@ -33,7 +33,7 @@ def floating_cage(
 
     .. math:: \vec F_{land}(\vec e) + \sum \vec F_{pocket} + m_c \vec g + m_c\, u\, \omega_c^2\, \vec n_u = 0
 
-    The rollers do not feel where the cage is but through the torque of its land: the offset is not an
+    The place of the cage acts on the rollers through the torque of its land alone: the offset is not an
     unknown of the bearing, it follows from the pockets' push.
 
     Parameters

@@ -107,7 +107,7 @@ class ApproachKinematics:
     def rows(self, response: NDArray, free_tilt: NDArray) -> NDArray:
         """Rows of the table from those of a roller's response (rows, inputs + 1, C, Z).
 
-        `free_tilt` (C, 1) tells whether a ring may tilt: no moment reaches one that may not.
+        `free_tilt` (C, 1) says whether a ring may tilt: no moment reaches one that may not.
         """
         m, ring = self.layout.axial_modes, self.layout.per_roller  # where ring and cage begin in the table
         cage, tangential = response[ring], response[ring + 1]

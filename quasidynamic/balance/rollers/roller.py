@@ -15,7 +15,7 @@ from quasidynamic.contact.raceways import Raceways, RacewayState
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 POCKET_ROUNDING = 1e-3  # of the smallest load of a roller: width over which the pocket force changes side
-STANDSTILL = 1e-5  # of nominal speeds: below it surfaces stand still
+STANDSTILL = 1e-5  # of nominal speeds: below it surfaces are at rest
 POCKET_STANDSTILL = 1e-3  # of the spin in pure rolling: below it friction in the pocket has no full sense
 
 # Places among a roller's inputs and its value, and among its forces, counted from the end.
@@ -30,7 +30,7 @@ class Motion(NamedTuple):
     cage_drift: NDArray  # (C, 1) cage speed less that of pure rolling [rad/s]
     spin: NDArray  # (C, Z) relative to the cage [rad/s]
     cage_speed: NDArray  # (C, 1) [rad/s]
-    standstill_spin: NDArray  # (C, 1) below it a roller stands still [rad/s]
+    standstill_spin: NDArray  # (C, 1) below it a roller is at rest [rad/s]
 
 
 class RollerInputs(NamedTuple):
@@ -66,7 +66,7 @@ class Response(NamedTuple):
     once: what is a sum of forces is also the sum of their derivatives.
 
     Rows: radial force [N], tilt moment [N m] (with two axial modes or more), film at the inner and the
-    outer raceway [m], spin [N m]: these must vanish. Then what the rest of the bearing feels:
+    outer raceway [m], spin [N m]: these must vanish. Then what acts on the rest of the bearing:
     torque on the cage [N m], tangential force of the inner ring [N], force of the pocket on the roller
     along the motion and outwards [N] (with a free cage), the M forces conjugate to the axial modes at the
     inner and at the outer raceway [N].
@@ -152,7 +152,7 @@ class RollerBalance:
         forces, centrifugal, drag = self._forces(contact, inputs)
         friction = forces[2 * self.axial_modes : OUTWARD].reshape(3, 2, *forces.shape[1:])
         self._fill_friction(friction, contact, entrainment, sense)
-        films = friction[2]  # what the speeds ask for, less what was assumed
+        films = friction[2]  # what the speeds require, less what was assumed
         films[0, FILM_I] = films[1, FILM_O] = -1.0
         films[:, VALUE] -= inputs.film
         cage_force = self._add_pocket(forces, inputs.motion)

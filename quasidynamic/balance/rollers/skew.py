@@ -128,7 +128,7 @@ class SkewBalance:
 
         .. math:: k_R = \frac{1}{r_m} \sum_k (q_o - q_i)_k x_k^2 \Delta x
 
-        A skewed roller is further from the bearing axis by x^2 psi^2/(2 r_m): nearer to the outer raceway,
+        A skewed roller is further from the bearing axis by x^2 psi^2/(2 r_m): closer to the outer raceway,
         farther from the inner one. The first order of it is a moment, and the only one that holds a
         roller inside the clearance of its flanges; negative where the inner loads sit further out.
         """

@@ -1,4 +1,4 @@
-"""Unknowns of the bearing: what they are, how they stand in a row."""
+"""Unknowns of the bearing: what they are, their order."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -68,7 +68,7 @@ class UnknownLayout:
 
     @cached_property
     def felt(self) -> int:
-        """Number of combinations of its deviations that a roller feels.
+        """Number of combinations of its deviations that act on a roller.
 
         Between two elastic raceways height and tilt of the one against the other, and the waviness of both.
         """

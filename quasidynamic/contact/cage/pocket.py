@@ -14,7 +14,7 @@ FILM_LOAD = 11 / 3  # [N] carried by the film when the roller has crossed the wh
 
 
 class PocketForce(NamedTuple):
-    """Force of a roller on its pocket; the roller feels the opposite."""
+    """Force of a roller on its pocket; the opposite acts on the roller."""
 
     force: NDArray  # [N] signed like the displacement
     by_displacement: NDArray  # [N/m] > 0
@@ -45,7 +45,7 @@ def roller_on_pocket_force(displacement: NDArray, clearance: float, stop: NDArra
 
     Valid
     -----
-    The film carries 11 N / 3 at the wall whatever oil, speed and size: a number to calibrate.
+    The film carries 11 N / 3 at the wall with any oil, speed and size: a number to calibrate.
     """
     depth = np.maximum(np.abs(displacement) - clearance, 0.0)
     power = stop * depth ** (EXPONENT - 1)

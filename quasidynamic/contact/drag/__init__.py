@@ -1,6 +1,6 @@
 """Resistance of the oil-air mixture to rollers: drag of their orbit, churning of their spin.
 
-Friction with cage, raceways and flanges stands in the other rooms.
+Friction with cage, raceways and flanges is in the other rooms.
 """
 
 from quasidynamic.contact.drag.churning import churning_torque

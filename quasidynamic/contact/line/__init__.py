@@ -1,6 +1,6 @@
 """The dry line contact of a roller: Hertz pressure and width, load laws, slices, profiles for a design load.
 
-No film and no friction; a profile itself is data and stands in `parts`.
+No film and no friction; a profile itself is data, in `parts`.
 """
 
 from quasidynamic.contact.line.design_profile import fujiwara_kawase, johns_gohar, lundberg

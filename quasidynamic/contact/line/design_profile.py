@@ -45,7 +45,7 @@ def lundberg(load: float, length: float, modulus: float) -> Logarithmic:
 
 
 def johns_gohar(load: float, length: float, modulus: float, radius: float) -> LogarithmicCrown:
-    r"""Profile of Lundberg with the drop at the end that an even strip of the contact's width asks for.
+    r"""Profile of Lundberg with the drop at the end that an even strip of the contact's width requires.
 
     .. math:: C = \frac{2Q}{\pi l E'} \ln \frac{1}{1 - (1 - 0.3033\, b/a)(x/a)^2},\quad a = l/2
 

@@ -57,7 +57,7 @@ def line_contact_stress(
     """
     z = np.asarray(depth, dtype=float)
     place = np.asarray(along) + 1j * z
-    root = np.sqrt(place - 1) * np.sqrt(place + 1)  # of the branch that the depth asks for
+    root = np.sqrt(place - 1) * np.sqrt(place + 1)  # of the branch that the depth requires
     whole, slope = place - root, z * (1 - place / root)
     along_stress = whole.imag + slope.real - friction * (2 * whole.real - slope.imag)
     normal = whole.imag - slope.real - friction * slope.imag

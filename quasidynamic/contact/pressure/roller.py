@@ -59,7 +59,7 @@ class RollerPressure:
 
     @property
     def peak_at_ends(self) -> bool:
-        """Whether the largest pressure stands in the outermost cells of an end that the contact reaches.
+        """Whether the largest pressure is in the outermost cells of an end that the contact reaches.
 
         It then is that of cells at an end, not of the contact, and grows as they become smaller.
         """

@@ -150,7 +150,7 @@ def _turned(state: StickSlip, change: NDArray) -> NDArray:
 def _solved(law: StickSlipLaw, state: StickSlip, right: NDArray, tolerance: float) -> NDArray:
     """Solution of the linearised law; a linear solve that ends early leaves the rest to the next step.
 
-    In single precision, nearly twice as fast: its rounding is far below any tolerance asked for.
+    In single precision, nearly twice as fast: its rounding is far below any tolerance requested.
     """
     stiffness = np.asarray(law.stiffness, np.float32)
     turned = state._replace(

@@ -24,7 +24,7 @@ class AdoreOil:
 
     Valid
     -----
-    The ranges are quoted from memory of the literature, no table of measurements was at hand.
+    The ranges are quoted from memory of the literature, no table of measurements was available.
     """
 
     name: str

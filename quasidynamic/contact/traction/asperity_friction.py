@@ -82,7 +82,7 @@ class Carter:
               \mu = f_a \mu_b
 
     The area of stick begins where material enters and has the half-width b (1 - |r|); all of the contact
-    slips from xi_1 on. The slope at rest is pi E' b/4 per creep, whatever the friction.
+    slips from xi_1 on. The slope at rest is pi E' b/4 per creep with any friction.
 
     Source
     ------

@@ -33,7 +33,7 @@ class TractionLaw(Protocol):
 
 
 def in_any_contact(law: Law, **_: Any) -> Law:
-    """The law of any contact, whatever its radius, modulus, length and oil: the law itself."""
+    """The law itself: it is that of a contact of any radius, modulus, length and oil."""
     return law
 
 

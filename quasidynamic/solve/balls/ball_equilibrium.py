@@ -36,12 +36,12 @@ class BallsInBalance(NamedTuple):
     balls: BallBalance
     scales: ForceScales
     left: NDArray  # (C, Z) [N] size of the unbalanced force on a ball
-    moving: NDArray  # (C, Z) balls that are not balanced as well as was asked for
+    moving: NDArray  # (C, Z) balls that are not balanced as well as was requested
     evaluations: int
 
     @property
     def done(self) -> NDArray:
-        """Whether all balls are balanced as well as was asked for (C)."""
+        """Whether all balls are balanced as well as was requested (C)."""
         return np.logical_not(self.moving.any(axis=1))
 
 

@@ -109,13 +109,13 @@ def _searched(
         (trial_state, trial_size), evaluations = at(balls, trial), evaluations + 1
         ahead, past = (state.left * step).sum(1), (trial_state.left * step).sum(1)
         most, before = trial_size.max(1), size.max(1)
-        nearer = (
+        closer = (
             (ahead < 0)
             & (past <= -GAIN * ahead)
             & (most > ONE_STEP_AWAY)
             & (most <= 2 * np.maximum(before, 1.0))
         )
-        better = nearer | (most < GAIN * before)
+        better = closer | (most < GAIN * before)
         solution[running[better]] = trial[better]
         state, size = trial_state.or_else(state, better), np.where(better[:, None], trial_size, size)
         tries = np.where(better, np.maximum(tries - 2, 0), tries + 1)

@@ -18,7 +18,7 @@ STIFFENING = 1e-2  # of the whole stiffness over the relative imbalance, where n
 
 @dataclass(frozen=True)
 class BallLoads:
-    """How the balls share a load. Z balls, two diagonals: the first leans outwards to positive x."""
+    """How the balls share a load. Z balls, two diagonals: the first points outwards to positive x."""
 
     approach: NDArray  # (Z, 2) [m] on a diagonal, both contacts together; negative in a gap
     loads: NDArray  # (Z, 2) [N] the same at both ends of a diagonal

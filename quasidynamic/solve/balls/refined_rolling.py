@@ -131,7 +131,7 @@ def refined_kept_motion(
     Raises
     ------
     OutOfRange
-        when the cells cannot be halved twice, or the material stands still in a contact
+        when the cells cannot be halved twice, or the material is at rest in a contact
     NotSolved
         when a contact is not solved
     """
@@ -154,10 +154,10 @@ def _near(ball: RollingBall, model: RollingModel, motion: NDArray) -> NDArray | 
 
 
 def _refined_rolling(quarter: RollingMotion, half: RollingMotion, fine: RollingMotion) -> RefinedRolling:
-    return RefinedRolling(_lean(fine), (half.power, quarter.power))
+    return RefinedRolling(_without_transforms(fine), (half.power, quarter.power))
 
 
-def _lean(motion: RollingMotion) -> RollingMotion:
+def _without_transforms(motion: RollingMotion) -> RollingMotion:
     """Return the same without the transforms that only a search needs."""
     contacts = replace(motion.ball.contacts)
     return replace(

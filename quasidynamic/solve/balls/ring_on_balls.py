@@ -62,7 +62,7 @@ class _RingState:
     balls: BallBalance
     follow: NDArray  # (2, C, Z) see `followed`
     balance: RingBalance
-    balls_done: NDArray  # (C) bool, whether all balls are balanced as well as was asked for
+    balls_done: NDArray  # (C) bool, whether all balls are balanced as well as was requested
     imbalance: NDArray  # (C)
     pressing: NDArray  # (C) largest load on the inner race over the largest force
     evaluations: int

@@ -12,9 +12,9 @@ from quasidynamic.errors import NotSolved, OutOfRange
 
 TOLERANCE = 1e-3  # unbalanced power over the power of friction; the torque is off by 1e-6 of itself
 LIMIT = 40  # evaluations, rarely more than four
-GAIN = 0.5  # of what was left: more left after a step asks for new slopes
+GAIN = 0.5  # of what was left: more left after a step requires new slopes
 SHORTEST = 1 / 256  # part of a step
-STANDING = "rolling ball: the material in a contact stands still or flows both ways"
+STANDING = "rolling ball: the material in a contact is at rest or flows both ways"
 
 
 @dataclass(frozen=True)
@@ -92,7 +92,7 @@ def rolling_motion(
     NotSolved
         when no balance is found; the message has what is left
     OutOfRange
-        when the material stands still in a contact
+        when the material is at rest in a contact
 
     Source
     ------
@@ -141,14 +141,14 @@ def kept_motion(
     Returns
     -------
     RollingMotion
-        `imbalance` tells what is left
+        `imbalance` says what is left
 
     Raises
     ------
     NotSolved
         when a contact is not solved
     OutOfRange
-        when the material stands still in a contact
+        when the material is at rest in a contact
     """
     state = _at(ball, law, motion, start)
     if state is None:

@@ -17,7 +17,7 @@ from quasidynamic.solve.balls.free_ball_motion import FreeBallMotion
 TOLERANCE = 1e-10  # of the largest friction: moments left
 UNSOLVED = 1e-8  # of these: more is no balance
 LIMIT = 40  # evaluations, rarely more than six
-GAIN = 0.2  # of what was left: more left after a step asks for new slopes
+GAIN = 0.2  # of what was left: more left after a step requires new slopes
 NEAR = 1e-6  # change of the logarithm of a load, of an angle [rad]: step of differences
 
 

@@ -25,7 +25,7 @@ MAX_STEPS_NEAR = 12  # where the start is nearly the solution, or it is not
 SMALL_CHANGE = 0.2  # of the largest approach of a roller and its outer raceway
 LARGEST_TILT = 300.0  # scaled change of a slope of the ring in a step: 0.3 rad
 LOADED = 1e-3  # of the largest load, above which a roller turns like the most loaded one
-SMALL_SLIP = 0.01  # of the cage, up to which rollers may be nearer to pure rolling
+SMALL_SLIP = 0.01  # of the cage, up to which rollers may be closer to pure rolling
 NEARLY = 0.1  # length of the scaled residual of displacements
 SHORTEST_STEP = 2.0**-7  # of a step that is damped
 HELD = Shift(spin=1e9, cage=1e9)  # on the diagonal of the scaled matrix: spins and cage do not move
@@ -62,7 +62,7 @@ def contact_search(
         whether the start is nearly the solution, such as that of a similar case: then cage and spins
         move too, the spins by a limited share
     damped : bool
-        whether steps are halved until forces and deviations are nearer to balance: slower, and for very soft
+        whether steps are halved until forces and deviations are closer to balance: slower, and for very soft
         raceways, where full steps leap between sets of touching rollers
     """
     cases = np.arange(len(unknowns))
@@ -128,7 +128,7 @@ def _turning_alike(balance: BearingBalance, start: Start, unknowns: NDArray) -> 
 def _without_slip(
     balance: BearingBalance, unknowns: NDArray, system: Linearisation, ending: NDArray
 ) -> tuple[NDArray, Linearisation]:
-    """Unknowns, system; ending cases (C) in pure rolling where slips are small and it is nearer to balance.
+    """Unknowns, system; ending cases (C) in pure rolling where slips are small and it is closer to balance.
 
     Traction of a stiff oil reaches its limit at slips of 1e-11: those of one roller are far from balance at
     another, and Newton's method, which comes up from pure rolling in a few steps, overshoots from there.
@@ -140,11 +140,11 @@ def _without_slip(
     rolling = x._replace(cage_drift=np.zeros_like(x.cage_drift), spin_drift=np.zeros_like(x.spin_drift))
     without = balance.pack(rolling)
     there = balance.evaluate(without)
-    nearer = ending & (norm(there) < norm(system))
-    if not nearer.any():
+    closer = ending & (norm(there) < norm(system))
+    if not closer.any():
         return unknowns, system
-    chosen = np.where(nearer[:, None], without, unknowns)
-    return chosen, there if nearer.all() else balance.evaluate(chosen)
+    chosen = np.where(closer[:, None], without, unknowns)
+    return chosen, there if closer.all() else balance.evaluate(chosen)
 
 
 def _unbalanced(balance: BearingBalance, system: Linearisation) -> NDArray:

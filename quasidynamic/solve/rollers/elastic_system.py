@@ -1,4 +1,4 @@
-"""Linear solve between elastic raceways: what rollers feel of them, where contacts are closed."""
+"""Linear solve between elastic raceways: what acts on rollers of them, where contacts are closed."""
 
 from typing import NamedTuple
 
@@ -49,8 +49,8 @@ def between_elastic_raceways(
 ) -> Solution:
     r"""Solve for what is left when every roller is eliminated on its own.
 
-    Contact forces f and the compliance C of the raceways give the D deviations w of every roller, which feels
-    P combinations v of them, fewer between two elastic raceways:
+    Contact forces f and the compliance C of the raceways give the D deviations w of every roller; P
+    combinations v of them act on it, fewer between two elastic raceways:
 
     .. math:: w = C f + r,\quad v = \Pi w,\quad f = F_b b + F_s s + F_v v - f_r
 
@@ -182,7 +182,7 @@ def deflections(balance: BearingBalance, forces: NDArray) -> NDArray:
 
 
 def felt_of(balance: BearingBalance, deviations: NDArray) -> NDArray:
-    """What rollers feel (P, R, C, Z) of deviations (C, Z D, R)."""
+    """What acts on rollers (P, R, C, Z) of deviations (C, Z D, R)."""
     layout, (cases, _, count) = balance.layout, deviations.shape
     shape = (cases, len(layout.elastic_raceways), layout.rollers, layout.axial_modes, count)
     by_roller = deviations.reshape(shape).transpose(1, 3, 4, 0, 2).reshape(-1, count, cases, layout.rollers)

@@ -1,4 +1,4 @@
-"""Down from a heavier load, where rollers drive the cage, to the load that is asked for."""
+"""Down from a heavier load, where rollers drive the cage, to the load that is requested."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -10,7 +10,7 @@ from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.newton import newton
 
-FIRST_LOADS = (8.0, 64.0, 512.0, 4096.0)  # loads to begin from, over the load that is asked for
+FIRST_LOADS = (8.0, 64.0, 512.0, 4096.0)  # loads to begin from, over the load that is requested
 FIRST_STEP = 0.7  # of the logarithm of the load
 SHORTEST_STEP = 0.02
 MAX_LOADS = 80  # loads
@@ -20,7 +20,7 @@ MAX_LOADS = 80  # loads
 class Continuation:
     """Where a continuation ended."""
 
-    unknowns: NDArray | None  # (1, N) scaled, at the load that is asked for; None when it was not reached
+    unknowns: NDArray | None  # (1, N) scaled, at the load that is requested; None when it was not reached
     evaluations: int
 
 

@@ -15,7 +15,7 @@ from quasidynamic.solve.rollers.step_bounds import bounded
 
 MAX_STEPS = 150  # steps
 FIRST_CHANGE = 0.1  # scaled change of the fastest speed in the first step
-TRY_AFTER = 6  # steps after which Newton's method is tried, whatever the residual
+TRY_AFTER = 6  # steps after which Newton's method is tried at any residual
 TRY_BELOW = 1e-2  # of the residual at the last trial: it is tried at once
 MEMORY = 5  # steps that a residual is compared with
 LARGEST_GROWTH = 5.0  # growth of the residual over these that is still taken

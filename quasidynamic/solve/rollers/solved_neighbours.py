@@ -1,4 +1,4 @@
-"""Starts of cases from solved ones around them, whatever differs between them."""
+"""Starts of cases from solved ones around them, which may differ in anything."""
 
 from typing import NamedTuple
 
@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 PRINCIPAL = 0.01  # of the largest variation: smaller ones are no coordinate
 SEED = 15  # of an order that shall be without order, and the same at every call
-NUGGET = 1e-3  # squared, of the distance of the furthest neighbour: nearer ones count alike
+NUGGET = 1e-3  # squared, of the distance of the furthest neighbour: closer ones count alike
 ALIKE = 1e-9  # distance of cases that are nearly the same
 STIFFENING = 1e-12  # of the moments of the neighbours, where they do not span all coordinates
 SPARE = 1.5  # neighbours over terms of a fit

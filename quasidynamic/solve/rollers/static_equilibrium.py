@@ -52,7 +52,7 @@ def _contact_loads(
 ) -> tuple[NDArray, NDArray]:
     """Loads [N] and stiffnesses [N/m] (2, C, Z) of rollers at their approaches (2, C, Z) [m].
 
-    Slices are nearer by `beyond` (K, 2, C, Z) [m]; rollers without it are untilted.
+    Slices are closer by `beyond` (K, 2, C, Z) [m]; rollers without it are untilted.
     """
     raceways = balance.roller.raceways
     line_load, slope = raceways.law(approach + beyond - raceways.drop)
@@ -81,7 +81,7 @@ def static_equilibrium(
     nearest = np.where(falls, *(raceways.drop[:, race] - beyond[:, race] for race in (0, 1)))
     lowest, highest = pressed + nearest.min(0), np.maximum(room, pressed + nearest.max(0))
     side = np.maximum(room / 2, lowest)  # approach at the raceway that the roller rests on
-    running = np.ones((len(side), 1), bool)  # each case stops by itself, whatever others do
+    running = np.ones((len(side), 1), bool)  # each case stops by itself
     for _ in range(MAX_STEPS):
         outer = np.where(falls, room - side, side)
         (load_i, load_o), slopes = _contact_loads(balance, np.array([room - outer, outer]), beyond)
@@ -121,7 +121,7 @@ def lying_on_a_raceway(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
 
     Its small weight alone holds its tilt: a linearised step lays it on one end, the next one on the other, in
     turns. Load and moment follow from a convex energy: Newton's method from where it lies flat, its steps
-    halved until both are nearer to balance. Where no roller falls on the inner raceway, centrifugal force
+    halved until both are closer to balance. Where no roller falls on the inner raceway, centrifugal force
     holds the tilts, and nothing is done.
     """
     force = outward_force(balance, unknowns)

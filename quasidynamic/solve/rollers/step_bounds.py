@@ -160,7 +160,7 @@ def shortened(balance: BearingBalance, unknowns: NDArray, change: NDArray) -> ND
 
 
 def _largest_approach(balance: BearingBalance, scaled: NDArray) -> NDArray:
-    """Approach (C, Z) where each roller is nearest to the outer raceway, whatever its shape, scaled."""
+    """Approach (C, Z) where each roller is nearest to the outer raceway of any shape, scaled."""
     layout = balance.layout
     centre = scaled[:, layout.field(0)]
     if layout.axial_modes == 1:

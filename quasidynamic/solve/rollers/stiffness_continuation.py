@@ -1,4 +1,4 @@
-"""Down from nearly rigid raceways to those that are asked for."""
+"""Down from nearly rigid raceways to those that are requested."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.solve.rollers.load_continuation import Continuation
 
-STIFFEST = 2.0**-12  # of the compliance that is asked for, where rollers hardly feel it
+STIFFEST = 2.0**-12  # of the compliance that is requested, at which raceways are nearly rigid
 FIRST_STEP = 2 * np.log(2)  # of the logarithm of the compliance
 SHORT_STEP = 0.1  # from where every way is tried before a step is halved
 SHORTEST_STEP = 0.02

@@ -38,7 +38,7 @@ def balanced_drifts(
 
     Unloaded rollers get their spin from those before them: it travels around the bearing by a roller or
     two with every step of Newton's method. Here a step costs a tenth of one with all slices. A start
-    only: after `STEPS` the least unbalanced drifts are returned, whatever they are worth.
+    only: after `STEPS` the least unbalanced drifts are returned, balanced or not.
     """
     friction = _Friction.of(balance, static, cage_drift, spin_drift)
     best, damping = friction.at(cage_drift, spin_drift), np.ones_like(cage_drift)

@@ -77,12 +77,12 @@ class LumpedRollers:
             t_i, t_o, r_i, r_o = self.forces(line_load, cage_drift, drift)
             return (t_i - t_o - r_i - r_o) * up > 0
 
-        nearer_inner = speeds_up((inner + outer) / 2)
-        end, way = np.where(nearer_inner, inner, outer), np.where(nearer_inner, outer - inner, inner - outer)
+        inwards = speeds_up((inner + outer) / 2)
+        end, way = np.where(inwards, inner, outer), np.where(inwards, outer - inner, inner - outer)
         low, high = np.full(end.shape, NEAREST), np.full(end.shape, np.log(0.5))
         for _ in range(SPIN_HALVINGS):
             middle = (low + high) / 2
-            further = speeds_up(end + way * np.exp(middle)) != nearer_inner
+            further = speeds_up(end + way * np.exp(middle)) != inwards
             low, high = np.where(further, middle, low), np.where(further, high, middle)
         drift = end + way * np.exp((low + high) / 2)
         return drift, self._balanced(*self.forces(line_load, cage_drift, drift))
@@ -90,7 +90,7 @@ class LumpedRollers:
     def braked(self, slice_load: NDArray, cage_drift: NDArray, drift: NDArray) -> NDArray:
         """Drifts (C, Z); those at which rollers balance where friction of the pocket holds them back.
 
-        A roller that hardly anything presses may stand still in its pocket, or nearly so. Halving, as
+        A roller that hardly anything presses may are at rest in its pocket, or nearly so. Halving, as
         traction and friction of the pocket are at their limits on the way there; each roller beside the
         present spins of its neighbours, from which it gets its own. Loads are those per length (K, 2, C, Z)
         [N/m] of slices: a light roller touches with few of them.
