@@ -144,6 +144,14 @@ def test_values_are_those_of_the_result():
         assert found["film-ratio", f"{race} raceway"] == approx(summary["minimum_lambda"][race])
 
 
+def test_balls_are_judged_by_their_ratings_and_those_that_turn_freely_by_no_friction():
+    settings = ("life.static_rating=60 kN", "life.dynamic_rating=70 kN")
+    judged_at, free = computed(BALLS[0], settings), computed(BALLS[0], ("operation.control=coulomb",))
+    limits = (declared.LOAD_ABOVE_STATIC_RATING, declared.HEAVY_LOAD, declared.LIGHT_LOAD_OF_BALLS)
+    assert [records(judged_at, each)[0]["limit"] for each in limits] == [60e3, 35e3, 700.0]
+    assert [len(records(each, declared.GYROSCOPIC_MOMENT)) for each in (judged_at, free)] == [1, 0]
+
+
 def test_clearance_is_judged_at_the_tight_end_of_the_tolerances():
     result = computed("catalogue/nu210.toml", ())
     tight, ends = records(result, declared.CLEARANCE)[1], result.attributes["clearance"]["tolerances"]["ends"]
