@@ -48,7 +48,7 @@ def test_dents_are_a_danger(tmp_path):
     assert result.attributes["status"] == "converged"
     assert "contact-pressure" in codes(result, "danger")
     first = text(result).splitlines()[0]
-    assert first.startswith("DANGER: peak contact pressure, inner raceway: ")
+    assert first.startswith("DANGER: peak contact pressure, inner raceway and outer raceway: ")
     assert result.summary()["notes"][0]["code"] == "contact-pressure"
 
 

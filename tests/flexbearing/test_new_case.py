@@ -449,3 +449,9 @@ BEYOND = {
 def test_pages_that_no_bearing_has_are_told(like, page, message, tmp_path):
     with pytest.raises(BadCase, match=re.escape(message)):
         new(tmp_path / "case.toml", like, page)
+
+
+def test_a_case_that_no_run_takes_is_not_written(tmp_path):
+    with pytest.raises(BadCase, match="viscosity ratio"):
+        new(tmp_path / "case.toml", "cylindrical_roller", NU210 | {"speed": "1 rpm"})
+    assert not list(tmp_path.iterdir())
