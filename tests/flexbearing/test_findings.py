@@ -13,7 +13,7 @@ from flexbearing.findings.finding import AT_MOST
 from flexbearing.findings.running import FULL_FILM
 from flexbearing.report.html import METRIC, against_limits, finding_checks
 from flexbearing.report.html.reader import Reader
-from flexbearing.runs import judged
+from flexbearing.runs import fields, judged
 from quasidynamic.contact.film.roughness import FULL_FILM_FROM, MIXED_FROM
 from quasidynamic.outcome import static_pressure
 from tests.flexbearing.hostile_cases import CONFIGS
@@ -150,6 +150,18 @@ def test_balls_are_judged_by_their_ratings_and_those_that_turn_freely_by_no_fric
     limits = (declared.LOAD_ABOVE_STATIC_RATING, declared.HEAVY_LOAD, declared.LIGHT_LOAD_OF_BALLS)
     assert [records(judged_at, each)[0]["limit"] for each in limits] == [60e3, 35e3, 700.0]
     assert [len(records(each, declared.GYROSCOPIC_MOMENT)) for each in (judged_at, free)] == [1, 0]
+    turns, speed = (
+        judged_at["life_L10"].number * 1e6,
+        judged_at.attributes["case_si"]["operation"]["inner_speed"],
+    )
+    assert records(judged_at, declared.SHORT_LIFE)[0]["value"] == approx(turns * 2 * np.pi / speed)
+
+
+def test_bodies_are_judged_by_the_yield_stress_of_their_material():
+    case = api.read_case(CONFIGS / BARS[0], BARS[1:])
+    found = fields.values(case, "outer", {"bodies": {"ring": {"von_mises_MPa": 5.0}}})
+    place = "outer: ring (von Mises)"
+    assert found == {"stress": {place: 5e6}, "yield_stress": {place: 9e8}}
 
 
 def test_clearance_is_judged_at_the_tight_end_of_the_tolerances():
