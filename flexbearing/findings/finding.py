@@ -81,7 +81,7 @@ class Judged:
             "side": self.finding.side,
             "limit": limit if known else None,
             "source": self.finding.source,
-            "share": share if np.isfinite(share) else None,
+            "share": share if limit and np.isfinite(share) else None,  # of a limit of zero there is none
             "verdict": verdict if known else NOT_CHECKED,
         }
 

@@ -6,6 +6,7 @@ from typing import Any
 
 from flexbearing.findings import DANGER, NOT_CHECKED, NOT_MET, gravest, of_code
 from flexbearing.findings.codes import PEAK_AT_ENDS
+from flexbearing.findings.running import CLEARANCE
 from flexbearing.findings.strength import BARS
 from flexbearing.report.html import ratings
 from flexbearing.report.html.check import BROKEN, Check, text_of, unchecked
@@ -54,7 +55,7 @@ def _check(reader: Reader, records: list[dict[str, Any]]) -> Check:
         what,
         value,
         f"{record['side']} {text_of(limit)} ({record['source']})",
-        reader.of_attribute(f"{at}/share", "", "%", ",.0f"),
+        "" if record["share"] is None else reader.of_attribute(f"{at}/share", "", "%", ",.0f"),
         used,
         BROKEN[record["grade"], record["side"]] if broken else record["verdict"],
         record["grade"],
@@ -77,6 +78,8 @@ def _explained(reader: Reader, code: str, check: Check) -> Check:
         why = f"{NOT_CHECKED}: {_NO_YIELD}{words}"
         who = _ANALYST + ", times the stress concentration factor of the fillet" * of_bars
         return replace(check, verdict=why, who=who, do=_GIVE_YIELD, urgent=True)
+    if code == CLEARANCE.code and check.broken:  # may be intended
+        return replace(check, verdict="preload: see Clearance", do="")
     if code == "film-ratio":
         regime = _regimes(reader).get(check.place.partition(" ")[0], "")
         return replace(check, verdict=": ".join(filter(None, (check.verdict, regime))))
