@@ -89,7 +89,7 @@ def test_stiffness_over_y_and_z_of_the_bearing_alone_and_with_supports(paper):
 
 def test_stress_without_yield_and_tilts_are_told_in_the_first_block(paper):
     first = "\n".join(told_by(headline.blocks(paper)))
-    assert "Possibly the first limit, without a strength in the case: Von Mises or nominal stress" in first
+    assert "Possibly the first limit, without a strength in the case: Largest stress" in first
     assert "Tilt of the inner ring: " not in first  # an outer ring on its support leans along
     weighed = paragraphs(verdict.blocks(with_effects(paper)))
     assert "No assumed input changes this life 1.25 times or more" not in weighed  # its choices do

@@ -111,7 +111,7 @@ def test_an_exceeded_limit_stands_before_a_missed_aim(readers):
         "Not assured: a law is used outside its range.\nEquivalent load P 19.62 kN, at most 11.04 kN"
     )
     assert safe.index("OUTSIDE VALIDITY") < safe.index("BELOW THE USUAL MINIMUM")
-    assert "take a bearing with C_r 1.78 times as large" in first
+    assert "take a bearing with a rating 1.78 times as large" in first
 
 
 def test_viscosity_ratio_and_films_are_told_where_the_life_does_not_use_them(readers):

@@ -409,7 +409,7 @@ def test_what_to_do_next_keeps_limits_first_then_measures_then_checks(readers):
                     if getattr(block, "title", "") == "What to do next"]  # fmt: skip
         return block.items
 
-    assert steps("heavy")[0] == "take a bearing with C_r 1.24 times as large, or a load as much lower"
+    assert steps("heavy")[0] == "take a bearing with a rating 1.24 times as large, or a load as much lower"
     assert steps("catalogue")[:3] == (
         "find out and specify oil temperature at the inlets (lubricant.inlet_temperature): moves life, "
         "torque most",

@@ -124,7 +124,7 @@ def test_edge_stress_of_straight_rollers_is_not_promised(readers):
 
 def test_bounds_of_validity_stand_behind_physical_limits_and_bars_have_a_change_of_design(readers):
     lines = told(with_effects(readers("rings")))[FIRST].splitlines()
-    kinds = ("Possibly first: Von Mises or nominal stress", "Lower by a change of design: number of bars",
+    kinds = ("Possibly first: Largest stress", "Lower by a change of design: number of bars",
              "Below the usual minimum: Viscosity", "Nearest of the limits that are kept: Static safety",
              "Nearest limit of damage: Peak contact pressure",
              "Outside the range of a law", "Next: ")  # fmt: skip
