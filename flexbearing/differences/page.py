@@ -9,6 +9,7 @@ from rich.text import Text
 
 from flexbearing.case.excerpt import excerpt
 from flexbearing.differences.compared import Compared, Differing
+from flexbearing.findings import of_code
 from flexbearing.report.sections import right_aligned
 
 
@@ -27,6 +28,9 @@ def sections(found: Compared) -> Iterator[RenderableType]:
         yield Text("\nThe cases have the same keys and values.")
     for each in found.settings:
         yield Text(f"  {each.key}: {_setting(each.one, each.unit)} | {_setting(each.other, each.unit)}")
+    for each in found.findings:
+        name = ", ".join(filter(None, (of_code(each.code, each.grade).label, each.place)))
+        yield Text(f"Limit of {name} ({each.source}): {each.one or 'none'} | {each.other or 'none'}")
     if found.outputs:
         table = right_aligned("output", "unit", "A", "B", "B - A", "error")
         table.columns[0].overflow = "fold"

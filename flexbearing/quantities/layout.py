@@ -23,8 +23,8 @@ class Layout:
     main: tuple[str, ...] = ()  # outputs that a result is known by, five at most
     weighed: tuple[
         tuple[str, str], ...
-    ] = ()  # outputs beside lives that effects of inputs are told of, and their words in comments of a case
-    weighed_in_results: tuple[tuple[str, str], ...] = ()  # further ones that comments do not tell
+    ] = ()  # outputs beside lives that effects of inputs are computed for, and their words
+    weighed_in_results: tuple[tuple[str, str], ...] = ()  # further ones, not among the main results of a page
     head: tuple[str, ...] = HEAD  # root attributes that the summary repeats
     case_keys: tuple[
         tuple[str, str, str], ...

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -15,10 +15,8 @@ from flexbearing.build.mesh_sizes import IN_SPACE, mesh_size
 from flexbearing.case.roller import Case
 from flexbearing.program.threads import of_solids
 from flexbearing.rings.resolution import patches
-from flexbearing.runs.dangers import yielding
 from flexbearing.runs.part_fields import MEGA, NAMES, NoFields, PartFields, Race, Sizes
 from quasidynamic.contact.line import Slices
-from quasidynamic.note import Note
 
 Arrays = Mapping[str, Any]  # name to array
 
@@ -28,8 +26,8 @@ WITHOUT_BARS = (3, 1.2, 0.4)
 FOR_STRESSES = {fem.OuterRing: (6, 0.6, 0.2), fem.RingOnShaft: (6, 0.6, 0.2), fem.SquirrelCage: (5, 0.6, 0.4)}
 
 
-def dangers(case: Case, race: Race, record: dict[str, Any]) -> Iterator[Note]:
-    """Danger of bodies whose largest von Mises stress is above the yield stress of their material.
+def values(case: Case, race: Race, record: dict[str, Any]) -> dict[str, dict[str, Any]]:
+    """Largest von Mises stress of each body and its yield stress [Pa], for findings.
 
     Parameters
     ----------
@@ -39,17 +37,14 @@ def dangers(case: Case, race: Race, record: dict[str, Any]) -> Iterator[Note]:
         which part
     record : dict
         of `PartFields.record`
-
-    Yields
-    ------
-    Note
-        "yield-stress"
     """
+    found: dict[str, dict[str, Any]] = {"stress": {}, "yield_stress": {}}
     for body, most in record["bodies"].items():
         material = expansion.material(case, body if body in ("shaft", "housing") else f"{race}_ring")
-        name = f"{race} ring" if body == "ring" else body
-        limit = getattr(material, "yield_stress", None)  # not every material may have one
-        yield from yielding(name, MEGA * most["von_mises_MPa"], limit)
+        place = f"{race}: {body} (von Mises)"
+        found["stress"][place] = MEGA * most["von_mises_MPa"]
+        found["yield_stress"][place] = getattr(material, "yield_stress", None)  # not of every material
+    return found
 
 
 def parts(case: Case) -> dict[Race, Any]:

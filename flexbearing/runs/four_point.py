@@ -1,6 +1,6 @@
 """From a case to a slow ball bearing, and from its solution to the arrays of a result file."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
 from typing import Literal
@@ -13,12 +13,13 @@ from fem.errors import NotSolved as RingNotSolved
 from flexbearing.build import clearance
 from flexbearing.build.ball_parts import ball, groove
 from flexbearing.case.balls.four_point import FourPointCase
+from flexbearing.findings import Judged, declared, evaluate
 from flexbearing.program.workers import shared_map
 from flexbearing.progress import Report
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import row, taken
 from flexbearing.rings import bolted
-from flexbearing.runs import dangers, interface, shoulders
+from flexbearing.runs import interface, judged, shoulders
 from flexbearing.runs.subsurface import of_balls
 from quasidynamic import NotSolved
 from quasidynamic.four_point import FourPointEquilibrium
@@ -274,11 +275,16 @@ def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray | 
     return {"balls": np.array(chosen), **fields}
 
 
-def notes(solution: Solution) -> tuple[Note, ...]:
-    """What a user must know of the solution."""
+def judge(solution: Solution) -> tuple[Judged, ...]:
+    """The solution against the limits of ball bearings."""
+    largest = solution.balls.peak_pressure.max(axis=(0, 1))
+    return evaluate(declared.OF_BALLS, judged.pressures(largest, BALLS))
+
+
+def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
+    """What a user must know of the solution, judged by findings before."""
     case, balls = solution.case, solution.balls
-    pressed = dangers.pressed(float(balls.peak_pressure.max()), BALLS)
-    lines = (*pressed, *balls.notes, *clearance.notes(case))
+    lines = (*judged.notes(found), *balls.notes, *clearance.notes(case))
     if solution.distribution is None:
         lines += (
             information(

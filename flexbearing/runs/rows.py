@@ -8,7 +8,7 @@ from flexbearing.case.roller import Case
 from flexbearing.outputs import Wanted, wanted
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.runs import notes
+from flexbearing.runs import notes, roller_findings
 from flexbearing.runs.answer import CONVERGED, Alone, Answer, message
 from flexbearing.runs.side_by_side import Solved, solved_side_by_side
 from quasidynamic import NotSolved, OutOfRange
@@ -95,6 +95,6 @@ def _numbers(solved: Solved, outputs: Mapping[str, Wanted]) -> Iterator[dict[str
 def _dangers(solved: Solved, search: bool) -> Iterator[tuple[Note, ...]]:
     """Dangers of each case; without a `search` it is told where other equilibria are likely."""
     rows = solved.rows
-    each = zip(notes.dangers_of(rows), rows.several_likely.tolist(), strict=True)
+    each = zip(roller_findings.dangers(rows), rows.several_likely.tolist(), strict=True)
     for place, (dangers, likely) in enumerate(each):
         yield (*dangers, *(notes.of_others(rows, place, search=search) if likely else ()))

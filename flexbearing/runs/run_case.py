@@ -18,6 +18,7 @@ from flexbearing.files import BadOutput
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
 from flexbearing.results import Record, Result, ResultFile, case_file
+from flexbearing.runs import effects_file
 from flexbearing.runs.validate import require_possible
 
 if TYPE_CHECKING:
@@ -67,6 +68,7 @@ def run_case(
     """
     began = perf_counter()
     require_possible(case, family)
+    effects = {} if _weighing(case) else effects_file.attributes(case)
     inputs = (*case.input_files, *(start.files if start else ()))
     with family.ahead()(case) if family.ahead else nullcontext() as ahead:  # of all that is loaded to solve
         solve = _solver(case, family, start, levels=levels, ahead=ahead)
@@ -78,6 +80,8 @@ def run_case(
                 ending |= _lives_compared(case, family, report or Logged(), ending["notes"])
             if _weighing(case) and ending["status"] == "converged":
                 ending |= _inputs_weighed(case, family, report or Logged(), ending["notes"])
+            elif ending["status"] == "converged":
+                ending |= effects
             return record.finish(**ending, wall_time_s=perf_counter() - began)
 
 

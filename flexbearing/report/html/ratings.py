@@ -20,8 +20,8 @@ APART = 0.05  # of a rating from its formula that is worth a remark
 _WARMER = (-20.0, -10.0, 0.0, 10.0, 20.0)  # [K]
 _AT_P = " a_ISO and L10m at the load P are those of the catalogue."
 _OF_CASE = (
-    " The last column is the life of this case: solved again at the temperatures that its effects or "
-    "comments tell, at others its life without a_ISO times a_ISO at its own equivalent load, loads kept."
+    " The last column is the life of this case: solved again at the temperatures of its effects, "
+    "at others its life without a_ISO times a_ISO at its own equivalent load, loads kept."
 )
 BY_A_ISO = (  # whatever the cleanliness: κ does not depend on it
     "life.lubrication=a_ISO",

@@ -1,12 +1,9 @@
 """The name of a variant: a digest of all that its numbers depend on."""
 
-from contextlib import suppress
-from functools import lru_cache
-from hashlib import file_digest, sha256
-from pathlib import Path
+from hashlib import sha256
 
-from flexbearing import inputs
 from flexbearing.case import Head
+from flexbearing.case.named_files import digests
 from flexbearing.quantities.attributes import FORMAT
 
 LENGTH = 32  # characters that are kept, 128 bits
@@ -25,14 +22,5 @@ def identity(case: Head) -> str:
     str
         32 hexadecimal characters
     """
-    files = "".join(_content(path) for path in case.named_files)
-    text = f"{FORMAT} {case.model_dump_json()} {files}"
+    text = f"{FORMAT} {case.model_dump_json()} {digests(case)}"
     return sha256(text.encode()).hexdigest()[:LENGTH]
-
-
-@lru_cache(maxsize=64)
-def _content(path: Path) -> str:
-    """Digest of a file; that there is none is told when the part is made."""
-    with suppress(inputs.Unreadable), inputs.opened(path) as file:
-        return file_digest(file, "sha256").hexdigest()
-    return ""
