@@ -107,20 +107,18 @@ def _lines(page: Page) -> tuple[list[Line], str]:
 
 def _effects(like: str, written: str, file: Path, tell: Tell) -> bytes | str:
     """The file of what other values of assumed keys make of the case, or why there is none."""
-    from flexbearing import api
+    from flexbearing.progress import Logged
     from flexbearing.runs import effects_file
+    from flexbearing.runs.run_case import effects
     from flexbearing.runs.validate import require_possible
 
-    kind = LIKES[like].kind
-    case = understood(written, file, [f"{EFFECTS}=true"], FAMILIES)
-    require_possible(case, FAMILIES[kind])  # before anything is computed
+    family = FAMILIES[LIKES[like].kind]
+    case = understood(written, file, {}, FAMILIES)
+    require_possible(case, family)  # before anything is computed
     if like == ELASTIC:
         return f"flexbearing run {file} --set {EFFECTS}=true; flexbearing export OUT.h5 --to effects"
     tell("computing the case with other values of what is assumed")
     try:
-        attributes = api.compute(case).attributes
+        return effects_file.content(case, effects(case, family, Logged()))
     except NO_RESULT as problem:
         return f"not known: {one_line(str(problem))}"
-    if not attributes.get("assumed_effects"):
-        return f"not known: {one_line(attributes['message'])}"
-    return effects_file.content(case, attributes["assumed_effects"])

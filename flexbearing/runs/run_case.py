@@ -68,7 +68,7 @@ def run_case(
     """
     began = perf_counter()
     require_possible(case, family)
-    effects = {} if _weighing(case) else effects_file.attributes(case)
+    stored = {} if _weighing(case) else effects_file.attributes(case)
     inputs = (*case.input_files, *(start.files if start else ()))
     with family.ahead()(case) if family.ahead else nullcontext() as ahead:  # of all that is loaded to solve
         solve = _solver(case, family, start, levels=levels, ahead=ahead)
@@ -81,7 +81,7 @@ def run_case(
             if _weighing(case) and ending["status"] == "converged":
                 ending |= _inputs_weighed(case, family, report or Logged(), ending["notes"])
             elif ending["status"] == "converged":
-                ending |= effects
+                ending |= stored
             return record.finish(**ending, wall_time_s=perf_counter() - began)
 
 
@@ -111,6 +111,13 @@ def compared(case: Head, family: Family) -> Result:
         record = Record(_head(case) | family.opening()(case), family, compared=True)
         ending = _solver(case, family, None, ahead=ahead)(case, record, Logged())
         return record.finish(**ending, wall_time_s=perf_counter() - began)
+
+
+def effects(case: Head, family: Family, report: Report) -> dict[str, Any]:
+    """What other values of assumed inputs make of a case, as `flexbearing.runs.assumed_effects` finds it."""
+    from flexbearing.runs.assumed_effects import assumed_effects
+
+    return assumed_effects(case, _reader(case, family), lambda each: compared(each, family), report)
 
 
 def _solver(
@@ -154,11 +161,10 @@ def _weighing(case: Head) -> bool:
 
 def _inputs_weighed(case: Head, family: Family, report: Report, notes: list[Any]) -> dict[str, Any]:
     """The attribute `assumed_effects`, or a further note that says why there is none."""
-    from flexbearing.runs.assumed_effects import assumed_effects
     from quasidynamic.note import information
 
     try:
-        found = assumed_effects(case, _reader(case, family), lambda each: compared(each, family), report)
+        found = effects(case, family, report)
     except BadCase as problem:
         why = information("no-assumed-effects", f"how much assumed inputs matter is not known: {problem}")
         return {"notes": [*notes, why.record()]}

@@ -11,7 +11,7 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing import BadCase, BadOutput, __main__ as program, api
+from flexbearing import BadCase, BadOutput, __main__ as program
 from flexbearing.catalogue import page as pages, questions
 from flexbearing.catalogue.ball_set import (
     SHARE as BALL_SHARE,
@@ -20,7 +20,7 @@ from flexbearing.catalogue.ball_set import (
 )
 from flexbearing.catalogue.new import new
 from flexbearing.catalogue.roller_set import SHARE, roller_set
-from flexbearing.runs import effects_file
+from flexbearing.runs import effects_file, run_case
 from flexbearing.runs.roller_counts import plausible_numbers
 
 CATALOGUE = Path(__file__).parents[2] / "configs" / "catalogue"
@@ -45,7 +45,7 @@ def unweighed(monkeypatch):
     def never(*_, **__):
         raise BadCase("not here")
 
-    monkeypatch.setattr(api, "compute", never)
+    monkeypatch.setattr(run_case, "effects", never)
 
 
 @pytest.fixture
