@@ -41,18 +41,7 @@ def main() -> None:
 
 
 def command(words: list[str]) -> int:
-    """Do what a command line says; no traceback reaches a user who does not ask for it by --debug.
-
-    Parameters
-    ----------
-    words : list of str
-        command, arguments and options
-
-    Returns
-    -------
-    int
-        exit code: 0 converged, 1 not converged, 2 bad input, 3 anything else; an interruption goes through
-    """
+    """Do what a command line says; no traceback reaches a user who does not ask for it by --debug."""
     from os import environ
 
     environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # a search through every installed package

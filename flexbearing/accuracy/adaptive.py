@@ -58,17 +58,6 @@ class AdaptiveResolution:
 def adaptive_resolution(case: Case, report: Report) -> AdaptiveResolution:
     """Choose the levels of a case that has a target.
 
-    Parameters
-    ----------
-    case : Case
-        roller bearing
-    report : Report
-        hears of the parts that are condensed
-
-    Returns
-    -------
-    AdaptiveResolution
-
     Raises
     ------
     Unusable

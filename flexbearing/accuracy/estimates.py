@@ -35,18 +35,7 @@ def largest(selections: Sequence[Selection]) -> dict[str, float]:
 
 
 def attributes(selections: Sequence[Selection]) -> dict[str, Any]:
-    """Root attributes of a result: choices of the case with the largest errors, and the largest errors.
-
-    Parameters
-    ----------
-    selections : sequence of Selection
-        one, or those of several cases at the same levels
-
-    Returns
-    -------
-    dict
-        `choices` and `error_estimate`, as JSON can hold them
-    """
+    """Root attributes of a result: choices of the case with the largest errors, and the largest errors."""
     errors = largest(selections)
     return {
         "choices": {verdict.choice.name: _record(verdict) for verdict in _worst(selections).verdicts},

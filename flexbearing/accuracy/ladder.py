@@ -175,25 +175,6 @@ def climb(
 ) -> Selection:
     """Take the poorest levels whose estimated errors keep their parts of the target.
 
-    Parameters
-    ----------
-    choices : sequence of Choice
-        the cheapest first; those before are settled when the next is looked at
-    evaluate : callable (place)
-        the answer with a level of each choice; raises `Unusable` where there is none. It is asked for the
-        same place again and again, and should remember.
-    changes : callable (answer, answer)
-        how much two answers differ, by output [-]
-    target : float
-        allowed sum of the estimated errors of each judged output [-]
-    judged : tuple of str
-        outputs that the target is of; the errors of all others are estimated too
-
-    Returns
-    -------
-    Selection
-        also where the richest levels do not keep the target: `met` says so
-
     Raises
     ------
     Unusable
@@ -221,20 +202,6 @@ def climb_together(
     """Take the poorest levels that keep the target for each of several problems with the same choices.
 
     Each problem climbs from where the one before it ended, until none of them moves any more.
-
-    Parameters
-    ----------
-    choices : sequence of Choice
-        the cheapest first
-    evaluates : sequence of callable (place)
-        as `evaluate` of `climb`, one for each problem
-    changes, target, judged
-        as for `climb`
-
-    Returns
-    -------
-    tuple of Selection
-        one for each problem, all at the same levels, with its own changes there
 
     Raises
     ------

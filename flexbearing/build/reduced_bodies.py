@@ -23,15 +23,6 @@ HARDLY = 1e-6  # of its entries: what holds a body less may be their rounding
 def reduced_body(case: Case) -> fem.ReducedBody:
     """Body of `outer.kind = "matrix"`, condensed to the nodes on the outer surface of the ring.
 
-    Parameters
-    ----------
-    case : Case
-        with `outer.matrix` and `outer.nodes`
-
-    Returns
-    -------
-    fem.ReducedBody
-
     Raises
     ------
     ImpossiblePart

@@ -10,20 +10,7 @@ Raw = Mapping[str, Any]
 
 
 def foreign(raw: Raw, model: type[Section]) -> dict[str, str]:
-    """Keys of a raw case that belong to another choice than the one made.
-
-    Parameters
-    ----------
-    raw : mapping
-        tables and values as the file writes them
-    model : type
-        the case model
-
-    Returns
-    -------
-    dict
-        dotted key or table to what it belongs to and what the case says instead
-    """
+    """Keys of a raw case that belong to another choice than the one made."""
     foreign_keys: dict[str, str] = {}
     for item in by_path(model).values():
         if not item.only or any(item.path.startswith(f"{table}.") for table in foreign_keys):

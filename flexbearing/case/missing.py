@@ -30,20 +30,6 @@ def of_every_layer(error: ValidationError, raw: Mapping[str, Any], model: type[S
 
     Conditions between keys are looked at when the keys of their table are there. Keys that lack are therefore
     filled with examples, choices with the one that asks for least, until nothing new lacks.
-
-    Parameters
-    ----------
-    error : ValidationError
-        of the case
-    raw : mapping
-        its tables
-    model : type
-        its schema
-
-    Returns
-    -------
-    dict
-        as `details`
     """
     found, filled = details(error), deepcopy(dict(raw))
     new = found

@@ -26,22 +26,7 @@ class BadCase(ValueError):
 
 
 def listed(problems: Collection[Problem], file: str, line: Callable[[Problem], str]) -> str:
-    """One line for each of the first problems, and how many more there are.
-
-    Parameters
-    ----------
-    problems : collection
-        at least one
-    file : str
-        that they are in
-    line : callable
-        what to say of a problem
-
-    Returns
-    -------
-    str
-        lines that begin with the file
-    """
+    """One line for each of the first problems, and how many more there are."""
     lines = [f"{file}: {line(problem)}" for problem in islice(problems, MOST)]
     if (left := len(problems) - len(lines)) > 0:
         lines.append(f"{file}: {left} more of them.")

@@ -179,27 +179,7 @@ def key(
     only: Mapping[str, tuple] | Sequence[Mapping[str, tuple]] = (),
     **limits: Any,
 ) -> Any:
-    """Declare a key.
-
-    Parameters
-    ----------
-    meaning : str
-        what the key says
-    default : any
-        in the words of a case file; without it the key is required
-    example : any
-        a value in the words of a case file
-    only : mapping or sequence of mappings
-        choices the key belongs to, all of a mapping, any of a sequence: key to allowed values or `GIVEN`;
-        a name with a dot counts from the top of the case. With other choices the key is refused
-    **limits
-        `gt`, `ge`, `lt`, `le` in SI and other arguments of a pydantic field
-
-    Returns
-    -------
-    FieldInfo
-        of pydantic
-    """
+    """Declare a key."""
     choices: list[Any] = [only] if isinstance(only, Mapping) else list(only)
     return Field(
         default,

@@ -38,18 +38,6 @@ _BRACKET = re.compile(r"[\[{\]}]")
 def tables(text: str, of: str = "case") -> dict[str, Any]:
     """Tables of the text of a case file.
 
-    Parameters
-    ----------
-    text : str
-        TOML
-    of : str
-        what the file holds, for messages
-
-    Returns
-    -------
-    dict
-        of texts, numbers, truth values, dates, lists and such tables
-
     Raises
     ------
     Unreadable
@@ -96,16 +84,6 @@ def _kind_of_file(parsed: dict[str, Any]) -> str | None:
 
 def setting_value(text: str) -> Any:
     """Value of a setting: that of TOML where it is one (20, true, "5 mm"), else the text itself.
-
-    Parameters
-    ----------
-    text : str
-        behind the = of a setting
-
-    Returns
-    -------
-    any
-        as in `tables`
 
     Raises
     ------

@@ -21,19 +21,7 @@ def angle(page: Page) -> float:
 
 
 def lines(page: Page, balls: BallSet) -> list[Line]:
-    """Lines of a case.
-
-    Parameters
-    ----------
-    page : Page
-        of a ball bearing
-    balls : BallSet
-        its balls
-
-    Returns
-    -------
-    list of Line
-    """
+    """Lines of a case."""
     slow = page.like == "four_point_ball"
     parts = (
         _bearing(page, balls),

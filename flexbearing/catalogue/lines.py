@@ -44,24 +44,7 @@ def mm(length: float) -> str:
 
 
 def text(head: str, title: str, lines: Iterable[Line], model: type[Section]) -> str:
-    """Write a case file.
-
-    Parameters
-    ----------
-    head : str
-        what stands above it, as comment
-    title : str
-        of the case
-    lines : iterable of Line
-        those of a table in the order in which they are to stand
-    model : type
-        schema of the case
-
-    Returns
-    -------
-    str
-        TOML
-    """
+    """Write a case file."""
     tables: dict[str, list[Line]] = {}
     for line in lines:
         assert line.key in by_path(model), line.key

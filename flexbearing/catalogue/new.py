@@ -32,28 +32,6 @@ def new(  # noqa: PLR0913  # an argument for each option
 ) -> str:
     """Write a case from the page of a catalogue.
 
-    Parameters
-    ----------
-    file : path
-        of the case
-    like : str
-        one of `flexbearing.catalogue.entries.LIKES`
-    options : mapping
-        name of an entry, such as "bore", to its text, such as "50 mm"
-    title : str
-        of the case; the name of the file without it
-    source : str
-        where the numbers come from, for the head of the file
-    force : bool
-        whether a file of this name is replaced
-    tell : callable (text)
-        called before what takes its time
-
-    Returns
-    -------
-    str
-        load ratings of the maker beside those of the formulas, as lines
-
     Raises
     ------
     BadCase

@@ -13,19 +13,7 @@ CAGE = {"bar_width": 4 / 75, "bar_thickness": 2.6 / 3.6, "bar_length": 10.25 / 1
 
 
 def lines(page: Page, rollers: RollerSet) -> list[Line]:
-    """Lines of a case.
-
-    Parameters
-    ----------
-    page : Page
-        of a cylindrical roller bearing
-    rollers : RollerSet
-        its rollers
-
-    Returns
-    -------
-    list of Line
-    """
+    """Lines of a case."""
     cage = page.like == "squirrel_cage"
     rings = _squirrel_cage(page, rollers) if cage else [Line("outer.kind", "rigid")]
     parts = (

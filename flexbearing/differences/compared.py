@@ -85,16 +85,6 @@ class Compared:
 def compared(one: Result, other: Result) -> Compared:
     """Compare two results.
 
-    Parameters
-    ----------
-    one, other : Result
-        of the same kind of bearing
-
-    Returns
-    -------
-    Compared
-        keys in the units of tables, outputs in those of the summary
-
     Raises
     ------
     BadResult

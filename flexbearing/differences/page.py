@@ -14,13 +14,7 @@ from flexbearing.report.sections import right_aligned
 
 
 def sections(found: Compared) -> Iterator[RenderableType]:
-    """Keys that differ, outputs that differ, and what is known of their errors.
-
-    Parameters
-    ----------
-    found : Compared
-        two results
-    """
+    """Keys that differ, outputs that differ, and what is known of their errors."""
     yield Text(f"A  {found.one}\nB  {found.other}", style="bold")
     if found.settings:
         yield Text("\nKeys of the cases that differ")

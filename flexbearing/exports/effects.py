@@ -12,18 +12,6 @@ from flexbearing.runs import effects_file
 def export(result: Result, directory: Path) -> Iterator[Path]:
     """Write the effects of a result.
 
-    Parameters
-    ----------
-    result : Result
-        with the attribute `assumed_effects`
-    directory : Path
-        that of the case, for later runs to find them; made when it is not there
-
-    Yields
-    ------
-    Path
-        ``CASE.effects.json``
-
     Raises
     ------
     BadCase

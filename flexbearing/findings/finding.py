@@ -87,20 +87,7 @@ class Judged:
 
 
 def evaluate(findings: Iterable[Finding], values: Mapping[str, Any]) -> tuple[Judged, ...]:
-    """Judge values of cases.
-
-    Parameters
-    ----------
-    findings : iterable of Finding
-        those whose quantity has no value are left out
-    values : mapping
-        name of a quantity to its value in SI units: an array (C) of cases, or a number, or such values by
-        place; None stands for what is not known
-
-    Returns
-    -------
-    tuple of Judged
-    """
+    """Judge values of cases."""
     return tuple(
         judged for finding in findings for judged in _by_place(finding, values, values.get(finding.quantity))
     )

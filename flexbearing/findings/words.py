@@ -8,15 +8,7 @@ from flexbearing.units import unit
 
 
 def text(record: Mapping[str, Any], places: Sequence[str] = ()) -> str:
-    """Quantity, value, limit with its source, and what it means.
-
-    Parameters
-    ----------
-    record : mapping
-        of `Judged.record`, with a limit
-    places : sequence of str
-        all at which the limit is not kept; that of the record without them
-    """
+    """Quantity, value, limit with its source, and what it means."""
     finding = of_code(record["code"], record["grade"])
     where = ", ".join(filter(None, (finding.label, " and ".join(filter(None, places or [record["place"]])))))
     value, limit = (_number(record[name], finding.shown) for name in ("value", "limit"))

@@ -83,25 +83,7 @@ def answer(
     how: dict[str, str],
     seconds: tuple[float, float],
 ) -> Optimum:
-    """Order what the starts found, and compute what is told of the best.
-
-    Parameters
-    ----------
-    evaluations : Evaluations
-        of the problem
-    surrogate : Evaluations or None
-        what was searched in its place
-    starts : sequence of Found
-        at least one
-    how : dict
-        how derivatives were found, by the names of variables
-    seconds : pair of float
-        that search and verification took so far [s]
-
-    Returns
-    -------
-    Optimum
-    """
+    """Order what the starts found, and compute what is told of the best."""
     began, problem, goal, bounds = perf_counter(), evaluations.problem, evaluations.goal, evaluations.bounds
     ordered = tuple(sorted(starts, key=rank))
     best = _settings(evaluations, ordered[0].point)

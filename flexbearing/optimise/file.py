@@ -52,17 +52,6 @@ class Problem:
 def read(path: str | Path, families: Families) -> Problem:
     """Read an optimisation file.
 
-    Parameters
-    ----------
-    path : path
-        TOML file
-    families : mapping
-        kind to family
-
-    Returns
-    -------
-    Problem
-
     Raises
     ------
     BadCase

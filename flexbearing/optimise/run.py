@@ -72,24 +72,6 @@ def optimise(
 
     Designs that a former call with the same folder computed are taken from there.
 
-    Parameters
-    ----------
-    file : path
-        optimisation file
-    output : path
-        folder of the table, of the case at the best point, and of what is computed so far
-    jobs : int, optional
-        processes that compute; without it one, or where rings are meshed for every design as many as cores
-    tell : callable (Found)
-        hears of the end of each start
-    work : callable (problem, folder), optional
-        gives what computes in place of a bearing
-
-    Returns
-    -------
-    Optimum
-        also where no start converged, or no point meets all constraints: `best.end` says so
-
     Raises
     ------
     BadCase

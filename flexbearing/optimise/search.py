@@ -177,19 +177,7 @@ def starts(number: int, first: NDArray, seed: int) -> Iterator[NDArray]:
 
 
 def search(problem: ScaledProblem, start: NDArray) -> Found:
-    """Search from one start; where constraints are not met at its end, first for a point that meets them.
-
-    Parameters
-    ----------
-    problem : ScaledProblem
-        what is searched
-    start : array (K)
-        shares
-
-    Returns
-    -------
-    Found
-    """
+    """Search from one start; where constraints are not met at its end, first for a point that meets them."""
     found = _optimised(problem, start)
     if found.end is not End.INFEASIBLE:
         return found

@@ -67,19 +67,6 @@ def variables(
 ) -> tuple[Variable, ...]:
     """What the table [vary] holds.
 
-    Parameters
-    ----------
-    given : mapping
-        key or entry of a key to its bounds
-    find : callable (key)
-        declaration of a key; raises BadValues where the case has none
-    stated : callable (key)
-        what the case has there, in its words; None where it does not give the key
-
-    Returns
-    -------
-    tuple of Variable
-
     Raises
     ------
     BadValues
@@ -157,22 +144,7 @@ def keys_of(varied: Sequence[Variable]) -> tuple[str, ...]:
 def settings(
     varied: Sequence[Variable], values: Sequence[float], lists: Mapping[str, Sequence[Any]]
 ) -> dict[str, Any]:
-    """Values of the keys at a point, in the words of a case file.
-
-    Parameters
-    ----------
-    varied : sequence of Variable
-        K of them
-    values : sequence of float (K)
-        in their units
-    lists : mapping
-        of keys that hold lists, what the case has there
-
-    Returns
-    -------
-    dict
-        key to value
-    """
+    """Values of the keys at a point, in the words of a case file."""
     found: dict[str, Any] = {}
     for each, value in zip(varied, values, strict=True):
         if each.entry is None:

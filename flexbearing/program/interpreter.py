@@ -42,15 +42,7 @@ class Interpreter:
     """A process that answers one call after the other."""
 
     def __init__(self, workers: int, ahead: str | None = None):
-        """Start the process.
-
-        Parameters
-        ----------
-        workers : int
-            processes that share the cores
-        ahead : str, optional
-            module that is loaded before the first call
-        """
+        """Start the process."""
         self._errors = TemporaryFile()  # noqa: SIM115  # closed with its process
         self.calls, theirs = Pipe()  # what `multiprocessing.connection.wait` waits for
         with theirs:
@@ -81,13 +73,6 @@ class Interpreter:
 
     def answer(self) -> tuple[Any, Exception | None]:
         """Wait for the end of a call, in a process whose start was awaited.
-
-        Returns
-        -------
-        answer : object
-            of the function
-        raised : Exception or None
-            by the function, or by the pickling of call or answer, instead of an answer
 
         Raises
         ------
@@ -121,15 +106,7 @@ class Interpreter:
 
 
 def serve(end: int, ahead: str | None) -> None:
-    """Answer calls in the process beside, until the other one is gone.
-
-    Parameters
-    ----------
-    end : int
-        file descriptor of this end of the connection
-    ahead : str or None
-        module that is loaded before
-    """
+    """Answer calls in the process beside, until the other one is gone."""
     calls, received = Connection(end), SimpleQueue[bytes]()
     Thread(target=_receive, args=(calls, received), daemon=True).start()
     if ahead is not None:

@@ -14,13 +14,7 @@ _TRIM_THRESHOLD, _MMAP_THRESHOLD = -1, -3  # of malloc.h
 
 @cache
 def keep_freed() -> bool:
-    """Let this process keep some freed memory from now on.
-
-    Returns
-    -------
-    bool
-        whether the C library can be told so: that of Linux with glibc can
-    """
+    """Let this process keep some freed memory from now on."""
     if not sys.platform.startswith("linux"):
         return False
     mallopt = getattr(ctypes.CDLL(None), "mallopt", None)

@@ -31,11 +31,6 @@ class BadCount(BadCase):
 def cores() -> int:
     """Cores that this process may use.
 
-    Returns
-    -------
-    int
-        what a queue or the user says in the environment, else those that the operating system gives
-
     Raises
     ------
     BadCount

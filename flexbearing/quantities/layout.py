@@ -31,18 +31,7 @@ class Layout:
     ] = ()  # key in the block, section and key of a text of the case
 
     def datasets(self, place: Literal["iteration", "block"]) -> dict[str, Quantity]:
-        """Quantities of an iteration or of a block, by name.
-
-        Parameters
-        ----------
-        place : "iteration" or "block"
-            the group that is asked for
-
-        Returns
-        -------
-        dict
-            name to :class:`Quantity`, in the order of declaration
-        """
+        """Quantities of an iteration or of a block, by name."""
         return self._datasets[place]
 
     @cached_property

@@ -21,18 +21,6 @@ USUAL = 5, 0.5, 0.5  # order; elements over the ball diameter; elements on the l
 def compliance(case: FourPointCase, report: Report) -> NDArray:
     """How both rings together let the groove centres of the diagonals come closer.
 
-    Parameters
-    ----------
-    case : FourPointCase
-        with an elastic ring
-    report : Report
-        hears of what is condensed
-
-    Returns
-    -------
-    array (Z, 2, 2, 2, 2)
-        as `quasidynamic.solve.balls.elastic_load_distribution` takes it [m/N]
-
     Raises
     ------
     BadCase

@@ -54,17 +54,6 @@ class BallLives:
 def lives(case: FastCase, state: qd.AngularContactState) -> BallLives | None:
     """Lives under the loads of all balls; None at rest, without load, and where no rating is known.
 
-    Parameters
-    ----------
-    case : FastCase
-        with its section [life]
-    state : AngularContactState
-        with its loads
-
-    Returns
-    -------
-    BallLives or None
-
     Raises
     ------
     OutOfRange
@@ -179,21 +168,7 @@ def static(case: FastCase) -> float:
 
 
 def safety(case: FastCase, state: qd.AngularContactState) -> float | None:
-    """Static safety s_0 under what the balls carry for the ring, preload with it.
-
-    Parameters
-    ----------
-    case : FastCase
-        with its ratings
-    state : AngularContactState
-        with the load on its ring
-
-    Returns
-    -------
-    float or None
-        C_0r/P_0r of ISO 76 [-]; None where that has no rating: balls that are not of steel, angles and sizes
-        beyond its tables
-    """
+    """Static safety s_0 under what the balls carry for the ring, preload with it."""
     low, high = STEEL
     if case.life.static_rating is None and not low <= case.materials.ball.youngs_modulus <= high:
         return None

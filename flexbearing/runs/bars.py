@@ -11,20 +11,7 @@ from flexbearing.coupling.raceway_pair import OUTWARD
 
 
 def nominal_stresses(case: Case, end: EndStates) -> NominalStresses | None:
-    """Section forces and nominal stresses of the bars, without a solve.
-
-    Parameters
-    ----------
-    case : Case
-        whose outer ring may be a squirrel cage
-    end : EndStates
-        states of C cases between rings of the same parts
-
-    Returns
-    -------
-    NominalStresses or None
-        with `largest` (C) and its `error` (C) [Pa]; None without bars, or between rigid raceways
-    """
+    """Section forces and nominal stresses of the bars, without a solve."""
     response = None if end.rings.outer is None else end.rings.outer.bar_response
     part = ring_parts.outer_part(case) if isinstance(response, BarResponse) else None
     if not isinstance(response, BarResponse) or not isinstance(part, fem.SquirrelCage):

@@ -32,31 +32,13 @@ def digest(case: Head) -> str:
 
 
 def content(case: Head, effects: dict[str, Any]) -> bytes:
-    """Content of the file.
-
-    Parameters
-    ----------
-    case : Head
-        that the effects were computed for
-    effects : dict
-        the attribute `assumed_effects` of its result
-    """
+    """Content of the file."""
     text = json.dumps({"case": digest(case), "effects": _rounded(effects)})
     return (text.replace('{"key"', '\n{"key"') + "\n").encode()  # a line for each key
 
 
 def attributes(case: Head) -> dict[str, Any]:
     """Root attributes of a result by the file next to its case.
-
-    Parameters
-    ----------
-    case : Head
-        of the result
-
-    Returns
-    -------
-    dict
-        `assumed_effects`; where they are of other inputs, `effects_left_out`; empty without a file
 
     Raises
     ------

@@ -27,17 +27,7 @@ FOR_STRESSES = {fem.OuterRing: (6, 0.6, 0.2), fem.RingOnShaft: (6, 0.6, 0.2), fe
 
 
 def values(case: Case, race: Race, record: dict[str, Any]) -> dict[str, dict[str, Any]]:
-    """Largest von Mises stress of each body and its yield stress [Pa], for findings.
-
-    Parameters
-    ----------
-    case : Case
-        which may give yield stresses
-    race : "inner" or "outer"
-        which part
-    record : dict
-        of `PartFields.record`
-    """
+    """Largest von Mises stress of each body and its yield stress [Pa], for findings."""
     found: dict[str, dict[str, Any]] = {"stress": {}, "yield_stress": {}}
     for body, most in record["bodies"].items():
         material = expansion.material(case, body if body in ("shaft", "housing") else f"{race}_ring")
@@ -49,16 +39,6 @@ def values(case: Case, race: Race, record: dict[str, Any]) -> dict[str, dict[str
 
 def parts(case: Case) -> dict[Race, Any]:
     """Parts of a case that are flexible.
-
-    Parameters
-    ----------
-    case : Case
-        of a run, or from its result
-
-    Returns
-    -------
-    dict
-        part by its raceway
 
     Raises
     ------
@@ -74,21 +54,6 @@ def parts(case: Case) -> dict[Race, Any]:
 
 def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
     """A part under the roller loads of a state; it is solved for what is asked of it.
-
-    Parameters
-    ----------
-    case : Case
-        what the state is of
-    race : "inner" or "outer"
-        which part; it is flexible
-    state : str
-        name of the state
-    values : mapping
-        its arrays, as in a result file
-
-    Returns
-    -------
-    PartFields
 
     Raises
     ------
@@ -127,17 +92,6 @@ def surroundings(case: Case, race: Race) -> Surroundings:
     """Heat and rotation of a ring with its shaft or housing.
 
     Its bodies are meshed as warm as the ring: what counts is by how much the other body grows more.
-
-    Parameters
-    ----------
-    case : Case
-        with temperatures, or without
-    race : "inner" or "outer"
-        which ring
-
-    Returns
-    -------
-    Surroundings
     """
     ring, mate, name = (
         ("inner_ring", "shaft", "shaft") if race == "inner" else ("outer_ring", "housing", "housing")
@@ -176,23 +130,6 @@ def _require_solid(case: Case, race: Race) -> None:
 
 
 def forces(slice_loads: NDArray, race: Race, length: float, shapes: int) -> NDArray:
-    """Generalised forces on a raceway.
-
-    Parameters
-    ----------
-    slice_loads : array (Z, K)
-        load per length on the slices of the rollers [N/m], >= 0
-    race : "inner" or "outer"
-        rollers push the inner raceway inwards
-    length : float
-        of the roller [m]
-    shapes : int
-        M, Legendre shapes along it
-
-    Returns
-    -------
-    array (Z, M)
-        [N] positive outward
-    """
+    """Generalised forces on a raceway."""
     outward = slice_loads @ Slices(slice_loads.shape[1], length, shapes).weights
     return outward if race == "outer" else -outward

@@ -34,19 +34,6 @@ class LifeOfState:
     ) -> "LifeOfState":
         """The life after what changes its loads or capacities, then after factors of different effects.
 
-        Parameters
-        ----------
-        basic : float
-            [10^6 revolutions]
-        by_loads : sequence of dict
-            name, value, effect and note of changes of the basic life itself
-        factors : sequence of LifeFactor
-            one for each effect
-
-        Returns
-        -------
-        LifeOfState
-
         Raises
         ------
         OutOfRange

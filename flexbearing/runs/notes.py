@@ -92,17 +92,7 @@ def _teeth(case: Case) -> Iterator[Note]:
 
 
 def of_solution(rows: SolvedRows) -> tuple[Note, ...]:
-    """What a single solved case adds to its findings: ranges of laws that it leaves, what to weigh.
-
-    Parameters
-    ----------
-    rows : SolvedRows
-        one
-
-    Returns
-    -------
-    tuple of Note
-    """
+    """What a single solved case adds to its findings: ranges of laws that it leaves, what to weigh."""
     (case,), (state,), (skewed,) = rows.cases, rows.each, rows.skew
     return (
         *validity(state),

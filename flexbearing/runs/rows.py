@@ -32,25 +32,6 @@ def answers(
     by side, and their outputs are arrays. What needs a run of its own has one, and its answer says why, see
     `solved_side_by_side`. Nothing is computed but what is wanted, and what dangers need.
 
-    Parameters
-    ----------
-    cases : sequence of Case
-        as they were read
-    texts : sequence of str
-        outputs with their units, as `flexbearing.outputs.wanted` takes them
-    alone : callable
-        the answer of a case from a run of its own
-    search : bool
-        whether other equilibria are searched where they are likely, as a run does, for some hundred times the
-        cost of a case; else the message says that they are likely, which is so for more cases than have any
-    levels : Levels, optional
-        of cases with a target, which share them
-
-    Returns
-    -------
-    list of Answer
-        equal to those of single runs to 1e-9
-
     Raises
     ------
     UnknownOutput, WrongUnit

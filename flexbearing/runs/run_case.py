@@ -37,26 +37,6 @@ def run_case(
 ) -> Result:
     """Compute a case, and store it where a file is asked for.
 
-    Parameters
-    ----------
-    case : Head
-        as it was read
-    family : Family
-        its family
-    output : path, optional
-        result file; without one nothing is written, see `default_output` for a usual name
-    report : Report, optional
-        hears of stages and iterations; default is the log
-    start : Result, optional
-        of a neighbouring case, at whose flexible end state newton begins; by default between rigid raceways
-    levels : Levels, optional
-        of a roller case with a target, which shares them with others
-
-    Returns
-    -------
-    Result
-        also when the iteration did not converge: `result.attributes["status"]` says so
-
     Raises
     ------
     BadCase
@@ -87,18 +67,6 @@ def run_case(
 
 def compared(case: Head, family: Family) -> Result:
     """Compute a case whose numbers are compared with those of another: other equilibria are not searched.
-
-    Parameters
-    ----------
-    case : Head
-        as it was read
-    family : Family
-        its family
-
-    Returns
-    -------
-    Result
-        that is written nowhere
 
     Raises
     ------
@@ -185,16 +153,6 @@ def _reader(case: Head, family: Family) -> Callable[[Sequence[str]], Head]:
 def default_output(case: Head) -> Path:
     """Name of the result of a case that is given none: another one for other settings.
 
-    Parameters
-    ----------
-    case : Head
-        as it was read
-
-    Returns
-    -------
-    Path
-        such as `results/<case>.h5`, see `stem_of_outputs`
-
     Raises
     ------
     BadOutput
@@ -213,20 +171,7 @@ def usual_output(case: str | Path, settings: Sequence[str] = ()) -> Path:
 
 
 def stem_of_outputs(case: str | Path, settings: Sequence[str]) -> str:
-    """Stem of the default names of outputs, which carry the settings.
-
-    Parameters
-    ----------
-    case : path
-        case file
-    settings : sequence of str
-        `"key=value"` that replace those of the file
-
-    Returns
-    -------
-    str
-        `<case>`; with settings, `<case>_<key>=<value>_<digest of all settings>`
-    """
+    """Stem of the default names of outputs, which carry the settings."""
     if not settings:
         return Path(case).stem
     digest = sha256(repr(tuple(settings)).encode()).hexdigest()[:8]

@@ -10,21 +10,7 @@ from quasidynamic.outcome.truncation import USUAL_SHOULDER
 def reached_over(
     race: str, heights: NDArray, angles: NDArray, ball_diameter: float, shoulder: float | None
 ) -> tuple[Note, ...]:
-    """What is left out of contacts above a shoulder, one of usual height unless given.
-
-    Parameters
-    ----------
-    race : {"inner", "outer"}
-        for the text
-    heights : array (...)
-        up to which contacts reach above the bottom of the groove [m], zero without load
-    angles : array (...)
-        contact angles [rad]
-    ball_diameter : float
-        [m]
-    shoulder : float or None
-        its height above the bottom of the groove [m]
-    """
+    """What is left out of contacts above a shoulder, one of usual height unless given."""
     over = heights > (USUAL_SHOULDER * ball_diameter if shoulder is None else shoulder)
     if not over.any():
         return ()

@@ -21,24 +21,7 @@ def of_rollers(
     half_width: NDArray,
     friction: NDArray,
 ) -> "Subsurface | None":
-    """Field below the most pressed slice of both raceways, under the traction of its roller as it slides.
-
-    Parameters
-    ----------
-    case : Case
-        of the state
-    bearing : CylindricalRollerBearing
-        of the case
-    pressure, half_width : array (2)
-        of these slices [Pa], [m]
-    friction : array (2)
-        traction on the raceway over the load of their rollers [-]
-
-    Returns
-    -------
-    Subsurface or None
-        None without outputs.subsurface_stresses
-    """
+    """Field below the most pressed slice of both raceways, under the traction of its roller as it slides."""
     if not case.outputs.subsurface_stresses:
         return None
     from quasidynamic.contact.line.subsurface import line_contact_stress
@@ -53,18 +36,6 @@ def of_rollers(
 
 def of_balls(case: "FastCase | FourPointCase", worst: "WorstPointContact") -> "Subsurface | None":
     """Field below the most pressed ellipse of both raceways, without friction.
-
-    Parameters
-    ----------
-    case : FastCase or FourPointCase
-        of the state
-    worst : WorstPointContact
-        of both raceways
-
-    Returns
-    -------
-    Subsurface or None
-        None without outputs.subsurface_stresses
 
     Raises
     ------

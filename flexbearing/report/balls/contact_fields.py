@@ -57,21 +57,7 @@ class DrawnBall(NamedTuple):
 def drawn_contact(
     values: Mapping[str, Any], contact: tuple[int, ...], field: tuple[int, ...]
 ) -> DrawnContact:
-    """Take a contact from the arrays of a result.
-
-    Parameters
-    ----------
-    values : mapping
-        arrays of a ball bearing
-    contact : tuple of int
-        where it stands among all contacts
-    field : tuple of int
-        where it stands among those with cells
-
-    Returns
-    -------
-    DrawnContact
-    """
+    """Take a contact from the arrays of a result."""
     across, along, pressure, stick = (values[name][field] for name in _CELLS)
     shear_across, shear_along, slip_across, slip_along = (values[name][field] for name in _VECTORS)
     angle = np.degrees(values["contact_angle"][contact])

@@ -57,14 +57,7 @@ class Span:
 
 
 def cells(reader: Reader, word: str) -> tuple[Cell, ...]:
-    """Span of a result, and the input that moves it most; empty where no effect is known.
-
-    Parameters
-    ----------
-    reader : Reader
-    word : str
-        of the result, `LIFE` for the most detailed one of the case
-    """
+    """Span of a result, and the input that moves it most; empty where no effect is known."""
     span = of(reader, word)
     if span is None:
         return ()
@@ -146,14 +139,6 @@ def span_of(changes: dict[str, list[Change]], room: tuple[float, float] = (inf, 
     [0.5, 4.0]
     >>> round(span_of({"a": [Change(2.0, 2.0)], "b": [Change(2.0, 2.0)]}, (inf, 2.0)).worst[1] / exp(2.0), 9)
     1.0
-
-    Parameters
-    ----------
-    changes : dict
-        of each input
-    room : tuple of float
-        logarithms by which the factors of a life may shrink and grow to their limits: what single changes
-        of them add up to beyond it is taken from all of them in proportion
     """
     if not any(changes.values()):
         return None

@@ -16,18 +16,7 @@ PLOTLY = "plotly-cartesian-4.1.1.min.js"  # scatter, bars, heatmaps; its licence
 
 
 def html(document: Document) -> str:
-    """Lay a report out as a page.
-
-    Parameters
-    ----------
-    document : Document
-        what it holds
-
-    Returns
-    -------
-    str
-        HTML in UTF-8 that loads nothing from elsewhere; `data-ready` of its body is 1 when all is drawn
-    """
+    """Lay a report out as a page."""
     from jinja2 import Environment, StrictUndefined
 
     page = files("flexbearing.report.html") / "page"

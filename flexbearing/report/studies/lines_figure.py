@@ -57,21 +57,7 @@ class Panel:
 
 
 def draw_lines(title: str, label: str, panels: Sequence[Panel]) -> Figure:
-    """Draw panels below each other over the same x.
-
-    Parameters
-    ----------
-    title : str
-        what the study is about
-    label : str
-        name and unit of x
-    panels : sequence of Panel
-        from the top
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """Draw panels below each other over the same x."""
     from matplotlib.figure import Figure  # a second to load: only pictures pay for it
     from matplotlib.ticker import MultipleLocator
 

@@ -30,15 +30,6 @@ def draw_pareto(study: Study) -> Figure:
     """Draw what every level cost and how wrong it was; the front and the cheapest levels are marked.
 
     Other physics has marks and a name, and is part of no front.
-
-    Parameters
-    ----------
-    study : Study
-        with its levels
-
-    Returns
-    -------
-    matplotlib.figure.Figure
     """
     from matplotlib.figure import Figure  # a second to load: only pictures pay for it
 

@@ -10,17 +10,6 @@ LENGTH = 32  # characters that are kept, 128 bits
 
 
 def identity(case: Head) -> str:
-    """Digest of the format of results and of a complete case in SI units as JSON, keys in their order.
-
-    Parameters
-    ----------
-    case : Head
-        as it was read; files that it names enter with their content
-
-    Returns
-    -------
-    str
-        32 hexadecimal characters
-    """
+    """Digest of the format of results and of a complete case in SI units as JSON, keys in their order."""
     text = f"{FORMAT} {case.model_dump_json()} {digests(case)}"
     return sha256(text.encode()).hexdigest()[:LENGTH]
