@@ -1,6 +1,7 @@
 """Bolted rings of a case, meshed and condensed, or taken from the cache."""
 
 from math import inf
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,7 +38,7 @@ def compliance(case: FourPointCase, report: Report) -> NDArray:
     return total
 
 
-def ring(case: FourPointCase, name: str) -> BoltedGrooveRing | None:
+def ring(case: FourPointCase, name: Literal["inner", "outer"]) -> BoltedGrooveRing | None:
     """Part of a case, "outer" or "inner"; None when it is rigid.
 
     Raises
@@ -48,7 +49,7 @@ def ring(case: FourPointCase, name: str) -> BoltedGrooveRing | None:
     bearing, ring_case = case.bearing, getattr(case.rings, name)
     if ring_case.kind == "rigid":
         return None
-    material = getattr(case.materials, f"{name}_ring") or case.materials.ball
+    material = case.materials.ring(name)
     try:
         return BoltedGrooveRing(
             race="outer" if name == "outer" else "inner",

@@ -57,8 +57,8 @@ def bearing(case: FastCase) -> qd.AngularContactBallBearing:
     return qd.AngularContactBallBearing(
         bearing=qd.AngularContactBearing(
             ball=ball(parts, materials.ball),
-            inner=groove(parts, "inner", materials.inner_ring or materials.ball),
-            outer=groove(parts, "outer", materials.outer_ring or materials.ball),
+            inner=groove(parts, "inner", materials.ring("inner")),
+            outer=groove(parts, "outer", materials.ring("outer")),
             balls=parts.balls,
             pitch_diameter=parts.pitch_diameter,
             **_angle_and_clearance(case),
@@ -292,6 +292,7 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
         )
     return (
         lines
+        + shoulders.hybrid(case.materials)
         + clearance.notes(case)
         + _preload(case, state)
         + _lineless(solution)

@@ -107,8 +107,8 @@ def bearing(case: FourPointCase) -> qd.FourPointBallBearing:
     return qd.FourPointBallBearing(
         bearing=qd.FourPointBearing(
             ball=ball(parts, materials.ball),
-            inner=groove(parts, "inner", materials.inner_ring or materials.ball),
-            outer=groove(parts, "outer", materials.outer_ring or materials.ball),
+            inner=groove(parts, "inner", materials.ring("inner")),
+            outer=groove(parts, "outer", materials.ring("outer")),
             balls=parts.balls or FEWEST,
             pitch_diameter=parts.pitch_diameter,
             contact_angle=angle,
@@ -284,7 +284,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
 def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
     """What a user must know of the solution, judged by findings before."""
     case, balls = solution.case, solution.balls
-    lines = (*judged.notes(found), *balls.notes, *clearance.notes(case))
+    lines = (*judged.notes(found), *balls.notes, *shoulders.hybrid(case.materials), *clearance.notes(case))
     if solution.distribution is None:
         lines += (
             information(

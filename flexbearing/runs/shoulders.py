@@ -1,10 +1,24 @@
-"""Notes on contacts that reach over the shoulders of races."""
+"""Notes on what ball bearings of both kinds are made of: shoulders of their races, materials."""
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.note import Note, danger, outside
+from flexbearing.case.balls.mounting import MountedMaterials
+from quasidynamic.note import Note, danger, information, outside
 from quasidynamic.outcome.truncation import USUAL_SHOULDER
+
+
+def hybrid(materials: MountedMaterials) -> tuple[Note, ...]:
+    """What ceramic balls mean for what is not given, and for the ratings."""
+    if not materials.hybrid:
+        return ()
+    rings = " and ".join(materials.steel_rings)
+    steel = f"{rings}: 100Cr6, as no material is given and the balls are ceramic; " if rings else ""
+    text = (
+        f"{steel}ratings by formula are those of steel balls: C needs no reduction (DIN ISO 281 "
+        "supplement 5), C_0 of ISO 20056-2 differs; the contact pressure is that of the ceramic"
+    )
+    return (information("hybrid", text),)
 
 
 def reached_over(

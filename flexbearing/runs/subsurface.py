@@ -47,8 +47,7 @@ def of_balls(case: "FastCase | FourPointCase", worst: "WorstPointContact") -> "S
     from quasidynamic.contact.ellipse.subsurface import ellipse_stress
     from quasidynamic.outcome.subsurface import below
 
-    materials = case.materials
-    rings = (materials.inner_ring or materials.ball, materials.outer_ring or materials.ball)
+    rings = (case.materials.ring("inner"), case.materials.ring("outer"))
     stresses = [
         partial(ellipse_stress, axis_ratio=ratio or 1.0, poisson_ratio=ring.poisson_ratio)  # 1: without load
         for ratio, ring in zip(worst.axis_ratio, rings, strict=True)

@@ -130,3 +130,21 @@ def test_a_variant_cannot_take_the_name_of_another_material():
     assert case.materials.roller.name == "my steel"
     with pytest.raises(BadCase, match="another name: M50"):
         variants.case(("M50",))
+
+
+@pytest.mark.parametrize("file", [FAST, CONFIGS / "joshi2015_qj309.toml"], ids=lambda file: file.stem)
+def test_rings_beside_ceramic_balls_are_of_steel(file):
+    """The modulus of the balls was that of the rings, too: 725 in place of 668 MPa."""
+
+    def pressure(**materials):
+        settings = {f"materials.{name}": material for name, material in materials.items()}
+        result = api.run(file, settings)
+        return result.rigid["peak_pressure"].max(), {note["code"] for note in result.attributes["notes"]}
+
+    steel = {"inner_ring": "100Cr6", "outer_ring": "100Cr6"}
+    (hybrid, notes), (stated, _) = pressure(ball="Si3N4"), pressure(ball="Si3N4", **steel)
+    ceramic, _ = pressure(ball="Si3N4", **dict.fromkeys(steel, "Si3N4"))
+    assert hybrid == approx(stated, rel=1e-12)
+    assert ceramic > 1.05 * hybrid
+    assert "hybrid" in notes
+    assert "hybrid" not in pressure(ball="M50")[1]
