@@ -35,6 +35,7 @@ from quasidynamic.outcome.rating_life import BALL_EXPONENT, rating_life, static_
 from quasidynamic.parts.ball_row import BallRow
 
 STEEL = (190e9, 225e9)  # [Pa] moduli of the steels that ISO 281 is meant for (assumed)
+SILICON_NITRIDE = (290e9, 330e9)  # [Pa] moduli of balls of ISO 26602 (assumed)
 
 
 @dataclass(frozen=True)
@@ -153,12 +154,26 @@ def dynamic(case: FastCase) -> float:
     require_radial(row(case))
     if case.life.dynamic_rating is not None:
         return case.life.dynamic_rating
-    modulus, (low, high) = case.materials.ball.youngs_modulus, STEEL
-    if not low <= modulus <= high:
+    modulus = case.materials.ball.youngs_modulus
+    if not (_within(STEEL, modulus) or _is_hybrid(case)):
         raise OutOfRange(
-            f"balls of {modulus / 1e9:.4g} GPa: ISO 281 rates balls of steel; give life.dynamic_rating"
+            f"balls of {modulus / 1e9:.4g} GPa: ISO 281 rates balls of steel, ISO 20056-1 those of silicon "
+            "nitride between rings of steel; give life.dynamic_rating"
         )
     return ball_dynamic_rating(row(case))
+
+
+def _is_hybrid(case: FastCase) -> bool:
+    """Balls of silicon nitride between steel, whose C needs no reduction (DIN ISO 281 supplement 5)."""
+    rings = (case.materials.ring("inner"), case.materials.ring("outer"))
+    return _within(SILICON_NITRIDE, case.materials.ball.youngs_modulus) and all(
+        _within(STEEL, ring.youngs_modulus) for ring in rings
+    )
+
+
+def _within(moduli: tuple[float, float], modulus: float) -> bool:
+    low, high = moduli
+    return low <= modulus <= high
 
 
 def static(case: FastCase) -> float:
@@ -169,8 +184,7 @@ def static(case: FastCase) -> float:
 
 def safety(case: FastCase, state: qd.AngularContactState) -> float | None:
     """Static safety s_0 under what the balls carry for the ring, preload with it."""
-    low, high = STEEL
-    if case.life.static_rating is None and not low <= case.materials.ball.youngs_modulus <= high:
+    if case.life.static_rating is None and not _within(STEEL, case.materials.ball.youngs_modulus):
         return None
     axial, radial_y, radial_z = state.ring_load[:3]
     try:

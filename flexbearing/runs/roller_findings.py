@@ -5,12 +5,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.case.roller import Case
 from flexbearing.findings import DANGER, declared, evaluate
 from flexbearing.findings.strength import BARS
 from flexbearing.runs import judged, life
 from flexbearing.runs.life_of_state import MREV
 from flexbearing.runs.solved_rows import SolvedRows
-from quasidynamic import Equilibrium
+from quasidynamic import CylindricalRollerBearing, Equilibrium, OutOfRange
 from quasidynamic.contact.film.roughness import MIXED_FROM
 from quasidynamic.note import Note
 from quasidynamic.outcome.static_pressure import ROLLERS
@@ -24,7 +25,7 @@ def values(rows: SolvedRows) -> dict[str, Any]:
         **values_of_dangers(rows),
         **_stress_of_bars(rows),
         "load": np.hypot(*rows.states.applied_load.T),
-        "dynamic_rating": np.array([life.dynamic(*of) for of in each]),
+        "dynamic_rating": np.array([_dynamic_rating(*of) for of in each]),
         "viscosity_ratio": np.array(
             [life.kappa(*of) if k else np.nan for of, k in zip(each, turns, strict=True)]
         ),
@@ -34,6 +35,14 @@ def values(rows: SolvedRows) -> dict[str, Any]:
             [_slope(state) if np.any(state.ring_tilt) else np.nan for state in rows.each]
         ),
     }
+
+
+def _dynamic_rating(case: Case, bearing: CylindricalRollerBearing) -> float:
+    """C_r [N]; not a number where none is given and ISO 281 has none."""
+    try:
+        return life.dynamic(case, bearing)
+    except OutOfRange:
+        return np.nan
 
 
 def values_of_dangers(rows: SolvedRows) -> dict[str, Any]:

@@ -15,8 +15,8 @@ def hybrid(materials: MountedMaterials) -> tuple[Note, ...]:
     rings = " and ".join(materials.steel_rings)
     steel = f"{rings}: 100Cr6, as no material is given and the balls are ceramic; " if rings else ""
     text = (
-        f"{steel}ratings by formula are those of steel balls: C needs no reduction (DIN ISO 281 "
-        "supplement 5), C_0 of ISO 20056-2 differs; the contact pressure is that of the ceramic"
+        f"{steel}without a given rating C is that of steel balls, which hybrids need not reduce "
+        "(DIN ISO 281 supplement 5), and there is no s_0: ISO 20056-2 has their C_0"
     )
     return (information("hybrid", text),)
 
