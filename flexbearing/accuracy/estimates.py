@@ -13,7 +13,7 @@ ERRORS = ("{} of the largest load for the load of any roller", "{} for the life"
 
 
 def require_resolved(selection: Selection) -> None:
-    """Refuse levels at which a part is rigid only since its own levels have no answer.
+    """Refuse levels at which a part is rigid only since its own levels have no result.
 
     Raises
     ------

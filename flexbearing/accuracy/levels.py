@@ -1,4 +1,4 @@
-"""What a roller case leaves open to the accuracy asked for: one ladder of levels for each choice.
+"""What a roller case leaves open to the accuracy requested: one ladder of levels for each choice.
 
 `accuracy.target` climbs these ladders until the estimated error is small enough; `flexbearing pareto` runs a
 case on their levels.

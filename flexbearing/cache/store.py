@@ -136,7 +136,7 @@ class Cache:
             return
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
-            write(path, data, lasting=False)  # the digest tells what the disk did not keep
+            write(path, data, lasting=False)  # the digest says what the disk did not keep
         except (OSError, NotStored) as problem:
             words = f"the cache {path.parent} cannot be written: {_reason(problem)}"
             note(words)

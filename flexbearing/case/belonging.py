@@ -51,7 +51,7 @@ def _broken(choices: Mapping[str, tuple], item: Declaration, raw: Raw, model: ty
                 return f"no {key}"
             continue
         value = declaration.field.get_default() if value is None else value
-        # a value that is no choice at all is told elsewhere
+        # a value that is no choice at all is reported elsewhere
         if value not in values and value in (declaration.choices or (True, False)):
             return f"{key} = {toml(value)}"
     return ""

@@ -13,7 +13,7 @@ from flexbearing.case.missing import LACKING, of_every_layer
 from flexbearing.case.quantity import Section
 from flexbearing.printable import printable
 
-MOST = 20  # problems that are told
+MOST = 20  # problems that are reported
 MOST_PLACES = 3  # of one name
 Problem = TypeVar("Problem")
 
@@ -38,7 +38,7 @@ def messages(
 ) -> str:
     """One line per problem: file, key, value found, what is allowed, nearest valid name.
 
-    Keys that lack are told at once, those of a table that lacks in the line of the table.
+    Keys that lack are reported at once, those of a table that lacks in the line of the table.
     """
     found = of_every_layer(error, raw, model)
     lacking = {path: detail for (path, kind, _), detail in found.items() if kind in LACKING}

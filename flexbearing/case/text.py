@@ -1,6 +1,6 @@
 """From a file or a setting to TOML tables and values, within bounds: refusing takes no longer than checking.
 
-tomllib takes time with the square of the parts of a key, and as many stack frames as arrays stand in each
+tomllib takes time with the square of the parts of a key, and as many stack frames as arrays are in each
 other; both are counted before.
 """
 
@@ -101,7 +101,7 @@ def setting_value(text: str) -> Any:
 
 
 def _deep(text: str) -> bool:
-    """Whether more than `DEEPEST` arrays or tables stand in each other, or a key has more parts."""
+    """Whether more than `DEEPEST` arrays or tables are in each other, or a key has more parts."""
     bare = _TEXT_OR_COMMENT.sub("x", text)
     if any(between.count(".") >= DEEPEST for between in _BETWEEN_KEYS.split(bare)):
         return True

@@ -152,7 +152,7 @@ def _tree(keys: list[str]) -> Tree:
 
 
 def _with(table: Table, changed: Tree, values: Mapping[str, Any], *, checked: bool) -> Table:
-    """A table with other values; every table on the way to one is checked again where that is asked for."""
+    """A table with other values; every table on the way to one is checked again where that is requested."""
     update = {
         name: values[below]
         if isinstance(below, str)

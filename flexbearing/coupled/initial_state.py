@@ -59,7 +59,7 @@ class InitialState:
         Raises
         ------
         PartnerFailed
-            where the rings have no answer to these loads
+            where the rings have no result to these loads
         """
         no_compliance = np.zeros((rigid.balance.layout.rollers, rigid.axial_modes) * 2)
         start = _put(next(bearing.iterate((no_compliance, no_compliance), rigid, None)), self.unknowns)

@@ -59,7 +59,7 @@ def differentiated(
 
 
 def wanted_of(case: Case, of: Sequence[str]) -> list[Wanted]:
-    """Outputs of a case that are asked for, as `sensitivities` takes them.
+    """Outputs of a case that are requested, as `sensitivities` takes them.
 
     Raises
     ------

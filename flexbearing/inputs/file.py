@@ -1,4 +1,4 @@
-"""Plain files within a size: pipes and devices, which may have no end, are never opened."""
+"""Plain files within a size: pipes and devices, which may never end, are never opened."""
 
 import os
 import re
@@ -102,7 +102,7 @@ def lines(path: Path, most: int) -> Iterator[str]:
 
 
 def stamp(path: Path) -> Stamp:
-    """What tells that a plain file has changed.
+    """What says that a plain file has changed.
 
     Raises
     ------

@@ -30,7 +30,7 @@ class Measured:
     """The objective and the constraints of a design."""
 
     what: str  # "the case", or how it is resolved
-    objective: float | None  # in its unit; None where it has no answer
+    objective: float | None  # in its unit; None where it has no result
     bounds: tuple[float, ...]  # the worst term of each constraint, in its unit
     missed: float = 0.0  # how far the worst one is missed, over its size
     message: str = ""
@@ -83,7 +83,7 @@ def answer(
     how: dict[str, str],
     seconds: tuple[float, float],
 ) -> Optimum:
-    """Order what the starts found, and compute what is told of the best."""
+    """Order what the starts found, and compute what is reported of the best."""
     began, problem, goal, bounds = perf_counter(), evaluations.problem, evaluations.goal, evaluations.bounds
     ordered = tuple(sorted(starts, key=rank))
     best = _settings(evaluations, ordered[0].point)

@@ -51,7 +51,7 @@ def require_unedited(place: Path) -> None:
 
 
 def _seal(text: bytes) -> bytes:
-    """The line before a text that tells whether it was edited."""
+    """The line before a text that says whether it was edited."""
     return b"# flexbearing optimise replaces this file while it is unchanged: %08x\n" % crc32(text)
 
 

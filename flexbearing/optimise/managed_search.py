@@ -3,7 +3,7 @@
 Each round searches the corrected model about the best design so far and computes the case with its
 derivatives where that ends. Both models have the same values and derivatives there, so that a design which
 is an optimum of the corrected model about itself is one of the case. A design that is no better in objective
-or constraints than a former one is refused, and the next one searched nearer.
+or constraints than a former one is refused, and the next one searched closer.
 
 Source
 ------

@@ -31,7 +31,7 @@ class Variable:
     size: float = 1.0  # of the unit in SI
     given: float | None = None  # what the case has, in the unit
     logarithmic: bool = False
-    digits: int = DIGITS  # of the share of the range: designs nearer to each other are one
+    digits: int = DIGITS  # of the share of the range: designs closer to each other are one
 
     @property
     def start(self) -> float:

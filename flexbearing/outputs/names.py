@@ -69,7 +69,7 @@ class Output:
 
 @dataclass(frozen=True)
 class Wanted:
-    """An output that was asked for, with the block it is taken from and the unit it is given in."""
+    """An output that was requested, with the block it is taken from and the unit it is given in."""
 
     output: Output
     block: str  # "rigid" or "flexible"; empty: flexible where there is such a block, else rigid
@@ -78,7 +78,7 @@ class Wanted:
 
     @property
     def name(self) -> str:
-        """As it was asked for, without the unit."""
+        """As it was requested, without the unit."""
         return f"{self.block}.{self.output.name}" if self.block else self.output.name
 
     @property

@@ -31,7 +31,7 @@ _START = (
 
 
 class Died(RuntimeError):
-    """A process ended without an answer."""
+    """A process ended without a result."""
 
 
 class NeverStarted(Died):
@@ -67,7 +67,7 @@ class Interpreter:
             raise NeverStarted(f"worker processes end with {code}: {self._last_words()}") from ended
 
     def send(self, function: Callable[[Any], Any], argument: Any) -> None:
-        """Have a function called, without waiting; a process that has ended is told by `answer`."""
+        """Have a function called, without waiting; a process that has ended is reported by `answer`."""
         with suppress(ConnectionError):
             self.calls.send((function, argument))
 

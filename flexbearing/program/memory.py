@@ -1,4 +1,4 @@
-"""Memory that is freed and asked for again, as arrays of one batch after the other are.
+"""Memory that is freed and requested again, as arrays of one batch after the other are.
 
 The C library of Linux gives freed memory back to the system at once when there is more than some hundred
 kilobytes of it; taking it again costs a fault for every page, a fifth of the time of a batch of bearings.

@@ -40,7 +40,7 @@ GRADES = ("danger", "outside validity", "information")  # of notes, most serious
 NOTES = ListOf(Record({"grade": OneOf(GRADES), "code": TEXT, "text": TEXT}))
 
 
-OTHER_CASE = Record(  # a case with other values, or why it has no answer
+OTHER_CASE = Record(  # a case with other values, or why it has no result
     {"words": TEXT, "settings": ListOf(TEXT), "values": Each("output", NUMBER), "problem": TEXT}
 )
 EFFECTS = Record(
@@ -85,7 +85,7 @@ class Attribute:
     name: str
     kind: Kind
     meaning: str
-    optional: bool = False  # absent where the case does not ask for it
+    optional: bool = False  # absent where the case does not require it
     form: Form = OBJECT  # of a JSON attribute, or of a list of records
     longest: int = 200_000  # characters of its text, of all texts of a list together
 

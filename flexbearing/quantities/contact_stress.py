@@ -52,7 +52,7 @@ def static_safety(source: str, load: str, *, optional: bool = False) -> Quantity
 
 
 def subsurface(section: str = "") -> tuple[Quantity, ...]:
-    """What is told of the stresses below these contacts where a case asks for them."""
+    """What is reported of the stresses below these contacts where a case requires them."""
     return (
         Quantity("von_mises_stress", "sigma_v", "race", "Pa", "block",
             f"largest von Mises stress {_WORST}; {_ASKED}", source="subsurface.largest", people=MPA,

@@ -24,7 +24,7 @@ def sections(found: dict[str, Any]) -> Iterator[RenderableType]:
 
 
 def against_catalogue(found: dict[str, Any] | None) -> Iterator[RenderableType]:
-    """The same below the title of a page; nothing where it was not asked for."""
+    """The same below the title of a page; nothing where it was not requested."""
     if found:
         yield from _ratings(found["ratings"])
         yield from _way(found["stages"])

@@ -26,7 +26,7 @@ class Format:
     """How pictures are written."""
 
     name: str = "png"  # one of FORMATS, also the ending of the files
-    titles: bool = True  # whether the heading stands above each picture
+    titles: bool = True  # whether the heading is above each picture
 
 
 PNG = Format()

@@ -14,7 +14,7 @@ Sizes = Mapping[str, int]  # symbol of an axis to its size
 
 
 class NotInLayout(ValueError):
-    """Something was to be written, or asked for, that the layout does not know."""
+    """Something was to be written, or requested, that the layout does not know."""
 
 
 def require_same_names(names: Mapping[str, object], known: Mapping[str, object], where: str) -> None:

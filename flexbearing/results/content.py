@@ -1,4 +1,4 @@
-"""What stands in a result file, apart from how HDF5 stores it."""
+"""What is in a result file, apart from how HDF5 stores it."""
 
 import json
 from collections.abc import Mapping

@@ -75,7 +75,7 @@ def of_content(content: Content, claimed: str, path: Path, families: Families) -
     Raises
     ------
     NotInLayout
-        for anything that the layout does not ask for
+        for anything that the layout does not require
     BadResult
         for another format, another digest or an unknown family
     """
@@ -113,7 +113,7 @@ def of_content(content: Content, claimed: str, path: Path, families: Families) -
 
 
 def _groups(content: Content, layout: Layout) -> tuple[dict[str, Arrays], Arrays]:
-    """Blocks and stacked iterations, of names and shapes that the layout asks for."""
+    """Blocks and stacked iterations, of names and shapes that the layout requires."""
     groups: dict[str, dict[str, np.ndarray]] = {}
     for place, array in content.arrays.items():
         group, slash, name = place.partition("/")

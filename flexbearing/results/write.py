@@ -155,7 +155,7 @@ class ResultFile:
         return result
 
     def _store_soon(self) -> None:
-        """Have the timer store what there is; what it could not store before is told now."""
+        """Have the timer store what there is; what it could not store before is reported now."""
         with self._guard:
             if self._problem is not None:
                 raise self._problem

@@ -88,7 +88,7 @@ class SupportedRaceway:
 
 
 def is_on_supports(case: Case) -> bool:
-    """Whether the outer ring stands on lines or radial springs, whose forces are told."""
+    """Whether the outer ring is on lines or radial springs, whose forces are reported."""
     outer = case.outer
     return outer.kind == "ring" and (
         outer.support == "lines" or (outer.support == "foundation" and outer.foundation_radial > 0)

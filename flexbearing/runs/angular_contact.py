@@ -84,7 +84,7 @@ def _angle_and_clearance(case: FastCase) -> dict[str, float]:
 
 
 def _sticking(case: FastCase) -> tuple[int, int] | None:
-    """Cells of FASTSIM in the balance: half of those of the contacts, as it asks for them again and again."""
+    """Cells of FASTSIM in the balance: half of those of the contacts, as it requires them again and again."""
     if case.operation.control != "coulomb" or case.friction.model == "full_sliding":
         return None
     along, across = case.friction.cells
@@ -119,7 +119,7 @@ def build(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperatio
 
 
 def solved(cases: Sequence[FastCase], told: Callable[[float], None] = lambda _: None) -> list[Ended]:
-    """Balance, pure rolling lines, and stick and slip where a case asks for them; or why there is none.
+    """Balance, pure rolling lines, and stick and slip where a case requires them; or why there is none.
 
     Cases whose bearings are the same are balanced side by side. The part of the balls whose stick and slip is
     found is `told`.

@@ -58,7 +58,7 @@ def lives(case: FastCase, state: qd.AngularContactState) -> BallLives | None:
     Raises
     ------
     OutOfRange
-        where a factor that the case asks for does not hold
+        where a factor that the case requires does not hold
     """
     relative = case.operation.inner_speed - case.operation.outer_speed
     if not relative or (case.life.is_basic and unrated(case)):
@@ -89,7 +89,7 @@ def _modified(case: FastCase, basic: float) -> LifeOfState:
 
 
 def _lubrication(case: FastCase, load: float) -> Iterator[LifeFactor]:
-    """Factor a_ISO where the case asks for it, at an equivalent load [N]."""
+    """Factor a_ISO where the case requires it, at an equivalent load [N]."""
     if case.life.lubrication is None:
         return
     ratio_of_oil, share = kappa(case), fatigue_share(case) / load
@@ -100,7 +100,7 @@ def _lubrication(case: FastCase, load: float) -> Iterator[LifeFactor]:
 
 
 def require_possible(case: FastCase) -> None:
-    """Raise `OutOfRange` where the case asks for a life that its geometry, speed or oil does not allow."""
+    """Raise `OutOfRange` where the case requires a life that its geometry, speed or oil does not allow."""
     if case.life.is_basic:
         return
     dynamic(case)

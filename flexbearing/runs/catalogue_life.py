@@ -82,7 +82,7 @@ def against_catalogue(
     Raises
     ------
     BadCase
-        without a load, for a case that asks for the life by rating alone, and where a case of the way
+        without a load, for a case that requires the life by rating alone, and where a case of the way
         has no solution
     """
     catalogue.require_load(case)

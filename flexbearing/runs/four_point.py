@@ -29,9 +29,9 @@ from quasidynamic.outcome.worst_point_contact import WorstPointContact
 from quasidynamic.solve.balls.elastic_load_distribution import ElasticBallLoads
 from quasidynamic.solve.balls.load_distribution import BallLoads
 
-STICK = "stick and slip, ball by ball"  # what is told while it is found
+STICK = "stick and slip, ball by ball"  # what is reported while it is found
 FEWEST = 3  # balls of a ring; a single one has the same pitch circle
-NOTABLE = 0.01  # of the torque: change by another reading of the spin that is told
+NOTABLE = 0.01  # of the torque: change by another reading of the spin that is reported
 SIGN = np.array([1.0, -1.0])  # of the torques on inner and outer ring
 
 

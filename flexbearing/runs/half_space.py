@@ -1,4 +1,4 @@
-"""The most loaded roller of a case on half-spaces, where the case asks for it."""
+"""The most loaded roller of a case on half-spaces, where the case requires it."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING

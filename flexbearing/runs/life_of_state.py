@@ -59,7 +59,7 @@ def explained(factor: LifeFactor, words: str) -> LifeFactor:
 
 
 def of_reliability(life: Ratings) -> list[LifeFactor]:
-    """The factor of the reliability that a case asks for; none where it asks for none."""
+    """The factor of the reliability that a case requires; none where it requires none."""
     if life.reliability is None:
         return []
     return [explained(reliability_factor(life.reliability), f"reliability {life.reliability:g}")]

@@ -24,7 +24,7 @@ SHOWN = [  # on the page of a result; the error of a life is that of its case
     for output in outputs(LAYOUT)
     if output.declared.label and not output.declared.section and output.declared.of != ("life_error",)
 ]
-TOLD = 0.01  # change of load or life over a pitch that is told in a case without accuracy.target
+TOLD = 0.01  # change of load or life over a pitch that is reported in a case without accuracy.target
 JUDGED = {"max_roller_load_N": "largest roller load", "life_L10_Mrev": "life"}
 
 

@@ -1,4 +1,4 @@
-"""How much the place of the rollers within a pitch matters, told where one position alone is solved."""
+"""How much the place of the rollers within a pitch matters, reported where one position alone is solved."""
 
 from dataclasses import replace
 
@@ -13,7 +13,7 @@ from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.contact.line import EXPONENT
 from quasidynamic.note import Note, information
 
-TOLD = 0.02  # change of the largest load that is told in a case without accuracy.target (assumed)
+TOLD = 0.02  # change of the largest load that is reported in a case without accuracy.target (assumed)
 WORTH_A_SOLVE = 0.5  # of that: the foreseen change errs by about as much
 
 

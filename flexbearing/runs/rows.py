@@ -74,7 +74,7 @@ def _numbers(solved: Solved, outputs: Mapping[str, Wanted]) -> Iterator[dict[str
 
 
 def _dangers(solved: Solved, search: bool) -> Iterator[tuple[Note, ...]]:
-    """Dangers of each case; without a `search` it is told where other equilibria are likely."""
+    """Dangers of each case; without a `search` it is reported where other equilibria are likely."""
     rows = solved.rows
     each = zip(roller_findings.dangers(rows), rows.several_likely.tolist(), strict=True)
     for place, (dangers, likely) in enumerate(each):

@@ -35,7 +35,7 @@ def run_case(
     start: Result | None = None,
     levels: "Levels | None" = None,
 ) -> Result:
-    """Compute a case, and store it where a file is asked for.
+    """Compute a case, and store it where a file is requested.
 
     Raises
     ------

@@ -107,7 +107,7 @@ def destinations(
 
 
 def _races(result: Result, case: Case, race: Race | None) -> list[Race]:
-    """Raceways of the flexible parts, or the one that is asked for."""
+    """Raceways of the flexible parts, or the one that is requested."""
     for block in filter(None, (result.rigid, result.flexible)):
         rollers = block["roller_azimuth"].size
         if rollers != case.bearing.rollers:

@@ -1,4 +1,4 @@
-"""Stresses below the most pressed contacts of a case, where it asks for them."""
+"""Stresses below the most pressed contacts of a case, where it requires them."""
 
 from functools import partial
 from typing import TYPE_CHECKING

@@ -80,7 +80,7 @@ def friction_of(result: Result) -> str:
 
 
 def torque_words(what: str, torque: float, error: float | None) -> str:
-    """A torque [N m], with its error by the cells as far as that is told where there is one."""
+    """A torque [N m], with its error by the cells as far as that is reported where there is one."""
     if not error:
         return f"{what} {torque:.4g} N m"
     digits = max(0, 1 - floor(log10(error)))

@@ -37,7 +37,7 @@ class Map(NamedTuple):
     values: Callable[[DrawnContact], np.ndarray]  # (n, m) in the unit for people
     label: str = ""  # of the scale of colours; stick and slip have a legend
     colours: str = ""
-    power: float = 1.0  # of the scale: below one, small values are told apart
+    power: float = 1.0  # of the scale: below one, small values are reported apart
     arrows: bool = False
 
 

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 _TOLD = ("friction.model", "friction.cells", "fields", "title", "assumed", "calibrated")  # or no matter
 SPIN = "friction.spin"
-_MOST = 6  # differences that are told one by one
+_MOST = 6  # differences that are reported one by one
 
 
 def compared(one: Result, other: Result) -> dict[int, Figure]:

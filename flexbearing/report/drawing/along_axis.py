@@ -79,7 +79,7 @@ def _load_of_balls(sheet: Sheet, load: Any, pitch: float, inside: float) -> None
 
 
 def _turning(sheet: Sheet, path: str, radius: float) -> None:
-    """Sense in which a ring turns, an arrow about the axis; nothing where it stands still."""
+    """Sense in which a ring turns, an arrow about the axis; nothing where it is at rest."""
     speed = sheet.words.value(path)
     if not speed:
         return

@@ -63,7 +63,7 @@ def steps(reader: Reader) -> tuple[str, ...]:
         if span is not None and max(span.squares[1], 1 / span.squares[0]) > WORTH:
             moved.setdefault(span.most, []).append(word)
     if tilt := shaft_tilt.step(reader):
-        moved.pop("operation.tilt", None)  # which that step asks for
+        moved.pop("operation.tilt", None)  # which that step requires
     measure = [
         f"find out and specify {combined.inputs(reader, key)}: moves {', '.join(words)} most"
         for key, words in moved.items()

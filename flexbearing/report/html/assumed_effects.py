@@ -308,7 +308,7 @@ def _drawn(reader: Reader, found: dict[str, Any], ranked: list[int], name: str) 
 
 
 def _missing(found: dict[str, Any]) -> Iterator[str]:
-    """Keys, or other values of them, that have no answer, and why."""
+    """Keys, or other values of them, that have no result, and why."""
     for key in found["keys"]:
         if not key["others"] and key["source"].startswith("a text"):
             yield f"{key['key']}: {key['source']}"

@@ -21,7 +21,7 @@ _TABLES = ("bearing", "outer", "inner", "lubricant", "operation")  # that a key 
 _OF_RINGS = {
     f"{race}.{size}" for race in ("inner", "outer") for size in ("width", "thickness", "bore", "kind")
 }
-WORTH = 1.25  # change of a life by an assumed input that is told beside the life, as a factor
+WORTH = 1.25  # change of a life by an assumed input that is reported beside the life, as a factor
 
 
 def named(key: str) -> str:

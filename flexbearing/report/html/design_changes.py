@@ -8,7 +8,7 @@ from flexbearing.report.html.units import units_in_words
 
 _STRESS, _STIFFNESS = "nominal_bar_stress", "total_stiffness"  # names of outputs
 _PART = "outer."  # which has the bars
-_WORTH, _MOST = 0.85, 3  # factor of the stress from which a change is told, and how many are
+_WORTH, _MOST = 0.85, 3  # factor of the stress from which a change is reported, and how many are
 
 
 def of_bars(reader: Reader) -> str:

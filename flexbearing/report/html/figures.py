@@ -375,6 +375,6 @@ def _of_metres(reader: Reader) -> float:
 
 
 def _place(reader: Reader, azimuth: Any, value: Any) -> str:
-    """What is told at a point of a deformed raceway."""
+    """What is reported at a point of a deformed raceway."""
     number = reader.units.number(float(value), "m", "um", ".2f", "")
     return f"{np.degrees(azimuth):.1f}°: {number.text} {printed(number.unit)}"

@@ -27,7 +27,7 @@ _ORDER = ("modified", "reference", "basic", "catalogue", "catalogue modified")
 _OF_BASIC = ("tilt", "roller-position")  # of these, those that tell the basic life L10
 _BASIC = " (of the basic life L10{power})"
 _POWER = "; a_ISO follows the load, so the modified life changes as its power of {:.3g}"
-_BY_KEY = {"tilt": "operation.tilt", "fit-tolerances": "bearing.fits.at"}  # told by effects of these keys
+_BY_KEY = {"tilt": "operation.tilt", "fit-tolerances": "bearing.fits.at"}  # reported by effects of these keys
 _MOVED = ("tilt", "roller-position", "fit-tolerances")  # codes of notes that tell other lives
 
 

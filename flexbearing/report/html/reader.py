@@ -32,7 +32,7 @@ OUTSIDE = GRADES[1]  # notes on laws outside the range of their source
 
 @dataclass(frozen=True)
 class Reader:
-    """A result, as a report asks for it."""
+    """A result, as a report requires it."""
 
     result: Result
     units: Units

@@ -64,7 +64,7 @@ def _translations(reader: Reader) -> Table:
 
 
 def _stresses(reader: Reader) -> Table:
-    """Largest stresses of every body; their limits stand in the table of limits."""
+    """Largest stresses of every body; their limits are in the table of limits."""
     rows: list[tuple[Cell, ...]] = []
     for part, found in reader.attributes["stresses"].items():
         for body in found["bodies"]:

@@ -86,7 +86,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
 
 
 def supported(reader: Reader) -> bool:
-    """Whether a ring stands on a support that gives way."""
+    """Whether a ring is on a support that gives way."""
     structure = reader.attributes.get("structure") or {}
     return len(reader.blocks) > 1 and any(_support(figures) is not None for figures in structure.values())
 

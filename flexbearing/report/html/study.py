@@ -56,7 +56,7 @@ def _every_row(table: StudyTable, shown: StudyTable, units: Units) -> Iterator[B
 
 
 def _verdict(table: StudyTable) -> Iterator[Block]:
-    """How many rows have an answer, and why others have none; dangers of those that do."""
+    """How many rows have a result, and why others have none; dangers of those that do."""
     columns = {column.name: column.texts for column in table.columns}
     ends = [
         (status, printable(message))

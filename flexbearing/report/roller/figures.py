@@ -70,7 +70,7 @@ def _shape_load_axes(axes: PolarAxes, largest: float) -> None:
     )
     top = 1.12 * largest if largest > NO_LOAD else 1.0
     axes.set_rlim(0, top)
-    axes.set_rorigin(-0.3 * top)  # unloaded rollers stand on a ring of their own, not in one point
+    axes.set_rorigin(-0.3 * top)  # unloaded rollers are on a ring of their own, not in one point
     axes.set_rlabel_position(165)
     axes.set_rticks(_ticks(top))
     axes.yaxis.set_major_formatter(NUMBERS)

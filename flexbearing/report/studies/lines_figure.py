@@ -20,7 +20,7 @@ STYLES = "o-", "s-.", "^:"  # one after the other, each with all colours
 WIDE = 100  # highest over lowest value from which a panel is logarithmic
 LONG = 30  # characters of a label from which the legend has two columns
 COLOURS = 10  # of lines, before they come again
-MARKERS = ("0.2", "D", 6.5), ("0.45", "X", 9.0)  # grey, form and size of printed points, in turn
+MARKERS = ("0.2", "D", 6.5), ("0.45", "X", 9.0)  # grey, form and size of printed points, one after the other
 AZIMUTH = "azimuth [deg]"  # label of an x around the bearing
 EVEN = 1e-6  # by how much ratios of a logarithmic range differ
 

@@ -75,7 +75,7 @@ def _draw_panel(axes: Axes, study: Study, output: str) -> None:
 
 
 def _draw_other_physics(axes: Axes, study: Study, output: str) -> None:
-    """Differences of other laws at their cached times, by letters that stand below the panel."""
+    """Differences of other laws at their cached times, by letters that are below the panel."""
     for letter, level in zip(ascii_lowercase, study.other_physics, strict=False):
         place = level.times["cached"], max(level.errors[output], SMALLEST)
         label = "other physics, cached" if letter == "a" else None
