@@ -54,20 +54,6 @@ class Page:
 def read(like: str, options: Mapping[str, str | None], assumed: Mapping[str, str] | None = None) -> Page:
     """Read the entries of a page.
 
-    Parameters
-    ----------
-    like : str
-        one of `LIKES`
-    options : mapping
-        name of an entry to its text; None or nothing where it is not given
-    assumed : mapping, optional
-        entries among them that nobody gave, each with the reason for its value
-
-    Returns
-    -------
-    Page
-        complete
-
     Raises
     ------
     BadCase
@@ -98,19 +84,6 @@ def read(like: str, options: Mapping[str, str | None], assumed: Mapping[str, str
 
 def value(name: str, text: str, like: str) -> Value:
     """Read one entry.
-
-    Parameters
-    ----------
-    name : str
-        of the entry
-    text : str
-        as it was given
-    like : str
-        one of `LIKES`
-
-    Returns
-    -------
-    Value
 
     Raises
     ------

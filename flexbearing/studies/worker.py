@@ -45,22 +45,7 @@ class Wish:
 
 
 def rows(task: Task, wish: Wish, cache: str | None = None) -> tuple[Row, ...]:
-    """Compute the variants of a task.
-
-    Parameters
-    ----------
-    task : Task
-        variants between the same rings
-    wish : Wish
-        what is wanted of them
-    cache : str, optional
-        folder of condensed rings, where it is not that of the user
-
-    Returns
-    -------
-    tuple of Row
-        one for each variant, also where it failed; none behind one whose result file could not be written
-    """
+    """Compute the variants of a task."""
     keep_freed()
     read = variants_of(task.base)
     cases = [read.known(variant.values, variant.in_si) for variant in task.variants]
@@ -73,22 +58,7 @@ def rows(task: Task, wish: Wish, cache: str | None = None) -> tuple[Row, ...]:
 
 
 def condense(ring: Ring | Corners, cache: str | None = None, *, here: bool = False) -> Condensed:
-    """Condense a ring into the cache; whatever goes wrong is told by the variants that have it.
-
-    Parameters
-    ----------
-    ring : Ring or Corners
-        of a variant, or variants at which levels are chosen
-    cache : str, optional
-        as for `rows`
-    here : bool
-        whether a cage is meshed in this process, which a crash of the mesh generator ends
-
-    Returns
-    -------
-    Condensed
-        with the levels that variants share with these corners
-    """
+    """Condense a ring into the cache; whatever goes wrong is told by the variants that have it."""
     with complaints() as heard:
         levels = None
         if isinstance(ring, Corners):

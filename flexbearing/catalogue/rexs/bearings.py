@@ -86,18 +86,7 @@ def is_computable(part: Part) -> bool:
 
 
 def bearing(model: Model, part: Part) -> Bearing:
-    """Read a bearing.
-
-    Parameters
-    ----------
-    model : Model
-        that it is in
-    part : Part
-        the bearing
-
-    Returns
-    -------
-    Bearing
+    """A bearing as entries of a page, under the load and the speed of its heaviest load case.
 
     Raises
     ------

@@ -46,21 +46,7 @@ class Order:
 
 
 def cases(file: Path, order: Order, tell: Tell) -> Iterator[tuple[Path, str]]:
-    """Write the cases.
-
-    Parameters
-    ----------
-    file : Path
-        of the case of a single bearing; those of several have the numbers of their components behind it
-    order : Order
-        model and entries
-    tell : callable (words)
-        hears what was not used, and which bearings have no case
-
-    Yields
-    ------
-    Path, str
-        a case that is written, and its load ratings as lines
+    """Write the cases; of several bearings each has the number of its component behind the file's name.
 
     Raises
     ------

@@ -28,23 +28,7 @@ def places(case: Path) -> tuple[Path, Path]:
 
 
 def written(bearing: Bearing, case: Path, given: Collection[str], source: str) -> str:
-    """Write the load cases as a duty cycle.
-
-    Parameters
-    ----------
-    bearing : Bearing
-        with its load cases
-    case : Path
-        of the bearing
-    given : collection of str
-        entries of the user, which hold in all load cases
-    source : str
-        of the load cases
-
-    Returns
-    -------
-    str
-        what was written, or why nothing was; empty for a single load case
+    """Write the load cases as a duty cycle; in words what was written, or why nothing was.
 
     Raises
     ------

@@ -22,16 +22,7 @@ _ENCODING = re.compile(rb"(?:\xef\xbb\xbf)?\s*<\?xml[^>]{0,200}?encoding\s*=\s*[
 
 
 def read(path: Path) -> Model:
-    """Read the components of a model.
-
-    Parameters
-    ----------
-    path : Path
-        of a model of REXS 1.x; its form is that of its content, whatever the ending
-
-    Returns
-    -------
-    Model
+    """Read a model, whose form is that of its content, whatever the ending of its name.
 
     Raises
     ------

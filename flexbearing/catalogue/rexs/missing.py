@@ -16,19 +16,7 @@ SMALL = 0.01  # of the axial load, where a radial one must be there
 
 
 def filled(like: str, options: Mapping[str, str]) -> tuple[dict[str, str], dict[str, str]]:
-    """Complete the entries of a page.
-
-    Parameters
-    ----------
-    like : str
-        one of `flexbearing.catalogue.entries.LIKES`
-    options : mapping
-        entries that are given, as texts
-
-    Returns
-    -------
-    dict, dict
-        all entries, and those that are assumed with the reason; what no rule gives stays missing
+    """Complete the entries of a page; all of them, and of the assumed ones the reasons.
 
     Raises
     ------

@@ -30,19 +30,7 @@ class Part:
     attributes: Mapping[str, Value]
 
     def number_of(self, name: str, unit: str) -> float | None:
-        """A number in the unit of the format.
-
-        Parameters
-        ----------
-        name : str
-            of the attribute
-        unit : str
-            as REXS spells it
-
-        Returns
-        -------
-        float or None
-            None where the part does not have it
+        """A number in a unit as REXS spells it; None where the part does not have it.
 
         Raises
         ------
