@@ -63,6 +63,13 @@ class Duty(Section):
         example="spectrum.csv",
     )
     life: Literal["life_L10", "modified_life"] = key("which life is cumulated for the bearing", "life_L10")
+    required_life: str | None = key(
+        "life that is required: the dynamic rating for it follows from the mean equivalent load, with the "
+        "reliability of the case (life.reliability)",
+        None,
+        example="20000 h",
+    )
+    application_factor: float = key("on equivalent loads, for the required rating; no life changes", 1.0, gt=0)
 
 
 class MarkTable(Section):

@@ -27,6 +27,8 @@ class Spectrum:
     measure: str  # what the shares are of, "time" or "revolutions"
     shares: tuple[float, ...]  # row by row; the sum is 1
     life: str  # output that is cumulated
+    required: float | None = None  # life [s]
+    application_factor: float = 1.0
 
 
 def spectrum(duty: Duty, folder: Path, find: Callable[[str], Declaration]) -> tuple[Axis, Spectrum]:
@@ -68,7 +70,24 @@ def spectrum(duty: Duty, folder: Path, find: Callable[[str], Declaration]) -> tu
         )
     joined = together({measures[0]: columns.pop(measures[0]), **columns}, AXIS)
     axis = Axis(AXIS, joined.keys[1:], tuple(row[1:] for row in joined.rows))  # a few rows
-    return axis, Spectrum(measures[0], _shares(measures[0], [row[0] for row in joined.rows]), duty.life)
+    shares = _shares(measures[0], [row[0] for row in joined.rows])
+    return axis, Spectrum(measures[0], shares, duty.life, _required(duty), duty.application_factor)
+
+
+def _required(duty: Duty) -> float | None:
+    """The life that is required [s]."""
+    if duty.required_life is None:
+        return None
+    number, _, name = duty.required_life.strip().partition(" ")
+    words = f'required_life has {excerpt(toml(duty.required_life))}; it is a time, such as "20000 h"'
+    try:
+        of = unit(name.strip() or "1")
+        seconds = of.to_si(inputs.number(number))
+    except (BadUnit, UnknownUnit, inputs.BadNumber):
+        raise BadValues(words) from None
+    if of.powers != unit("s").powers or seconds <= 0:
+        raise BadValues(words)
+    return seconds
 
 
 def _shares(measure: str, given: Sequence[Any]) -> tuple[float, ...]:
