@@ -64,7 +64,7 @@ def _is_unloaded(case: Any, own: Mapping[str, float]) -> bool:
         loads = {"operation.radial_load": operation.radial_load, "operation.moment": operation.moment}
     else:
         loads = {f"operation.load.{name}": getattr(operation.load, name) for name in type(operation.load).model_fields}
-        if operation.preload or any(place is not None for place in operation.displacement.values):
+        if operation.preload or any(operation.displacement.values) or operation.held:
             return False
     if any((loads | own)[key] for key in loads):
         return False

@@ -148,7 +148,7 @@ class Cycles:
 
     def _life(self, lives: "_Lives") -> NDArray:
         """Life (C) [rev] of all rows that count; NaN without one, or where others lack one than do of `life`."""
-        none = np.all(lives.left_out | self._without_damage, axis=1) & lives.left_out.any(axis=1)
+        none = lives.left_out.any(axis=1) & np.isinf(lives.counted).all(axis=1)
         others = np.any(lives.left_out & ~self._lives[""].left_out, axis=1)
         return np.where(none | others, np.nan, cumulated_life(self.shares_of_revolutions, lives.counted))
 
