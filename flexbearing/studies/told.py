@@ -152,6 +152,8 @@ def _cycle(row: Mapping[str, Any]) -> Iterator[str]:
         yield f"mean equivalent load (ISO 281) {row['mean_load [N]']:.5g} N"
     if "required_rating [N]" in row:
         yield f"required C {row['required_rating [N]']:.5g} N"
+    if "binning_error [%]" in row:
+        yield f"error by bins of {row['series_rows']} rows at most {row['binning_error [%]']:.2g} %"
     if row["message"]:
         yield row["message"]
 

@@ -1,7 +1,7 @@
 """The rows of a duty cycle with their shares of time or of revolutions."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import fsum
 from pathlib import Path
 from typing import Any
@@ -12,6 +12,7 @@ from flexbearing.case.excerpt import excerpt
 from flexbearing.studies.file.axes import Axis, columns_of, together
 from flexbearing.studies.file.rows import rows
 from flexbearing.studies.file.schema import Duty
+from flexbearing.studies.file.series import TIME, binned
 from flexbearing.studies.file.values import BadValues
 from flexbearing.units import BadUnit, UnknownUnit, unit
 
@@ -29,6 +30,8 @@ class Spectrum:
     life: str  # output that is cumulated
     required: float | None = None  # life [s]
     application_factor: float = 1.0
+    bin_errors: tuple[float, ...] = ()  # of the damage of each row, over it, where rows are bins of a series
+    measured: int = 0  # rows of the series
 
 
 def spectrum(duty: Duty, folder: Path, find: Callable[[str], Declaration]) -> tuple[Axis, Spectrum]:
@@ -63,6 +66,12 @@ def spectrum(duty: Duty, folder: Path, find: Callable[[str], Declaration]) -> tu
         if twice := columns.keys() & {*keys}:
             raise BadValues(f"{min(twice)} is given here and in {duty.file}")
         columns |= zip(keys, zip(*table, strict=True), strict=True)
+    series = None
+    if duty.series is not None:
+        series = binned(folder / duty.series, duty.bins, find)
+        if twice := columns.keys() & {TIME, *series.columns} | columns.keys() & MEASURES.keys():
+            raise BadValues(f"{min(twice)} is given beside {duty.series}")
+        columns = {TIME: series.seconds.tolist(), **columns, **series.columns}
     measures = [name for name in MEASURES if name in columns]
     if len(measures) != 1 or len(columns) < 2:
         raise BadValues(
@@ -71,7 +80,10 @@ def spectrum(duty: Duty, folder: Path, find: Callable[[str], Declaration]) -> tu
     joined = together({measures[0]: columns.pop(measures[0]), **columns}, AXIS)
     axis = Axis(AXIS, joined.keys[1:], tuple(row[1:] for row in joined.rows))  # a few rows
     shares = _shares(measures[0], [row[0] for row in joined.rows])
-    return axis, Spectrum(measures[0], shares, duty.life, _required(duty), duty.application_factor)
+    found = Spectrum(measures[0], shares, duty.life, _required(duty), duty.application_factor)
+    if series is None:
+        return axis, found
+    return axis, replace(found, bin_errors=tuple(series.errors.tolist()), measured=series.rows)
 
 
 def _required(duty: Duty) -> float | None:

@@ -138,6 +138,8 @@ class Cycles:
                 yield _column(f"{words}life error", "%", np.where(np.isnan(life), np.nan, known))
         yield from self._shares_of("bounded", self._bounded)
         yield from self._shares_of("left_out", self._lives[""].left_out)
+        if self.spectrum.measured:
+            yield from self._of_bins()
         yield _column("mean_speed", "rpm", speed / RPM)
         if self.catalogued:
             yield from self.catalogued.columns(self.shares_of_revolutions, speed)
@@ -145,6 +147,13 @@ class Cycles:
         yield Column("status", "", tuple(map(self._status, range(len(self.rows)))))
         yield Column("message", "", tuple(map(self._message, range(len(self.rows)))))
         yield Column("seconds", "", tuple(sum(row.seconds for row in cycle) for cycle in self.rows))
+
+    def _of_bins(self) -> Iterator[Column]:
+        """Rows of the time series, and by how much its bins may change the damage, in percent of it."""
+        yield Column("series_rows", "", (self.spectrum.measured,) * len(self.rows))
+        errors = 100 * np.broadcast_to(self.spectrum.bin_errors, self.speed.shape)
+        lives = self._lives[""].counted
+        yield _column("binning_error", "%", cumulated_life_error(self.shares_of_revolutions, lives, errors))
 
     def _life(self, lives: "_Lives") -> NDArray:
         """Life (C) [rev] of all rows that count; NaN without one, or where others lack one than do of `life`."""

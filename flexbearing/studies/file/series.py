@@ -1,0 +1,154 @@
+"""A time series of loads and speeds as a duty cycle: rows in bins of every key, each bin a row."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing import inputs
+from flexbearing.case.declarations import Declaration
+from flexbearing.studies.file.rows import rows
+from flexbearing.studies.file.values import BadValues, in_si_units
+from flexbearing.units import BadUnit, UnknownUnit, unit
+
+TIME = "time"
+SPEED = "operation.inner_speed"
+EXPONENTS = {"operation.radial_load": 10 / 3, "operation.load.": 3.0}  # of loads in the life, ISO 281
+
+
+@dataclass(frozen=True)
+class Binned:
+    """Rows of a time series in bins; those of other signs are never in one bin, zero has its own."""
+
+    columns: Mapping[str, Sequence[str]]  # by key what stands for each bin, in the words of a case file
+    seconds: NDArray  # (B) time in each bin, or any measure of it
+    errors: NDArray  # (B) largest error of the damage of each bin, by the loads in it, over the damage
+    rows: int  # of the series
+
+
+def binned(file: Path, bins: int, find: Callable[[str], Declaration]) -> Binned:
+    """Read a time series and sort it into bins.
+
+    Parameters
+    ----------
+    file : Path
+        CSV; its header has keys with units and, for rows that do not last equally long, "time [s]", when each
+        row begins
+    bins : int
+        of equal width, for the numbers of one sign of each key
+    find : callable (key)
+        declaration of a key; raises BadValues where the case has none
+
+    Returns
+    -------
+    Binned
+        loads by which the bins have the damage of their rows where the life goes with P^-p, and mean values
+        over the time of other keys
+
+    Raises
+    ------
+    BadValues
+        naming file, row or key
+    """
+    keys, table = rows(file, lambda key: key == TIME or find(key).kind is not None)
+    texts = dict(zip(keys, zip(*table, strict=True), strict=True))
+    seconds = _seconds(texts.pop(TIME)) if TIME in texts else np.ones(len(table))
+    values = {key: _numbers(key, column, find(key)) for key, column in texts.items()}
+    if not values:
+        raise BadValues(f"{file.name} has no key of the case, such as operation.radial_load [N]")
+    each = np.array([_places(numbers, bins) for numbers in values.values()])
+    _, bin_of = np.unique(each, axis=1, return_inverse=True)
+    sums = _Sums(bin_of.ravel(), seconds)
+    turned = sums.weighted(values[SPEED]) if SPEED in values else sums
+    columns, errors = dict[str, Sequence[str]](), np.zeros(len(sums.total))
+    for key, numbers in values.items():
+        exponent = next((p for name, p in EXPONENTS.items() if key.startswith(name)), None)
+        of = sums.mean(numbers) if exponent is None else turned.mean(numbers, exponent)
+        columns[key] = [f"{number!r} {find(key).kind.unit}" for number in of.tolist()]
+        errors += 0.0 if exponent is None else sums.error(numbers, of, exponent)
+    return Binned(columns, sums.total, errors, len(table))
+
+
+@dataclass(frozen=True)
+class _Sums:
+    """Weighted sums over the rows (N) of each bin (B)."""
+
+    bin_of: NDArray  # (N)
+    weights: NDArray  # (N)
+
+    @property
+    def total(self) -> NDArray:
+        """Weights of the bins (B)."""
+        return np.bincount(self.bin_of, self.weights)
+
+    def weighted(self, by: NDArray) -> "_Sums":
+        """With other weights; those of a bin that would have none stay."""
+        weights = self.weights * np.abs(by)
+        none = np.bincount(self.bin_of, weights) == 0
+        return _Sums(self.bin_of, np.where(none[self.bin_of], self.weights, weights))
+
+    def mean(self, values: NDArray, exponent: float = 1.0) -> NDArray:
+        """Mean (B) of values of one sign in each bin, by a power of them."""
+        powers = np.bincount(self.bin_of, self.weights * np.abs(values) ** exponent) / self.total
+        sign = np.zeros(len(powers))
+        sign[self.bin_of] = np.sign(values)
+        return sign * powers ** (1 / exponent)
+
+    def error(self, values: NDArray, mean: NDArray, exponent: float) -> NDArray:
+        """How far the damage (B) at the lowest and highest value is from that at the mean, over the latter."""
+        low, high = np.full(len(mean), np.inf), np.zeros(len(mean))
+        np.minimum.at(low, self.bin_of, np.abs(values))
+        np.maximum.at(high, self.bin_of, np.abs(values))
+        size = np.where(mean == 0, 1.0, np.abs(mean))
+        found = np.maximum((high / size) ** exponent - 1, 1 - (low / size) ** exponent)
+        return np.where(mean == 0, 0.0, found)
+
+
+def _places(values: NDArray, bins: int) -> NDArray:
+    """Numbers of the bins of values: 0 of zero, positive and negative ones counted from 1 and -1."""
+    found = np.zeros(len(values), dtype=int)
+    for sign in (1, -1):
+        some = np.sign(values) == sign
+        if some.any():
+            sizes = np.abs(values[some])
+            width = np.ptp(sizes) or 1.0
+            found[some] = sign * (1 + np.minimum((sizes - sizes.min()) / width * bins, bins - 1).astype(int))
+    return found
+
+
+def _seconds(begins: Sequence[Any]) -> NDArray:
+    """How long each row lasts; the last one as long as the one before."""
+    times = np.array([_time(text, row) for row, text in enumerate(begins, 1)])
+    lasting = np.diff(times)
+    if len(times) == 1 or not np.all(lasting > 0):
+        row = int(np.argmin(lasting > 0)) + 2 if len(times) > 1 else 1
+        raise BadValues(f"time of row {row} is not above that of the row before; it is when a row begins")
+    return np.append(lasting, lasting[-1])
+
+
+def _time(text: Any, row: int) -> float:
+    number, _, name = str(text).partition(" ")
+    try:
+        of = unit(name or "1")
+        if of.powers in (unit("s").powers, unit("1").powers):
+            return of.to_si(inputs.number(number))
+    except (BadUnit, UnknownUnit, inputs.BadNumber):
+        pass
+    raise BadValues(f"row {row}, time: {text!r:.40} is no time; it is when a row begins, such as 12.5 s")
+
+
+def _numbers(key: str, column: Sequence[Any], declaration: Declaration) -> NDArray:
+    """Numbers of a key in SI units."""
+    kind = declaration.kind
+    if kind is None or declaration.listed:
+        raise BadValues(f"{key} is no quantity with a unit; only such ones are sorted into bins")
+    found = np.empty(len(column))
+    for row, text in enumerate(column):
+        try:
+            found[row] = in_si_units(text, kind)
+        except BadValues as problem:
+            raise BadValues(f"row {row + 1}, {key} {problem}") from None
+    return found
