@@ -191,7 +191,7 @@ def load(case: FastCase) -> float:
     Raises
     ------
     OutOfRange
-        where the ring is held, so that its force is not known before it is solved, and beyond the table of X, Y
+        where the ring is held, whose force is not known before it is solved, and beyond the table of X, Y
     """
     if case.operation.held:
         raise OutOfRange("a ring that is held has a load that is not known")

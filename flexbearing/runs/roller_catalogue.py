@@ -200,7 +200,7 @@ def rated(case: Case) -> float | None:
 
 
 def viscosity_ratio(case: Case) -> float:
-    """kappa of ISO 281 [-]."""
+    """Viscosity ratio kappa of ISO 281 [-]."""
     return life.kappa(case, roller_bearing.parts(case))
 
 

@@ -1,11 +1,10 @@
 """Rows of a duty cycle that are time without damage: standstill, and no load."""
 
-from collections.abc import Mapping
 from hashlib import sha256
 from typing import Any
 
 from flexbearing.build import clearance
-from flexbearing.case import BadCase, Head
+from flexbearing.case import BadCase
 from flexbearing.case.declarations import by_path
 from flexbearing.case.variants import Variants
 from flexbearing.studies.plan import Variant
@@ -38,7 +37,9 @@ def idle(read: Variants, values: Values) -> Variant | None:
     if SPEEDS[1] not in own and not any(map(_is_zero, own.values())):
         return None
     try:
-        case = read.case(tuple(None if key in own else value for key, value in zip(read.keys, values, strict=True)))
+        case: Any = read.case(
+            tuple(None if key in own else value for key, value in zip(read.keys, values, strict=True))
+        )
         own = {key: by_path(type(case))[key].reader(value) for key, value in own.items()}
     except (BadCase, ValueError):
         return None  # what is wrong is told of the whole row
@@ -52,18 +53,23 @@ def idle(read: Variants, values: Values) -> Variant | None:
 
 def _is_zero(written: Any) -> bool:
     """Whether a quantity in the words of a case file is 0, in whatever unit."""
-    return isinstance(written, str) and written.lstrip(" +-").startswith(("0", ".", ",")) and not any(
-        digit in written.partition(" ")[0].lower().partition("e")[0] for digit in "123456789"
+    return (
+        isinstance(written, str)
+        and written.lstrip(" +-").startswith(("0", ".", ","))
+        and not any(digit in written.partition(" ")[0].lower().partition("e")[0] for digit in "123456789")
     )
 
 
-def _is_unloaded(case: Any, own: Mapping[str, float]) -> bool:
+def _is_unloaded(case: Any, own: dict[str, Any]) -> bool:
     """Whether nothing presses the rolling elements: no load, no preload, no tilt that takes the clearance."""
     operation = case.operation
     if case.kind == clearance.ROLLERS:
         loads = {"operation.radial_load": operation.radial_load, "operation.moment": operation.moment}
     else:
-        loads = {f"operation.load.{name}": getattr(operation.load, name) for name in type(operation.load).model_fields}
+        loads = {
+            f"operation.load.{name}": getattr(operation.load, name)
+            for name in type(operation.load).model_fields
+        }
         if operation.preload or any(operation.displacement.values) or operation.held:
             return False
     if any((loads | own)[key] for key in loads):
@@ -71,7 +77,11 @@ def _is_unloaded(case: Any, own: Mapping[str, float]) -> bool:
     if case.life.loads == "rating":
         return True
     try:
-        tilted = abs(operation.misalignment) * case.bearing.roller.length if case.kind == clearance.ROLLERS else 0.0
+        tilted = (
+            abs(operation.misalignment) * case.bearing.roller.length
+            if case.kind == clearance.ROLLERS
+            else 0.0
+        )
         return clearance.operating(case) >= tilted
     except (ImpossiblePart, OutOfRange):
         return False

@@ -54,10 +54,8 @@ def prepared(file: str | Path, tell: TellChecked = lambda done, total: None) -> 
     return settle(read(file, FAMILIES), tell, bounded=True)
 
 
-def settle(
-    study: Study, tell: TellChecked = lambda done, total: None, *, bounded: bool = False
-) -> Prepared:
-    """Settle what a study computes, see `prepared`; rows of a duty cycle may be idle, or have bounds alone."""
+def settle(study: Study, tell: TellChecked = lambda done, total: None, *, bounded: bool = False) -> Prepared:
+    """Settle what a study computes, see `prepared`; `bounded`: a duty cycle may have idle and thin rows."""
     family = FAMILIES[study.kind]
     lives = duty.texts(study.spectrum).values() if study.spectrum else ()
     require_outputs(study, lives, "duty", FAMILIES)
@@ -111,7 +109,7 @@ def _variant(read: Variants, values: Values, *, cycle: bool) -> Variant | Imposs
 
 
 def _possible(case: Head, *, cycle: bool) -> str:
-    """Raise where a case cannot be computed; why it can only without a_ISO, empty where it can as it stands."""
+    """Raise where a case cannot be computed; tell why it can be without a_ISO alone, empty where with it."""
     from flexbearing.runs.validate import require_possible
 
     try:

@@ -1,11 +1,10 @@
 """A study whose variants and columns are settled: its rows, how many there are, its table."""
 
 import glob
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import chain
-from math import prod
 from pathlib import Path
 from typing import Any
 
@@ -13,23 +12,18 @@ import numpy as np
 
 from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
+from flexbearing.studies.duty_cycles import catalogued, duty_cycles
 from flexbearing.studies.engine import Ended
 from flexbearing.studies.file import Study
-from flexbearing.studies.file.spectrum import Spectrum
-from flexbearing.studies.idle import is_load
 from flexbearing.studies.plan import Part, Plan, Row, Variant
-from flexbearing.studies.plan.task import CONVERGED, NO_DAMAGE, Base, file_name
+from flexbearing.studies.plan.task import CONVERGED, NO_DAMAGE, NOT_COMPUTED, Base, file_name
 from flexbearing.studies.table import Table, duty, journal
 from flexbearing.studies.table.collected import Collected
-from flexbearing.studies.table.bounds import Conditions
 from flexbearing.studies.table.column import Column, ends
-from flexbearing.studies.table.duty import Catalogued, Cycles
 from flexbearing.studies.table.files import CYCLES, PICTURE, SCATTER, SCATTER_PICTURE, paths
 from flexbearing.studies.table.keys import key_columns
 from flexbearing.studies.table.plot import Plot
-from quasidynamic import OutOfRange
 
-NOT_COMPUTED = "not computed"  # status of a row whose variant is still to come
 Rows = Mapping[str, Row]  # by identity
 
 
@@ -160,7 +154,9 @@ class Prepared:
             outputs.append(Column("result", "", tuple(map(self._file, self.plan.variants, ordered))))
         if self.study.spectrum is None or self.part:
             return Table(name, (*keys, *outputs, *ends(ordered)), axes, arrays=arrays)
-        length, cycles = len(axes[-1].rows), self._cycles(self.study.spectrum, ordered)
+        length, spectrum = len(axes[-1].rows), self.study.spectrum
+        catalogue = catalogued(self.plan, FAMILIES[self.study.kind], spectrum, self._case)
+        cycles = duty_cycles(self.plan, spectrum, ordered, self.speeds, self.life_errors, catalogue)
         ordered = [
             replace(row, message="; ".join(filter(None, (row.message, words))))
             for row, words in zip(ordered, cycles.messages(), strict=True)
@@ -173,79 +169,32 @@ class Prepared:
         lives = Table(f"{name}{CYCLES}", (*others, *cycles.of_cycles()), axes[:-1])
         return Table(name, (*keys, *outputs, *cycles.of_rows(), *ends(ordered)), axes, lives, arrays)
 
-    def _cycles(self, spectrum: Spectrum, rows: Sequence[Row]) -> Cycles:
-        """The duty cycle of each bearing, with what bounds rows that have no answer."""
-        length, variants = len(self.plan.axes[-1].rows), self.plan.variants
-        return Cycles(
-            spectrum,
-            self.speeds.reshape(-1, length),
-            _cut(rows, length),
-            self.life_errors,
-            conditions(self.plan.base.keys, variants[:length]),
-            np.array([bool(each.thin) for each in variants]).reshape(-1, length),
-            self._catalogued(spectrum, length),
-        )
-
-    def _catalogued(self, spectrum: Spectrum, length: int) -> Catalogued | None:
-        """Equivalent loads of all rows, where the kind of bearing has such and the forces are known."""
-        catalogue = FAMILIES[self.study.kind].catalogue
-        if catalogue is None:
-            return None
-        try:
-            loads = [self._of_case(each, catalogue().load, 0.0) for each in self.plan.variants]
-            a_1 = self._of_case(next(self.plan.computed), _reliability, 1.0)
-        except (OutOfRange, StopIteration):
-            return None
-        if None in loads:
-            return None
-        found = np.array(loads).reshape(-1, length) * spectrum.application_factor
-        return Catalogued(found, catalogue().exponent, spectrum.required, a_1)
-
-    def _of_case(self, variant: Variant, of: Callable[[Any], Any], idle: Any) -> Any:
-        """What follows from the case of a variant; something else where it is idle and may not be readable."""
-        if variant.idle:
-            return idle
-        return of(variants_of(self.plan.base).known(variant.values, variant.in_si))
-
     def _file(self, variant: Variant, row: Row) -> str:
         """Result file of a row, from the folder of the table; empty where there is none."""
-        return f"{self.study.name}/{file_name(variant, final=self.study.final)}" if row.status == CONVERGED else ""
+        return (
+            f"{self.study.name}/{file_name(variant, final=self.study.final)}"
+            if row.status == CONVERGED
+            else ""
+        )
 
     @property
     def speeds(self) -> np.ndarray:
         """Speed of the inner ring against the outer one of each variant [rad/s]."""
-        def speed(case: Any) -> float:
-            return case.operation.inner_speed - case.operation.outer_speed
+        return np.array([each.idle.speed if each.idle else self._speed(each) for each in self.plan.variants])
 
-        return np.array([
-            self._of_case(each, speed, each.idle and each.idle.speed) for each in self.plan.variants
-        ])
+    def _speed(self, variant: Variant) -> float:
+        operation = self._case(variant).operation
+        return operation.inner_speed - operation.outer_speed
+
+    def _case(self, variant: Variant) -> Any:
+        """The case of a variant that is not idle."""
+        return variants_of(self.plan.base).known(variant.values, variant.in_si)
 
     def progress(self, rows: Rows) -> Progress:
         """How far some rows are."""
         there = [row for variant in self.plan.variants if (row := rows.get(variant.identity))]
         failed = sum(not row.converged for row in there)
         return Progress(len(there), len(self.plan.variants), failed, len(there), 0.0)
-
-
-def _cut(rows: Sequence[Row], length: int) -> list[Sequence[Row]]:
-    return [rows[first : first + length] for first in range(0, len(rows), length)]
-
-
-def _reliability(case: Any) -> float:
-    """Factor a_1 of the reliability that a case asks for [-]."""
-    from flexbearing.runs.life_of_state import of_reliability
-
-    return float(prod(float(factor.value) for factor in of_reliability(case.life)))
-
-
-def conditions(keys: Sequence[str], rows: Sequence[Variant]) -> Conditions:
-    """Loads of the rows of a duty cycle, and which of them differ in nothing else."""
-    loads = [number for number, key in enumerate(keys) if is_load(key)]
-    others = [tuple(map(str, (v for n, v in enumerate(row.in_si) if n not in loads))) for row in rows]
-    numbers = {each: number for number, each in enumerate(dict.fromkeys(others))}
-    values = np.array([[abs(row.in_si[number] or 0.0) for number in loads] for row in rows], dtype=float)
-    return Conditions(values.reshape(len(rows), len(loads)), np.array([numbers[each] for each in others]))
 
 
 @lru_cache(maxsize=4)

@@ -153,7 +153,7 @@ def _cycle(row: Mapping[str, Any]) -> Iterator[str]:
     if "required_rating [N]" in row:
         yield f"required C {row['required_rating [N]']:.5g} N"
     if "binning_error [%]" in row:
-        yield f"error by bins of {row['series_rows']} rows at most {row['binning_error [%]']:.2g} %"
+        yield f"error by bins of {row['series_rows']} rows about {row['binning_error [%]']:.2g} %"
     if row["message"]:
         yield row["message"]
 

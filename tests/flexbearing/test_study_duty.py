@@ -17,7 +17,11 @@ from flexbearing.studies.table.bounds import Conditions
 from flexbearing.studies.table.duty import Cycles, texts
 from flexbearing.studies.thin_oil import LEAST_FACTOR
 from quasidynamic.outcome.life import basic_life, raceway_lives
-from quasidynamic.outcome.life_factors import BALLS as BALLS_OF_ISO, ROLLERS as ROLLERS_OF_ISO, modification_factor
+from quasidynamic.outcome.life_factors import (
+    BALLS as BALLS_OF_ISO,
+    ROLLERS as ROLLERS_OF_ISO,
+    modification_factor,
+)
 from quasidynamic.outcome.load_spectrum import cumulated_life, revolution_shares, time_shares
 from tests.bearings import paper_bearing
 from tests.flexbearing.toy_studies import CASE
@@ -268,7 +272,9 @@ def test_standstill_and_no_load_are_time_without_damage(tmp_path, life):
     assert table.cycles["status"].values == ("converged",)
     assert table.cycles["revolutions"].values[0] == approx(2 * table["life"].values[0], rel=1e-12)
     assert table.cycles["mean_speed"].values[0] == approx(2000, rel=1e-12)
-    assert flexbearing.study(file, tmp_path, jobs=1).cycles["life [h]"].values == table.cycles["life [h]"].values
+    assert (
+        flexbearing.study(file, tmp_path, jobs=1).cycles["life [h]"].values == table.cycles["life [h]"].values
+    )
 
 
 def test_a_preloaded_bearing_without_load_is_computed(tmp_path):
@@ -287,7 +293,11 @@ def test_a_row_at_rest_has_no_share_of_the_revolutions(tmp_path):
 
 def test_a_creeping_row_counts_with_the_least_factor(tmp_path):
     file = duty_of(
-        tmp_path, (8000, 5000), (3000, 3), 'life = "modified_life"', '[collect]\nl10 = "reference_life [Mrev]"'
+        tmp_path,
+        (8000, 5000),
+        (3000, 3),
+        'life = "modified_life"',
+        '[collect]\nl10 = "reference_life [Mrev]"',
     )
     table = flexbearing.study(file, tmp_path, jobs=1)
     turned = np.array([3000, 3]) / 3003
@@ -337,3 +347,78 @@ def test_a_life_by_ratings_needs_no_equilibrium():
     assert found.values["modified_life [Mrev]"] == approx(expected, rel=1e-9)
     assert found.status == "rated"
     assert found.converged
+
+
+def series_of(
+    folder, lines, *further, header="time [s],operation.radial_load [N],operation.inner_speed [rpm]"
+):
+    (folder / "measured.csv").write_text("\n".join([header, *lines]))
+    return study_of(folder, "\n".join(['[duty]\nseries = "measured.csv"', *further]))
+
+
+def test_a_time_series_is_sorted_into_bins_by_load_speed_and_direction(tmp_path):
+    """Rows begin at 0, 1, 3, 6 and 10 s; the last one lasts as long as the one before."""
+    lines = ["0,5000,3000", "1,5100,3000", "3,0,3000", "6,5000,-3000", "10,5000,0"]
+    study = prepared(series_of(tmp_path, lines, "bins = 3")).study
+    found = sorted(zip(study.axes[0].rows, study.spectrum.shares, strict=True), key=str)
+    speeds = [float(speed.split()[0]) * 30 / pi for (_, speed), _ in found]
+    loads = [float(load.split()[0]) for (load, _), _ in found]
+    shares = [round(14 * share) for _, share in found]
+    assert sorted(zip(np.round(speeds, 9), np.round(loads, 9), shares, strict=True)) == [
+        (-3000, 5000, 4), (0, 5000, 4), (3000, 0, 3), (3000, 5000, 1), (3000, 5100, 2)
+    ]  # fmt: skip
+    assert study.spectrum.bin_errors == approx((0.0,) * 5, abs=1e-12)
+    assert study.inputs[-1].name == "measured.csv"
+
+
+def random_series(folder, rows, *further):
+    generator = np.random.default_rng(3)
+    loads, speeds = generator.normal(6000, 2500, rows).clip(0), generator.uniform(-3000, 3000, rows)
+    speeds[::10] = 0
+    lines = [f"{row},{load},{speed}" for row, (load, speed) in enumerate(zip(loads, speeds, strict=True))]
+    return series_of(folder, lines, *further), loads, speeds
+
+
+def test_bins_have_the_damage_and_the_revolutions_of_their_rows(tmp_path):
+    file, loads, speeds = random_series(tmp_path, 2000, "bins = 12")
+    study = prepared(file).study
+    shares = np.array(study.spectrum.shares)
+    of_bins = np.array([[float(text.split()[0]) for text in row] for row in study.axes[0].rows]).T
+    turned, of_rows = shares * np.abs(of_bins[1]), np.abs(speeds) * pi / 30 / len(speeds)
+    assert turned.sum() == approx(of_rows.sum(), rel=1e-12)
+    assert (turned * of_bins[0] ** (10 / 3)).sum() == approx((of_rows * loads ** (10 / 3)).sum(), rel=1e-12)
+    assert np.all(np.array(study.spectrum.bin_errors) >= -1e-12)
+
+
+@pytest.mark.slow
+def test_the_error_of_the_bins_is_that_of_a_series_without_bins(tmp_path):
+    """The life without bins is that of as many variants as the series has rows."""
+    file, loads, speeds = random_series(tmp_path, 600, "bins = 8", "[collect]")
+    binned = flexbearing.study(file, tmp_path, jobs=1).cycles
+    table = "\n".join(f"1,{load},{speed}" for load, speed in zip(loads, speeds, strict=True))
+    (tmp_path / "rows.csv").write_text(f"time,operation.radial_load [N],operation.inner_speed [rpm]\n{table}")
+    single = study_of(tmp_path, '[duty]\nfile = "rows.csv"\n[collect]', "single")
+    exact = flexbearing.study(single, tmp_path, jobs=1).cycles
+    error = 100 * (binned["life [h]"].values[0] / exact["life [h]"].values[0] - 1)
+    stated = binned["binning_error [%]"].values[0]
+    assert 1e-3 < abs(error) < stated < 10
+    assert binned["series_rows"].values == (600,)
+
+
+WRONG_SERIES = {
+    "is not above that of the row before": ["0,1,1", "2,1,1", "2,1,1"],
+    "row 2, time": ["0,1,1", "x,1,1"],
+    "row 1, operation.radial_load has": ["0,x,1", "1,1,1"],
+}
+
+
+@pytest.mark.parametrize(("words", "lines"), WRONG_SERIES.items())
+def test_what_is_wrong_with_a_series_is_told(tmp_path, words, lines):
+    with pytest.raises(BadCase, match=words):
+        prepared(series_of(tmp_path, lines))
+
+
+@pytest.mark.parametrize("given", ["20000", "20000 kN", "-1 h", "long"])
+def test_a_required_life_is_a_time(tmp_path, given):
+    with pytest.raises(BadCase, match="required_life has"):
+        prepared(duty_of(tmp_path, (8000, 1000), (3000, 3000), f'required_life = "{given}"'))

@@ -187,7 +187,8 @@ def test_a_duty_cycle_is_read_from_a_table(study_of):
 
 
 SPREADSHEETS = {
-    "semicolons": "time [%];operation.radial_load [kN];operation.inner_speed\n33,5;1,250;1,5e3 rpm\n66,5;-,5;2 rpm\n",
+    "semicolons": "time [%];operation.radial_load [kN];operation.inner_speed\n"
+    "33,5;1,250;1,5e3 rpm\n66,5;-,5;2 rpm\n",
     "tabs": "\ufefftime [%]\toperation.radial_load [kN]\toperation.inner_speed\r\n"
     "33,5\t 1,250 \t1,5e3 rpm\r\n66,5\t-,5\t2 rpm\r\n\t\t\r\n",
     "named": "sep=;\r\ntime [%]; operation.radial_load [kN]; operation.inner_speed\r\n"

@@ -68,7 +68,7 @@ def _rows(text: str, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], 
 
 
 def _separated(text: str) -> tuple[str, str]:
-    """The table, without the line with which spreadsheets name the separator, and what separates its cells."""
+    """The table without a line that names its separator, as spreadsheets write it, and this separator."""
     first, _, below = text.partition("\n")
     if named := _NAMED.fullmatch(first):
         return below, named[1]

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from flexbearing import inputs
 from flexbearing.case.declarations import Declaration
+from flexbearing.case.quantity import Kind
 from flexbearing.studies.file.rows import rows
 from flexbearing.studies.file.values import BadValues, in_si_units
 from flexbearing.units import BadUnit, UnknownUnit, unit
@@ -25,7 +26,7 @@ class Binned:
 
     columns: Mapping[str, Sequence[str]]  # by key what stands for each bin, in the words of a case file
     seconds: NDArray  # (B) time in each bin, or any measure of it
-    errors: NDArray  # (B) largest error of the damage of each bin, by the loads in it, over the damage
+    errors: NDArray  # (B) of the damage of each bin over it, for lives that go with any power up to P^(-2 p)
     rows: int  # of the series
 
 
@@ -38,7 +39,7 @@ def binned(file: Path, bins: int, find: Callable[[str], Declaration]) -> Binned:
         CSV; its header has keys with units and, for rows that do not last equally long, "time [s]", when each
         row begins
     bins : int
-        of equal width, for the numbers of one sign of each key
+        of equal width, for the numbers of one sign of each load; a third as many of other keys
     find : callable (key)
         declaration of a key; raises BadValues where the case has none
 
@@ -56,20 +57,28 @@ def binned(file: Path, bins: int, find: Callable[[str], Declaration]) -> Binned:
     keys, table = rows(file, lambda key: key == TIME or find(key).kind is not None)
     texts = dict(zip(keys, zip(*table, strict=True), strict=True))
     seconds = _seconds(texts.pop(TIME)) if TIME in texts else np.ones(len(table))
-    values = {key: _numbers(key, column, find(key)) for key, column in texts.items()}
+    kinds = {key: _kind(key, find(key)) for key in texts}
+    values = {key: _numbers(key, column, kinds[key]) for key, column in texts.items()}
     if not values:
         raise BadValues(f"{file.name} has no key of the case, such as operation.radial_load [N]")
-    each = np.array([_places(numbers, bins) for numbers in values.values()])
+    each = np.array(
+        [_places(numbers, bins if _exponent(key) else max(1, bins // 3)) for key, numbers in values.items()]
+    )
     _, bin_of = np.unique(each, axis=1, return_inverse=True)
     sums = _Sums(bin_of.ravel(), seconds)
     turned = sums.weighted(values[SPEED]) if SPEED in values else sums
     columns, errors = dict[str, Sequence[str]](), np.zeros(len(sums.total))
     for key, numbers in values.items():
-        exponent = next((p for name, p in EXPONENTS.items() if key.startswith(name)), None)
+        exponent = _exponent(key)
         of = sums.mean(numbers) if exponent is None else turned.mean(numbers, exponent)
-        columns[key] = [f"{number!r} {find(key).kind.unit}" for number in of.tolist()]
-        errors += 0.0 if exponent is None else sums.error(numbers, of, exponent)
+        columns[key] = [f"{number!r} {kinds[key].unit}" for number in of.tolist()]
+        errors += 0.0 if exponent is None else turned.error(numbers, of, exponent)
     return Binned(columns, sums.total, errors, len(table))
+
+
+def _exponent(key: str) -> float | None:
+    """Of a load in the life; None of other keys."""
+    return next((p for name, p in EXPONENTS.items() if key.startswith(name)), None)
 
 
 @dataclass(frozen=True)
@@ -98,13 +107,10 @@ class _Sums:
         return sign * powers ** (1 / exponent)
 
     def error(self, values: NDArray, mean: NDArray, exponent: float) -> NDArray:
-        """How far the damage (B) at the lowest and highest value is from that at the mean, over the latter."""
-        low, high = np.full(len(mean), np.inf), np.zeros(len(mean))
-        np.minimum.at(low, self.bin_of, np.abs(values))
-        np.maximum.at(high, self.bin_of, np.abs(values))
-        size = np.where(mean == 0, 1.0, np.abs(mean))
-        found = np.maximum((high / size) ** exponent - 1, 1 - (low / size) ** exponent)
-        return np.where(mean == 0, 0.0, found)
+        """By how much the damage (B) differs where it goes with twice the exponent, over that at the mean."""
+        relative = np.abs(values) / np.where(mean == 0, 1.0, np.abs(mean))[self.bin_of]
+        powers = np.bincount(self.bin_of, self.weights * relative ** (2 * exponent)) / self.total
+        return np.where(mean == 0, 0.0, powers - 1)
 
 
 def _places(values: NDArray, bins: int) -> NDArray:
@@ -140,11 +146,14 @@ def _time(text: Any, row: int) -> float:
     raise BadValues(f"row {row}, time: {text!r:.40} is no time; it is when a row begins, such as 12.5 s")
 
 
-def _numbers(key: str, column: Sequence[Any], declaration: Declaration) -> NDArray:
-    """Numbers of a key in SI units."""
-    kind = declaration.kind
-    if kind is None or declaration.listed:
+def _kind(key: str, declaration: Declaration) -> Kind:
+    if declaration.kind is None or declaration.listed:
         raise BadValues(f"{key} is no quantity with a unit; only such ones are sorted into bins")
+    return declaration.kind
+
+
+def _numbers(key: str, column: Sequence[Any], kind: Kind) -> NDArray:
+    """Numbers of a key in SI units."""
     found = np.empty(len(column))
     for row, text in enumerate(column):
         try:

@@ -1,6 +1,6 @@
 """The rows of a duty cycle with their shares of time or of revolutions."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import fsum
 from pathlib import Path
@@ -12,7 +12,7 @@ from flexbearing.case.excerpt import excerpt
 from flexbearing.studies.file.axes import Axis, columns_of, together
 from flexbearing.studies.file.rows import rows
 from flexbearing.studies.file.schema import Duty
-from flexbearing.studies.file.series import TIME, binned
+from flexbearing.studies.file.series import TIME, Binned, binned
 from flexbearing.studies.file.values import BadValues
 from flexbearing.units import BadUnit, UnknownUnit, unit
 
@@ -56,22 +56,7 @@ def spectrum(duty: Duty, folder: Path, find: Callable[[str], Declaration]) -> tu
     BadValues
         naming key or row
     """
-    weights = {name: tuple(given) for name in MEASURES if (given := getattr(duty, name)) is not None}
-    for name in weights:
-        if not weights[name]:
-            raise BadValues(f"{name} is an empty list; every row has a share")
-    columns: dict[str, Sequence[Any]] = weights | columns_of(duty.model_extra or {}, find)
-    if duty.file is not None:
-        keys, table = rows(folder / duty.file, lambda key: key in MEASURES or find(key).kind is not None)
-        if twice := columns.keys() & {*keys}:
-            raise BadValues(f"{min(twice)} is given here and in {duty.file}")
-        columns |= zip(keys, zip(*table, strict=True), strict=True)
-    series = None
-    if duty.series is not None:
-        series = binned(folder / duty.series, duty.bins, find)
-        if twice := columns.keys() & {TIME, *series.columns} | columns.keys() & MEASURES.keys():
-            raise BadValues(f"{min(twice)} is given beside {duty.series}")
-        columns = {TIME: series.seconds.tolist(), **columns, **series.columns}
+    columns, series = _columns(duty, folder, find)
     measures = [name for name in MEASURES if name in columns]
     if len(measures) != 1 or len(columns) < 2:
         raise BadValues(
@@ -84,6 +69,37 @@ def spectrum(duty: Duty, folder: Path, find: Callable[[str], Declaration]) -> tu
     if series is None:
         return axis, found
     return axis, replace(found, bin_errors=tuple(series.errors.tolist()), measured=series.rows)
+
+
+def _columns(
+    duty: Duty, folder: Path, find: Callable[[str], Declaration]
+) -> tuple[dict[str, Sequence[Any]], Binned | None]:
+    """Shares and keys of the rows, given here and in a file; the time series where they are bins of one."""
+    weights = {name: tuple(given) for name in MEASURES if (given := getattr(duty, name)) is not None}
+    for name in weights:
+        if not weights[name]:
+            raise BadValues(f"{name} is an empty list; every row has a share")
+    columns: dict[str, Sequence[Any]] = weights | columns_of(duty.model_extra or {}, find)
+    if duty.file is not None and duty.series is not None:
+        raise BadValues("file and series are both there; the rows are in one of them")
+    if duty.file is not None:
+        keys, table = rows(folder / duty.file, lambda key: key in MEASURES or find(key).kind is not None)
+        return _joined(columns, dict(zip(keys, zip(*table, strict=True), strict=True)), duty.file), None
+    if duty.series is not None:
+        series = binned(folder / duty.series, duty.bins, find)
+        if weights:
+            raise BadValues(f"{min(weights)} is given beside {excerpt(duty.series)}, whose rows have times")
+        return _joined(columns, {TIME: series.seconds.tolist(), **series.columns}, duty.series), series
+    return columns, None
+
+
+def _joined(
+    columns: dict[str, Sequence[Any]], of_file: Mapping[str, Sequence[Any]], file: str
+) -> dict[str, Sequence[Any]]:
+    """Columns of the study file and of another one, none of which is in both."""
+    if twice := columns.keys() & of_file.keys():
+        raise BadValues(f"{min(twice)} is given here and in {file}")
+    return {**columns, **of_file}
 
 
 def _required(duty: Duty) -> float | None:

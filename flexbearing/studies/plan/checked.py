@@ -54,9 +54,9 @@ class CheckedVariants(Sequence[Variant]):
     def rename(self, number: int, identity: str, levels: str) -> None:
         """Give a variant another identity and other levels."""
         place, size = self._place(number), LENGTH // 2
-        rings, _, *rest = self._shared[self._which[place]]
+        rings, _, idle, thin = self._shared[self._which[place]]
         self._identities[place * size : (place + 1) * size] = bytes.fromhex(identity)
-        self._which[place] = self._number_of((rings, levels, *rest))
+        self._which[place] = self._number_of((rings, levels, idle, thin))
 
     def _number_of(self, shared: Shared) -> int:
         if shared not in self._numbers:

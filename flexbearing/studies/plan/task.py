@@ -7,6 +7,7 @@ from typing import Any
 
 CONVERGED, BAD_INPUT, WORKER_DIED, ERROR = "converged", "bad input", "worker died", "error"
 NOT_STORED = "not stored"  # the result file of a variant: that ends the study
+NOT_COMPUTED = "not computed"  # status of a row whose variant is still to come
 NO_DAMAGE = "no damage"  # a row of a duty cycle that is idle; it is not computed
 RATED = "rated"  # a row of a duty cycle with a life by ratings, whose equilibrium was not found
 ANSWERED = CONVERGED, NO_DAMAGE, RATED

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from flexbearing.studies.file.spectrum import Spectrum
 from flexbearing.studies.plan import Row
-from flexbearing.studies.plan.task import CONVERGED, NO_DAMAGE
+from flexbearing.studies.plan.task import CONVERGED, NO_DAMAGE, NOT_COMPUTED
 from flexbearing.studies.table.bounds import NONE, Conditions
 from flexbearing.studies.table.collected import of_error
 from flexbearing.studies.table.column import Column
@@ -119,10 +119,10 @@ class Cycles:
 
     def messages(self) -> Iterator[str]:
         """What a row without a life counts as, C N of them."""
-        lives = self._lives[""]
-        for left_out, bound in zip(lives.left_out.ravel(), lives.bounds.ravel(), strict=True):
+        lives, to_come = self._lives[""], np.repeat(self._to_come, self.speed.shape[1])
+        for waits, left_out, bound in zip(to_come, lives.left_out.ravel(), lives.bounds.ravel(), strict=True):
             words = f"counted with the life of row {bound + 1} of the cycle" if bound != NONE else ""
-            yield "left out of the life of the cycle" if left_out else words
+            yield "" if waits else "left out of the life of the cycle" if left_out else words
 
     def of_cycles(self) -> Iterator[Column]:
         """Columns of the table of cycles, C long: lives in revolutions and hours, what they lack, ends."""
@@ -156,10 +156,17 @@ class Cycles:
         yield _column("binning_error", "%", cumulated_life_error(self.shares_of_revolutions, lives, errors))
 
     def _life(self, lives: "_Lives") -> NDArray:
-        """Life (C) [rev] of all rows that count; NaN without one, or where others lack one than do of `life`."""
+        """Life (C) [rev] of all rows; NaN where none has one, or more is left out than of `life`."""
         none = lives.left_out.any(axis=1) & np.isinf(lives.counted).all(axis=1)
         others = np.any(lives.left_out & ~self._lives[""].left_out, axis=1)
-        return np.where(none | others, np.nan, cumulated_life(self.shares_of_revolutions, lives.counted))
+        return np.where(
+            none | others | self._to_come, np.nan, cumulated_life(self.shares_of_revolutions, lives.counted)
+        )
+
+    @cached_property
+    def _to_come(self) -> NDArray:
+        """Whether rows of a cycle (C) are still to be computed."""
+        return np.array([any(row.status == NOT_COMPUTED for row in cycle) for cycle in self.rows])
 
     def _shares_of(self, words: str, which: NDArray) -> Iterator[Column]:
         for name, shares in (("time", self.shares_of_time), ("revolution", self.shares_of_revolutions)):
@@ -167,6 +174,8 @@ class Cycles:
 
     def _status(self, cycle: int) -> str:
         lives = self._lives[""]
+        if self._to_come[cycle]:
+            return NOT_COMPUTED
         if np.isnan(self._life(lives)[cycle]):
             return INCOMPLETE
         if lives.left_out[cycle].any():
@@ -174,6 +183,8 @@ class Cycles:
         return BOUNDED if self._bounded[cycle].any() else CONVERGED
 
     def _message(self, cycle: int) -> str:
+        if self._to_come[cycle]:
+            return "rows are not computed yet"
         left_out, bounded = self._lives[""].left_out[cycle], self._bounded[cycle]
         shares = 100 * self.shares_of_time[cycle]
         parts = (("left out", left_out), ("damage bounded", bounded))
@@ -205,9 +216,8 @@ class _Lives:
 def texts(spectrum: Spectrum) -> dict[str, str]:
     """Outputs that are cumulated, by the words of their columns: the bearing, and each raceway."""
     life = {"": f"{spectrum.life} [Mrev]"}
-    return life | {"basic_": BASIC for text in life.values() if text != BASIC} | {
-        f"{race}_": text for race, text in RACEWAYS.items()
-    }
+    basic = {} if BASIC in life.values() else {"basic_": BASIC}
+    return life | basic | {f"{race}_": text for race, text in RACEWAYS.items()}
 
 
 def _column(name: str, unit: str, values: NDArray) -> Column:
@@ -217,4 +227,6 @@ def _column(name: str, unit: str, values: NDArray) -> Column:
 def _listed(rows: NDArray) -> str:
     """Numbers of the first rows of some."""
     numbers = np.flatnonzero(rows) + 1
-    return ", ".join(map(str, numbers[:SHOWN])) + (f" and {len(numbers) - SHOWN} more" * (len(numbers) > SHOWN))
+    return ", ".join(map(str, numbers[:SHOWN])) + (
+        f" and {len(numbers) - SHOWN} more" * (len(numbers) > SHOWN)
+    )
