@@ -142,7 +142,8 @@ def cycles(lives: Table) -> list[str]:
 def _cycle(row: Mapping[str, Any]) -> Iterator[str]:
     """Parts of the line of a duty cycle."""
     error = f" (error {row[LIFE_ERROR]:.2g} %)" if LIFE_ERROR in row else ""
-    yield f"{row['kind']} life {row['life [h]']:.6g} h{error}"
+    without = " without the rows left out" if row["left_out_time_share [%]"] else ""
+    yield f"{row['kind']} life {row['life [h]']:.6g} h{error}{without}"
     if "basic_life [h]" in row:
         yield f"basic L10 life {row['basic_life [h]']:.6g} h"
     raceways = ", ".join(f"{race} {row[f'{race}_life [h]']:.6g} h" for race in duty.RACEWAYS)

@@ -15,17 +15,18 @@ class Conditions:
     loads: NDArray  # (N, L) every load that varies, without its sign
     others: NDArray  # (N) rows with the same number differ in loads alone
 
-    def above(self, row: int, solved: NDArray) -> int:
-        """The row with the next higher load among those that are solved (N); `NONE` where there is none."""
-        more = np.all(self.loads >= self.loads[row], axis=1)
-        found = np.flatnonzero(solved & more & (self.others == self.others[row]))
-        if not found.size:
-            return NONE
-        return int(found[np.argmin(np.linalg.norm(self.loads[found], axis=1))])
-
     def bounds(self, lives: NDArray) -> NDArray:
         """For each row (C, N) without a life the row whose life is its bound; `NONE` for all others."""
-        found, solved = np.full(lives.shape, NONE), np.isfinite(lives)
-        for cycle, row in np.argwhere(np.isnan(lives)):
-            found[cycle, row] = self.above(row, solved[cycle])
+        found = np.full(lives.shape, NONE)
+        for cycle, of_rows in enumerate(lives):
+            lacking, solved = np.flatnonzero(np.isnan(of_rows)), np.flatnonzero(np.isfinite(of_rows))
+            for group in np.unique(self.others[lacking]):
+                alike = solved[self.others[solved] == group]
+                for row in lacking[self.others[lacking] == group]:
+                    found[cycle, row] = self._above(row, alike)
         return found
+
+    def _above(self, row: int, solved: NDArray) -> int:
+        """The row with the next higher load among some rows; `NONE` where there is none."""
+        more = solved[np.all(self.loads[solved] >= self.loads[row], axis=1)]
+        return int(more[np.argmin(np.linalg.norm(self.loads[more], axis=1))]) if more.size else NONE
