@@ -409,6 +409,8 @@ WRONG_SERIES = {
     "is not above that of the row before": ["0,1,1", "2,1,1", "2,1,1"],
     "row 2, time": ["0,1,1", "x,1,1"],
     "row 1, operation.radial_load has": ["0,x,1", "1,1,1"],
+    "row 2, operation.radial_load is empty": ["0,1,1", "1,,1"],
+    "two rows or more": ["0,1,1"],
 }
 
 

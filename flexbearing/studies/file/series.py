@@ -54,26 +54,32 @@ def binned(file: Path, bins: int, find: Callable[[str], Declaration]) -> Binned:
     BadValues
         naming file, row or key
     """
+    seconds, values, units = _read(file, find)
+    each = [_places(of, bins if _exponent(key) else max(1, bins // 3)) for key, of in values.items()]
+    _, bin_of = np.unique(np.array(each), axis=1, return_inverse=True)
+    time = _Sums(bin_of.ravel(), seconds)
+    turned = time.weighted(values[SPEED]) if SPEED in values else time
+    columns, errors = dict[str, Sequence[str]](), np.zeros(len(time.total))
+    for key, numbers in values.items():
+        exponent = _exponent(key)
+        mean = time.mean(numbers) if exponent is None else turned.mean(numbers, exponent)
+        columns[key] = [f"{number!r} {units[key]}" for number in mean.tolist()]
+        errors += 0.0 if exponent is None else turned.error(numbers, mean, exponent)
+    return Binned(columns, time.total, errors, len(seconds))
+
+
+def _read(
+    file: Path, find: Callable[[str], Declaration]
+) -> tuple[NDArray, dict[str, NDArray], dict[str, str]]:
+    """How long each row (N) lasts; its numbers by key, and their SI units."""
     keys, table = rows(file, lambda key: key == TIME or find(key).kind is not None)
     texts = dict(zip(keys, zip(*table, strict=True), strict=True))
     seconds = _seconds(texts.pop(TIME)) if TIME in texts else np.ones(len(table))
+    if not texts:
+        raise BadValues(f"{file.name} has no key of the case, such as operation.radial_load [N]")
     kinds = {key: _kind(key, find(key)) for key in texts}
     values = {key: _numbers(key, column, kinds[key]) for key, column in texts.items()}
-    if not values:
-        raise BadValues(f"{file.name} has no key of the case, such as operation.radial_load [N]")
-    each = np.array(
-        [_places(numbers, bins if _exponent(key) else max(1, bins // 3)) for key, numbers in values.items()]
-    )
-    _, bin_of = np.unique(each, axis=1, return_inverse=True)
-    sums = _Sums(bin_of.ravel(), seconds)
-    turned = sums.weighted(values[SPEED]) if SPEED in values else sums
-    columns, errors = dict[str, Sequence[str]](), np.zeros(len(sums.total))
-    for key, numbers in values.items():
-        exponent = _exponent(key)
-        of = sums.mean(numbers) if exponent is None else turned.mean(numbers, exponent)
-        columns[key] = [f"{number!r} {kinds[key].unit}" for number in of.tolist()]
-        errors += 0.0 if exponent is None else turned.error(numbers, of, exponent)
-    return Binned(columns, sums.total, errors, len(table))
+    return seconds, values, {key: kind.unit for key, kind in kinds.items()}
 
 
 def _exponent(key: str) -> float | None:
@@ -129,8 +135,10 @@ def _seconds(begins: Sequence[Any]) -> NDArray:
     """How long each row lasts; the last one as long as the one before."""
     times = np.array([_time(text, row) for row, text in enumerate(begins, 1)])
     lasting = np.diff(times)
-    if len(times) == 1 or not np.all(lasting > 0):
-        row = int(np.argmin(lasting > 0)) + 2 if len(times) > 1 else 1
+    if len(times) == 1:
+        raise BadValues("a time series with a column time has two rows or more; time is when a row begins")
+    if not np.all(lasting > 0):
+        row = int(np.argmin(lasting > 0)) + 2
         raise BadValues(f"time of row {row} is not above that of the row before; it is when a row begins")
     return np.append(lasting, lasting[-1])
 
@@ -156,6 +164,9 @@ def _numbers(key: str, column: Sequence[Any], kind: Kind) -> NDArray:
     """Numbers of a key in SI units."""
     found = np.empty(len(column))
     for row, text in enumerate(column):
+        if not isinstance(text, str):
+            what = "is empty" if text is None else f"is {text}, without a unit, which the header may have"
+            raise BadValues(f"row {row + 1}, {key} {what}")
         try:
             found[row] = in_si_units(text, kind)
         except BadValues as problem:
