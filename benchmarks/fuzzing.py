@@ -34,7 +34,14 @@ LARGE = {
 ANNOUNCED = re.compile(rf"(?:about|of) (\d+) ({'|'.join(LARGE)})")
 # Words that announce how long is worked whose size no number tells.
 ANNOUNCED_TIME = "variants are checked first, about", "curves of folds through them are followed, up to"
-WARNINGS = ("Warning:", "Traceback", "internal error", "MUMPS", "Segmentation")
+WARNINGS = (
+    "Warning:",
+    "Traceback",
+    "internal error",
+    "MUMPS",
+    "Fatal Python error",
+)  # of this process: one that
+# meshes and crashes is reported in words, with its signal
 LEFTOVER = re.compile(r"\.(part|tmp|lock)$")
 MODULES = ("h5py", "matplotlib.pyplot", "netCDF4", "ngsolve", "pandas", "pyarrow.parquet", "scipy.optimize",
            "xarray")  # fmt: skip

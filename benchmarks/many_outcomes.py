@@ -20,7 +20,7 @@ from flexbearing.case.roller import Case
 from flexbearing.outputs import outputs, wanted
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.runs import notes
+from flexbearing.runs import roller_findings
 from flexbearing.runs.answer import Answer
 from flexbearing.runs.rows import answers
 from flexbearing.runs.side_by_side import Solved, solved_side_by_side
@@ -77,7 +77,7 @@ def measured_once(cases: list[Case]) -> dict[str, float]:
     for group, names in GROUPS.items():
         fresh = [replace(rows, states=rows.states.take(np.arange(len(rows)))) for rows in tables]
         row[group] = spent(lambda fresh=fresh, names=names: computed(fresh, names))[1] / len(cases) / alone
-    row["dangers"] = spent(lambda: [notes.dangers_of(rows) for rows in tables])[1] / len(cases) / alone
+    row["dangers"] = spent(lambda: [roller_findings.dangers(rows) for rows in tables])[1] / len(cases) / alone
     few = spent(lambda: answers(cases, FEW, refused))[1]
     return row | {"a table of loads, slip, life and stiffness, in all": few / len(cases) / alone}
 

@@ -41,18 +41,7 @@ def main() -> None:
 
 
 def command(words: list[str]) -> int:
-    """Do what a command line says; no traceback reaches a user who does not ask for it by --debug.
-
-    Parameters
-    ----------
-    words : list of str
-        command, arguments and options
-
-    Returns
-    -------
-    int
-        exit code: 0 converged, 1 not converged, 2 bad input, 3 anything else; an interruption goes through
-    """
+    """Do what a command line says; no traceback reaches a user who does not require it by --debug."""
     from os import environ
 
     environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # a search through every installed package
@@ -130,7 +119,7 @@ def _interrupted(interruption: signals.Interrupted, problem: BaseException, word
     if not notes and _name(words) in SAVING:
         notes = ["nothing was kept"]
     if sys.stderr.isatty():
-        sys.stderr.write("\n")  # what was typed, ^C, stands on a line of its own
+        sys.stderr.write("\n")  # what was typed, ^C, is on a line of its own
     sys.stderr.write(": ".join(["interrupted", *filter(None, ["; ".join(notes)])]) + "\n")
     return SIGNALLED + interruption.number
 

@@ -91,7 +91,7 @@ def run(
     output : path, optional
         result file; without one nothing is written
     report : Report, optional
-        hears of stages and iterations; default is the log
+        is called with stages and iterations; default is the log
     start : path or Result, optional
         of a neighbouring case, at whose flexible end state newton begins; by default between rigid raceways
 
@@ -188,7 +188,7 @@ def sensitivities(
     by : sequence of str
         keys; by default all continuous ones that the case states
     report : Report, optional
-        hears of what is computed; the log, unless given
+        is called with what is computed; the log, unless given
 
     Returns
     -------
@@ -218,7 +218,7 @@ def drawings(case: Any, *, values: bool = True) -> "list[Drawing]":
     case : flexbearing.case.Head
         as `read_case` returns it
     values : bool
-        whether values stand beside the keys
+        whether values are beside the keys
 
     Returns
     -------

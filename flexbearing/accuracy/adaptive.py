@@ -1,4 +1,4 @@
-"""The levels at which a roller case keeps the accuracy asked for."""
+"""The levels at which a roller case keeps the accuracy requested."""
 
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -21,7 +21,7 @@ from quasidynamic.note import Note, danger, information
 
 @dataclass(frozen=True)
 class AdaptiveResolution:
-    """A case at the levels that its target asks for."""
+    """A case at the levels that its target requires."""
 
     selection: Selection
     trial: Trial  # at these levels
@@ -57,17 +57,6 @@ class AdaptiveResolution:
 
 def adaptive_resolution(case: Case, report: Report) -> AdaptiveResolution:
     """Choose the levels of a case that has a target.
-
-    Parameters
-    ----------
-    case : Case
-        roller bearing
-    report : Report
-        hears of the parts that are condensed
-
-    Returns
-    -------
-    AdaptiveResolution
 
     Raises
     ------

@@ -13,7 +13,7 @@ ERRORS = ("{} of the largest load for the load of any roller", "{} for the life"
 
 
 def require_resolved(selection: Selection) -> None:
-    """Refuse levels at which a part is rigid only since its own levels have no answer.
+    """Refuse levels at which a part is rigid only since its own levels have no result.
 
     Raises
     ------
@@ -35,18 +35,7 @@ def largest(selections: Sequence[Selection]) -> dict[str, float]:
 
 
 def attributes(selections: Sequence[Selection]) -> dict[str, Any]:
-    """Root attributes of a result: choices of the case with the largest errors, and the largest errors.
-
-    Parameters
-    ----------
-    selections : sequence of Selection
-        one, or those of several cases at the same levels
-
-    Returns
-    -------
-    dict
-        `choices` and `error_estimate`, as JSON can hold them
-    """
+    """Root attributes of a result: choices of the case with the largest errors, and the largest errors."""
     errors = largest(selections)
     return {
         "choices": {verdict.choice.name: _record(verdict) for verdict in _worst(selections).verdicts},

@@ -1,7 +1,7 @@
 r"""Ladders of levels, one for each choice, climbed until what a level leaves out is allowed.
 
 Where each level leaves at most the part r of the error of the one before, the change between two
-levels in turn bounds the errors of both,
+levels one after the other bounds the errors of both,
 
 .. math:: e_k \le \frac{r}{1 - r}\,|y_k - y_{k-1}|, \quad e_k \le \frac{1}{1 - r}\,|y_k - y_{k+1}|
 
@@ -21,7 +21,7 @@ Changes = Mapping[str, float]  # by output
 
 
 class Unusable(RuntimeError):
-    """A level without an answer; the message says why."""
+    """A level without a result; the message says why."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -55,7 +55,7 @@ class Verdict:
     changes: Changes  # by output [-]
     allowed: float  # [-]
     judged: tuple[str, ...]  # outputs that the target is of
-    unusable: Mapping[str, str] = field(default_factory=dict)  # levels without an answer, and why
+    unusable: Mapping[str, str] = field(default_factory=dict)  # levels without a result, and why
 
     @property
     def factor(self) -> float:
@@ -111,7 +111,7 @@ class _Climb(Generic[T]):
     unusable: dict[tuple[int, int], str] = field(default_factory=dict)  # (choice, level) to why
 
     def verdict(self, k: int) -> Verdict:
-        """Compare the level of a choice with the best of the others that has an answer."""
+        """Compare the level of a choice with the best of the others that has a result."""
         choice, level = self.choices[k], self.place[k]
         base = self.evaluate(tuple(self.place))
         allowed = self.target * choice.weight / sum(other.weight for other in self.choices)
@@ -126,7 +126,7 @@ class _Climb(Generic[T]):
         return Verdict(choice, level, tuple(others), largest, allowed, self.judged, unusable)
 
     def _answers(self, k: int, levels: Iterable[int]) -> Iterator[tuple[int, T]]:
-        """Levels of a choice that have an answer, with it."""
+        """Levels of a choice that have a result, with it."""
         for level in levels:
             answer = self._answer(k, level)
             if answer is not None:
@@ -175,29 +175,10 @@ def climb(
 ) -> Selection:
     """Take the poorest levels whose estimated errors keep their parts of the target.
 
-    Parameters
-    ----------
-    choices : sequence of Choice
-        the cheapest first; those before are settled when the next is looked at
-    evaluate : callable (place)
-        the answer with a level of each choice; raises `Unusable` where there is none. It is asked for the
-        same place again and again, and should remember.
-    changes : callable (answer, answer)
-        how much two answers differ, by output [-]
-    target : float
-        allowed sum of the estimated errors of each judged output [-]
-    judged : tuple of str
-        outputs that the target is of; the errors of all others are estimated too
-
-    Returns
-    -------
-    Selection
-        also where the richest levels do not keep the target: `met` says so
-
     Raises
     ------
     Unusable
-        if the poorest levels together have no answer
+        if the poorest levels together have no result
 
     Valid
     -----
@@ -222,24 +203,10 @@ def climb_together(
 
     Each problem climbs from where the one before it ended, until none of them moves any more.
 
-    Parameters
-    ----------
-    choices : sequence of Choice
-        the cheapest first
-    evaluates : sequence of callable (place)
-        as `evaluate` of `climb`, one for each problem
-    changes, target, judged
-        as for `climb`
-
-    Returns
-    -------
-    tuple of Selection
-        one for each problem, all at the same levels, with its own changes there
-
     Raises
     ------
     Unusable
-        if a problem has no answer at the poorest levels, or at those where it begins
+        if a problem has no result at the poorest levels, or at those where it begins
     """
     start, place, selections = None, tuple(choice.start for choice in choices), []
     while place != start:

@@ -1,4 +1,4 @@
-"""What a roller case leaves open to the accuracy asked for: one ladder of levels for each choice.
+"""What a roller case leaves open to the accuracy requested: one ladder of levels for each choice.
 
 `accuracy.target` climbs these ladders until the estimated error is small enough; `flexbearing pareto` runs a
 case on their levels.
@@ -189,23 +189,7 @@ def _settings(mesh: MeshLevel, harmonics: float, case: Case, part: "Part") -> Se
 def case_at(
     case: Case, ladders: tuple[Ladder, ...], place: tuple[int, ...], race: Race | None
 ) -> Case | None:
-    """The case as it is resolved at a level of each choice; None where a part is left rigid.
-
-    Parameters
-    ----------
-    case : Case
-        as it was read
-    ladders : tuple of Ladder
-        its choices
-    place : tuple of int
-        a level of each
-    race : "inner", "outer" or None
-        for this part, or for the bearing itself
-
-    Returns
-    -------
-    Case or None
-    """
+    """The case as it is resolved at a level of each choice; None where a part is left rigid."""
     update: dict[str, Any] = {}
     for ladder, level in zip(ladders, place, strict=True):
         if ladder.race not in (None, race):

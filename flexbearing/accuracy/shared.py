@@ -66,20 +66,7 @@ Levels = SharedLevels | UsualLevels
 
 
 def shared_levels(cases: Sequence[Case], report: Report) -> Levels:
-    """Choose the levels of cases between the same parts.
-
-    Parameters
-    ----------
-    cases : sequence of Case
-        some of them, with the same target and the same `flexbearing.accuracy.levels.ladders`
-    report : Report
-        hears of the parts that are condensed
-
-    Returns
-    -------
-    SharedLevels or UsualLevels
-        the finest levels that one of these cases asks for; the usual ones where one has no answer
-    """
+    """Choose the levels of cases between the same parts."""
     target, choices = cases[0].accuracy.target, ladders(cases[0])
     assert target is not None
     trials = [Trials(case, choices, report) for case in cases]

@@ -64,20 +64,7 @@ class Trial:
 
 
 def changes(trial: Trial, other: Trial) -> dict[str, float]:
-    """How much two trials differ.
-
-    Parameters
-    ----------
-    trial, other : Trial
-        of one case; shares are those of the first
-
-    Returns
-    -------
-    dict
-        `roller_load`, the largest change of a load of any roller over the largest load; `life`, `stiffness`
-        and `total_stiffness`, changes over the value; `cage_slip`, the change itself. What is not finite
-        in a trial, such as the life of a bearing without load, is left out.
-    """
+    """How much two trials differ."""
     shares = {
         "roller_load": np.abs(other.loads - trial.loads).max() / trial.loads.max(),
         CAGE_SLIP.name: abs(other.state.cage_slip - trial.state.cage_slip),
@@ -99,15 +86,6 @@ class Trials:
 
     def __call__(self, place: Place) -> Trial:
         """End state at a level of each choice.
-
-        Parameters
-        ----------
-        place : tuple of int
-            levels
-
-        Returns
-        -------
-        Trial
 
         Raises
         ------

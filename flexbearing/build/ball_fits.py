@@ -30,7 +30,7 @@ def from_fits(case: MountedCase) -> OperatingClearance:
         own.pitch_diameter + side * (own.ball.diameter + case.stated_clearance * share / own.centre_distance)
         for side, share in zip((-1, 1), shares, strict=True)
     )
-    ring = _annulus(materials.outer_ring or materials.ball, outer, fits.outer_diameter)
+    ring = _annulus(materials.ring("outer"), outer, fits.outer_diameter)
     around: PressFit | Annulus = ring
     if fits.housing and materials.housing and case.housing_interference is not None:
         housing = _annulus(materials.housing, fits.outer_diameter, fits.housing.diameter)
@@ -39,7 +39,7 @@ def from_fits(case: MountedCase) -> OperatingClearance:
         cold_clearance=case.stated_clearance,
         shaft_fit=PressFit(
             inside=_annulus(materials.shaft, fits.shaft_bore or 0.0, fits.bore),
-            outside=_annulus(materials.inner_ring or materials.ball, fits.bore, inner),
+            outside=_annulus(materials.ring("inner"), fits.bore, inner),
             interference=case.shaft_interference,
         ),
         outer=around,

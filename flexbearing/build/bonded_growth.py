@@ -26,17 +26,6 @@ def bonded_shape(case: Case, note: Callable[[str], None] = lambda text: None) ->
     Beside a stated clearance ring and shaft are one piece from the start; where fits are given, they are
     pressed without friction and then bonded, as the operating clearance has it.
 
-    Parameters
-    ----------
-    case : Case
-        with a bonded inner ring on its shaft
-    note : callable (text)
-        told where it comes from
-
-    Returns
-    -------
-    array (M,) or None
-
     Raises
     ------
     BadCase

@@ -68,7 +68,7 @@ def _mounting(case: Case) -> Mounting:
 
 def _housing_diameter(case: Case, bore: float) -> float:
     """Outside diameter of a housing [m]."""
-    housing: Any = case.bearing.fits and case.bearing.fits.housing  # asked for only where there is one
+    housing: Any = case.bearing.fits and case.bearing.fits.housing  # requested only where there is one
     if case.outer.kind == "rigid":
         return housing.diameter
     return bore + 2 * (case.outer.housing_thickness or 0.0)

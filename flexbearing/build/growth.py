@@ -174,20 +174,7 @@ def fit_resolution(case: Case, part: "FittedRing | HousedRing") -> fem.Resolutio
 
 
 def expansions_along(case: Case, **bodies: str) -> "dict[str, Along]":
-    """Free expansions along the axis beyond those of the middle, where temperatures vary.
-
-    Parameters
-    ----------
-    case : Case
-        with the temperatures
-    bodies : str
-        name of each body in the structure, one of them "ring", and in the case
-
-    Returns
-    -------
-    dict
-        by the name of the body in the structure, only of those that vary
-    """
+    """Free expansions along the axis beyond those of the middle, where temperatures vary."""
     from fem.section.expansion import Along
 
     temperatures, expansions = case.operation.temperatures, {}

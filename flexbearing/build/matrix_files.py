@@ -45,17 +45,6 @@ def _named(read: Callable[[Path], Content]) -> Callable[[Path], Content]:
 def stiffness(path: Path) -> Stiffness:
     """Read a stiffness matrix; the ending of its name says of which program it is.
 
-    Parameters
-    ----------
-    path : Path
-        ``.sti`` of CalculiX, with its ``.dof`` in the same folder; ``.mtx`` of Abaqus, matrix text;
-        ``.bdf``, ``.dat``, ``.pch`` or ``.dmig`` of Nastran, DMIG
-
-    Returns
-    -------
-    Stiffness
-        in the units of the file
-
     Raises
     ------
     ImpossiblePart
@@ -72,16 +61,6 @@ def stiffness(path: Path) -> Stiffness:
 @_named
 def places(path: Path) -> tuple[NDArray, NDArray]:
     """Read the nodes of a mesh.
-
-    Parameters
-    ----------
-    path : Path
-        input file with ``*NODE`` (CalculiX, Abaqus) or ``GRID`` (Nastran) in the basic system, CP and CD 0
-
-    Returns
-    -------
-    tuple
-        numbers (n,), rising, and x, y, z (n, 3) in the units of the file
 
     Raises
     ------

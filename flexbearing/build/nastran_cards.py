@@ -11,18 +11,6 @@ MOST_FIELDS = 2**22  # of a card; a million numbers in a column of a matrix
 def cards(lines: Iterable[str], wanted: str) -> Iterator[list[str]]:
     """Fields of every card of a name, without the name.
 
-    Parameters
-    ----------
-    lines : iterable of str
-        of a file
-    wanted : str
-        name in capitals, such as "GRID"
-
-    Yields
-    ------
-    list of str
-        four or eight of every line, "" where nothing stands
-
     Raises
     ------
     Unreadable

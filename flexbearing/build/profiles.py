@@ -45,19 +45,6 @@ def of_raceway(case: Case, race: Race) -> qd.Profile:
 def drawn(case: Case, number: int = 121) -> dict[str, tuple[NDArray, NDArray]]:
     """Profiles that are not straight, from end to end of a cold roller.
 
-    Parameters
-    ----------
-    case : Case
-        of a cylindrical roller bearing
-    number : int
-        of places along the length, closer towards the ends; odd: one at mid-roller
-
-    Returns
-    -------
-    dict
-        table, such as "bearing.roller", to places (number) from mid-roller and drops (number) there [m];
-        drops without bound are infinite
-
     Raises
     ------
     BadCase

@@ -16,26 +16,17 @@ from flexbearing.case.roller import Case
 from quasidynamic.note import Note, information, outside
 
 ON_SEAT = 2e-3  # of the outer radius: how far nodes of the seat may stand from it, on straight elements
-OVER = 1 + 1e-3  # of half the width: how far they may stand beside the ring
+OVER = 1 + 1e-3  # of half the width: how far they may be beside the ring
 HARDLY = 1e-6  # of its entries: what holds a body less may be their rounding
 
 
 def reduced_body(case: Case) -> fem.ReducedBody:
     """Body of `outer.kind = "matrix"`, condensed to the nodes on the outer surface of the ring.
 
-    Parameters
-    ----------
-    case : Case
-        with `outer.matrix` and `outer.nodes`
-
-    Returns
-    -------
-    fem.ReducedBody
-
     Raises
     ------
     ImpossiblePart
-        where a file cannot be read, or no nodes stand on that surface, or the matrix does not hold them
+        where a file cannot be read, or no nodes are on that surface, or the matrix does not hold them
     """
     frame = _frame(case)
     nodes, places = _seat(case, frame)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 Race = Literal["inner", "outer"]
 
-RACEWAY_GRID = 1e-4  # of the outer raceway: inner ones nearer to each other are one to the finite elements
+RACEWAY_GRID = 1e-4  # of the outer raceway: inner ones closer to each other are one to the finite elements
 PARALLEL = 1e-9  # [rad] between directions that are taken as one
 NAMES: dict[Race, str] = {"inner": "inner ring and shaft", "outer": "outer ring"}
 

@@ -28,17 +28,6 @@ def seat_strain(case: Case) -> float:
 def seat_growth(case: Case, note: Callable[[str], None] = lambda text: None) -> "RacewayGrowth | None":
     """Growth of the outer raceway per `seat_strain`; None where the seat is as warm as the ring.
 
-    Parameters
-    ----------
-    case : Case
-        with a ring on its clamped face or seat, or a squirrel cage
-    note : callable (text)
-        told where it comes from
-
-    Returns
-    -------
-    RacewayGrowth or None
-
     Raises
     ------
     BadCase

@@ -9,16 +9,6 @@ from quasidynamic.parts.oil_properties import kinematic_viscosity_at
 def kinematic_viscosity(lubricant: Oil) -> tuple[float, tuple[Note, ...]]:
     """Viscosity of an oil at its inlet temperature.
 
-    Parameters
-    ----------
-    lubricant : Oil
-        of a case
-
-    Returns
-    -------
-    tuple
-        nu [m2/s], and what a user must know of it
-
     Raises
     ------
     OutOfRange

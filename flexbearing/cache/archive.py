@@ -32,19 +32,6 @@ class Damaged(ValueError):
 def packed(entry: str, name: str, value: Any) -> bytes:
     """Bytes from which `unpacked` makes the value again.
 
-    Parameters
-    ----------
-    entry : str
-        name of the entry that the bytes are for
-    name : str
-        of the class of the value, in `forms.RECORDS`
-    value : object
-        of that class
-
-    Returns
-    -------
-    bytes
-
     Raises
     ------
     WrongForm
@@ -64,19 +51,6 @@ def packed(entry: str, name: str, value: Any) -> bytes:
 
 def unpacked(entry: str, name: str, data: bytes) -> Any:
     """The value that `packed` was given; its arrays cannot be written to.
-
-    Parameters
-    ----------
-    entry : str
-        name of the entry that the bytes are from
-    name : str
-        of the class that is expected
-    data : bytes
-        from `packed`
-
-    Returns
-    -------
-    object
 
     Raises
     ------

@@ -260,13 +260,6 @@ RECORDS = {
 def require_form(name: str, value: Any) -> None:
     """Raise unless an object is of a class of the table, and each of its fields of its form.
 
-    Parameters
-    ----------
-    name : str
-        of the class
-    value : object
-        what is to be kept, or was made from a file
-
     Raises
     ------
     WrongForm
@@ -280,13 +273,6 @@ def require_form(name: str, value: Any) -> None:
 
 def require_fields(name: str, values: Mapping[str, Any]) -> None:
     """Raise unless the fields of a class are there and of their forms.
-
-    Parameters
-    ----------
-    name : str
-        of the class
-    values : mapping
-        by the names of the fields
 
     Raises
     ------

@@ -19,17 +19,6 @@ LAYOUT = 2  # of the file of an entry; those of another one are never looked for
 def digest(parts: Any) -> str:
     """Name of what is computed from some data by the present code.
 
-    Parameters
-    ----------
-    parts : object
-        dataclasses, arrays, numbers, strings, bytes and sequences or mappings of them; fields that a
-        dataclass does not compare (times, labels) do not enter
-
-    Returns
-    -------
-    str
-        64 hexadecimal characters
-
     Raises
     ------
     TypeError

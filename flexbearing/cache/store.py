@@ -65,26 +65,7 @@ class Cache:
         note: Note,
         fits: Callable[[Value], bool] = lambda kept: True,
     ) -> Value:
-        """What was computed from the same data before, or what is computed now.
-
-        Parameters
-        ----------
-        kind : str
-            class that `compute` makes, of `flexbearing.cache.forms.RECORDS`
-        parts : object
-            all data that enter, see `flexbearing.cache.key.digest`; the code enters by itself
-        compute : callable ()
-            makes an object of that class
-        note : callable (text)
-            told in a line where the value comes from, if not computed, and what was wrong with the folder
-        fits : callable (value)
-            whether what was kept belongs to the parts, as far as it says so itself
-
-        Returns
-        -------
-        object
-            of `compute`; arrays that were kept cannot be written to
-        """
+        """What was computed from the same data before, or what is computed now."""
         if self.folder is None:
             return compute()
         path = self.folder / f"{digest(parts)}{SUFFIX}"
@@ -155,7 +136,7 @@ class Cache:
             return
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
-            write(path, data, lasting=False)  # the digest tells what the disk did not keep
+            write(path, data, lasting=False)  # the digest says what the disk did not keep
         except (OSError, NotStored) as problem:
             words = f"the cache {path.parent} cannot be written: {_reason(problem)}"
             note(words)
@@ -183,13 +164,7 @@ class Cache:
 
 @contextmanager
 def complaints() -> Iterator[list[str]]:
-    """Collect why rings cannot be kept, while the block goes on; in any thread, as batches have some.
-
-    Yields
-    ------
-    list of str
-        a line for each ring that was not kept, the same one for the same reason
-    """
+    """Collect why rings cannot be kept, while the block goes on; in any thread, as batches have some."""
     words: list[str] = []
     _listening.append(words)
     try:
@@ -199,20 +174,7 @@ def complaints() -> Iterator[list[str]]:
 
 
 def configured(folder: str | None = None, limit: int = LIMIT) -> Cache:
-    """The cache that a user wants.
-
-    Parameters
-    ----------
-    folder : str or None
-        "off" or a folder; None leaves it to the environment variable `FLEXBEARING_CACHE`, and without
-        that to the system's folder for such files
-    limit : int
-        bytes
-
-    Returns
-    -------
-    Cache
-    """
+    """The cache that a user wants."""
     choice = folder or os.environ.get(VARIABLE)
     if choice == OFF:
         return Cache(None, limit)
@@ -227,17 +189,7 @@ def configured(folder: str | None = None, limit: int = LIMIT) -> Cache:
 
 
 def listing(cache: Cache) -> str:
-    """The content of a cache as text, a line for each ring and one for all.
-
-    Parameters
-    ----------
-    cache : Cache
-        whatever it holds
-
-    Returns
-    -------
-    str
-    """
+    """The content of a cache as text, a line for each ring and one for all."""
     if cache.folder is None:
         return f"the cache is off ({VARIABLE})\n"
     entries = cache.entries()

@@ -1,6 +1,6 @@
 """What is to be computed: a case file, read once into SI units.
 
-The models of a case stand here, one folder for each kind of rolling element; nothing is computed.
+The models of a case are here, one folder for each kind of rolling element; nothing is computed.
 """
 
 from flexbearing.case.head import Head

@@ -10,20 +10,7 @@ Raw = Mapping[str, Any]
 
 
 def foreign(raw: Raw, model: type[Section]) -> dict[str, str]:
-    """Keys of a raw case that belong to another choice than the one made.
-
-    Parameters
-    ----------
-    raw : mapping
-        tables and values as the file writes them
-    model : type
-        the case model
-
-    Returns
-    -------
-    dict
-        dotted key or table to what it belongs to and what the case says instead
-    """
+    """Keys of a raw case that belong to another choice than the one made."""
     foreign_keys: dict[str, str] = {}
     for item in by_path(model).values():
         if not item.only or any(item.path.startswith(f"{table}.") for table in foreign_keys):
@@ -64,7 +51,7 @@ def _broken(choices: Mapping[str, tuple], item: Declaration, raw: Raw, model: ty
                 return f"no {key}"
             continue
         value = declaration.field.get_default() if value is None else value
-        # a value that is no choice at all is told elsewhere
+        # a value that is no choice at all is reported elsewhere
         if value not in values and value in (declaration.choices or (True, False)):
             return f"{key} = {toml(value)}"
     return ""

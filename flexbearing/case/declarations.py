@@ -94,7 +94,7 @@ class Declaration:
 
     @property
     def brief(self) -> str:
-        """What may stand there, where many keys are told in one line."""
+        """What may stand there, where many keys are reported in one line."""
         return f"such as {self.example}" if self.kind and not self.choices else self.allowed
 
     @property

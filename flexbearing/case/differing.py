@@ -5,18 +5,7 @@ from typing import Any
 
 
 def differing(one: Mapping[str, Any], other: Mapping[str, Any]) -> dict[str, tuple[Any, Any]]:
-    """Compare two cases key by key.
-
-    Parameters
-    ----------
-    one, other : mapping
-        whole cases in SI units, as results hold them in `case_si`
-
-    Returns
-    -------
-    dict
-        dotted key to the values of both, None where a case does not have the key; without those that agree
-    """
+    """Compare two cases key by key."""
     first, second = (dict(_keys(case)) for case in (one, other))
     both = {key: (first.get(key), second.get(key)) for key in {**first, **second}}
     return {key: (a, b) for key, (a, b) in both.items() if a != b}

@@ -16,18 +16,6 @@ from flexbearing.case.quantity import Section
 def explain(path: str | None, families: Families) -> str:
     """Explain a key, a table, or the whole case file.
 
-    Parameters
-    ----------
-    path : str or None
-        dotted key; None lists every key
-    families : mapping
-        kind to family
-
-    Returns
-    -------
-    str
-        lines of text
-
     Raises
     ------
     BadCase
@@ -49,18 +37,6 @@ def explain(path: str | None, families: Families) -> str:
 
 def explain_file(path: str | None, model: type[Section]) -> str:
     """Explain a key, a table, or all keys of another file than a case.
-
-    Parameters
-    ----------
-    path : str or None
-        dotted key; None lists every key
-    model : type
-        schema of the file
-
-    Returns
-    -------
-    str
-        lines of text
 
     Raises
     ------

@@ -10,7 +10,7 @@ from flexbearing.case.head import Head
 
 @dataclass(frozen=True)
 class Entry:
-    """An object that is imported when it is asked for, by calling this."""
+    """An object that is imported when it is requested, by calling this."""
 
     place: str  # module and name, "flexbearing.case.roller:Case"
 

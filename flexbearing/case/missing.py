@@ -10,7 +10,7 @@ from flexbearing.case.declarations import Declaration, find
 from flexbearing.case.quantity import Section
 from flexbearing.case.text import setting_value
 
-LAYERS = 12  # of keys that ask for others; the schema has about four
+LAYERS = 12  # of keys that require others; the schema has about four
 LACKING = ("missing", "needed")  # types of errors
 
 Details = dict[tuple[str, str, str], Any]
@@ -26,24 +26,10 @@ def details(error: ValidationError) -> Details:
 
 
 def of_every_layer(error: ValidationError, raw: Mapping[str, Any], model: type[Section]) -> Details:
-    """What is wrong with a case, and what it lacks besides once that is mended.
+    """What is wrong with a case, and what it lacks besides once that is repaired.
 
     Conditions between keys are looked at when the keys of their table are there. Keys that lack are therefore
-    filled with examples, choices with the one that asks for least, until nothing new lacks.
-
-    Parameters
-    ----------
-    error : ValidationError
-        of the case
-    raw : mapping
-        its tables
-    model : type
-        its schema
-
-    Returns
-    -------
-    dict
-        as `details`
+    filled with examples, choices with the one that requires least, until nothing new lacks.
     """
     found, filled = details(error), deepcopy(dict(raw))
     new = found
@@ -73,7 +59,7 @@ def _mend(raw: dict[str, Any], problems: Details, model: type[Section]) -> None:
         elif kind in LACKING and declaration.choices:
             _put(raw, path, declaration.choices[0])
             choices.append(declaration)
-        elif kind != "impossible":  # a contradiction is told, and hides nothing that lacks
+        elif kind != "impossible":  # a contradiction is reported, and hides nothing that lacks
             _put(raw, path, setting_value(declaration.example))
     for declaration in choices:
         _put_least(raw, declaration, model)

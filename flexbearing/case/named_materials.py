@@ -65,20 +65,7 @@ MATERIALS = {
 
 
 def values(name: str, keys: Iterable[str]) -> dict[str, object]:
-    """Values of a material for some keys of its table, in the words of a case file.
-
-    Parameters
-    ----------
-    name : str
-        one of `MATERIALS`
-    keys : iterable of str
-        of the table that is to be filled
-
-    Returns
-    -------
-    dict
-        those that the material has
-    """
+    """Values of a material for some keys of its table, in the words of a case file."""
     material = MATERIALS[name]
     return {key: value for key in keys if (value := getattr(material, key, None)) is not None}
 

@@ -13,7 +13,7 @@ from flexbearing.case.missing import LACKING, of_every_layer
 from flexbearing.case.quantity import Section
 from flexbearing.printable import printable
 
-MOST = 20  # problems that are told
+MOST = 20  # problems that are reported
 MOST_PLACES = 3  # of one name
 Problem = TypeVar("Problem")
 
@@ -26,22 +26,7 @@ class BadCase(ValueError):
 
 
 def listed(problems: Collection[Problem], file: str, line: Callable[[Problem], str]) -> str:
-    """One line for each of the first problems, and how many more there are.
-
-    Parameters
-    ----------
-    problems : collection
-        at least one
-    file : str
-        that they are in
-    line : callable
-        what to say of a problem
-
-    Returns
-    -------
-    str
-        lines that begin with the file
-    """
+    """One line for each of the first problems, and how many more there are."""
     lines = [f"{file}: {line(problem)}" for problem in islice(problems, MOST)]
     if (left := len(problems) - len(lines)) > 0:
         lines.append(f"{file}: {left} more of them.")
@@ -53,7 +38,7 @@ def messages(
 ) -> str:
     """One line per problem: file, key, value found, what is allowed, nearest valid name.
 
-    Keys that lack are told at once, those of a table that lacks in the line of the table.
+    Keys that lack are reported at once, those of a table that lacks in the line of the table.
     """
     found = of_every_layer(error, raw, model)
     lacking = {path: detail for (path, kind, _), detail in found.items() if kind in LACKING}

@@ -165,7 +165,7 @@ class Section(BaseModel):
 
     former: ClassVar[Mapping[str, str]] = {}  # keys of older versions to what has taken their place
     hints: ClassVar[Mapping[str, str]] = {}  # keys that people look for to a sentence
-    by_name: ClassVar[tuple[str, ...]] = ()  # texts that may stand in place of the table
+    by_name: ClassVar[tuple[str, ...]] = ()  # texts that may be in place of the table
 
 
 GIVEN = ("given",)  # stands for any value of a key that another one needs
@@ -179,27 +179,7 @@ def key(
     only: Mapping[str, tuple] | Sequence[Mapping[str, tuple]] = (),
     **limits: Any,
 ) -> Any:
-    """Declare a key.
-
-    Parameters
-    ----------
-    meaning : str
-        what the key says
-    default : any
-        in the words of a case file; without it the key is required
-    example : any
-        a value in the words of a case file
-    only : mapping or sequence of mappings
-        choices the key belongs to, all of a mapping, any of a sequence: key to allowed values or `GIVEN`;
-        a name with a dot counts from the top of the case. With other choices the key is refused
-    **limits
-        `gt`, `ge`, `lt`, `le` in SI and other arguments of a pydantic field
-
-    Returns
-    -------
-    FieldInfo
-        of pydantic
-    """
+    """Declare a key."""
     choices: list[Any] = [only] if isinstance(only, Mapping) else list(only)
     return Field(
         default,
@@ -221,12 +201,12 @@ def impossible(name: str, allowed: str) -> PydanticCustomError:
 
 
 def needed(names: list[str], choice: str) -> PydanticCustomError:
-    """Return the error for keys that a choice asks for and that are not given."""
+    """Return the error for keys that a choice requires and that are not given."""
     return PydanticCustomError("needed", "{choice}", {"names": names, "choice": choice})
 
 
 def require(section: Section, names: tuple[str, ...], choice: str) -> list[Any]:
-    """Return the values of keys that a choice asks for; raises when some are not given."""
+    """Return the values of keys that a choice requires; raises when some are not given."""
     if missing := [name for name in names if getattr(section, name) is None]:
         raise needed(missing, choice)
     return [getattr(section, name) for name in names]

@@ -25,20 +25,6 @@ MOST_SETTINGS = 500  # about three times the keys of a case
 def read(path: str | Path, overrides: Overrides, families: Families) -> Head:
     """Read a case file.
 
-    Parameters
-    ----------
-    path : path
-        TOML file
-    overrides : sequence of str or mapping
-        settings that replace or add keys: "bearing.clearance=50 um", or {"bearing.clearance": "50 um"}
-    families : mapping
-        kind to family, the first that of a file which names none
-
-    Returns
-    -------
-    Head
-        the case model of its family, in SI units
-
     Raises
     ------
     BadCase
@@ -55,22 +41,6 @@ def read(path: str | Path, overrides: Overrides, families: Families) -> Head:
 def understood(text: str, file: Path, overrides: Overrides, families: Families) -> Head:
     """Read the text of a case file, also where only that is left of it.
 
-    Parameters
-    ----------
-    text : str
-        TOML
-    file : Path
-        where it stands, for messages
-    overrides : sequence of str or mapping
-        as for `read`
-    families : mapping
-        as for `read`
-
-    Returns
-    -------
-    Head
-        as `read`
-
     Raises
     ------
     BadCase
@@ -85,21 +55,6 @@ def understood(text: str, file: Path, overrides: Overrides, families: Families) 
 
 def with_settings(raw: dict[str, Any], source: Source, families: Families) -> Head:
     """Read the tables of a case file with the settings of its source.
-
-    Parameters
-    ----------
-    raw : dict
-        of `flexbearing.case.text.tables`; the settings are put into it, and what a kind of part that they
-        change leaves without use is taken out
-    source : Source
-        where the case comes from
-    families : mapping
-        as for `read`
-
-    Returns
-    -------
-    Head
-        as `read`
 
     Raises
     ------
@@ -160,22 +115,6 @@ def _settings(overrides: Sequence[str] | Mapping[str, object]) -> tuple[str, ...
 
 def model_of(raw: Mapping[str, Any], settings: Sequence[str], file: str, families: Families) -> type[Head]:
     """Schema of the kind that a file or a setting names.
-
-    Parameters
-    ----------
-    raw : mapping
-        tables of the file
-    settings : sequence of str
-        "key=value" on top of them
-    file : str
-        its name, for messages
-    families : mapping
-        kind to family, the first that of a file which names none
-
-    Returns
-    -------
-    type
-        the case model
 
     Raises
     ------

@@ -1,6 +1,6 @@
 """From a file or a setting to TOML tables and values, within bounds: refusing takes no longer than checking.
 
-tomllib takes time with the square of the parts of a key, and as many stack frames as arrays stand in each
+tomllib takes time with the square of the parts of a key, and as many stack frames as arrays are in each
 other; both are counted before.
 """
 
@@ -37,18 +37,6 @@ _BRACKET = re.compile(r"[\[{\]}]")
 
 def tables(text: str, of: str = "case") -> dict[str, Any]:
     """Tables of the text of a case file.
-
-    Parameters
-    ----------
-    text : str
-        TOML
-    of : str
-        what the file holds, for messages
-
-    Returns
-    -------
-    dict
-        of texts, numbers, truth values, dates, lists and such tables
 
     Raises
     ------
@@ -97,16 +85,6 @@ def _kind_of_file(parsed: dict[str, Any]) -> str | None:
 def setting_value(text: str) -> Any:
     """Value of a setting: that of TOML where it is one (20, true, "5 mm"), else the text itself.
 
-    Parameters
-    ----------
-    text : str
-        behind the = of a setting
-
-    Returns
-    -------
-    any
-        as in `tables`
-
     Raises
     ------
     Unreadable
@@ -123,7 +101,7 @@ def setting_value(text: str) -> Any:
 
 
 def _deep(text: str) -> bool:
-    """Whether more than `DEEPEST` arrays or tables stand in each other, or a key has more parts."""
+    """Whether more than `DEEPEST` arrays or tables are in each other, or a key has more parts."""
     bare = _TEXT_OR_COMMENT.sub("x", text)
     if any(between.count(".") >= DEEPEST for between in _BETWEEN_KEYS.split(bare)):
         return True

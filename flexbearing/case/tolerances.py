@@ -156,20 +156,6 @@ def initial_clearance(
 ) -> Band:
     """Radial internal clearance of a bearing before mounting, as a change of diameter.
 
-    Parameters
-    ----------
-    name : str
-        class of ISO 5753-1
-    bore : float
-        of the bearing, which is cylindrical [m]
-    of : str
-        rolling elements
-
-    Returns
-    -------
-    Band
-        [m]
-
     Raises
     ------
     Untabulated
@@ -238,18 +224,6 @@ def housing_interference(name: HousingClass, outside: float) -> Band:
 def deviations(name: ShaftClass | HousingClass, diameter: float) -> Band:
     """Limit deviations of a shaft or a housing bore from the nominal diameter.
 
-    Parameters
-    ----------
-    name : str
-        tolerance class
-    diameter : float
-        nominal [m]
-
-    Returns
-    -------
-    Band
-        [m]
-
     Raises
     ------
     Untabulated
@@ -264,22 +238,6 @@ def tabulated(
     path: str, name: str, table: Callable[[float], Band], diameter: float | None, owner: str
 ) -> Band:
     """Band of a class that a case names.
-
-    Parameters
-    ----------
-    path, name : str
-        key and value of the class
-    table : callable
-        diameter [m] to band
-    diameter : float or None
-        of the bearing [m]; None where the case does not give it
-    owner : str
-        key of the diameter
-
-    Returns
-    -------
-    Band
-        [m]
 
     Raises
     ------

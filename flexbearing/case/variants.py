@@ -52,16 +52,6 @@ class Variants:
     def case(self, values: tuple[Any, ...]) -> Head:
         """Read one case.
 
-        Parameters
-        ----------
-        values : tuple
-            of the keys, in the words of a case file; None leaves a key as the file has it
-
-        Returns
-        -------
-        Head
-            the case model of its family, in SI units
-
         Raises
         ------
         BadCase
@@ -86,20 +76,7 @@ class Variants:
         return tuple(_value(case, each) for each in self._each)
 
     def known(self, values: tuple[Any, ...], in_si: tuple[Any, ...]) -> Head:
-        """Make a case that was read before, in whatever process: nothing is parsed or checked again.
-
-        Parameters
-        ----------
-        values : tuple
-            of the keys, as for `case`
-        in_si : tuple
-            as `in_si` gave them of the case that was read
-
-        Returns
-        -------
-        Head
-            equal to that case
-        """
+        """Make a case that was read before, in whatever process: nothing is parsed or checked again."""
         given = self._given(values)
         near = self._read.get(self._choices(given))
         if near is None:
@@ -175,7 +152,7 @@ def _tree(keys: list[str]) -> Tree:
 
 
 def _with(table: Table, changed: Tree, values: Mapping[str, Any], *, checked: bool) -> Table:
-    """A table with other values; every table on the way to one is checked again where that is asked for."""
+    """A table with other values; every table on the way to one is checked again where that is requested."""
     update = {
         name: values[below]
         if isinstance(below, str)

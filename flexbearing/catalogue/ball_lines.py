@@ -5,7 +5,7 @@ from math import pi
 
 from flexbearing.catalogue.ball_set import USUAL_CONFORMITY, BallSet
 from flexbearing.catalogue.life_lines import life, oil
-from flexbearing.catalogue.lines import CHOSEN, RATED, THUMB, Line, Other, assumed, mm, usual_number
+from flexbearing.catalogue.lines import CHOSEN, RATED, THUMB, Line, assumed, mm, usual_number
 from flexbearing.catalogue.mounting_lines import mounting, surroundings
 from flexbearing.catalogue.page import Page
 
@@ -21,19 +21,7 @@ def angle(page: Page) -> float:
 
 
 def lines(page: Page, balls: BallSet) -> list[Line]:
-    """Lines of a case.
-
-    Parameters
-    ----------
-    page : Page
-        of a ball bearing
-    balls : BallSet
-        its balls
-
-    Returns
-    -------
-    list of Line
-    """
+    """Lines of a case."""
     slow = page.like == "four_point_ball"
     parts = (
         _bearing(page, balls),
@@ -44,7 +32,7 @@ def lines(page: Page, balls: BallSet) -> list[Line]:
         _slow(page) if slow else _fast(page),
         _load(page),
         () if slow else _held(),
-        [assumed("friction.coefficient", 0.1, THUMB, 0.05, 0.15)],
+        [assumed("friction.coefficient", 0.1, THUMB)],
         () if slow else life(page),
     )
     return [Line("kind", page.like), *(line for part in parts for line in part)]
@@ -52,11 +40,10 @@ def lines(page: Page, balls: BallSet) -> list[Line]:
 
 def _bearing(page: Page, balls: BallSet) -> Iterator[Line]:
     yield from _balls(page, balls)
-    others = [mm(share * balls.pitch) for share in (0.99, 1.01)]
-    yield assumed("bearing.pitch_diameter", mm(balls.pitch), "(d + D)/2", *others)
+    yield assumed("bearing.pitch_diameter", mm(balls.pitch), "(d + D)/2")
     for race, conformity in zip(("inner", "outer"), USUAL_CONFORMITY, strict=True):
         why = "the widest groove whose ratings ISO 281 and ISO 76 do not reduce"
-        yield assumed(f"bearing.{race}.conformity", conformity, why, conformity - 0.005, conformity + 0.005)
+        yield assumed(f"bearing.{race}.conformity", conformity, why)
 
 
 def _balls(page: Page, balls: BallSet) -> Iterator[Line]:
@@ -68,17 +55,12 @@ def _balls(page: Page, balls: BallSet) -> Iterator[Line]:
     else:
         usual = "in a usual arc of filling" if page.like == "deep_groove_ball" else "at a usual spacing"
         why = f"nearest to {RATED}" if rated and measured else usual_number(balls, usual, "diameter", rated)
-        ends = balls.others or [(count, diameter) for count in (number - 1, number + 1)]
-        others = tuple(
-            Other(f"{count} balls of {mm(size)}", {"bearing.balls": count, "bearing.ball.diameter": mm(size)})
-            for count, size in ends
-        )
-        yield Line("bearing.balls", number, why, assumed=True, others=others)
+        yield assumed("bearing.balls", number, why)
     if measured:
         yield Line("bearing.ball.diameter", page["diameter"].text)
     else:
         why = f"from {RATED}" if rated else f"{THUMB}, the middle of 0.56 to 0.67 (D - d)/2"
-        yield assumed("bearing.ball.diameter", mm(diameter), why, mm(0.98 * diameter), mm(1.02 * diameter))
+        yield assumed("bearing.ball.diameter", mm(diameter), why)
 
 
 def _contact_angle(page: Page) -> Iterator[Line]:
@@ -86,14 +68,14 @@ def _contact_angle(page: Page) -> Iterator[Line]:
         yield Line("bearing.contact_angle", page["angle"].text)
     elif page.like == "four_point_ball":
         why = "usual of four-point bearings"
-        yield assumed("bearing.contact_angle", "35 deg", why, "30 deg", "40 deg")
+        yield assumed("bearing.contact_angle", "35 deg", why)
 
 
 def _material(page: Page) -> Iterator[Line]:
     if "material" in page:
         yield Line("materials.ball", page["material"].text)
     else:
-        yield assumed("materials.ball", "100Cr6", "the usual bearing steel, of balls and rings", "M50")
+        yield assumed("materials.ball", "100Cr6", "the usual bearing steel, of balls and rings")
 
 
 def _load(page: Page) -> Iterator[Line]:
@@ -104,17 +86,16 @@ def _load(page: Page) -> Iterator[Line]:
 
 def _fast(page: Page) -> Iterator[Line]:
     yield Line("operation.inner_speed", page["speed"].text, CHOSEN)
-    yield assumed("operation.control", "outer", "usual of fast bearings", "coulomb")
+    yield assumed("operation.control", "outer", "usual of fast bearings")
 
 
 def _held() -> Iterator[Line]:
     """A ring that the shaft keeps straight."""
     tilts = [f"operation.displacement.tilt_{axis}" for axis in "yz"]
-    free = Other("a ring that tilts", dict.fromkeys(tilts, ""))
     for key in tilts:
-        yield Line(key, "0 deg", "a stiff shaft keeps the inner ring straight", assumed=True, others=(free,))
+        yield assumed(key, "0 deg", "a stiff shaft keeps the inner ring straight")
 
 
 def _slow(page: Page) -> Iterator[Line]:
     yield Line("operation.speed", page["speed"].text, "torque does not depend on it, power is in proportion")
-    yield assumed("bearing.clearance", "0 um", f"{THUMB}, along a diagonal", "-5 um", "20 um")
+    yield assumed("bearing.clearance", "0 um", f"{THUMB}, along a diagonal")

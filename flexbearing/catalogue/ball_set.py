@@ -42,17 +42,6 @@ def ball_set(page: Page, angle: float) -> BallSet:
     Of the plausible pairs of number and diameter that have the static rating, that of most balls is taken, as
     makers fill bearings; without a static rating the middle of all.
 
-    Parameters
-    ----------
-    page : Page
-        of a ball bearing
-    angle : float
-        nominal contact angle [rad]
-
-    Returns
-    -------
-    BallSet
-
     Raises
     ------
     BadCase
@@ -73,20 +62,7 @@ def ball_set(page: Page, angle: float) -> BallSet:
 
 
 def plausible_ratios(number: int, like: str) -> tuple[float, float]:
-    """Diameters over that of the pitch circle with which so many balls fill a bearing.
-
-    Parameters
-    ----------
-    number : int
-        of balls
-    like : str
-        kind of bearing: the balls of a deep groove bearing come in while its rings touch
-
-    Returns
-    -------
-    tuple of float
-        least and greatest ratio [-]
-    """
+    """Diameters over that of the pitch circle with which so many balls fill a bearing."""
     if like == "deep_groove_ball":
         least, most = (sin(arc * pi / 180 / (2 * (number - 1))) for arc in FILLING)
     else:

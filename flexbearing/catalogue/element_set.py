@@ -24,11 +24,6 @@ class ElementSet:
     plausible: tuple[Pair, ...]  # among them those of the least and the greatest ratings
     rated: Callable[[int, float], Ratings]  # ratings by the formulas for a number and a size
 
-    @property
-    def others(self) -> list[Pair]:
-        """The fewest and the most elements that may be instead."""
-        return [pair for pair in (self.pairs[0], self.pairs[-1]) if pair != self.chosen]
-
 
 def chosen(pairs: list[Pair], rated: bool) -> Pair:
     """Pair of a case: with a maker's C_0 that of most elements, as makers fill bearings; else the middle."""

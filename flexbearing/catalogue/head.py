@@ -9,22 +9,7 @@ from flexbearing.printable import printable
 
 
 def origin(page: Page, file: Path, title: str, source: str) -> list[str]:
-    """Source of the numbers, and the command.
-
-    Parameters
-    ----------
-    page : Page
-        complete
-    file : Path
-        of the case
-    title, source : str
-        as they were given
-
-    Returns
-    -------
-    list of str
-        lines
-    """
+    """Source of the numbers, and the command."""
     words = [f"flexbearing new {_quoted(file.name)}", f"--like {page.like}"]
     words += [f"{ENTRIES[name].option} {_quoted(value.text)}" for name, value in page.values.items()]
     words += [f"{name} {_quoted(text)}" for name, text in (("--title", title), ("--source", source)) if text]

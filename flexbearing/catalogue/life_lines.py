@@ -11,11 +11,11 @@ def oil(page: Page) -> Iterator[Line]:
     if "oil" in page:
         yield Line("lubricant.oil", page["oil"].text, CHOSEN)
     else:
-        yield assumed("lubricant.oil", "ISO VG 68", "usual for rolling bearings", "ISO VG 32", "ISO VG 100")
+        yield assumed("lubricant.oil", "ISO VG 68", "usual for rolling bearings")
     if "temperature" in page:
         yield Line("lubricant.inlet_temperature", page["temperature"].text)
     else:
-        yield assumed("lubricant.inlet_temperature", "70 degC", THUMB, "50 degC", "90 degC")
+        yield assumed("lubricant.inlet_temperature", "70 degC", THUMB)
 
 
 def life(page: Page) -> Iterator[Line]:
@@ -28,5 +28,4 @@ def life(page: Page) -> Iterator[Line]:
     if "cleanliness" in page:
         yield Line("life.cleanliness", page["cleanliness"].text)
     else:
-        name, *others = (f"oil, in-line filter, -/{code}" for code in ("17/14", "15/12", "19/16"))
-        yield assumed("life.cleanliness", name, "usual cleanliness", *others)
+        yield assumed("life.cleanliness", "oil, in-line filter, -/17/14", "usual cleanliness")

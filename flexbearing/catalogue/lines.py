@@ -1,6 +1,5 @@
 """The text of a case file: keys with comments, table by table."""
 
-import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from textwrap import wrap
@@ -14,18 +13,6 @@ COLUMN = 40  # where short comments begin
 THUMB = "rule of thumb"
 RATED = "C_0 of the maker by ISO 76"
 CHOSEN = "chosen, no catalogue has it"  # load, speed, fits, oil
-GLUE = "\0"  # stands for a space at which no line ends
-
-
-Settings = dict[str, str | float]  # key to value; an empty text takes the key out
-
-
-@dataclass(frozen=True)
-class Other:
-    """Another value that an assumed one might have."""
-
-    words: str
-    settings: Settings
 
 
 @dataclass(frozen=True)
@@ -36,19 +23,11 @@ class Line:
     value: str | float | bool
     why: str = ""  # where it comes from
     assumed: bool = False
-    others: tuple[Other, ...] = ()  # for its weight
 
 
-def assumed(key: str, value: str | float | bool, why: str, *others: str | float) -> Line:
-    """A line whose value nothing gives, and what it might be instead."""
-    return Line(
-        key, value, why, assumed=True, others=tuple(Other(toml(other), {key: other}) for other in others)
-    )
-
-
-def as_settings(settings: Settings) -> list[str]:
-    """Write settings as `key=value`."""
-    return [f"{key}={value if isinstance(value, str) else toml(value)}" for key, value in settings.items()]
+def assumed(key: str, value: str | float | bool, why: str) -> Line:
+    """A line whose value nothing gives."""
+    return Line(key, value, why, assumed=True)
 
 
 def usual_number(elements: ElementSet, usual: str, size: str, rated: bool) -> str:
@@ -64,30 +43,8 @@ def mm(length: float) -> str:
     return f"{length * 1e3:.4g} mm"
 
 
-def um(length: float) -> str:
-    """Write a small length [m] as a case would, rounded."""
-    return f"{length * 1e6:.3g} um"
-
-
 def text(head: str, title: str, lines: Iterable[Line], model: type[Section]) -> str:
-    """Write a case file.
-
-    Parameters
-    ----------
-    head : str
-        what stands above it, as comment
-    title : str
-        of the case
-    lines : iterable of Line
-        those of a table in the order in which they are to stand
-    model : type
-        schema of the case
-
-    Returns
-    -------
-    str
-        TOML
-    """
+    """Write a case file."""
     tables: dict[str, list[Line]] = {}
     for line in lines:
         assert line.key in by_path(model), line.key
@@ -113,11 +70,7 @@ def _written(line: Line) -> Iterator[str]:
     why = ("assumed: " if line.assumed else "") + line.why
     beside = f"{given.ljust(COLUMN - 1)} # {why}"
     if why and len(beside) > WIDTH:
-        whole = re.sub(r'"[^"]*"', lambda quoted: quoted[0].replace(" ", GLUE), why)
-        yield from (
-            row.replace(GLUE, " ")
-            for row in wrap(whole, WIDTH, initial_indent="# ", subsequent_indent="# ", break_on_hyphens=False)
-        )
+        yield from wrap(why, WIDTH, initial_indent="# ", subsequent_indent="# ", break_on_hyphens=False)
         yield given
     else:
         yield beside if why else given

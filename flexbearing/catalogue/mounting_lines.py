@@ -2,10 +2,8 @@
 
 from collections.abc import Iterator
 
-from flexbearing.catalogue.lines import CHOSEN, THUMB, Line, Other, assumed, mm
+from flexbearing.catalogue.lines import CHOSEN, THUMB, Line, assumed, mm
 from flexbearing.catalogue.page import Page
-
-_ENDS = tuple(Other(f'"{end}"', {"bearing.fits.at": end}) for end in ("tightest", "loosest"))
 
 
 def mounting(page: Page) -> Iterator[Line]:
@@ -19,24 +17,23 @@ def mounting(page: Page) -> Iterator[Line]:
     if "shaft" in page:
         yield Line("bearing.fits.shaft", page["shaft"].text, CHOSEN)
     else:
-        yield assumed("bearing.fits.shaft", "k5", f"{THUMB} for a rotating inner ring", "h5", "m5")
+        yield assumed("bearing.fits.shaft", "k5", f"{THUMB} for a rotating inner ring")
     yield Line("bearing.fits.bore", page["bore"].text)
-    yield Line("bearing.fits.at", "mean", "tolerances: the middle of all classes", others=_ENDS)
+    yield Line("bearing.fits.at", "mean", "the middle of all tolerance classes")
     if page.like != "squirrel_cage":
         yield Line("bearing.fits.outer_diameter", page["outside"].text)
     if "housing" in page:
         yield Line("bearing.fits.housing.tolerance_class", page["housing"].text, CHOSEN)
-        size, *others = (mm(share * page["outside"].si) for share in (1.5, 1.25, 2))
         why = f"{THUMB}, 1.5 times that of the bearing"
-        yield assumed("bearing.fits.housing.diameter", size, why, *others)
+        yield assumed("bearing.fits.housing.diameter", mm(1.5 * page["outside"].si), why)
 
 
 def surroundings(page: Page) -> Iterator[Line]:
     """Materials of shaft and housing, where fits need them."""
     if _fitted(page):
-        yield assumed("materials.shaft", "structural steel", "the usual", "100Cr6")
+        yield assumed("materials.shaft", "structural steel", "the usual")
     if _fitted(page) and "housing" in page:
-        yield assumed("materials.housing", "grey cast iron", "the usual", "structural steel")
+        yield assumed("materials.housing", "grey cast iron", "the usual")
 
 
 def _fitted(page: Page) -> bool:
@@ -52,4 +49,4 @@ def _clearance_class(page: Page) -> Line:
             "bearing.clearance_class", page["clearance_class"].text, "chosen among those of ISO 5753-1"
         )
     why = "bearings without suffix have the Normal class"
-    return assumed("bearing.clearance_class", "CN", why, "C2", "C3")
+    return assumed("bearing.clearance_class", "CN", why)

@@ -3,24 +3,21 @@
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from flexbearing.case import BadCase, Head, understood
-from flexbearing.case.family import Family
+from flexbearing.case import BadCase, understood
 from flexbearing.catalogue import page as pages
 from flexbearing.catalogue.entries import LIKES
 from flexbearing.catalogue.head import one_line, origin
-from flexbearing.catalogue.lines import Line, Settings, as_settings, text
+from flexbearing.catalogue.lines import Line, text
 from flexbearing.catalogue.page import Page
 from flexbearing.catalogue.ratings import table
-from flexbearing.catalogue.weights import NO_RESULT, Measured, told, weighed
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, require_output, write
-from flexbearing.outputs import outputs
-from quasidynamic import ImpossiblePart, OutOfRange
+from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 
 Tell = Callable[[str], None]
-QUICK: dict[str, Settings] = {
-    "squirrel_cage": {"accuracy.structure": "beam"}
-}  # with which lives are compared
+EFFECTS = "outputs.assumed_effects"
+ELASTIC = "squirrel_cage"  # whose effects take minutes
+NO_RESULT = (BadCase, NotSolved, OutOfRange)  # of a case that cannot be computed
 
 
 def new(  # noqa: PLR0913  # an argument for each option
@@ -31,31 +28,9 @@ def new(  # noqa: PLR0913  # an argument for each option
     title: str = "",
     source: str = "",
     force: bool = False,
-    tell: Tell = lambda words: None,
+    tell: Tell = lambda _: None,
 ) -> str:
     """Write a case from the page of a catalogue.
-
-    Parameters
-    ----------
-    file : path
-        of the case
-    like : str
-        one of `flexbearing.catalogue.entries.LIKES`
-    options : mapping
-        name of an entry, such as "bore", to its text, such as "50 mm"
-    title : str
-        of the case; the name of the file without it
-    source : str
-        where the numbers come from, for the head of the file
-    force : bool
-        whether a file of this name is replaced
-    tell : callable (words), optional
-        hears how often the case is computed, before it is
-
-    Returns
-    -------
-    str
-        load ratings of the maker beside those of the formulas, as lines
 
     Raises
     ------
@@ -67,37 +42,29 @@ def new(  # noqa: PLR0913  # an argument for each option
         if it could not be written, as on a full disk
     """
     wanted = pages.read(like, options)
+    from flexbearing.runs import effects_file
+
     place = require_output(file)
+    stored = require_output(effects_file.name(place))
     if place.exists() and not force:
         raise BadOutput(f"{file}: is there already; --force replaces it.")
     try:
-        written, ratings = _case(wanted, place, title, source, tell)
+        written, ratings = _case(wanted, place, title, source)
+        effects = _effects(like, written, place, tell)
     except (ImpossiblePart, OutOfRange) as problem:
         raise BadCase(f"{problem}.") from problem
     write(place, written.encode())
-    return ratings
+    if isinstance(effects, str):
+        return f"{ratings}effects: {effects}\n"
+    write(stored, effects)
+    return f"{ratings}effects: {effects_file.name(Path(file))}\n"
 
 
-def _case(page: Page, file: Path, title: str, source: str, tell: Tell) -> tuple[str, str]:
+def _case(page: Page, file: Path, title: str, source: str) -> tuple[str, str]:
     """Text of the case of a page, and the ratings in it."""
     lines, ratings = _lines(page)
-    from flexbearing.runs.validate import require_possible
-
-    family = FAMILIES[LIKES[page.like].kind]
-    model, comparable = family.case(), QUICK.get(page.like, {})
-    plain = text("", title or file.stem, lines, model)
-    require_possible(understood(plain, file, {}, FAMILIES), family)  # before anything is computed
-    measured = _measured(
-        family, lambda settings: understood(plain, file, as_settings(comparable | settings), FAMILIES)
-    )
-    tell(f"computing the case with {sum(len(line.others) for line in lines)} other values of what is assumed")
-    try:
-        basis = measured({})
-        lines = weighed(lines, basis, measured)
-        weights = told(basis, comparable)
-    except NO_RESULT as problem:
-        weights = f"How much assumed values matter is not known: {one_line(str(problem))}"
-    head = [*origin(page, file, title, source), "", *weights.splitlines(), *ratings.splitlines()]
+    head = [*origin(page, file, title, source), *ratings.splitlines()]
+    model = FAMILIES[LIKES[page.like].kind].case()
     return text("\n".join(head), title or file.stem, lines, model), ratings
 
 
@@ -116,19 +83,20 @@ def _lines(page: Page) -> tuple[list[Line], str]:
     return ball_lines.lines(page, balls), table(page, balls, "diameter")
 
 
-def _measured(family: Family, case_with: Callable[[Settings], Head]) -> Measured:
-    """What computes the outputs that are compared, of a case with settings."""
-    from flexbearing.api import compute
-    from flexbearing.quantities.effects import LIVES
-    from flexbearing.runs import assumed_effects
+def _effects(like: str, written: str, file: Path, tell: Tell) -> bytes | str:
+    """The file of what other values of assumed keys make of the case, or why there is none."""
+    from flexbearing.progress import Logged
+    from flexbearing.runs import effects_file
+    from flexbearing.runs.run_case import effects
+    from flexbearing.runs.validate import require_possible
 
-    named = dict(family.layout().weighed)
-    known = {each.name: each for each in outputs(family.layout())}
-
-    def measured(settings: Settings) -> dict[str, float]:
-        values = assumed_effects.measured(compute(case_with(settings), compared=True))
-        life = [("life", values[each]) for each in LIVES if each in values]
-        told = (each for each in named if each in values and not known[each].rounds_to_zero(values[each]))
-        return dict([*life[:1], *((named[each], values[each]) for each in told)])
-
-    return measured
+    family = FAMILIES[LIKES[like].kind]
+    case = understood(written, file, {}, FAMILIES)
+    require_possible(case, family)  # before anything is computed
+    if like == ELASTIC:
+        return f"flexbearing run {file} --set {EFFECTS}=true; flexbearing export OUT.h5 --to effects"
+    tell("computing the case with other values of what is assumed")
+    try:
+        return effects_file.content(case, effects(case, family, Logged()))
+    except NO_RESULT as problem:
+        return f"not known: {one_line(str(problem))}"

@@ -53,18 +53,6 @@ class Page:
 def read(like: str, options: Mapping[str, str | None]) -> Page:
     """Read the entries of a page.
 
-    Parameters
-    ----------
-    like : str
-        one of `LIKES`
-    options : mapping
-        name of an entry to its text; None or nothing where it is not given
-
-    Returns
-    -------
-    Page
-        complete
-
     Raises
     ------
     BadCase
@@ -95,19 +83,6 @@ def read(like: str, options: Mapping[str, str | None]) -> Page:
 
 def value(name: str, text: str, like: str) -> Value:
     """Read one entry.
-
-    Parameters
-    ----------
-    name : str
-        of the entry
-    text : str
-        as it was given
-    like : str
-        one of `LIKES`
-
-    Returns
-    -------
-    Value
 
     Raises
     ------

@@ -11,20 +11,7 @@ from flexbearing.catalogue.page import allowed, called, value
 
 
 def answers(like: str, given: Mapping[str, str]) -> dict[str, str]:
-    """Ask for every entry that is not given; Enter leaves out what may be left out.
-
-    Parameters
-    ----------
-    like : str
-        kind of bearing; nothing is asked for one that there is not
-    given : mapping
-        name of an entry to its text
-
-    Returns
-    -------
-    dict
-        what was answered, by entry
-    """
+    """Ask for every entry that is not given; Enter leaves out what may be left out."""
     found: dict[str, str] = {}
     wanted = LIKES.get(like)
     for name in wanted.taken if wanted else ():

@@ -12,22 +12,7 @@ _ROWS = (
 
 
 def table(page: Page, elements: ElementSet, size: str) -> str:
-    """Ratings as lines of text.
-
-    Parameters
-    ----------
-    page : Page
-        with the ratings of the maker, where it has them
-    elements : ElementSet
-        of the case, and what else they may be
-    size : str
-        entry of their size, "length" or "diameter"
-
-    Returns
-    -------
-    str
-        lines, one for each rating where there are formulas, and what is assumed
-    """
+    """Ratings as lines of text."""
     assumed = [LETTERS[name] for name in ("elements", size) if name not in page]
     told = [_assumed(assumed, LETTERS[size], elements), ""] if assumed else []
     if page.like == "four_point_ball":

@@ -53,18 +53,6 @@ class Part:
     def number_of(self, name: str, unit: str) -> float | None:
         """A number in the unit of the format.
 
-        Parameters
-        ----------
-        name : str
-            of the attribute
-        unit : str
-            as REXS spells it
-
-        Returns
-        -------
-        float or None
-            None where the part does not have it
-
         Raises
         ------
         BadCase
@@ -108,19 +96,6 @@ class Parts:
 def options(path: Path, number: str | None = None) -> tuple[str, dict[str, str]]:
     """Read a bearing.
 
-    Parameters
-    ----------
-    path : Path
-        of a model of REXS 1.x as XML
-    number : str, optional
-        of its component; needed where there are several bearings
-
-    Returns
-    -------
-    str, dict
-        one of `flexbearing.catalogue.entries.LIKES`, and entries by name, as texts with units; entries
-        that the model does not have are left out
-
     Raises
     ------
     BadCase
@@ -141,15 +116,6 @@ def options(path: Path, number: str | None = None) -> tuple[str, dict[str, str]]
 
 def read(path: Path) -> Parts:
     """Read the components of a model.
-
-    Parameters
-    ----------
-    path : Path
-        of a model of REXS 1.x as XML
-
-    Returns
-    -------
-    Parts
 
     Raises
     ------

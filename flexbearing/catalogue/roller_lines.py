@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from flexbearing.catalogue.life_lines import life, oil
-from flexbearing.catalogue.lines import CHOSEN, RATED, THUMB, Line, Other, assumed, mm, um, usual_number
+from flexbearing.catalogue.lines import CHOSEN, RATED, THUMB, Line, assumed, mm, usual_number
 from flexbearing.catalogue.mounting_lines import mounting, surroundings
 from flexbearing.catalogue.page import Page
 from flexbearing.catalogue.roller_set import RollerSet
@@ -13,19 +13,7 @@ CAGE = {"bar_width": 4 / 75, "bar_thickness": 2.6 / 3.6, "bar_length": 10.25 / 1
 
 
 def lines(page: Page, rollers: RollerSet) -> list[Line]:
-    """Lines of a case.
-
-    Parameters
-    ----------
-    page : Page
-        of a cylindrical roller bearing
-    rollers : RollerSet
-        its rollers
-
-    Returns
-    -------
-    list of Line
-    """
+    """Lines of a case."""
     cage = page.like == "squirrel_cage"
     rings = _squirrel_cage(page, rollers) if cage else [Line("outer.kind", "rigid")]
     parts = (
@@ -58,37 +46,10 @@ def _bearing(page: Page, rollers: RollerSet) -> Iterator[Line]:
     else:
         yield Line("bearing.roller.diameter", f"{1e3 * rollers.diameter:.9g} mm", "(E - F)/2")
     yield length
-    yield Line(
-        "bearing.roller.profile", "iso16281", "taken by ISO/TS 16281", True, _profiles(rollers.diameter)
-    )
-    yield Line(
-        "bearing.cage.guidance", "rollers", "usual of catalogue bearings", True, (_on_a_land(page, rollers),)
-    )
-    yield assumed("bearing.cage.pocket_friction", 0.05, THUMB, 0.02, 0.1)
-    thickness = [mm(share * rollers.diameter) for share in (0.5, 0.3, 0.7)]
-    yield assumed("bearing.cage.thickness", thickness[0], f"{THUMB}, half a roller diameter", *thickness[1:])
-
-
-def _profiles(diameter: float) -> tuple[Other, ...]:
-    """The same profile of half and of twice the drop."""
-    drops = [um(share * 0.00035 * diameter) for share in (0.5, 2.0)]
-    return tuple(
-        Other(f'a drop A of "{drop}"', {"bearing.roller.profile": "logarithmic", "bearing.roller.drop": drop})
-        for drop in drops
-    )
-
-
-def _on_a_land(page: Page, rollers: RollerSet) -> Other:
-    """A cage on the land of the outer ring."""
-    land = {
-        "land_diameter": mm(rollers.outer_raceway - rollers.diameter / 2),
-        "land_width": mm(0.2 * page["width"].si),
-        "land_clearance": "0.4 mm",
-    }
-    settings = {"guidance": "outer"} | land
-    return Other(
-        "a cage on the outer ring", {f"bearing.cage.{name}": value for name, value in settings.items()}
-    )
+    yield assumed("bearing.roller.profile", "iso16281", "taken by ISO/TS 16281")
+    yield assumed("bearing.cage.guidance", "rollers", "usual of catalogue bearings")
+    yield assumed("bearing.cage.pocket_friction", 0.05, THUMB)
+    yield assumed("bearing.cage.thickness", mm(0.5 * rollers.diameter), f"{THUMB}, half a roller diameter")
 
 
 def _rollers(page: Page, rollers: RollerSet) -> tuple[Line, Line]:
@@ -102,24 +63,11 @@ def _rollers(page: Page, rollers: RollerSet) -> tuple[Line, Line]:
             if rated and measured
             else usual_number(rollers, "at a usual spacing", "length", rated)
         )
-        count = Line("bearing.rollers", number, why, assumed=True, others=_others(rollers))
+        count = assumed("bearing.rollers", number, why)
     if measured:
         return count, Line("bearing.roller.length", page["length"].text)
-    if rated:
-        ends, why = [share * length for share in (0.95, 1.05)], f"from {RATED}"
-    else:
-        ends, why = [end for _, end in rollers.plausible], f"{THUMB}, the middle of 0.4 to 0.7 B"
-    return count, assumed("bearing.roller.length", mm(length), why, *map(mm, ends))
-
-
-def _others(rollers: RollerSet) -> tuple[Other, ...]:
-    """The fewest and the most rollers that are plausible, or one less and one more."""
-    number, length = rollers.chosen
-    beside = [(count, length * number / count) for count in (number - 1, number + 1)]
-    return tuple(
-        Other(f"{count} rollers of {mm(each)}", {"bearing.rollers": count, "bearing.roller.length": mm(each)})
-        for count, each in rollers.others or beside
-    )
+    why = f"from {RATED}" if rated else f"{THUMB}, the middle of 0.4 to 0.7 B"
+    return count, assumed("bearing.roller.length", mm(length), why)
 
 
 def _materials(page: Page) -> Iterator[Line]:
@@ -127,15 +75,15 @@ def _materials(page: Page) -> Iterator[Line]:
         if "material" in page:
             yield Line(f"materials.{part}", page["material"].text)
         else:
-            yield assumed(f"materials.{part}", "100Cr6", "the usual bearing steel", "M50")
+            yield assumed(f"materials.{part}", "100Cr6", "the usual bearing steel")
 
 
 def _film() -> Iterator[Line]:
     """Laws of the film, beside the oil."""
     why = "a law for any oil; the default is fitted to one of turbines"
-    yield assumed("lubricant.traction", "eyring", why, "bair-winer")
-    yield assumed("lubricant.limiting_ratio", 0.05, THUMB, 0.03, 0.08)
-    yield assumed("lubricant.oil_fraction", 0.02, THUMB, 0.005, 0.1)
+    yield assumed("lubricant.traction", "eyring", why)
+    yield assumed("lubricant.limiting_ratio", 0.05, THUMB)
+    yield assumed("lubricant.oil_fraction", 0.02, THUMB)
 
 
 def _reference_life() -> Iterator[Line]:
@@ -148,10 +96,10 @@ def _operation(page: Page, cage: bool) -> Iterator[Line]:
     yield Line("operation.radial_load", page["load"].text, CHOSEN)
     yield Line("operation.inner_speed", page["speed"].text, CHOSEN)
     if cage:
-        yield assumed("operation.tilt", "fixed", "a stiff shaft keeps the inner ring straight", "free")
+        yield assumed("operation.tilt", "fixed", "a stiff shaft keeps the inner ring straight")
     else:
         why = "a straight shaft, with seats in line"
-        yield assumed("operation.misalignment", "0 arcmin", why, "1 arcmin", "3 arcmin")
+        yield assumed("operation.misalignment", "0 arcmin", why)
 
 
 def _squirrel_cage(page: Page, rollers: RollerSet) -> Iterator[Line]:
@@ -161,7 +109,7 @@ def _squirrel_cage(page: Page, rollers: RollerSet) -> Iterator[Line]:
     yield Line("outer.kind", "squirrel_cage")
     yield Line("outer.thickness", f"{1e3 * thickness:.9g} mm", "(D - E)/2")
     yield Line("outer.width", page["width"].text, "B of the catalogue")
-    yield assumed("outer.bars", 24, f"{paper}, assumed there", 12, 36)
+    yield assumed("outer.bars", 24, f"{paper}, assumed there")
     for name, whole, of in (
         ("bar_width", rollers.outer_raceway, "E"),
         ("bar_thickness", thickness, "the thickness"),
@@ -169,5 +117,4 @@ def _squirrel_cage(page: Page, rollers: RollerSet) -> Iterator[Line]:
         ("flange_length", width, "B"),
     ):
         share = CAGE[name]
-        others = [mm(factor * share * whole) for factor in (0.75, 1.25)]
-        yield assumed(f"outer.{name}", mm(share * whole), f"{share:.3g} of {of}, {paper}", *others)
+        yield assumed(f"outer.{name}", mm(share * whole), f"{share:.3g} of {of}, {paper}")

@@ -36,15 +36,6 @@ def roller_set(page: Page) -> RollerSet:
     Of the plausible pairs of number and length that have the static rating, that of most rollers is taken, as
     makers fill bearings; without a static rating the middle of both ranges.
 
-    Parameters
-    ----------
-    page : Page
-        of a cylindrical roller bearing
-
-    Returns
-    -------
-    RollerSet
-
     Raises
     ------
     BadCase

@@ -98,34 +98,13 @@ class Attempt:
 
 
 def nearest(attempts: Sequence[Attempt]) -> Attempt | None:
-    """The attempt that came nearest to an equilibrium; None where none had a state between flexible raceways.
-
-    Parameters
-    ----------
-    attempts : sequence of Attempt
-        in the order of the methods
-
-    Returns
-    -------
-    Attempt or None
-    """
+    """The attempt that came nearest to an equilibrium; None without a state between flexible raceways."""
     with_state = [attempt for attempt in attempts if attempt.between_flexible_raceways]
     return min(with_state, key=lambda attempt: attempt.error, default=None)
 
 
 def summary(attempts: Sequence[Attempt]) -> str:
-    """What became of all attempts: the message of the one that converged, or of every one.
-
-    Parameters
-    ----------
-    attempts : sequence of Attempt
-        in the order of the methods
-
-    Returns
-    -------
-    str
-        one sentence
-    """
+    """What became of all attempts: the message of the one that converged, or of every one."""
     if attempts[-1].status == "converged":
         return attempts[-1].message
     best = nearest(attempts)
@@ -136,19 +115,6 @@ def summary(attempts: Sequence[Attempt]) -> str:
 
 def equilibrium(bearing: BearingPartner, rings: RacewayPair, coupling: Coupling) -> Equilibrium:
     """Equilibrium of a bearing and its rings by newton, or where it fails by `iqn-ils`; nothing is stored.
-
-    Parameters
-    ----------
-    bearing : BearingPartner
-        the bearing
-    rings : RacewayPair
-        what carries its raceways
-    coupling : Coupling
-        tolerance and limit
-
-    Returns
-    -------
-    Equilibrium
 
     Raises
     ------

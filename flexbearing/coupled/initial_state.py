@@ -56,24 +56,10 @@ class InitialState:
     def state(self, bearing: Bearing[Equilibrium], rings: Structure, rigid: Equilibrium) -> Equilibrium:
         """The unknowns in the equations of this case.
 
-        Parameters
-        ----------
-        bearing : Bearing
-            of this case
-        rings : Structure
-            of this case
-        rigid : Equilibrium
-            state of this case between rigid raceways
-
-        Returns
-        -------
-        Equilibrium
-            with the loads of these unknowns, not in balance
-
         Raises
         ------
         PartnerFailed
-            where the rings have no answer to these loads
+            where the rings have no result to these loads
         """
         no_compliance = np.zeros((rigid.balance.layout.rollers, rigid.axial_modes) * 2)
         start = _put(next(bearing.iterate((no_compliance, no_compliance), rigid, None)), self.unknowns)
@@ -93,17 +79,6 @@ def _put(state: Equilibrium, x: Unknowns) -> Equilibrium:
 
 def initial_state(start: Result, case: Case) -> InitialState:
     """The end state that a case shall start from.
-
-    Parameters
-    ----------
-    start : Result
-        what the run of another case left behind
-    case : Case
-        the case that starts there
-
-    Returns
-    -------
-    InitialState
 
     Raises
     ------

@@ -113,7 +113,7 @@ def least_squares(history: CouplingHistory) -> NDArray:
     with X and V as in `anderson`, but only of iterations in which the same rollers touch both raceways:
     those before a contact opened or closed belong to another slope. What is left of the residual moves
     the deviations by the estimate :math:`G \approx (1 - C\,\partial Q/\partial w)^{-1}`. A step is never
-    longer than the residual: rollers push back, so the root is nearer than the answer.
+    longer than the residual: rollers push back, so the root is closer than the answer.
 
     Where the compliance of the structure is not known, G is 1, and all differences count: with so rough a
     G what is left of the residual must be small.

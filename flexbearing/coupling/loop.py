@@ -71,20 +71,6 @@ def fixed_point(
 
     The measure is what the structure answers less what the bearing was given, before the rule takes its
     share of it. Diverging and stagnating iterations are stopped: more of them would not help.
-
-    Parameters
-    ----------
-    bearing, structure : partners
-    start : State
-        the first loads, those of rigid raceways
-    criterion : StoppingCriterion
-        tolerance and limit
-    rule : callable
-        next deviations from those before and their residuals, such as those in `acceleration`
-
-    Yields
-    ------
-    Iteration
     """
     state, history = start, CouplingHistory()
     try:
@@ -144,20 +130,7 @@ def _failed_after(norms: list[float], failed: Iteration[S]) -> Iteration[S]:
 def newton(
     bearing: Bearing[S], structure: Structure, start: S, criterion: StoppingCriterion
 ) -> Iterator[Iteration[S]]:
-    """Solve bearing and structure as one system, the structure linearised where it is not linear.
-
-    Parameters
-    ----------
-    bearing, structure : partners
-    start : State
-        where to begin, the equilibrium of rigid raceways
-    criterion : StoppingCriterion
-        tolerance and limit
-
-    Yields
-    ------
-    Iteration
-    """
+    """Solve bearing and structure as one system, the structure linearised where it is not linear."""
     state, number, tangent = start, 0, TangentPlace(start.forces)
     try:
         linear = structure.linearised(tangent.forces)

@@ -39,7 +39,7 @@ class State(Protocol):
         ...
 
     def refined(self) -> Self:
-        """The state after another step of Newton's method, where that comes nearer to balance."""
+        """The state after another step of Newton's method, where that comes closer to balance."""
         ...
 
 
@@ -174,5 +174,5 @@ class Structure(Protocol):
         ...
 
     def linearised(self, forces: NDArray) -> LinearStructure:
-        """Itself near these roller forces (2, Z, M) [N], which `newton` asks for; raises `PartnerFailed`."""
+        """Itself near these roller forces (2, Z, M) [N], which `newton` requires; raises `PartnerFailed`."""
         ...

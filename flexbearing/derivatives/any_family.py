@@ -17,23 +17,6 @@ def sensitivities(
 ) -> Sensitivities:
     """Derivatives of outputs of a case by its keys, see the function of its family.
 
-    Parameters
-    ----------
-    case : Head
-        as it was read
-    family : Family
-        its family
-    of : sequence of str
-        outputs
-    by : sequence of str
-        keys
-    report : Report, optional
-        hears of what is computed; the log, unless given
-
-    Returns
-    -------
-    Sensitivities
-
     Raises
     ------
     BadCase

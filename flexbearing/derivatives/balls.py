@@ -36,22 +36,6 @@ def sensitivities(
 ) -> Sensitivities:
     """Derivatives of outputs by continuous keys at the equilibrium of a case.
 
-    Parameters
-    ----------
-    case : FastCase
-        as it was read
-    of : sequence of str
-        outputs, with units if others than those of the summary are wanted; "life" is the modified life where
-        the case has one, "all" every output; by default life, largest load, pressure, stiffness
-    by : sequence of str
-        keys; by default all continuous ones that the case states
-    report : Report, optional
-        hears of every key; the log, unless given
-
-    Returns
-    -------
-    Sensitivities
-
     Raises
     ------
     BadCase

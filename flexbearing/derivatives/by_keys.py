@@ -51,22 +51,7 @@ class Differences:
 
 
 def columns(state: State, keys: Iterable[Key]) -> tuple[dict[Key, NDArray], list[tuple[str, str]]]:
-    """Derivatives of outputs by keys.
-
-    Parameters
-    ----------
-    state : State
-        where outputs are differentiated
-    keys : iterable of Key
-        of its case
-
-    Returns
-    -------
-    dict of Key to array (3, O)
-        slope and both sides in the units of the keys, see `with_sides`
-    list of pairs of str
-        keys without derivatives, and why
-    """
+    """Derivatives of outputs by keys."""
     found: dict[Key, NDArray] = {}
     left_out: list[tuple[str, str]] = []
     for key in keys:

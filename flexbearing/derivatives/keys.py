@@ -60,18 +60,7 @@ class Key:
 
 
 def given_keys(case: Head) -> list[Key]:
-    """Continuous keys that a case states, file and settings together.
-
-    Parameters
-    ----------
-    case : Head
-        as it was read
-
-    Returns
-    -------
-    list of Key
-        in the order of the declarations
-    """
+    """Continuous keys that a case states, file and settings together."""
     stated = _stated(case)
     found = []
     for item in _continuous(type(case)):
@@ -101,17 +90,6 @@ def keys_of(case: Head, path: str) -> list[Key]:
 
 def key_of(case: Head, path: str) -> Key:
     """A continuous key of a case by its name, also where the case leaves it at its default.
-
-    Parameters
-    ----------
-    case : Head
-        as it was read
-    path : str
-        dotted
-
-    Returns
-    -------
-    Key
 
     Raises
     ------

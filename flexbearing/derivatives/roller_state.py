@@ -101,17 +101,6 @@ class SolvedState:
 def solved(case: Case, report: Report | None = None) -> SolvedState:
     """The equilibrium that a run of the case finds.
 
-    Parameters
-    ----------
-    case : Case
-        as it was read
-    report : Report, optional
-        hears of the parts that are condensed; the log, unless given
-
-    Returns
-    -------
-    SolvedState
-
     Raises
     ------
     BadCase

@@ -35,22 +35,6 @@ def sensitivities(
 ) -> Sensitivities:
     """Derivatives of outputs by continuous keys at the equilibrium of a case.
 
-    Parameters
-    ----------
-    case : Case
-        as it was read
-    of : sequence of str
-        outputs, with units if others than those of the summary are wanted; "life" is the modified life where
-        the case has one, "all" every output; by default life, largest roller load, cage slip, stiffness
-    by : sequence of str
-        keys; by default all continuous ones that the case states
-    report : Report, optional
-        hears of parts that are condensed, and of every key; the log, unless given
-
-    Returns
-    -------
-    Sensitivities
-
     Raises
     ------
     BadCase
@@ -70,24 +54,12 @@ def sensitivities(
 def differentiated(
     state: SolvedState, of: Sequence[Wanted], by: Iterable[Key], report: Report | None = None
 ) -> Sensitivities:
-    """Derivatives at a state that is known.
-
-    Parameters
-    ----------
-    state : SolvedState
-        of a case
-    of : sequence of Wanted
-        outputs, see `wanted_of`
-    by : iterable of Key
-        keys of the case
-    report : Report, optional
-        hears of every key
-    """
+    """Derivatives at a state that is known."""
     return _Differentiated(state, of).table(told(list(by), report or Logged()))
 
 
 def wanted_of(case: Case, of: Sequence[str]) -> list[Wanted]:
-    """Outputs of a case that are asked for, as `sensitivities` takes them.
+    """Outputs of a case that are requested, as `sensitivities` takes them.
 
     Raises
     ------

@@ -10,18 +10,7 @@ Part = TypeVar("Part")
 
 
 def numbers(part: Any) -> dict[str, float]:
-    """Numbers of a frozen part and of what it consists of.
-
-    Parameters
-    ----------
-    part : dataclass
-        of numbers, other parts, and what has no derivative
-
-    Returns
-    -------
-    dict
-        by dotted names
-    """
+    """Numbers of a frozen part and of what it consists of."""
     found = {}
     for name, value in _fields(part).items():
         if is_dataclass(value):

@@ -14,24 +14,7 @@ KINK = 1e-2  # of a derivative: how far its two sides differ where an output has
 
 
 def with_sides(key: Key, values: NDArray, slope: NDArray, below: NDArray, above: NDArray) -> NDArray:
-    """Derivatives of outputs by a step of a key, with both sides where they differ.
-
-    Parameters
-    ----------
-    key : Key
-        of the derivatives
-    values : array (O)
-        of the outputs
-    slope : array (O)
-        derivatives
-    below, above : array (O)
-        differences to smaller and to larger keys, of first order; NaN where the key ends
-
-    Returns
-    -------
-    array (3, O)
-        slope and both sides; NaN for sides that are alike, and everywhere of an output that jumps
-    """
+    """Derivatives of outputs by a step of a key, with both sides where they differ."""
     floor, apart = key.relative_step * np.abs(values), np.abs(above - below)
     at_limit = np.isnan(above) != np.isnan(below)
     ends = np.where(np.isnan([below, above]), np.nan, slope)
@@ -47,21 +30,7 @@ def tabled(
     columns: Mapping[Key, NDArray],
     left_out: Sequence[tuple[str, str]],
 ) -> Sensitivities:
-    """The table of derivatives; outputs that the case does not have are left out.
-
-    Parameters
-    ----------
-    heading : pair of str
-        title of the case, what its raceways are
-    outputs : sequence of Wanted
-        that were asked for
-    values : array (O)
-        of them; NaN where the case does not have one
-    columns : mapping of Key to array (3, O)
-        slopes in the units of outputs and keys, and both sides, see `with_sides`
-    left_out : sequence of pairs of str
-        keys without derivatives, and why
-    """
+    """The table of derivatives; outputs that the case does not have are left out."""
     there = np.isfinite(values)
     numbers = np.array(list(columns.values())).reshape(-1, 3, len(values)).transpose(1, 2, 0)
     slopes, below, above = numbers[:, there]

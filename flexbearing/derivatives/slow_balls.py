@@ -32,22 +32,6 @@ def sensitivities(
 ) -> Sensitivities:
     """Derivatives of outputs by continuous keys at the equilibrium of a case.
 
-    Parameters
-    ----------
-    case : FourPointCase
-        as it was read
-    of : sequence of str
-        outputs, with units if others than those of the summary are wanted; "all" every output; by default
-        torque, largest load, pressure, stiffness
-    by : sequence of str
-        keys; by default all continuous ones that the case states
-    report : Report, optional
-        hears of rings that are condensed, and of every key; the log, unless given
-
-    Returns
-    -------
-    Sensitivities
-
     Raises
     ------
     BadCase

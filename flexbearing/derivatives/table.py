@@ -1,4 +1,4 @@
-"""Derivatives of outputs by keys as one frozen table, and what can be told of it."""
+"""Derivatives of outputs by keys as one frozen table, and what can be reported of it."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""What a person hears of keys while outputs are differentiated by them."""
+"""What a person reads of keys while outputs are differentiated by them."""
 
 from collections.abc import Iterator, Sequence
 

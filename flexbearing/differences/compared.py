@@ -54,6 +54,18 @@ class Differing:
 
 
 @dataclass(frozen=True)
+class Verdict:
+    """A finding that the results do not share."""
+
+    code: str
+    grade: str
+    place: str
+    source: str  # of the limit
+    one: str  # verdict; empty where a result has none
+    other: str
+
+
+@dataclass(frozen=True)
 class Compared:
     """Two results of one kind of bearing."""
 
@@ -62,6 +74,7 @@ class Compared:
     settings: tuple[Setting, ...]  # keys that differ
     outputs: tuple[Differing, ...]  # that differ by more than their estimated errors, or have none
     within_error: tuple[Differing, ...]  # that differ by less than their estimated errors
+    findings: tuple[Verdict, ...]  # with different verdicts
     without_estimate: tuple[str, ...]  # names of the outputs compared whose error nothing estimates
 
     def as_json(self) -> dict[str, Any]:
@@ -71,16 +84,6 @@ class Compared:
 
 def compared(one: Result, other: Result) -> Compared:
     """Compare two results.
-
-    Parameters
-    ----------
-    one, other : Result
-        of the same kind of bearing
-
-    Returns
-    -------
-    Compared
-        keys in the units of tables, outputs in those of the summary
 
     Raises
     ------
@@ -99,6 +102,7 @@ def compared(one: Result, other: Result) -> Compared:
         tuple(_settings(one, other)),
         tuple(each for each in differ if not each.explained),
         tuple(each for each in differ if each.explained and not isnan(each.error)),
+        tuple(_verdicts(one, other)),
         tuple(
             each.name for each in both if isnan(each.error) and not (isnan(each.one) and isnan(each.other))
         ),
@@ -115,6 +119,21 @@ def _settings(one: Result, other: Result) -> Iterator[Setting]:
             continue
         name, converted = in_table(key, kind)
         yield Setting(key, name, *(_converted(value, converted) for value in values))
+
+
+def _verdicts(one: Result, other: Result) -> Iterator[Verdict]:
+    """Findings whose verdicts differ, in the order of the results."""
+    both = [
+        {
+            (each["code"], each["grade"], each["place"], each["source"]): each["verdict"]
+            for each in result.attributes.get("findings", ())
+        }
+        for result in (one, other)
+    ]
+    for key in dict.fromkeys((*both[0], *both[1])):
+        verdicts = [found.get(key, "") for found in both]
+        if verdicts[0] != verdicts[1]:
+            yield Verdict(*key, *verdicts)
 
 
 def _converted(value: Any, converted: Any) -> Any:

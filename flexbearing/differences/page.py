@@ -9,17 +9,12 @@ from rich.text import Text
 
 from flexbearing.case.excerpt import excerpt
 from flexbearing.differences.compared import Compared, Differing
+from flexbearing.findings import of_code
 from flexbearing.report.sections import right_aligned
 
 
 def sections(found: Compared) -> Iterator[RenderableType]:
-    """Keys that differ, outputs that differ, and what is known of their errors.
-
-    Parameters
-    ----------
-    found : Compared
-        two results
-    """
+    """Keys that differ, outputs that differ, and what is known of their errors."""
     yield Text(f"A  {found.one}\nB  {found.other}", style="bold")
     if found.settings:
         yield Text("\nKeys of the cases that differ")
@@ -27,6 +22,9 @@ def sections(found: Compared) -> Iterator[RenderableType]:
         yield Text("\nThe cases have the same keys and values.")
     for each in found.settings:
         yield Text(f"  {each.key}: {_setting(each.one, each.unit)} | {_setting(each.other, each.unit)}")
+    for each in found.findings:
+        name = ", ".join(filter(None, (of_code(each.code, each.grade).label, each.place)))
+        yield Text(f"Limit of {name} ({each.source}): {each.one or 'none'} | {each.other or 'none'}")
     if found.outputs:
         table = right_aligned("output", "unit", "A", "B", "B - A", "error")
         table.columns[0].overflow = "fold"

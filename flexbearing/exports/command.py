@@ -10,7 +10,7 @@ import typer
 from flexbearing.printable import printable
 from flexbearing.program.kept import keeping
 
-FORMS = ("csv", "vtu", "netcdf", "ross", "rexs")
+FORMS = ("csv", "vtu", "netcdf", "ross", "rexs", "effects")
 NOT_CONVERGED = 1
 
 
@@ -30,7 +30,7 @@ def export(
         typer.Option("--state", metavar="STATE", help='of vtu: "rigid", "flexible" or "iteration N"'),
     ] = None,
 ) -> None:
-    """Write a result for other programs: tables, fields of the rings, netCDF, ROSS, REXS."""
+    """Write a result for other programs: tables, fields of the rings, netCDF, ROSS, REXS, effects."""
     options = {name: value for name, value in (("part", part), ("state", state)) if value is not None}
     _require_belonging(to, options)
     written: list[Path] = []
@@ -71,6 +71,10 @@ def _files(file: Path, to: str, directory: Path, options: dict[str, str]) -> Ite
         from flexbearing.exports import rexs
 
         yield from rexs.export(result, directory)
+    elif to == "effects":
+        from flexbearing.exports import effects
+
+        yield from effects.export(result, directory)
     elif to == "netcdf":
         from flexbearing.exports import netcdf
 

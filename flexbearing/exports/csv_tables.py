@@ -19,19 +19,6 @@ ALONE = "scalars"  # name of the table of numbers without places
 def export(result: Result, directory: Path) -> Iterator[Path]:
     """Write the end states of a result.
 
-    Parameters
-    ----------
-    result : Result
-        what a run left behind
-    directory : Path
-        where to; made when it is not there
-
-    Yields
-    ------
-    Path
-        each file when it is complete, ``r_flexible_roller.csv`` with a row for every roller,
-        ``r_flexible_roller_slice.csv`` with one for every slice of every roller, and so on
-
     Raises
     ------
     BadResult

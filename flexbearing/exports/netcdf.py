@@ -13,18 +13,6 @@ EXTRA = 'pip install "flexbearing[studies]"'
 def export(result: Result, directory: Path) -> Iterator[Path]:
     """Write a result as `Result.to_xarray` has it.
 
-    Parameters
-    ----------
-    result : Result
-        what a run left behind
-    directory : Path
-        where to; made when it is not there
-
-    Yields
-    ------
-    Path
-        ``r.nc``
-
     Raises
     ------
     BadOutput

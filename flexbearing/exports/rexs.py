@@ -27,18 +27,6 @@ Attributes = dict[str, tuple[Value, str]]
 def export(result: Result, directory: Path) -> Iterator[Path]:
     """Write a roller bearing with its main block as the load case.
 
-    Parameters
-    ----------
-    result : Result
-        of a roller bearing
-    directory : Path
-        where to; made when it is not there
-
-    Yields
-    ------
-    Path
-        ``r.rexs``
-
     Raises
     ------
     BadCase
@@ -63,21 +51,7 @@ def export(result: Result, directory: Path) -> Iterator[Path]:
 
 
 def model(case: Mapping[str, Any], attributes: Mapping[str, Any], state: Mapping[str, NDArray]) -> Model:
-    """Parts of a case and what the load makes of them.
-
-    Parameters
-    ----------
-    case : mapping
-        in SI units, as `case_si` of a result
-    attributes : mapping
-        root attributes of a result
-    state : mapping
-        arrays of a block, SI units
-
-    Returns
-    -------
-    Model
-    """
+    """Parts of a case and what the load makes of them."""
     made = Model()
     unit = made.add("gear_unit", attributes["title"])
     casing, shaft = made.add("gear_casing", "casing"), made.add("shaft", "shaft")

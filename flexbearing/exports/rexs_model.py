@@ -53,20 +53,7 @@ class Model:
         self.load_case.append(Component(part.number, part.kind, attributes, part.name))
 
     def xml(self, date: str, version: str) -> bytes:
-        """The file.
-
-        Parameters
-        ----------
-        date : str
-            of the computation, ISO 8601
-        version : str
-            of flexbearing
-
-        Returns
-        -------
-        bytes
-            XML, UTF-8
-        """
+        """The file."""
         head = {
             "version": VERSION,
             "applicationId": "flexbearing",

@@ -45,19 +45,6 @@ class Bearing:
 def export(table: Path, directory: Path) -> Iterator[Path]:
     """Write the bearing of a study over its speeds, a file for each version of ROSS.
 
-    Parameters
-    ----------
-    table : Path
-        CSV of a study over `operation.inner_speed` alone, with the columns total_stiffness_yy, _yz, _zy,
-        _zz of roller bearings, or stiffness_yy, _yz, _zy, _zz of ball bearings
-    directory : Path
-        where to; made when it is not there
-
-    Yields
-    ------
-    Path
-        ``speeds_ross2.toml`` and ``speeds_ross3.toml``
-
     Raises
     ------
     BadResult
@@ -74,22 +61,7 @@ def export(table: Path, directory: Path) -> Iterator[Path]:
 
 
 def text(bearing: Bearing, tag: str, axis: str) -> str:
-    """A bearing as ``BearingElement.load`` of ROSS reads it, at node 0 and without damping.
-
-    Parameters
-    ----------
-    bearing : Bearing
-        over its speeds
-    tag : str
-        of the element
-    axis : str
-        name of the argument that takes the speeds
-
-    Returns
-    -------
-    str
-        TOML
-    """
+    """A bearing as ``BearingElement.load`` of ROSS reads it, at node 0 and without damping."""
     numbers = {"kxx": bearing.kxx, "kxy": bearing.kxy, "kyx": bearing.kyx, "kyy": bearing.kyy}
     lists = {axis: bearing.speed, **numbers, **{f"c{name[1:]}": 0.0 * each for name, each in numbers.items()}}
     lines = [f"{name} = {json.dumps(each.tolist())}" for name, each in lists.items()]
@@ -99,16 +71,6 @@ def text(bearing: Bearing, tag: str, axis: str) -> str:
 
 def read(path: Path) -> Bearing:
     """Read the table of a study.
-
-    Parameters
-    ----------
-    path : Path
-        CSV
-
-    Returns
-    -------
-    Bearing
-        in the order of growing speed
 
     Raises
     ------

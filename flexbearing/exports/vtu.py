@@ -13,22 +13,6 @@ def export(
 ) -> Iterator[Path]:
     """Compute the fields of a stored state, print their largest stresses and write them.
 
-    Parameters
-    ----------
-    result : Result
-        what a run of a roller bearing left behind
-    directory : Path
-        where to; made when it is not there
-    part : "inner" or "outer", optional
-        only this one
-    state : str
-        "rigid", "flexible" or "iteration N"
-
-    Yields
-    ------
-    Path
-        each file when it is complete, ``r_outer_flexible.vtu``
-
     Raises
     ------
     BadCase, BadResult

@@ -1,6 +1,6 @@
 """Files of a user: where one may be written, who is writing it, how it appears whole or not at all.
 
-What stands in them belongs to the rooms that make them: results, report, cache.
+What is in them belongs to the rooms that make them: results, report, cache.
 """
 
 from flexbearing.files.csv_rows import as_csv

@@ -16,18 +16,6 @@ class BadOutput(ValueError):
 def require_output(path: str | Path, inputs: Iterable[str | Path] = ()) -> Path:
     """Settle where an output goes, and that it can be written there.
 
-    Parameters
-    ----------
-    path : path
-        as the user gave it; a link leads to the file it points at
-    inputs : iterable of paths
-        files that are read: the case, a drawing, a result to start from
-
-    Returns
-    -------
-    Path
-        absolute, without links; its folder is there
-
     Raises
     ------
     BadOutput
@@ -60,18 +48,6 @@ def require_output(path: str | Path, inputs: Iterable[str | Path] = ()) -> Path:
 def require_outputs(paths: Iterable[str | Path], inputs: Iterable[str | Path] = ()) -> list[Path]:
     """Settle where all outputs of a command go, before one of them is written.
 
-    Parameters
-    ----------
-    paths : iterable of paths
-        each as for `require_output`
-    inputs : iterable of paths
-        files that are read
-
-    Returns
-    -------
-    list of Path
-        as of `require_output`, in the same order
-
     Raises
     ------
     BadOutput
@@ -91,16 +67,6 @@ def require_outputs(paths: Iterable[str | Path], inputs: Iterable[str | Path] = 
 
 def require_folder(folder: str | Path) -> Path:
     """Make a folder that outputs go to, where it is not there yet.
-
-    Parameters
-    ----------
-    folder : path
-        with any number of folders above it that are missing, too
-
-    Returns
-    -------
-    Path
-        the folder
 
     Raises
     ------

@@ -34,11 +34,6 @@ def lock(path: Path) -> Iterator[None]:
     The operating system ends the lock with its process, however that ends, so that what a killed one left
     behind does not matter. The file beside the output tells others who holds it.
 
-    Parameters
-    ----------
-    path : Path
-        the output, from `require_output`
-
     Raises
     ------
     BadOutput

@@ -26,18 +26,7 @@ def part_name(path: Path, suffix: str = UNFINISHED) -> Path:
 
 
 def parts_of(path: Path) -> list[tuple[Path, str, int]]:
-    """Unfinished files beside a file, also those that were being written when their process was killed.
-
-    Parameters
-    ----------
-    path : Path
-        the finished file, there or not
-
-    Returns
-    -------
-    list of (Path, str, int)
-        each with the host and the process that wrote it, the newest first
-    """
+    """Unfinished files beside a file, also those that were being written when their process was killed."""
     parts = []
     with suppress(OSError):  # a folder that is not there has none
         for other in path.parent.iterdir():
@@ -52,17 +41,6 @@ def write(path: Path, data: bytes, *, beside: Path | None = None, lasting: bool 
 
     The bytes go to a name of their own, created exclusively, and are read again before they take the place
     of what was there.
-
-    Parameters
-    ----------
-    path : Path
-        its folder is there
-    data : bytes
-        the whole content
-    beside : Path, optional
-        file after which the part is named, where `path` is a part itself
-    lasting : bool
-        whether it must outlive a power cut: then it is brought to the disk before it takes its name
 
     Raises
     ------

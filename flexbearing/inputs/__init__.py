@@ -1,6 +1,6 @@
 """Files that are read: plain ones of limited size, their text, and the numbers in them.
 
-Every file that a user, another program or another machine wrote is opened here. What stands in it belongs to
+Every file that a user, another program or another machine wrote is opened here. What is in it belongs to
 the rooms that know the format.
 """
 

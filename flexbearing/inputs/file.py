@@ -1,4 +1,4 @@
-"""Plain files within a size: pipes and devices, which may have no end, are never opened."""
+"""Plain files within a size: pipes and devices, which may never end, are never opened."""
 
 import os
 import re
@@ -34,16 +34,6 @@ class Stamp(NamedTuple):
 def opened(path: Path) -> Iterator[BufferedReader]:
     """Open a plain file for reading.
 
-    Parameters
-    ----------
-    path : Path
-        of a plain file, or a link to one
-
-    Yields
-    ------
-    BufferedReader
-        at its beginning
-
     Raises
     ------
     Unreadable
@@ -61,17 +51,6 @@ def opened(path: Path) -> Iterator[BufferedReader]:
 
 def content(path: Path, most: int) -> bytes:
     """Content of a file.
-
-    Parameters
-    ----------
-    path : Path
-        of a plain file, or a link to one
-    most : int
-        bytes that its format allows; more are not read
-
-    Returns
-    -------
-    bytes
 
     Raises
     ------
@@ -123,7 +102,7 @@ def lines(path: Path, most: int) -> Iterator[str]:
 
 
 def stamp(path: Path) -> Stamp:
-    """What tells that a plain file has changed.
+    """What says that a plain file has changed.
 
     Raises
     ------

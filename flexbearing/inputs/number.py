@@ -15,17 +15,6 @@ class BadNumber(ValueError):
 def number(text: str, largest: float = LARGEST) -> float:
     """A finite number; 1.5D+06 is that of Fortran, 1.5+6 that of Nastran.
 
-    Parameters
-    ----------
-    text : str
-        of any length
-    largest : float
-        allowed size
-
-    Returns
-    -------
-    float
-
     Raises
     ------
     BadNumber
@@ -46,17 +35,6 @@ def number(text: str, largest: float = LARGEST) -> float:
 
 def whole(text: str, least: int, most: int) -> int:
     """A whole number between two others.
-
-    Parameters
-    ----------
-    text : str
-        of any length
-    least, most : int
-        what is allowed
-
-    Returns
-    -------
-    int
 
     Raises
     ------

@@ -30,7 +30,7 @@ class Measured:
     """The objective and the constraints of a design."""
 
     what: str  # "the case", or how it is resolved
-    objective: float | None  # in its unit; None where it has no answer
+    objective: float | None  # in its unit; None where it has no result
     bounds: tuple[float, ...]  # the worst term of each constraint, in its unit
     missed: float = 0.0  # how far the worst one is missed, over its size
     message: str = ""
@@ -83,25 +83,7 @@ def answer(
     how: dict[str, str],
     seconds: tuple[float, float],
 ) -> Optimum:
-    """Order what the starts found, and compute what is told of the best.
-
-    Parameters
-    ----------
-    evaluations : Evaluations
-        of the problem
-    surrogate : Evaluations or None
-        what was searched in its place
-    starts : sequence of Found
-        at least one
-    how : dict
-        how derivatives were found, by the names of variables
-    seconds : pair of float
-        that search and verification took so far [s]
-
-    Returns
-    -------
-    Optimum
-    """
+    """Order what the starts found, and compute what is reported of the best."""
     began, problem, goal, bounds = perf_counter(), evaluations.problem, evaluations.goal, evaluations.bounds
     ordered = tuple(sorted(starts, key=rank))
     best = _settings(evaluations, ordered[0].point)

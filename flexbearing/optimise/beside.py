@@ -39,22 +39,7 @@ def for_slopes(settled: Prepared, groups: Sequence[Sequence[str]]) -> Prepared:
 def beside(
     both: Prepared, groups: Sequence[Sequence[str]], slopes: Work, values: Work
 ) -> tuple[Prepared, Work]:
-    """One batch of the slopes of a design and of its values by finer models, and what computes it.
-
-    Parameters
-    ----------
-    both : Prepared
-        the design, then the same with the settings that verify it
-    groups : sequence of sequences of str
-        keys, each group a task with slopes
-    slopes, values : Work
-        of both kinds
-
-    Returns
-    -------
-    tuple
-        the batch, and its work
-    """
+    """One batch of the slopes of a design and of its values by finer models, and what computes it."""
     plan, count = both.plan, len(both.plan.variants) // 2
     finer = replace(plan, variants=plan.variants[count:])
     named = for_slopes(replace(both, plan=replace(plan, variants=plan.variants[:count])), groups).plan

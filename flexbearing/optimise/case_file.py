@@ -21,22 +21,7 @@ _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
 def case_text(study: Study, settings: Mapping[str, Any], folder: Path) -> bytes:
-    """The case of a study with some settings, as a file in a folder.
-
-    Parameters
-    ----------
-    study : Study
-        with the text of its case
-    settings : mapping
-        key to value, in the words of a case file
-    folder : Path
-        where the file will stand: files that the case names are told from there
-
-    Returns
-    -------
-    bytes
-        TOML
-    """
+    """The case of a study with some settings, as a file in a folder."""
     raw = deepcopy(tables(study.text))
     case = with_settings(raw, Source(str(study.case), study.text, written(settings)), FAMILIES)
     named = {path.resolve() for path in case.named_files}
@@ -49,11 +34,6 @@ def case_text(study: Study, settings: Mapping[str, Any], folder: Path) -> bytes:
 
 def require_unedited(place: Path) -> None:
     """Refuse to replace a case that somebody else wrote, or edited after `case_text` made it.
-
-    Parameters
-    ----------
-    place : Path
-        there or not
 
     Raises
     ------
@@ -71,7 +51,7 @@ def require_unedited(place: Path) -> None:
 
 
 def _seal(text: bytes) -> bytes:
-    """The line before a text that tells whether it was edited."""
+    """The line before a text that says whether it was edited."""
     return b"# flexbearing optimise replaces this file while it is unchanged: %08x\n" % crc32(text)
 
 

@@ -30,7 +30,7 @@ Point = tuple[float, ...]  # values of the variables in their units
 
 
 class NotComputed(ValueError):
-    """A design without an answer in some row; the message says why."""
+    """A design without a result in some row; the message says why."""
 
 
 @dataclass(frozen=True)
@@ -94,7 +94,7 @@ class Evaluations:
         Raises
         ------
         BadCase
-            for a linear one of a case without an answer
+            for a linear one of a case without a result
         """
         goal = self.problem.goal(self.cycles)
         if goal.logarithmic:

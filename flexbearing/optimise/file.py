@@ -52,17 +52,6 @@ class Problem:
 def read(path: str | Path, families: Families) -> Problem:
     """Read an optimisation file.
 
-    Parameters
-    ----------
-    path : path
-        TOML file
-    families : mapping
-        kind to family
-
-    Returns
-    -------
-    Problem
-
     Raises
     ------
     BadCase
@@ -120,7 +109,7 @@ def _validated(raw: dict[str, Any], file: Path) -> OptimisationFile:
 
 
 def _require_apart(found: tuple[Variable, ...], study: Study, fixed: Settings, table: str) -> None:
-    """Refuse a key that stands in two tables, and speeds, which weigh the rows of a duty cycle."""
+    """Refuse a key that is in two tables, and speeds, which weigh the rows of a duty cycle."""
     others = dict.fromkeys(study.keys, "[over] or [duty]") | dict.fromkeys(fixed, table)
     for each in found:
         if each.entry is None and each.key in others:

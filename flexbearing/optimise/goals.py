@@ -30,12 +30,12 @@ class Terms:
     """A quantity in each of T rows or duty cycles, and its derivatives by K variables."""
 
     values: NDArray  # (T)
-    slopes: NDArray  # (T, K); NaN where they are not asked for
+    slopes: NDArray  # (T, K); NaN where they are not requested
 
 
 @dataclass(frozen=True)
 class Measure:
-    """An output as it is told: of every row, or cumulated over the rows of a duty cycle."""
+    """An output as it is reported: of every row, or cumulated over the rows of a duty cycle."""
 
     name: str
     text: str  # of the output that rows hold
@@ -73,7 +73,7 @@ class Goal:
     size: float = 1.0  # of a linear one, by which it is scaled
 
     def value(self, terms: Terms) -> float:
-        """The number that is told, in the unit of the measure."""
+        """The number that is reported, in the unit of the measure."""
         if not self.worst:
             return float(terms.values.mean())
         return float(self.sign * (self.sign * terms.values).min())

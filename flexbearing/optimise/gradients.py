@@ -54,7 +54,7 @@ class Gradients:
         Raises
         ------
         NotComputed
-            where the design, or one beside it on either side, has no answer
+            where the design, or one beside it on either side, has no result
         """
         (numbers,) = self.evaluations.at([point])
         if isinstance(numbers, NotComputed):
@@ -108,7 +108,7 @@ class Gradients:
     def _column(
         self, variable: Variable, point: Point, middle: Numbers, known: dict[float, Numbers]
     ) -> dict[str, NDArray]:
-        """Difference over the span of the designs that have an answer."""
+        """Difference over the span of the designs that have a result."""
         there = point[self.variables.index(variable)]
         shares = {
             step: variable.share(self._moved(point, variable, step)[self.variables.index(variable)])

@@ -3,7 +3,7 @@
 Each round searches the corrected model about the best design so far and computes the case with its
 derivatives where that ends. Both models have the same values and derivatives there, so that a design which
 is an optimum of the corrected model about itself is one of the case. A design that is no better in objective
-or constraints than a former one is refused, and the next one searched nearer.
+or constraints than a former one is refused, and the next one searched closer.
 
 Source
 ------
@@ -70,25 +70,7 @@ def _missed(margins: NDArray) -> float:
 def managed_search(
     problem: ScaledProblem, cheap: Designs, start: NDArray, known: Sequence[Found] = ()
 ) -> Found:
-    """Search from one start.
-
-    Parameters
-    ----------
-    problem : ScaledProblem
-        of the case
-    cheap : Designs
-        of the model that is searched
-    start : array (K)
-        shares
-    known : sequence of Found
-        of former starts: the best of them corrects the cheap model at first, and a search that ends there has
-        found the same optimum
-
-    Returns
-    -------
-    Found
-        whose iterations are designs of the case
-    """
+    """Search from one start."""
     begin = problem.point(start)
     converged = [each for each in known if each.end is End.CONVERGED]
     if converged:
@@ -100,21 +82,7 @@ def managed_search(
 
 
 def from_design(problem: ScaledProblem, cheap: Designs, shares: NDArray, iterations: int) -> Found:
-    """Go on from a design of the case.
-
-    Parameters
-    ----------
-    problem, cheap
-        as for `managed_search`
-    shares : array (K)
-        of that design
-    iterations : int
-        designs of the case so far, with that one
-
-    Returns
-    -------
-    Found
-    """
+    """Go on from a design of the case."""
     rounds, reach = _Rounds(problem, cheap), 1.0
     centre = rounds.examined(shares, iterations)
     for number in range(iterations + 1, problem.settings.iterations + 1):

@@ -72,24 +72,6 @@ def optimise(
 
     Designs that a former call with the same folder computed are taken from there.
 
-    Parameters
-    ----------
-    file : path
-        optimisation file
-    output : path
-        folder of the table, of the case at the best point, and of what is computed so far
-    jobs : int, optional
-        processes that compute; without it one, or where rings are meshed for every design as many as cores
-    tell : callable (Found)
-        hears of the end of each start
-    work : callable (problem, folder), optional
-        gives what computes in place of a bearing
-
-    Returns
-    -------
-    Optimum
-        also where no start converged, or no point meets all constraints: `best.end` says so
-
     Raises
     ------
     BadCase
@@ -104,7 +86,7 @@ def optimise(
     require_unedited(case)
     meshed = varied_rings(problem)
     count = processes(jobs) if jobs else (cores() if meshed else 1)
-    if meshed and not problem.surrogate:  # noise of meshes is all that nearer designs differ by
+    if meshed and not problem.surrogate:  # noise of meshes is all that closer designs differ by
         rounded = tuple(replace(each, digits=MESHED_DIGITS) for each in problem.variables)
         problem = replace(problem, variables=rounded)
     workers = replace((work or _bearings)(problem, folder), processes=count)
@@ -139,7 +121,7 @@ def _sound(problem: Problem) -> Prepared:
 
 
 def _require_starts(problem: Problem) -> None:
-    """Refuse settings with which no start can be computed, by the table that they stand in."""
+    """Refuse settings with which no start can be computed, by the table that they are in."""
     file, settings = problem.study.path.name, problem.search
     first = np.array([each.start for each in problem.variables])
     shares = starts(settings.starts, first, settings.seed)
@@ -213,7 +195,7 @@ class _Search:
     spare: float  # margin up to which a constraint counts as used up
 
     def optimum(self, tell: Tell) -> Optimum:
-        """What is found; `tell` hears of the end of each start."""
+        """What is found; `tell` is called with the end of each start."""
         began, found, settings = perf_counter(), [], self._gradients.settings
         first = np.array([each.start for each in self._gradients.variables])
         points, seconds = list(starts(settings.starts, first, settings.seed)), 0.0

@@ -22,7 +22,7 @@ RESTARTS = 3  # of an optimiser that stops before an optimum, with a new approxi
 SPARE = 5e-4  # margin up to which a constraint counts as used up, over the size of its bound
 FLAT = 1e-2  # of the tolerance: change of the merit in an iteration at which the optimiser stops
 MODELS = 10  # models of cobyqa that count as an iteration
-PENALTY = 10.0  # by which the merit of a design without an answer is below that of the start
+PENALTY = 10.0  # by which the merit of a design without a result is below that of the start
 
 
 class End(StrEnum):
@@ -42,7 +42,7 @@ class Found:
     end: End
     start: Point
     point: Point
-    numbers: Numbers | None  # with slopes; None where the design has no answer
+    numbers: Numbers | None  # with slopes; None where the design has no result
     merits: Terms | None
     margins: Terms | None
     optimality: Optimality | None
@@ -51,7 +51,7 @@ class Found:
 
     @property
     def merit(self) -> float:
-        """What was made large; minus infinity without an answer."""
+        """What was made large; minus infinity without a result."""
         return -np.inf if self.merits is None else float(self.merits.values.min())
 
     @property
@@ -146,7 +146,7 @@ class ScaledProblem:
         return (joined, none) if self.nearest else (merits, joined)
 
     def values(self, shares: NDArray) -> tuple[NDArray, NDArray] | None:
-        """Merits and margins; None of a design without an answer."""
+        """Merits and margins; None of a design without a result."""
         (numbers,) = self.designs.values([self.point(shares)])
         if isinstance(numbers, NotComputed):
             return None
@@ -177,19 +177,7 @@ def starts(number: int, first: NDArray, seed: int) -> Iterator[NDArray]:
 
 
 def search(problem: ScaledProblem, start: NDArray) -> Found:
-    """Search from one start; where constraints are not met at its end, first for a point that meets them.
-
-    Parameters
-    ----------
-    problem : ScaledProblem
-        what is searched
-    start : array (K)
-        shares
-
-    Returns
-    -------
-    Found
-    """
+    """Search from one start; where constraints are not met at its end, first for a point that meets them."""
     found = _optimised(problem, start)
     if found.end is not End.INFEASIBLE:
         return found
@@ -284,6 +272,6 @@ def examined(
 
 
 def _unknown(problem: ScaledProblem, shares: NDArray, why: str, iterations: int) -> Found:
-    """A point without an answer."""
+    """A point without a result."""
     point = problem.point(shares)
     return Found(End.NO_ANSWER, point, point, None, None, None, None, why, iterations)

@@ -17,19 +17,7 @@ def start(found: Found, optimum: str = "") -> str:
 
 
 def page(optimum: Optimum, folder: Path) -> str:
-    """The answer as text.
-
-    Parameters
-    ----------
-    optimum : Optimum
-        what was found
-    folder : Path
-        of its files
-
-    Returns
-    -------
-    str
-    """
+    """The answer as text."""
     search, verification = optimum.seconds
     lines = [
         f"{optimum.name}: {optimum.best.end}",

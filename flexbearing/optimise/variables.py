@@ -31,7 +31,7 @@ class Variable:
     size: float = 1.0  # of the unit in SI
     given: float | None = None  # what the case has, in the unit
     logarithmic: bool = False
-    digits: int = DIGITS  # of the share of the range: designs nearer to each other are one
+    digits: int = DIGITS  # of the share of the range: designs closer to each other are one
 
     @property
     def start(self) -> float:
@@ -66,19 +66,6 @@ def variables(
     given: Mapping[str, Any], find: Callable[[str], Declaration], stated: Callable[[str], Any]
 ) -> tuple[Variable, ...]:
     """What the table [vary] holds.
-
-    Parameters
-    ----------
-    given : mapping
-        key or entry of a key to its bounds
-    find : callable (key)
-        declaration of a key; raises BadValues where the case has none
-    stated : callable (key)
-        what the case has there, in its words; None where it does not give the key
-
-    Returns
-    -------
-    tuple of Variable
 
     Raises
     ------
@@ -157,22 +144,7 @@ def keys_of(varied: Sequence[Variable]) -> tuple[str, ...]:
 def settings(
     varied: Sequence[Variable], values: Sequence[float], lists: Mapping[str, Sequence[Any]]
 ) -> dict[str, Any]:
-    """Values of the keys at a point, in the words of a case file.
-
-    Parameters
-    ----------
-    varied : sequence of Variable
-        K of them
-    values : sequence of float (K)
-        in their units
-    lists : mapping
-        of keys that hold lists, what the case has there
-
-    Returns
-    -------
-    dict
-        key to value
-    """
+    """Values of the keys at a point, in the words of a case file."""
     found: dict[str, Any] = {}
     for each, value in zip(varied, values, strict=True):
         if each.entry is None:

@@ -39,22 +39,7 @@ def slope_name(text: str, key: str) -> str:
 
 
 def slope_rows(task: Task, wish: SlopeWish, cache: str | None = None) -> tuple[Row, ...]:
-    """Outputs of variants with their derivatives.
-
-    Parameters
-    ----------
-    task : Task
-        variants
-    wish : SlopeWish
-        what is wanted of them
-    cache : str, optional
-        as for `flexbearing.studies.worker.rows`
-
-    Returns
-    -------
-    tuple of Row
-        without the slopes of keys that have none, whose message says why
-    """
+    """Outputs of variants with their derivatives."""
     read = variants_of(task.base)
     with rings_in(cache):
         return tuple(

@@ -69,7 +69,7 @@ class Output:
 
 @dataclass(frozen=True)
 class Wanted:
-    """An output that was asked for, with the block it is taken from and the unit it is given in."""
+    """An output that was requested, with the block it is taken from and the unit it is given in."""
 
     output: Output
     block: str  # "rigid" or "flexible"; empty: flexible where there is such a block, else rigid
@@ -78,7 +78,7 @@ class Wanted:
 
     @property
     def name(self) -> str:
-        """As it was asked for, without the unit."""
+        """As it was requested, without the unit."""
         return f"{self.block}.{self.output.name}" if self.block else self.output.name
 
     @property
@@ -118,15 +118,6 @@ class Wanted:
     def value(self, blocks: Mapping[str, Block]) -> Value:
         """The same with its unit.
 
-        Parameters
-        ----------
-        blocks : mapping
-            `rigid` and `flexible`
-
-        Returns
-        -------
-        Value
-
         Raises
         ------
         AbsentOutput
@@ -154,33 +145,12 @@ def _by_name(quantities: tuple[Quantity, ...]) -> dict[str, Output]:
 
 
 def outputs(layout: Layout) -> tuple[Output, ...]:
-    """List every scalar output of a kind of bearing.
-
-    Parameters
-    ----------
-    layout : Layout
-        of the family
-
-    Returns
-    -------
-    tuple of Output
-        in the order of the summary; any of them may be absent from a block, see `Output.number`
-    """
+    """List every scalar output of a kind of bearing."""
     return tuple(_by_name(layout.quantities).values())
 
 
 def of_rollers(layout: Layout) -> Mapping[str, Quantity]:
-    """Quantities with a number for every roller, by name; `wanted` takes them one by one, "inner_load.1".
-
-    Parameters
-    ----------
-    layout : Layout
-        of the family
-
-    Returns
-    -------
-    dict
-    """
+    """Quantities with a number for every roller, by name; `wanted` takes them one by one, "inner_load.1"."""
     symbols = {axis.symbol for axis in layout.axes if axis.name == ROLLER}
     return {entry.name: entry for entry in layout.quantities if entry.axes in symbols}
 
@@ -198,18 +168,6 @@ def _of_roller(layout: Layout, name: str) -> Output | None:
 
 def wanted(layout: Layout, text: str) -> Wanted:
     """Understand a name with block and unit.
-
-    Parameters
-    ----------
-    layout : Layout
-        of the family
-    text : str
-        "flexible.max_roller_load [kN]"; without a unit in that of the summary, without a block from the
-        flexible one where there is one, else from the rigid one
-
-    Returns
-    -------
-    Wanted
 
     Raises
     ------

@@ -33,19 +33,6 @@ class Conversion:
 def conversion(given: str, new: str, *, turning: bool = False) -> Conversion:
     """Find the way from one unit to another.
 
-    Parameters
-    ----------
-    given : str
-        unit of a number
-    new : str
-        unit that is wanted
-    turning : bool
-        whether the number counts revolutions at a known speed, and may become a time
-
-    Returns
-    -------
-    Conversion
-
     Raises
     ------
     WrongUnit
@@ -90,15 +77,6 @@ class Value:
 
     def to(self, unit: str) -> "Value":
         """The same in another unit.
-
-        Parameters
-        ----------
-        unit : str
-            of the same kind, "kN" for "N"; of revolutions also a time
-
-        Returns
-        -------
-        Value
 
         Raises
         ------

@@ -17,18 +17,6 @@ from flexbearing.results import Result
 def section(one: Result, other: Result, units: Units) -> Section:
     """Compare two results in a section of a report.
 
-    Parameters
-    ----------
-    one, other : Result
-        of the same kind of bearing; the report is that of `one`
-    units : Units
-        of the report
-
-    Returns
-    -------
-    Section
-        keys that differ, main figure of both, outputs that differ by more than their estimated errors
-
     Raises
     ------
     BadResult

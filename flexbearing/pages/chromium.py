@@ -15,11 +15,6 @@ SECONDS = 120.0  # that a page may take
 def chromium() -> str:
     """Find an installed Chromium.
 
-    Returns
-    -------
-    str
-        its path
-
     Raises
     ------
     BadOutput
@@ -33,18 +28,6 @@ def chromium() -> str:
 
 def pdf_bytes(browser: str, page: Path) -> bytes:
     """Print a page.
-
-    Parameters
-    ----------
-    browser : str
-        of `chromium`
-    page : Path
-        HTML file
-
-    Returns
-    -------
-    bytes
-        content of a PDF file
 
     Raises
     ------

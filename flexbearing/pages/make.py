@@ -31,24 +31,6 @@ def report(
 ) -> list[Path]:
     """Write the report of a result or of a study as one HTML file, which opens without a network.
 
-    Parameters
-    ----------
-    source : path
-        result file, the table of a study (CSV or Parquet), or a folder with one such table
-    output : path, optional
-        where to; else beside the source, NAME_report.html
-    against : path, optional
-        another result of the same kind of bearing, to compare with
-    units : str
-        "metric" or "imperial", of every number but those in texts of the case and in its notes
-    pdf : bool
-        whether the same is printed to a PDF file beside it, by an installed Chromium
-
-    Returns
-    -------
-    list of Path
-        what was written
-
     Raises
     ------
     BadCase

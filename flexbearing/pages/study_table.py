@@ -15,16 +15,6 @@ def tables_of(table: Path) -> list[Path]:
 def table_file(place: Path) -> Path:
     """Find the table of a study.
 
-    Parameters
-    ----------
-    place : Path
-        a table, the folder that holds one, or the folder of the results of a study beside its table
-
-    Returns
-    -------
-    Path
-        a CSV file
-
     Raises
     ------
     BadResult

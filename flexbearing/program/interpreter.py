@@ -31,7 +31,7 @@ _START = (
 
 
 class Died(RuntimeError):
-    """A process ended without an answer."""
+    """A process ended without a result."""
 
 
 class NeverStarted(Died):
@@ -42,15 +42,7 @@ class Interpreter:
     """A process that answers one call after the other."""
 
     def __init__(self, workers: int, ahead: str | None = None):
-        """Start the process.
-
-        Parameters
-        ----------
-        workers : int
-            processes that share the cores
-        ahead : str, optional
-            module that is loaded before the first call
-        """
+        """Start the process."""
         self._errors = TemporaryFile()  # noqa: SIM115  # closed with its process
         self.calls, theirs = Pipe()  # what `multiprocessing.connection.wait` waits for
         with theirs:
@@ -75,19 +67,12 @@ class Interpreter:
             raise NeverStarted(f"worker processes end with {code}: {self._last_words()}") from ended
 
     def send(self, function: Callable[[Any], Any], argument: Any) -> None:
-        """Have a function called, without waiting; a process that has ended is told by `answer`."""
+        """Have a function called, without waiting; a process that has ended is reported by `answer`."""
         with suppress(ConnectionError):
             self.calls.send((function, argument))
 
     def answer(self) -> tuple[Any, Exception | None]:
         """Wait for the end of a call, in a process whose start was awaited.
-
-        Returns
-        -------
-        answer : object
-            of the function
-        raised : Exception or None
-            by the function, or by the pickling of call or answer, instead of an answer
 
         Raises
         ------
@@ -121,15 +106,7 @@ class Interpreter:
 
 
 def serve(end: int, ahead: str | None) -> None:
-    """Answer calls in the process beside, until the other one is gone.
-
-    Parameters
-    ----------
-    end : int
-        file descriptor of this end of the connection
-    ahead : str or None
-        module that is loaded before
-    """
+    """Answer calls in the process beside, until the other one is gone."""
     calls, received = Connection(end), SimpleQueue[bytes]()
     Thread(target=_receive, args=(calls, received), daemon=True).start()
     if ahead is not None:

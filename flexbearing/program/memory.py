@@ -1,4 +1,4 @@
-"""Memory that is freed and asked for again, as arrays of one batch after the other are.
+"""Memory that is freed and requested again, as arrays of one batch after the other are.
 
 The C library of Linux gives freed memory back to the system at once when there is more than some hundred
 kilobytes of it; taking it again costs a fault for every page, a fifth of the time of a batch of bearings.
@@ -14,13 +14,7 @@ _TRIM_THRESHOLD, _MMAP_THRESHOLD = -1, -3  # of malloc.h
 
 @cache
 def keep_freed() -> bool:
-    """Let this process keep some freed memory from now on.
-
-    Returns
-    -------
-    bool
-        whether the C library can be told so: that of Linux with glibc can
-    """
+    """Let this process keep some freed memory from now on."""
     if not sys.platform.startswith("linux"):
         return False
     mallopt = getattr(ctypes.CDLL(None), "mallopt", None)

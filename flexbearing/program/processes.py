@@ -30,15 +30,7 @@ class Processes:
     """Worker processes, up to a number as many as there are calls; one that dies is replaced."""
 
     def __init__(self, workers: int, ahead: str | None = None):
-        """Start no process yet: the first call does.
-
-        Parameters
-        ----------
-        workers : int
-            calls that run at the same time
-        ahead : str, optional
-            module that each process loads before its first call
-        """
+        """Start no process yet: the first call does."""
         self.workers, self._ahead = workers, ahead
         self._waiting: deque[tuple[Callable[[Any], Any], Any]] = deque()
         self._processes: dict[Any, Interpreter] = {}  # by what is waited for

@@ -23,7 +23,7 @@ _received: list[Interrupted] = []
 def notice() -> None:
     """Let the first signal that ends a program raise `Interrupted`; a second one ends it at once.
 
-    Signals that are ignored stay so, as `nohup` and shells ask for it. Outside of the main thread, where
+    Signals that are ignored stay so, as `nohup` and shells require it. Outside of the main thread, where
     Python knows no signals, nothing changes.
     """
     sys.excepthook, sys.unraisablehook = _uncaught, _unraisable
@@ -39,7 +39,7 @@ def notice() -> None:
 
 
 def received() -> Interrupted | None:
-    """The interruption that a signal caused, whatever became of it on its way."""
+    """The interruption that a signal caused, however it ended on its way."""
     return _received[-1] if _received else None
 
 

@@ -31,11 +31,6 @@ class BadCount(BadCase):
 def cores() -> int:
     """Cores that this process may use.
 
-    Returns
-    -------
-    int
-        what a queue or the user says in the environment, else those that the operating system gives
-
     Raises
     ------
     BadCount
@@ -84,7 +79,7 @@ def environment(jobs: int) -> dict[str, str]:
 
 
 def of_solids(wanted: int | None) -> int:
-    """Threads of NGSolve for a whole solid: what a case asks for, or else all; never more than the cores."""
+    """Threads of NGSolve for a whole solid: what a case requires, or else all; never more than the cores."""
     return min(wanted or cores(), cores())
 
 

@@ -3,9 +3,13 @@
 from dataclasses import dataclass
 from typing import Literal
 
+from flexbearing.findings import GRADES as FINDING_GRADES, MET, NOT_CHECKED, NOT_MET
+from flexbearing.findings.declared import is_declared
+from flexbearing.findings.finding import AT_LEAST, AT_MOST
 from flexbearing.quantities.forms import (
     COUNT,
     NUMBER,
+    NUMBER_OR_NULL,
     TEXT,
     Anything,
     Each,
@@ -13,7 +17,8 @@ from flexbearing.quantities.forms import (
     ListOf,
     OneOf,
     Record,
-)  # fmt: skip
+    Such,
+)
 
 FORMAT = 10
 OLDER = {  # what the files of an older format are
@@ -35,7 +40,7 @@ GRADES = ("danger", "outside validity", "information")  # of notes, most serious
 NOTES = ListOf(Record({"grade": OneOf(GRADES), "code": TEXT, "text": TEXT}))
 
 
-OTHER_CASE = Record(  # a case with other values, or why it has no answer
+OTHER_CASE = Record(  # a case with other values, or why it has no result
     {"words": TEXT, "settings": ListOf(TEXT), "values": Each("output", NUMBER), "problem": TEXT}
 )
 EFFECTS = Record(
@@ -51,6 +56,27 @@ EFFECTS = Record(
     optional={"together": ListOf(OTHER_CASE)},
 )
 
+FINDINGS = ListOf(
+    Such(
+        Record(
+            {
+                "code": TEXT,
+                "grade": OneOf(FINDING_GRADES),
+                "quantity": TEXT,
+                "place": TEXT,
+                "value": NUMBER,
+                "side": OneOf((AT_MOST, AT_LEAST)),
+                "limit": NUMBER_OR_NULL,
+                "source": TEXT,
+                "share": NUMBER_OR_NULL,
+                "verdict": OneOf((MET, NOT_MET, NOT_CHECKED)),
+            }
+        ),
+        is_declared,
+        "with code and grade of a finding of this program",
+    )
+)
+
 
 @dataclass(frozen=True)
 class Attribute:
@@ -59,7 +85,7 @@ class Attribute:
     name: str
     kind: Kind
     meaning: str
-    optional: bool = False  # absent where the case does not ask for it
+    optional: bool = False  # absent where the case does not require it
     form: Form = OBJECT  # of a JSON attribute, or of a list of records
     longest: int = 200_000  # characters of its text, of all texts of a list together
 
@@ -103,9 +129,16 @@ COMMON = (
         "lives and weighed outputs of the last end state, in the units of the summary, and with other values "
         "of assumed or fitted keys, each with the settings that give it and the source of its range; "
         "role: input, choice of a rule, or comparison that no range counts; together: all changes at once "
-        "that shorten the life, and all that lengthen it; absent without outputs.assumed_effects",
+        "that shorten the life, and all that lengthen it; absent without outputs.assumed_effects, unless "
+        "CASE.effects.json next to the case has those of the same inputs",
         optional=True,
         form=EFFECTS,
+    ),
+    Attribute(
+        "effects_left_out",
+        "text",
+        "that the effects next to the case were computed for other inputs; absent where they were not",
+        optional=True,
     ),
     Attribute("calibrated", "json", "keys whose values were fitted, each to what", form=Each("key", TEXT)),
     Attribute(
@@ -113,6 +146,14 @@ COMMON = (
         "records",
         "what a reader must know in addition to the numbers, the most serious first",
         form=NOTES,
+    ),
+    Attribute(
+        "findings",
+        "records",
+        "numbers of the last end state against their limits, in SI units: share is value over a limit from "
+        "above, or limit over value; limit is null where the case gives none; absent without a solution",
+        optional=True,
+        form=FINDINGS,
     ),
     Attribute("created", "text", "time the run began, ISO 8601"),
 )
@@ -127,4 +168,5 @@ HEAD = (  # root attributes that the summary of every family repeats
     "calibrated",
     "assumed_effects",
     "notes",
+    "findings",
 )

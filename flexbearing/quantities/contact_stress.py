@@ -13,19 +13,7 @@ SUBSURFACE_AXES = (Axis("S1", "depth_below"), Axis("S2", "place_in_rolling_direc
 # declarations read best as a table:
 # fmt: off
 def worst_contact(source: str, section: str = "") -> tuple[Quantity, ...]:
-    """What every result tells of the most pressed contacts.
-
-    Parameters
-    ----------
-    source : str
-        place of the worst contact among the solved parts, "rows.worst"
-    section : str
-        of the page
-
-    Returns
-    -------
-    tuple of Quantity
-    """
+    """What every result tells of the most pressed contacts."""
     return (
         Quantity("contact_half_width", "b", "race", "m", "block",
             "half of the width, in the rolling direction, of the contact with the largest pressure (inner, "
@@ -54,21 +42,7 @@ def worst_contact(source: str, section: str = "") -> tuple[Quantity, ...]:
 
 
 def static_safety(source: str, load: str, *, optional: bool = False) -> Quantity:
-    """The static safety of a bearing.
-
-    Parameters
-    ----------
-    source : str
-        its place among the solved parts
-    load : str
-        of which P_0 is made
-    optional : bool
-        whether some bearings have none
-
-    Returns
-    -------
-    Quantity
-    """
+    """The static safety of a bearing."""
     absent = "; absent where ISO 76 has no rating and the case gives none" if optional else ""
     return Quantity("static_safety", "s_0", "", "1", "block",
         "static safety of the bearing, C_0/P_0 by ISO 76: life.static_rating, or its formula, over the "
@@ -78,17 +52,7 @@ def static_safety(source: str, load: str, *, optional: bool = False) -> Quantity
 
 
 def subsurface(section: str = "") -> tuple[Quantity, ...]:
-    """What is told of the stresses below these contacts where a case asks for them.
-
-    Parameters
-    ----------
-    section : str
-        of the page
-
-    Returns
-    -------
-    tuple of Quantity
-    """
+    """What is reported of the stresses below these contacts where a case requires them."""
     return (
         Quantity("von_mises_stress", "sigma_v", "race", "Pa", "block",
             f"largest von Mises stress {_WORST}; {_ASKED}", source="subsurface.largest", people=MPA,

@@ -117,7 +117,7 @@ class Record:
     fields: Mapping[str, Form]
     optional: Mapping[str, Form] = field(default_factory=dict)
     further: Form | None = None  # of all others; None: there are none
-    empty: bool = False  # may hold nothing at all: not known yet, or not asked for
+    empty: bool = False  # may hold nothing at all: not known yet, or not requested
 
     @property
     def words(self) -> str:

@@ -23,26 +23,15 @@ class Layout:
     main: tuple[str, ...] = ()  # outputs that a result is known by, five at most
     weighed: tuple[
         tuple[str, str], ...
-    ] = ()  # outputs beside lives that effects of inputs are told of, and their words in comments of a case
-    weighed_in_results: tuple[tuple[str, str], ...] = ()  # further ones that comments do not tell
+    ] = ()  # outputs beside lives that effects of inputs are computed for, and their words
+    weighed_in_results: tuple[tuple[str, str], ...] = ()  # further ones, not among the main results of a page
     head: tuple[str, ...] = HEAD  # root attributes that the summary repeats
     case_keys: tuple[
         tuple[str, str, str], ...
     ] = ()  # key in the block, section and key of a text of the case
 
     def datasets(self, place: Literal["iteration", "block"]) -> dict[str, Quantity]:
-        """Quantities of an iteration or of a block, by name.
-
-        Parameters
-        ----------
-        place : "iteration" or "block"
-            the group that is asked for
-
-        Returns
-        -------
-        dict
-            name to :class:`Quantity`, in the order of declaration
-        """
+        """Quantities of an iteration or of a block, by name."""
         return self._datasets[place]
 
     @cached_property

@@ -101,19 +101,6 @@ def with_defaults(quantities: Iterable[Quantity]) -> tuple[SummaryValue, ...]:
 def taken(quantities: Iterable[Quantity], solved: Mapping[str, Any]) -> dict[str, np.ndarray]:
     """Take quantities of C cases from the solved parts of their models, as their `source` says.
 
-    Parameters
-    ----------
-    quantities : iterable of Quantity
-        what is wanted
-    solved : mapping
-        parts of the solutions by the first word of `source`: with arrays whose first axis are the cases, or a
-        list of a part for each case; None or missing where the cases have no such part
-
-    Returns
-    -------
-    dict
-        name to array, cases first; without what no case has, not a number where some have it and one does not
-
     Raises
     ------
     AttributeError

@@ -107,37 +107,13 @@ def loaded(load: np.ndarray) -> np.ndarray:
 
 
 def loaded_rollers(load: np.ndarray) -> np.ndarray:
-    """Count the rollers that carry load.
-
-    Parameters
-    ----------
-    load : array (..., Z)
-        load of the inner contacts [N], >= 0
-
-    Returns
-    -------
-    array (...)
-        rollers above `LOADED`; NaN when a load is not finite
-    """
+    """Count the rollers that carry load."""
     count, known = _loaded(load).sum(axis=-1), np.isfinite(load).all(axis=-1)
     return count if known.all() else np.where(known, count, np.nan)
 
 
 def loaded_arc(azimuth: np.ndarray, load: np.ndarray) -> np.ndarray:
-    """Span the smallest arc that holds every loaded roller, from the first to the last.
-
-    Parameters
-    ----------
-    azimuth : array (..., Z)
-        places of the rollers [rad], in any order and on any branch
-    load : array (..., Z)
-        load of the inner contacts [N], >= 0
-
-    Returns
-    -------
-    array (...)
-        arc [rad]; 2 pi when every roller is loaded, 0 for fewer than two; NaN when a load is not finite
-    """
+    """Span the smallest arc that holds every loaded roller, from the first to the last."""
     turn, rollers = 2 * np.pi, load.shape[-1]
     place = np.broadcast_to(azimuth % turn, load.shape)
     order = np.argsort(place, axis=-1)

@@ -1,4 +1,4 @@
-"""Entries of the stiffness matrices that rotor dynamics asks for."""
+"""Entries of the stiffness matrices that rotor dynamics requires."""
 
 from functools import partial
 

@@ -12,23 +12,7 @@ Arrays = Mapping[str, np.ndarray]
 
 
 def summary(layout: Layout, attributes: Mapping[str, Any], blocks: Mapping[str, Arrays]) -> dict[str, Any]:
-    """Numbers of a run as one object that JSON can hold.
-
-    Parameters
-    ----------
-    layout : Layout
-        of the family of the bearing
-    attributes : mapping
-        root attributes of the result
-    blocks : mapping
-        ``rigid`` and ``flexible``, each empty where it was never solved
-
-    Returns
-    -------
-    dict
-        root attributes, and the blocks; a name carries its unit. None stands for a number that is not
-        finite, for one that the case does not ask for, and for a block that was never solved.
-    """
+    """Numbers of a run as one object that JSON can hold."""
     head = {name: plain(attributes.get(name)) for name in layout.head}
     settings = {key: attributes["case_si"][table][name] for key, table, name in layout.case_keys}
     return head | {

@@ -11,13 +11,7 @@ NUMBERS = "{x:,.10g}"  # of ticks, with separated thousands as in tables
 
 
 def plain(axes: Axes) -> None:
-    """Draw a light grid below everything, no frame above and to the right, thousands separated.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        with linear scales of numbers; those that become logarithmic later have their own labels
-    """
+    """Draw a light grid below everything, no frame above and to the right, thousands separated."""
     plain_grid(axes)
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_formatter(NUMBERS)
@@ -31,15 +25,7 @@ def plain_grid(axes: Axes) -> None:
 
 
 def require_span(axes: Axes, span: float) -> None:
-    """Widen the y axis, so that rounding errors of a constant do not fill it.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        with everything drawn
-    span : float
-        least difference of the ends, in the unit of the axis
-    """
+    """Widen the y axis, so that rounding errors of a constant do not fill it."""
     low, high = axes.get_ylim()
     if high - low < span:
         middle = (low + high) / 2

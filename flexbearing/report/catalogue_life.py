@@ -18,19 +18,13 @@ _STANDARDS = {"C_r": "ISO 281", "C_0r": "ISO 76", "C_u": "ISO 281, from C_0r"}
 
 
 def sections(found: dict[str, Any]) -> Iterator[RenderableType]:
-    """Ratings, then every life from the catalogue's to that of the case with what lies between.
-
-    Parameters
-    ----------
-    found : dict
-        of `flexbearing.runs.catalogue_life.against_catalogue`
-    """
+    """Ratings, then every life from the catalogue's to that of the case with what lies between."""
     yield Text(found["title"], style="bold")
     yield from against_catalogue(found)
 
 
 def against_catalogue(found: dict[str, Any] | None) -> Iterator[RenderableType]:
-    """The same below the title of a page; nothing where it was not asked for."""
+    """The same below the title of a page; nothing where it was not requested."""
     if found:
         yield from _ratings(found["ratings"])
         yield from _way(found["stages"])

@@ -20,23 +20,7 @@ if TYPE_CHECKING:
 
 
 def text(result: Result, console: Console | None = None, encoding: str = "utf-8") -> str:
-    """Lay the summary out as text.
-
-    Parameters
-    ----------
-    result : Result
-        what the run left behind
-    console : rich.console.Console, optional
-        the terminal it is meant for, with its width and colours; without one, 80 plain columns
-    encoding : str
-        of what takes the plain columns; decides how frames are drawn
-
-    Returns
-    -------
-    str
-        tables, the assumed and calibrated keys, the notes, and how the run ended; nothing is printed, and
-        nothing in it but colours controls a terminal
-    """
+    """Lay the summary out as text."""
     return laid_out(result.family.report().page(all_printable(result.summary())), console, encoding)
 
 
@@ -58,21 +42,6 @@ def write_figures(result: Result, directory: str | Path) -> list[Path]:
 def pictures(result: Result, directory: str | Path, form: Format = PNG) -> Iterator[Path | LeftOut]:
     """Draw every picture of a result into files that are named after it.
 
-    Parameters
-    ----------
-    result : Result
-        what the run left behind
-    directory : path
-        where to write; it is made when missing
-    form : Format
-        of the files
-
-    Yields
-    ------
-    Path or LeftOut
-        each file when it is complete, such as ``mao2016_roller_loads.png``; before them each picture that
-        would be empty; nothing of a bearing that was not solved
-
     Raises
     ------
     BadOutput
@@ -91,20 +60,6 @@ def compared_pictures(
     one: Result, other: Result, directory: str | Path, form: Format = PNG
 ) -> Iterator[Path]:
     """Draw the contacts of two results side by side into files.
-
-    Parameters
-    ----------
-    one, other : Result
-        of the same kind of ball bearing; `one` stands on the left
-    directory : path
-        where to write; it is made when missing
-    form : Format
-        of the files
-
-    Yields
-    ------
-    Path
-        each file when it is complete, one for each ball whose cells both hold: ``a_against_b_ball_0.png``
 
     Raises
     ------

@@ -26,7 +26,7 @@ class Format:
     """How pictures are written."""
 
     name: str = "png"  # one of FORMATS, also the ending of the files
-    titles: bool = True  # whether the heading stands above each picture
+    titles: bool = True  # whether the heading is above each picture
 
 
 PNG = Format()
@@ -49,20 +49,7 @@ def set_heading(figure: Figure, title: str, what: str, width: int) -> None:
 
 
 def titled(title: str, width: int) -> str:
-    """Break the title of a case into lines, for texts that are drawn with ``parse_math=False``.
-
-    Parameters
-    ----------
-    title : str
-        with anything in it
-    width : int
-        characters in a line
-
-    Returns
-    -------
-    str
-        without characters that no font draws
-    """
+    """Break the title of a case into lines, for texts that are drawn with ``parse_math=False``."""
     return fill(printable(title), width, max_lines=LINES, placeholder=" ...")
 
 
@@ -75,22 +62,7 @@ def boxes_for_glyphs() -> Iterator[None]:
 
 
 def picture_bytes(figure: Figure, form: Format = PNG, dpi: int = 150) -> bytes:
-    """Draw a figure; characters that its font lacks become empty boxes.
-
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        as it was made; it loses its heading where the format has none
-    form : Format
-        of the file; the same figure gives the same bytes
-    dpi : int
-        dots per inch, in SVG and PDF of maps alone
-
-    Returns
-    -------
-    bytes
-        content of a file
-    """
+    """Draw a figure; characters that its font lacks become empty boxes."""
     from matplotlib import rc_context
 
     page = None if form.titles else _without_heading(figure)

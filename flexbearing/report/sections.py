@@ -121,7 +121,7 @@ def tolerances(clearance: dict[str, Any]) -> Iterator[RenderableType]:
 
 
 def life_factors(lives: dict[str, Any]) -> Iterator[RenderableType]:
-    """Every factor between the basic and the modified life; nothing when none was asked for."""
+    """Every factor between the basic and the modified life; nothing when none was requested."""
     if not lives:
         return
     yield Text("modified life", style="bold")

@@ -19,22 +19,7 @@ LEVELS = 12  # colours, at most
 
 
 def subsurface(values: Mapping[str, NDArray], title: str, what: str) -> Figure:
-    """Draw von Mises and orthogonal shear stress in the plane of rolling.
-
-    Parameters
-    ----------
-    values : mapping
-        block of a result with the quantities below the surface
-    title : str
-        of the case
-    what : str
-        of the block, "flexible rings"
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        a column for each raceway [MPa], to scale; a cross on the largest von Mises stress
-    """
+    """Draw von Mises and orthogonal shear stress in the plane of rolling."""
     from matplotlib.figure import Figure
     from matplotlib.ticker import MaxNLocator
 

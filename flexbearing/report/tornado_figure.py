@@ -26,15 +26,6 @@ def draw_tornado(found: Sensitivities) -> Figure:
 
     Keys without an elasticity, which are temperatures and values that are zero, are not drawn. A bar with
     two sides ends at the stronger one, the weaker one is marked.
-
-    Parameters
-    ----------
-    found : Sensitivities
-        with at least one output
-
-    Returns
-    -------
-    matplotlib.figure.Figure
     """
     from matplotlib.figure import Figure  # a second to load: only pictures pay for it
 

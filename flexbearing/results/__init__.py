@@ -1,6 +1,6 @@
 """The file of a run: writing it, reading it, and the reference page of its content.
 
-What stands in it is declared in `quantities`; only this room loads h5py.
+What is in it is declared in `quantities`; only this room loads h5py.
 """
 
 from flexbearing.results.checks import NotInLayout

@@ -23,13 +23,7 @@ LARGEST = 1e300  # number in a record
 
 
 def stamp() -> dict[str, Any]:
-    """Attributes that every file carries without being asked: format, time, machine, versions.
-
-    Returns
-    -------
-    dict
-        name to value
-    """
+    """Attributes that every file carries without being asked: format, time, machine, versions."""
     packages = ("numpy", "scipy", "ngsolve", "h5py", "flexbearing")
     return {
         "format": FORMAT,
@@ -75,18 +69,6 @@ def _revision() -> str:
 def checked(entry: Attribute, value: Any) -> Any:
     """Value as the program uses it, from what a run says.
 
-    Parameters
-    ----------
-    entry : Attribute
-        what the layout says of it
-    value : text, number, list of texts, mapping or list of mappings
-        what its kind asks for; records may hold arrays
-
-    Returns
-    -------
-    text, number, tuple of texts, mapping, or list of mappings
-        of Python's own numbers, lists and dicts
-
     Raises
     ------
     NotInLayout
@@ -103,17 +85,6 @@ def checked(entry: Attribute, value: Any) -> Any:
 def encoded(entry: Attribute, value: Any) -> Any:
     """Store form of a checked value: what HDF5 is given.
 
-    Parameters
-    ----------
-    entry : Attribute
-        what the layout says of it
-    value : text, number, tuple of texts, mapping or list of mappings
-        from `checked`
-
-    Returns
-    -------
-    text, number or list of texts
-
     Raises
     ------
     NotInLayout
@@ -128,17 +99,6 @@ def encoded(entry: Attribute, value: Any) -> Any:
 
 def decoded(entry: Attribute, stored: Any) -> Any:
     """Value as the program uses it, from what HDF5 stored.
-
-    Parameters
-    ----------
-    entry : Attribute
-        what the layout says of it
-    stored : any
-        text, number or list of texts, as it stands in the file
-
-    Returns
-    -------
-    text, number, tuple of texts, mapping, or list of mappings
 
     Raises
     ------
@@ -157,17 +117,7 @@ def decoded(entry: Attribute, stored: Any) -> Any:
 
 
 def empty(kind: Kind) -> Any:
-    """Value of an attribute that is not known yet.
-
-    Parameters
-    ----------
-    kind : "text", "texts", "integer", "number", "json" or "records"
-        how it is stored
-
-    Returns
-    -------
-    empty text, list or mapping, or zero
-    """
+    """Value of an attribute that is not known yet."""
     return {"text": "", "texts": [], "integer": 0, "number": 0.0, "json": {}, "records": []}[kind]
 
 

@@ -14,20 +14,11 @@ Sizes = Mapping[str, int]  # symbol of an axis to its size
 
 
 class NotInLayout(ValueError):
-    """Something was to be written, or asked for, that the layout does not know."""
+    """Something was to be written, or requested, that the layout does not know."""
 
 
 def require_same_names(names: Mapping[str, object], known: Mapping[str, object], where: str) -> None:
     """Raise unless `names` holds exactly the names of the layout; optional ones may be missing.
-
-    Parameters
-    ----------
-    names : mapping
-        what is to be written, or was read
-    known : mapping
-        what the layout asks for
-    where : str
-        named in the message, such as ``block rigid``
 
     Raises
     ------
@@ -46,22 +37,6 @@ def require_same_names(names: Mapping[str, object], known: Mapping[str, object],
 
 def fitted(entry: Quantity, array: np.ndarray, sizes: Sizes, where: str) -> Sizes:
     """Sizes of the axes after `array` took its place; the first array of a file decides.
-
-    Parameters
-    ----------
-    entry : Quantity
-        what the layout asks for
-    array : array
-        what is to be written, or was read
-    sizes : mapping
-        symbol of an axis to its size, as far as known
-    where : str
-        named in the message
-
-    Returns
-    -------
-    mapping
-        the sizes, with those that `array` settled
 
     Raises
     ------
@@ -82,15 +57,6 @@ def fitted(entry: Quantity, array: np.ndarray, sizes: Sizes, where: str) -> Size
 
 def require_finite(entry: Quantity, array: np.ndarray, where: str) -> None:
     """Raise when an array that claims to be a solution holds infinities or NaN.
-
-    Parameters
-    ----------
-    entry : Quantity
-        what the array is
-    array : array
-        its numbers
-    where : str
-        named in the message
 
     Raises
     ------
@@ -116,19 +82,6 @@ def require_true_ending(
     unsolved: Collection[str] = (),
 ) -> None:
     """Raise when what a file says of its ending is not what it holds.
-
-    Parameters
-    ----------
-    attributes : mapping
-        root attributes, among them status and number of iterations
-    layout : Layout
-        of the family
-    solved : collection of str
-        blocks that are there
-    iterations : int
-        how many are there
-    unsolved : collection of str
-        blocks that are there and are no solutions
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""What stands in a result file, apart from how HDF5 stores it."""
+"""What is in a result file, apart from how HDF5 stores it."""
 
 import json
 from collections.abc import Mapping
@@ -28,16 +28,6 @@ def digest(content: Content) -> str:
     Of the bytes of a JSON text without spaces, keys sorted, ASCII alone, followed by the arrays in the order
     of their sorted names, each as little-endian float64, row by row. The text holds `attributes` (floats as
     hexadecimal texts), `shapes`, `units` and `axes`.
-
-    Parameters
-    ----------
-    content : Content
-        of a file
-
-    Returns
-    -------
-    str
-        64 hexadecimal characters
     """
     head = {
         "attributes": {name: _exact(value) for name, value in content.attributes.items()},

@@ -40,17 +40,6 @@ class NotTheSameState(ValueError):
 def sensitivities(result: Solved, of: Sequence[str], by: Sequence[str]) -> Any:
     """Derivatives of outputs by keys, see `Result.sensitivities`.
 
-    Parameters
-    ----------
-    result : Result
-        of a case
-    of, by : sequence of str
-        outputs and keys
-
-    Returns
-    -------
-    flexbearing.derivatives.table.Sensitivities
-
     Raises
     ------
     BadCase

@@ -49,15 +49,6 @@ class BadContent(ValueError):
 def stored(path: Path) -> bytes:
     """Bytes of a file, once its first ones say that it is HDF5 and how long it is.
 
-    Parameters
-    ----------
-    path : Path
-        of a file
-
-    Returns
-    -------
-    bytes
-
     Raises
     ------
     BadContent
@@ -81,18 +72,6 @@ def stored(path: Path) -> bytes:
 def content(data: bytes) -> tuple[Content, str]:
     """Read the content of a file's bytes.
 
-    Parameters
-    ----------
-    data : bytes
-        of a file
-
-    Returns
-    -------
-    Content
-        its arrays cannot be written to
-    str
-        the digest that the file claims
-
     Raises
     ------
     BadContent
@@ -104,18 +83,6 @@ def content(data: bytes) -> tuple[Content, str]:
 
 def attribute(data: bytes, name: str) -> Any:
     """Read one root attribute, also of a file of another format.
-
-    Parameters
-    ----------
-    data : bytes
-        of a file
-    name : str
-        of the attribute
-
-    Returns
-    -------
-    text, list of texts, whole number, number or None
-        None where the file says nothing that could be read
 
     Raises
     ------
@@ -130,13 +97,6 @@ def require_held(data: bytes, content: Content) -> None:
     """Raise unless the arrays in a file's bytes are those of a content.
 
     What a writer asks of its own bytes: names, units and axes of the content are not read again.
-
-    Parameters
-    ----------
-    data : bytes
-        from `image`
-    content : Content
-        that they were made of
 
     Raises
     ------

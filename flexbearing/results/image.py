@@ -26,18 +26,7 @@ _PLACES = h5t.py_create(_PLACE, logical=True)
 
 
 def image(content: Content) -> bytes:
-    """Bytes of the file, which carries checksums of its arrays and a digest of everything.
-
-    Parameters
-    ----------
-    content : Content
-        without the attribute of the digest
-
-    Returns
-    -------
-    bytes
-        readable from HDF5 1.10 on
-    """
+    """Bytes of the file, which carries checksums of its arrays and a digest of everything."""
     memory: dict[str, Any] = {"driver": "core", "backing_store": False, "libver": ("v110", "v110")}
     with h5py.File(name_in_memory(), "w", **memory) as file:
         for name, value in {**content.attributes, DIGEST: digest(content)}.items():

@@ -16,23 +16,7 @@ if TYPE_CHECKING:
 
 
 def labelled(layout: Layout, groups: Groups, attributes: Mapping[str, Any]) -> DataTree:
-    """Blocks and iterations as a tree of data sets.
-
-    Parameters
-    ----------
-    layout : Layout
-        of the family
-    groups : mapping
-        blocks and stacked iterations, by name; those without arrays are left out
-    attributes : mapping
-        texts and numbers of the root
-
-    Returns
-    -------
-    DataTree
-        with the places of rollers, slices and iterations as coordinates of the root, those of fixed axes as
-        words, such as inner and outer
-    """
+    """Blocks and iterations as a tree of data sets."""
     from xarray import Dataset, DataTree
 
     root = Dataset(coords=_coordinates(layout, groups), attrs=dict(attributes))

@@ -11,24 +11,7 @@ WIDTH = 100  # characters of a line
 
 
 def overview(layout: Layout, attributes: Mapping[str, Any], blocks: Mapping[str, Block], place: str) -> str:
-    """How a run ended, and its main outputs beside each other for every block.
-
-    Parameters
-    ----------
-    layout : Layout
-        of the family
-    attributes : mapping
-        root attributes
-    blocks : mapping
-        those that were solved, by name
-    place : str
-        where the result is
-
-    Returns
-    -------
-    str
-        ten lines at most
-    """
+    """How a run ended, and its main outputs beside each other for every block."""
     notes = [note["grade"] for note in attributes["notes"]]
     told = f"{len(notes)} notes, {notes.count('danger')} of them dangers" if notes else "no notes"
     lines = [

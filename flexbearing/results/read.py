@@ -40,18 +40,6 @@ class BadResult(ValueError):
 def read(path: str | Path, families: Families) -> Result:
     """Read a result file, or what a run that is at work or was interrupted has stored so far.
 
-    Parameters
-    ----------
-    path : path
-        a file written by :class:`ResultFile`
-    families : mapping
-        kind to family
-
-    Returns
-    -------
-    Result
-        with the status "unfinished" for a file ending in ``.part``
-
     Raises
     ------
     BadResult
@@ -74,18 +62,7 @@ def read(path: str | Path, families: Families) -> Result:
 
 
 def case_file(path: Path) -> str:
-    """Say which case file a result is of, in any format that says so.
-
-    Parameters
-    ----------
-    path : Path
-        of a result, there or not
-
-    Returns
-    -------
-    str
-        empty where nothing could be read
-    """
+    """Say which case file a result is of, in any format that says so."""
     with suppress(OSError, inputs.Unreadable, hdf5.BadContent):
         stated = hdf5.attribute(hdf5.stored(path), "case_file")
         return stated if isinstance(stated, str) else ""
@@ -95,25 +72,10 @@ def case_file(path: Path) -> str:
 def of_content(content: Content, claimed: str, path: Path, families: Families) -> Result:
     """Check the content of a file against its digest and the layout of its family.
 
-    Parameters
-    ----------
-    content : Content
-        of the file
-    claimed : str
-        its digest, as the file says
-    path : Path
-        the file
-    families : mapping
-        kind to family
-
-    Returns
-    -------
-    Result
-
     Raises
     ------
     NotInLayout
-        for anything that the layout does not ask for
+        for anything that the layout does not require
     BadResult
         for another format, another digest or an unknown family
     """
@@ -151,7 +113,7 @@ def of_content(content: Content, claimed: str, path: Path, families: Families) -
 
 
 def _groups(content: Content, layout: Layout) -> tuple[dict[str, Arrays], Arrays]:
-    """Blocks and stacked iterations, of names and shapes that the layout asks for."""
+    """Blocks and stacked iterations, of names and shapes that the layout requires."""
     groups: dict[str, dict[str, np.ndarray]] = {}
     for place, array in content.arrays.items():
         group, slash, name = place.partition("/")

@@ -73,13 +73,6 @@ class Record:
     def iteration(self, number: int, values: Mapping[str, ArrayLike]) -> None:
         """Add an iteration; its numbers need not be finite.
 
-        Parameters
-        ----------
-        number : int
-            1 for the first, then without gaps
-        values : mapping
-            every dataset of an iteration, by name
-
         Raises
         ------
         NotInLayout
@@ -96,15 +89,6 @@ class Record:
         self, name: Literal["rigid", "flexible"], values: Mapping[str, ArrayLike], *, converged: bool = True
     ) -> None:
         """Add the end state with rigid or with flexible raceways.
-
-        Parameters
-        ----------
-        name : "rigid" or "flexible"
-            which of the two
-        values : mapping
-            every dataset of a block that is not optional, by name
-        converged : bool
-            whether this is a solution; only then every number must be finite
 
         Raises
         ------
@@ -123,16 +107,6 @@ class Record:
 
     def finish(self, **attributes: Any) -> Result:
         """The result of the run.
-
-        Parameters
-        ----------
-        **attributes
-            every root attribute that was not given at the beginning, such as ``status``
-
-        Returns
-        -------
-        Result
-            without a file
 
         Raises
         ------

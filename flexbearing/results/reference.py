@@ -64,18 +64,7 @@ _PLACES: dict[Place, str] = {
 
 
 def reference_page(families: Families) -> str:
-    """Page that documents every dataset and root attribute.
-
-    Parameters
-    ----------
-    families : mapping
-        kind to family
-
-    Returns
-    -------
-    str
-        Markdown
-    """
+    """Page that documents every dataset and root attribute."""
     common = ["## Root attributes of every file\n", *_attribute_table(COMMON)]
     kinds: dict[int, list[Family]] = {}  # that have a layout in common
     for family in families.values():

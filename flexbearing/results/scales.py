@@ -35,20 +35,7 @@ def named_axes(layout: Layout, group: str, entry: Quantity) -> tuple[str, ...]:
 
 
 def scales(layout: Layout, groups: Groups) -> dict[str, Scale]:
-    """The scales of all arrays of a result.
-
-    Parameters
-    ----------
-    layout : Layout
-        of the family
-    groups : mapping
-        its blocks and stacked iterations
-
-    Returns
-    -------
-    dict
-        by name; iterations are counted from 1, places are those of the first block that has them
-    """
+    """The scales of all arrays of a result."""
     found: dict[str, Scale] = {}
     for axis, length in _along(layout, groups):
         if axis.name not in found:

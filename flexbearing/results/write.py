@@ -137,16 +137,6 @@ class ResultFile:
     def finish(self, **attributes: Any) -> Result:
         """Write the result, make sure of it and give it its name.
 
-        Parameters
-        ----------
-        **attributes
-            every root attribute that was not given at the beginning, such as ``status``
-
-        Returns
-        -------
-        Result
-            whose arrays the bytes of the file were seen to hold
-
         Raises
         ------
         NotInLayout
@@ -165,7 +155,7 @@ class ResultFile:
         return result
 
     def _store_soon(self) -> None:
-        """Have the timer store what there is; what it could not store before is told now."""
+        """Have the timer store what there is; what it could not store before is reported now."""
         with self._guard:
             if self._problem is not None:
                 raise self._problem
@@ -205,15 +195,6 @@ class ResultFile:
 
 def store(result: Result, path: Path, inputs: tuple[Path, ...] = ()) -> None:
     """Write the file of a result that is complete.
-
-    Parameters
-    ----------
-    result : Result
-        such as the end states of a run
-    path : Path
-        replaced when the new file is complete
-    inputs : sequence of paths
-        files that it must not replace
 
     Raises
     ------
@@ -255,18 +236,7 @@ def _write_whole(place: Path, result: Result) -> None:
 
 
 def content_of(result: Result) -> Content:
-    """Content of the file of a result.
-
-    Parameters
-    ----------
-    result : Result
-        complete, or what a run at work has reached so far
-
-    Returns
-    -------
-    Content
-        without the attribute of the digest
-    """
+    """Content of the file of a result."""
     layout: Layout = result.family.layout()
     groups = {"rigid": result.rigid, "flexible": result.flexible, ITERATIONS: result.stacked}
     named = scales(layout, groups)

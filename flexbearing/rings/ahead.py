@@ -19,19 +19,7 @@ Ahead = Callable[[], "HarmonicCompliance"]
 
 @contextmanager
 def outer_ring_ahead(case: Case) -> Iterator[Ahead | None]:
-    """Begin with the outer ring of a case in a process of its own.
-
-    Parameters
-    ----------
-    case : Case
-        of a roller bearing
-
-    Yields
-    ------
-    callable () or None
-        waits for the ring, as `fem.condense` returns it; None where nothing is gained: with one core, a ring
-        that is kept in the cache, one that takes no time, or levels that `accuracy.target` chooses
-    """
+    """Begin with the outer ring of a case in a process of its own."""
     part = part_of(case, "outer")
     chosen_later = case.accuracy.target is not None or case.coupling.structure == "full"
     if part is None or chosen_later or cores() == 1:

@@ -1,6 +1,7 @@
 """Bolted rings of a case, meshed and condensed, or taken from the cache."""
 
 from math import inf
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,18 +22,6 @@ USUAL = 5, 0.5, 0.5  # order; elements over the ball diameter; elements on the l
 def compliance(case: FourPointCase, report: Report) -> NDArray:
     """How both rings together let the groove centres of the diagonals come closer.
 
-    Parameters
-    ----------
-    case : FourPointCase
-        with an elastic ring
-    report : Report
-        hears of what is condensed
-
-    Returns
-    -------
-    array (Z, 2, 2, 2, 2)
-        as `quasidynamic.solve.balls.elastic_load_distribution` takes it [m/N]
-
     Raises
     ------
     BadCase
@@ -49,7 +38,7 @@ def compliance(case: FourPointCase, report: Report) -> NDArray:
     return total
 
 
-def ring(case: FourPointCase, name: str) -> BoltedGrooveRing | None:
+def ring(case: FourPointCase, name: Literal["inner", "outer"]) -> BoltedGrooveRing | None:
     """Part of a case, "outer" or "inner"; None when it is rigid.
 
     Raises
@@ -60,7 +49,7 @@ def ring(case: FourPointCase, name: str) -> BoltedGrooveRing | None:
     bearing, ring_case = case.bearing, getattr(case.rings, name)
     if ring_case.kind == "rigid":
         return None
-    material = getattr(case.materials, f"{name}_ring") or case.materials.ball
+    material = case.materials.ring(name)
     try:
         return BoltedGrooveRing(
             race="outer" if name == "outer" else "inner",

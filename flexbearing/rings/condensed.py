@@ -54,23 +54,6 @@ def raceway(
 ) -> RigidRaceway | CondensedRaceway | RacewayInFit | SupportedRaceway:
     """What carries one raceway: rigid, condensed, a ring in its fit or one on its supports.
 
-    Parameters
-    ----------
-    case : Case
-        how the part is made and discretised
-    race : "inner" or "outer"
-        which raceway
-    azimuths : array (Z)
-        of the rollers [rad]
-    report : Report
-        hears of the part that is condensed
-    ahead : callable (), optional
-        gives the part that is condensed in another place than usual
-
-    Returns
-    -------
-    RigidRaceway, CondensedRaceway, RacewayInFit or SupportedRaceway
-
     Raises
     ------
     BadCase
@@ -124,22 +107,6 @@ def linear_raceways(
 ) -> list[LinearPair]:
     """Raceways of cases that share their parts, `accuracy` and rollers, and answer linearly.
 
-    Parameters
-    ----------
-    cases : mapping of "inner" and "outer" to sequence of Case or None
-        the same cases as either part is resolved, at least one; None where that part is left rigid
-    azimuths : array (Z)
-        of the rollers [rad]
-    axial_modes : int
-        that rollers exchange with raceways, at most those of the cases
-    report : Report
-        hears of parts that are condensed
-
-    Returns
-    -------
-    list of LinearPair
-        one for each case: only shapes that grow without load differ
-
     Raises
     ------
     BadCase
@@ -154,25 +121,7 @@ def linear_raceways(
 def with_growth(
     raceway: "RacewayCompliance", case: Case, race: Race, report: Report, sign: float = 1.0
 ) -> "RacewayCompliance":
-    """A raceway that no fit holds with the shape that grows in a case, or without it.
-
-    Parameters
-    ----------
-    raceway : RacewayCompliance
-        near some forces, less what grows
-    case : Case
-        whose heat, speed and pressing make the raceway grow
-    race : "inner" or "outer"
-        which raceway
-    report : Report
-        hears of what is computed
-    sign : float
-        -1 takes away what has grown
-
-    Returns
-    -------
-    RacewayCompliance
-    """
+    """A raceway that no fit holds with the shape that grows in a case, or without it."""
     if race == "outer" and is_on_supports(case):
         return raceway
     nothing = replace(raceway, initial_deviation=np.zeros_like(raceway.initial_deviation))
@@ -281,27 +230,7 @@ def named_failures(case: Case, name: str) -> Iterator[None]:
 def condensed(
     name: str, part: "Part", case: Case, azimuths: NDArray, report: Report, ahead: Ahead = None
 ) -> Any:
-    """Raceway compliance of a part, from the cache where it is kept.
-
-    Parameters
-    ----------
-    name : str
-        of the part, for messages
-    part : SquirrelCage, OuterRing, RingOnShaft or StepSolid
-        what is condensed
-    case : Case
-        with the accuracy asked for
-    azimuths : array (Z)
-        of the rollers [rad]
-    report : Report
-        hears of the part
-    ahead : callable (), optional
-        gives the part that is condensed in another place than usual
-
-    Returns
-    -------
-    HarmonicCompliance, RingOnFoundation, RingOnLines, PlanetRim or RacewayCompliance
-    """
+    """Raceway compliance of a part, from the cache where it is kept."""
     return condensed_part(name, resolved(part, case, azimuths), report, ahead)
 
 

@@ -97,19 +97,6 @@ def is_in_fit(case: Case, race: Race) -> bool:
 def inner_ring_in_fit(case: Case, part: fem.RingOnShaft, azimuths: NDArray) -> RacewayInFit:
     """Put the inner ring of a case on its shaft, hot and turning, before rollers load it.
 
-    Parameters
-    ----------
-    case : Case
-        with an inner ring that is not bonded
-    part : RingOnShaft
-        at its temperature
-    azimuths : array (Z)
-        of the rollers [rad]
-
-    Returns
-    -------
-    RacewayInFit
-
     Raises
     ------
     ImpossiblePart
@@ -140,19 +127,6 @@ def inner_ring_in_fit(case: Case, part: fem.RingOnShaft, azimuths: NDArray) -> R
 
 def outer_ring_in_housing(case: Case, part: fem.OuterRing, azimuths: NDArray) -> RacewayInFit:
     """Put the outer ring of a case in its housing, hot and turning, before rollers load it.
-
-    Parameters
-    ----------
-    case : Case
-        with a clearance or interference of the outer ring in its housing
-    part : OuterRing
-        at its temperature, with the housing as its support
-    azimuths : array (Z)
-        of the rollers [rad]
-
-    Returns
-    -------
-    RacewayInFit
 
     Raises
     ------

@@ -80,19 +80,6 @@ class FullSolveRaceway:
 def full_fe_raceways(case: Case, azimuths: NDArray, report: Report) -> RacewayPair:
     """Mesh and factor the parts that are not rigid.
 
-    Parameters
-    ----------
-    case : Case
-        with `coupling.structure = "full"`
-    azimuths : array (Z)
-        of the rollers [rad]
-    report : Report
-        hears of the parts that are factored
-
-    Returns
-    -------
-    RacewayPair
-
     Raises
     ------
     BadCase

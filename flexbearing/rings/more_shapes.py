@@ -30,20 +30,7 @@ WORTH = 0.05  # of a roller's approach; calibrated: below it further shapes chan
 
 
 def more_shapes_matter(states: "BearingStates", rings: LinearPair) -> NDArray:
-    """Whether further shapes of a raceway could change the life: they are no softer than the last one known.
-
-    Parameters
-    ----------
-    states : BearingStates
-        C of them, between rings of this compliance
-    rings : LinearPair
-        at the forces of the states
-
-    Returns
-    -------
-    array (C, 2)
-        of bool; of the inner and the outer raceway, where they are elastic
-    """
+    """Whether further shapes of a raceway could change the life: no softer than the last one known."""
     matter = np.zeros((len(states.scaled), 2), bool)
     for place, raceway in enumerate(rings.raceways):
         if raceway is not None:
@@ -55,23 +42,6 @@ def with_more_shapes(
     case: Case, rings: LinearPair, races: Sequence[bool], report: Report
 ) -> tuple[NDArray | None, NDArray | None]:
     """Compliances of some raceways in more axial shapes.
-
-    Parameters
-    ----------
-    case : Case
-        with its parts
-    rings : LinearPair
-        of these parts
-    races : sequence of bool
-        whether further shapes of the inner and the outer raceway matter
-    report : Report
-        hears of parts that are condensed
-
-    Returns
-    -------
-    tuple of arrays (Z, M', Z, M') or None
-        outward deviation per outward force [m/N] of the inner and the outer raceway; None where they do not
-        matter, and for a part from a drawing, which has no section
 
     Raises
     ------

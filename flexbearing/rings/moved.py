@@ -24,26 +24,6 @@ def raceway_of_shape(
 ) -> "RacewayCompliance":
     """A raceway near given forces of a part and a band of another shape, right to first order of the change.
 
-    Parameters
-    ----------
-    case : Case
-        whose part is meshed
-    race : "inner" or "outer"
-        which raceway; one that no fit holds
-    shape : Shape
-        a part of the same kind, and the band that rollers load
-    outward : array (Z, M)
-        roller forces [N], where supports only push
-    azimuths : array (Z)
-        of the rollers [rad]
-    report : Report
-        hears of the part that is condensed
-
-    Returns
-    -------
-    RacewayCompliance
-        without what heat and speed make grow
-
     Raises
     ------
     BadCase

@@ -88,7 +88,7 @@ class SupportedRaceway:
 
 
 def is_on_supports(case: Case) -> bool:
-    """Whether the outer ring stands on lines or radial springs, whose forces are told."""
+    """Whether the outer ring is on lines or radial springs, whose forces are reported."""
     outer = case.outer
     return outer.kind == "ring" and (
         outer.support == "lines" or (outer.support == "foundation" and outer.foundation_radial > 0)
@@ -96,21 +96,7 @@ def is_on_supports(case: Case) -> bool:
 
 
 def line_figures(ring: "RollersOnLines", outward: NDArray) -> dict[str, object]:
-    """Force and state of every line under outward roller forces.
-
-    Parameters
-    ----------
-    ring : RollersOnLines
-        with its rollers
-    outward : array (Z, M)
-        roller forces [N]
-
-    Returns
-    -------
-    dict
-        `lines` with lists over the lines; a force is positive where it pushes the ring inwards, that of the
-        ends is at x < 0 and x > 0
-    """
+    """Force and state of every line under outward roller forces."""
     ends, azimuths = ring.line_forces(outward), ring.line_azimuths
     force = ends.sum(axis=1)
     touches = np.abs(ends).max(axis=1) > BARELY * max(np.abs(ends).max(), np.finfo(float).tiny)
@@ -128,21 +114,7 @@ def line_figures(ring: "RollersOnLines", outward: NDArray) -> dict[str, object]:
 
 
 def foundation_figures(ring: "RollersOnFoundation", outward: NDArray) -> dict[str, object]:
-    """Pressure of the springs on the outer surface under outward roller forces.
-
-    Parameters
-    ----------
-    ring : RollersOnFoundation
-        with its rollers
-    outward : array (Z, M)
-        roller forces [N]
-
-    Returns
-    -------
-    dict
-        `foundation` with the pressure over azimuth and width, positive where it pushes, its largest value,
-        where it lifts off, and resultants along y and z
-    """
+    """Pressure of the springs on the outer surface under outward roller forces."""
     pressure = ring.pressure(outward)
     degrees = np.degrees(ring.around)
     place = np.unravel_index(pressure.argmax(), pressure.shape)

@@ -1,7 +1,7 @@
 """From a case to a bearing with fast balls, and from its solution to the arrays of a result file."""
 
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -14,10 +14,12 @@ from flexbearing.build import clearance
 from flexbearing.build.ball_parts import ball, groove
 from flexbearing.case import BadCase, Head
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
+from flexbearing.findings import Judged, declared, evaluate
+from flexbearing.findings.running import GYROSCOPIC_MOMENT
 from flexbearing.program.workers import shared_map
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import row, taken
-from flexbearing.runs import ball_life, dangers, interface, shoulders
+from flexbearing.runs import ball_life, interface, judged, shoulders
 from flexbearing.runs.ball_life import BallLives
 from flexbearing.runs.life_of_state import MREV
 from flexbearing.runs.subsurface import of_balls
@@ -55,8 +57,8 @@ def bearing(case: FastCase) -> qd.AngularContactBallBearing:
     return qd.AngularContactBallBearing(
         bearing=qd.AngularContactBearing(
             ball=ball(parts, materials.ball),
-            inner=groove(parts, "inner", materials.inner_ring or materials.ball),
-            outer=groove(parts, "outer", materials.outer_ring or materials.ball),
+            inner=groove(parts, "inner", materials.ring("inner")),
+            outer=groove(parts, "outer", materials.ring("outer")),
             balls=parts.balls,
             pitch_diameter=parts.pitch_diameter,
             **_angle_and_clearance(case),
@@ -82,7 +84,7 @@ def _angle_and_clearance(case: FastCase) -> dict[str, float]:
 
 
 def _sticking(case: FastCase) -> tuple[int, int] | None:
-    """Cells of FASTSIM in the balance: half of those of the contacts, as it asks for them again and again."""
+    """Cells of FASTSIM in the balance: half of those of the contacts, as it requires them again and again."""
     if case.operation.control != "coulomb" or case.friction.model == "full_sliding":
         return None
     along, across = case.friction.cells
@@ -117,7 +119,7 @@ def build(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperatio
 
 
 def solved(cases: Sequence[FastCase], told: Callable[[float], None] = lambda _: None) -> list[Ended]:
-    """Balance, pure rolling lines, and stick and slip where a case asks for them; or why there is none.
+    """Balance, pure rolling lines, and stick and slip where a case requires them; or why there is none.
 
     Cases whose bearings are the same are balanced side by side. The part of the balls whose stick and slip is
     found is `told`.
@@ -239,13 +241,35 @@ def _lines(case: FastCase, state: qd.AngularContactState, contact: RollingContac
     }
 
 
-def notes(solution: Solution) -> tuple[Note, ...]:
-    """What a user must know of the solution."""
-    case, state = solution.case, solution.state
-    pressure = float(state.peak_pressures.max())
-    lines = (*dangers.pressed(pressure, BALLS), *_by_life(case, solution.lives))
-    if solution.static_safety is not None:
-        lines += (*dangers.overloaded(solution.static_safety, dangers.USUAL_OF_BALLS),)
+def judge(solution: Solution) -> tuple[Judged, ...]:
+    """The solution against the limits of ball bearings."""
+    case, state, operation = solution.case, solution.state, solution.case.operation
+    speed, lives = operation.inner_speed - operation.outer_speed, solution.lives
+    radial = not isinstance(case.bearing, AngularBearing)  # not adjusted axially
+    values = {
+        **judged.pressures(state.peak_pressures.max(axis=1), BALLS),
+        "static_safety": solution.static_safety,
+        "viscosity_ratio": ball_life.kappa(case) if case.lubricant and speed else None,
+        "clearance": judged.clearances(clearance.record(case)) if radial else None,
+    }
+    if operation.control != "coulomb":  # there balls turn where friction does not hold them
+        values |= {"needed_friction": state.needed_friction.max(), "friction": case.friction.coefficient}
+    if lives is not None:
+        life = lives.basic if lives.modified is None else lives.modified
+        values |= {
+            "load": {"by the loads of the balls": ball_life.equivalent(case, lives)},
+            "dynamic_rating": ball_life.dynamic(case),
+            "static_rating": ball_life.static(case),
+            "life": judged.seconds(life / MREV, speed),
+        }
+    return evaluate(declared.OF_BALLS, values)
+
+
+def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
+    """What a user must know of the solution, judged by findings before."""
+    case, state, of_findings = solution.case, solution.state, judged.notes(found)
+    held = [note for note in of_findings if note.code == GYROSCOPIC_MOMENT.code]
+    lines = tuple(note for note in of_findings if note not in held)
     lifted = int((~state.on_inner).sum())
     if lifted:
         lines += (
@@ -268,10 +292,11 @@ def notes(solution: Solution) -> tuple[Note, ...]:
         )
     return (
         lines
+        + shoulders.hybrid(case.materials)
         + clearance.notes(case)
         + _preload(case, state)
         + _lineless(solution)
-        + _gyroscopic(case, state)
+        + (*held, *_lying(case, state))
         + _stick(case, solution)
         + ball_life.notes(case)
     )
@@ -290,16 +315,6 @@ def _preload(case: FastCase, state: qd.AngularContactState) -> tuple[Note, ...]:
             f"{state.ring_load[0]:.5g} N in operation",
         ),
     )
-
-
-def _by_life(case: FastCase, lives: BallLives | None) -> Iterator[Note]:
-    if lives is not None:
-        load, rating = ball_life.equivalent(case, lives), ball_life.dynamic(case)
-        yield from dangers.heavily_loaded(load, rating)
-        yield from dangers.lightly_loaded(load, rating, dangers.LEAST_OF_BALLS)
-        life = lives.basic if lives.modified is None else lives.modified
-        speed = case.operation.inner_speed - case.operation.outer_speed
-        yield from dangers.short_lived(life / MREV, speed)
 
 
 def _stick(case: FastCase, solution: Solution) -> tuple[Note, ...]:
@@ -347,27 +362,15 @@ def _lineless(solution: Solution) -> tuple[Note, ...]:
     )
 
 
-def _gyroscopic(case: FastCase, state: qd.AngularContactState) -> tuple[Note, ...]:
-    """Whether friction holds the gyroscopic moments."""
-    if case.operation.control == "coulomb":
-        lying = state.on_inner & ~state.upright
-        if not lying.any():
-            return ()
-        return (
-            information(
-                "gyroscopic-moment",
-                f"gyroscopic moment: friction does not hold the axes of {int(lying.sum())} balls, which turn "
-                f"towards the shaft, down to {np.degrees(np.abs(state.attitude[lying]).min()):.1f} deg",
-            ),
-        )
-    needed, coefficient = state.needed_friction.max(), case.friction.coefficient
-    if needed <= coefficient:
+def _lying(case: FastCase, state: qd.AngularContactState) -> tuple[Note, ...]:
+    """Balls that friction does not hold against their gyroscopic moment, and how they turn."""
+    lying = state.on_inner & ~state.upright
+    if case.operation.control != "coulomb" or not lying.any():
         return ()
     return (
-        outside(
+        information(
             "gyroscopic-moment",
-            f"gyroscopic moment: held by friction with a coefficient of up to {needed:.3g}, more than "
-            f"friction.coefficient = {coefficient:g}: in reality balls would turn about the rolling "
-            "direction",
+            f"gyroscopic moment: friction does not hold the axes of {int(lying.sum())} balls, which turn "
+            f"towards the shaft, down to {np.degrees(np.abs(state.attitude[lying]).min()):.1f} deg",
         ),
     )

@@ -20,24 +20,6 @@ def assumed_effects(
 ) -> dict[str, Any]:
     """Solve a case with other values of each assumed or calibrated key, one at a time.
 
-    Parameters
-    ----------
-    case : Head
-        as it was read
-    read : callable
-        the same case with further settings; raises `BadCase`
-    solved : callable
-        computes a case; raises `BadCase`
-    report : Report
-        hears which part is done
-
-    Returns
-    -------
-    dict
-        "of", names of lives and weighed outputs to their values in the case; "keys", for each
-        key its other values, each with the same outputs or a "problem"; "together", of results with a
-        life, all changes at once that shorten it, then all that lengthen it
-
     Raises
     ------
     BadCase
@@ -125,17 +107,6 @@ def _alone(case: Any) -> Any:
 
 def measured(result: Result) -> dict[str, float]:
     """Lives and the outputs that inputs are weighed by, in the units of the summary, those that are finite.
-
-    Parameters
-    ----------
-    result : Result
-        of a case
-
-    Returns
-    -------
-    dict
-        name to value; without an output that equals another, such as the stiffness of a bearing between
-        rigid rings that of the bearing with its supports
 
     Raises
     ------

@@ -8,6 +8,7 @@ from flexbearing.build import clearance
 from flexbearing.case import BadCase, Head
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.four_point import FourPointCase
+from flexbearing.findings import Judged, records
 from flexbearing.outputs import wanted
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
@@ -51,7 +52,8 @@ def solve_four_point(case: FourPointCase, record: Recorder, report: Report) -> d
     words = f"friction of every ball in balance to {worst:.1e} of its power"
     if solution.distribution is not None:
         words += f", the ring to {solution.distribution.imbalance:.1e} of the largest force"
-    ending = _converged(words, four_point.notes(solution))
+    found = four_point.judge(solution)
+    ending = _converged(words, four_point.notes(solution, found), found)
     return {**ending, "clearance": clearance.record(case)}
 
 
@@ -74,14 +76,16 @@ def solve_angular(case: FastCase, record: Recorder, report: Report) -> dict[str,
         f"{solution.state.evaluations} evaluations of all balls"
     )
     record.block("rigid", angular_contact.block(solution))
-    ending = _converged(words, angular_contact.notes(solution))
+    found = angular_contact.judge(solution)
+    ending = _converged(words, angular_contact.notes(solution, found), found)
     life = solution.lives and solution.lives.of_state
     lives = {"rigid": life.record()} if life else {}
     return {**ending, "clearance": clearance.record(case), "life": lives}
 
 
-def _converged(message: str, notes: tuple[Note, ...]) -> dict[str, Any]:
-    return _ending("converged", message, "converged") | {"notes": [note.record() for note in graded(notes)]}
+def _converged(message: str, notes: tuple[Note, ...], found: tuple[Judged, ...]) -> dict[str, Any]:
+    noted = {"notes": [note.record() for note in graded(notes)], "findings": records(found)}
+    return _ending("converged", message, "converged") | noted
 
 
 def _not_solved(failure: NotSolved) -> dict[str, Any]:
@@ -118,7 +122,7 @@ def _of_fast(ended: angular_contact.Ended, texts: Sequence[str]) -> Answer:
     if isinstance(block, Exception):
         return _unsolved(block, {})
     numbers = _numbers(OF_FAST_BALLS, {"rigid": block}, texts)
-    return Answer(CONVERGED, message(angular_contact.notes(ended)), numbers)
+    return Answer(CONVERGED, message(angular_contact.notes(ended, angular_contact.judge(ended))), numbers)
 
 
 def _of_slow(case: FourPointCase, texts: Sequence[str]) -> Answer:
@@ -129,7 +133,7 @@ def _of_slow(case: FourPointCase, texts: Sequence[str]) -> Answer:
         for name, solution in four_point.blocks(case, Logged()):
             blocks[name] = four_point.block(solution)
         numbers = _numbers(OF_SLOW_BALLS, blocks, texts)
-        return Answer(CONVERGED, message(four_point.notes(solution)), numbers)
+        return Answer(CONVERGED, message(four_point.notes(solution, four_point.judge(solution))), numbers)
 
     answer = named(case, solve)
     if isinstance(answer, Exception):

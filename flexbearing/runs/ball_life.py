@@ -35,6 +35,7 @@ from quasidynamic.outcome.rating_life import BALL_EXPONENT, rating_life, static_
 from quasidynamic.parts.ball_row import BallRow
 
 STEEL = (190e9, 225e9)  # [Pa] moduli of the steels that ISO 281 is meant for (assumed)
+SILICON_NITRIDE = (290e9, 330e9)  # [Pa] moduli of balls of ISO 26602 (assumed)
 
 
 @dataclass(frozen=True)
@@ -54,21 +55,10 @@ class BallLives:
 def lives(case: FastCase, state: qd.AngularContactState) -> BallLives | None:
     """Lives under the loads of all balls; None at rest, without load, and where no rating is known.
 
-    Parameters
-    ----------
-    case : FastCase
-        with its section [life]
-    state : AngularContactState
-        with its loads
-
-    Returns
-    -------
-    BallLives or None
-
     Raises
     ------
     OutOfRange
-        where a factor that the case asks for does not hold
+        where a factor that the case requires does not hold
     """
     relative = case.operation.inner_speed - case.operation.outer_speed
     if not relative or (case.life.is_basic and unrated(case)):
@@ -108,7 +98,7 @@ def rated(case: FastCase) -> float | None:
 
 
 def _lubrication(case: FastCase, load: float) -> Iterator[LifeFactor]:
-    """Factor a_ISO where the case asks for it, at an equivalent load [N]."""
+    """Factor a_ISO where the case requires it, at an equivalent load [N]."""
     if case.life.lubrication is None:
         return
     ratio_of_oil, share = kappa(case), fatigue_share(case) / load
@@ -119,7 +109,7 @@ def _lubrication(case: FastCase, load: float) -> Iterator[LifeFactor]:
 
 
 def require_possible(case: FastCase) -> None:
-    """Raise `OutOfRange` where the case asks for a life that its geometry, speed or oil does not allow."""
+    """Raise `OutOfRange` where the case requires a life that its geometry, speed or oil does not allow."""
     if case.life.is_basic:
         return
     dynamic(case)
@@ -173,12 +163,26 @@ def dynamic(case: FastCase) -> float:
     require_radial(row(case))
     if case.life.dynamic_rating is not None:
         return case.life.dynamic_rating
-    modulus, (low, high) = case.materials.ball.youngs_modulus, STEEL
-    if not low <= modulus <= high:
+    modulus = case.materials.ball.youngs_modulus
+    if not (_within(STEEL, modulus) or _is_hybrid(case)):
         raise OutOfRange(
-            f"balls of {modulus / 1e9:.4g} GPa: ISO 281 rates balls of steel; give life.dynamic_rating"
+            f"balls of {modulus / 1e9:.4g} GPa: ISO 281 rates balls of steel, ISO 20056-1 those of silicon "
+            "nitride between rings of steel; give life.dynamic_rating"
         )
     return ball_dynamic_rating(row(case))
+
+
+def _is_hybrid(case: FastCase) -> bool:
+    """Balls of silicon nitride between steel, whose C needs no reduction (DIN ISO 281 supplement 5)."""
+    rings = (case.materials.ring("inner"), case.materials.ring("outer"))
+    return _within(SILICON_NITRIDE, case.materials.ball.youngs_modulus) and all(
+        _within(STEEL, ring.youngs_modulus) for ring in rings
+    )
+
+
+def _within(moduli: tuple[float, float], modulus: float) -> bool:
+    low, high = moduli
+    return low <= modulus <= high
 
 
 def static(case: FastCase) -> float:
@@ -188,23 +192,8 @@ def static(case: FastCase) -> float:
 
 
 def safety(case: FastCase, state: qd.AngularContactState) -> float | None:
-    """Static safety s_0 under what the balls carry for the ring, preload with it.
-
-    Parameters
-    ----------
-    case : FastCase
-        with its ratings
-    state : AngularContactState
-        with the load on its ring
-
-    Returns
-    -------
-    float or None
-        C_0r/P_0r of ISO 76 [-]; None where that has no rating: balls that are not of steel, angles and sizes
-        beyond its tables
-    """
-    low, high = STEEL
-    if case.life.static_rating is None and not low <= case.materials.ball.youngs_modulus <= high:
+    """Static safety s_0 under what the balls carry for the ring, preload with it."""
+    if case.life.static_rating is None and not _within(STEEL, case.materials.ball.youngs_modulus):
         return None
     axial, radial_y, radial_z = state.ring_load[:3]
     try:

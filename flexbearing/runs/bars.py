@@ -1,7 +1,5 @@
 """Nominal stresses of the bars of a squirrel cage at an end state, from its condensed stiffness."""
 
-from collections.abc import Iterator
-
 import fem
 from fem.cage import bar_forces
 from fem.cage.bar_forces import NominalStresses
@@ -10,48 +8,13 @@ from flexbearing.build import ring_parts
 from flexbearing.case.roller import Case
 from flexbearing.coupled.states import EndStates
 from flexbearing.coupling.raceway_pair import OUTWARD
-from flexbearing.runs.dangers import yielding
-from quasidynamic.note import Note
 
 
 def nominal_stresses(case: Case, end: EndStates) -> NominalStresses | None:
-    """Section forces and nominal stresses of the bars, without a solve.
-
-    Parameters
-    ----------
-    case : Case
-        whose outer ring may be a squirrel cage
-    end : EndStates
-        states of C cases between rings of the same parts
-
-    Returns
-    -------
-    NominalStresses or None
-        with `largest` (C) and its `error` (C) [Pa]; None without bars, or between rigid raceways
-    """
+    """Section forces and nominal stresses of the bars, without a solve."""
     response = None if end.rings.outer is None else end.rings.outer.bar_response
     part = ring_parts.outer_part(case) if isinstance(response, BarResponse) else None
     if not isinstance(response, BarResponse) or not isinstance(part, fem.SquirrelCage):
         return None
     states, azimuths = end.states, end.states.balance.roller.bearing.azimuths
     return bar_forces.nominal_stresses(part, response, azimuths, OUTWARD[1] * states.forces[..., 1, :, :])
-
-
-def dangers(case: Case, largest: float | None) -> Iterator[Note]:
-    """Danger of bars whose nominal stress is above the yield stress of their material.
-
-    Parameters
-    ----------
-    case : Case
-        which may give a yield stress of the outer ring
-    largest : float or None
-        largest nominal stress of its bars [Pa]; None without bars
-
-    Yields
-    ------
-    Note
-        "yield-stress"
-    """
-    if largest is not None:
-        limit = case.materials.outer_ring.yield_stress
-        yield from yielding("bars of the squirrel cage", largest, limit)

@@ -38,18 +38,6 @@ class Catalogue:
     def acting(self, case: Any, read: Callable[[Sequence[str]], Any]) -> list[Influence]:
         """Influences that a case has anything of, with the settings that change it.
 
-        Parameters
-        ----------
-        case : Head
-            as it was read
-        read : callable
-            the same case with further settings
-
-        Returns
-        -------
-        list of Influence
-            in the order in which they enter
-
         Raises
         ------
         BadCase
@@ -95,26 +83,10 @@ def against_catalogue(
     after. So the factors multiply to the last life over the first, and nothing is left over. They depend on
     the order, which is that of the `catalogue`.
 
-    Parameters
-    ----------
-    case : Head
-        as it was read
-    catalogue : Catalogue
-        of its family
-    read : callable
-        the same case with further settings
-    solved : callable
-        computes a case
-
-    Returns
-    -------
-    dict
-        "title", "ratings", and "stages" from the first life to the last
-
     Raises
     ------
     BadCase
-        without a load, for a case that asks for the life by rating alone, and where a case of the way
+        without a load, for a case that requires the life by rating alone, and where a case of the way
         has no solution
     """
     catalogue.require_load(case)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -15,10 +15,8 @@ from flexbearing.build.mesh_sizes import IN_SPACE, mesh_size
 from flexbearing.case.roller import Case
 from flexbearing.program.threads import of_solids
 from flexbearing.rings.resolution import patches
-from flexbearing.runs.dangers import yielding
 from flexbearing.runs.part_fields import MEGA, NAMES, NoFields, PartFields, Race, Sizes
 from quasidynamic.contact.line import Slices
-from quasidynamic.note import Note
 
 Arrays = Mapping[str, Any]  # name to array
 
@@ -28,42 +26,19 @@ WITHOUT_BARS = (3, 1.2, 0.4)
 FOR_STRESSES = {fem.OuterRing: (6, 0.6, 0.2), fem.RingOnShaft: (6, 0.6, 0.2), fem.SquirrelCage: (5, 0.6, 0.4)}
 
 
-def dangers(case: Case, race: Race, record: dict[str, Any]) -> Iterator[Note]:
-    """Danger of bodies whose largest von Mises stress is above the yield stress of their material.
-
-    Parameters
-    ----------
-    case : Case
-        which may give yield stresses
-    race : "inner" or "outer"
-        which part
-    record : dict
-        of `PartFields.record`
-
-    Yields
-    ------
-    Note
-        "yield-stress"
-    """
+def values(case: Case, race: Race, record: dict[str, Any]) -> dict[str, dict[str, Any]]:
+    """Largest von Mises stress of each body and its yield stress [Pa], for findings."""
+    found: dict[str, dict[str, Any]] = {"stress": {}, "yield_stress": {}}
     for body, most in record["bodies"].items():
         material = expansion.material(case, body if body in ("shaft", "housing") else f"{race}_ring")
-        name = f"{race} ring" if body == "ring" else body
-        limit = getattr(material, "yield_stress", None)  # not every material may have one
-        yield from yielding(name, MEGA * most["von_mises_MPa"], limit)
+        place = f"{race}: {body} (von Mises)"
+        found["stress"][place] = MEGA * most["von_mises_MPa"]
+        found["yield_stress"][place] = getattr(material, "yield_stress", None)  # not of every material
+    return found
 
 
 def parts(case: Case) -> dict[Race, Any]:
     """Parts of a case that are flexible.
-
-    Parameters
-    ----------
-    case : Case
-        of a run, or from its result
-
-    Returns
-    -------
-    dict
-        part by its raceway
 
     Raises
     ------
@@ -79,21 +54,6 @@ def parts(case: Case) -> dict[Race, Any]:
 
 def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
     """A part under the roller loads of a state; it is solved for what is asked of it.
-
-    Parameters
-    ----------
-    case : Case
-        what the state is of
-    race : "inner" or "outer"
-        which part; it is flexible
-    state : str
-        name of the state
-    values : mapping
-        its arrays, as in a result file
-
-    Returns
-    -------
-    PartFields
 
     Raises
     ------
@@ -132,17 +92,6 @@ def surroundings(case: Case, race: Race) -> Surroundings:
     """Heat and rotation of a ring with its shaft or housing.
 
     Its bodies are meshed as warm as the ring: what counts is by how much the other body grows more.
-
-    Parameters
-    ----------
-    case : Case
-        with temperatures, or without
-    race : "inner" or "outer"
-        which ring
-
-    Returns
-    -------
-    Surroundings
     """
     ring, mate, name = (
         ("inner_ring", "shaft", "shaft") if race == "inner" else ("outer_ring", "housing", "housing")
@@ -181,23 +130,6 @@ def _require_solid(case: Case, race: Race) -> None:
 
 
 def forces(slice_loads: NDArray, race: Race, length: float, shapes: int) -> NDArray:
-    """Generalised forces on a raceway.
-
-    Parameters
-    ----------
-    slice_loads : array (Z, K)
-        load per length on the slices of the rollers [N/m], >= 0
-    race : "inner" or "outer"
-        rollers push the inner raceway inwards
-    length : float
-        of the roller [m]
-    shapes : int
-        M, Legendre shapes along it
-
-    Returns
-    -------
-    array (Z, M)
-        [N] positive outward
-    """
+    """Generalised forces on a raceway."""
     outward = slice_loads @ Slices(slice_loads.shape[1], length, shapes).weights
     return outward if race == "outer" else -outward

@@ -1,6 +1,6 @@
 """From a case to a slow ball bearing, and from its solution to the arrays of a result file."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
 from typing import Literal
@@ -13,12 +13,13 @@ from fem.errors import NotSolved as RingNotSolved
 from flexbearing.build import clearance
 from flexbearing.build.ball_parts import ball, groove
 from flexbearing.case.balls.four_point import FourPointCase
+from flexbearing.findings import Judged, declared, evaluate
 from flexbearing.program.workers import shared_map
 from flexbearing.progress import Report
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import row, taken
 from flexbearing.rings import bolted
-from flexbearing.runs import dangers, interface, shoulders
+from flexbearing.runs import interface, judged, shoulders
 from flexbearing.runs.subsurface import of_balls
 from quasidynamic import NotSolved
 from quasidynamic.four_point import FourPointEquilibrium
@@ -28,9 +29,9 @@ from quasidynamic.outcome.worst_point_contact import WorstPointContact
 from quasidynamic.solve.balls.elastic_load_distribution import ElasticBallLoads
 from quasidynamic.solve.balls.load_distribution import BallLoads
 
-STICK = "stick and slip, ball by ball"  # what is told while it is found
+STICK = "stick and slip, ball by ball"  # what is reported while it is found
 FEWEST = 3  # balls of a ring; a single one has the same pitch circle
-NOTABLE = 0.01  # of the torque: change by another reading of the spin that is told
+NOTABLE = 0.01  # of the torque: change by another reading of the spin that is reported
 SIGN = np.array([1.0, -1.0])  # of the torques on inner and outer ring
 
 
@@ -106,8 +107,8 @@ def bearing(case: FourPointCase) -> qd.FourPointBallBearing:
     return qd.FourPointBallBearing(
         bearing=qd.FourPointBearing(
             ball=ball(parts, materials.ball),
-            inner=groove(parts, "inner", materials.inner_ring or materials.ball),
-            outer=groove(parts, "outer", materials.outer_ring or materials.ball),
+            inner=groove(parts, "inner", materials.ring("inner")),
+            outer=groove(parts, "outer", materials.ring("outer")),
             balls=parts.balls or FEWEST,
             pitch_diameter=parts.pitch_diameter,
             contact_angle=angle,
@@ -274,11 +275,16 @@ def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray | 
     return {"balls": np.array(chosen), **fields}
 
 
-def notes(solution: Solution) -> tuple[Note, ...]:
-    """What a user must know of the solution."""
+def judge(solution: Solution) -> tuple[Judged, ...]:
+    """The solution against the limits of ball bearings."""
+    largest = solution.balls.peak_pressure.max(axis=(0, 1))
+    return evaluate(declared.OF_BALLS, judged.pressures(largest, BALLS))
+
+
+def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
+    """What a user must know of the solution, judged by findings before."""
     case, balls = solution.case, solution.balls
-    pressed = dangers.pressed(float(balls.peak_pressure.max()), BALLS)
-    lines = (*pressed, *balls.notes, *clearance.notes(case))
+    lines = (*judged.notes(found), *balls.notes, *shoulders.hybrid(case.materials), *clearance.notes(case))
     if solution.distribution is None:
         lines += (
             information(

@@ -1,4 +1,4 @@
-"""The most loaded roller of a case on half-spaces, where the case asks for it."""
+"""The most loaded roller of a case on half-spaces, where the case requires it."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -18,21 +18,7 @@ RESOLVED = 0.02  # of the peak pressure: an estimated error that is worth a word
 
 
 def most_loaded(case: Case, state: Equilibrium) -> "tuple[WholeRoller | None, tuple[Note, ...]]":
-    """Whole roller of a solved state, with what must be said of it.
-
-    Parameters
-    ----------
-    case : Case
-        of the state
-    state : Equilibrium
-        solved
-
-    Returns
-    -------
-    tuple
-        the roller and notes; None and no notes without bearing.contact = "half_space", None and the reason
-        where its contacts could not be solved
-    """
+    """Whole roller of a solved state, with what must be said of it."""
     if case.bearing.contact != "half_space":
         return None, ()
     from quasidynamic.outcome.whole_roller import whole_roller  # brings Fourier transforms

@@ -6,18 +6,7 @@ from quasidynamic.note import Note, information
 
 
 def compliant(compliance: float | None) -> Iterator[Note]:
-    """Note that an interface shears, by a compliance that was given.
-
-    Parameters
-    ----------
-    compliance : float or None
-        its elastic slip where the traction is friction times pressure [m]; None without an interface
-
-    Yields
-    ------
-    Note
-        "interface-compliance"
-    """
+    """Note that an interface shears, by a compliance that was given."""
     if compliance is not None:
         yield information(
             "interface-compliance",

@@ -66,17 +66,6 @@ class LoadedState:
 def modified(case: Case, state: LoadedState) -> LifeOfState | None:
     """Life after every factor of a case; None when nothing modifies it or nothing carries load.
 
-    Parameters
-    ----------
-    case : Case
-        with its section [life]
-    state : LoadedState
-        with its loads and films
-
-    Returns
-    -------
-    LifeOfState or None
-
     Raises
     ------
     OutOfRange

@@ -46,24 +46,7 @@ def _resolution(words: str) -> Note:
 
 
 def estimated(case: Case, states: BearingStates, rings: LinearPair, report: Report) -> LifeErrors:
-    """Estimate what finer slices and more axial shapes would change; see `life_errors`.
-
-    Parameters
-    ----------
-    case : Case
-        of one of the states, with the parts and the `accuracy` of all
-    states : BearingStates
-        C of them, solved
-    rings : LinearPair
-        at their forces
-    report : Report
-        hears of parts that are condensed for it
-
-    Returns
-    -------
-    LifeErrors
-        without any where a target has its own estimate
-    """
+    """Estimate what finer slices and more axial shapes would change; see `life_errors`."""
     sought = np.isfinite(states.life)
     if case.accuracy.target is not None or not sought.any():
         return LifeErrors(None)

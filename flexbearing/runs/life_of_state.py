@@ -34,19 +34,6 @@ class LifeOfState:
     ) -> "LifeOfState":
         """The life after what changes its loads or capacities, then after factors of different effects.
 
-        Parameters
-        ----------
-        basic : float
-            [10^6 revolutions]
-        by_loads : sequence of dict
-            name, value, effect and note of changes of the basic life itself
-        factors : sequence of LifeFactor
-            one for each effect
-
-        Returns
-        -------
-        LifeOfState
-
         Raises
         ------
         OutOfRange
@@ -72,7 +59,7 @@ def explained(factor: LifeFactor, words: str) -> LifeFactor:
 
 
 def of_reliability(life: Ratings) -> list[LifeFactor]:
-    """The factor of the reliability that a case asks for; none where it asks for none."""
+    """The factor of the reliability that a case requires; none where it requires none."""
     if life.reliability is None:
         return []
     return [explained(reliability_factor(life.reliability), f"reliability {life.reliability:g}")]

@@ -9,12 +9,10 @@ from flexbearing.build import clearance, ring_parts
 from flexbearing.build.lubrication import oil, oil_name
 from flexbearing.case import cage_room
 from flexbearing.case.roller import Case
-from flexbearing.runs import bars, dangers, life, several, skew
-from flexbearing.runs.life_of_state import MREV
+from flexbearing.runs import several, skew
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import Equilibrium
 from quasidynamic.note import Note, danger, information, outside
-from quasidynamic.outcome.static_pressure import ROLLERS
 from quasidynamic.outcome.validity import validity
 
 LARGE_SHARE = 0.5  # of the losses: worth a word (assumed)
@@ -93,59 +91,11 @@ def _teeth(case: Case) -> Iterator[Note]:
         )
 
 
-def dangers_of(rows: SolvedRows) -> list[tuple[Note, ...]]:
-    """What makes the answer of each case dangerous, or is below what is usual.
-
-    Parameters
-    ----------
-    rows : SolvedRows
-        solved
-
-    Returns
-    -------
-    list of tuple of Note
-        of each case
-    """
-    lives = [
-        float(basic if life is None else life.modified) / MREV
-        for basic, life in zip(rows.basic_life, rows.life, strict=True)
-    ]
-    figures = (rows.bounded_pressure.max(axis=1), rows.static_safety, lives, rows.relative_speed)
-    limits = [case.materials.outer_ring.yield_stress for case in rows.cases]
-    stressed = rows.bars if any(limit is not None for limit in limits) else None
-    largest = [None] * len(rows) if stressed is None else stressed.largest.tolist()
-    each = zip(*(np.asarray(figure).tolist() for figure in figures), strict=True)
-    return [
-        (*_dangers(*of_case), *bars.dangers(case, of_bars))
-        for case, of_case, of_bars in zip(rows.cases, each, largest, strict=True)
-    ]
-
-
-def _dangers(pressure: float, safety: float, life: float, speed: float) -> Iterator[Note]:
-    yield from dangers.pressed(pressure, ROLLERS)
-    yield from dangers.overloaded(safety, dangers.USUAL_OF_ROLLERS)
-    yield from dangers.short_lived(life, speed)
-
-
 def of_solution(rows: SolvedRows) -> tuple[Note, ...]:
-    """What a single solved case adds: dangers, limits of laws that it is beyond, what a reader should weigh.
-
-    Parameters
-    ----------
-    rows : SolvedRows
-        one
-
-    Returns
-    -------
-    tuple of Note
-    """
-    (case,), (state,), (dangerous,), (skewed,) = rows.cases, rows.each, dangers_of(rows), rows.skew
-    load, rating = float(np.hypot(*state.applied_load)), life.dynamic(case, rows.models[0].bearing)
+    """What a single solved case adds to its findings: ranges of laws that it leaves, what to weigh."""
+    (case,), (state,), (skewed,) = rows.cases, rows.each, rows.skew
     return (
-        *dangerous,
-        *dangers.heavily_loaded(load, rating),
         *validity(state),
-        *dangers.lightly_loaded(load, rating, dangers.LEAST_OF_ROLLERS),
         *_information(case, state),
         *(skew.notes(skewed, state, state.minimum_film) if skewed else ()),
         *rows.life_errors.notes(0),

@@ -36,7 +36,7 @@ class NoFields(RuntimeError):
 
 @dataclass(frozen=True, kw_only=True)
 class PartFields:
-    """A part under the rollers of one state; what is asked for is solved then, and kept."""
+    """A part under the rollers of one state; what is requested is solved then, and kept."""
 
     race: Race
     state: str  # "rigid", "flexible", "iteration 3"
@@ -153,7 +153,7 @@ class Sizes:
 
     solid: fem.MeshSize
     stresses: fem.MeshSize
-    coarseness: float  # of the latter over that of the usual mesh, where the case asks for another [-]
+    coarseness: float  # of the latter over that of the usual mesh, where the case requires another [-]
     threads: int
 
 

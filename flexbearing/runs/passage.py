@@ -24,7 +24,7 @@ SHOWN = [  # on the page of a result; the error of a life is that of its case
     for output in outputs(LAYOUT)
     if output.declared.label and not output.declared.section and output.declared.of != ("life_error",)
 ]
-TOLD = 0.01  # change of load or life over a pitch that is told in a case without accuracy.target
+TOLD = 0.01  # change of load or life over a pitch that is reported in a case without accuracy.target
 JUDGED = {"max_roller_load_N": "largest roller load", "life_L10_Mrev": "life"}
 
 
@@ -91,26 +91,7 @@ class Passage:
 def passage(
     case: Case, model: RollerBearing, rings: RacewayPair, first: Equilibrium, report: Report
 ) -> Passage:
-    """Move the rollers through a pitch.
-
-    Parameters
-    ----------
-    case : Case
-        with `operation.roller_positions`
-    model : RollerBearing
-        of the case
-    rings : RacewayPair
-        under the rollers of the first position
-    first : Equilibrium
-        solution there
-    report : Report
-        hears of every position
-
-    Returns
-    -------
-    Passage
-        also with positions that no method solved; they are named, and the next begins at the last solution
-    """
+    """Move the rollers through a pitch."""
     count = case.operation.roller_positions
     assert count is not None  # or there is no passage
     azimuth, pitch = model.bearing.first_roller_azimuth, 2 * np.pi / model.bearing.rollers
@@ -130,21 +111,6 @@ def passage(
 
 def solved_near(case: Case, model: RollerBearing, rings: RacewayPair, near: Equilibrium) -> Equilibrium:
     """Solve the bearing with its rollers at another place.
-
-    Parameters
-    ----------
-    case : Case
-        with its methods
-    model : RollerBearing
-        with the rollers there
-    rings : RacewayPair
-        under them
-    near : Equilibrium
-        solution from which the first method begins
-
-    Returns
-    -------
-    Equilibrium
 
     Raises
     ------

@@ -94,18 +94,7 @@ FROM_ZERO = {  # of keys that are zero, by their unit
 
 
 def plausible(case: Any) -> Iterator[Plausible]:
-    """Say what every assumed or calibrated key of a case might be instead, its tolerances, rules and loads.
-
-    Parameters
-    ----------
-    case : Head
-        as it was read
-
-    Yields
-    ------
-    Plausible
-        a table is tried key by key; texts and switches have their other choices
-    """
+    """What every assumed or calibrated key of a case might be instead, tolerances, rules and loads."""
     known = by_path(type(case))
     if getattr(case, "bands", None) and case.bearing.mounting:
         yield Plausible(

@@ -3,13 +3,15 @@
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+from flexbearing import findings
 from flexbearing.build import clearance
 from flexbearing.case.roller import Case
 from flexbearing.coupling import LinearPair
+from flexbearing.findings import Judged, declared
 from flexbearing.progress import Report
 from flexbearing.quantities.quantity import row
 from flexbearing.results import Arrays, Recorder
-from flexbearing.runs import fields, notes, sliced_peak
+from flexbearing.runs import fields, judged, notes, roller_findings, sliced_peak
 from flexbearing.runs.part_fields import NoFields
 from flexbearing.runs.several import SeveralEquilibria
 from flexbearing.runs.solved_rows import SolvedRows
@@ -29,6 +31,7 @@ class Postprocessing:
     regimes: dict[str, Any] = field(default_factory=dict)  # by block
     notes: list[Note] = field(default_factory=list)  # of the run
     of_state: dict[str, tuple[Note, ...]] = field(default_factory=dict)  # by block
+    values: dict[str, dict[str, Any]] = field(default_factory=dict)  # that findings judge, by block
     stresses: dict[str, Any] = field(default_factory=dict)  # by part
     blocks: dict[str, Arrays] = field(default_factory=dict)  # that were written
     solved: dict[str, SolvedRows] = field(default_factory=dict)  # by block
@@ -53,7 +56,8 @@ class Postprocessing:
     def repeat_rigid(self) -> None:
         """Write the rigid solution as the flexible one, where no part is flexible."""
         self.record.block("flexible", self.blocks["rigid"])
-        for said in (self.lives, self.regimes, self.of_state):
+        by_block: tuple[Any, ...] = (self.lives, self.regimes, self.of_state, self.values)
+        for said in by_block:
             if "rigid" in said:
                 said["flexible"] = said["rigid"]
 
@@ -66,6 +70,7 @@ class Postprocessing:
             ratios = lambda_ratio(rows.states.minimum_film[0], rows.roughness[0])
             self.regimes[name] = dict(zip(("inner", "outer"), map(str, regime(ratios)), strict=True))
         self.of_state[name] = notes.of_solution(rows)
+        self.values[name] = roller_findings.values(rows)
         if name == "flexible" and self.case.outputs.stresses:
             self._add_stresses(self.blocks[name])
         if not self.record.compared:
@@ -80,17 +85,28 @@ class Postprocessing:
                 self.notes.append(information("no-stresses", f"no stresses: {problem}"))
             else:
                 self.stresses[race] = record
-                self.of_state["flexible"] += tuple(fields.dangers(self.case, race, record))
+                for quantity, of_bodies in fields.values(self.case, race, record).items():
+                    self.values["flexible"].setdefault(quantity, {}).update(of_bodies)
 
     def _notes_on_several(self) -> list[Note]:
         """One for each block that is one of several equilibria; the last that was examined is the answer."""
         last = list(self.several)[-1:]
         return [found.note(answer=[name] == last) for name, found in self.several.items() if found]
 
+    def _judged(self, of_clearance: dict[str, Any]) -> tuple[Judged, ...]:
+        """What the last solution, which answers the case, is judged by."""
+        if not self.values:
+            return ()
+        values = list(self.values.values())[-1] | {"clearance": judged.clearances(of_clearance)}
+        return findings.evaluate(declared.OF_ROLLERS, values)
+
     def attributes(self) -> dict[str, Any]:
         """Root attributes that the end states decide."""
         solutions = list(self.of_state.values())  # the last one answers the case
-        every_note = [*notes.of_case(self.case), *self.notes, *(solutions[-1] if solutions else ())]
+        of_clearance = clearance.record(self.case)
+        found = self._judged(of_clearance)
+        every_note = [*notes.of_case(self.case), *self.notes, *judged.notes(found)]
+        every_note += solutions[-1] if solutions else ()
         every_note += self._notes_on_several()
         if self.solved:  # once, of the answer
             every_note += sliced_peak.notes(list(self.solved.values())[-1])
@@ -99,7 +115,8 @@ class Postprocessing:
         return {
             **stresses,
             **({"equilibria": records} if records else {}),
-            "clearance": clearance.record(self.case),
+            "clearance": of_clearance,
+            "findings": findings.records(found),
             "life": self.lives,
             "regimes": self.regimes,
             "notes": [note.record() for note in graded(every_note)],

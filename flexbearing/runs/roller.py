@@ -71,7 +71,7 @@ def solve(
 def _resolved(
     case: Case, postprocessing: Postprocessing, report: Report, ahead: "Ahead | None", levels: "Levels | None"
 ) -> Resolved:
-    """At the levels of the case, or at those that its target asks for."""
+    """At the levels of the case, or at those that its target requires."""
     model = roller_bearing.bearing(case)
     condensed = partial(condensed_raceways, outer_ahead=ahead)
     raceways = full_fe_raceways if case.coupling.structure == "full" else condensed
@@ -175,7 +175,7 @@ def _passage(
     postprocessing: Postprocessing,
     report: Report,
 ) -> dict[str, object]:
-    """Other positions of the rollers where the case asks for them, or a note where they matter to people."""
+    """Other positions of the rollers where the case requires them, or a note where they matter to people."""
     if case.operation.roller_positions is None:
         if not postprocessing.record.compared:
             postprocessing.notes.extend(roller_position.notes(case, model, rings, end))

@@ -7,17 +7,6 @@ SPACING = (1.2, 1.6)  # distance of roller centres over the roller diameter, wit
 
 
 def plausible_numbers(ratio: float) -> list[int]:
-    """Numbers of rollers whose distance leaves room for a cage and wastes none.
-
-    Parameters
-    ----------
-    ratio : float
-        roller over pitch diameter [-]
-
-    Returns
-    -------
-    list of int
-        one at least, growing
-    """
+    """Numbers of rollers whose distance leaves room for a cage and wastes none."""
     closest, widest = (pi / asin(min(distance * ratio, 1.0)) for distance in SPACING)
     return [*range(ceil(widest), floor(closest) + 1)] or [floor(closest)]

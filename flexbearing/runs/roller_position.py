@@ -1,4 +1,4 @@
-"""How much the place of the rollers within a pitch matters, told where one position alone is solved."""
+"""How much the place of the rollers within a pitch matters, reported where one position alone is solved."""
 
 from dataclasses import replace
 
@@ -13,7 +13,7 @@ from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.contact.line import EXPONENT
 from quasidynamic.note import Note, information
 
-TOLD = 0.02  # change of the largest load that is told in a case without accuracy.target (assumed)
+TOLD = 0.02  # change of the largest load that is reported in a case without accuracy.target (assumed)
 WORTH_A_SOLVE = 0.5  # of that: the foreseen change errs by about as much
 
 
@@ -58,25 +58,7 @@ def load_half_a_pitch_further(azimuths: NDArray, loads: NDArray, direction: floa
 
 
 def notes(case: Case, model: RollerBearing, rings: RacewayPair, end: Equilibrium) -> tuple[Note, ...]:
-    """A note where half a pitch changes the largest load by more than the target of the case.
-
-    Parameters
-    ----------
-    case : Case
-        with one position of the rollers
-    model : RollerBearing
-        of the case
-    rings : RacewayPair
-        under its rollers
-    end : Equilibrium
-        solution
-
-    Returns
-    -------
-    tuple of Note
-        one with the load half a pitch further, solved from here; without it where that is not solved, or a
-        solid would have to be condensed for it
-    """
+    """A note where half a pitch changes the largest load by more than the target of the case."""
     told, largest = case.accuracy.target or TOLD, float(end.loads[0].max())
     if not largest > 0 or not _may_matter(case, end, WORTH_A_SOLVE * told):
         return ()

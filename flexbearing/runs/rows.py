@@ -8,7 +8,7 @@ from flexbearing.case.roller import Case
 from flexbearing.outputs import Wanted, wanted
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.runs import notes
+from flexbearing.runs import notes, roller_findings
 from flexbearing.runs.answer import CONVERGED, Alone, Answer, message
 from flexbearing.runs.side_by_side import Solved, solved_side_by_side
 from quasidynamic import NotSolved, OutOfRange
@@ -31,25 +31,6 @@ def answers(
     Cases that differ in numbers only, between rigid rings or between the same elastic ones, are solved side
     by side, and their outputs are arrays. What needs a run of its own has one, and its answer says why, see
     `solved_side_by_side`. Nothing is computed but what is wanted, and what dangers need.
-
-    Parameters
-    ----------
-    cases : sequence of Case
-        as they were read
-    texts : sequence of str
-        outputs with their units, as `flexbearing.outputs.wanted` takes them
-    alone : callable
-        the answer of a case from a run of its own
-    search : bool
-        whether other equilibria are searched where they are likely, as a run does, for some hundred times the
-        cost of a case; else the message says that they are likely, which is so for more cases than have any
-    levels : Levels, optional
-        of cases with a target, which share them
-
-    Returns
-    -------
-    list of Answer
-        equal to those of single runs to 1e-9
 
     Raises
     ------
@@ -93,8 +74,8 @@ def _numbers(solved: Solved, outputs: Mapping[str, Wanted]) -> Iterator[dict[str
 
 
 def _dangers(solved: Solved, search: bool) -> Iterator[tuple[Note, ...]]:
-    """Dangers of each case; without a `search` it is told where other equilibria are likely."""
+    """Dangers of each case; without a `search` it is reported where other equilibria are likely."""
     rows = solved.rows
-    each = zip(notes.dangers_of(rows), rows.several_likely.tolist(), strict=True)
+    each = zip(roller_findings.dangers(rows), rows.several_likely.tolist(), strict=True)
     for place, (dangers, likely) in enumerate(each):
         yield (*dangers, *(notes.of_others(rows, place, search=search) if likely else ()))

@@ -18,6 +18,7 @@ from flexbearing.files import BadOutput
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
 from flexbearing.results import Record, Result, ResultFile, case_file
+from flexbearing.runs import effects_file
 from flexbearing.runs.validate import require_possible
 
 if TYPE_CHECKING:
@@ -34,27 +35,7 @@ def run_case(
     start: Result | None = None,
     levels: "Levels | None" = None,
 ) -> Result:
-    """Compute a case, and store it where a file is asked for.
-
-    Parameters
-    ----------
-    case : Head
-        as it was read
-    family : Family
-        its family
-    output : path, optional
-        result file; without one nothing is written, see `default_output` for a usual name
-    report : Report, optional
-        hears of stages and iterations; default is the log
-    start : Result, optional
-        of a neighbouring case, at whose flexible end state newton begins; by default between rigid raceways
-    levels : Levels, optional
-        of a roller case with a target, which shares them with others
-
-    Returns
-    -------
-    Result
-        also when the iteration did not converge: `result.attributes["status"]` says so
+    """Compute a case, and store it where a file is requested.
 
     Raises
     ------
@@ -67,6 +48,7 @@ def run_case(
     """
     began = perf_counter()
     require_possible(case, family)
+    stored = {} if _weighing(case) else effects_file.attributes(case)
     inputs = (*case.input_files, *(start.files if start else ()))
     with family.ahead()(case) if family.ahead else nullcontext() as ahead:  # of all that is loaded to solve
         solve = _solver(case, family, start, levels=levels, ahead=ahead)
@@ -78,23 +60,13 @@ def run_case(
                 ending |= _lives_compared(case, family, report or Logged(), ending["notes"])
             if _weighing(case) and ending["status"] == "converged":
                 ending |= _inputs_weighed(case, family, report or Logged(), ending["notes"])
+            elif ending["status"] == "converged":
+                ending |= stored
             return record.finish(**ending, wall_time_s=perf_counter() - began)
 
 
 def compared(case: Head, family: Family) -> Result:
     """Compute a case whose numbers are compared with those of another: other equilibria are not searched.
-
-    Parameters
-    ----------
-    case : Head
-        as it was read
-    family : Family
-        its family
-
-    Returns
-    -------
-    Result
-        that is written nowhere
 
     Raises
     ------
@@ -107,6 +79,13 @@ def compared(case: Head, family: Family) -> Result:
         record = Record(_head(case) | family.opening()(case), family, compared=True)
         ending = _solver(case, family, None, ahead=ahead)(case, record, Logged())
         return record.finish(**ending, wall_time_s=perf_counter() - began)
+
+
+def effects(case: Head, family: Family, report: Report) -> dict[str, Any]:
+    """What other values of assumed inputs make of a case, as `flexbearing.runs.assumed_effects` finds it."""
+    from flexbearing.runs.assumed_effects import assumed_effects
+
+    return assumed_effects(case, _reader(case, family), lambda each: compared(each, family), report)
 
 
 def _solver(
@@ -150,11 +129,10 @@ def _weighing(case: Head) -> bool:
 
 def _inputs_weighed(case: Head, family: Family, report: Report, notes: list[Any]) -> dict[str, Any]:
     """The attribute `assumed_effects`, or a further note that says why there is none."""
-    from flexbearing.runs.assumed_effects import assumed_effects
     from quasidynamic.note import information
 
     try:
-        found = assumed_effects(case, _reader(case, family), lambda each: compared(each, family), report)
+        found = effects(case, family, report)
     except BadCase as problem:
         why = information("no-assumed-effects", f"how much assumed inputs matter is not known: {problem}")
         return {"notes": [*notes, why.record()]}
@@ -175,16 +153,6 @@ def _reader(case: Head, family: Family) -> Callable[[Sequence[str]], Head]:
 def default_output(case: Head) -> Path:
     """Name of the result of a case that is given none: another one for other settings.
 
-    Parameters
-    ----------
-    case : Head
-        as it was read
-
-    Returns
-    -------
-    Path
-        such as `results/<case>.h5`, see `stem_of_outputs`
-
     Raises
     ------
     BadOutput
@@ -203,20 +171,7 @@ def usual_output(case: str | Path, settings: Sequence[str] = ()) -> Path:
 
 
 def stem_of_outputs(case: str | Path, settings: Sequence[str]) -> str:
-    """Stem of the default names of outputs, which carry the settings.
-
-    Parameters
-    ----------
-    case : path
-        case file
-    settings : sequence of str
-        `"key=value"` that replace those of the file
-
-    Returns
-    -------
-    str
-        `<case>`; with settings, `<case>_<key>=<value>_<digest of all settings>`
-    """
+    """Stem of the default names of outputs, which carry the settings."""
     if not settings:
         return Path(case).stem
     digest = sha256(repr(tuple(settings)).encode()).hexdigest()[:8]

@@ -1,30 +1,30 @@
-"""Notes on contacts that reach over the shoulders of races."""
+"""Notes on what ball bearings of both kinds are made of: shoulders of their races, materials."""
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.note import Note, danger, outside
+from flexbearing.case.balls.mounting import MountedMaterials
+from quasidynamic.note import Note, danger, information, outside
 from quasidynamic.outcome.truncation import USUAL_SHOULDER
+
+
+def hybrid(materials: MountedMaterials) -> tuple[Note, ...]:
+    """What ceramic balls mean for what is not given, and for the ratings."""
+    if not materials.hybrid:
+        return ()
+    rings = " and ".join(materials.steel_rings)
+    steel = f"{rings}: 100Cr6, as no material is given and the balls are ceramic; " if rings else ""
+    text = (
+        f"{steel}without a given rating C is that of steel balls, which hybrids need not reduce "
+        "(DIN ISO 281 supplement 5), and there is no s_0: ISO 20056-2 has their C_0"
+    )
+    return (information("hybrid", text),)
 
 
 def reached_over(
     race: str, heights: NDArray, angles: NDArray, ball_diameter: float, shoulder: float | None
 ) -> tuple[Note, ...]:
-    """What is left out of contacts above a shoulder, one of usual height unless given.
-
-    Parameters
-    ----------
-    race : {"inner", "outer"}
-        for the text
-    heights : array (...)
-        up to which contacts reach above the bottom of the groove [m], zero without load
-    angles : array (...)
-        contact angles [rad]
-    ball_diameter : float
-        [m]
-    shoulder : float or None
-        its height above the bottom of the groove [m]
-    """
+    """What is left out of contacts above a shoulder, one of usual height unless given."""
     over = heights > (USUAL_SHOULDER * ball_diameter if shoulder is None else shoulder)
     if not over.any():
         return ()

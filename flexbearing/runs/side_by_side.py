@@ -66,22 +66,7 @@ class LeftOut:
 def solved_side_by_side(
     cases: Sequence[Case], blocks: Set[str], levels: "Levels | None" = None
 ) -> Iterator[Solved | LeftOut]:
-    """Yield cases that converge side by side, and those that do not with the reason.
-
-    Parameters
-    ----------
-    cases : sequence of Case
-        as they were read
-    blocks : set of str
-        of the wanted outputs: states on the way to the answer are yielded for "rigid" only
-    levels : Levels, optional
-        of cases with a target, which share them
-
-    Yields
-    ------
-    Solved or LeftOut
-        every case in one answer, or left out once
-    """
+    """Yield cases that converge side by side, and those that do not with the reason."""
     kinds: dict[tuple[str | None, str], list[_Resolved]] = {}
     for place, case in enumerate(cases):
         found = _resolved(place, case, levels)
@@ -134,17 +119,7 @@ def _resolved(place: int, case: Case, levels: "Levels | None") -> _Resolved | Le
 
 
 def needs_own_run(case: Case) -> str:
-    """Say which choice of a case keeps it from being solved beside others; empty where none does.
-
-    Parameters
-    ----------
-    case : Case
-        as it was read
-
-    Returns
-    -------
-    str
-    """
+    """Say which choice of a case keeps it from being solved beside others; empty where none does."""
     if case.operation.roller_positions is not None:
         return "operation.roller_positions: each position begins at the one before"
     if not _elastic(case):

@@ -18,26 +18,7 @@ from quasidynamic.outcome.finer_life import ERROR_OVER_CHANGE, FINER
 def record(
     case: Case, model: RollerBearing, rings: RacewayPair, end: Equilibrium
 ) -> dict[str, dict[str, Any]]:
-    """Estimate errors by the slices: the largest change with 2 and 4 times as many, times 1.6.
-
-    Parameters
-    ----------
-    case : Case
-        without a target, which estimates more
-    model : RollerBearing
-        of the case
-    rings : RacewayPair
-        under its rollers; meshes and axial shapes stay as they are
-    end : Equilibrium
-        solution
-
-    Returns
-    -------
-    dict
-        `slice_error` with the compared numbers of slices and the errors over the values, that of the cage
-        slip as such; empty where a target estimates them, a solid would be solved again, nothing carries
-        load, or no solution was found with finer slices
-    """
+    """Estimate errors by the slices: the largest change with 2 and 4 times as many, times 1.6."""
     if case.accuracy.target is not None or rings.solved_in_full or not end.loads.max() > 0:
         return {}
     counts = [times * model.slices for times in FINER]

@@ -20,18 +20,7 @@ RACEWAYS = ("inner", "outer")
 
 
 def notes(rows: SolvedRows) -> tuple[Note, ...]:
-    """What must be said of the peak pressure of a solved state: corners of profiles, and ends.
-
-    Parameters
-    ----------
-    rows : SolvedRows
-        one, solved
-
-    Returns
-    -------
-    tuple of Note
-        empty where the slices have the peak pressure of the contact as `SlicedPeak` says
-    """
+    """What must be said of the peak pressure of a solved state: corners of profiles, and ends."""
     (case,), (state,), told = rows.cases, rows.each, []
     rise = corner_rise(state)
     if rise > CORNER_DECADE:

@@ -47,7 +47,7 @@ QUANTITIES = LAYOUT.datasets("block")
 class SolvedRows:
     """States of C cases between raceways of the same compliance, and what the cases add; cases first.
 
-    Nothing is computed before it is asked for. What is computed case by case is a list, with None where a
+    Nothing is computed before it is requested. What is computed case by case is a list, with None where a
     case has none.
     """
 
@@ -55,7 +55,7 @@ class SolvedRows:
     models: Sequence[RollerBearing]
     states: BearingStates
     rings: Sequence[LinearPair]  # of each case; only their deviations without load differ
-    report: Report = field(default_factory=Logged)  # hears of parts that are condensed for an error
+    report: Report = field(default_factory=Logged)  # is called with parts that are condensed for an error
     converged: bool = True  # whether the states are solutions
     doubtful: NDArray | None = None  # (C) whether several equilibria are likely; None where not asked yet
 
@@ -165,7 +165,7 @@ class SolvedRows:
 
     @cached_property
     def subsurface(self) -> "list[Subsurface | None]":
-        """Stresses below the most pressed contacts; None where a case does not ask for them."""
+        """Stresses below the most pressed contacts; None where a case does not require them."""
         if not any(case.outputs.subsurface_stresses for case in self.cases):
             return [None] * len(self)
         bearings, worst = [model.bearing for model in self.models], self.worst

@@ -19,15 +19,6 @@ from flexbearing.runs.part_fields import NAMES, PartFields, Race
 def case_of(result: Result) -> Case:
     """The case that a result file holds; its drawing is looked for beside the case, then beside the result.
 
-    Parameters
-    ----------
-    result : Result
-        of a roller bearing
-
-    Returns
-    -------
-    Case
-
     Raises
     ------
     BadCase
@@ -60,18 +51,6 @@ def _understood(result: Result, file: Path) -> Head:
 def state_of(result: Result, name: str) -> Arrays:
     """Arrays of a stored state.
 
-    Parameters
-    ----------
-    result : Result
-        of a roller bearing
-    name : str
-        "rigid", "flexible", or "iteration N" with N from 1
-
-    Returns
-    -------
-    mapping
-        name to array
-
     Raises
     ------
     BadResult
@@ -92,19 +71,6 @@ def state_of(result: Result, name: str) -> Arrays:
 def of_result(result: Result, state: str = "flexible", race: Race | None = None) -> list[PartFields]:
     """Fields of the flexible parts of a result.
 
-    Parameters
-    ----------
-    result : Result
-        what a run left behind
-    state : str
-        as for `state_of`
-    race : "inner" or "outer", optional
-        only this part
-
-    Returns
-    -------
-    list of PartFields
-
     Raises
     ------
     BadCase
@@ -122,20 +88,6 @@ def destinations(
     result: Result, directory: Path, state: str = "flexible", race: Race | None = None
 ) -> dict[Race, Path]:
     """Settle where the fields go, named after result, part and state, before anything is computed.
-
-    Parameters
-    ----------
-    result : Result
-        what a run left behind
-    directory : Path
-        where to; made when it is not there
-    state, race
-        as for `of_result`
-
-    Returns
-    -------
-    dict
-        file by raceway
 
     Raises
     ------
@@ -155,7 +107,7 @@ def destinations(
 
 
 def _races(result: Result, case: Case, race: Race | None) -> list[Race]:
-    """Raceways of the flexible parts, or the one that is asked for."""
+    """Raceways of the flexible parts, or the one that is requested."""
     for block in filter(None, (result.rigid, result.flexible)):
         rollers = block["roller_azimuth"].size
         if rollers != case.bearing.rollers:
@@ -173,13 +125,6 @@ def _races(result: Result, case: Case, race: Race | None) -> list[Race]:
 
 def write(part: PartFields, path: Path) -> None:
     """Write fields for ParaView.
-
-    Parameters
-    ----------
-    part : PartFields
-        with its fields
-    path : Path
-        from `destinations`
 
     Raises
     ------

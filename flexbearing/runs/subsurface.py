@@ -1,4 +1,4 @@
-"""Stresses below the most pressed contacts of a case, where it asks for them."""
+"""Stresses below the most pressed contacts of a case, where it requires them."""
 
 from functools import partial
 from typing import TYPE_CHECKING
@@ -21,24 +21,7 @@ def of_rollers(
     half_width: NDArray,
     friction: NDArray,
 ) -> "Subsurface | None":
-    """Field below the most pressed slice of both raceways, under the traction of its roller as it slides.
-
-    Parameters
-    ----------
-    case : Case
-        of the state
-    bearing : CylindricalRollerBearing
-        of the case
-    pressure, half_width : array (2)
-        of these slices [Pa], [m]
-    friction : array (2)
-        traction on the raceway over the load of their rollers [-]
-
-    Returns
-    -------
-    Subsurface or None
-        None without outputs.subsurface_stresses
-    """
+    """Field below the most pressed slice of both raceways, under the traction of its roller as it slides."""
     if not case.outputs.subsurface_stresses:
         return None
     from quasidynamic.contact.line.subsurface import line_contact_stress
@@ -54,18 +37,6 @@ def of_rollers(
 def of_balls(case: "FastCase | FourPointCase", worst: "WorstPointContact") -> "Subsurface | None":
     """Field below the most pressed ellipse of both raceways, without friction.
 
-    Parameters
-    ----------
-    case : FastCase or FourPointCase
-        of the state
-    worst : WorstPointContact
-        of both raceways
-
-    Returns
-    -------
-    Subsurface or None
-        None without outputs.subsurface_stresses
-
     Raises
     ------
     OutOfRange
@@ -76,8 +47,7 @@ def of_balls(case: "FastCase | FourPointCase", worst: "WorstPointContact") -> "S
     from quasidynamic.contact.ellipse.subsurface import ellipse_stress
     from quasidynamic.outcome.subsurface import below
 
-    materials = case.materials
-    rings = (materials.inner_ring or materials.ball, materials.outer_ring or materials.ball)
+    rings = (case.materials.ring("inner"), case.materials.ring("outer"))
     stresses = [
         partial(ellipse_stress, axis_ratio=ratio or 1.0, poisson_ratio=ring.poisson_ratio)  # 1: without load
         for ratio, ring in zip(worst.axis_ratio, rings, strict=True)

@@ -13,7 +13,7 @@ from quasidynamic import Equilibrium, RollerBearing
 from quasidynamic.note import Note, information
 from quasidynamic.outcome.other_tilt import with_other_tilt
 
-TOLD = 0.01  # change of load or life that is told in a case without accuracy.target
+TOLD = 0.01  # change of load or life that is reported in a case without accuracy.target
 OTHER = {"fixed": "free", "free": "fixed"}
 
 

@@ -9,13 +9,6 @@ from quasidynamic import ImpossiblePart, OutOfRange
 def require_possible(case: Head, family: Family) -> None:
     """Build everything that needs no mesh.
 
-    Parameters
-    ----------
-    case : Head
-        as it was read
-    family : Family
-        its family
-
     Raises
     ------
     BadCase

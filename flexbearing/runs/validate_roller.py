@@ -9,11 +9,6 @@ from quasidynamic import CylindricalRollerBearing
 def build(case: Case) -> None:
     """Build bearing, flange and rings; nothing that solves is loaded.
 
-    Parameters
-    ----------
-    case : Case
-        as it was read
-
     Raises
     ------
     ImpossiblePart
@@ -29,13 +24,6 @@ def build(case: Case) -> None:
 
 def require_around(case: Case, bearing: CylindricalRollerBearing) -> None:
     """Build what a bearing is rated by, guided by and mounted in.
-
-    Parameters
-    ----------
-    case : Case
-        as it was read
-    bearing : CylindricalRollerBearing
-        its bearing
 
     Raises
     ------

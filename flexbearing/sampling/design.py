@@ -28,16 +28,6 @@ class Design:
     def points(self, widths: Sequence[int]) -> Points:
         """Points of the unit cube.
 
-        Parameters
-        ----------
-        widths : sequence of int
-            how many numbers each of K inputs has
-
-        Returns
-        -------
-        Points (rows, sum of widths)
-            for sobol_indices K + 2 rows for each base point: A, B, and A with one input at a time from B
-
         Source
         ------
         Saltelli et al., Computer Physics Communications 181 (2010) 259-270, sec. 5: A and B are the two

@@ -89,19 +89,7 @@ def lognormal(median: float, factor: float) -> Distribution:
 
 
 def weighted_quantile(values: NDArray, weights: NDArray, probability: float) -> float:
-    """Value below which a share of the weights lies.
-
-    Parameters
-    ----------
-    values, weights : array (n)
-        weights >= 0
-    probability : float
-        the share, from 0 to 1
-
-    Returns
-    -------
-    float
-    """
+    """Value below which a share of the weights lies."""
     order = np.argsort(values)
     share = np.cumsum(weights[order])
     middle = (share - weights[order] / 2) / share[-1]

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from flexbearing.sampling.quantiles import CONFIDENCE
 
 RESAMPLES = 1000
-FEWEST = 8  # base points below which no interval is told
+FEWEST = 8  # base points below which no interval is reported
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,7 +20,7 @@ class Indices:
     total: NDArray  # (K) share by the input with all its interactions
     first_interval: NDArray  # (2, K) between which each lies with `CONFIDENCE`
     total_interval: NDArray  # (2, K)
-    points: int  # base points that have an answer in all their rows
+    points: int  # base points that have a result in all their rows
 
 
 def sobol_indices(values: NDArray, seed: int) -> Indices:
@@ -34,7 +34,7 @@ def sobol_indices(values: NDArray, seed: int) -> Indices:
     Parameters
     ----------
     values : array (N, K + 2)
-        f_A, f_B and f_AB of every base point; NaN where a row has no answer: the base point is left out
+        f_A, f_B and f_AB of every base point; NaN where a row has no result: the base point is left out
     seed : int
         of the bootstrap
 

@@ -38,17 +38,6 @@ class Linear:
 
 
 def explained(sampled: NDArray, predicted: NDArray) -> float:
-    """Share of the variance of sampled values that a prediction of the same rows explains.
-
-    Parameters
-    ----------
-    sampled, predicted : array (n)
-        of the same rows
-
-    Returns
-    -------
-    float
-        1 of an exact prediction, also of one that is off by a constant; NaN where the values do not vary
-    """
+    """Share of the variance of sampled values that a prediction of the same rows explains."""
     variance = np.var(sampled)
     return float(1 - np.var(sampled - predicted) / variance) if variance else float("nan")

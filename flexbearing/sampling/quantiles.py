@@ -20,20 +20,6 @@ class Quantile:
 def quantile(values: NDArray, unsolved: int, probability: float) -> Quantile:
     """Quantile of an output.
 
-    Parameters
-    ----------
-    values : array (n)
-        of independent rows that have an answer
-    unsolved : int
-        further rows without one: they may lie below the interval or above it
-    probability : float
-        share of the rows below the quantile
-
-    Returns
-    -------
-    Quantile
-        of the rows with an answer; the interval holds for all rows, whatever the others would have given
-
     Source
     ------
     Conover, Practical Nonparametric Statistics (1999), sec. 3.2: the ranks of a binomial variable. Rows of a

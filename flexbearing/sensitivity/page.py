@@ -13,13 +13,7 @@ MOST = 12  # keys of an output
 
 
 def sections(found: Sensitivities) -> Iterator[RenderableType]:
-    """A table of the strongest keys for every output.
-
-    Parameters
-    ----------
-    found : Sensitivities
-        of a case
-    """
+    """A table of the strongest keys for every output."""
     yield Text(f"{found.title}, {found.raceways}", style="bold")
     for output in found.outputs:
         unit = "" if output.unit == "1" else f" {output.unit}"

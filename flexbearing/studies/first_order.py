@@ -26,19 +26,7 @@ class FirstOrder:
 
 
 def first_order(settled: Prepared) -> FirstOrder:
-    """Differentiate the outputs of a sampled study where every drawn key has its mean.
-
-    Parameters
-    ----------
-    settled : Prepared
-        with what is drawn
-
-    Returns
-    -------
-    FirstOrder
-        without outputs where the case has no derivatives there; keys without derivatives count as constant,
-        which is said
-    """
+    """Differentiate the outputs of a sampled study where every drawn key has its mean."""
     drawn = settled.study.drawn
     assert drawn  # of no other study is it asked
     if settled.study.spectrum:

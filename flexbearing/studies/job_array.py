@@ -10,22 +10,7 @@ USUAL = 10  # jobs
 
 
 def sbatch(settled: Prepared, output: Path, jobs: int | None) -> str:
-    """Write a script for SLURM: a job array whose jobs compute a part each, and one that gathers them.
-
-    Parameters
-    ----------
-    settled : Prepared
-        the study
-    output : Path
-        folder of its outputs, which all nodes see
-    jobs : int, optional
-        of the array; 10 if left out, and never more than there are tasks
-
-    Returns
-    -------
-    str
-        what `sbatch` takes; options of the site are added by hand, or on its command line
-    """
+    """Write a script for SLURM: a job array whose jobs compute a part each, and one that gathers them."""
     count = min(len(settled.plan.tasks(lambda variant: True)), jobs or USUAL)
     folder = output.resolve()
     file, program = settled.study.path.resolve(), f"{shlex.quote(sys.executable)} -m flexbearing"

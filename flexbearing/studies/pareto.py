@@ -85,22 +85,6 @@ def pareto(
 ) -> Study:
     """Run a case on every level of its ladder.
 
-    Parameters
-    ----------
-    case : path
-        case file
-    overrides : sequence of str
-        `"key=value"` settings that replace those of the file, on every level
-    solid : bool
-        whether the full solid is among the levels
-    tell : callable (Measured), optional
-        told of every level as soon as it is measured
-
-    Returns
-    -------
-    Study
-        also of levels that failed, or whose process died, with their message
-
     Raises
     ------
     BadCase
@@ -139,18 +123,7 @@ def levels_of(case: Case | BallCase, *, solid: bool) -> tuple[Level, tuple[Level
 
 
 def errors(approximate: Mapping[str, np.ndarray], true: Mapping[str, np.ndarray]) -> dict[str, float]:
-    """How wrong a state is, by the names of `flexbearing.report.studies.pareto_table.OUTPUTS`.
-
-    Parameters
-    ----------
-    approximate, true : dict of array
-        outputs of the same case by the names in NAMES
-
-    Returns
-    -------
-    dict
-        relative errors [-] of those outputs that the true state has
-    """
+    """How wrong a state is, by the names of `flexbearing.report.studies.pareto_table.OUTPUTS`."""
     loads = [name for name in LOADS if name in true]
     largest = max(float(np.abs(approximate[name] - true[name]).max()) for name in loads)
     found = {"load": largest / max(float(true[name].max()) for name in loads)}
@@ -221,17 +194,7 @@ def _measured(done: Done, exact: Timed) -> Measured:
 
 
 def timed(wanted: Run) -> Timed:
-    """Median seconds of runs with an empty cache and with a filled one, and the numbers.
-
-    Parameters
-    ----------
-    wanted : Run
-        what a worker process is given
-
-    Returns
-    -------
-    Timed
-    """
+    """Median seconds of runs with an empty cache and with a filled one, and the numbers."""
     _load(wanted.case, wanted.overrides)
     settings = (*wanted.overrides, *wanted.level.settings)
     cold: list[float] = []

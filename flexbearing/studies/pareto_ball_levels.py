@@ -14,18 +14,7 @@ CONTROLS = {"coulomb": "race control by friction", "outer": "outer race control"
 
 
 def ladder(case: BallCase) -> tuple[Level, ...]:
-    """All levels but the richest, in an order of growing cost by kind.
-
-    Parameters
-    ----------
-    case : BallCase
-        of a ball bearing
-
-    Returns
-    -------
-    tuple of Level
-        full sliding and the other race control are other physics
-    """
+    """All levels but the richest, in an order of growing cost by kind."""
     rolling = [_rolling(model, cells) for model in ("fastsim", "kalker") for cells in CELLS]
     return (
         Level("full sliding", ("friction.model=full_sliding", *_no_cells(case)), physics=True),

@@ -14,20 +14,6 @@ _PLAIN = re.compile(r"[^./\\\x00-\x1f\x7f][^/\\\x00-\x1f\x7f]*")
 def destinations(folder: Path, name: str, inputs: Iterable[Path]) -> tuple[Path, Path]:
     """Settle where table and picture go, before anything is computed.
 
-    Parameters
-    ----------
-    folder : Path
-        made when it is not there
-    name : str
-        of both files, pareto_NAME
-    inputs : iterable of Path
-        files that are read
-
-    Returns
-    -------
-    tuple of Path
-        table and picture
-
     Raises
     ------
     BadOutput
@@ -45,13 +31,6 @@ def destinations(folder: Path, name: str, inputs: Iterable[Path]) -> tuple[Path,
 
 def store(study: Study, csv: Path, png: Path) -> None:
     """Write table and picture.
-
-    Parameters
-    ----------
-    study : Study
-        with its levels
-    csv, png : Path
-        from `destinations`
 
     Raises
     ------

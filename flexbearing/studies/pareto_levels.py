@@ -34,18 +34,7 @@ class Level(NamedTuple):
 
 
 def richest(case: Case) -> Level:
-    """What all others are measured against: the highest level run of every ladder.
-
-    Parameters
-    ----------
-    case : Case
-        of a roller bearing
-
-    Returns
-    -------
-    Level
-        its rings by harmonics, solids from STEP files as they are
-    """
+    """What all others are measured against: the highest level run of every ladder."""
     settings = (f"accuracy.slices={MOST_SLICES}", f"accuracy.axial_shapes={MOST_MODES}")
     if not _flexible(case):
         return Level("reference", settings)
@@ -54,19 +43,7 @@ def richest(case: Case) -> Level:
 
 
 def ladder(case: Case, *, solid: bool) -> tuple[Level, ...]:
-    """All levels but the richest, in an order of growing cost by kind.
-
-    Parameters
-    ----------
-    case : Case
-        of a roller bearing
-    solid : bool
-        whether every flexible part is also computed as a full solid
-
-    Returns
-    -------
-    tuple of Level
-    """
+    """All levels but the richest, in an order of growing cost by kind."""
     levels = [Level("as it stands")]
     if _flexible(case):
         levels += _structures(case)

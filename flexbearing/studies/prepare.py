@@ -34,18 +34,6 @@ LONGEST = 500  # characters of what is wrong with a variant
 def prepared(file: str | Path, tell: TellChecked = lambda done, total: None) -> Prepared:
     """Read a study and settle what it computes.
 
-    Parameters
-    ----------
-    file : path
-        study file
-    tell : callable (checked, total), optional
-        hears of variants as they are checked
-
-    Returns
-    -------
-    Prepared
-        also with variants that cannot be computed: `Plan.require_sound` refuses them
-
     Raises
     ------
     BadCase
@@ -157,23 +145,6 @@ def compute(
     tell: Tell = lambda progress: None,
 ) -> Table:
     """Compute the variants of a study.
-
-    Parameters
-    ----------
-    settled : Prepared
-        the study
-    output : Path
-        folder of the table and of what is finished
-    where : Where
-        here or elsewhere
-    retry_failed : bool
-        whether rows that failed are computed again
-    tell : callable (Progress), optional
-        hears of every task that is finished
-
-    Returns
-    -------
-    Table
 
     Raises
     ------

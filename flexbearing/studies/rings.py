@@ -17,18 +17,7 @@ RACES: tuple[Race, Race] = ("inner", "outer")
 
 
 def rings(case: Head) -> tuple[str, ...]:
-    """Races and digests of the elastic rings of a case.
-
-    Parameters
-    ----------
-    case : Head
-        as it was read
-
-    Returns
-    -------
-    tuple of str
-        "inner ..." and "outer ...", or "bolted ..." for both; empty between rigid ones
-    """
+    """Races and digests of the elastic rings of a case."""
     if isinstance(case, Case):
         parts = {race: part_of(case, race) for race in RACES}
         accuracy = case.accuracy.model_dump_json()
@@ -44,18 +33,7 @@ def _name(part: "Part", accuracy: str) -> str:
 
 
 def levels(case: Head) -> str:
-    """Digest of the parts of a case with a target and of all that its levels are chosen from.
-
-    Parameters
-    ----------
-    case : Head
-        as it was read
-
-    Returns
-    -------
-    str
-        empty where nothing is chosen
-    """
+    """Digest of the parts of a case with a target and of all that its levels are chosen from."""
     if not isinstance(case, Case) or case.accuracy.target is None:
         return ""
     choices = [(ladder.choice, ladder.settings, ladder.race) for ladder in ladders(case)]

@@ -43,26 +43,6 @@ def run(
 ) -> Table:
     """Compute what a study still lacks, and write its table.
 
-    Parameters
-    ----------
-    settled : Prepared
-        the study
-    output : Path
-        folder
-    work : Work
-        what is called for rings and tasks
-    engine : callable (tasks)
-        starts where it is called; not asked where nothing is lacking
-    retry_failed : bool
-        whether rows that failed are computed again
-    tell : callable (Progress), optional
-        hears of every task that is finished
-
-    Returns
-    -------
-    Table
-        that of a part is not written: the study without parts gathers them
-
     Raises
     ------
     BadOutput
@@ -128,26 +108,6 @@ def compute_missing(
     tell: Tell,
 ) -> tuple[str, ...]:
     """Add the rows that are missing to those that there are, and to the journal, task by task.
-
-    Parameters
-    ----------
-    settled : Prepared
-        the study
-    rows : dict
-        identity to row; what is computed is put into it
-    work : Work
-        what is called for rings and tasks
-    engine : callable (tasks)
-        starts where it is called; not asked where nothing is missing
-    kept : Journal
-        of the study
-    tell : callable (Progress)
-        hears of every task that is finished
-
-    Returns
-    -------
-    tuple of str
-        what workers complained of
 
     Raises
     ------

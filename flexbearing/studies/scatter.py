@@ -21,20 +21,6 @@ APART = ("status", "message", "seconds", "result")  # columns that are no output
 def told_of_scatter(settled: Prepared, table: Table, folder: Path) -> Table:
     """Add to a table what its rows tell of the scatter of the outputs, and write that.
 
-    Parameters
-    ----------
-    settled : Prepared
-        a sampled study
-    table : Table
-        of all its rows
-    folder : Path
-        of the outputs
-
-    Returns
-    -------
-    Table
-        with its scatter
-
     Raises
     ------
     NotStored

@@ -23,18 +23,7 @@ FIRST, LONG = 1.0, 5.0  # [s] after which the time of a check is known; that is 
 
 
 def variants(settled: Prepared) -> str:
-    """The table of variants, what is wrong with each, and what there is to do.
-
-    Parameters
-    ----------
-    settled : Prepared
-        the study
-
-    Returns
-    -------
-    str
-        the first variants and the first problems, and how many there are
-    """
+    """The table of variants, what is wrong with each, and what there is to do."""
     plan = settled.plan
     lines = [f"{number + 1}: {plan.settings(number)}" for number in range(min(MOST, len(plan.variants)))]
     if len(plan.variants) > MOST:
@@ -87,19 +76,7 @@ def _of_a_variant(cost: Cost) -> str:
 
 
 def status(settled: Prepared, folder: Path) -> str:
-    """How far a study is, by its journal.
-
-    Parameters
-    ----------
-    settled : Prepared
-        the study
-    folder : Path
-        of its outputs
-
-    Returns
-    -------
-    str
-    """
+    """How far a study is, by its journal."""
     progress = settled.progress(settled.rows(folder))
     left = progress.total - progress.done
     return (

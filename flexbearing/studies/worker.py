@@ -31,6 +31,7 @@ from flexbearing.studies.settled import variants_of
 from flexbearing.studies.table.collected import errors, numbers
 from flexbearing.studies.table.duty import MODIFIED, MREV
 from flexbearing.studies.thin_oil import bounded, without_factor
+from quasidynamic import ImpossiblePart, OutOfRange
 
 LONGEST = 500  # characters of a message
 
@@ -48,22 +49,7 @@ class Wish:
 
 
 def rows(task: Task, wish: Wish, cache: str | None = None) -> tuple[Row, ...]:
-    """Compute the variants of a task.
-
-    Parameters
-    ----------
-    task : Task
-        variants between the same rings
-    wish : Wish
-        what is wanted of them
-    cache : str, optional
-        folder of condensed rings, where it is not that of the user
-
-    Returns
-    -------
-    tuple of Row
-        one for each variant, also where it failed; none behind one whose result file could not be written
-    """
+    """Compute the variants of a task."""
     keep_freed()
     read = variants_of(task.base)
     known = (read.known(variant.values, variant.in_si) for variant in task.variants)
@@ -78,22 +64,7 @@ def rows(task: Task, wish: Wish, cache: str | None = None) -> tuple[Row, ...]:
 
 
 def condense(ring: Ring | Corners, cache: str | None = None, *, here: bool = False) -> Condensed:
-    """Condense a ring into the cache; whatever goes wrong is told by the variants that have it.
-
-    Parameters
-    ----------
-    ring : Ring or Corners
-        of a variant, or variants at which levels are chosen
-    cache : str, optional
-        as for `rows`
-    here : bool
-        whether a cage is meshed in this process, which a crash of the mesh generator ends
-
-    Returns
-    -------
-    Condensed
-        with the levels that variants share with these corners
-    """
+    """Condense a ring into the cache; whatever goes wrong is told by the variants that have it."""
     with complaints() as heard:
         levels = None
         if isinstance(ring, Corners):
@@ -198,7 +169,10 @@ def _row(variant: Variant, case: Head, answer: Answer, seconds: float, wish: Wis
 def _by_ratings(row: Row, case: Any) -> Row:
     """A row with the life by ratings, where its case asks for that: it needs no equilibrium."""
     catalogue = FAMILIES[case.kind].catalogue
-    life = catalogue().rated(case) if catalogue else None
+    try:
+        life = catalogue().rated(case) if catalogue else None
+    except (ImpossiblePart, OutOfRange):
+        life = None
     if life is None:
         return row
     words = row.message if row.converged else f"life by ratings alone; {row.status}: {row.message}"

@@ -1,7 +1,7 @@
 """Pages of reports, parsed, and the numbers that a result file has at the places they name."""
 
 import json
-import re
+from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -12,7 +12,8 @@ from pytest import approx
 from flexbearing import api
 from flexbearing.case import understood
 from flexbearing.outputs import AbsentOutput
-from flexbearing.report.html.assumptions import comments
+from flexbearing.report.html.reader import Reader
+from flexbearing.runs import effects_file
 from flexbearing.units import unit
 
 
@@ -51,6 +52,14 @@ class Page(HTMLParser):
         return json.loads(self.scripts["figures"])
 
 
+def with_effects(reader):
+    """A reader of the same result with the effects beside its case, computed with other rings."""
+    case = Path(reader.result.attributes["case_file"])
+    known = json.loads(effects_file.name(case).read_text())["effects"]
+    attributes = {**reader.result.attributes, "assumed_effects": known}
+    return Reader(replace(reader.result, attributes=attributes), reader.units)
+
+
 class Numbers:
     """Numbers of a result file by their places, from HDF5 and from the summary."""
 
@@ -76,13 +85,10 @@ class Numbers:
             return followed(self.ratings, rest.split("/"))
         derived = {
             "ratio": self.ratio,
-            "share": self.share,
             "percent": self.percent,
             "support_error": self.support_error,
             "with_supports_error": self.with_supports_error,
             "combined": self.combined,
-            "raceway_tilt": self.raceway_tilt,
-            "told": self.told,
             "warmth": self.warmth,
             "ratings_at": self.ratings_at,
             "own_life_at": self.own_life_at,
@@ -105,11 +111,6 @@ class Numbers:
         value, base = (self(each) for each in rest.split(":"))
         return value / base
 
-    def share(self, rest):
-        """What a number takes of its limit, in percent."""
-        side, limit, path = rest.split("/", 2)
-        return 100 * (self(path) / float(limit) if side == "most" else float(limit) / self(path))
-
     def percent(self, rest):
         """An error of the summary over its value."""
         block, *names = rest.split("/")
@@ -129,16 +130,6 @@ class Numbers:
             if figures.get("support_stiffness_error_N_per_m") is not None:
                 error += self.support_error(part) * whole / figures["support_stiffness_N_per_m"]
         return error
-
-    def raceway_tilt(self, block):
-        """Slope between the raceways along the most loaded roller: radial distance, end by end."""
-        group = self.file[block]
-        roller = np.argmax(group["inner_load"][()])
-        azimuth, along = group["roller_azimuth"][roller], group["slice_position"][()]
-        towards = np.array([np.cos(azimuth), np.sin(azimuth)])
-        gap = group["inner_deviation"][roller] - group["outer_deviation"][roller]
-        gap = gap + along * (group["ring_tilt"][()] @ towards)
-        return abs(np.cov(along, gap)[0, 1] / np.var(along, ddof=1))
 
     def warmth(self, path):
         """Temperature difference whose expansion over the pitch diameter is a clearance."""
@@ -164,13 +155,6 @@ class Numbers:
         """One number times another."""
         one, other = rest.split("|")
         return self(one) * self(other)
-
-    def told(self, rest):
-        """What a comment of the case tells of a result with another value of a key."""
-        key, value, word = rest.split("/")
-        text = comments(self.result.attributes["case_text"])[key]
-        (segment,) = (each for each in text.split("; ") if each.startswith(f"{word} "))
-        return float(re.search(rf'([0-9.]+) times with "{value}"', segment)[1])
 
     def combined(self, rest):
         """Least or most of a result by all inputs together over that of the case."""
@@ -212,12 +196,6 @@ class Numbers:
         """Changes of a result by each key, and the part that the factors of a life have, as logarithms."""
         about, collected = self.result.attributes, {}
         if "assumed_effects" not in about:
-            for key, text in comments(about["case_text"]).items():
-                for segment in (each for each in text.split("; ") if each.startswith(f"{word} ")):
-                    for ratio in re.findall(r"([0-9.]+) times with", segment):
-                        part = word == "life" and key.partition(".")[0] in ("life", "lubricant")
-                        size = np.log(float(ratio))
-                        collected.setdefault(key.replace("drop", "profile"), []).append((size, part * size))
             return collected
         found = about["assumed_effects"]
         names = {label: name for name, label in self.result.family.layout().weighed}

@@ -265,7 +265,7 @@ def test_balls_without_lines_are_counted_with_their_reason():
     (solution,) = angular_contact.solved([case])
     assert isinstance(solution, angular_contact.Solution)
     some = replace(solution.contact, sliding=np.array([3, 4]), wide=np.array([7]))
-    told = [note.text for note in angular_contact.notes(replace(solution, contact=some))]
+    told = [note.text for note in angular_contact.notes(replace(solution, contact=some), ())]
     assert [note.split(":")[0] for note in told] == [
         "no pure rolling lines of 1 of 18 balls", "no pure rolling lines of 2 of 18 balls",
     ]  # fmt: skip

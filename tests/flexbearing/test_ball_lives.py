@@ -125,7 +125,7 @@ def test_bearing_at_rest_has_no_life():
     [
         ({"bearing.contact_angle": "50 deg"}, "thrust"),
         ({"bearing.contact_angle": "50 deg", "life.dynamic_rating": "100 kN"}, "thrust"),
-        ({"materials.ball": "Si3N4"}, "balls of steel"),
+        ({"materials.ball": "Si3N4", "materials.inner_ring": "Si3N4"}, "balls of steel"),
     ],
     ids=["thrust", "thrust, of a maker", "ceramic"],
 )

@@ -14,10 +14,11 @@ from quasidynamic import AngularContactBallBearing, OutOfRange
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 SPEEDS = [{"operation.inner_speed": f"{speed} rpm"} for speed in (3000, 6000, 9000)]
+HEAVY = {"operation.load.axial": "500 kN"}  # with dangers
 TABLES = {
-    "fast": ("harris218", SPEEDS),
+    "fast": ("harris218", [*SPEEDS, HEAVY]),
     "fast, stick and slip": ("catalogue/6208", [{"operation.load.axial": "1 kN"}, {}]),
-    "slow": ("joshi2015_qj309", [{"friction.coefficient": 0.05}, {"friction.coefficient": 0.1}]),
+    "slow": ("joshi2015_qj309", [{"friction.coefficient": 0.05}, HEAVY]),
 }
 
 
@@ -33,6 +34,7 @@ def test_every_output_of_a_row_is_that_of_its_run(name, changes):
     for case, row in zip(cases, rows_of(cases, texts), strict=True):
         run = flexbearing.api.compute(case)
         assert row.status == run.attributes["status"]
+        assert bool(run.dangers) == (case.operation.load.axial == 5e5)
         assert row.message == "; ".join(f"danger: {note['text']}" for note in run.dangers)
         expected = [wanted(layout, text).number({"rigid": run.rigid}) for text in texts]
         found = [row.numbers[text] for text in texts]

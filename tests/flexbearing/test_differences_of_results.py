@@ -104,3 +104,10 @@ def test_command_as_text_and_as_json(loads, capsys):
     errors = {each["name"]: each["error"] for each in found["outputs"]}
     assert 0 < errors["max_roller_load"] < 100  # [N] by finer slices
     assert command(["diff", words[1], "nothing.h5"]) == 2
+
+
+def test_limits_that_one_result_keeps_and_the_other_does_not_are_named(loads):
+    light, heavy = loads[0], flexbearing.run(CASE, {"operation.radial_load": "30 kN"})
+    (found,) = compared(light, heavy).findings
+    assert (found.code, found.one, found.other) == ("heavy-load", "met", "not met")
+    assert compared(light, loads[1]).findings == ()

@@ -15,11 +15,10 @@ from flexbearing.__main__ import command
 from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput
+from flexbearing.findings import DANGER
 from flexbearing.pages.make import report
 from flexbearing.report.drawing.of_case import drawings
 from flexbearing.report.html import IMPERIAL, METRIC, against_limits, html, of_result
-from flexbearing.report.html.assumptions import comments, effect
-from flexbearing.report.html.check import DAMAGE
 from flexbearing.report.html.reader import Reader
 from flexbearing.results import BadResult
 from tests.flexbearing.hostile_cases import CONFIGS
@@ -131,31 +130,32 @@ def test_marks_of_inputs_stand_in_their_table(pages):
     row = next(line for line in text.splitlines() if ">bearing.roller.drop<" in line)
     assert ">assumed<" in row
     row = next(line for line in text.splitlines() if ">bearing.rollers<" in line)
-    assert ">given, no source named<" in row
+    assert ">given<" in row
 
 
 def test_limits_are_met_exceeded_or_said_to_be_unchecked(results):
     result = api.read(results("beams of a squirrel cage"))
     checked = {check.what: check.verdict for check in against_limits.ranked(Reader(result, METRIC))}
     assert checked["Static safety C_0/P_0"] == "met"
-    assert checked["Nominal stress of the bars"].startswith("not checked: yield_stress of the part")
+    bars = checked["Largest stress, bars of the squirrel cage (nominal)"]
+    assert bars.startswith("not checked: yield_stress of the part")
     pressure = "Peak contact pressure, inner raceway"
     without, told = ([{"code": code}] for code in ("tilt", "pressed-end"))
     for notes, verdict in ((without, "met"), (told, "met by slices, not checked at the ends")):
         noted = replace(result, attributes={**result.attributes, "notes": notes})
         checks = against_limits.ranked(Reader(noted, METRIC))
         assert {check.what: check.verdict for check in checks}[pressure] == verdict
-    overloaded = {**result.flexible, "peak_pressure": 2 * result.flexible["peak_pressure"]}
-    first = against_limits.ranked(Reader(replace(result, flexible=overloaded), METRIC))[:2]
-    assert {check.verdict.partition(":")[0] for check in first} == {"EXCEEDED"}
-    assert {check.grade for check in first} == {DAMAGE}
+    overloaded = api.run(CONFIGS / "nu209.toml", {"operation.radial_load": "100 kN"})
+    first = against_limits.ranked(Reader(overloaded, METRIC))[:4]
+    assert {check.verdict.partition(":")[0] for check in first} == {"EXCEEDED", "NOT MET"}
+    assert {check.grade for check in first} == {DANGER}
     assert pressure in {check.what for check in first}
 
 
 def test_balls_are_held_to_the_limit_of_balls(results):
     checks = against_limits.ranked(Reader(api.read(results("fast ball")), METRIC))
     limits = {check.limit for check in checks if check.what.startswith("Peak contact pressure")}
-    assert limits == {"at most 4,200 (ISO 76)"}
+    assert limits == {"at most 4,200 MPa (ISO 76)"}
 
 
 def test_every_cause_of_heat_has_its_own_name(documents):
@@ -170,15 +170,6 @@ def test_defaults_of_other_kinds_of_parts_are_left_out(pages):
     text = pages("roller with fits")
     assert ">lubricant.film<" in text
     assert ">outer.tooth_radial<" not in text
-
-
-def test_assumed_inputs_are_told_with_the_comments_of_the_case_the_largest_effect_first():
-    text = (
-        "assumed = ['a.b', 'a.c']\n[a]\nb = 1  # assumed: usual\n# assumed: rule; life 2 times with 3\nc = 2"
-    )
-    assert comments(text) == {"a.b": "usual", "a.c": "rule; life 2 times with 3"}
-    assert effect("rule; life 0.25 times with 3, 2 times with 1") == approx(np.log(4), rel=1e-12)
-    assert effect("1.5 times that of the bearing; life unchanged with 2") == 0
 
 
 def test_a_result_whose_case_cannot_be_read_is_refused(results):
@@ -389,7 +380,7 @@ def test_without_temperatures_no_clearance_is_called_operating():
     tables = [block for block in sections["clearance"].blocks if block.kind == "table"]
     assert "positive where the shaft is larger than the bore" in tables[1].note
     ends, warmer = tables[2:]
-    assert [[cell.text for cell in row[1:]] for row in ends.rows] == [
+    assert [[cell.text for cell in row[1:5]] for row in ends.rows] == [
         ["1.93", "0.824", "1.05", "1.26"], ["0.598", "1.15", "0.944", "0.972"]
     ]  # fmt: skip
     assert [row[2].text for row in warmer.rows] == [

@@ -8,6 +8,8 @@ import pytest
 from pytest import approx
 
 from flexbearing import api
+from flexbearing.findings import USUAL
+from flexbearing.findings.finding import AT_LEAST
 from flexbearing.report.html import (
     METRIC,
     against_limits,
@@ -20,7 +22,7 @@ from flexbearing.report.html import (
     oil,
     ratings,
 )
-from flexbearing.report.html.check import AIM, LEAST, Check
+from flexbearing.report.html.check import Check
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.reader import Reader
 from tests.flexbearing.hostile_cases import CONFIGS
@@ -106,12 +108,10 @@ def test_an_exceeded_limit_stands_before_a_missed_aim(readers):
         told(readers("rings"))[key] for key in ("Is it safe?", "What limits it first, and what to change?")
     )
     assert safe.startswith(
-        "Not assured: the load is outside the range of the life formula.\n"
-        "It cannot be built as assumed: cage inside Ø 69.2 mm"
+        "Not assured: a law is used outside its range.\nEquivalent load P 19.62 kN, at most 11.04 kN"
     )
-    assert safe.index("cannot be built") < safe.index("Equivalent load P")
     assert safe.index("OUTSIDE VALIDITY") < safe.index("BELOW THE USUAL MINIMUM")
-    assert "take a bearing with C_r of at least 39.24 kN" in first
+    assert "take a bearing with a rating 1.78 times as large" in first
 
 
 def test_viscosity_ratio_and_films_are_told_where_the_life_does_not_use_them(readers):
@@ -119,11 +119,7 @@ def test_viscosity_ratio_and_films_are_told_where_the_life_does_not_use_them(rea
     (table,) = [block for block in lubrication.blocks(reader) if block.kind == "table"]
     rows = {row[0]: row[1] for row in table.rows}
     assert 0.1 < float(rows["viscosity ratio κ = ν/ν₁"].text) < 1
-    film, full = (
-        float(rows[f"{what}, inner raceway"].text)
-        for what in ("smallest film", "combined roughness for Λ = 3")
-    )
-    assert film == approx(3 * full, abs=2e-3)
+    assert float(rows["smallest film, inner raceway"].text) > 0
     cells = [
         ({"data-of": cell.of, "data-stored": cell.stored, "data-unit": cell.unit}, cell.text)
         for cell in rows.values()
@@ -208,19 +204,19 @@ def test_the_nearest_limit_is_that_of_the_largest_share_of_both_kinds(readers):
     assert kept[0].what == "Static safety C_0/P_0"
     assert kept[0].used > kept[1].used > kept[0].damage
     (near,) = [line for line in first if line.startswith("Nearest of the limits that are kept: ")]
-    assert "Static safety C_0/P_0: 1.56, at least 1.5 (usual, SKF; the limit of ISO 76 is 1): " in near
+    assert "Static safety C_0/P_0: 1.562, at least 1.5 (SKF" in near
     assert near.endswith(": 1.04 times the usual minimum.")
     (damage,) = [line for line in first if line.startswith("Nearest limit of damage: ")]
     assert damage == f"Nearest limit of damage: {kept[1].what}: {kept[1].share.text} % of the limit."
 
 
 def test_a_usual_minimum_that_is_not_kept_counts_with_its_limit_of_damage(readers):
-    used = Check("κ", used=2.0, verdict="BELOW THE USUAL MINIMUM", grade=AIM, side=LEAST)
+    used = Check("κ", used=2.0, verdict="BELOW THE USUAL MINIMUM", grade=USUAL, side=AT_LEAST)
     static = Check(
-        "C_0/P_0", used=1.25, verdict="BELOW THE USUAL MINIMUM", grade=AIM, side=LEAST, damaging=0.83
+        "C_0/P_0", used=1.25, verdict="BELOW THE USUAL MINIMUM", grade=USUAL, side=AT_LEAST, damaging=0.83
     )
     lines = list(answers._nearest([used, static, Check("pressure", used=0.7, verdict="met")], unknown=False))
-    assert lines[-1] == "Nearest limit of damage: C_0/P_0: 83% of the limit of ISO 76."
+    assert lines[-1] == "Nearest limit of damage: C_0/P_0: 83% of the limit of damage."
 
 
 def test_the_largest_factor_and_the_like_for_like_life_stand_in_the_answer(readers):
@@ -241,7 +237,7 @@ def test_a_minimum_is_told_as_a_multiple_and_nothing_limits_at_a_light_load(read
         "Nothing limits at this load; nearest: Viscosity ratio κ: 2.06 times the usual minimum.\n"
         "The case gives no temperatures: at the tight end of the tolerances an inner ring 10 K warmer"
     )
-    assert "Minimum load, against slip and smearing 5 kN" in answers_of["Is it safe?"]
+    assert "Minimum load 5 kN" in answers_of["Is it safe?"]
     assert "3.4 times the usual minimum" in answers_of["Is it safe?"]
 
 
@@ -255,7 +251,7 @@ def test_lubrication_names_both_viscosities_and_the_temperature_that_suffices(re
 def test_an_oil_that_cannot_be_cooled_enough_is_said_to_be_too_thin(readers, monkeypatch):
     monkeypatch.setattr(oil, "sufficient_at", lambda _: (None, 40))
     answer = told(readers("rings"))["Is the lubrication sufficient?"]
-    assert "κ = 1 is not reachable by cooling this oil to 40 °C: it needs a thicker one." in answer
+    assert "Cooling this oil to 40 °C is not enough: it needs a thicker one." in answer
 
 
 def test_error_of_the_torque_has_the_power_that_no_cause_explains(readers):

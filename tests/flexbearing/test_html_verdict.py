@@ -9,10 +9,11 @@ from pytest import approx
 
 from flexbearing import api
 from flexbearing.case import cage_room
+from flexbearing.findings import DANGER, OUTSIDE, USUAL
 from flexbearing.report import text
-from flexbearing.report.html import METRIC, clearance, inputs, life as life_section, stiffness, verdict
+from flexbearing.report.html import METRIC, clearance, life as life_section, stiffness, verdict
 from flexbearing.report.html.against_limits import ranked
-from flexbearing.report.html.check import AIM, BUILD, DAMAGE, NOT_CHECKED, VALIDITY
+from flexbearing.report.html.check import BUILD, NOT_CHECKED
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.lives import COMPARED, lives
 from flexbearing.report.html.reader import Reader
@@ -150,7 +151,7 @@ def test_limits_are_ranked_and_what_was_not_checked_says_why(readers, name):
     broken = [check for check in checks if check.broken]
     assert all(before >= after for before, after in pairwise(kept))
     assert list(checks[: len(broken)]) == broken
-    grades = [(DAMAGE, VALIDITY, BUILD, AIM).index(check.grade) for check in broken]
+    grades = [(DANGER, OUTSIDE, BUILD, USUAL).index(check.grade) for check in broken]
     assert grades == sorted(grades)
     assert all(check.who for check in checks if check.unchecked)
     reasons = [check.verdict for check in checks if check.verdict.startswith(NOT_CHECKED)]
@@ -162,17 +163,15 @@ def test_limits_are_ranked_and_what_was_not_checked_says_why(readers, name):
 
 def test_a_load_above_half_the_rating_is_told_first(readers):
     check = ranked(readers("heavy"))[0]
-    assert check.what == "Equivalent load P against C_r/2"
-    assert check.verdict.startswith("OUTSIDE VALIDITY: life not assured, ISO 281 leaves to the maker")
+    assert check.what == "Equivalent load P"
+    assert check.verdict.startswith("OUTSIDE VALIDITY")
     rated = Numbers(readers("heavy").result.path).ratings["ratings_N"]["C_r"]
     assert check.used == approx(30e3 / (rated / 2), rel=1e-9)
     page = words(readers("heavy"))
-    assert page.startswith(
-        "Life not assured, outside the range of its formula: Equivalent load P against C_r/2"
-    )
+    assert page.startswith("Not assured, outside the range of a law: Equivalent load P: 30 kN")
     assert "No limit of damage that was checked is exceeded." in page
-    assert "P is above C_r/2, where ISO 281 leaves it to the maker" in page
-    assert "P is above C_r/2" not in words(readers("plain"))
+    assert "load: life formulas hold up to there" in page
+    assert "load: life formulas" not in words(readers("plain"))
 
 
 def test_what_else_moves_the_life_is_told_beside_it(readers):
@@ -237,35 +236,6 @@ def test_films_are_held_to_their_regime_and_without_roughness_not_checked(reader
     assert {check.what: check.verdict for check in ranked(readers("oil"))}["Viscosity ratio κ"] == "met"
 
 
-@pytest.mark.parametrize(
-    ("operating", "tightest", "verdict"),
-    [
-        (20e-6, 5e-6, "met, 5.0 µm at the tight end of the tolerances{}"),
-        (2e-6, -15e-6, "met as computed, preload: -15.0 µm at the tight end of the tolerances"),
-        (-1e-6, -15e-6, "preload: see Clearance"),
-    ],
-)
-@pytest.mark.parametrize("name", ["plain", "ball"])
-def test_clearance_is_judged_with_its_tight_end(readers, name, operating, tightest, verdict):
-    result = readers(name).result
-    ends = {"tolerances": {"ends": {"tightest_m": tightest}}}
-    judged = {**result.attributes["clearance"], "operating_m": operating, **ends}
-    reader = Reader(replace(result, attributes={**result.attributes, "clearance": judged}), METRIC)
-    (found,) = [check.verdict for check in ranked(reader) if check.what.startswith("Diametral")]
-    taken = ", which an inner ring 6 K warmer takes" if name == "plain" else ""  # of 6.1 K
-    assert found == verdict.format(taken)
-
-
-def test_two_static_safeties_are_explained_where_both_stand(readers):
-    assert "There are two static safeties." in words(readers("plain"))
-    summary = readers("plain").summary["rigid"]["pressure_safety"]
-    (check,) = [
-        each for each in ranked(readers("plain")) if each.what.startswith("Static safety by pressure")
-    ]
-    assert float(check.value.text) == approx(min(summary.values()), abs=0.0051)
-    assert "There are two static safeties." not in words(readers("four-point"))
-
-
 def test_what_has_no_estimated_error_is_said_to_have_none(readers):
     result = readers("plain").result
     older = {key: value for key, value in result.attributes.items() if key != "slice_error"}
@@ -317,12 +287,9 @@ def test_a_cage_within_the_ribs_cannot_be_built_which_is_no_limit_of_damage(read
     assert ranked(Reader(result, METRIC))[0].what != "Dimensions of the cage"
     first = ranked(Reader(noted, METRIC))[0]
     assert (first.what, first.grade) == ("Dimensions of the cage", BUILD)
-    assert first.verdict.startswith(
-        "CANNOT BE BUILT: cage inside Ø 69.2 mm, inner ribs Ø 69.6 mm; assumed: bearing"
-    )
+    assert first.verdict.startswith("CANNOT BE BUILT")
     told = words(Reader(noted, METRIC))
-    assert told.startswith("It cannot be built as assumed: cage inside Ø 69.2 mm")
-    assert "assumed: bearing.cage.thickness." in told
+    assert told.startswith("It cannot be built as assumed: dimensions overlap")
     assert "dimensions overlap: cage inside Ø 69.2 mm" in told
 
 
@@ -411,9 +378,9 @@ def test_main_results_stand_with_what_all_assumed_and_toleranced_inputs_make_of_
     rows = main_results(readers("catalogue"))
     assert next(iter(rows)) == "Modified reference life, ISO/TS 16281"
     stiffness_row = rows["radial stiffness along the load, of the bearing alone"]
-    assert [cell.text for cell in stiffness_row[4:8]] == ["0.869", "1.1", "0.774", "1.17"]
+    assert [cell.text for cell in stiffness_row[4:8]] == ["0.855", "1.18", "0.746", "1.3"]
     assert stiffness_row[8] == "bearing.roller.profile"
-    assert "490,000 h. Range: 79,500 to 5,550,000 h by what is assumed" in words(readers("catalogue"))
+    assert "490,000 h. Range: 79,800 to 6,700,000 h by what is assumed" in words(readers("catalogue"))
     assert rows["cage slip (error in percentage points)"][4:] == ("–",) * 5  # zero to the printed digit
     assert all(len(row) == 4 for row in main_results(readers("plain")).values())  # no comment tells anything
 
@@ -421,13 +388,6 @@ def test_main_results_stand_with_what_all_assumed_and_toleranced_inputs_make_of_
 def test_the_first_block_says_what_is_open_of_clearance_and_misalignment(readers):
     page = words(readers("catalogue"))
     assert "an inner ring 10 K warmer than the outer one takes all clearance." in page
-    told = (
-        'Misalignment of the shaft is assumed to be none: life 0.981 times with "1 arcmin", 0.855 times with'
-    )
-    assert told in page
-    assert "Misalignment of the shaft is assumed" not in words(
-        readers("plain")
-    )  # whose comments tell nothing
     assert "misalignment of the shaft, not known and computed as none" in words(readers("plain"))
 
 
@@ -443,31 +403,13 @@ def test_viscosity_ratio_at_other_temperatures_falls_as_the_oil_warms(readers):
     assert ratios[2] == approx(Numbers(readers("catalogue").result.path).ratings["viscosity_ratio"], abs=5e-3)
 
 
-def test_given_inputs_name_their_source_and_load_and_speed_are_chosen(readers):
-    (table,) = [block for block in inputs.blocks(readers("catalogue"))
-                if getattr(block, "caption", "") == "What the case gives"]  # fmt: skip
-    origins = {row[0]: row[4] for row in table.rows}
-    assert origins["bearing.outer_raceway_diameter"] == "given: E of the catalogue"
-    assert origins["operation.radial_load"] == "chosen"
-    assert origins["bearing.rollers"] == "assumed"
-    assert origins["bearing.fits.shaft"] == "chosen"
-    assert origins["bearing.fits.bore"] == "given, no source named"
-    assert table.note.startswith("The case begins: From a catalogue: SKF Rolling bearings (2018), NU 210 ECP")
-    result = readers("catalogue").result
-    overrides = {**result.attributes, "case_overrides": ["operation.radial_load=5 kN"]}
-    by_setting = Reader(replace(result, attributes=overrides), METRIC)
-    assert (
-        inputs.origin(by_setting, "operation.radial_load") == inputs.UNSOURCED
-    )  # the comment is on another value
-
-
 def test_what_to_do_next_keeps_limits_first_then_measures_then_checks(readers):
     def steps(name):
         (block,) = [block for block in verdict.blocks(readers(name))
                     if getattr(block, "title", "") == "What to do next"]  # fmt: skip
         return block.items
 
-    assert steps("heavy")[0] == "take a bearing with C_r of at least 60 kN, or a load P of at most 24.21 kN"
+    assert steps("heavy")[0] == "take a bearing with a rating 1.24 times as large, or a load as much lower"
     assert steps("catalogue")[:3] == (
         "find out and specify oil temperature at the inlets (lubricant.inlet_temperature): moves life, "
         "torque most",

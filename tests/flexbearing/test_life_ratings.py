@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from pytest import approx
 
-from flexbearing import check
+from flexbearing import api, check
 from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
@@ -105,3 +105,16 @@ def test_ratings_are_those_of_the_drawing_at_any_temperature():
     for rating in (life.dynamic, life.static, life.fatigue_limit):
         assert rating(hot, warm) == rating(cold, at_rest)
     assert warm.roller.mass == approx(at_rest.roller.mass, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("rollers", "diameter", "pitch"), [(500, "11 mm", "2 m"), (8, "30 mm", "120 mm")], ids=["small", "large"]
+)
+def test_rollers_that_iso_281_does_not_rate_have_every_other_answer(rollers, diameter, pitch):
+    """The limits of light and heavy loads follow from C_r: without it both are not judged."""
+    size = {"rollers": rollers, "roller.diameter": diameter, "outer_raceway_diameter": pitch}
+    result = api.run(PLAIN, {f"bearing.{name}": value for name, value in size.items()})
+    assert result.attributes["status"] == "converged"
+    judged = {found["quantity"] for found in result.attributes["findings"] if found["limit"] is not None}
+    assert "contact_pressure" in judged
+    assert "load" not in judged

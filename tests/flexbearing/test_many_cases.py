@@ -120,7 +120,7 @@ def test_a_row_says_the_dangers_of_its_run():
     cases = variants(CONFIGS / "nu209.toml", {}, (9000, 2e5, 9e4))
     found = answers(cases, ["max_roller_load"], refused)
     assert [answer.message.count("danger: ") for answer in found] == [0, 3, 2]
-    assert "minutes at" in found[1].message
+    assert "life after all factors" in found[1].message
     assert "contact pressure" in found[2].message
     assert_equal(found, cases, ["max_roller_load"])
 
@@ -150,7 +150,7 @@ def test_every_output_of_cases_between_the_same_elastic_rings_is_that_of_single_
     cases = variants(PAPER, BEAM, (9000, 12000, 19000))
     found = answers(cases, EVERY_BLOCK, refused)
     assert_equal(found, cases, EVERY_BLOCK)
-    assert all("bars of the squirrel cage reach" in answer.message for answer in found)
+    assert all("bars of the squirrel cage (nominal): " in answer.message for answer in found)
     assert (column(found, "flexible.max_roller_load") < column(found, "rigid.max_roller_load")).all()
 
 

@@ -174,7 +174,7 @@ def test_history_stacks_a_dataset_over_the_iterations(path):
 def test_attributes_come_back_as_the_program_uses_them(path):
     result = read(written(path))
     attributes = result.attributes
-    not_asked_for = {"left_out", "catalogue_life", "assumed_effects"}
+    not_asked_for = {"left_out", "catalogue_life", "assumed_effects", "effects_left_out", "findings"}
     assert attributes.keys() == LAYOUT.attributes.keys() - not_asked_for
     assert attributes["title"] == "Rollenlager, Außenring weich"
     assert attributes["case_text"] == BEGINNING["case_text"]

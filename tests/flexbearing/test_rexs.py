@@ -11,10 +11,11 @@ from numpy.testing import assert_allclose
 from pytest import approx
 
 import flexbearing
-from flexbearing import BadCase, api
+from flexbearing import BadCase
 from flexbearing.__main__ import command
 from flexbearing.catalogue import rexs as reader
 from flexbearing.exports import rexs
+from flexbearing.runs import run_case
 
 ROOT, HERE = Path(__file__).parents[2], Path(__file__).parent / "rexs"
 CASE, PLAIN = ROOT / "configs" / "catalogue" / "nu1012.toml", ROOT / "configs" / "nu209.toml"
@@ -188,7 +189,7 @@ def test_bearing_comes_back_as_a_case(catalogue, tmp_path, monkeypatch):
         raise BadCase("not here")
 
     before = tomllib.loads(CASE.read_text())
-    monkeypatch.setattr(api, "compute", never)
+    monkeypatch.setattr(run_case, "effects", never)
     back = tmp_path / "back.toml"
     assert command(["new", str(back), "--from-rexs", str(catalogue[1]), "--width", "18 mm"]) == 0
     after = tomllib.loads(back.read_text())
@@ -208,7 +209,7 @@ def test_bearing_comes_back_as_a_case(catalogue, tmp_path, monkeypatch):
 
 
 def test_options_count_more_than_the_model(catalogue, tmp_path, monkeypatch):
-    monkeypatch.setattr(api, "compute", lambda *_, **__: (_ for _ in ()).throw(BadCase("not here")))
+    monkeypatch.setattr(run_case, "effects", lambda *_, **__: (_ for _ in ()).throw(BadCase("not here")))
     words = ["--from-rexs", str(catalogue[1]), "--width", "18 mm", "--load", "7 kN"]
     assert command(["new", str(tmp_path / "c.toml"), *words]) == 0
     assert tomllib.loads((tmp_path / "c.toml").read_text())["operation"]["radial_load"] == "7 kN"

@@ -35,6 +35,10 @@ def test_parts_are_gathered_into_the_table_of_the_whole(tmp_path):
     assert str(gathered.rows) == str(computed(settled, tmp_path / "whole").rows)
 
 
+def test_a_part_without_variants_ends_like_the_others(tmp_path):
+    assert computed(toy(tmp_path, FORTY).of_part(Part(1, 50)), tmp_path).rows == []
+
+
 def test_what_a_lost_part_lacks_is_computed_when_all_are_gathered(tmp_path):
     settled = toy(tmp_path, FORTY)
     computed(settled.of_part(Part(1, 2)), tmp_path)

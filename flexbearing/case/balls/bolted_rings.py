@@ -1,4 +1,4 @@
-"""The section [rings] of a four-point bearing: rings that stand on a bolted face."""
+"""The section [rings] of a four-point bearing: rings that are on a bolted face."""
 
 from math import acos, cos, pi, sin, sqrt
 from typing import ClassVar, Literal, NamedTuple, Self

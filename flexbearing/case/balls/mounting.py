@@ -1,6 +1,7 @@
 """Ball bearings on a shaft and in a housing, as cases: clearance, materials and temperatures."""
 
-from typing import Self
+from functools import cache
+from typing import Literal, Self
 
 from pydantic import model_validator
 
@@ -87,22 +88,47 @@ class MountedBearing(BallBearing):
             raise impossible("bearing.fits.outer_diameter", allowed)
 
 
+AS_BALLS = "without it as the balls, or 100Cr6 where these are stiffer than any steel"
+STIFFEST_STEEL = 250e9  # [Pa] Young's modulus: above it a material is taken for a ceramic; assumed
+
+
 class MountedMaterials(Section):
     """Materials of a bearing that may be mounted."""
 
     ball: Elastic = key("of the balls")
-    inner_ring: Elastic | None = key("of the inner ring; without it as the balls", None)
-    outer_ring: Elastic | None = key("of the outer ring; without it as the balls", None)
+    inner_ring: Elastic | None = key(f"of the inner ring; {AS_BALLS}", None)
+    outer_ring: Elastic | None = key(f"of the outer ring; {AS_BALLS}", None)
     shaft: Elastic | None = key("of the shaft; needed for [bearing.fits]", None, only=FITTED)
     housing: Elastic | None = key("of the housing; needed for [bearing.fits.housing]", None, only=HOUSED)
+
+    def ring(self, race: Literal["inner", "outer"]) -> Elastic:
+        """Material of a ring: the one given, else that of the balls, else bearing steel."""
+        given = self.inner_ring if race == "inner" else self.outer_ring
+        return given or (_bearing_steel() if self.hybrid else self.ball)
+
+    @property
+    def hybrid(self) -> bool:
+        """Whether the balls are of a ceramic."""
+        return self.ball.youngs_modulus > STIFFEST_STEEL
+
+    @property
+    def steel_rings(self) -> tuple[str, ...]:
+        """Rings that are of bearing steel as none is given beside ceramic balls."""
+        given = {"inner ring": self.inner_ring, "outer ring": self.outer_ring}
+        return tuple(name for name, material in given.items() if material is None and self.hybrid)
+
+
+@cache
+def _bearing_steel() -> "RingElastic":
+    return RingElastic.model_validate("100Cr6")
 
 
 class FastMaterials(MountedMaterials):
     """Materials of the parts, whose growth by heat and speed may be known."""
 
     ball: WarmMaterial = key("of the balls")
-    inner_ring: RingElastic | None = key("of the inner ring; without it as the balls", None)
-    outer_ring: RingElastic | None = key("of the outer ring; without it as the balls", None)
+    inner_ring: RingElastic | None = key(f"of the inner ring; {AS_BALLS}", None)
+    outer_ring: RingElastic | None = key(f"of the outer ring; {AS_BALLS}", None)
     shaft: WarmMaterial | None = key("of the shaft; needed for [bearing.fits]", None, only=FITTED)
     housing: WarmMaterial | None = key("of the housing; needed for [bearing.fits.housing]", None, only=HOUSED)
 

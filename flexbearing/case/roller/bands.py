@@ -35,16 +35,6 @@ def outside_diameter(bearing: Bearing, outer: Outer) -> float | None:
 def bands(bearing: Bearing, inner: Inner, outer: Outer) -> dict[str, Band]:
     """Bands of a case's clearance before mounting and of its interferences.
 
-    Parameters
-    ----------
-    bearing, inner, outer : Bearing, Inner, Outer
-        of a case
-
-    Returns
-    -------
-    dict
-        key of each class that is given to its band [m]
-
     Raises
     ------
     PydanticCustomError

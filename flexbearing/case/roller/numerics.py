@@ -53,7 +53,7 @@ class Coupling(Section):
 
 
 class Accuracy(Section):
-    """How finely everything is resolved: as given, or as a target asks for; what is given stays."""
+    """How finely everything is resolved: as given, or as a target requires; what is given stays."""
 
     target: Fraction | None = key(
         "allowed numerical error of the load of every roller, over the largest load, and of the life; what "

@@ -21,19 +21,7 @@ if TYPE_CHECKING:
 
 
 def pictures(result: Result) -> dict[str, Figure]:
-    """Draw every picture of a fast bearing, by the name of its file.
-
-    Parameters
-    ----------
-    result : Result
-        what the run left behind
-
-    Returns
-    -------
-    dict
-        loads around the ring, pure rolling lines where they exist, and the contacts of one ball with stick
-        and slip; empty when nothing was solved
-    """
+    """Draw every picture of a fast bearing, by the name of its file."""
     if not result.rigid:
         return {}
     figures = {"ball_loads": ball_loads(result)}
@@ -49,15 +37,6 @@ def pictures(result: Result) -> dict[str, Figure]:
 
 def balls(result: Result) -> tuple[DrawnBall, ...]:
     """Take the ball that carries most, with the cells of its contacts.
-
-    Parameters
-    ----------
-    result : Result
-        what the run left behind
-
-    Returns
-    -------
-    tuple of DrawnBall
 
     Raises
     ------

@@ -57,21 +57,7 @@ class DrawnBall(NamedTuple):
 def drawn_contact(
     values: Mapping[str, Any], contact: tuple[int, ...], field: tuple[int, ...]
 ) -> DrawnContact:
-    """Take a contact from the arrays of a result.
-
-    Parameters
-    ----------
-    values : mapping
-        arrays of a ball bearing
-    contact : tuple of int
-        where it stands among all contacts
-    field : tuple of int
-        where it stands among those with cells
-
-    Returns
-    -------
-    DrawnContact
-    """
+    """Take a contact from the arrays of a result."""
     across, along, pressure, stick = (values[name][field] for name in _CELLS)
     shear_across, shear_along, slip_across, slip_along = (values[name][field] for name in _VECTORS)
     angle = np.degrees(values["contact_angle"][contact])
@@ -94,7 +80,7 @@ def friction_of(result: Result) -> str:
 
 
 def torque_words(what: str, torque: float, error: float | None) -> str:
-    """A torque [N m], with its error by the cells as far as that is told where there is one."""
+    """A torque [N m], with its error by the cells as far as that is reported where there is one."""
     if not error:
         return f"{what} {torque:.4g} N m"
     digits = max(0, 1 - floor(log10(error)))

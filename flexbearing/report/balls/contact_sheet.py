@@ -37,7 +37,7 @@ class Map(NamedTuple):
     values: Callable[[DrawnContact], np.ndarray]  # (n, m) in the unit for people
     label: str = ""  # of the scale of colours; stick and slip have a legend
     colours: str = ""
-    power: float = 1.0  # of the scale: below one, small values are told apart
+    power: float = 1.0  # of the scale: below one, small values are reported apart
     arrows: bool = False
 
 
@@ -72,25 +72,7 @@ def titles(place: Place, contact: DrawnContact | None) -> tuple[str, DrawnContac
 def sheet(
     heading: str, columns: list[Column], groups: list[Group], maps: list[Map], notes: list[str]
 ) -> Figure:
-    """Draw contacts side by side, to scale, with one scale of colours for each map.
-
-    Parameters
-    ----------
-    heading : str
-        of the sheet, in lines
-    columns : list of Column
-        with their titles
-    groups : list of Group
-        contacts that stand side by side and have the same axes
-    maps : list of Map
-        one below the other for each group
-    notes : list of str
-        below everything
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """Draw contacts side by side, to scale, with one scale of colours for each map."""
     below = [line for note in notes for line in wrap(printable(note), WIDEST)]
     shapes = [_half_sides(group) for group in groups]
     tops = [len(maps) * (PANEL * high / wide + BETWEEN) + CAPTION + TICKS for wide, high in shapes]

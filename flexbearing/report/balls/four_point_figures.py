@@ -19,20 +19,7 @@ if TYPE_CHECKING:
 
 
 def pictures(result: Result) -> dict[str, Figure]:
-    """Draw every picture of a slow bearing, by the name of its file.
-
-    Parameters
-    ----------
-    result : Result
-        what the run left behind
-
-    Returns
-    -------
-    dict
-        loads and torques around the ring when the ring is loaded, and the contacts of each chosen ball,
-        between elastic rings where there are such; then also their loads beside those of rigid rings;
-        empty when nothing was solved
-    """
+    """Draw every picture of a slow bearing, by the name of its file."""
     if not result.rigid:
         return {}
     figures = {}
@@ -108,15 +95,6 @@ def ball_torques(result: Result) -> Figure:
 
 def balls(result: Result) -> tuple[DrawnBall, ...]:
     """Take the chosen balls with the cells of their contacts.
-
-    Parameters
-    ----------
-    result : Result
-        what the run left behind
-
-    Returns
-    -------
-    tuple of DrawnBall
 
     Raises
     ------

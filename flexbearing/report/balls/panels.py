@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 MOST_MARKS = 60  # balls that are marked one by one
-STYLES = (  # of two things that are told apart
+STYLES = (  # of two things that are reported apart
     {"color": BLUE, "marker": "o", "markerfacecolor": "white", "markersize": 7},  # seen around the other
     {"color": ORANGE, "marker": "s"},
 )

@@ -46,7 +46,7 @@ def ring(block: dict[str, Any], layout: Layout) -> Iterator[RenderableType]:
 
 
 def shown(entry: SummaryValue, number: Any) -> str:
-    """A number, or a range in which both ends are told apart only when they differ as shown."""
+    """A number, or a range in which both ends are reported apart only when they differ as shown."""
     if not isinstance(number, list):
         return "-" if number is None else formatted(number, entry.digits)
     first, last = (shown(entry, end) for end in number)

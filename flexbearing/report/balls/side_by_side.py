@@ -24,21 +24,11 @@ if TYPE_CHECKING:
 
 _TOLD = ("friction.model", "friction.cells", "fields", "title", "assumed", "calibrated")  # or no matter
 SPIN = "friction.spin"
-_MOST = 6  # differences that are told one by one
+_MOST = 6  # differences that are reported one by one
 
 
 def compared(one: Result, other: Result) -> dict[int, Figure]:
     """Draw the contacts of two results side by side.
-
-    Parameters
-    ----------
-    one, other : Result
-        of the same kind of ball bearing; `one` stands on the left
-
-    Returns
-    -------
-    dict
-        a figure for each ball whose cells both hold, by its number
 
     Raises
     ------
@@ -60,18 +50,7 @@ def compared(one: Result, other: Result) -> dict[int, Figure]:
 
 
 def notes(one: Result, other: Result) -> list[str]:
-    """Say by what the cases of two results differ besides their friction model and its cells.
-
-    Parameters
-    ----------
-    one, other : Result
-        of one kind
-
-    Returns
-    -------
-    list of str
-        empty where they do not
-    """
+    """Say by what the cases of two results differ besides their friction model and its cells."""
     settings = differing(*(each.attributes["case_si"] for each in (one, other)))
     told_of = {
         key: values

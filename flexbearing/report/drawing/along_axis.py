@@ -18,18 +18,7 @@ NUMBERS = "Numbers of rolling elements as in tables of results."
 
 
 def rollers(words: Words) -> Drawing:
-    """Draw a cylindrical roller bearing along its axis.
-
-    Parameters
-    ----------
-    words : Words
-        of its case
-
-    Returns
-    -------
-    Drawing
-        azimuth 0 down, 90 degrees to the right
-    """
+    """Draw a cylindrical roller bearing along its axis."""
     sheet, case = Sheet("along-axis", words), words.case
     _rings_of_rollers(sheet, case)
     bearing: Any = case.bearing
@@ -55,18 +44,7 @@ def rollers(words: Words) -> Drawing:
 
 
 def balls(words: Words) -> Drawing:
-    """Draw a ball bearing along its axis.
-
-    Parameters
-    ----------
-    words : Words
-        of its case, with a number of balls
-
-    Returns
-    -------
-    Drawing
-        azimuth 0 down, 90 degrees to the right
-    """
+    """Draw a ball bearing along its axis."""
     sheet, case = Sheet("along-axis", words), words.case
     bearing: Any = case.bearing
     pitch, size = bearing.pitch_diameter / 2, bearing.ball.diameter
@@ -101,7 +79,7 @@ def _load_of_balls(sheet: Sheet, load: Any, pitch: float, inside: float) -> None
 
 
 def _turning(sheet: Sheet, path: str, radius: float) -> None:
-    """Sense in which a ring turns, an arrow about the axis; nothing where it stands still."""
+    """Sense in which a ring turns, an arrow about the axis; nothing where it is at rest."""
     speed = sheet.words.value(path)
     if not speed:
         return

@@ -17,18 +17,7 @@ THRUST = ("operation.load.axial", "operation.preload.force", "operation.preload.
 
 
 def one_groove(words: Words) -> Drawing:
-    """Draw a ball of an angular-contact or deep groove bearing, which touches under thrust.
-
-    Parameters
-    ----------
-    words : Words
-        of its case
-
-    Returns
-    -------
-    Drawing
-        outer contact towards +x, to the right
-    """
+    """Draw a ball of an angular-contact or deep groove bearing, which touches under thrust."""
     sheet, case = Sheet("section", words, cross=True), words.case
     bearing: Any = case.bearing
     diameter, clearance = bearing.ball.diameter, bearing.stated_clearance
@@ -53,18 +42,7 @@ def one_groove(words: Words) -> Drawing:
 
 
 def two_arches(words: Words) -> Drawing:
-    """Draw a ball of a four-point bearing, between bolted rings where they are described.
-
-    Parameters
-    ----------
-    words : Words
-        of its case
-
-    Returns
-    -------
-    Drawing
-        x to the right from the ball centre, the radius upwards
-    """
+    """Draw a ball of a four-point bearing, between bolted rings where they are described."""
     sheet, case = Sheet("section", words, cross=True), words.case
     bearing: Any = case.bearing
     diameter, angle = bearing.ball.diameter, bearing.contact_angle

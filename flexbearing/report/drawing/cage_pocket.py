@@ -16,18 +16,7 @@ GUIDING = "#a61c00"
 
 
 def cage(words: Words) -> Drawing:
-    """Draw a roller between its raceways and the walls of its pocket, seen along the axis.
-
-    Parameters
-    ----------
-    words : Words
-        of a case of a cylindrical roller bearing whose cage has a thickness
-
-    Returns
-    -------
-    Drawing
-        azimuth 0 down, growing azimuth to the right, as in the view along the axis
-    """
+    """Draw a roller between its raceways and the walls of its pocket, seen along the axis."""
     sheet, bearing = Sheet("cage", words, to_scale=False), words.case.bearing
     outer, size = bearing.outer_raceway_diameter / 2, bearing.roller.diameter
     pitch, half = outer - size / 2, SEEN * 2 * np.pi / bearing.rollers

@@ -19,22 +19,6 @@ from flexbearing.report.drawing.words import Words
 def drawings(family: Family, case: Any, *, values: bool = True, resized: bool = False) -> Iterator[Drawing]:
     """Drawings of a case to scale.
 
-    Parameters
-    ----------
-    family : Family
-        of the case
-    case : flexbearing.case.Head
-        as it was read
-    values : bool
-        whether values stand beside the keys
-    resized : bool
-        whether a page may show them in another size: then no ratio is written, only the bar of a length
-
-    Returns
-    -------
-    iterator of Drawing
-        none of a family without drawings
-
     Raises
     ------
     BadCase

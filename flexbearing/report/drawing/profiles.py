@@ -30,20 +30,7 @@ MEANING = {
 
 
 def profiles(words: Words, drops: Mapping[str, tuple[NDArray, NDArray]]) -> Drawing:
-    """Draw the profiles that are not straight, one above the other.
-
-    Parameters
-    ----------
-    words : Words
-        of a case of a cylindrical roller bearing
-    drops : mapping
-        table to places (n) from mid-roller and drops (n) there [m]
-
-    Returns
-    -------
-    Drawing
-        x to the right from mid-roller, drops down into the body
-    """
+    """Draw the profiles that are not straight, one above the other."""
     sheet, length = Sheet("profile", words), words.value("bearing.roller.length")
     highest = {table: _highest(*line) for table, line in drops.items()}
     magnified = _below(TALL * length / max(highest.values()))

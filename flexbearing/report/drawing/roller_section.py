@@ -11,18 +11,7 @@ from flexbearing.report.drawing.words import Words
 
 
 def section(words: Words) -> Drawing:
-    """Draw the upper half of the section through rollers, cage, rings, shaft and housing.
-
-    Parameters
-    ----------
-    words : Words
-        of a case of a cylindrical roller bearing
-
-    Returns
-    -------
-    Drawing
-        x to the right from mid-roller, the radius upwards
-    """
+    """Draw the upper half of the section through rollers, cage, rings, shaft and housing."""
     sheet = Sheet("section", words, cross=True)
     case: Any = words.case
     bearing = case.bearing

@@ -82,7 +82,7 @@ class Sheet:
     axial: list[tuple[str, float, float, float]] = field(default_factory=list)  # below
     placed: list[tuple[str, tuple[float, float], dict[str, Any]]] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
-    cross: bool = False  # whether a cross tells that x is to the right and r upwards
+    cross: bool = False  # whether a cross says that x is to the right and r upwards
     to_scale: bool = True
 
     def area(self, points: Any, name: str = "", **style: Any) -> None:
@@ -153,7 +153,7 @@ class Sheet:
         )
 
     def _identifiers(self) -> Iterator[str | None]:
-        """Names of the shapes in the drawing, each once: a part may stand on both sides."""
+        """Names of the shapes in the drawing, each once: a part may be on both sides."""
         drawn: Counter[str] = Counter()
         for name, _, _ in self.shapes:
             drawn[name] += 1

@@ -10,18 +10,7 @@ from flexbearing.report.drawing.words import Words
 
 
 def bars(words: Words) -> Drawing:
-    """Draw the section across the bars, with the ring behind them.
-
-    Parameters
-    ----------
-    words : Words
-        of a case with a squirrel cage
-
-    Returns
-    -------
-    Drawing
-        azimuth 0 down, 90 degrees to the right; the first bar stands at azimuth 0
-    """
+    """Draw the section across the bars, with the ring behind them."""
     sheet, case = Sheet("bars", words), words.case
     outer: Any = case.outer
     raceway = case.bearing.outer_raceway_diameter / 2

@@ -22,7 +22,7 @@ class Words:
     """What a drawing says of the keys of a case."""
 
     case: Any  # a `flexbearing.case.head.Head`
-    values: bool = True  # whether values stand beside the keys
+    values: bool = True  # whether values are beside the keys
     profiles: Callable[[Any], Mapping[str, tuple[NDArray, NDArray]]] | None = None  # of a `Family`
     resized: bool = (
         False  # whether a page may show drawings in another size, so that only their bar is to scale

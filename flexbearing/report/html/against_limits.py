@@ -2,10 +2,11 @@
 
 from collections.abc import Iterator
 
-from flexbearing.report.html import combined, open_checks, running_checks, shaft_tilt, strength_checks
+from flexbearing.findings import USUAL
+from flexbearing.report.html import combined, finding_checks, noted_checks, open_checks, shaft_tilt
 from flexbearing.report.html.assumptions import WORTH
-from flexbearing.report.html.check import AIM, NOT_CHECKED, Check
-from flexbearing.report.html.document import Block, Cell, Items, Table, Words
+from flexbearing.report.html.check import NOT_CHECKED, Check
+from flexbearing.report.html.document import Block, Cell, Items, Table
 from flexbearing.report.html.reader import Reader, once
 from flexbearing.report.html.units import printed
 
@@ -13,13 +14,6 @@ _NOTE = (
     "Share: value over limit, or limit over value where a value must not be lower. A contact pressure grows "
     "slower than its load: with the square root of the load of a roller, the cube root of that of a ball. "
     "The limits of ISO 76 are those of a lasting dent of 1e-4 of the diameter of a rolling element."
-)
-_TWO = (
-    "There are two static safeties. C_0/P_0 compares the load on the whole bearing with its static rating, "
-    "which supposes the usual share of the most loaded rolling element. The static safety by pressure "
-    "is that of the most pressed contact as computed here, with clearance, tilt, profile and, where they "
-    "are flexible, the rings: its load at the pressure limit over its load. Each has its own "
-    "limit, and both count."
 )
 
 
@@ -32,8 +26,6 @@ def blocks(reader: Reader) -> Iterator[Block]:
         for check in checks if not check.unchecked
     )  # fmt: skip
     yield Table("What limits most", head, rows, _NOTE, name="limits-most")
-    if "static_safety" in reader.blocks[reader.last]:
-        yield Words((_TWO,))
     rows = tuple(
         (check.what, check.value, _unit(check.value), _reason(check), check.who)
         for check in checks if check.unchecked
@@ -49,7 +41,7 @@ def _reason(check: Check) -> str:
 @once
 def ranked(reader: Reader) -> tuple[Check, ...]:
     """Every check, the nearest to its limit first; what was not checked last, with the reason."""
-    parts = (strength_checks, running_checks, open_checks)
+    parts = (finding_checks, noted_checks, open_checks)
     return tuple(sorted((each for part in parts for each in part.checks(reader)), key=lambda each: each.rank))
 
 
@@ -62,8 +54,8 @@ def to_do(reader: Reader) -> Iterator[Items]:
 def steps(reader: Reader) -> tuple[str, ...]:
     """Keep limits, find out what moves results most, keep usual aims, check what was not checked."""
     checks = ranked(reader)
-    broken = [check.do for check in checks if check.broken and check.grade != AIM]
-    aims = [check.do for check in checks if check.broken and check.grade == AIM]
+    broken = [check.do for check in checks if check.broken and check.grade != USUAL]
+    aims = [check.do for check in checks if check.broken and check.grade == USUAL]
     others = [check.do for check in checks if check.do not in (*broken, *aims)]
     moved: dict[str, list[str]] = {}
     for word in (combined.LIFE, *dict(reader.layout.weighed).values()):
@@ -71,7 +63,7 @@ def steps(reader: Reader) -> tuple[str, ...]:
         if span is not None and max(span.squares[1], 1 / span.squares[0]) > WORTH:
             moved.setdefault(span.most, []).append(word)
     if tilt := shaft_tilt.step(reader):
-        moved.pop("operation.tilt", None)  # which that step asks for
+        moved.pop("operation.tilt", None)  # which that step requires
     measure = [
         f"find out and specify {combined.inputs(reader, key)}: moves {', '.join(words)} most"
         for key, words in moved.items()

@@ -5,6 +5,10 @@ from math import prod
 
 import numpy as np
 
+from flexbearing.findings import DANGER, NOT_MET, OUTSIDE, USUAL
+from flexbearing.findings.codes import PEAK_AT_ENDS
+from flexbearing.findings.running import FULL_FILM, VISCOSITY_RATIO
+from flexbearing.findings.strength import BARS
 from flexbearing.quantities.effects import CHOICE, COMPARISON, LIVES
 from flexbearing.report.html import (
     against_limits,
@@ -15,6 +19,7 @@ from flexbearing.report.html import (
     combined,
     design_changes,
     exactness,
+    finding_checks,
     headline,
     life,
     lives,
@@ -23,13 +28,11 @@ from flexbearing.report.html import (
     shaft_tilt,
     stiffness,
 )
-from flexbearing.report.html.check import AIM, DAMAGE, MISSED, VALIDITY, Check, one, text_of, used
+from flexbearing.report.html.check import MISSED, Check, one, text_of, used
 from flexbearing.report.html.document import Number, Table
 from flexbearing.report.html.open_checks import rolls
 from flexbearing.report.html.reader import Reader
-from flexbearing.report.html.running_checks import overlap
 from flexbearing.report.html.sentences import load_axis, rounded
-from flexbearing.report.html.strength_checks import BARS, ENDS
 from flexbearing.report.html.units import printed
 from flexbearing.report.rows import of_supports
 
@@ -38,10 +41,6 @@ SLIP = "cage slip"  # in percent, with its error in percentage points
 _TINY = 1e-3  # [%] error below which its size does not matter
 _LARGEST, _STEPS = 4, 3  # limits, and things to do, that an answer names
 BAR_STRESS, STIFFNESS, ALONG_Y = "bar stress", "stiffness", "stiffness along y"  # words of results
-_RAISE = (
-    "To improve it: an oil {:.2g} times as viscous at its temperature, cooler oil, or EP/AW additives, which "
-    "help below κ = 1; cleaner oil lengthens the life at the same κ."
-)
 _MORE = "Cooler or more viscous oil raises κ; cleaner oil lengthens the life at the same κ."
 _WORDS = {"bearing stiffness": "stiffness of the bearing alone"}
 _SIGNS = (
@@ -99,8 +98,6 @@ def _safe(reader: Reader) -> Iterator[str]:
     """Which limits are kept, with what is used of them, and what has none."""
     checks = against_limits.ranked(reader)
     yield headline.judged(reader)
-    if told := overlap(reader):
-        yield f"It cannot be built as assumed: {told}."
     for check in checks[:_LARGEST]:
         if isinstance(check.value, Number) and isinstance(check.share, Number):
             verdict = check.verdict.partition(":")[0]
@@ -124,11 +121,11 @@ def _first(reader: Reader) -> Iterator[str]:
     for check, value in unknown:
         told = f"{text_of(value)}{_moved(reader, check)}"
         yield f"Possibly first: {check.what} {told}; no strength is given."
-        yield design_changes.of_bars(reader) if check.what == BARS else ""
-    yield from _nearest([check for check in shares if check.grade != VALIDITY], bool(unknown))
+        yield design_changes.of_bars(reader) if check.place == BARS else ""
+    yield from _nearest([check for check in shares if check.grade != OUTSIDE], bool(unknown))
     yield headline.tight_end(reader)
-    for check in (check for check in shares if check.broken and check.grade == VALIDITY):
-        yield f"Outside the range of the life formula, which is no limit of strength: {_shared(check)}."
+    for check in (check for check in shares if check.broken and check.grade == OUTSIDE):
+        yield f"Outside the range of a law, which is no limit of strength: {_shared(check)}."
     yield from (f"Next: {step}." for step in against_limits.steps(reader)[:_STEPS])
 
 
@@ -141,7 +138,7 @@ def _nearest(shares: Sequence[Check], unknown: bool) -> Iterator[str]:
     first = next(iter(shares), None)
     if first is None:
         return
-    if not (first.broken and first.grade == AIM):
+    if not (first.broken and first.grade == USUAL):
         near = first.used > headline.HALF or unknown
         yield f"{'' if near else 'Nothing limits at this load; nearest: '}{_shared(first)}."
         return
@@ -150,7 +147,7 @@ def _nearest(shares: Sequence[Check], unknown: bool) -> Iterator[str]:
     if kept is not None:
         yield f"Nearest of the limits that are kept: {one(kept)}: {used(kept)}."
     damage = max(shares, key=lambda check: check.damage)
-    if damage.damage and not (damage is kept and damage.grade == DAMAGE):
+    if damage.damage and not (damage is kept and damage.grade == DANGER):
         yield f"Nearest limit of damage: {_damaging(damage)}."
 
 
@@ -158,8 +155,8 @@ def _damaging(check: Check) -> str:
     """How much of its limit of damage a check takes, also where it is held to a usual one."""
     return (
         _shared(check)
-        if check.grade == DAMAGE
-        else f"{check.what}: {check.damage:.0%} of the limit of ISO 76"
+        if check.grade == DANGER
+        else f"{check.what}: {check.damage:.0%} of the limit of damage"
     )
 
 
@@ -169,7 +166,7 @@ def _shared(check: Check) -> str:
 
 def _moved(reader: Reader, check: Check) -> str:
     """What inputs that are not known make of the stress of the bars."""
-    span = combined.of(reader, BAR_STRESS) if check.what == BARS else None
+    span = combined.of(reader, BAR_STRESS) if check.place == BARS else None
     if span is None:
         return ""
     low, high = (f"{value:.3g}" for value in span.squares)
@@ -287,7 +284,7 @@ def _exact(reader: Reader) -> Iterator[str]:
         yield "Closed formulas, without a grid: only the balance of forces has an error."
     if missing := beyond_range.left_out(reader):
         yield f"Neither in these errors nor in the range of the life: {'; '.join(missing)}."
-    if ENDS & {note["code"] for note in reader.attributes["notes"]}:
+    if PEAK_AT_ENDS & reader.codes:
         yield "Nor is the peak pressure at the ends of the rollers: see its note under Limits."
     yield MISFITS[reader.of_balls]
 
@@ -364,10 +361,10 @@ def _lubrication(reader: Reader) -> Iterator[str]:
         if ratio is not None:
             yield f"Smallest film, {race} raceway: {text_of(film)}, film ratio Λ {ratio.text}."
         else:
-            full = lubrication.needed_roughness(reader, race, lubrication.FULL_FILM)
+            full = text_of(lubrication.needed_roughness(reader, race))
             yield (
                 f"Smallest film, {race} raceway: {text_of(film)}; Λ is 1 with a combined roughness of "
-                f"{text_of(film)}, and {lubrication.FULL_FILM} with {text_of(full)}; the case gives none."
+                f"{text_of(film)}, and {FULL_FILM:g} with {full}; the case gives none."
             )
     yield lubrication.flooded(reader)
 
@@ -381,17 +378,24 @@ def _viscosities(reader: Reader) -> Iterator[str]:
     if kappa is None:
         return
     known = [number for number in both if number is not None]
-    judged = "Yes" if float(kappa.text) >= 1 else "No"
+    enough_now = finding_checks.verdict(reader, VISCOSITY_RATIO.code) != NOT_MET
     of = f" = {text_of(known[0])} over {text_of(known[1])} needed" if len(known) > 1 else ""
-    yield f"{judged} by the viscosity ratio κ: {kappa.text}{of}, usual minimum 1."
+    least = f"usual minimum {VISCOSITY_RATIO.limit:g}"
+    yield f"{'Yes' if enough_now else 'No'} by the viscosity ratio κ: {kappa.text}{of}, {least}."
     enough, reached = oil.sufficient_at(reader)
     if enough is not None:
-        yield f"κ is 1 with this oil at {enough} °C{oil.heated(reader, enough)}."
-    elif float(kappa.text) < 1 and reached < _celsius(reader):
-        yield f"κ = 1 is not reachable by cooling this oil to {reached} °C: it needs a thicker one."
+        yield f"κ is {VISCOSITY_RATIO.limit:g} with this oil at {enough} °C{oil.heated(reader, enough)}."
+    elif not enough_now and reached < _celsius(reader):
+        yield f"Cooling this oil to {reached} °C is not enough: it needs a thicker one."
     if "lubricant.inlet_temperature" in reader.attributes["assumed"]:
         yield "The oil temperature is assumed: κ at others stands under Life."
-    yield _RAISE.format(1 / float(kappa.text)) if float(kappa.text) < 1 else _MORE
+    yield (
+        _MORE
+        if enough_now
+        else f"To improve it: {VISCOSITY_RATIO.action}.".format(
+            share=VISCOSITY_RATIO.limit / float(kappa.text)
+        )
+    )
 
 
 def _celsius(reader: Reader) -> float:

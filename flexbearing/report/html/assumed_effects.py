@@ -1,6 +1,6 @@
 """What other values of assumed or fitted inputs, and the ends of tolerances, make of a result."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from math import log
 from typing import Any
 
@@ -12,7 +12,7 @@ from flexbearing.report.html.assumptions import TOLERANCES, WORTH
 from flexbearing.report.html.document import Block, Cell, Figure, Items, Number, Table, Words
 from flexbearing.report.html.figures import BLUE
 from flexbearing.report.html.reader import Reader
-from flexbearing.report.html.units import NOTHING, printed, units_in_words, with_unit
+from flexbearing.report.html.units import NOTHING, units_in_words, with_unit
 from flexbearing.report.rows import unit_of
 
 SMALLEST = 5e-3  # relative change that is drawn
@@ -21,10 +21,6 @@ _WIDE = 1.5  # ratio of the ends of an axis from which it is logarithmic
 _TICKS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5, 7, 10, 20, 50, 100]
 _TALL = 8  # keys that a figure of usual height has room for
 _NOT_COMPUTED = "How much each of them matters was not computed. "
-_TOLD = (
-    "How much each of them matters was computed when the case was written, and stands in its comments below. "
-    "To compute it for this result: "
-)
 _COMPARED = (
     " Loads are given: their rows show how results follow the load, and no range of this page counts them."
 )
@@ -43,9 +39,9 @@ _HOW = (
 
 
 def how(reader: Reader) -> Words:
-    """Which command computes the effects."""
-    told = any(map(assumptions.effect, assumptions.comments(reader.result.attributes["case_text"]).values()))
-    return Words(((_TOLD if told else _NOT_COMPUTED) + _how(reader),))
+    """That effects are missing, or of other inputs, and which command computes them."""
+    stale = reader.attributes.get("effects_left_out")
+    return Words(((f"{stale.capitalize()}. " if stale else _NOT_COMPUTED) + _how(reader),))
 
 
 def _how(reader: Reader) -> str:
@@ -74,12 +70,8 @@ def at_ends(reader: Reader) -> Iterator[Block]:
         return
     found = reader.attributes.get("assumed_effects")
     if not found:
-        comment = assumptions.comments(reader.result.attributes["case_text"]).get(TOLERANCES, "")
-        if assumptions.weighed(comment):
-            yield _told_at_ends(reader, comment)
-        else:
-            words = "What the ends of the tolerances make of the results was not computed."
-            yield Words((f"{words} {_how(reader)}",))
+        words = "What the ends of the tolerances make of the results was not computed."
+        yield Words((f"{words} {_how(reader)}",))
         return
     names = [
         name for name in found["of"]
@@ -92,34 +84,11 @@ def at_ends(reader: Reader) -> Iterator[Block]:
         for number, other in enumerate(key["others"])
         if other["values"]
     ]
-    labels = (_heading(reader, name).partition(" [")[0] for name in names)
-    yield _of_ends(labels, rows)
-
-
-def _told_at_ends(reader: Reader, comment: str) -> Table:
-    """What a comment of the case tells of both ends."""
-    ends, words = ("tightest", "loosest"), ("life", *dict(reader.layout.weighed).values())
-    moved = [word for word in words if any(assumptions.change(comment, word, end) for end in ends)]
-    rows: list[tuple[Cell, ...]] = []
-    for end in ends:
-        changes = {word: assumptions.change(comment, word, end) for word in moved}
-        cells = (
-            NOTHING if ratio is None else
-            reader.units.number(ratio, "", "", ".3g", f"told/{TOLERANCES}/{end}/{word}")
-            for word, ratio in changes.items()
-        )  # fmt: skip
-        limit = reader.of_attribute(f"clearance/tolerances/ends/{end}_m", "m", "um", ".1f")
-        rows.append((f"{end}, clearance {limit.text} {printed(limit.unit)}", *cells))
-    return _of_ends(
-        moved,
-        rows,
-        "By the comments in the case file; –, and results that are not listed: changes below 1 %.",
+    head = (
+        "end of the tolerances",
+        *(f"{_heading(reader, name).partition(' [')[0]} [factor]" for name in names),
     )
-
-
-def _of_ends(labels: Iterable[str], rows: list[tuple[Cell, ...]], note: str = "") -> Table:
-    head = ("end of the tolerances", *(f"{label} [factor]" for label in labels))
-    return Table("What the tolerances make of the results", head, tuple(rows), note)
+    yield Table("What the tolerances make of the results", head, tuple(rows))
 
 
 def moving(reader: Reader) -> list[str]:
@@ -130,23 +99,34 @@ def moving(reader: Reader) -> list[str]:
     told: list[str] = []
     ranked = sorted(range(len(found["keys"])), key=lambda place: -_effect(found, place, name))
     for place in (place for place in ranked if _effect(found, place, name) > log(WORTH)):
-        key, base = found["keys"][place], found["of"][name]
-        others = [
-            f"{other['values'][name] / base:.3g} times with {units_in_words(other['words'])}"
-            for other in key["others"] if other["values"].get(name) is not None
-        ]  # fmt: skip
+        key = found["keys"][place]
         compared = " (for comparison)" * (key.get("role") == COMPARISON)
-        told.append(f"{assumptions.named(key['key'])}{compared}: life {', '.join(others)}")
+        told.append(f"{assumptions.named(key['key'])}{compared}: {_of_life(reader, key)}")
     return told
+
+
+def of_life(reader: Reader, key: str) -> str:
+    """Change of the life by other values of a key; empty where it is not known."""
+    found = reader.attributes.get("assumed_effects") or {}
+    known = [each for each in found.get("keys", ()) if each["key"] == key]
+    return _of_life(reader, known[0]) if known and ranked_by(reader) in LIVES else ""
+
+
+def _of_life(reader: Reader, key: dict[str, Any]) -> str:
+    name = ranked_by(reader)
+    base = reader.attributes["assumed_effects"]["of"][name]
+    others = [
+        f"{other['values'][name] / base:.3g} times with {units_in_words(other['words'])}"
+        for other in key["others"] if other["values"].get(name) is not None
+    ]  # fmt: skip
+    return f"life {', '.join(others)}" if others else ""
 
 
 def solved_again(reader: Reader, key: str, value: str) -> tuple[float, str] | None:
     """Life with another value of a key over that of the case, with its place; None where it is not known."""
     found = reader.attributes.get("assumed_effects")
     if not found:
-        said = assumptions.comments(reader.result.attributes["case_text"]).get(key, "")
-        ratio = assumptions.change(said, "life", value)
-        return None if ratio is None else (ratio, f"told/{key}/{value}/life")
+        return None
     name = ranked_by(reader)
     for place, each in enumerate(found["keys"]):
         for number, other in enumerate(each["others"]):
@@ -328,7 +308,7 @@ def _drawn(reader: Reader, found: dict[str, Any], ranked: list[int], name: str) 
 
 
 def _missing(found: dict[str, Any]) -> Iterator[str]:
-    """Keys, or other values of them, that have no answer, and why."""
+    """Keys, or other values of them, that have no result, and why."""
     for key in found["keys"]:
         if not key["others"] and key["source"].startswith("a text"):
             yield f"{key['key']}: {key['source']}"

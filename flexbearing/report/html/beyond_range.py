@@ -3,8 +3,9 @@
 from collections.abc import Iterator
 from math import log
 
+from flexbearing.findings.codes import PRESSED_ENDS
 from flexbearing.quantities.effects import CHOICE, INPUT
-from flexbearing.report.html import assumed_effects, assumptions, combined, oil, ratings, shaft_tilt
+from flexbearing.report.html import assumed_effects, combined, oil, ratings, shaft_tilt
 from flexbearing.report.html.check import text_of
 from flexbearing.report.html.lives import lives
 from flexbearing.report.html.open_checks import straight
@@ -12,7 +13,6 @@ from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.sentences import rounded
 
 UNCHANGED = 5e-3  # relative change of the life that is none
-PRESSED_ENDS = {"pressed-end", "sharp-roller-end"}  # codes of notes
 
 
 def left_out(reader: Reader) -> tuple[str, ...]:
@@ -95,13 +95,10 @@ def _profiles(reader: Reader) -> set[str]:
 
 def _unsized(reader: Reader, solved: set[str]) -> Iterator[str]:
     """What changes the life by an amount that this result does not know."""
-    codes = {note["code"] for note in reader.attributes["notes"]}
     computes = " (outputs.assumed_effects = true computes its effect)"
     no_edges = reader.attributes["case_si"].get("life", {}).get("edge_stress") is False
-    if codes & PRESSED_ENDS and no_edges and "life.edge_stress" not in solved:
+    if reader.codes & PRESSED_ENDS and no_edges and "life.edge_stress" not in solved:
         relieved = reader.bearing["roller"]["profile"] != "straight"  # ISO/TS 16281 has it of profiles alone
         yield f"edge stress of the pressed roller ends{computes * relieved}"
-    said = assumptions.comments(reader.result.attributes["case_text"])
-    known = "operation.misalignment" in solved or assumptions.weighed(said.get("operation.misalignment", ""))
-    if straight(reader) and not known:
+    if straight(reader) and "operation.misalignment" not in solved:
         yield f"misalignment of the shaft, not known and computed as none{computes}"

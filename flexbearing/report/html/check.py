@@ -2,35 +2,24 @@
 
 from dataclasses import dataclass
 
+from flexbearing.findings import DANGER, OUTSIDE, USUAL
+from flexbearing.findings.finding import AT_LEAST, AT_MOST
 from flexbearing.report.html.document import Cell, Number
-from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import printed
 
-MOST, LEAST = "most", "least"  # a limit from above, from below
-DAMAGE, VALIDITY, BUILD, AIM = "damage", "validity", "build", "aim"  # what a limit is one of, the worst first
+BUILD = "build"  # grade of dimensions that overlap
 NOT_CHECKED = "not checked"
-_BROKEN = {
-    (DAMAGE, MOST): "EXCEEDED",
-    (DAMAGE, LEAST): "NOT MET",
-    (VALIDITY, MOST): "OUTSIDE VALIDITY",
-    (VALIDITY, LEAST): "OUTSIDE VALIDITY",
-    (BUILD, MOST): "CANNOT BE BUILT",
-    (AIM, MOST): "ABOVE THE USUAL MAXIMUM",
-    (AIM, LEAST): "BELOW THE USUAL MINIMUM",
+BROKEN = {
+    (DANGER, AT_MOST): "EXCEEDED",
+    (DANGER, AT_LEAST): "NOT MET",
+    (OUTSIDE, AT_MOST): "OUTSIDE VALIDITY",
+    (OUTSIDE, AT_LEAST): "OUTSIDE VALIDITY",
+    (BUILD, AT_MOST): "CANNOT BE BUILT",
+    (USUAL, AT_MOST): "ABOVE THE USUAL MAXIMUM",
+    (USUAL, AT_LEAST): "BELOW THE USUAL MINIMUM",
 }
-CANNOT_BE_BUILT = _BROKEN[BUILD, MOST]
-MISSED = {LEAST: "Below the usual minimum", MOST: "Above the usual maximum"}  # usual limits, by their side
-_WORST_FIRST = (DAMAGE, VALIDITY, BUILD, AIM)
-
-
-@dataclass(frozen=True)
-class Limit:
-    """A limit from above or from below."""
-
-    value: float  # in the unit of the place of what it limits
-    side: str  # MOST or LEAST
-    words: str
-    grade: str = DAMAGE
+MISSED = {AT_LEAST: "Below the usual minimum", AT_MOST: "Above the usual maximum"}  # usual limits, by side
+WORST_FIRST = (DANGER, OUTSIDE, BUILD, USUAL)
 
 
 @dataclass(frozen=True)
@@ -43,8 +32,9 @@ class Check:
     share: Cell = ""
     used: float = 0.0  # share as a number [-], zero where there is none
     verdict: str = NOT_CHECKED
-    grade: str = DAMAGE  # of its limit
-    side: str = MOST
+    grade: str = DANGER  # of its limit
+    side: str = AT_MOST
+    place: str = ""  # of the finding
     urgent: bool = False  # has no limit here, and must be compared with one before the bearing is used
     do: str = ""  # what keeps a limit that is exceeded, or checks one that was not
     who: str = ""  # of what was not checked: who checks it, with what
@@ -53,7 +43,7 @@ class Check:
     @property
     def broken(self) -> bool:
         """Whether its limit is not kept."""
-        return self.verdict.startswith(tuple(_BROKEN.values()))
+        return self.verdict.startswith(tuple(BROKEN.values()))
 
     @property
     def unchecked(self) -> bool:
@@ -63,25 +53,13 @@ class Check:
     @property
     def damage(self) -> float:
         """Share of its limit of damage [-], zero where it has none."""
-        return self.used if self.grade == DAMAGE else self.damaging
+        return self.used if self.grade == DANGER else self.damaging
 
     @property
     def rank(self) -> tuple[bool, int, float]:
         """Limits that are not kept first, the worst grade before others; last what was not checked."""
-        grade = _WORST_FIRST.index(self.grade) if self.broken else len(_WORST_FIRST)
+        grade = WORST_FIRST.index(self.grade) if self.broken else len(WORST_FIRST)
         return self.unchecked, grade, -self.used
-
-
-def against(reader: Reader, what: str, value: Number, number: float | None, limit: Limit) -> Check:
-    """A number against a limit in the unit of its place in the file."""
-    if number is None:
-        return unchecked(what, "no number", "the author of the case: see the notes", value)
-    met = number <= limit.value if limit.side == MOST else number >= limit.value
-    used = number / limit.value if limit.side == MOST else limit.value / number if number else 0.0
-    of = f"share/{limit.side}/{float(limit.value)!r}/{value.of}"
-    share = reader.units.number(100 * used, "%", "%", ",.0f", of)
-    verdict = "met" if met else _BROKEN[limit.grade, limit.side]
-    return Check(what, value, limit.words, share, used, verdict, limit.grade, limit.side)
 
 
 def unchecked(what: str, why: str, who: str, value: Cell = "", do: str = "") -> Check:
@@ -98,8 +76,8 @@ def one(check: Check) -> str:
 
 def used(check: Check) -> str:
     """How much of a limit is used; of one from below, how many times the value is of it."""
-    if check.side == LEAST and check.used:
-        usual = "usual " if check.grade == AIM else ""
+    if check.side == AT_LEAST and check.used:
+        usual = "usual " if check.grade == USUAL else ""
         return f"{1 / check.used:.3g} times the {usual}minimum"
     return f"{check.share.text} % of the limit" if isinstance(check.share, Number) else ""
 

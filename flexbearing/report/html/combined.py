@@ -16,11 +16,9 @@ HEAD = (
     "highest [factor]",
     "moved most by",
 )
-_COMPUTED = "computed with this result"
-_TOLD = "by the comments in the case file, which leave out changes below 1 %"
 _NOTE = (
     "By inputs: the result over that of this case with other values of all that is assumed, fitted or "
-    "toleranced, {by}: root of the sum of squares of the largest change by each input, as logarithms, for "
+    "toleranced: root of the sum of squares of the largest change by each input, as logarithms, for "
     "inputs that are independent of each other. All at once: {worst}. What the model leaves out comes on "
     "top. –: no effect of an input on it is known, or it is zero and has no factor."
 )
@@ -34,13 +32,11 @@ _CAPPED = (
     " {} stays between {:g} and {:g}: of changes that add up to more, only what is left to these limits "
     "counts, so the range may be narrower than the root of squares of the rows."
 )
-_MISSING = " Not counted, since their effect is not known: {}."
 _ONE_THING = " {} describe one thing and count as one input: the larger change of them in each direction."
 _LIMITS = {  # of factors of a life that a rule bounds
     "a_ISO": (0.1, 50.0),  # ISO 281
     "film": (0.19, 3.03),  # STLE
 }
-_OF_FACTORS = ("lubricant.", "life.")  # keys that act on the factors of a life alone, where only it is told
 
 
 @dataclass(frozen=True)
@@ -61,14 +57,7 @@ class Span:
 
 
 def cells(reader: Reader, word: str) -> tuple[Cell, ...]:
-    """Span of a result, and the input that moves it most; empty where no effect is known.
-
-    Parameters
-    ----------
-    reader : Reader
-    word : str
-        of the result in comments of a case, `LIFE` for the most detailed one of the case
-    """
+    """Span of a result, and the input that moves it most; empty where no effect is known."""
     span = of(reader, word)
     if span is None:
         return ()
@@ -92,17 +81,14 @@ def of(reader: Reader, word: str) -> Span | None:
 
 def note(reader: Reader) -> str:
     """What the spans mean, and which inputs are not in them."""
-    computed = bool(reader.attributes.get("assumed_effects"))
-    missing = [] if computed else _untold(reader)
-    by, worst = (_COMPUTED if computed else _TOLD), (_SOLVED if _at_once(reader) else _SUMMED)
-    words = _NOTE.format(by=by, worst=worst)
+    words = _NOTE.format(worst=_SOLVED if _at_once(reader) else _SUMMED)
     if chosen := assumed_effects.keys(reader, CHOICE):
         words += _CHOSEN.format(", ".join(chosen))
     if bounded := _bounded(reader):
         words += _CAPPED.format(bounded[0], *_LIMITS[bounded[0]])
     for group in _groups(reader).values():
         words += _ONE_THING.format(" and ".join(map(assumptions.named, group))) if len(group) > 1 else ""
-    return words + (_MISSING.format(", ".join(missing)) if missing else "")
+    return words
 
 
 def inputs(reader: Reader, key: str) -> str:
@@ -113,12 +99,7 @@ def inputs(reader: Reader, key: str) -> str:
 def _groups(reader: Reader) -> dict[str, list[str]]:
     """Keys of inputs by the one that they count with."""
     found = reader.attributes.get("assumed_effects") or {}
-    said = assumptions.comments(reader.result.attributes["case_text"])
-    keys = (
-        [each["key"] for each in found["keys"]]
-        if found
-        else [key for key in said if assumptions.weighed(said[key])]
-    )
+    keys = [each["key"] for each in found.get("keys", ())]
     grouped: dict[str, list[str]] = {}
     for key in sorted(keys):
         grouped.setdefault(about(key), []).append(key)
@@ -126,18 +107,13 @@ def _groups(reader: Reader) -> dict[str, list[str]]:
 
 
 def changes(reader: Reader, word: str) -> dict[str, list[Change]]:
-    """Changes of an output by each input, those of one thing together; as computed, else as comments tell."""
+    """Changes of an output by each input, those of one thing together."""
     found = reader.attributes.get("assumed_effects")
     collected: dict[str, list[Change]] = {}
     if not found:
-        said = assumptions.comments(reader.result.attributes["case_text"])
-        for key, text in said.items():
-            for whole in map(log, assumptions.ratios(text, word)):
-                of_factors = whole if word == LIFE and key.startswith(_OF_FACTORS) else 0.0
-                collected.setdefault(about(key), []).append(Change(whole, of_factors))
-        return collected
+        return {}
     named = {word: name for name, word in (*reader.layout.weighed, *reader.layout.weighed_in_results)}
-    name = assumed_effects.ranked_by(reader) if word == LIFE else named[word]
+    name = assumed_effects.ranked_by(reader) if word == LIFE else named.get(word, "")
     if assumed_effects.base(reader, name) is None or (word == LIFE and name not in LIVES):
         return {}
     for key in (key for key in found["keys"] if key.get("role") != COMPARISON):
@@ -163,14 +139,6 @@ def span_of(changes: dict[str, list[Change]], room: tuple[float, float] = (inf, 
     [0.5, 4.0]
     >>> round(span_of({"a": [Change(2.0, 2.0)], "b": [Change(2.0, 2.0)]}, (inf, 2.0)).worst[1] / exp(2.0), 9)
     1.0
-
-    Parameters
-    ----------
-    changes : dict
-        of each input
-    room : tuple of float
-        logarithms by which the factors of a life may shrink and grow to their limits: what single changes
-        of them add up to beyond it is taken from all of them in proportion
     """
     if not any(changes.values()):
         return None
@@ -217,10 +185,3 @@ def _at_once(reader: Reader) -> tuple[float, float] | None:
         return None
     ratios = (1.0, *(life / found["of"][name] for life in lives))
     return min(ratios), max(ratios)
-
-
-def _untold(reader: Reader) -> list[str]:
-    """Assumed and fitted keys whose comments tell no effect."""
-    said = assumptions.comments(reader.result.attributes["case_text"])
-    keys = (*reader.attributes["calibrated"], *reader.attributes["assumed"])
-    return [key for key in keys if not assumptions.weighed(said.get(key, ""))]

@@ -1,24 +1,21 @@
 """Changes of dimensions that lower the stress of the bars, of those whose effects are known."""
 
-import re
 from collections.abc import Iterator
 
 from flexbearing.report.html import assumptions
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import units_in_words
 
-_STRESS, _STRESS_WORD = "nominal_bar_stress", "bar stress"  # name of the output, word in comments of a case
-_STIFFNESS, _STIFFNESS_WORD = "total_stiffness", "stiffness"
+_STRESS, _STIFFNESS = "nominal_bar_stress", "total_stiffness"  # names of outputs
 _PART = "outer."  # which has the bars
-_TOLD = re.compile(r'(\d+(?:\.\d+)?) times with "?([^",]+?)"?(?:,|$)')
-_WORTH, _MOST = 0.85, 3  # factor of the stress from which a change is told, and how many are
+_WORTH, _MOST = 0.85, 3  # factor of the stress from which a change is reported, and how many are
 
 
 def of_bars(reader: Reader) -> str:
     """A sentence with the changes that lower the stress most; empty where none is known."""
-    stiffer = {(key, value): factor for key, value, factor in _factors(reader, _STIFFNESS, _STIFFNESS_WORD)}
+    stiffer = {(key, value): factor for key, value, factor in _factors(reader, _STIFFNESS)}
     lower = sorted(
-        (factor, key, value) for key, value, factor in _factors(reader, _STRESS, _STRESS_WORD)
+        (factor, key, value) for key, value, factor in _factors(reader, _STRESS)
         if factor <= _WORTH
     )[:_MOST]  # fmt: skip
     told = [
@@ -29,14 +26,10 @@ def of_bars(reader: Reader) -> str:
     return f"Lower by a change of design: {'; '.join(told)}." if told else ""
 
 
-def _factors(reader: Reader, name: str, word: str) -> Iterator[tuple[str, str, float]]:
+def _factors(reader: Reader, name: str) -> Iterator[tuple[str, str, float]]:
     """Dimensions of the part with other values, and an output with these over that of the case."""
     found = reader.attributes.get("assumed_effects")
     if not found:
-        said = assumptions.comments(reader.result.attributes["case_text"])
-        for key in (key for key in said if key.startswith(_PART)):
-            for factor, value in _TOLD.findall(assumptions.changes(said[key], word)):
-                yield key, value, float(factor)
         return
     base = found["of"].get(name)
     for each in (each for each in found["keys"] if base and each["key"].startswith(_PART)):

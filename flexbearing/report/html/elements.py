@@ -11,7 +11,7 @@ from flexbearing.report.html.figures import along_rollers, around, same_map, sho
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import NOTHING, with_unit
 
-_SIGNED = {  # whose sign is told below the table, with their headings
+_SIGNED = {  # whose sign is reported below the table, with their headings
     "roller_slip": "roller slip", "roller_tilt": "roller tilt", "cage_force": "pocket force",
     "roller_skew": "roller skew",
 }  # fmt: skip

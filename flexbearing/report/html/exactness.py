@@ -154,7 +154,7 @@ def _caption(reader: Reader) -> str:
 
 
 def _of_target(reader: Reader) -> Iterator[tuple[Cell, ...]]:
-    """What `accuracy.target` estimates, or that it was not asked for; the life also by finer slices."""
+    """What `accuracy.target` estimates, or that it was not requested; the life also by finer slices."""
     estimates = reader.attributes.get("error_estimate") or {}
     by = "neighbouring levels of accuracy" if estimates else "finer slices"
     if not reader.of_rollers:

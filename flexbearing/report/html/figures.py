@@ -24,24 +24,7 @@ DASHES = {"rigid": "dot", "flexible": "solid"}
 
 
 def around(reader: Reader, title: str, names: tuple[str, ...], azimuth: str) -> Figure | None:
-    """Draw quantities of rolling elements over the azimuth.
-
-    Parameters
-    ----------
-    reader : Reader
-        of the result
-    title : str
-        what they are
-    names : tuple of str
-        of quantities with an axis of rolling elements, all of one unit
-    azimuth : str
-        quantity of their places
-
-    Returns
-    -------
-    Figure or None
-        a line for each quantity, race and end state; none where the result has no such quantity
-    """
+    """Draw quantities of rolling elements over the azimuth."""
     traces = [
         _line(reader, block, name, index, words, azimuth)
         for block in reader.blocks
@@ -392,6 +375,6 @@ def _of_metres(reader: Reader) -> float:
 
 
 def _place(reader: Reader, azimuth: Any, value: Any) -> str:
-    """What is told at a point of a deformed raceway."""
+    """What is reported at a point of a deformed raceway."""
     number = reader.units.number(float(value), "m", "um", ".2f", "")
     return f"{np.degrees(azimuth):.1f}°: {number.text} {printed(number.unit)}"

@@ -2,26 +2,24 @@
 
 from collections.abc import Iterator, Sequence
 
-from flexbearing.quantities.attributes import GRADES
+from flexbearing.findings import DANGER, OUTSIDE, USUAL
 from flexbearing.quantities.effects import CHOICE
-from flexbearing.report.html import assumed_effects, assumptions, beyond_range, clearance, combined
+from flexbearing.report.html import assumed_effects, beyond_range, clearance, combined
 from flexbearing.report.html.against_limits import ranked
-from flexbearing.report.html.check import AIM, BUILD, DAMAGE, MISSED, VALIDITY, Check, one, text_of
+from flexbearing.report.html.check import BUILD, MISSED, WORST_FIRST, Check, one, text_of
 from flexbearing.report.html.document import Block, Items, Number, Words
 from flexbearing.report.html.lives import lives
 from flexbearing.report.html.open_checks import straight
 from flexbearing.report.html.reader import Reader
-from flexbearing.report.html.running_checks import overlap
 from flexbearing.report.html.sentences import rounded
-from flexbearing.report.html.units import units_in_words
 
 LONG = 1e5  # [h] life above which fatigue does not end the service of a machine
 HALF = 0.5  # of every limit: below, none is near
 _SHORT = {  # by the worst grade
-    DAMAGE: "No: a limit of damage is exceeded.",
-    VALIDITY: "Not assured: the load is outside the range of the life formula.",
+    DANGER: "No: a limit of damage is exceeded.",
+    OUTSIDE: "Not assured: a law is used outside its range.",
     BUILD: "Not as drawn: dimensions overlap.",
-    AIM: "Only with a reason for each usual minimum or maximum that is not kept.",
+    USUAL: "Only with a reason for each usual minimum or maximum that is not kept.",
     "": "Yes, as far as checked.",
 }
 _REMAINS = "A life this long means that lubricant, wear or seals end the service, not fatigue."
@@ -37,16 +35,14 @@ def blocks(reader: Reader) -> Iterator[Block]:
 
 def grade(reader: Reader, checks: Sequence[Check]) -> str:
     """The worst grade of what is not kept; empty where all is."""
-    found = {check.grade for check in checks if check.broken} | (
-        {DAMAGE} if reader.notes(GRADES[0]) else set()
-    )
-    return next((each for each in (DAMAGE, VALIDITY, BUILD, AIM) if each in found), "")
+    found = {check.grade for check in checks if check.broken} | ({DANGER} if reader.notes(DANGER) else set())
+    return next((each for each in WORST_FIRST if each in found), "")
 
 
 def judged(reader: Reader) -> str:
     """Whether the bearing can be used, in a few words."""
     checks = ranked(reader)
-    if reader.notes(GRADES[0]) and not _of(checks, DAMAGE):
+    if reader.notes(DANGER) and not _of(checks, DANGER):
         return "No: see the dangers."
     return _SHORT[grade(reader, checks)]
 
@@ -61,17 +57,17 @@ def _named(checks: Sequence[Check]) -> str:
 
 def _sentences(reader: Reader, checks: Sequence[Check]) -> Iterator[tuple[str, str]]:
     """A sentence for each grade with its colour, the worst first; where all is kept, the nearest limit."""
-    damage, validity, aims = (_of(checks, each) for each in (DAMAGE, VALIDITY, AIM))
-    warned = bool(reader.notes(GRADES[0]))
+    damage, validity, aims = (_of(checks, each) for each in (DANGER, OUTSIDE, USUAL))
+    warned = bool(reader.notes(DANGER))
     if damage:
         yield f"Not to be used as computed. Limits of damage exceeded: {_named(damage)}.", "danger"
     elif warned:
         yield "Not to be used as computed: see the dangers below.", "danger"
     if validity:
         kept = "" if damage or warned else " No limit of damage that was checked is exceeded."
-        yield f"Life not assured, outside the range of its formula: {_named(validity)}.{kept}", "danger"
+        yield f"Not assured, outside the range of a law: {_named(validity)}.{kept}", "danger"
     if _of(checks, BUILD):
-        yield f"It cannot be built as assumed: {overlap(reader)}.", "danger"
+        yield "It cannot be built as assumed: dimensions overlap, see the notes.", "danger"
     for side, words in MISSED.items():
         if found := [check for check in aims if check.side == side]:
             yield f"{words}: {_named(found)}.", "warning"
@@ -95,7 +91,8 @@ def _lines(reader: Reader, checks: Sequence[Check]) -> Iterator[str]:
                   if check.urgent and isinstance(check.value, Number)]:  # fmt: skip
         yield f"Possibly the first limit, without a strength in the case: {'; '.join(urgent)}."
     yield tight_end(reader) if grade(reader, checks) else ""  # else beside the nearest limit
-    yield from _open(reader)
+    if straight(reader) and (changed := assumed_effects.of_life(reader, "operation.misalignment")):
+        yield f"Misalignment of the shaft is assumed to be none: {changed}."
     left = sum(check.unchecked for check in checks)
     yield f"{left} items are not checked here: [who checks them, with what](#not-checked)."
 
@@ -141,11 +138,3 @@ def tight_end(reader: Reader) -> str:
         "The case gives no temperatures: at the tight end of the tolerances an inner ring "
         f"{warmer} K warmer than the outer one takes all clearance."
     )
-
-
-def _open(reader: Reader) -> Iterator[str]:
-    """A slope of the shaft that is assumed."""
-    said = assumptions.comments(reader.result.attributes["case_text"]).get("operation.misalignment", "")
-    if straight(reader) and assumptions.weighed(said):
-        effect = units_in_words(assumptions.changes(said))
-        yield f"Misalignment of the shaft is assumed to be none: life {effect}."

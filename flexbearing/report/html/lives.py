@@ -4,8 +4,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
+from flexbearing.findings import NOT_MET
+from flexbearing.findings.codes import PRESSED_ENDS
+from flexbearing.findings.strength import HEAVY_LOAD
 from flexbearing.quantities.effects import CHOICE, INPUT
-from flexbearing.report.html import assumed_effects, assumptions, ratings
+from flexbearing.report.html import assumed_effects, assumptions, finding_checks, ratings
 from flexbearing.report.html.document import Block, Cell, Items, Number, Table, Words
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import units_in_words
@@ -21,11 +24,10 @@ _LUNDBERG, _REFERENCE, _RATING = "basic", "reference", "rating"  # what the life
 
 
 _ORDER = ("modified", "reference", "basic", "catalogue", "catalogue modified")
-_PRESSED_ENDS = {"pressed-end", "sharp-roller-end"}  # codes of notes
 _OF_BASIC = ("tilt", "roller-position")  # of these, those that tell the basic life L10
 _BASIC = " (of the basic life L10{power})"
 _POWER = "; a_ISO follows the load, so the modified life changes as its power of {:.3g}"
-_BY_KEY = {"tilt": "operation.tilt", "fit-tolerances": "bearing.fits.at"}  # told by effects of these keys
+_BY_KEY = {"tilt": "operation.tilt", "fit-tolerances": "bearing.fits.at"}  # reported by effects of these keys
 _MOVED = ("tilt", "roller-position", "fit-tolerances")  # codes of notes that tell other lives
 
 
@@ -73,23 +75,18 @@ def blocks(reader: Reader) -> Iterator[Block]:
 
 def _unmoved(reader: Reader) -> Iterator[Words]:
     """That no input moves this life much, where effects are known; those that do are listed."""
-    computed = bool(reader.attributes.get("assumed_effects"))
-    keys = assumed_effects.moving(reader) if computed else assumptions.moving(reader)
-    by = "computed with this result" if computed else "by the comments in the case file"
-    told = map(assumptions.effect, assumptions.comments(reader.result.attributes["case_text"]).values())
-    if not keys and (computed or any(told)):
-        yield Words((f"No assumed input changes this life {assumptions.WORTH:g} times or more, {by}.",))
+    if reader.attributes.get("assumed_effects") and not assumed_effects.moving(reader):
+        yield Words((f"No assumed input changes this life {assumptions.WORTH:g} times or more.",))
 
 
 def _moved(reader: Reader) -> Iterator[str]:
     """What of the case is not known or not counted, as far as its effect on the life is known."""
-    codes = {note["code"] for note in reader.attributes["notes"]}
-    case, rated = reader.attributes["case_si"], ratings.found(reader)
-    if not isinstance(rated, str) and rated[0]["load_N"] > rated[0]["ratings_N"]["C_r"] / 2:
-        yield "load: P is above C_r/2, where ISO 281 leaves it to the maker whether a formula of life holds"
+    case = reader.attributes["case_si"]
+    if finding_checks.verdict(reader, HEAVY_LOAD.code) == NOT_MET:
+        yield f"load: {HEAVY_LOAD.meaning}"
     solved = {key for role in (INPUT, CHOICE) for key in assumed_effects.keys(reader, role)}
     left_out = case["life"].get("edge_stress") is False and "life.edge_stress" not in solved
-    if codes & _PRESSED_ENDS and left_out:
+    if reader.codes & PRESSED_ENDS and left_out:
         yield "edge stress: left out of the life (life.edge_stress = false), though roller ends are pressed"
     modified = next(life.key == "modified" for life in lives(reader) if life.chosen)
     for note in reader.attributes["notes"]:
@@ -98,8 +95,6 @@ def _moved(reader: Reader) -> Iterator[str]:
             yield units_in_words(note["text"]) + basic
     if reader.attributes.get("assumed_effects"):
         yield from assumed_effects.moving(reader)
-    else:
-        yield from assumptions.moving(reader)
 
 
 def _power(reader: Reader) -> str:

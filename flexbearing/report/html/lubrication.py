@@ -2,12 +2,12 @@
 
 from collections.abc import Iterator
 
+from flexbearing.findings.running import FULL_FILM, VISCOSITY_RATIO
 from flexbearing.report.html import oil, ratings
 from flexbearing.report.html.document import Block, Cell, Number, Table, Words
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import printed
 
-FULL_FILM = 3  # film ratio
 _DIFFER = (
     "κ and the film are two measures. κ is the viscosity of the oil at the inlet temperature over that which "
     "a bearing of this size and speed needs by ISO 281: load, roughness and lack of oil do not count in it. "
@@ -17,10 +17,10 @@ _DIFFER = (
 )
 _EXTRAPOLATED = "The oil is used outside the temperatures of its data: both κ and films are extrapolated."
 _MEANINGS = {
-    "kappa": "1 or more is usual",
+    "kappa": f"{VISCOSITY_RATIO.limit:g} or more is usual",
     "largest": "with the cleanest oil, e_C = 1, at the load that has the life of this case by C_r; ISO 281",
     "film": "in the thinnest contact with load; the film ratio Λ is 1 with a combined roughness of this size",
-    "ratio": "from 1 on surfaces seldom touch, from 3 on the film is full",
+    "ratio": f"from 1 on surfaces seldom touch, from {FULL_FILM:g} on the film is full",
     "full": "a smoother pair has a full film",
 }
 
@@ -41,24 +41,21 @@ def blocks(reader: Reader) -> Iterator[Block]:
         if (ratio := film_ratio(reader, race)) is not None:
             rows.append((f"smallest film ratio Λ, {race} raceway", ratio, "", _MEANINGS["ratio"]))
             continue
-        value = needed_roughness(reader, race, FULL_FILM)
-        label = f"combined roughness for Λ = {FULL_FILM}, {race} raceway"
+        value = needed_roughness(reader, race)
+        label = f"combined roughness for Λ = {FULL_FILM:g}, {race} raceway"
         rows.append((label, value, printed(value.unit), _MEANINGS["full"]))
     if not rows:
         return
     yield Table("Lubrication", ("quantity", "value", "unit", "meaning"), tuple(rows))
-    extrapolated = any("is extrapolated" in note["text"] for note in reader.attributes["notes"])
+    extrapolated = "oil-temperature" in reader.codes
     if films(reader):
         yield Words((_DIFFER, *([_EXTRAPOLATED] if extrapolated else [])))
 
 
 def flooded(reader: Reader) -> str:
     """What little oil makes of the films, computed with flooded inlets; empty where they have the oil."""
-    told = next((note["text"] for note in reader.attributes["notes"] if note["code"] == "flooding"), "")
-    _, _, left = told.partition("thinner: ")
-    return (
-        f"Films are those of fully flooded inlets; with little oil they are thinner: {left}." if left else ""
-    )
+    text = next((note["text"] for note in reader.attributes["notes"] if note["code"] == "flooding"), "")
+    return f"{text[0].upper()}{text[1:]}." if text else ""
 
 
 def viscosity_ratio(reader: Reader) -> Number | None:
@@ -85,8 +82,8 @@ def film_ratio(reader: Reader, race: str) -> Number | None:
     return reader.units.number(found[race], "", "", ".2f", f"summary/{reader.last}/minimum_lambda/{race}")
 
 
-def needed_roughness(reader: Reader, race: str, ratio: float) -> Number:
-    """Combined roughness with which the smallest film of a raceway has a film ratio."""
+def needed_roughness(reader: Reader, race: str) -> Number:
+    """Combined roughness with which the smallest film of a raceway is full."""
     film = reader.summary[reader.last]["minimum_film_um"][race]
-    path = f"part/{float(ratio)!r}/summary/{reader.last}/minimum_film_um/{race}"
-    return reader.units.number(film / ratio, "um", "um", ".3f", path)
+    path = f"part/{FULL_FILM!r}/summary/{reader.last}/minimum_film_um/{race}"
+    return reader.units.number(film / FULL_FILM, "um", "um", ".3f", path)

@@ -31,25 +31,7 @@ class MapPlane:
 def of_map(
     title: str, words: Sequence[str], planes: Sequence[MapPlane], danger: bool, table: tuple[str, str]
 ) -> Document:
-    """Collect the report of a map.
-
-    Parameters
-    ----------
-    title : str
-        what the case is
-    words : sequence of str
-        what was found, in paragraphs
-    planes : sequence of MapPlane
-        what is drawn
-    danger : bool
-        whether a point failed, or a search did not end
-    table : pair of str
-        name and text of the table, to be saved
-
-    Returns
-    -------
-    Document
-    """
+    """Collect the report of a map."""
     sections = [Section("found", "What was found", (Words(tuple(words), "danger" if danger else "good"),))]
     for number, plane in enumerate(planes):
         heading = printable(plane.name) or "Outputs"

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from math import floor, inf
 
+from flexbearing.findings.running import VISCOSITY_RATIO
 from flexbearing.report.html import ratings
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.reader import Reader, once
@@ -66,11 +67,11 @@ def sufficient_at(reader: Reader) -> tuple[int | None, int]:
     """
     given = floor(reader.attributes["case_si"]["lubricant"]["inlet_temperature"] - _ZERO)
     start = _ratio(reader, given)  # also at other temperatures, where the case gives the viscosity
-    enough = (start or 0.0) >= 1
+    enough = (start or 0.0) >= VISCOSITY_RATIO.limit
     step, reached = (_STEP if enough else -_STEP), given
     while _LOW <= reached + step <= _HIGH and (ratio := _ratio(reader, reached + step)) not in (None, start):
         reached += step
-        if (ratio >= 1) != enough:
+        if (ratio >= VISCOSITY_RATIO.limit) != enough:
             return _between(reader, *sorted((reached - step, reached))), reached
     return None, reached
 
@@ -89,7 +90,9 @@ def _between(reader: Reader, low: int, high: int) -> int:
     """Highest whole temperature [°C] with a ratio of 1 or more, between one with it and one without."""
     while high - low > 1:
         middle = (low + high) // 2
-        low, high = (middle, high) if (_ratio(reader, middle) or 0.0) >= 1 else (low, middle)
+        low, high = (
+            (middle, high) if (_ratio(reader, middle) or 0.0) >= VISCOSITY_RATIO.limit else (low, middle)
+        )
     return low
 
 

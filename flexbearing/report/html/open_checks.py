@@ -100,7 +100,7 @@ def straight(reader: Reader) -> bool:
     """Whether the inner ring is held without slope, and nobody said so."""
     operation, about = reader.attributes["case_si"].get("operation", {}), reader.attributes
     held = reader.of_rollers and operation.get("tilt") == "fixed" and not operation.get("misalignment")
-    given = any("misalignment" in each for each in (about["case_text"], *about["case_overrides"]))
+    given = "operation.misalignment" in reader.written
     return held and (not given or "operation.misalignment" in about["assumed"])
 
 

@@ -6,8 +6,8 @@ from flexbearing.case import BadCase
 from flexbearing.case.declarations import by_path
 from flexbearing.report.drawing.of_case import drawings
 from flexbearing.report.html.document import Block, Drawing, Table, Verbatim, Words
-from flexbearing.report.html.inputs import flat, origin, row_of_key, written
-from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.inputs import origin, row_of_key
+from flexbearing.report.html.reader import Reader, flat
 from flexbearing.report.html.units import METRIC
 from flexbearing.results.content import digest
 from flexbearing.results.write import content_of
@@ -72,7 +72,7 @@ def _drawings(reader: Reader) -> Iterator[Block]:
 def _conditions(reader: Reader) -> Iterator[Table]:
     """Loads, speeds, temperatures and oil that the case gives."""
     keys = by_path(reader.result.family.case())
-    given = written(reader)
+    given = reader.written
     rows = [
         (*row_of_key(reader, keys.get(path), path, value)[:3], origin(reader, path))
         for path, value in flat(reader.attributes["case_si"])

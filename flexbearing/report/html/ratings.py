@@ -20,8 +20,8 @@ APART = 0.05  # of a rating from its formula that is worth a remark
 _WARMER = (-20.0, -10.0, 0.0, 10.0, 20.0)  # [K]
 _AT_P = " a_ISO and L10m at the load P are those of the catalogue."
 _OF_CASE = (
-    " The last column is the life of this case: solved again at the temperatures that its effects or "
-    "comments tell, at others its life without a_ISO times a_ISO at its own equivalent load, loads kept."
+    " The last column is the life of this case: solved again at the temperatures of its effects, "
+    "at others its life without a_ISO times a_ISO at its own equivalent load, loads kept."
 )
 BY_A_ISO = (  # whatever the cleanliness: κ does not depend on it
     "life.lubrication=a_ISO",
@@ -31,18 +31,7 @@ _STORED = "attributes/catalogue_life/ratings"
 
 
 def table(reader: Reader) -> Table | str:
-    """Ratings of ISO 281 and ISO 76, those of the case first.
-
-    Parameters
-    ----------
-    reader : Reader
-        of a result, whose ratings are in it or follow from its case
-
-    Returns
-    -------
-    Table or str
-        why there are none
-    """
+    """Ratings of ISO 281 and ISO 76, those of the case first."""
     known = found(reader)
     return known if isinstance(known, str) else _laid_out(reader, *known)
 
@@ -71,14 +60,7 @@ def _hours(reader: Reader) -> float:
 
 
 def at_other_temperatures(reader: Reader, sufficient: int | None = None) -> Iterator[Table]:
-    """Viscosity ratio with warmer and colder oil, and lives where they have an a_ISO; by formulas.
-
-    Parameters
-    ----------
-    reader : Reader
-    sufficient : int, optional
-        a further temperature, with a viscosity ratio of 1 [°C]
-    """
+    """Viscosity ratio with warmer and colder oil, and lives where they have an a_ISO; by formulas."""
     if viscosity_ratio(reader) is None:
         return
     given = reader.attributes["case_si"]["lubricant"]["inlet_temperature"]

@@ -1,5 +1,6 @@
 """Numbers of a result in the units of a report, each with its place in the file."""
 
+import tomllib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, wraps
@@ -9,6 +10,7 @@ from typing import Any, Concatenate, ParamSpec, TypeVar
 import numpy as np
 
 from flexbearing.case import understood
+from flexbearing.case.declarations import toml
 from flexbearing.printable import all_printable
 from flexbearing.quantities import SummaryValue
 from flexbearing.quantities.attributes import GRADES
@@ -16,7 +18,7 @@ from flexbearing.quantities.layout import Layout
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.units import Units, converted, units_in_words
 from flexbearing.report.rows import unit_of
-from flexbearing.results import Result
+from flexbearing.results import BadResult, Result
 
 _LABELS = {  # of labels that do not name a method or a part, by whether the bearing has balls
     ("life L10", False): "basic life L10, Lundberg and Palmgren",
@@ -30,7 +32,7 @@ OUTSIDE = GRADES[1]  # notes on laws outside the range of their source
 
 @dataclass(frozen=True)
 class Reader:
-    """A result, as a report asks for it."""
+    """A result, as a report requires it."""
 
     result: Result
     units: Units
@@ -62,6 +64,25 @@ class Reader:
     def known(self) -> dict[Any, Any]:
         """Answers of functions that are asked in many places of a page, see `once`."""
         return {}
+
+    @cached_property
+    def written(self) -> dict[str, str]:
+        """Keys of the case file and the settings on top of it, each as it was written.
+
+        Raises
+        ------
+        BadResult
+            where the stored case is no TOML
+        """
+        try:
+            case = tomllib.loads(self.result.attributes["case_text"])
+        except tomllib.TOMLDecodeError as problem:
+            raise BadResult(f"{self.result.place}: the case in it is no TOML: {problem}") from problem
+        texts = {path: toml(value).strip('"') for path, value in flat(case)}
+        for setting in self.attributes["case_overrides"]:
+            path, _, value = setting.partition("=")
+            texts[path.strip()] = value.strip()
+        return texts
 
     @property
     def case_name(self) -> str:
@@ -112,6 +133,11 @@ class Reader:
         found = self.attributes["clearance"]
         warm = not found["steps"] or self.attributes["case_si"]["operation"].get("temperatures")
         return "operating clearance" if warm else "clearance, mounted and turning, all parts equally warm"
+
+    @cached_property
+    def codes(self) -> set[str]:
+        """Codes of its notes."""
+        return {note["code"] for note in self.attributes["notes"]}
 
     def notes(self, grade: str) -> tuple[str, ...]:
         """Texts of the notes of a grade."""
@@ -196,6 +222,15 @@ class Reader:
             shown,
             f"{block}/{name}" + "".join(f"/{'*' if isinstance(step, slice) else step}" for step in index),
         )
+
+
+def flat(table: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:
+    """Every value of nested tables by its dotted key."""
+    for name, value in table.items():
+        if isinstance(value, Mapping) and value:
+            yield from flat(value, f"{prefix}{name}.")
+        else:
+            yield f"{prefix}{name}", value
 
 
 def plain(values: np.ndarray) -> Any:

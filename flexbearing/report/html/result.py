@@ -29,19 +29,6 @@ from flexbearing.results import Result
 def of_result(result: Result, units: Units = METRIC, further: tuple[Section, ...] = ()) -> Document:
     """Collect the report of a result.
 
-    Parameters
-    ----------
-    result : Result
-        what a run left behind, of any kind of bearing
-    units : Units
-        of all numbers but those in texts of the case and in its notes
-    further : tuple of Section
-        behind the verdict, such as a comparison
-
-    Returns
-    -------
-    Document
-
     Raises
     ------
     BadResult

@@ -5,7 +5,6 @@ from collections.abc import Iterator
 from flexbearing.report.html.document import Block, Cell, Table, Words
 from flexbearing.report.html.figures import around, deformed
 from flexbearing.report.html.reader import Reader
-from flexbearing.report.html.strength_checks import yield_stress
 from flexbearing.report.html.units import NOTHING, printed, with_unit
 
 
@@ -65,7 +64,7 @@ def _translations(reader: Reader) -> Table:
 
 
 def _stresses(reader: Reader) -> Table:
-    """Largest stresses of every body beside the yield stress of its material."""
+    """Largest stresses of every body; their limits are in the table of limits."""
     rows: list[tuple[Cell, ...]] = []
     for part, found in reader.attributes["stresses"].items():
         for body in found["bodies"]:
@@ -78,10 +77,8 @@ def _stresses(reader: Reader) -> Table:
                     ("x_mm", "mm", ".1f"), ("radius_mm", "mm", ".1f"), ("azimuth_deg", "deg", ".1f"),
                 )
             )  # fmt: skip
-            limit = yield_stress(reader, part, body)
-            text = "not given" if limit is None else reader.units.number(limit, "Pa", "MPa", ",.0f", "").text
-            rows.append((f"{part}: {body}", *numbers, text))
+            rows.append((f"{part}: {body}", *numbers))
     stress, length = (printed(reader.units.of(unit)) for unit in ("MPa", "mm"))
     head = ("body", f"von Mises [{stress}]", f"± [{stress}]", f"tension [{stress}]", f"pressure [{stress}]",
-            f"at x [{length}]", f"radius [{length}]", "azimuth [°]", f"yield stress [{stress}]")  # fmt: skip
+            f"at x [{length}]", f"radius [{length}]", "azimuth [°]")  # fmt: skip
     return Table("Largest stresses, away from loaded rollers and sharp edges", head, tuple(rows))

@@ -50,16 +50,6 @@ class ScatterTables:
 def read_scatter(place: Path) -> ScatterTables | None:
     """Read the scatter beside the table of a sampled study.
 
-    Parameters
-    ----------
-    place : Path
-        table of the study
-
-    Returns
-    -------
-    ScatterTables or None
-        None where it is not there, as of other studies
-
     Raises
     ------
     BadResult
@@ -98,19 +88,7 @@ def _cell(name: str, text: str) -> Any:
 
 
 def scatter_blocks(found: ScatterTables, units: Units) -> Iterator[Block]:
-    """Collect the section.
-
-    Parameters
-    ----------
-    found : ScatterTables
-        of the study
-    units : Units
-        of all numbers
-
-    Yields
-    ------
-    Block
-    """
+    """Collect the section."""
     if first := tuple(_first_to_tighten(found)):
         yield Items("Which tolerance to tighten first", first)
     yield _percentiles(found, units)

@@ -86,7 +86,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
 
 
 def supported(reader: Reader) -> bool:
-    """Whether a ring stands on a support that gives way."""
+    """Whether a ring is on a support that gives way."""
     structure = reader.attributes.get("structure") or {}
     return len(reader.blocks) > 1 and any(_support(figures) is not None for figures in structure.values())
 
@@ -214,10 +214,7 @@ def _free(reader: Reader) -> str:
 def tilt_follows(reader: Reader) -> str:
     """How the tilt is held in radial stiffnesses; empty where a result does not say."""
     held = (reader.attributes.get("tilt") or {}).get("inner_ring")
-    given = any(
-        "tilt" in each for each in (reader.attributes["case_text"], *reader.attributes["case_overrides"])
-    )
-    of = "as in the case" if given else "the default"
+    of = "as in the case" if "operation.tilt" in reader.written else "the default"
     return f'All numbers above are with operation.tilt = "{held}", {of}. ' if held else ""
 
 

@@ -28,23 +28,7 @@ def of_study(
     units: Units = METRIC,
     scatter: ScatterTables | None = None,
 ) -> Document:
-    """Collect the report of a study.
-
-    Parameters
-    ----------
-    table : StudyTable
-        its rows
-    cycles : StudyTable or None
-        lives under its duty cycle, where there is one
-    units : Units
-        of all numbers but those in the titles of rows and in messages
-    scatter : ScatterTables, optional
-        of a sampled study; left out where rows are still to come, as it is that of former ones
-
-    Returns
-    -------
-    Document
-    """
+    """Collect the report of a study."""
     shown, scatter = table.first(MOST_ROWS), None if table.to_come else scatter
     sections = [
         ("verdict", "Verdict", tuple(_verdict(table))),
@@ -73,7 +57,7 @@ def _every_row(table: StudyTable, shown: StudyTable, units: Units) -> Iterator[B
 
 
 def _verdict(table: StudyTable) -> Iterator[Block]:
-    """How many rows have an answer, and why others have none; dangers of those that do."""
+    """How many rows have a result, and why others have none; dangers of those that do."""
     columns = {column.name: column.texts for column in table.columns}
     ends = [
         (status, printable(message))

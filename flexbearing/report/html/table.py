@@ -107,17 +107,6 @@ class StudyTable:
 def read_table(place: Path, families: Families) -> StudyTable:
     """Read the table of a study.
 
-    Parameters
-    ----------
-    place : Path
-        CSV or Parquet file that `flexbearing study` wrote
-    families : mapping
-        kind to family, whose keys tell varied columns from outputs
-
-    Returns
-    -------
-    StudyTable
-
     Raises
     ------
     BadResult

@@ -49,26 +49,7 @@ class Units:
         return converted(value, stored, self.of(people))
 
     def number(self, value: Any, stored: str, people: str, digits: str, of: str) -> Number:
-        """Print a number.
-
-        Parameters
-        ----------
-        value : number or None
-            as it is stored
-        stored : str
-            its unit there
-        people : str
-            its unit on the metric page
-        digits : str
-            format specification there; other units have as many significant digits
-        of : str
-            its place in the file
-
-        Returns
-        -------
-        Number
-            a dash for what is not known
-        """
+        """Print a number."""
         shown = self.of(people)
         if value is None or isnan(value):
             return Number(NOTHING, shown, of, stored)

@@ -80,7 +80,7 @@ def _main(reader: Reader) -> Table:
 
 
 def _rows(reader: Reader) -> Iterator[tuple[tuple[Cell, ...], str]]:
-    """The life of the case, then main outputs, each with its word in comments of a case."""
+    """The life of the case, then main outputs, each with its word in effects of inputs."""
     first, known = next(iter(lives.lives(reader)), None), {each.name: each for each in outputs(reader.layout)}
     if first is not None and first.chosen:
         value = first.hours if isinstance(first.hours, Number) else first.turns

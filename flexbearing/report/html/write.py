@@ -16,18 +16,7 @@ PLOTLY = "plotly-cartesian-4.1.1.min.js"  # scatter, bars, heatmaps; its licence
 
 
 def html(document: Document) -> str:
-    """Lay a report out as a page.
-
-    Parameters
-    ----------
-    document : Document
-        what it holds
-
-    Returns
-    -------
-    str
-        HTML in UTF-8 that loads nothing from elsewhere; `data-ready` of its body is 1 when all is drawn
-    """
+    """Lay a report out as a page."""
     from jinja2 import Environment, StrictUndefined
 
     page = files("flexbearing.report.html") / "page"
@@ -77,7 +66,7 @@ def plain(value: Any, key: str = "") -> Any:
 
 
 def in_script(value: object) -> str:
-    r"""JSON that can stand in a script element, whatever its texts are.
+    r"""JSON that can be in a script element, whatever its texts are.
 
     >>> in_script("</script>")
     '"\\u003c/script>"'

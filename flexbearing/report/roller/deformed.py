@@ -24,21 +24,6 @@ COLOURED = 0.99  # share of the surface's corners with stresses up to the last c
 def pictures(result: Result, directory: Path, form: Format = PNG) -> Iterator[Path | NoFields]:
     """Draw every flexible part at the flexible end state, in files named after result and part.
 
-    Parameters
-    ----------
-    result : Result
-        what a run left behind
-    directory : Path
-        where to; it is there
-    form : Format
-        of the files
-
-    Yields
-    ------
-    Path or NoFields
-        of each part its file, or why there is none; nothing without flexible parts or end state,
-        nor of ball bearings, whose rings are known at the balls only
-
     Raises
     ------
     BadOutput

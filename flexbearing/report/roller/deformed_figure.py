@@ -26,22 +26,7 @@ _ALONG_AXIS = np.array([[0.0, 1, 0], [0, 0, -1], [-1, 0, 0]])
 
 
 def deformed(title: str, skin: Skin, limit: float) -> Figure:
-    """Draw a deformed part obliquely and along its axis.
-
-    Parameters
-    ----------
-    title : str
-        over the picture
-    skin : Skin
-        triangles of its outside
-    limit : float
-        stress at the upper end of the colours [Pa]
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        displacements magnified as the title says, von Mises stress [MPa]
-    """
+    """Draw a deformed part obliquely and along its axis."""
     # matplotlib takes a second to load: only pictures pay for it, not every command
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize

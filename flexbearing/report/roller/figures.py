@@ -33,18 +33,7 @@ _FLEXIBLE = {"color": ORANGE, "marker": "s", "markersize": 4.5}
 
 
 def polar_loads(result: Result) -> Figure:
-    """Draw the inner roller loads around the bearing, azimuth zero pointing down.
-
-    Parameters
-    ----------
-    result : Result
-        what the run left behind
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        rigid and flexible loads [N], of one state where no part is flexible
-    """
+    """Draw the inner roller loads around the bearing, azimuth zero pointing down."""
     figure = _figure(6.4, 6.6)
     axes: Any = figure.add_subplot(projection="polar")
     drawn = _blocks(result)
@@ -81,7 +70,7 @@ def _shape_load_axes(axes: PolarAxes, largest: float) -> None:
     )
     top = 1.12 * largest if largest > NO_LOAD else 1.0
     axes.set_rlim(0, top)
-    axes.set_rorigin(-0.3 * top)  # unloaded rollers stand on a ring of their own, not in one point
+    axes.set_rorigin(-0.3 * top)  # unloaded rollers are on a ring of their own, not in one point
     axes.set_rlabel_position(165)
     axes.set_rticks(_ticks(top))
     axes.yaxis.set_major_formatter(NUMBERS)
@@ -112,18 +101,7 @@ def _ticks(top: float) -> list[float]:
 
 
 def convergence(result: Result) -> Figure:
-    """Draw load change and residual over the iterations, at least one.
-
-    Parameters
-    ----------
-    result : Result
-        what the run left behind
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        both relative, on a logarithmic axis; zeros stand as open marks below all else
-    """
+    """Draw load change and residual over the iterations, at least one."""
     figure, axes = _blank()
     histories = {
         "largest change of a roller load / largest load": (result.history("load_change"), BLUE, "o"),
@@ -168,18 +146,7 @@ def _floor(histories: np.ndarray) -> float:
 
 
 def deviations(result: Result) -> Figure:
-    """Draw the deviation of both raceways around the ring, of a solved flexible state.
-
-    Parameters
-    ----------
-    result : Result
-        what the run left behind
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        deviation at mid-roller [um], positive outward, with its range along the rollers
-    """
+    """Draw the deviation of both raceways around the ring, of a solved flexible state."""
     figure, axes = _blank()
     for race, color, marker in (("outer", ORANGE, "s"), ("inner", BLUE, "o")):
         _draw_deviation(axes, result.flexible, race, {"color": color, "marker": marker})
@@ -205,18 +172,7 @@ def _draw_deviation(axes: Axes, values: Mapping[str, np.ndarray], race: str, sty
 
 
 def pictures(result: Result) -> dict[str, Figure | str]:
-    """Draw every picture of a roller bearing, by the name of its file.
-
-    Parameters
-    ----------
-    result : Result
-        what the run left behind
-
-    Returns
-    -------
-    dict
-        figures, or in words why one would be empty; nothing when no state was solved
-    """
+    """Draw every picture of a roller bearing, by the name of its file."""
     title, blocks = result.attributes["title"], _blocks(result)
     if not blocks:
         return {}

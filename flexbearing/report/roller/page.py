@@ -33,18 +33,7 @@ from flexbearing.report.supports import supports
 
 
 def ending(numbers: dict[str, Any]) -> str:
-    """Say in a line how a run ended.
-
-    Parameters
-    ----------
-    numbers : dict
-        the summary
-
-    Returns
-    -------
-    str
-        such as ``converged in 5 iterations, 12.3 s``
-    """
+    """Say in a line how a run ended."""
     count, seconds = numbers["iterations"], f"{numbers['wall_time_s']:.1f} s"
     iterations = "1 iteration" if count == 1 else f"{count} iterations"
     if numbers["status"] == "unfinished":
@@ -83,20 +72,7 @@ def page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
 
 
 def by_state(numbers: dict[str, Any], blocks: dict[str, Any]) -> dict[str, Any]:
-    """What is said of the rigid and of the flexible state; of one where no part is flexible.
-
-    Parameters
-    ----------
-    numbers : dict
-        the summary
-    blocks : dict
-        by ``"rigid"`` and ``"flexible"``, one of which may lack, or none at all
-
-    Returns
-    -------
-    dict
-        the same, or one entry ``"rigid rings"``
-    """
+    """What is said of the rigid and of the flexible state; of one where no part is flexible."""
     same = numbers["flexible"] and not numbers["iterations"]
     return {"rigid rings": next(iter(blocks.values()))} if blocks and same else blocks
 

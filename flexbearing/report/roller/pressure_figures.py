@@ -25,22 +25,7 @@ COLOURS = {"rigid": "#0072B2", "flexible": "#D55E00"}
 
 
 def pressure_map(values: Block, title: str, what: str) -> Figure:
-    """Draw the pressure of every slice of all loaded rollers, at both raceways.
-
-    Parameters
-    ----------
-    values : mapping
-        block of a result
-    title : str
-        of the case
-    what : str
-        of the block, "flexible rings"
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        pressure [MPa] over azimuth and length, one scale of colours; edges dashed, a cross on the largest
-    """
+    """Draw the pressure of every slice of all loaded rollers, at both raceways."""
     from matplotlib.figure import Figure
     from matplotlib.ticker import MaxNLocator
 
@@ -59,20 +44,7 @@ def pressure_map(values: Block, title: str, what: str) -> Figure:
 
 
 def pressure_along(blocks: Mapping[str, Block], title: str) -> Figure:
-    """Draw the pressure along the most pressed roller of each raceway.
-
-    Parameters
-    ----------
-    blocks : mapping
-        blocks of a result by what they are called
-    title : str
-        of the case
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        pressure [MPa] by slices, and of the whole roller where it was solved on half-spaces; edges dashed
-    """
+    """Draw the pressure along the most pressed roller of each raceway."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(9.0, 4.4), layout="constrained")

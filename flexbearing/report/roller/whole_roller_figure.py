@@ -20,20 +20,7 @@ BLUE, ORANGE = "#0072B2", "#D55E00"
 
 
 def whole_roller(values: Mapping[str, np.ndarray], title: str) -> Figure:
-    """Draw pressure and load per length of the roller at both raceways.
-
-    Parameters
-    ----------
-    values : mapping
-        block of a result with the quantities of the whole roller
-    title : str
-        of the case
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        a row for each raceway: pressure [MPa] on the contact, load per length [kN/m] beside that of slices
-    """
+    """Draw pressure and load per length of the roller at both raceways."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(9.0, 5.6), layout="constrained")

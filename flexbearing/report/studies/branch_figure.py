@@ -18,23 +18,7 @@ if TYPE_CHECKING:
 def draw_branch(
     title: str, label: str, table: dict[str, np.ndarray], raceways: str = "rigid raceways"
 ) -> Figure:
-    """Draw the slip over load or speed: solid where it is stable, dashed where not, folds marked.
-
-    Parameters
-    ----------
-    title : str
-        what the case is
-    label : str
-        name and unit of the first column
-    table : dict of arrays (points)
-        columns by name, load or speed first; then among others the cage slip [-], `stable`, `fold`
-    raceways : str
-        between which the equilibria are
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """Draw the slip over load or speed: solid where it is stable, dashed where not, folds marked."""
     from matplotlib.figure import Figure  # a second to load: only pictures pay for it
 
     figure = Figure(figsize=(7.0, 4.6), layout="constrained")

@@ -20,7 +20,7 @@ STYLES = "o-", "s-.", "^:"  # one after the other, each with all colours
 WIDE = 100  # highest over lowest value from which a panel is logarithmic
 LONG = 30  # characters of a label from which the legend has two columns
 COLOURS = 10  # of lines, before they come again
-MARKERS = ("0.2", "D", 6.5), ("0.45", "X", 9.0)  # grey, form and size of printed points, in turn
+MARKERS = ("0.2", "D", 6.5), ("0.45", "X", 9.0)  # grey, form and size of printed points, one after the other
 AZIMUTH = "azimuth [deg]"  # label of an x around the bearing
 EVEN = 1e-6  # by how much ratios of a logarithmic range differ
 
@@ -57,21 +57,7 @@ class Panel:
 
 
 def draw_lines(title: str, label: str, panels: Sequence[Panel]) -> Figure:
-    """Draw panels below each other over the same x.
-
-    Parameters
-    ----------
-    title : str
-        what the study is about
-    label : str
-        name and unit of x
-    panels : sequence of Panel
-        from the top
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """Draw panels below each other over the same x."""
     from matplotlib.figure import Figure  # a second to load: only pictures pay for it
     from matplotlib.ticker import MultipleLocator
 

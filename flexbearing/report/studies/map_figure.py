@@ -55,25 +55,7 @@ class MapLines:
 def draw_fields(
     title: str, what: str, x: Along, y: Along, fields: Sequence[Field], lines: MapLines
 ) -> Figure:
-    """Draw outputs over two keys.
-
-    Parameters
-    ----------
-    title : str
-        what the case is
-    what : str
-        what is drawn
-    x, y : Along
-        the keys
-    fields : sequence of Field
-        a panel each
-    lines : MapLines
-        drawn on all of them
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """Draw outputs over two keys."""
     from matplotlib.figure import Figure  # a second to load: only pictures pay for it
     from matplotlib.patches import Patch
 
@@ -142,23 +124,7 @@ class StatesOver:
 
 
 def draw_states(title: str, what: str, x: Along, states: StatesOver) -> Figure:
-    """Draw every state over one key.
-
-    Parameters
-    ----------
-    title : str
-        what the case is
-    what : str
-        what is drawn
-    x : Along
-        the key, with its value for each of S states
-    states : StatesOver
-        what is drawn over it
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """Draw every state over one key."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(7.0, 4.6), layout="constrained")

@@ -30,15 +30,6 @@ def draw_pareto(study: Study) -> Figure:
     """Draw what every level cost and how wrong it was; the front and the cheapest levels are marked.
 
     Other physics has marks and a name, and is part of no front.
-
-    Parameters
-    ----------
-    study : Study
-        with its levels
-
-    Returns
-    -------
-    matplotlib.figure.Figure
     """
     from matplotlib.figure import Figure  # a second to load: only pictures pay for it
 
@@ -84,7 +75,7 @@ def _draw_panel(axes: Axes, study: Study, output: str) -> None:
 
 
 def _draw_other_physics(axes: Axes, study: Study, output: str) -> None:
-    """Differences of other laws at their cached times, by letters that stand below the panel."""
+    """Differences of other laws at their cached times, by letters that are below the panel."""
     for letter, level in zip(ascii_lowercase, study.other_physics, strict=False):
         place = level.times["cached"], max(level.errors[output], SMALLEST)
         label = "other physics, cached" if letter == "a" else None

@@ -75,39 +75,13 @@ def front(points: Sequence[tuple[float, float]]) -> list[int]:
 
 
 def cheapest(study: Study, when: str, target: float, outputs: Sequence[str]) -> Measured | None:
-    """The fastest level of the same physics whose errors of some outputs are within a target, None for none.
-
-    Parameters
-    ----------
-    study : Study
-        with its levels
-    when : "cold" or "cached"
-        whose time counts
-    target : float
-        largest error [-]
-    outputs : sequence of str
-        names in OUTPUTS
-
-    Returns
-    -------
-    Measured or None
-    """
+    """The fastest level of the same physics whose errors of some outputs are within a target, or None."""
     good = [level for level in study.numerical if all(level.errors[name] <= target for name in outputs)]
     return min(good, key=lambda level: level.times[when], default=None)
 
 
 def text(study: Study) -> str:
-    """The study as Markdown: a line for each level, then the cheapest ones, then what is missing.
-
-    Parameters
-    ----------
-    study : Study
-        with its levels
-
-    Returns
-    -------
-    str
-    """
+    """The study as Markdown: a line for each level, then the cheapest ones, then what is missing."""
     outputs = study.outputs
     lines = [f"# {study.title}", "", "Errors against the reference, "
              + "; ".join(f"{name}: {OUTPUTS[name]}" for name in outputs) + ".", ""]  # fmt: skip
@@ -160,20 +134,7 @@ def percent(value: float) -> str:
 
 
 def head(first: str, outputs: Sequence[str]) -> str:
-    """Heading of a Markdown table of levels.
-
-    Parameters
-    ----------
-    first : str
-        heading of the names
-    outputs : sequence of str
-        names in OUTPUTS
-
-    Returns
-    -------
-    str
-        two lines
-    """
+    """Heading of a Markdown table of levels."""
     return (
         f"| {first} | cold [s] | cached [s] | " + " | ".join(f"{name} [%]" for name in outputs) + " |\n"
         "|---|" + "---:|" * (len(TIMES) + len(outputs))
@@ -181,38 +142,14 @@ def head(first: str, outputs: Sequence[str]) -> str:
 
 
 def row(level: Measured, outputs: Sequence[str]) -> str:
-    """One level under `head`.
-
-    Parameters
-    ----------
-    level : Measured
-        with errors
-    outputs : sequence of str
-        names in OUTPUTS
-
-    Returns
-    -------
-    str
-        a line; errors below `SMALLEST` are not told apart from rounding errors
-    """
+    """One level under `head`."""
     numbers = [f"{level.times[when]:.3g}" for when in TIMES]
     numbers += [_share(level.errors[name]) for name in outputs]
     return f"| {level.name} | " + " | ".join(numbers) + " |"
 
 
 def picked_row(level: Measured) -> str:
-    """What a target chose, and its told and true errors.
-
-    Parameters
-    ----------
-    level : Measured
-        of a target
-
-    Returns
-    -------
-    str
-        a line
-    """
+    """What a target chose, and its told and true errors."""
     errors = (f"{100 * level.told[name]:.2g}, {100 * level.errors[name]:.2g}" for name in TOLD)
     return f"| {level.name.removeprefix('target ')} | {level.picked} | " + " | ".join(errors) + " |"
 

@@ -21,19 +21,7 @@ SAMPLED, LINEAR, TOTAL = "C0", "C1", "0.75"
 
 
 def draw_scatter(name: str, outputs: Rows, shares: Rows, bins: Rows) -> Figure:
-    """Draw how the outputs of a sampled study scatter.
-
-    Parameters
-    ----------
-    name : str
-        of the study
-    outputs, shares, bins : sequence of mappings
-        rows of the tables of percentiles, shares and histograms; the first outputs are drawn
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """Draw how the outputs of a sampled study scatter."""
     from matplotlib.figure import Figure  # a second to load: only pictures pay for it
 
     shown = outputs[:MOST]

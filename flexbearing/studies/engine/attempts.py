@@ -38,20 +38,6 @@ def finished(
 
     When a worker dies, the variants of its task go one by one, so that the deadly one is found; what dies
     three times is a row that says so.
-
-    Parameters
-    ----------
-    tasks : iterable of Task
-        what is computed
-    function : callable (task)
-        its rows; both can be pickled
-    engine : Engine
-        where it is called
-
-    Yields
-    ------
-    Ended
-        one for each task, also for those into which the task of a dead worker is taken apart
     """
     waiting, again, deaths = deque(tasks), deque[Task](), Counter[str]()
     running: set[Task] = set()
@@ -83,24 +69,7 @@ def completed(
     engine: Engine,
     again: Callable[[Any], Any] | None = None,
 ) -> Iterator[Done]:
-    """Yield calls as they are completed: one whose worker dies is tried again, twice.
-
-    Parameters
-    ----------
-    calls : iterable of Ring, or of other arguments with a name
-        each name once
-    function : callable (argument)
-        what is called
-    engine : Engine
-        where it is called
-    again : callable (argument), optional
-        what is called instead for an argument whose worker died
-
-    Yields
-    ------
-    Done
-        one for each argument
-    """
+    """Yield calls as they are completed: one whose worker dies is tried again, twice."""
     waiting, deaths = deque(calls), Counter[str]()
 
     def submit() -> None:

@@ -48,16 +48,6 @@ def of_one_study(folder: Path) -> Certificates:
 def certificates(*files: Path | None) -> Certificates | None:
     """Look at the files of `OPTIONS`.
 
-    Parameters
-    ----------
-    *files : path or None
-        certificate of the authority, certificate and key of this program
-
-    Returns
-    -------
-    Certificates or None
-        with complete paths; None where no file is named
-
     Raises
     ------
     BadCase

@@ -65,17 +65,6 @@ class OnDask:
 def connected(address: str, certificates: Certificates | None = None) -> OnDask:
     """Engine of a running Dask scheduler; without encryption a warning says what that means.
 
-    Parameters
-    ----------
-    address : str
-        such as tls://node7:8786
-    certificates : Certificates, optional
-        instead of those of Dask's configuration
-
-    Returns
-    -------
-    OnDask
-
     Raises
     ------
     NoConnection

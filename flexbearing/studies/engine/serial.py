@@ -19,15 +19,7 @@ class Serial:
         self._suspected: Callable[[Any], bool] = lambda argument: False
 
     def guard(self, begins: Callable[[Any], None], suspected: Callable[[Any], bool]) -> None:
-        """Have calls noted, and those that ended this process in a former run made in a process beside it.
-
-        Parameters
-        ----------
-        begins : callable (argument)
-            told of each call that is made in this process
-        suspected : callable (argument)
-            whether a call is made beside it
-        """
+        """Have calls noted, and those that ended this process in a former run made in a process beside it."""
         self._begins, self._suspected = begins, suspected
 
     def submit(self, function: Callable[[Any], Any], argument: Any) -> None:

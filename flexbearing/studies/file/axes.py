@@ -28,22 +28,6 @@ def axes(
 ) -> tuple[Axis, ...]:
     """Axes of the table [over].
 
-    Parameters
-    ----------
-    over : mapping
-        key of the case to what stands behind it
-    zipped : bool
-        whether all keys make one axis
-    table : Path, optional
-        file whose rows are one axis more
-    find : callable (key)
-        declaration of a key; raises BadValues where the case has none
-
-    Returns
-    -------
-    tuple of Axis
-        the last one changes fastest
-
     Raises
     ------
     BadValues
@@ -63,18 +47,6 @@ def axes(
 def columns_of(given: Mapping[str, Any], find: Callable[[str], Declaration]) -> dict[str, Sequence[Any]]:
     """Values of varied keys, one after the other.
 
-    Parameters
-    ----------
-    given : mapping
-        key of the case to what stands behind it
-    find : callable (key)
-        declaration of a key; raises BadValues where the case has none
-
-    Returns
-    -------
-    dict
-        key to its values
-
     Raises
     ------
     BadValues
@@ -92,17 +64,6 @@ def columns_of(given: Mapping[str, Any], find: Callable[[str], Declaration]) -> 
 
 def together(columns: Mapping[str, Sequence[Any]], name: str) -> Axis:
     """One axis of all keys.
-
-    Parameters
-    ----------
-    columns : mapping
-        key to its values, as many as every other one has; a single value belongs to every row
-    name : str
-        of the axis
-
-    Returns
-    -------
-    Axis
 
     Raises
     ------

@@ -69,17 +69,6 @@ class Study:
 def read(path: str | Path, families: Families) -> Study:
     """Read a study file and the text of its case.
 
-    Parameters
-    ----------
-    path : path
-        TOML file
-    families : mapping
-        kind to family
-
-    Returns
-    -------
-    Study
-
     Raises
     ------
     BadCase
@@ -96,19 +85,6 @@ def read(path: str | Path, families: Families) -> Study:
 
 def study_of(given: StudyFile, file: Path, families: Families) -> Study:
     """A study from the keys of its file, with the text of its case.
-
-    Parameters
-    ----------
-    given : StudyFile
-        its keys; without [over], [sample] and [duty] its one variant is the case
-    file : path
-        where they stand
-    families : mapping
-        kind to family
-
-    Returns
-    -------
-    Study
 
     Raises
     ------

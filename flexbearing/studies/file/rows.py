@@ -20,19 +20,7 @@ _HEADER = 'a header holds keys with units, such as "operation.radial_load [kN],o
 
 
 def rows(file: Path, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], tuple[tuple[Any, ...], ...]]:
-    """Keys and rows of a table of variants.
-
-    Parameters
-    ----------
-    file : Path
-        CSV, with commas, or with semicolons or tabs, where numbers may have decimal commas
-    has_unit : callable (key)
-        whether a key takes quantities with units; raises BadValues where there is no such key
-
-    Returns
-    -------
-    tuple
-        keys, and a row of values in the words of a case file for each variant
+    """Keys and rows of a table of variants; beside semicolons and tabs numbers may have decimal commas.
 
     Raises
     ------

@@ -122,18 +122,6 @@ FORMS = {
 def sampled(sample: Sample, find: Callable[[str], Declaration]) -> tuple[Axis, Drawn]:
     """The axis of the table [sample], and what is drawn along it.
 
-    Parameters
-    ----------
-    sample : Sample
-        with its keys
-    find : callable (key)
-        declaration of a key; raises BadValues where the case has none
-
-    Returns
-    -------
-    tuple
-        axis of all keys, drawn ones first, whose quantities are in SI units; distributions and design
-
     Raises
     ------
     BadValues

@@ -31,23 +31,10 @@ class Binned:
 
 
 def binned(file: Path, bins: int, find: Callable[[str], Declaration]) -> Binned:
-    """Read a time series and sort it into bins.
+    """Read a time series (CSV) and sort it into bins of equal width, a third as many where keys are no loads.
 
-    Parameters
-    ----------
-    file : Path
-        CSV; its header has keys with units and, for rows that do not last equally long, "time [s]", when each
-        row begins
-    bins : int
-        of equal width, for the numbers of one sign of each load; a third as many of other keys
-    find : callable (key)
-        declaration of a key; raises BadValues where the case has none
-
-    Returns
-    -------
-    Binned
-        loads by which the bins have the damage of their rows where the life goes with P^-p, and mean values
-        over the time of other keys
+    With the loads of the bins they have the damage of their rows where the life goes with P^-p; other keys
+    have their mean over the time.
 
     Raises
     ------

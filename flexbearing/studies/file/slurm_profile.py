@@ -44,15 +44,6 @@ class SlurmProfile(Section):
 def profile(path: str | Path) -> SlurmProfile:
     """Read the profile of a cluster.
 
-    Parameters
-    ----------
-    path : path
-        TOML file
-
-    Returns
-    -------
-    SlurmProfile
-
     Raises
     ------
     BadCase

@@ -37,20 +37,6 @@ class Spectrum:
 def spectrum(duty: Duty, folder: Path, find: Callable[[str], Declaration]) -> tuple[Axis, Spectrum]:
     """The axis of the table [duty], and its weights.
 
-    Parameters
-    ----------
-    duty : Duty
-        with its keys
-    folder : Path
-        of the study file
-    find : callable (key)
-        declaration of a key; raises BadValues where the case has none
-
-    Returns
-    -------
-    tuple
-        axis and weights
-
     Raises
     ------
     BadValues

@@ -30,18 +30,6 @@ class BadValues(ValueError):
 def values(given: Any, declaration: Declaration) -> Sequence[Any]:
     """Values of a key, in the words of a case file.
 
-    Parameters
-    ----------
-    given : any
-        a list, a range as text, or a single value
-    declaration : Declaration
-        of the key
-
-    Returns
-    -------
-    sequence
-        at least one; whether each is allowed is told when the case is read
-
     Raises
     ------
     BadValues

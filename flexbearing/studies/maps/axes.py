@@ -56,18 +56,6 @@ class MapAxis:
 def axes(over: Sequence[str], model: type[Head]) -> tuple[MapAxis, ...]:
     """Axes of a map.
 
-    Parameters
-    ----------
-    over : sequence of str
-        KEY=FROM..TO,N each, or KEY=log FROM..TO,N; one to three
-    model : type
-        of the case
-
-    Returns
-    -------
-    tuple of MapAxis
-        in their order, the last one changes fastest; numbers are not filled in yet
-
     Raises
     ------
     BadCase

@@ -120,19 +120,6 @@ def is_followed(over: Sequence[str]) -> bool:
 def ends(case: str | Path, over: str, overrides: Sequence[str] = ()) -> Range:
     """Where a branch begins and how far it is followed.
 
-    Parameters
-    ----------
-    case : path
-        case file
-    over : str
-        KEY=FROM..TO, such as "operation.radial_load=500 N..20 kN"
-    overrides : sequence of str
-        `"key=value"` settings that replace those of the file
-
-    Returns
-    -------
-    Range
-
     Raises
     ------
     BadCase
@@ -147,16 +134,6 @@ def ends(case: str | Path, over: str, overrides: Sequence[str] = ()) -> Range:
 
 def followed(wanted: Range) -> FollowedMap:
     """Follow the equilibria of a case over its load or speed.
-
-    Parameters
-    ----------
-    wanted : Range
-        of `ends`
-
-    Returns
-    -------
-    FollowedMap
-        also when the branch was not followed to the end of the range
 
     Raises
     ------
@@ -199,17 +176,7 @@ def _followed(wanted: Range) -> Branch:
 
 
 def branch(wanted: Range) -> Branch:
-    """The branch that begins at the equilibrium of a case, with its rings in one system.
-
-    Parameters
-    ----------
-    wanted : Range
-        what a worker process is given
-
-    Returns
-    -------
-    Branch
-    """
+    """The branch that begins at the equilibrium of a case, with its rings in one system."""
     with linear_algebra_alone():
         return _branch(wanted.case, wanted.axis, wanted.span)
 

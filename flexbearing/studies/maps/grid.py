@@ -43,19 +43,6 @@ class MapGrid:
 def grid(first: Case, axes: Sequence[MapAxis], report: Report) -> MapGrid:
     """Build every point of a map.
 
-    Parameters
-    ----------
-    first : Case
-        as it was read, with its settings
-    axes : sequence of MapAxis
-        crossed
-    report : Report
-        hears of rings that are condensed
-
-    Returns
-    -------
-    MapGrid
-
     Raises
     ------
     BadCase

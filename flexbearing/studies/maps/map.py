@@ -53,17 +53,6 @@ class MapRequest:
 def map_case(request: MapRequest, report: Report) -> WrittenMap:
     """Compute a map and write its files.
 
-    Parameters
-    ----------
-    request : MapRequest
-        case, axes, outputs, files
-    report : Report
-        hears of the stages
-
-    Returns
-    -------
-    WrittenMap
-
     Raises
     ------
     BadCase

@@ -8,15 +8,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.findings.running import FILM_RATIO, SHORT_LIFE
+from flexbearing.findings.strength import CONTACT_PRESSURE, STATIC_SAFETY
 from flexbearing.report.contours import Contours
 from flexbearing.report.html.document import Document
 from flexbearing.report.html.map import MapPlane, of_map
-from flexbearing.runs.dangers import SHORT_LIFE
 from flexbearing.studies.file import Axis
 from flexbearing.studies.maps.axes import MapAxis
 from flexbearing.studies.maps.solved import SolvedMap
 from flexbearing.studies.table import Table
 from flexbearing.studies.table.column import Column
+from quasidynamic.contact.film.roughness import MIXED_FROM
 from quasidynamic.maps.sheets import FINEST
 from quasidynamic.outcome.static_pressure import ROLLERS
 
@@ -26,10 +28,10 @@ if TYPE_CHECKING:
 STATE = "state"  # axis of the states of a point
 CONTOURS = {
     "cage_slip [%]": Contours(levels=(0.1, 1.0, 10.0, 50.0)),
-    "life_L10 [h]": Contours(limits=(SHORT_LIFE / 3600.0,)),
-    "peak_pressure.inner [MPa]": Contours(limits=(ROLLERS / 1e6,)),
-    "static_safety": Contours(limits=(1.0,)),
-    "minimum_lambda.inner": Contours(limits=(1.0,)),
+    "life_L10 [h]": Contours(limits=(SHORT_LIFE.limit / 3600.0,)),
+    "peak_pressure.inner [MPa]": Contours(limits=(CONTACT_PRESSURE.limit * ROLLERS / 1e6,)),
+    "static_safety": Contours(limits=(STATIC_SAFETY.limit,)),
+    "minimum_lambda.inner": Contours(limits=(FILM_RATIO.limit * MIXED_FROM,)),
 }
 LIFE = "life"  # begins the names of lives, which have a level at each power of ten
 DECADES = tuple(10.0**power for power in range(-3, 10))

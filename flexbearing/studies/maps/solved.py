@@ -77,21 +77,6 @@ class SolvedMap:
 def solved_map(first: Case, axes: Sequence[MapAxis], texts: Sequence[str], report: Report) -> SolvedMap:
     """Compute a map.
 
-    Parameters
-    ----------
-    first : Case
-        as it was read, with its settings
-    axes : sequence of MapAxis
-        as `flexbearing.studies.maps.axes.axes` reads them
-    texts : sequence of str
-        outputs with their units
-    report : Report
-        hears of the stages
-
-    Returns
-    -------
-    SolvedMap
-
     Raises
     ------
     BadCase

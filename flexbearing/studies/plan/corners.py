@@ -16,22 +16,7 @@ FIRST = "operation."  # keys that come first: errors depend on loads before all
 
 
 def share_levels(base: Base, variants: CheckedVariants) -> tuple[Corners, ...]:
-    """Find which variants share their levels, and where these are chosen.
-
-    Parameters
-    ----------
-    base : Base
-        what the variants are made of
-    variants : CheckedVariants
-        of a study; those with the same `levels` have the same parts and the same choices. Their levels are
-        then named by their corners, which the identities contain too: other corners may ask for other levels,
-        and give other numbers
-
-    Returns
-    -------
-    tuple of Corners
-        one for each name; variants with other words, such as the profile of the rollers, have others
-    """
+    """Find which variants share their levels, and where these are chosen."""
     if not variants.have_levels:
         return ()
     keys = sorted(range(len(base.keys)), key=lambda number: not base.keys[number].startswith(FIRST))
@@ -62,17 +47,6 @@ def extremes(points: NDArray) -> list[int]:
     Of points with the same extreme value it is the one farthest from those that were taken before, all
     coordinates from 0 to 1; at first the one with the lowest sum. So crossed coordinates give corners. The
     points between are always the one farthest from all that were taken.
-
-    Parameters
-    ----------
-    points : array (N, K)
-        in any order, N >= 1
-
-    Returns
-    -------
-    list of int
-        six, or all if there are fewer different ones; the extremes of the first three coordinates that vary
-        are the first
 
     >>> extremes(np.array([[1.0], [2.0], [3.0], [4.0], [5.0], [6.0], [7.0], [8.0], [9.0]]))
     [0, 8, 4, 2, 6, 1]

@@ -60,15 +60,6 @@ class Plan:
 
         Tasks are cut alike whatever is still wanted: numbers of variants solved side by side depend on their
         neighbours in the last digits, so that a task is computed whole or not at all.
-
-        Parameters
-        ----------
-        wanted : callable (variant)
-            whether a variant must be computed
-
-        Returns
-        -------
-        tuple of Task
         """
         groups: dict[tuple[tuple[str, ...], str], dict[str, Variant]] = {}
         for variant in self.computed:
@@ -151,24 +142,7 @@ def plan(
     mapped: Callable[..., Iterable[Any]] = map,
     tell: Callable[[int, int], None] = lambda done, total: None,
 ) -> Plan:
-    """Settle what a study computes.
-
-    Parameters
-    ----------
-    study : Study
-        as it was read
-    checked : callable (base, values of several variants)
-        gives each variant, or why it cannot be computed
-    mapped : callable, optional
-        `map`, or one that shares calls among processes
-    tell : callable (checked, total), optional
-        hears of variants as they are checked
-
-    Returns
-    -------
-    Plan
-        also with variants that cannot be computed: `Plan.require_sound` refuses them
-    """
+    """Settle what a study computes."""
     base, rows = (
         Base(study.case.resolve(), study.text, study.keys),
         Crossed(tuple(axis.rows for axis in study.axes)),

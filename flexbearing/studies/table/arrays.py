@@ -14,24 +14,7 @@ from flexbearing.studies.table.column import Column
 def dataset(
     name: str, columns: Sequence[Column], axes: Sequence[Axis], of_rollers: Sequence[Column] = ()
 ) -> xarray.Dataset:
-    """Arrays over the axes of a study.
-
-    Parameters
-    ----------
-    name : str
-        of the study
-    columns : sequence of Column
-        of its table
-    axes : sequence of Axis
-        crossed, the last one changes fastest
-    of_rollers : sequence of Column
-        outputs roller by roller
-
-    Returns
-    -------
-    xarray.Dataset
-        a dimension for each axis; keys are its coordinates, outputs and ends of variants its variables
-    """
+    """Arrays over the axes of a study."""
     shape = [len(axis.rows) for axis in axes]
     dimensions = [axis.name for axis in axes]
     varied = {column.name: column for column in columns if column.varied}

@@ -58,21 +58,6 @@ class Collected:
 def collected(study: Study, families: Families, *, elastic: bool, rollers: int = 0) -> tuple[Collected, ...]:
     """Columns that a study asks for; without [collect], every scalar of the summary.
 
-    Parameters
-    ----------
-    study : Study
-        as it was read
-    families : mapping
-        kind to family
-    elastic : bool
-        whether any variant has an elastic ring: then both blocks are collected, else there is one
-    rollers : int
-        in every variant, 0 where they differ: then there are no outputs roller by roller
-
-    Returns
-    -------
-    tuple of Collected
-
     Raises
     ------
     BadCase
@@ -116,21 +101,6 @@ def of_output(column: str, output: Wanted) -> Collected:
 def of_text(column: str, text: str, layout: Layout, rollers: int = 0) -> Collected:
     """Column of an output, of the quotient of two, "life_L10 / rigid.life_L10 [%]", or of all rollers.
 
-    Parameters
-    ----------
-    column : str
-        its heading without the unit
-    text : str
-        behind a quotient stands the unit of the quotient, without it it is a plain number
-    layout : Layout
-        of the kind of bearing
-    rollers : int
-        of the bearing; 0 where there are no outputs roller by roller
-
-    Returns
-    -------
-    Collected
-
     Raises
     ------
     UnknownOutput, WrongUnit
@@ -163,23 +133,7 @@ def of_text(column: str, text: str, layout: Layout, rollers: int = 0) -> Collect
 def numbers(
     blocks: Mapping[str, Block], texts: tuple[str, ...], kind: str, families: Families
 ) -> dict[str, float]:
-    """Numbers of one variant by the texts that name them; what it does not have is left out.
-
-    Parameters
-    ----------
-    blocks : mapping
-        ``rigid`` and ``flexible`` of its result
-    texts : tuple of str
-        outputs with units
-    kind : str
-        of its case
-    families : mapping
-        kind to family
-
-    Returns
-    -------
-    dict
-    """
+    """Numbers of one variant by the texts that name them; what it does not have is left out."""
     found = {}
     for text, output in _wanted(texts, kind, families[kind].layout):
         number = output.number(blocks)
@@ -208,20 +162,7 @@ def estimated(texts: Iterable[str], layout: Layout) -> tuple[str, ...]:
 def errors(
     estimates: Mapping[str, float], texts: tuple[str, ...], kind: str, families: Families
 ) -> dict[str, float]:
-    """Estimated errors of outputs by the texts that name them.
-
-    Parameters
-    ----------
-    estimates : mapping
-        errors by the names of `SummaryValue.error`
-    texts, kind, families
-        as for `numbers`
-
-    Returns
-    -------
-    dict
-        in percent of the output, or in its unit where the estimate is not relative
-    """
+    """Estimated errors of outputs by the texts that name them."""
     found = {}
     for text, output in _wanted(texts, kind, families[kind].layout):
         whole = 100.0 if output.output.declared.error_relative else 1.0  # in percent of the output

@@ -17,20 +17,6 @@ def drawn(
 ) -> tuple[Plot | None, tuple[Collected, ...]]:
     """What the table [plot] draws, and all columns with those that it needs.
 
-    Parameters
-    ----------
-    study : Study
-        as it was read
-    columns : tuple of Collected
-        of the table [collect]
-    families : mapping
-        kind to family
-
-    Returns
-    -------
-    tuple
-        plot, None where there is no such table, and columns
-
     Raises
     ------
     BadCase

@@ -20,13 +20,6 @@ def paths(folder: Path, name: str) -> dict[str, Path]:
 def store(table: Table, folder: Path) -> None:
     """Write a table, and that of its lives under a duty cycle, in every form.
 
-    Parameters
-    ----------
-    table : Table
-        whatever it holds
-    folder : Path
-        where to
-
     Raises
     ------
     NotStored

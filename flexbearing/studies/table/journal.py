@@ -37,19 +37,7 @@ _BEGINNING = len(_HEAD % 0)
 
 
 def read(path: Path) -> dict[str, Row]:
-    """Rows of a journal by their identities, the last one of each.
-
-    Parameters
-    ----------
-    path : Path
-        there or not
-
-    Returns
-    -------
-    dict
-        identity to row, whose values are those that were asked for when it was written, NaN where there was
-        none
-    """
+    """Rows of a journal by their identities, the last one of each."""
     rows: dict[str, Row] = {}
     names, of, damaged = list[str](), "", list[int]()
     for number, entry in _entries(path):
@@ -67,18 +55,7 @@ def read(path: Path) -> dict[str, Row]:
 
 
 def begun(path: Path) -> frozenset[str]:
-    """Variants, or the ring, at which a process of one job was at work when it ended without a word.
-
-    Parameters
-    ----------
-    path : Path
-        there or not
-
-    Returns
-    -------
-    frozenset of str
-        identities of variants without a row, or the name of a ring
-    """
+    """Variants, or the ring, at which a process of one job was at work when it ended without a word."""
     names = frozenset[str]()
     for _, entry in _entries(path):
         with suppress(_Damaged):  # which `read` reports
@@ -138,13 +115,6 @@ class Journal:
 @contextmanager
 def opened(path: Path, names: Sequence[str]) -> Iterator[Journal]:
     """Open a journal for its only writer.
-
-    Parameters
-    ----------
-    path : Path
-        made when it is not there
-    names : sequence of str
-        names of the values in the rows that will be added
 
     Raises
     ------

@@ -18,10 +18,11 @@ DIGITS = 12  # of numbers that went through a conversion
 
 def key_columns(plan: Plan, model: type[Section]) -> tuple[Column, ...]:
     """Columns of all varied keys of a plan whose cases were all read, by the case model."""
-    columns = zip(*(variant.values for variant in plan.variants), strict=True)
-    in_si = zip(*(variant.in_si for variant in plan.variants), strict=True)
-    keys = zip(plan.base.keys, columns, in_si, strict=True)
-    return tuple(_key_column(by_path(model)[key], *values) for key, *values in keys)
+    rows = [(variant.values, variant.in_si) for variant in plan.variants]  # none of an empty part
+    return tuple(
+        _key_column(by_path(model)[key], [row[place] for row, _ in rows], [row[place] for _, row in rows])
+        for place, key in enumerate(plan.base.keys)
+    )
 
 
 def _key_column(declaration: Declaration, values: Sequence[Any], in_si: Sequence[Any]) -> Column:

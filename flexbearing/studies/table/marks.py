@@ -30,19 +30,6 @@ class Mark:
 def mark(given: MarkTable, panels: Mapping[str, Collected], along: Declaration | str) -> Mark:
     """Convert a mark to the units of a picture.
 
-    Parameters
-    ----------
-    given : MarkTable
-        as it was read
-    panels : mapping
-        what [plot] calls y to its column
-    along : Declaration or str
-        key that is x, or the unit of the output that is
-
-    Returns
-    -------
-    Mark
-
     Raises
     ------
     BadValues

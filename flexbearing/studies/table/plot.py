@@ -27,19 +27,7 @@ class Plot:
 
 
 def draw(table: Table, plot: Plot) -> "Figure":
-    """Draw outputs of a table.
-
-    Parameters
-    ----------
-    table : Table
-        with the columns of the plot
-    plot : Plot
-        what is drawn
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """Draw outputs of a table."""
     from flexbearing.report.studies.lines_figure import Panel, draw_lines
 
     panels: list[Panel] = [

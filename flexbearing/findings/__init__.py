@@ -1,0 +1,35 @@
+"""Findings: limits of a bearing, declared once, and numbers judged by them."""
+
+from flexbearing.findings.declared import of_code
+from flexbearing.findings.finding import (
+    DANGER,
+    GRADES,
+    MET,
+    NOT_CHECKED,
+    NOT_MET,
+    OUTSIDE,
+    USUAL,
+    Finding,
+    Judged,
+    evaluate,
+    gravest,
+    records,
+)
+from flexbearing.findings.words import text
+
+__all__ = [
+    "DANGER",
+    "GRADES",
+    "MET",
+    "NOT_CHECKED",
+    "NOT_MET",
+    "OUTSIDE",
+    "USUAL",
+    "Finding",
+    "Judged",
+    "evaluate",
+    "gravest",
+    "of_code",
+    "records",
+    "text",
+]

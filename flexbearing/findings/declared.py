@@ -1,0 +1,60 @@
+"""Which findings a bearing of a kind is judged by, in the order of their notes."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from flexbearing.findings.finding import Finding
+from flexbearing.findings.running import (
+    CLEARANCE,
+    FILM_RATIO,
+    GYROSCOPIC_MOMENT,
+    RACEWAY_SLOPE,
+    SHORT_LIFE,
+    VISCOSITY_RATIO,
+)
+from flexbearing.findings.strength import (
+    CONTACT_PRESSURE,
+    HEAVY_LOAD,
+    LIGHT_LOAD_OF_BALLS,
+    LIGHT_LOAD_OF_ROLLERS,
+    LOAD_ABOVE_STATIC_RATING,
+    STATIC_SAFETY,
+    USUAL_STATIC_SAFETY,
+    YIELD_STRESS,
+)
+
+OF_ROLLERS = (
+    CONTACT_PRESSURE,
+    STATIC_SAFETY,
+    USUAL_STATIC_SAFETY,
+    SHORT_LIFE,
+    YIELD_STRESS,
+    HEAVY_LOAD,
+    LIGHT_LOAD_OF_ROLLERS,
+    VISCOSITY_RATIO,
+    FILM_RATIO,
+    CLEARANCE,
+    RACEWAY_SLOPE,
+)
+OF_BALLS = (
+    CONTACT_PRESSURE,
+    HEAVY_LOAD,
+    LOAD_ABOVE_STATIC_RATING,
+    LIGHT_LOAD_OF_BALLS,
+    SHORT_LIFE,
+    STATIC_SAFETY,
+    GYROSCOPIC_MOMENT,
+    VISCOSITY_RATIO,
+    CLEARANCE,
+)
+DECLARED = tuple(dict.fromkeys((*OF_ROLLERS, *OF_BALLS)))
+
+
+def is_declared(record: Mapping[str, Any]) -> bool:
+    """Whether a stored record is of a finding of this program."""
+    return (record["code"], record["grade"]) in {(each.code, each.grade) for each in DECLARED}
+
+
+def of_code(code: str, grade: str) -> Finding:
+    """What is declared of a stored record; of several with one code and grade, words are alike."""
+    return next(each for each in DECLARED if (each.code, each.grade) == (code, grade))

@@ -1,0 +1,54 @@
+"""Limits of loads, pressures and stresses."""
+
+from dataclasses import replace
+
+from flexbearing.findings.finding import DANGER, OUTSIDE, USUAL, Finding
+
+BARS = "bars of the squirrel cage (nominal)"  # place of their stress
+
+CONTACT_PRESSURE = Finding(
+    code="contact-pressure", label="peak contact pressure", quantity="contact_pressure",
+    at_most=1.0, times="static_pressure", grade=DANGER, source="ISO 76", unit="Pa", shown="MPa",
+    meaning="dents raceways of bearing steel, and elastic contact laws end there",
+    action="take a larger bearing, more rolling elements, less tilt or a lower peak load",
+)  # fmt: skip
+STATIC_SAFETY = Finding(
+    code="static-safety", label="static safety C_0/P_0", quantity="static_safety",
+    at_least=1.0, grade=DANGER, source="ISO 76",
+    meaning="the load is above the static rating, which dents raceways",
+    action="take a larger bearing, more rolling elements or a lower peak load",
+)  # fmt: skip
+USUAL_STATIC_SAFETY = Finding(
+    code="static-safety", label="static safety C_0/P_0", quantity="static_safety",
+    at_least=1.5, grade=USUAL, source="SKF, Rolling bearings (2018), normal running; ISO 76 asks for 1",
+    meaning="less than is usual in normal running; twice as much where it must run quietly or has shocks",
+    action="take a larger bearing, or a reason for a lower static safety",
+)  # fmt: skip
+YIELD_STRESS = Finding(
+    code="yield-stress", label="largest stress", quantity="stress",
+    at_most=1.0, times="yield_stress", grade=DANGER, source="yield stress", unit="Pa", shown="MPa",
+    meaning="the part is deformed plastically",
+    action="take a thicker part, stronger material or a lower load",
+)  # fmt: skip
+HEAVY_LOAD = Finding(
+    code="heavy-load", label="equivalent load P", quantity="load",
+    at_most=0.5, times="dynamic_rating", grade=OUTSIDE, source="half of C_r, ISO 281 (2007)",
+    unit="N", shown="kN",
+    meaning="life formulas hold up to there, ISO 281 leaves loads beyond to the maker",
+    action="take a bearing with a rating {share:.3g} times as large, or a load as much lower",
+)  # fmt: skip
+LOAD_ABOVE_STATIC_RATING = replace(
+    HEAVY_LOAD, at_most=1.0, times="static_rating", source="C_0, ISO 281 (2007)"
+)
+
+
+def _light_load(share: float) -> Finding:
+    return Finding(
+        code="light-load", label="minimum load", quantity="load", at_least=share, times="dynamic_rating",
+        grade=USUAL, source=f"{share:g} C_r, rule of thumb of SKF, Rolling bearings (2018)",
+        unit="N", shown="kN", meaning="rolling elements may skid; which slip does damage is not computed",
+        action="preload the bearing, take a smaller one, or see that it carries load before it turns fast",
+    )  # fmt: skip
+
+
+LIGHT_LOAD_OF_ROLLERS, LIGHT_LOAD_OF_BALLS = _light_load(0.02), _light_load(0.01)

@@ -1,0 +1,47 @@
+"""Notes on limits that are not kept, and values that bearings of all families are judged by."""
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from flexbearing import findings
+from flexbearing.findings import DANGER, OUTSIDE, USUAL, Judged
+from quasidynamic.note import Grade, Note
+
+RACES = ("inner raceway", "outer raceway")  # places
+_GRADES: dict[str, Grade] = {DANGER: "danger", OUTSIDE: "outside validity", USUAL: "information"}
+
+
+def notes(judged: Iterable[Judged], case: int = 0) -> tuple[Note, ...]:
+    """A note for each code whose limit a case does not keep, in the order of the findings."""
+    broken = [each for each in judged if each.finding.noted and each.broken[case]]
+    by_code: dict[str, list[dict[str, Any]]] = {}
+    for record in findings.records(broken, case):
+        by_code.setdefault(record["code"], []).append(record)
+    return tuple(map(_note, by_code.values()))
+
+
+def _note(records: list[dict[str, Any]]) -> Note:
+    worst = findings.gravest(records)
+    places = [each["place"] for each in records if each["grade"] == worst["grade"]]
+    return Note(_GRADES[worst["grade"]], worst["code"], findings.text(worst, list(dict.fromkeys(places))))
+
+
+def pressures(largest: Iterable[Any], limit: float) -> dict[str, Any]:
+    """Contact pressure of both raceways [Pa], and that of the static rating."""
+    return {"contact_pressure": dict(zip(RACES, largest, strict=True)), "static_pressure": limit}
+
+
+def seconds(life: ArrayLike, speed: ArrayLike) -> Any:
+    """Time [s] that a life [10^6 revolutions] lasts at a speed of one ring against the other [rad/s]."""
+    with np.errstate(divide="ignore"):
+        return 1e6 * 2 * np.pi * np.asarray(life) / np.abs(speed)
+
+
+def clearances(record: Mapping[str, Any]) -> dict[str, float]:
+    """Diametral clearance as computed, and at the tight end of the tolerances [m]."""
+    ends = record.get("tolerances", {}).get("ends")
+    tight = {"tight end of the tolerances": ends["tightest_m"]} if ends else {}
+    return {"as computed": record["operating_m"], **tight}

@@ -1,0 +1,94 @@
+"""What solved roller bearings are judged by, and which of them are in danger; cases first."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing.case.roller import Case
+from flexbearing.findings import DANGER, declared, evaluate
+from flexbearing.findings.strength import BARS
+from flexbearing.runs import judged, life
+from flexbearing.runs.life_of_state import MREV
+from flexbearing.runs.solved_rows import SolvedRows
+from quasidynamic import CylindricalRollerBearing, Equilibrium, OutOfRange
+from quasidynamic.contact.film.roughness import MIXED_FROM
+from quasidynamic.note import Note
+from quasidynamic.outcome.static_pressure import ROLLERS
+
+
+def values(rows: SolvedRows) -> dict[str, Any]:
+    """Values of solved states of roller bearings, cases first; without stresses of solids."""
+    each = list(zip(rows.cases, (model.bearing for model in rows.models), strict=True))
+    turns = rows.relative_speed != 0
+    return {
+        **values_of_dangers(rows),
+        **_stress_of_bars(rows),
+        "load": np.hypot(*rows.states.applied_load.T),
+        "dynamic_rating": np.array([_dynamic_rating(*of) for of in each]),
+        "viscosity_ratio": np.array(
+            [life.kappa(*of) if k else np.nan for of, k in zip(each, turns, strict=True)]
+        ),
+        "film_ratio": None if rows.film_ratio is None else _smallest(rows.film_ratio),
+        "mixed_film_ratio": MIXED_FROM,
+        "raceway_slope": np.array(
+            [_slope(state) if np.any(state.ring_tilt) else np.nan for state in rows.each]
+        ),
+    }
+
+
+def _dynamic_rating(case: Case, bearing: CylindricalRollerBearing) -> float:
+    """C_r [N]; not a number where none is given and ISO 281 has none."""
+    try:
+        return life.dynamic(case, bearing)
+    except OutOfRange:
+        return np.nan
+
+
+def values_of_dangers(rows: SolvedRows) -> dict[str, Any]:
+    """Those values that dangers are judged by, which are cheap."""
+    lives = [
+        basic if life is None else life.modified
+        for basic, life in zip(rows.basic_life, rows.life, strict=True)
+    ]
+    limited = any(case.materials.outer_ring.yield_stress is not None for case in rows.cases)
+    return {
+        **judged.pressures(rows.bounded_pressure.T, ROLLERS),
+        "static_safety": rows.static_safety,
+        "life": judged.seconds(np.array(lives) / MREV, rows.relative_speed),
+        **(_stress_of_bars(rows) if limited else {}),
+    }
+
+
+def dangers(rows: SolvedRows) -> list[tuple[Note, ...]]:
+    """What makes the answer of each case dangerous."""
+    found = evaluate((each for each in declared.OF_ROLLERS if each.grade == DANGER), values_of_dangers(rows))
+    broken = np.any([each.broken for each in found], axis=0)
+    return [judged.notes(found, case) if broken[case] else () for case in range(len(rows))]
+
+
+def _stress_of_bars(rows: SolvedRows) -> dict[str, Any]:
+    """Largest nominal stress of the bars of squirrel cages and its limit [Pa]; empty without bars."""
+    if rows.bars is None:
+        return {}
+    limits = [case.materials.outer_ring.yield_stress for case in rows.cases]
+    return {"stress": {BARS: rows.bars.largest}, "yield_stress": {BARS: limits}}
+
+
+def _slope(state: Equilibrium) -> float:
+    """Size of the slope of the inner raceway against the outer one along the most loaded roller [rad].
+
+    Raceways of elastic rings lean with their supports: straight lines are fitted through their deviations.
+    """
+    roller = int(np.argmax(state.loads[0]))
+    azimuth = state.balance.roller.bearing.azimuths[roller]
+    inner, outer = (
+        np.polyfit(state.slice_positions, of[roller], 1)[0] for of in state.deviation_along_rollers
+    )
+    return abs(float(np.dot(state.ring_tilt, (np.cos(azimuth), np.sin(azimuth))) + inner - outer))
+
+
+def _smallest(ratios: NDArray) -> dict[str, NDArray]:
+    """Smallest film ratio of each raceway; of rollers with load."""
+    smallest = ratios.min(axis=2, where=ratios > 0, initial=np.inf)
+    return dict(zip(judged.RACES, smallest.T, strict=True))

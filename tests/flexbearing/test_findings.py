@@ -1,0 +1,216 @@
+"""Findings: every limit is declared once, and note, check and report follow it."""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from flexbearing import api, findings
+from flexbearing.findings import DANGER, MET, NOT_CHECKED, NOT_MET, OUTSIDE, USUAL, declared
+from flexbearing.findings.finding import AT_MOST
+from flexbearing.findings.running import FULL_FILM
+from flexbearing.report.html import METRIC, against_limits, finding_checks
+from flexbearing.report.html.reader import Reader
+from flexbearing.runs import fields, judged
+from quasidynamic.contact.film.roughness import FULL_FILM_FROM, MIXED_FROM
+from quasidynamic.outcome import static_pressure
+from tests.flexbearing.hostile_cases import CONFIGS
+
+# kind of case with a value of the finding: keys that it needs
+ROLLERS = ("nu209_fits.toml", "operation.misalignment=1 arcmin")
+BARS = ("mao2016.toml", "accuracy.structure=beam", "materials.outer_ring.yield_stress=900 MPa")
+BALLS = ("harris218.toml", "lubricant.oil=ISO VG 68", "lubricant.inlet_temperature=60 degC")
+DEEP = ("6209.toml",)
+LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the number
+    ("contact-pressure", DANGER, "static_pressure"): 1.0,
+    ("static-safety", DANGER, ""): 1.0,
+    ("static-safety", USUAL, ""): 1.5,  # SKF
+    ("yield-stress", DANGER, "yield_stress"): 1.0,
+    ("heavy-load", OUTSIDE, "dynamic_rating"): 0.5,  # ISO 281
+    ("heavy-load", OUTSIDE, "static_rating"): 1.0,  # ISO 281, of balls
+    ("short-life", DANGER, ""): 3600.0,
+    ("viscosity-ratio", USUAL, ""): 1.0,
+    ("film-ratio", USUAL, "mixed_film_ratio"): 1.0,
+    ("gyroscopic-moment", OUTSIDE, "friction"): 1.0,
+    ("preload", USUAL, ""): 0.0,
+    ("raceway-slope", USUAL, ""): np.radians(4 / 60),
+}
+BASES = {"static_pressure": static_pressure.ROLLERS, "dynamic_rating": 7e4, "static_rating": 6e4,
+         "yield_stress": 9e8, "friction": 0.1, "mixed_film_ratio": MIXED_FROM}  # fmt: skip
+CASES = [
+    *((number, "OF_ROLLERS", BARS if each.code == "yield-stress" else ROLLERS)
+      for number, each in enumerate(declared.OF_ROLLERS)),
+    *((number, "OF_BALLS", DEEP if each.code == "preload" else BALLS)
+      for number, each in enumerate(declared.OF_BALLS)),
+]  # fmt: skip
+
+
+@cache
+def computed(case, settings):
+    return api.run(CONFIGS / case, settings)
+
+
+def records(result, finding):
+    """Stored records of a finding."""
+    return [
+        each for each in result.attributes["findings"]
+        if (each["code"], each["grade"], each["source"]) == (finding.code, finding.grade, finding.source)
+    ]  # fmt: skip
+
+
+def test_declared_limits_are_those_of_their_sources():
+    found = {(each.code, each.grade, each.times): each.limit for each in declared.DECLARED}
+    light = [each.limit for each in (declared.LIGHT_LOAD_OF_ROLLERS, declared.LIGHT_LOAD_OF_BALLS)]
+    assert light == [0.02, 0.01]
+    pressures = (static_pressure.ROLLERS, static_pressure.BALLS, static_pressure.SELF_ALIGNING_BALLS)
+    assert pressures == (4.0e9, 4.2e9, 4.6e9)  # ISO 76
+    assert (MIXED_FROM, FULL_FILM) == (1.0, FULL_FILM_FROM)
+    assert {key: limit for key, limit in found.items() if key[0] != "light-load"} == LIMITS
+
+
+@pytest.mark.parametrize(
+    ("number", "table", "case"), CASES, ids=lambda each: str(each) if isinstance(each, int | str) else each[0]
+)
+def test_note_check_and_report_follow_each_limit(monkeypatch, number, table, case):
+    """With its limit moved to the other side of the value, every view says the other."""
+    finding = getattr(declared, table)[number]
+    file, *settings = case
+    before = computed(file, tuple(settings))
+    known = records(before, finding)
+    assert known, "the case has no value of it"
+    first = max(known, key=lambda each: each["share"] or 0.0)
+    past = {MET: 0.5, NOT_MET: 2.0}[first["verdict"]]
+    factor = past * first["value"] / first["limit"] if first["limit"] else None
+    if finding.side != AT_MOST and factor:
+        factor = first["value"] / first["limit"] / past
+    limit = 2 * first["value"] if factor is None else factor * finding.limit
+    side = "at_most" if finding.side == AT_MOST else "at_least"
+    moved = replace(finding, **{side: limit})
+    others = (moved if each is finding else each for each in getattr(declared, table))
+    monkeypatch.setattr(declared, table, tuple(others))
+    after = api.run(CONFIGS / file, settings)
+    assert max(records(after, finding), key=lambda each: each["share"] or 0.0)["verdict"] != first["verdict"]
+    seen = [_views(result, finding, first["place"]) for result in (before, after)]
+    assert seen[0]["check"] != seen[1]["check"]
+    assert seen[0]["limit"] != seen[1]["limit"]
+    if finding.noted:
+        assert seen[0]["note"] != seen[1]["note"]
+    else:
+        assert [each["note"] for each in seen] == [[], []]
+
+
+def _views(result, finding, place):
+    """What note, check and the limits on the page say of it."""
+    reader = Reader(result, METRIC)
+    (check,) = [
+        each for each in against_limits.ranked(reader)
+        if each.what.lower().startswith(finding.label.lower()) and each.place == place
+    ]  # fmt: skip
+    assert [check.limit] == [
+        row[3] for row in next(against_limits.blocks(reader)).rows if row[0] == check.what
+    ]
+    notes = [
+        (note["grade"], note["text"]) for note in result.attributes["notes"] if note["code"] == finding.code
+    ]
+    return {"check": check.verdict, "limit": check.limit, "note": notes}
+
+
+@pytest.mark.parametrize("finding", declared.DECLARED, ids=lambda each: f"{each.code}-{each.limit:g}")
+def test_note_and_check_change_at_the_limit(finding):
+    limit = finding.limit * BASES.get(finding.times, 1.0)
+    step = 1e-6 * (limit or 1.0)
+    result = computed("nu209.toml", ())
+    for value in (limit - step, limit + step):
+        found = findings.evaluate([finding], BASES | {finding.quantity: value})
+        about = {**result.attributes, "findings": findings.records(found)}
+        reader = Reader(replace(result, attributes=about), METRIC)
+        (check,) = [each for each in finding_checks.checks(reader) if not each.unchecked]
+        broken = (value > limit) == (finding.side == AT_MOST)
+        assert check.verdict.startswith("met") != broken
+        assert bool(judged.notes(found)) == (broken and finding.noted)
+
+
+def test_values_are_those_of_the_result():
+    result = computed(ROLLERS[0], ROLLERS[1:])
+    found = {(each["code"], each["place"]): each["value"] for each in result.attributes["findings"]}
+    summary = result.summary()["flexible"]
+    turns = 1e6 * result.attributes["life"]["flexible"]["modified_Mrev"]
+    assert found["short-life", ""] == approx(turns * 60 / 3000)
+    for race in ("inner", "outer"):
+        assert found["film-ratio", f"{race} raceway"] == approx(summary["minimum_lambda"][race])
+
+
+def test_balls_are_judged_by_their_ratings_and_those_that_turn_freely_by_no_friction():
+    settings = ("life.static_rating=60 kN", "life.dynamic_rating=70 kN")
+    judged_at, free = computed(BALLS[0], settings), computed(BALLS[0], ("operation.control=coulomb",))
+    limits = (declared.LOAD_ABOVE_STATIC_RATING, declared.HEAVY_LOAD, declared.LIGHT_LOAD_OF_BALLS)
+    assert [records(judged_at, each)[0]["limit"] for each in limits] == [60e3, 35e3, 700.0]
+    assert [len(records(each, declared.GYROSCOPIC_MOMENT)) for each in (judged_at, free)] == [1, 0]
+    turns, speed = (
+        judged_at["life_L10"].number * 1e6,
+        judged_at.attributes["case_si"]["operation"]["inner_speed"],
+    )
+    assert records(judged_at, declared.SHORT_LIFE)[0]["value"] == approx(turns * 2 * np.pi / speed)
+
+
+def test_bodies_are_judged_by_the_yield_stress_of_their_material():
+    case = api.read_case(CONFIGS / BARS[0], BARS[1:])
+    found = fields.values(case, "outer", {"bodies": {"ring": {"von_mises_MPa": 5.0}}})
+    place = "outer: ring (von Mises)"
+    assert found == {"stress": {place: 5e6}, "yield_stress": {place: 9e8}}
+
+
+def test_clearance_is_judged_at_the_tight_end_of_the_tolerances():
+    result = computed("catalogue/nu210.toml", ())
+    tight, ends = records(result, declared.CLEARANCE)[1], result.attributes["clearance"]["tolerances"]["ends"]
+    assert (tight["value"], tight["verdict"]) == (ends["tightest_m"], MET)
+
+
+def test_slope_counts_the_lean_of_elastic_raceways():
+    """Radial distance between the raceways along the most loaded roller, end by end."""
+    result = computed(BARS[0], BARS[1:])
+    block = result.flexible
+    roller, along = np.argmax(block["inner_load"]), block["slice_position"]
+    azimuth = block["roller_azimuth"][roller]
+    gap = block["inner_deviation"][roller] - block["outer_deviation"][roller]
+    gap = gap + along * (block["ring_tilt"] @ (np.cos(azimuth), np.sin(azimuth)))
+    (found,) = records(result, declared.RACEWAY_SLOPE)
+    assert found["value"] == approx(abs(np.cov(along, gap)[0, 1] / np.var(along, ddof=1)), rel=1e-6)
+
+
+def test_values_are_judged_cases_first():
+    values = {"static_safety": np.array([0.9, 1.2, 1.6]), "contact_pressure": {"inner": 5e9, "outer": 3e9},
+              "static_pressure": 4e9}  # fmt: skip
+    found = findings.evaluate(declared.OF_ROLLERS, values)
+    by_case = [[(note.code, note.grade) for note in judged.notes(found[2:], case)] for case in range(3)]
+    assert by_case == [[("static-safety", "danger")], [("static-safety", "information")], []]
+    (note,) = judged.notes(found[:2])
+    assert "inner: 5,000 MPa, at most 4,000 MPa (ISO 76)" in note.text
+    first = found[0].record()
+    assert (first["share"], first["verdict"], first["limit"]) == (approx(1.25, rel=1e-12), NOT_MET, 4e9)
+
+
+def test_a_limit_that_the_case_does_not_give_is_not_checked_and_warns_of_nothing():
+    (found,) = findings.evaluate(
+        declared.OF_ROLLERS, {"stress": {"bars": 1e9}, "yield_stress": {"bars": None}}
+    )
+    assert found.record() | {"verdict": NOT_CHECKED, "limit": None, "share": None} == found.record()
+    assert judged.notes([found]) == ()
+
+
+@pytest.mark.parametrize("value", [np.inf, np.nan])
+def test_what_is_not_finite_is_not_stored(value):
+    found = findings.evaluate(declared.OF_ROLLERS, {"life": value})
+    assert findings.records(found) == []
+
+
+def test_dangers_are_notes_of_findings_that_are_not_met():
+    settings = ["operation.radial_load=100 kN"]
+    result = api.run(CONFIGS / "nu209.toml", settings)
+    codes = [note["code"] for note in result.attributes["notes"] if note["grade"] == "danger"]
+    assert codes == ["contact-pressure", "static-safety", "short-life"]
+    broken = [each["code"] for each in result.attributes["findings"]
+              if each["verdict"] == NOT_MET and each["grade"] == DANGER]  # fmt: skip
+    assert list(dict.fromkeys(broken)) == codes
