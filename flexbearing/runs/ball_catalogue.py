@@ -185,4 +185,20 @@ def oil(case: FastCase, lived: float) -> dict[str, float]:
     )
 
 
-CATALOGUE = Catalogue(RATING, influences, require_load, ratings, oil)
+def load(case: FastCase) -> float:
+    """P_r of ISO 281 [N].
+
+    Raises
+    ------
+    OutOfRange
+        where the ring is held, whose force is not known before it is solved, and beyond the table of X, Y
+    """
+    if case.operation.held:
+        raise OutOfRange("a ring that is held has a load that is not known")
+    return ball_life.dynamic_load(case).value
+
+
+CATALOGUE = Catalogue(
+    RATING, influences, require_load, ratings, oil,
+    ball_life.rated, ball_life.kappa, load, BALL_EXPONENT,
+)  # fmt: skip

@@ -88,6 +88,15 @@ def _modified(case: FastCase, basic: float) -> LifeOfState:
     return LifeOfState.of(basic, by_loads, (*_lubrication(case, load), *of_reliability(case.life)))
 
 
+def rated(case: FastCase) -> float | None:
+    """Life by ratings alone [rev], which needs no equilibrium; None where the loads of the balls count."""
+    if case.life.loads != "rating":
+        return None
+    load = dynamic_load(case).value
+    basic = float(rating_life(dynamic(case), load, BALL_EXPONENT))
+    return LifeOfState.of(basic, (), (*_lubrication(case, load), *of_reliability(case.life))).modified
+
+
 def _lubrication(case: FastCase, load: float) -> Iterator[LifeFactor]:
     """Factor a_ISO where the case requires it, at an equivalent load [N]."""
     if case.life.lubrication is None:

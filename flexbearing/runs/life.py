@@ -77,6 +77,14 @@ def modified(case: Case, state: LoadedState) -> LifeOfState | None:
     return LifeOfState.of(state.basic, tuple(_slice_factors(case, state)), factors)
 
 
+def rated(case: Case, bearing: CylindricalRollerBearing) -> float | None:
+    """Life by ratings alone [rev], which needs no equilibrium; None where loads of rollers or films count."""
+    if case.life.loads != "rating" or case.life.lubrication == "film":
+        return None
+    factors = (*_oil_factor(case, bearing, case.operation.radial_load), *_fixed_factors(case))
+    return LifeOfState.of(_by_rating(case, bearing), (), factors).modified
+
+
 def _slice_factors(case: Case, state: LoadedState) -> Iterator[dict[str, Any]]:
     """What capacity, edge stress and rollers make of the basic life, one after the other."""
     bearing, (inner, outer) = state.bearing, state.loads
@@ -126,13 +134,19 @@ def _lubrication_factors(case: Case, state: LoadedState) -> Iterator[LifeFactor]
         yield explained(film_factor(ratio), f"smallest film ratio {ratio:.3g}")
     elif case.life.lubrication == "a_ISO":
         bearing, (inner, outer) = state.bearing, state.loads
-        rating, ratio_of_oil = dynamic(case, bearing), kappa(case, bearing)
+        rating = dynamic(case, bearing)
         edge = case.life.edge_stress
         load = case.operation.radial_load
         if case.life.loads == "rollers":
             life = reference_life(inner, outer, bearing, state.turning, edge_stress=edge, rating=rating)
             load = float(reference_load(life, rating))
-        ratio = fatigue_share(case, bearing) / load
+        yield from _oil_factor(case, bearing, load)
+
+
+def _oil_factor(case: Case, bearing: CylindricalRollerBearing, load: float) -> Iterator[LifeFactor]:
+    """a_ISO at an equivalent load [N], where the case asks for it."""
+    if case.life.lubrication == "a_ISO":
+        ratio_of_oil, ratio = kappa(case, bearing), fatigue_share(case, bearing) / load
         words = f"kappa {ratio_of_oil:.3g}, e_C C_u/P {ratio:.3g}, equivalent load {load:.4g} N"
         factor = explained(modification_factor(ratio_of_oil, ratio), words)
         slope = float(modification_slope(ratio_of_oil, ratio)) / ROLLER_EXPONENT

@@ -1,5 +1,6 @@
 """What the life of a roller bearing has that a catalogue leaves out."""
 
+from operator import attrgetter
 from typing import Any
 
 from flexbearing.build import roller_bearing
@@ -193,4 +194,17 @@ def oil(case: Case, lived: float) -> dict[str, float]:
     )
 
 
-CATALOGUE = Catalogue(RATING, influences, require_load, ratings, oil)
+def rated(case: Case) -> float | None:
+    """Life by ratings alone [rev]; None where the case asks for another."""
+    return life.rated(case, roller_bearing.parts(case))
+
+
+def viscosity_ratio(case: Case) -> float:
+    """Viscosity ratio kappa of ISO 281 [-]."""
+    return life.kappa(case, roller_bearing.parts(case))
+
+
+CATALOGUE = Catalogue(
+    RATING, influences, require_load, ratings, oil,
+    rated, viscosity_ratio, attrgetter("operation.radial_load"), ROLLER_EXPONENT,
+)  # fmt: skip

@@ -39,17 +39,20 @@ def prepared(file: str | Path, tell: TellChecked = lambda done, total: None) -> 
     BadCase
         one line for each problem of the study file, or of the case that its variants are made of
     """
-    return settle(read(file, FAMILIES), tell)
+    return settle(read(file, FAMILIES), tell, bounded=True)
 
 
-def settle(study: Study, tell: TellChecked = lambda done, total: None) -> Prepared:
-    """Settle what a study computes, see `prepared`."""
+def settle(study: Study, tell: TellChecked = lambda done, total: None, *, bounded: bool = False) -> Prepared:
+    """Settle what a study computes, see `prepared`; `bounded`: a duty cycle may have idle and thin rows."""
     family = FAMILIES[study.kind]
     lives = duty.texts(study.spectrum).values() if study.spectrum else ()
     require_outputs(study, lives, "duty", FAMILIES)
     drawn(study, collected(study, FAMILIES, elastic=True, rollers=1), FAMILIES)  # names that none has
     with shared_map() as mapped:
-        settled = plan(study, _checked, mapped, tell)
+        checked = partial(_checked, cycle=bounded and study.spectrum is not None)
+        settled = plan(study, checked, mapped, tell)
+    if study.spectrum and study.spectrum.measure == "revolutions":
+        _require_turning(study, settled)
     elastic, first = any(variant.rings for variant in settled.variants), _first(settled)
     settled = replace(settled, side_by_side=not study.full and _is_side_by_side(first))
     rollers = 0 if "bearing.rollers" in settled.base.keys else _rollers(first)
@@ -61,28 +64,59 @@ def settle(study: Study, tell: TellChecked = lambda done, total: None) -> Prepar
     return Prepared(study, settled, with_errors(columns, layout), plot, estimated(lives, layout))
 
 
-def _checked(base: Base, rows: Sequence[Values]) -> list[Variant | Impossible]:
+def _require_turning(study: Study, settled: Plan) -> None:
+    """Refuse a share of the revolutions of a row that stands still."""
+    assert study.spectrum
+    for number, variant in enumerate(settled.variants):
+        row = number % len(study.spectrum.shares)
+        if variant.idle and not variant.idle.speed and study.spectrum.shares[row]:
+            raise BadCase(
+                f"{study.path.name}: [duty] row {row + 1} stands still and has a share of the revolutions; "
+                "give shares of the time"
+            )
+
+
+def _checked(base: Base, rows: Sequence[Values], *, cycle: bool) -> list[Variant | Impossible]:
     """Variants with some values of the keys each, or why there is no such case."""
     read = variants_of(base)
-    return [_variant(read, values) for values in rows]
+    return [_variant(read, values, cycle=cycle) for values in rows]
 
 
-def _variant(read: Variants, values: Values) -> Variant | Impossible:
-    from flexbearing.runs.validate import require_possible
+def _variant(read: Variants, values: Values, *, cycle: bool) -> Variant | Impossible:
+    from flexbearing.studies.idle import idle
     from flexbearing.studies.rings import levels, rings
 
+    if cycle and (found := idle(read, values)):
+        return found
     try:
         case = read.case(values)
-        require_possible(case, FAMILIES[case.kind])
+        thin = _possible(case, cycle=cycle)
     except BadCase as problem:
         return Impossible(excerpt("; ".join(str(problem).splitlines()), LONGEST))
-    return Variant(values, identity(case), rings(case), levels(case), read.in_si(case))
+    return Variant(values, identity(case), rings(case), levels(case), read.in_si(case), thin=thin)
+
+
+def _possible(case: Head, *, cycle: bool) -> str:
+    """Raise where a case cannot be computed; tell why it can be without a_ISO alone, empty where with it."""
+    from flexbearing.runs.validate import require_possible
+
+    try:
+        require_possible(case, FAMILIES[case.kind])
+    except BadCase:
+        from flexbearing.studies.thin_oil import too_thin, without_factor
+
+        thin = too_thin(case) if cycle else ""
+        if not thin:
+            raise
+        require_possible(without_factor(case), FAMILIES[case.kind])
+        return thin
+    return ""
 
 
 def _first(settled: Plan) -> Head | None:
     """The first case that can be computed."""
     for variant in settled.variants:
-        if variant.identity:
+        if variant.identity and not variant.idle:
             return variants_of(settled.base).known(variant.values, variant.in_si)
     return None
 
@@ -126,7 +160,8 @@ def compute(
         settled = replace(settled, study=settled.study.reading(where.slurm))
     folder, name = output.resolve(), settled.study.name
     cache = str(folder / f"{name}.rings") if configured().folder is None else None
-    wish = Wish(settled.outputs, settled.study.search, settled.files(folder), settled.study.final)
+    study = settled.study
+    wish = Wish(settled.outputs, study.search, settled.files(folder), study.final, study.spectrum is not None)
     work = Work(partial(rows, wish=wish, cache=cache), partial(condense, cache=cache))
     with limited_to(where.jobs):
         table = run(settled, output, work, where.engine(settled.plan), retry_failed=retry_failed, tell=tell)

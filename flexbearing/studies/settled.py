@@ -1,7 +1,7 @@
 """A study whose variants and columns are settled: its rows, how many there are, its table."""
 
 import glob
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import chain
@@ -12,19 +12,18 @@ import numpy as np
 
 from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
+from flexbearing.studies.duty_cycles import catalogued, duty_cycles
 from flexbearing.studies.engine import Ended
 from flexbearing.studies.file import Study
 from flexbearing.studies.plan import Part, Plan, Row, Variant
-from flexbearing.studies.plan.task import Base, file_name
+from flexbearing.studies.plan.task import CONVERGED, NO_DAMAGE, NOT_COMPUTED, Base, file_name
 from flexbearing.studies.table import Table, duty, journal
 from flexbearing.studies.table.collected import Collected
 from flexbearing.studies.table.column import Column, ends
-from flexbearing.studies.table.duty import Cycles
 from flexbearing.studies.table.files import CYCLES, PICTURE, SCATTER, SCATTER_PICTURE, paths
 from flexbearing.studies.table.keys import key_columns
 from flexbearing.studies.table.plot import Plot
 
-NOT_COMPUTED = "not computed"  # status of a row whose variant is still to come
 Rows = Mapping[str, Row]  # by identity
 
 
@@ -124,14 +123,22 @@ class Prepared:
                 answered = identity in found and found[identity].converged
                 if wanted <= row.values.keys() and (row.converged or not (retry_failed or answered)):
                     found[identity] = row
-        if files is None:
-            return found
-        stored = {
-            each.identity
-            for each in self.plan.variants
-            if (files / file_name(each, final=self.study.final)).exists()
+        if files is not None:
+            stored = {
+                each.identity
+                for each in self.plan.variants
+                if (files / file_name(each, final=self.study.final)).exists()
+            }
+            found = {key: row for key, row in found.items() if key in stored or row.status != CONVERGED}
+        return found | self.idle_rows
+
+    @property
+    def idle_rows(self) -> dict[str, Row]:
+        """Rows of a duty cycle that are not computed."""
+        variants = self.plan.variants if self.study.spectrum else ()
+        return {
+            each.identity: Row(each.identity, NO_DAMAGE, each.idle.why, 0.0) for each in variants if each.idle
         }
-        return {key: row for key, row in found.items() if key in stored or not row.converged}
 
     def table(self, rows: Rows) -> Table:
         """The table of the rows that there are; the others are not computed."""
@@ -147,9 +154,13 @@ class Prepared:
             outputs.append(Column("result", "", tuple(map(self._file, self.plan.variants, ordered))))
         if self.study.spectrum is None or self.part:
             return Table(name, (*keys, *outputs, *ends(ordered)), axes, arrays=arrays)
-        length = len(axes[-1].rows)
-        speeds = self.speeds.reshape(-1, length)
-        cycles = Cycles(self.study.spectrum, speeds, _cut(ordered, length), self.life_errors)
+        length, spectrum = len(axes[-1].rows), self.study.spectrum
+        catalogue = catalogued(self.plan, FAMILIES[self.study.kind], spectrum, self._case)
+        cycles = duty_cycles(self.plan, spectrum, ordered, self.speeds, self.life_errors, catalogue)
+        ordered = [
+            replace(row, message="; ".join(filter(None, (row.message, words))))
+            for row, words in zip(ordered, cycles.messages(), strict=True)
+        ]
         others = [
             replace(column, values=column.values[::length])
             for column in keys
@@ -160,24 +171,30 @@ class Prepared:
 
     def _file(self, variant: Variant, row: Row) -> str:
         """Result file of a row, from the folder of the table; empty where there is none."""
-        return f"{self.study.name}/{file_name(variant, final=self.study.final)}" if row.converged else ""
+        return (
+            f"{self.study.name}/{file_name(variant, final=self.study.final)}"
+            if row.status == CONVERGED
+            else ""
+        )
 
     @property
     def speeds(self) -> np.ndarray:
         """Speed of the inner ring against the outer one of each variant [rad/s]."""
-        read = variants_of(self.plan.base)
-        cases: list[Any] = [read.known(variant.values, variant.in_si) for variant in self.plan.variants]
-        return np.array([case.operation.inner_speed - case.operation.outer_speed for case in cases])
+        return np.array([each.idle.speed if each.idle else self._speed(each) for each in self.plan.variants])
+
+    def _speed(self, variant: Variant) -> float:
+        operation = self._case(variant).operation
+        return operation.inner_speed - operation.outer_speed
+
+    def _case(self, variant: Variant) -> Any:
+        """The case of a variant that is not idle."""
+        return variants_of(self.plan.base).known(variant.values, variant.in_si)
 
     def progress(self, rows: Rows) -> Progress:
         """How far some rows are."""
         there = [row for variant in self.plan.variants if (row := rows.get(variant.identity))]
         failed = sum(not row.converged for row in there)
         return Progress(len(there), len(self.plan.variants), failed, len(there), 0.0)
-
-
-def _cut(rows: Sequence[Row], length: int) -> list[Sequence[Row]]:
-    return [rows[first : first + length] for first in range(0, len(rows), length)]
 
 
 @lru_cache(maxsize=4)

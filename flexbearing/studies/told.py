@@ -11,7 +11,7 @@ from typing import Any, Self, TextIO
 from flexbearing.case.problems import MOST
 from flexbearing.printable import printable
 from flexbearing.studies.settled import Prepared, Progress
-from flexbearing.studies.table import Table
+from flexbearing.studies.table import Table, duty
 from flexbearing.studies.table.files import PICTURE, SCATTER_PICTURE
 from flexbearing.studies.table.forms import EXTRA, FORMS, missing
 from flexbearing.studies.where import ALONE, RING, SIDE_BY_SIDE, Cost, expected
@@ -107,17 +107,33 @@ def end(settled: Prepared, table: Table, folder: Path) -> str:
 
 
 def cycles(lives: Table) -> list[str]:
-    """A line for each of the first duty cycles."""
+    """Lines for each of the first duty cycles: lives with their kinds, what they lack, what they require."""
     keys = [column for column in lives.columns if column.varied]
     lines = []
     for number, row in enumerate(lives.rows[:MOST]):
         where = ", ".join(f"{column.heading} {column.values[number]}" for column in keys)
-        error = f" (error {row[LIFE_ERROR]:.2g} %)" if LIFE_ERROR in row else ""
-        words = f"life {row['life [h]']:.6g} h{error}, inner {row['inner_life [h]']:.6g} h, outer " + (
-            f"{row['outer_life [h]']:.6g} h, mean speed {row['mean_speed [rpm]']:.6g} rpm"
-        )
-        lines.append(f"duty cycle{f' at {where}' if where else ''}: {row['message'] or words}")
+        lines.append(f"duty cycle{f' at {where}' if where else ''}: {'; '.join(_cycle(row))}")
     return lines
+
+
+def _cycle(row: Mapping[str, Any]) -> Iterator[str]:
+    """Parts of the line of a duty cycle."""
+    error = f" (error {row[LIFE_ERROR]:.2g} %)" if LIFE_ERROR in row else ""
+    without = " without the rows left out" if row["left_out_time_share [%]"] else ""
+    yield f"{row['kind']} life {row['life [h]']:.6g} h{error}{without}"
+    if "basic_life [h]" in row:
+        yield f"basic L10 life {row['basic_life [h]']:.6g} h"
+    raceways = ", ".join(f"{race} {row[f'{race}_life [h]']:.6g} h" for race in duty.RACEWAYS)
+    yield f"basic L10 life of each raceway: {raceways}"
+    yield f"mean speed {row['mean_speed [rpm]']:.6g} rpm"
+    if "mean_load [N]" in row:
+        yield f"mean equivalent load (ISO 281) {row['mean_load [N]']:.5g} N"
+    if "required_rating [N]" in row:
+        yield f"required C {row['required_rating [N]']:.5g} N"
+    if "binning_error [%]" in row:
+        yield f"error by bins of {row['series_rows']} rows about {row['binning_error [%]']:.2g} %"
+    if row["message"]:
+        yield row["message"]
 
 
 def scatter(table: Table) -> Iterator[str]:

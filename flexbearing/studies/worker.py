@@ -26,9 +26,12 @@ from flexbearing.progress import Logged
 from flexbearing.results import store
 from flexbearing.runs.answer import Answer
 from flexbearing.studies.plan import Condensed, Corners, Ring, Row, Task, Variant
-from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED, ERROR, NOT_STORED, file_name
+from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED, ERROR, NOT_STORED, RATED, file_name
 from flexbearing.studies.settled import variants_of
 from flexbearing.studies.table.collected import errors, numbers
+from flexbearing.studies.table.duty import MODIFIED, MREV
+from flexbearing.studies.thin_oil import bounded, without_factor
+from quasidynamic import ImpossiblePart, OutOfRange
 
 LONGEST = 500  # characters of a message
 
@@ -41,6 +44,7 @@ class Wish:
     search: bool = False  # whether other equilibria are searched where they are likely
     files: Path | None = None  # folder of a result file for each variant; None where the rows suffice
     final: bool = False  # whether these files hold end states alone
+    cycle: bool = False  # whether they are rows of a duty cycle
     levels: Levels | None = None  # that variants with accuracy.target share
 
 
@@ -48,7 +52,9 @@ def rows(task: Task, wish: Wish, cache: str | None = None) -> tuple[Row, ...]:
     """Compute the variants of a task."""
     keep_freed()
     read = variants_of(task.base)
-    cases = [read.known(variant.values, variant.in_si) for variant in task.variants]
+    known = (read.known(variant.values, variant.in_si) for variant in task.variants)
+    both = zip(task.variants, known, strict=True)
+    cases = [without_factor(case) if variant.thin else case for variant, case in both]
     levels = UsualLevels(task.levels) if isinstance(task.levels, str) else task.levels
     wish = replace(wish, levels=levels)
     with rings_in(cache), complaints() as heard:
@@ -151,7 +157,27 @@ def _row(variant: Variant, case: Head, answer: Answer, seconds: float, wish: Wis
     values = {text: number for text, number in answer.numbers.items() if not isnan(number)}
     if wish.levels is not None and answer.status == CONVERGED:
         values |= errors(wish.levels.estimate, wish.texts, case.kind, FAMILIES)
-    return Row(variant.identity, answer.status, words, round(seconds, 6), values, own_run=answer.own_run)
+    row = Row(variant.identity, answer.status, words, round(seconds, 6), values, own_run=answer.own_run)
+    if wish.cycle and MODIFIED in wish.texts and MODIFIED not in values:
+        row = _by_ratings(row, case)
+    if variant.thin:
+        words = "; ".join(filter(None, (variant.thin, row.message)))
+        row = replace(row, values=bounded(row.values), message=words)
+    return row
+
+
+def _by_ratings(row: Row, case: Any) -> Row:
+    """A row with the life by ratings, where its case asks for that: it needs no equilibrium."""
+    catalogue = FAMILIES[case.kind].catalogue
+    try:
+        life = catalogue().rated(case) if catalogue else None
+    except (ImpossiblePart, OutOfRange):
+        life = None
+    if life is None:
+        return row
+    words = row.message if row.converged else f"life by ratings alone; {row.status}: {row.message}"
+    status = row.status if row.converged else RATED
+    return replace(row, status=status, message=words, values={**row.values, MODIFIED: life / MREV})
 
 
 def _answer(case: Head, wish: Wish, file: Path | None = None) -> Answer:

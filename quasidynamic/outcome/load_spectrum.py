@@ -21,7 +21,7 @@ def revolution_shares(time: ArrayLike, speed: ArrayLike) -> NDArray:
     Returns
     -------
     array (..., N)
-        phi [-], the sum is 1
+        phi [-], the sum is 1; 0 where nothing turns in any row
 
     Source
     ------
@@ -35,7 +35,8 @@ def revolution_shares(time: ArrayLike, speed: ArrayLike) -> NDArray:
     array([0.25, 0.75])
     """
     turned = np.asarray(time, dtype=float) * np.abs(speed)
-    return turned / turned.sum(axis=-1, keepdims=True)
+    total = turned.sum(axis=-1, keepdims=True)
+    return turned / np.where(total > 0, total, 1.0)
 
 
 def time_shares(revolutions: ArrayLike, speed: ArrayLike) -> NDArray:
@@ -48,12 +49,12 @@ def time_shares(revolutions: ArrayLike, speed: ArrayLike) -> NDArray:
     revolutions : array (..., N)
         phi, share of the revolutions, or any measure of it [-], >= 0
     speed : array (..., N)
-        n, of the inner ring against the outer one [rad/s], other than 0
+        n, of the inner ring against the outer one [rad/s]; 0 where phi is 0, whose time is not known
 
     Returns
     -------
     array (..., N)
-        t [-], the sum is 1
+        t [-], the sum is 1; 0 of a row that stands still
 
     Source
     ------
@@ -66,7 +67,8 @@ def time_shares(revolutions: ArrayLike, speed: ArrayLike) -> NDArray:
     >>> time_shares([0.25, 0.75], [100.0, -300.0])
     array([0.5, 0.5])
     """
-    taken = np.asarray(revolutions, dtype=float) / np.abs(speed)
+    turning = np.abs(speed)
+    taken = np.where(turning > 0, revolutions, 0.0) / np.where(turning > 0, turning, 1.0)
     return taken / taken.sum(axis=-1, keepdims=True)
 
 
@@ -187,3 +189,38 @@ def cumulated_life_error(revolutions: ArrayLike, lives: ArrayLike, errors: Array
     each = damage(revolutions, lives)
     with np.errstate(invalid="ignore"):  # no load, no damage
         return np.where(each > 0, each * errors, 0.0).sum(axis=-1) / each.sum(axis=-1)
+
+
+def mean_load(revolutions: ArrayLike, loads: ArrayLike, exponent: float) -> Any:
+    r"""Constant load with the basic rating life of all rows together.
+
+    .. math:: P_m = \left(\sum_i \varphi_i P_i^p\right)^{1/p}
+
+    Parameters
+    ----------
+    revolutions : array (..., N)
+        phi, share of the revolutions, whose sum is 1 [-], >= 0
+    loads : array (..., N)
+        P, equivalent load of each row [N], >= 0
+    exponent : float
+        p of the rating life [-]
+
+    Returns
+    -------
+    float or array (...)
+        P_m [N]
+
+    Source
+    ------
+    Harris, Rolling Bearing Analysis, fatigue life with varying loads.
+
+    Valid
+    -----
+    As `damage`, with lives that go with P^-p.
+
+    >>> round(float(mean_load([0.5, 0.5], [1000.0, 2000.0], 3.0)), 1)
+    1651.0
+    """
+    shares, largest = np.asarray(revolutions), np.max(loads, axis=-1, keepdims=True)
+    relative = np.asarray(loads) / np.where(largest > 0, largest, 1.0)
+    return largest[..., 0] * (shares * relative**exponent).sum(axis=-1) ** (1 / exponent)

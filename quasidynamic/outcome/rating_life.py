@@ -41,6 +41,39 @@ def rating_life(rating: float, load: ArrayLike, exponent: float = ROLLER_EXPONEN
         return (rating / np.asarray(load, dtype=float))[()] ** exponent
 
 
+def required_rating(load: ArrayLike, life: ArrayLike, exponent: float = ROLLER_EXPONENT) -> Any:
+    r"""Dynamic load rating that a basic rating life requires.
+
+    .. math:: C_r = P_r L_{10}^{1/p}
+
+    Parameters
+    ----------
+    load : float or array (...)
+        P_r, equivalent radial load [N], >= 0
+    life : float or array (...)
+        L10 [10^6 revolutions], >= 0
+    exponent : float
+        p [-]
+
+    Returns
+    -------
+    float or array (...)
+        C_r [N]
+
+    Source
+    ------
+    The inverse of `rating_life`.
+
+    Valid
+    -----
+    As `rating_life`.
+
+    >>> round(float(required_rating(1000.0, 8.0, 3.0)), 9)
+    2000.0
+    """
+    return np.asarray(load) * np.asarray(life) ** (1 / exponent)
+
+
 def static_safety(rating: ArrayLike, load: ArrayLike) -> Any:
     r"""Static safety factor.
 

@@ -1,5 +1,6 @@
 """Duty cycles: life under a load spectrum by the rule of Palmgren and Miner, against calculations by hand."""
 
+import re
 from dataclasses import replace
 from math import inf, isnan, nan, pi
 
@@ -12,8 +13,15 @@ from flexbearing.case import BadCase
 from flexbearing.studies.file.spectrum import Spectrum
 from flexbearing.studies.plan import Row
 from flexbearing.studies.prepare import prepared
+from flexbearing.studies.table.bounds import Conditions
 from flexbearing.studies.table.duty import Cycles, texts
+from flexbearing.studies.thin_oil import LEAST_FACTOR
 from quasidynamic.outcome.life import basic_life, raceway_lives
+from quasidynamic.outcome.life_factors import (
+    BALLS as BALLS_OF_ISO,
+    ROLLERS as ROLLERS_OF_ISO,
+    modification_factor,
+)
 from quasidynamic.outcome.load_spectrum import cumulated_life, revolution_shares, time_shares
 from tests.bearings import paper_bearing
 from tests.flexbearing.toy_studies import CASE
@@ -70,7 +78,7 @@ def test_the_lives_of_the_cycle_stand_in_files_and_words(cycle):
     from flexbearing.studies import told
 
     words = "\n".join(told.cycles(cycle.cycles))
-    assert f"duty cycle: life {cycle.cycles['life [h]'].values[0]:.6g} h, inner" in words
+    assert f"duty cycle: basic L10 life {cycle.cycles['life [h]'].values[0]:.6g} h; " in words
     assert cycle.cycles.name == "cycle_duty"
     assert cycle.cycles.to_xarray()["life"].shape == ()
 
@@ -152,11 +160,40 @@ def test_a_cycle_without_any_load_lasts_for_ever():
     assert all(isnan(share) for share in column(found.of_rows(), "damage_share [%]"))
 
 
-def test_a_row_without_an_answer_leaves_the_cycle_without_a_life():
+def test_a_row_without_an_answer_is_left_out_and_its_share_stands_beside_the_life():
     found = list(cycles(2.0, None, 4.0).of_cycles())
+    assert column(found, "revolutions [Mrev]") == approx([1 / (0.25 / 2 + 0.5 / 4)], rel=1e-15)
+    assert column(found, "left_out_time_share [%]") == approx([25.0], rel=1e-14)
+    assert column(found, "left_out_revolution_share [%]") == approx([25.0], rel=1e-14)
+    assert column(found, "status") == ("rows left out",)
+    assert column(found, "message") == ("left out: row 2, 25 % of the time",)
+
+
+def test_a_cycle_of_rows_without_an_answer_has_no_life():
+    found = list(cycles(None, inf, None).of_cycles())
     assert isnan(column(found, "life [h]")[0])
-    assert column(found, "status") == ("rows not solved",)
-    assert column(found, "message") == ("not solved: row 2",)
+    assert column(found, "status") == ("no row solved",)
+
+
+def bounded(loads, others=(0, 0, 0)):
+    return replace(
+        cycles(2.0, None, 4.0), conditions=Conditions(np.array(loads, dtype=float)[:, None], np.array(others))
+    )
+
+
+def test_the_damage_of_a_row_without_an_answer_is_that_of_the_next_higher_load():
+    found = bounded([9.0, 5.0, 7.0])
+    columns = list(found.of_cycles())
+    assert column(columns, "revolutions [Mrev]") == approx([1 / (0.25 / 2 + 0.75 / 4)], rel=1e-15)
+    assert column(columns, "bounded_time_share [%]") == approx([25.0], rel=1e-14)
+    assert column(columns, "left_out_time_share [%]") == (0.0,)
+    assert column(columns, "status") == ("bounded",)
+    assert [*found.messages()] == ["", "counted with the life of row 3 of the cycle", ""]
+
+
+@pytest.mark.parametrize(("loads", "others"), [((9.0, 10.0, 7.0), (0, 0, 0)), ((9.0, 5.0, 7.0), (0, 1, 0))])
+def test_neither_a_lower_load_nor_another_speed_bounds_a_row(loads, others):
+    assert column(bounded(loads, others).of_cycles(), "left_out_time_share [%]") == approx([25.0], rel=1e-14)
 
 
 def test_a_row_that_takes_no_time_needs_no_answer():
@@ -206,3 +243,184 @@ def test_duty_cycle_of_balls_against_single_runs(tmp_path):
     turned = 3 * 5000, 1 * 10000
     expected = 1 / sum(turns / sum(turned) / life for turns, life in zip(turned, lives, strict=True))
     assert cycle.cycles["revolutions"].values[0] == approx(expected, rel=1e-9)
+
+
+ROLLERS, BALLS = CASE.parent / "catalogue" / "nu210.toml", CASE.parent / "catalogue" / "6208.toml"
+
+
+def duty_of(folder, loads, speeds, *further, case=ROLLERS, measure="time", shares=None):
+    """A study of a duty cycle with radial loads [N] and speeds [rpm]."""
+    lists = {
+        f"operation.{'radial_load' if case == ROLLERS else 'load.radial_z'}": [f"{load} N" for load in loads],
+        "operation.inner_speed": [f"{speed} rpm" for speed in speeds],
+    }
+    lines = [f'"{key}" = {values}' for key, values in lists.items()]
+    text = [f'case = "{case}"', "[duty]", f"{measure} = {[*(shares or [1] * len(loads))]}", *lines, *further]
+    file = folder / "cycle.toml"
+    file.write_text("\n".join(text))
+    return file
+
+
+@pytest.mark.parametrize("life", ["life_L10", "modified_life"])
+def test_standstill_and_no_load_are_time_without_damage(tmp_path, life):
+    loads, speeds = (8000, 0, 8000), (3000, 3000, 0)
+    file = duty_of(tmp_path, loads, speeds, f'life = "{life}"', f'[collect]\nlife = "{life} [Mrev]"')
+    table = flexbearing.study(file, tmp_path, jobs=1)
+    assert table["status"].values == ("converged", "no damage", "no damage")
+    assert [words.partition(":")[0] for words in table["message"].values[1:]] == ["no load", "standstill"]
+    assert table.failed == 0
+    assert table.cycles["status"].values == ("converged",)
+    assert table.cycles["revolutions"].values[0] == approx(2 * table["life"].values[0], rel=1e-12)
+    assert table.cycles["mean_speed"].values[0] == approx(2000, rel=1e-12)
+    assert (
+        flexbearing.study(file, tmp_path, jobs=1).cycles["life [h]"].values == table.cycles["life [h]"].values
+    )
+
+
+def test_a_preloaded_bearing_without_load_is_computed(tmp_path):
+    file = study_of(
+        tmp_path,
+        '[duty]\ntime = [1, 1]\n"operation.radial_load" = ["5 kN", "0 N"]\n"bearing.clearance" = "-20 um"\n',
+    )
+    assert [variant.idle for variant in prepared(file).plan.variants] == [None, None]
+
+
+def test_a_row_at_rest_has_no_share_of_the_revolutions(tmp_path):
+    file = duty_of(tmp_path, (8000, 8000), (3000, 0), measure="revolutions")
+    with pytest.raises(BadCase, match=r"\[duty\] row 2 stands still"):
+        prepared(file)
+
+
+def test_a_creeping_row_counts_with_the_least_factor(tmp_path):
+    file = duty_of(
+        tmp_path,
+        (8000, 5000),
+        (3000, 3),
+        'life = "modified_life"',
+        '[collect]\nl10 = "reference_life [Mrev]"',
+    )
+    table = flexbearing.study(file, tmp_path, jobs=1)
+    turned = np.array([3000, 3]) / 3003
+    shares = np.array(table["damage_share"].values)
+    creeping = 0.1 * table["l10"].values[1]  # a_ISO at kappa = 0.1
+    total = table.cycles["revolutions"].values[0]
+    assert shares[1] == approx(100 * total * turned[1] / creeping, rel=1e-9)
+    assert table.cycles["status"].values == ("bounded",)
+    assert table.cycles["bounded_time_share"].values == approx([50.0], rel=1e-12)
+    assert "kappa 0.00935 is below 0.1" in table["message"].values[1]
+
+
+def test_the_least_factor_is_that_of_kappa_0_1_at_any_load():
+    ratios = np.array([1e-3, 0.1, 10.0])
+    for elements in (ROLLERS_OF_ISO, BALLS_OF_ISO):
+        assert modification_factor(0.1, ratios, elements).value == approx(LEAST_FACTOR, rel=1e-2)
+
+
+def test_a_spectrum_with_idling_against_a_calculation_by_hand(tmp_path):
+    """C of 5.54 kN; 3 kN for 10 %, 2 kN for 20 %, 1 kN for 30 % of the time, no load for the rest."""
+    case = tmp_path / "case.toml"
+    lines = re.sub(r',?\s*"life.cleanliness"', "", BALLS.read_text()).splitlines()
+    of_oil = ("lubrication", "cleanliness")
+    case.write_text("\n".join(line for line in lines if not line.startswith(of_oil)) + '\nloads = "rating"\n')
+    file = duty_of(
+        tmp_path, (3000, 2000, 1000, 0), (1000, 1000, 1000, 1000),
+        '"life.dynamic_rating" = "5.54 kN"', 'life = "modified_life"', 'required_life = "500 h"',
+        case=case, shares=("10 %", "20 %", "30 %", "40 %"),
+    )  # fmt: skip
+    cycle = flexbearing.study(file, tmp_path, jobs=1).cycles
+    assert cycle["revolutions"].values[0] == approx(5.54**3 / 4.6, rel=1e-9)
+    assert cycle["revolutions"].values[0] == approx(37.0, rel=2e-3)
+    assert cycle["mean_load"].values[0] == approx(1000 * 4.6 ** (1 / 3), rel=1e-9)
+    assert cycle["required_rating"].values[0] == approx(1000 * (4.6 * 30) ** (1 / 3), rel=1e-9)
+
+
+def test_a_life_by_ratings_needs_no_equilibrium():
+    from flexbearing.case import read
+    from flexbearing.families import FAMILIES
+    from flexbearing.studies.plan.task import ERROR
+    from flexbearing.studies.worker import _by_ratings
+
+    settings = ["life.loads=rating", "life.capacity=", "life.edge_stress=", "operation.radial_load=1 N"]
+    case = read(ROLLERS, settings, FAMILIES)
+    found = _by_ratings(Row("", ERROR, "no equilibrium", 0.0), case)
+    expected = 50 * 73500 ** (10 / 3)  # a_ISO has its largest value
+    assert found.values["modified_life [Mrev]"] == approx(expected, rel=1e-9)
+    assert found.status == "rated"
+    assert found.converged
+
+
+def series_of(
+    folder, lines, *further, header="time [s],operation.radial_load [N],operation.inner_speed [rpm]"
+):
+    (folder / "measured.csv").write_text("\n".join([header, *lines]))
+    return study_of(folder, "\n".join(['[duty]\nseries = "measured.csv"', *further]))
+
+
+def test_a_time_series_is_sorted_into_bins_by_load_speed_and_direction(tmp_path):
+    """Rows begin at 0, 1, 3, 6 and 10 s; the last one lasts as long as the one before."""
+    lines = ["0,5000,3000", "1,5100,3000", "3,0,3000", "6,5000,-3000", "10,5000,0"]
+    study = prepared(series_of(tmp_path, lines, "bins = 3")).study
+    found = sorted(zip(study.axes[0].rows, study.spectrum.shares, strict=True), key=str)
+    speeds = [float(speed.split()[0]) * 30 / pi for (_, speed), _ in found]
+    loads = [float(load.split()[0]) for (load, _), _ in found]
+    shares = [round(14 * share) for _, share in found]
+    assert sorted(zip(np.round(speeds, 9), np.round(loads, 9), shares, strict=True)) == [
+        (-3000, 5000, 4), (0, 5000, 4), (3000, 0, 3), (3000, 5000, 1), (3000, 5100, 2)
+    ]  # fmt: skip
+    assert study.spectrum.bin_errors == approx((0.0,) * 5, abs=1e-12)
+    assert study.inputs[-1].name == "measured.csv"
+
+
+def random_series(folder, rows, *further):
+    generator = np.random.default_rng(3)
+    loads, speeds = generator.normal(6000, 2500, rows).clip(0), generator.uniform(-3000, 3000, rows)
+    speeds[::10] = 0
+    lines = [f"{row},{load},{speed}" for row, (load, speed) in enumerate(zip(loads, speeds, strict=True))]
+    return series_of(folder, lines, *further), loads, speeds
+
+
+def test_bins_have_the_damage_and_the_revolutions_of_their_rows(tmp_path):
+    file, loads, speeds = random_series(tmp_path, 2000, "bins = 12")
+    study = prepared(file).study
+    shares = np.array(study.spectrum.shares)
+    of_bins = np.array([[float(text.split()[0]) for text in row] for row in study.axes[0].rows]).T
+    turned, of_rows = shares * np.abs(of_bins[1]), np.abs(speeds) * pi / 30 / len(speeds)
+    assert turned.sum() == approx(of_rows.sum(), rel=1e-12)
+    assert (turned * of_bins[0] ** (10 / 3)).sum() == approx((of_rows * loads ** (10 / 3)).sum(), rel=1e-12)
+    assert np.all(np.array(study.spectrum.bin_errors) >= -1e-12)
+
+
+@pytest.mark.slow
+def test_the_error_of_the_bins_is_that_of_a_series_without_bins(tmp_path):
+    """The life without bins is that of as many variants as the series has rows."""
+    file, loads, speeds = random_series(tmp_path, 600, "bins = 8", "[collect]")
+    binned = flexbearing.study(file, tmp_path, jobs=1).cycles
+    table = "\n".join(f"1,{load},{speed}" for load, speed in zip(loads, speeds, strict=True))
+    (tmp_path / "rows.csv").write_text(f"time,operation.radial_load [N],operation.inner_speed [rpm]\n{table}")
+    single = study_of(tmp_path, '[duty]\nfile = "rows.csv"\n[collect]', "single")
+    exact = flexbearing.study(single, tmp_path, jobs=1).cycles
+    error = 100 * (binned["life [h]"].values[0] / exact["life [h]"].values[0] - 1)
+    stated = binned["binning_error [%]"].values[0]
+    assert 1e-3 < abs(error) < stated < 10
+    assert binned["series_rows"].values == (600,)
+
+
+WRONG_SERIES = {
+    "is not above that of the row before": ["0,1,1", "2,1,1", "2,1,1"],
+    "row 2, time": ["0,1,1", "x,1,1"],
+    "row 1, operation.radial_load has": ["0,x,1", "1,1,1"],
+    "row 2, operation.radial_load is empty": ["0,1,1", "1,,1"],
+    "two rows or more": ["0,1,1"],
+}
+
+
+@pytest.mark.parametrize(("words", "lines"), WRONG_SERIES.items())
+def test_what_is_wrong_with_a_series_is_told(tmp_path, words, lines):
+    with pytest.raises(BadCase, match=words):
+        prepared(series_of(tmp_path, lines))
+
+
+@pytest.mark.parametrize("given", ["20000", "20000 kN", "-1 h", "long"])
+def test_a_required_life_is_a_time(tmp_path, given):
+    with pytest.raises(BadCase, match="required_life has"):
+        prepared(duty_of(tmp_path, (8000, 1000), (3000, 3000), f'required_life = "{given}"'))

@@ -17,7 +17,7 @@ CASE = Path(__file__).parents[2] / "configs" / "mao2016.toml"
 def study_of(tmp_path):
     def read_text(text, **files):
         for name, content in files.items():
-            (tmp_path / f"{name}.csv").write_text(content)
+            (tmp_path / f"{name}.csv").write_bytes(content.encode())
         file = tmp_path / "thin.toml"
         file.write_text(f'case = "{CASE}"\n{text}')
         return read(file, FAMILIES)
@@ -85,7 +85,7 @@ def test_zipped_keys_change_together_and_single_values_stay(study_of):
     assert study.axes[0].name == "variant"
 
 
-@pytest.mark.parametrize("separator", [",", ";"])
+@pytest.mark.parametrize("separator", [",", ";", "\t"])
 def test_a_table_of_variants_is_one_axis_beside_the_others(study_of, separator):
     table = "\ufeffoperation.radial_load [kN],outer.kind,outer.bars\n10,squirrel_cage,24\n\n 20 ,rigid,12\n"
     study = study_of(
@@ -184,6 +184,29 @@ def test_a_duty_cycle_is_read_from_a_table(study_of):
     assert study.spectrum.measure == "revolutions"
     assert study.spectrum.shares == approx((1 / 3, 1 / 3, 1 / 3), rel=1e-15)
     assert study.inputs[-1].name == "list.csv"
+
+
+SPREADSHEETS = {
+    "semicolons": "time [%];operation.radial_load [kN];operation.inner_speed\n"
+    "33,5;1,250;1,5e3 rpm\n66,5;-,5;2 rpm\n",
+    "tabs": "\ufefftime [%]\toperation.radial_load [kN]\toperation.inner_speed\r\n"
+    "33,5\t 1,250 \t1,5e3 rpm\r\n66,5\t-,5\t2 rpm\r\n\t\t\r\n",
+    "named": "sep=;\r\ntime [%]; operation.radial_load [kN]; operation.inner_speed\r\n"
+    '33.5; "1.250"; 1.5e3 rpm\r\n66.5; -.5; 2 rpm\r\n',
+}
+
+
+@pytest.mark.parametrize("name", SPREADSHEETS)
+def test_tables_of_spreadsheets_are_read_with_their_separators_and_decimal_commas(study_of, name):
+    study = study_of('[duty]\nfile = "list.csv"', list=SPREADSHEETS[name])
+    assert tuple(study.axes[0].rows) == (("1.250 kN", "1.5e3 rpm"), ("-.5 kN", "2 rpm"))
+    assert study.spectrum.shares == approx((0.335, 0.665), rel=1e-14)
+
+
+def test_a_comma_is_decimal_only_in_numbers_without_a_point(study_of):
+    table = "operation.radial_load;lubricant.oil\n1.234,5 N;a,5\n1,5 kN;1,2,3\n"
+    study = study_of('[over]\nfile = "list.csv"', list=table)
+    assert tuple(study.axes[0].rows) == (("1.234,5 N", "a,5"), ("1.5 kN", "1,2,3"))
 
 
 OVER, LOAD = "[over]\n", '"operation.radial_load" = "1 kN"\n'

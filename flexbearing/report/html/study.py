@@ -17,7 +17,8 @@ MOST_ROWS = 2000  # of a table that a browser still shows at once
 MOST_MESSAGES = 50  # of rows, and rows of each
 LONGEST = 40  # characters of a list that a cell shows
 SHORT = 4  # lines that a legend names within a figure of usual height
-CONVERGED = "converged"
+CONVERGED, RATED = "converged", "rated"  # by its ratings alone
+ANSWERED = CONVERGED, RATED, "no damage"  # of a row that is idle
 _STYLES = ("solid", "dash", "dot")
 
 
@@ -65,12 +66,16 @@ def _verdict(table: StudyTable) -> Iterator[Block]:
     failed = [
         (row, f"{status}: {message}")
         for row, (status, message) in enumerate(ends, 1)
-        if status not in (CONVERGED, NOT_COMPUTED)
+        if status not in (*ANSWERED, NOT_COMPUTED)
     ]
     noted = [
-        (row, message) for row, (status, message) in enumerate(ends, 1) if message and status == CONVERGED
+        (row, message)
+        for row, (status, message) in enumerate(ends, 1)
+        if message and status in (CONVERGED, RATED)
     ]
-    words = f"{len(table) - len(failed) - table.to_come} of {len(table)} variants converged."
+    idle = sum(status == "no damage" for status, _ in ends)
+    converged = len(table) - len(failed) - table.to_come - idle
+    words = f"{converged} of {len(table)} variants converged{f', {idle} are idle' if idle else ''}."
     partial = (
         f"The table is partial: {table.to_come} are not computed; the same study started again adds them."
     )

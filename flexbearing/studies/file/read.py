@@ -105,6 +105,7 @@ def study_of(given: StudyFile, file: Path, families: Families) -> Study:
             file,
             case,
             *(file.parent / table.file for table in (given.over, given.duty) if table and table.file),
+            *([file.parent / given.duty.series] if given.duty and given.duty.series else []),
             *next_to(case, _file_names(stated, found, model)),
         ),
         axes=found,

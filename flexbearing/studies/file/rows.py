@@ -14,11 +14,13 @@ from flexbearing.inputs.limits import VARIANTS
 from flexbearing.studies.file.values import MOST, BadValues
 
 HEADING = re.compile(r"\s*(?P<name>[^\[\]]*?)\s*(?:\[(?P<unit>[^\[\]]*)\])?\s*")
+_NAMED = re.compile(r"sep=([,;\t])\s*", re.IGNORECASE)
+_DECIMAL = re.compile(r"^([+-]?[0-9]*),([0-9]+)(?![0-9.,])")  # of a number that has no point
 _HEADER = 'a header holds keys with units, such as "operation.radial_load [kN],operation.inner_speed [rpm]"'
 
 
 def rows(file: Path, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], tuple[tuple[Any, ...], ...]]:
-    """Keys and rows of a table of variants.
+    """Keys and rows of a table of variants; beside semicolons and tabs numbers may have decimal commas.
 
     Raises
     ------
@@ -32,14 +34,16 @@ def rows(file: Path, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], 
 
 
 def _rows(text: str, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], tuple[tuple[Any, ...], ...]]:
-    first = text.partition("\n")[0]
-    lines = csv.reader(StringIO(text), delimiter=";" if ";" in first and "," not in first else ",")
+    text, delimiter = _separated(text.lstrip("\r\n "))
+    lines = csv.reader(StringIO(text), delimiter=delimiter, skipinitialspace=True)
     try:
         header, *table = ([cell.strip() for cell in line] for line in lines if any(map(str.strip, line)))
     except ValueError:
         raise BadValues(f"is empty; {_HEADER}") from None
     except csv.Error as problem:
         raise BadValues(f"is no table: {problem}") from None
+    if delimiter != ",":
+        table = [[_DECIMAL.sub(r"\1.\2", cell) for cell in line] for line in table]
     if not 0 < len(table) <= MOST:
         raise BadValues(f"has {len(table)} rows below its header; a study has 1 to {MOST} variants")
     columns = [_heading(cell) for cell in header]
@@ -49,6 +53,14 @@ def _rows(text: str, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], 
             raise BadValues(f"column {place}: {key} has no unit, found [{excerpt(unit)}]")
     keys = tuple(key for key, _ in columns)
     return keys, tuple(_row(line, number, columns) for number, line in enumerate(table, 1))
+
+
+def _separated(text: str) -> tuple[str, str]:
+    """The table without a line that names its separator, as spreadsheets write it, and this separator."""
+    first, _, below = text.partition("\n")
+    if named := _NAMED.fullmatch(first):
+        return below, named[1]
+    return text, next((each for each in "\t;" if each in first), ",")
 
 
 def _heading(cell: str) -> tuple[str, str]:

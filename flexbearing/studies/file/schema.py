@@ -62,7 +62,29 @@ class Duty(Section):
         None,
         example="spectrum.csv",
     )
+    series: str | None = key(
+        'time series of keys (CSV) next to the study file, instead of rows with shares; a column "time [s]" '
+        "says when each row begins, without it rows last equally long",
+        None,
+        example="measured.csv",
+    )
+    bins: int = key(
+        "into how many bins of equal width the numbers of one sign of each load of the series are sorted; a "
+        "third as many of speeds and other keys",
+        30,
+        ge=1,
+        le=1000,
+    )
     life: Literal["life_L10", "modified_life"] = key("which life is cumulated for the bearing", "life_L10")
+    required_life: str | None = key(
+        "life that is required: the dynamic rating for it follows from the mean equivalent load, with the "
+        "reliability of the case (life.reliability)",
+        None,
+        example="20000 h",
+    )
+    application_factor: float = key(
+        "on equivalent loads, for the required rating; no life changes", 1.0, gt=0
+    )
 
 
 class MarkTable(Section):

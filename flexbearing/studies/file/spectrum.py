@@ -1,7 +1,7 @@
 """The rows of a duty cycle with their shares of time or of revolutions."""
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from math import fsum
 from pathlib import Path
 from typing import Any
@@ -12,6 +12,7 @@ from flexbearing.case.excerpt import excerpt
 from flexbearing.studies.file.axes import Axis, columns_of, together
 from flexbearing.studies.file.rows import rows
 from flexbearing.studies.file.schema import Duty
+from flexbearing.studies.file.series import TIME, Binned, binned
 from flexbearing.studies.file.values import BadValues
 from flexbearing.units import BadUnit, UnknownUnit, unit
 
@@ -27,6 +28,10 @@ class Spectrum:
     measure: str  # what the shares are of, "time" or "revolutions"
     shares: tuple[float, ...]  # row by row; the sum is 1
     life: str  # output that is cumulated
+    required: float | None = None  # life [s]
+    application_factor: float = 1.0
+    bin_errors: tuple[float, ...] = ()  # of the damage of each row, over it, where rows are bins of a series
+    measured: int = 0  # rows of the series
 
 
 def spectrum(duty: Duty, folder: Path, find: Callable[[str], Declaration]) -> tuple[Axis, Spectrum]:
@@ -37,16 +42,7 @@ def spectrum(duty: Duty, folder: Path, find: Callable[[str], Declaration]) -> tu
     BadValues
         naming key or row
     """
-    weights = {name: tuple(given) for name in MEASURES if (given := getattr(duty, name)) is not None}
-    for name in weights:
-        if not weights[name]:
-            raise BadValues(f"{name} is an empty list; every row has a share")
-    columns: dict[str, Sequence[Any]] = weights | columns_of(duty.model_extra or {}, find)
-    if duty.file is not None:
-        keys, table = rows(folder / duty.file, lambda key: key in MEASURES or find(key).kind is not None)
-        if twice := columns.keys() & {*keys}:
-            raise BadValues(f"{min(twice)} is given here and in {duty.file}")
-        columns |= zip(keys, zip(*table, strict=True), strict=True)
+    columns, series = _columns(duty, folder, find)
     measures = [name for name in MEASURES if name in columns]
     if len(measures) != 1 or len(columns) < 2:
         raise BadValues(
@@ -54,7 +50,58 @@ def spectrum(duty: Duty, folder: Path, find: Callable[[str], Declaration]) -> tu
         )
     joined = together({measures[0]: columns.pop(measures[0]), **columns}, AXIS)
     axis = Axis(AXIS, joined.keys[1:], tuple(row[1:] for row in joined.rows))  # a few rows
-    return axis, Spectrum(measures[0], _shares(measures[0], [row[0] for row in joined.rows]), duty.life)
+    shares = _shares(measures[0], [row[0] for row in joined.rows])
+    found = Spectrum(measures[0], shares, duty.life, _required(duty), duty.application_factor)
+    if series is None:
+        return axis, found
+    return axis, replace(found, bin_errors=tuple(series.errors.tolist()), measured=series.rows)
+
+
+def _columns(
+    duty: Duty, folder: Path, find: Callable[[str], Declaration]
+) -> tuple[dict[str, Sequence[Any]], Binned | None]:
+    """Shares and keys of the rows, given here and in a file; the time series where they are bins of one."""
+    weights = {name: tuple(given) for name in MEASURES if (given := getattr(duty, name)) is not None}
+    for name in weights:
+        if not weights[name]:
+            raise BadValues(f"{name} is an empty list; every row has a share")
+    columns: dict[str, Sequence[Any]] = weights | columns_of(duty.model_extra or {}, find)
+    if duty.file is not None and duty.series is not None:
+        raise BadValues("file and series are both there; the rows are in one of them")
+    if duty.file is not None:
+        keys, table = rows(folder / duty.file, lambda key: key in MEASURES or find(key).kind is not None)
+        return _joined(columns, dict(zip(keys, zip(*table, strict=True), strict=True)), duty.file), None
+    if duty.series is not None:
+        series = binned(folder / duty.series, duty.bins, find)
+        if weights:
+            raise BadValues(f"{min(weights)} is given beside {excerpt(duty.series)}, whose rows have times")
+        return _joined(columns, {TIME: series.seconds.tolist(), **series.columns}, duty.series), series
+    return columns, None
+
+
+def _joined(
+    columns: dict[str, Sequence[Any]], of_file: Mapping[str, Sequence[Any]], file: str
+) -> dict[str, Sequence[Any]]:
+    """Columns of the study file and of another one, none of which is in both."""
+    if twice := columns.keys() & of_file.keys():
+        raise BadValues(f"{min(twice)} is given here and in {file}")
+    return {**columns, **of_file}
+
+
+def _required(duty: Duty) -> float | None:
+    """The life that is required [s]."""
+    if duty.required_life is None:
+        return None
+    number, _, name = duty.required_life.strip().partition(" ")
+    words = f'required_life has {excerpt(toml(duty.required_life))}; it is a time, such as "20000 h"'
+    try:
+        of = unit(name.strip() or "1")
+        seconds = of.to_si(inputs.number(number))
+    except (BadUnit, UnknownUnit, inputs.BadNumber):
+        raise BadValues(words) from None
+    if of.powers != unit("s").powers or seconds <= 0:
+        raise BadValues(words)
+    return seconds
 
 
 def _shares(measure: str, given: Sequence[Any]) -> tuple[float, ...]:

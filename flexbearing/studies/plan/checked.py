@@ -8,9 +8,9 @@ from typing import Any, overload
 
 from flexbearing.studies.file.columns import Row
 from flexbearing.studies.plan.identity import LENGTH
-from flexbearing.studies.plan.task import Variant
+from flexbearing.studies.plan.task import Idle, Variant
 
-Shared = tuple[tuple[str, ...], str]  # rings and name of the levels
+Shared = tuple[tuple[str, ...], str, Idle | None, str]  # rings, name of the levels, whether idle or thin
 
 
 class CheckedVariants(Sequence[Variant]):
@@ -38,7 +38,7 @@ class CheckedVariants(Sequence[Variant]):
             for key, value in enumerate(found.in_si):
                 self._add(key, value, found.values[key])
             self._identities += bytes.fromhex(found.identity)
-            self._which.append(self._number_of((found.rings, found.levels)))
+            self._which.append(self._number_of((found.rings, found.levels, found.idle, found.thin)))
         self._count += 1
 
     def _add(self, key: int, value: Any, written: Any) -> None:
@@ -54,9 +54,9 @@ class CheckedVariants(Sequence[Variant]):
     def rename(self, number: int, identity: str, levels: str) -> None:
         """Give a variant another identity and other levels."""
         place, size = self._place(number), LENGTH // 2
-        rings, _ = self._shared[self._which[place]]
+        rings, _, idle, thin = self._shared[self._which[place]]
         self._identities[place * size : (place + 1) * size] = bytes.fromhex(identity)
-        self._which[place] = self._number_of((rings, levels))
+        self._which[place] = self._number_of((rings, levels, idle, thin))
 
     def _number_of(self, shared: Shared) -> int:
         if shared not in self._numbers:
@@ -67,7 +67,7 @@ class CheckedVariants(Sequence[Variant]):
     @property
     def have_levels(self) -> bool:
         """Whether any of them share levels."""
-        return any(levels for _, levels in self._shared)
+        return any(levels for _, levels, *_ in self._shared)
 
     def __len__(self) -> int:
         return self._count
@@ -94,12 +94,12 @@ class CheckedVariants(Sequence[Variant]):
     def _variant(self, number: int, row: Row) -> Variant:
         if self._impossible and not self._is_possible(number):
             return Variant(row, "")
-        rings, levels = self._shared[self._which[self._place(number)]]
+        rings, levels, idle, thin = self._shared[self._which[self._place(number)]]
         in_si = [
             _plain(row[key]) if column is None else column[self._place(number)]
             for key, column in enumerate(self._in_si)
         ]
-        return Variant(row, self.identity(number), rings, levels, tuple(in_si))
+        return Variant(row, self.identity(number), rings, levels, tuple(in_si), idle, thin)
 
     def _is_possible(self, number: int) -> bool:
         before = bisect_left(self._impossible, number)

@@ -62,7 +62,7 @@ class Plan:
         neighbours in the last digits, so that a task is computed whole or not at all.
         """
         groups: dict[tuple[tuple[str, ...], str], dict[str, Variant]] = {}
-        for variant in self.variants:
+        for variant in self.computed:
             groups.setdefault((variant.rings, variant.levels), {})[variant.identity] = variant
         total = sum(map(len, groups.values()))
         bundles = (
@@ -81,9 +81,14 @@ class Plan:
         return min(largest, share)
 
     @property
+    def computed(self) -> Iterator[Variant]:
+        """Variants that are not idle."""
+        return (variant for variant in self.variants if variant.idle is None)
+
+    @property
     def sizes(self) -> list[tuple[bool, int, int]]:
         """Whether rings are elastic, how many variants and how many tasks, for all with the same rings."""
-        groups = Counter((each.rings, each.levels) for each in self.variants)
+        groups = Counter((each.rings, each.levels) for each in self.computed)
         return [
             (bool(rings), count, -(-count // self._size(groups.total(), elastic=bool(rings))))
             for (rings, _), count in groups.items()

@@ -7,6 +7,10 @@ from typing import Any
 
 CONVERGED, BAD_INPUT, WORKER_DIED, ERROR = "converged", "bad input", "worker died", "error"
 NOT_STORED = "not stored"  # the result file of a variant: that ends the study
+NOT_COMPUTED = "not computed"  # status of a row whose variant is still to come
+NO_DAMAGE = "no damage"  # a row of a duty cycle that is idle; it is not computed
+RATED = "rated"  # a row of a duty cycle with a life by ratings, whose equilibrium was not found
+ANSWERED = CONVERGED, NO_DAMAGE, RATED
 Values = tuple[Any, ...]  # of the keys of a study, in the words of a case file
 
 
@@ -20,6 +24,14 @@ class Base:
 
 
 @dataclass(frozen=True, slots=True)
+class Idle:
+    """A row of a duty cycle that is time without damage."""
+
+    why: str
+    speed: float  # of the inner ring against the outer one [rad/s]
+
+
+@dataclass(frozen=True, slots=True)
 class Variant:
     """One row of the table."""
 
@@ -28,6 +40,8 @@ class Variant:
     rings: tuple[str, ...] = ()  # race and digest of its elastic rings, "outer 5f3a..."
     levels: str = ""  # names the levels that it shares with others; empty without accuracy.target
     in_si: tuple[Any, ...] = ()  # the values as its case has them; none where it cannot be read
+    idle: Idle | None = None  # then there is nothing to compute
+    thin: str = ""  # why its a_ISO is the least one, where the oil is too thin for ISO 281; else empty
 
 
 def file_name(variant: Variant, *, final: bool) -> str:
@@ -100,8 +114,8 @@ class Row:
 
     @property
     def converged(self) -> bool:
-        """Whether the variant has its numbers."""
-        return self.status == CONVERGED
+        """Whether the variant has its numbers, or needs none."""
+        return self.status in ANSWERED
 
 
 @dataclass(frozen=True)

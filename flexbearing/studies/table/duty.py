@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from math import pi
 
 import numpy as np
@@ -9,21 +10,46 @@ from numpy.typing import NDArray
 
 from flexbearing.studies.file.spectrum import Spectrum
 from flexbearing.studies.plan import Row
-from flexbearing.studies.plan.task import CONVERGED
+from flexbearing.studies.plan.task import CONVERGED, NO_DAMAGE, NOT_COMPUTED
+from flexbearing.studies.table.bounds import NONE, Conditions
 from flexbearing.studies.table.collected import of_error
 from flexbearing.studies.table.column import Column
 from quasidynamic.outcome.load_spectrum import (
     cumulated_life,
     cumulated_life_error,
     damage,
+    mean_load,
     mean_speed,
     revolution_shares,
     time_shares,
 )
+from quasidynamic.outcome.rating_life import required_rating
 
 RPM, HOUR, MREV = pi / 30, 3600.0, 1e6
+BASIC, MODIFIED = "life_L10 [Mrev]", "modified_life [Mrev]"
 RACEWAYS = {"inner": "raceway_life.inner [Mrev]", "outer": "raceway_life.outer [Mrev]"}
-INCOMPLETE = "rows not solved"  # status of a cycle
+KINDS = {"life_L10": "basic L10", "modified_life": "modified"}
+SHOWN = 10  # rows in a message
+BOUNDED, LEFT_OUT = "bounded", "rows left out"  # status of a cycle
+INCOMPLETE = "no row solved"
+
+
+@dataclass(frozen=True)
+class Catalogued:
+    """What a catalogue says of the cycles."""
+
+    loads: NDArray  # (C, N) equivalent load of each row, times the application factor [N]
+    exponent: float  # of the life
+    life: float | None = None  # that is required [s]
+    reliability: float = 1.0  # factor a_1 of the reliability that is required [-]
+
+    def columns(self, revolutions: NDArray, speed: NDArray) -> Iterator[Column]:
+        """Mean equivalent load and, where a life is required, the dynamic rating for it."""
+        mean = mean_load(revolutions, self.loads, self.exponent)
+        yield _column("mean_load", "N", mean)
+        if self.life is not None:
+            turns = self.life * speed / (2 * pi) / MREV / self.reliability
+            yield _column("required_rating", "N", required_rating(mean, turns, self.exponent))
 
 
 @dataclass(frozen=True)
@@ -34,6 +60,9 @@ class Cycles:
     speed: NDArray  # (C, N) of the inner ring against the outer one [rad/s]
     rows: Sequence[Sequence[Row]]  # C of N
     errors: Collection[str] = ()  # estimates that rows have, by the texts that name them
+    conditions: Conditions | None = None  # of the rows; None: no row bounds another one
+    thin: NDArray | None = None  # (C, N) whether a row counts with the least a_ISO
+    catalogued: Catalogued | None = None
 
     @property
     def texts(self) -> Mapping[str, str]:
@@ -56,59 +85,148 @@ class Cycles:
         """Numbers (C, N) of the rows; NaN where one has none."""
         return np.array([[row.values.get(text, np.nan) for row in cycle] for cycle in self.rows], dtype=float)
 
+    @cached_property
+    def _without_damage(self) -> NDArray:
+        """Rows (C, N) that are idle, or take no time."""
+        idle = np.array([[row.status == NO_DAMAGE for row in cycle] for cycle in self.rows])
+        return idle | (np.array(self.spectrum.shares) == 0)
+
+    @cached_property
+    def _lives(self) -> Mapping[str, "_Lives"]:
+        """Lives of all rows, by the words of their columns."""
+        return {words: self._counted(text) for words, text in self.texts.items()}
+
+    def _counted(self, text: str) -> "_Lives":
+        own = np.where(self._without_damage, np.inf, self._numbers(text) * MREV)
+        bounds = np.full(own.shape, NONE) if self.conditions is None else self.conditions.bounds(own)
+        taken = np.take_along_axis(own, np.maximum(bounds, 0), axis=1)
+        return _Lives(np.where(bounds == NONE, own, taken), bounds)
+
     @property
-    def complete(self) -> NDArray:
-        """Whether all rows (C) of a cycle that take time have an answer."""
-        counts = np.array(self.spectrum.shares) > 0
-        solved = np.array([[row.status == CONVERGED for row in cycle] for cycle in self.rows])
-        return np.all(solved | ~counts, axis=1)
+    def _bounded(self) -> NDArray:
+        """Rows (C, N) whose damage is a bound."""
+        by_others = self._lives[""].bounds != NONE
+        return by_others if self.thin is None else by_others | (self.thin & ~self._without_damage)
 
     def of_rows(self) -> Iterator[Column]:
         """Columns of the table of variants, C N long: shares of time, revolutions and damage."""
         yield _column("time_share", "%", 100 * self.shares_of_time)
         yield _column("revolution_share", "%", 100 * self.shares_of_revolutions)
-        for words, text in self.texts.items():
-            each = self._damage(text)
+        for words, lives in self._lives.items():
+            each = damage(self.shares_of_revolutions, lives.counted)
             with np.errstate(invalid="ignore"):  # no load, no damage
                 yield _column(f"{words}damage_share", "%", 100 * each / each.sum(axis=1, keepdims=True))
 
+    def messages(self) -> Iterator[str]:
+        """What a row without a life counts as, C N of them."""
+        lives, to_come = self._lives[""], np.repeat(self._to_come, self.speed.shape[1])
+        for waits, left_out, bound in zip(to_come, lives.left_out.ravel(), lives.bounds.ravel(), strict=True):
+            words = f"counted with the life of row {bound + 1} of the cycle" if bound != NONE else ""
+            yield "" if waits else "left out of the life of the cycle" if left_out else words
+
     def of_cycles(self) -> Iterator[Column]:
-        """Columns of the table of cycles, C long: lives in revolutions and hours, mean speed, ends."""
-        speed, complete = mean_speed(self.shares_of_time, self.speed), self.complete
-        for words, text in self.texts.items():
-            life = np.where(complete, cumulated_life(self.shares_of_revolutions, self._counted(text)), np.nan)
-            yield _column(f"{words}life", "h", life * 2 * pi / speed / HOUR)
+        """Columns of the table of cycles, C long: lives in revolutions and hours, what they lack, ends."""
+        speed = mean_speed(self.shares_of_time, self.speed)
+        for words, lives in self._lives.items():
+            life = self._life(lives)
+            with np.errstate(divide="ignore"):  # a cycle at rest
+                yield _column(f"{words}life", "h", life * 2 * pi / speed / HOUR)
             yield _column(f"{words}revolutions", "Mrev", life / MREV)
-            if of_error(text) in self.errors:
-                yield _column(f"{words}life error", "%", np.where(complete, self._error(text), np.nan))
+            if (error := of_error(self.texts[words])) in self.errors:
+                of_rows = self._numbers(error)
+                known = cumulated_life_error(self.shares_of_revolutions, lives.counted, of_rows)
+                yield _column(f"{words}life error", "%", np.where(np.isnan(life), np.nan, known))
+        yield from self._shares_of("bounded", self._bounded)
+        yield from self._shares_of("left_out", self._lives[""].left_out)
+        if self.spectrum.measured:
+            yield from self._of_bins()
         yield _column("mean_speed", "rpm", speed / RPM)
-        yield Column("status", "", tuple(CONVERGED if each else INCOMPLETE for each in complete))
+        if self.catalogued:
+            yield from self.catalogued.columns(self.shares_of_revolutions, speed)
+        yield Column("kind", "", (KINDS[self.spectrum.life],) * len(self.rows))
+        yield Column("status", "", tuple(map(self._status, range(len(self.rows)))))
         yield Column("message", "", tuple(map(self._message, range(len(self.rows)))))
         yield Column("seconds", "", tuple(sum(row.seconds for row in cycle) for cycle in self.rows))
 
-    def _damage(self, text: str) -> NDArray:
-        return damage(self.shares_of_revolutions, self._counted(text))
+    def _of_bins(self) -> Iterator[Column]:
+        """Rows of the time series, and by how much its bins may change the damage, in percent of it."""
+        yield Column("series_rows", "", (self.spectrum.measured,) * len(self.rows))
+        errors = 100 * np.broadcast_to(self.spectrum.bin_errors, self.speed.shape)
+        lives = self._lives[""].counted
+        yield _column("binning_error", "%", cumulated_life_error(self.shares_of_revolutions, lives, errors))
 
-    def _counted(self, text: str) -> NDArray:
-        """Lives (C, N) [rev] of the rows that take time; the others do no damage."""
-        return np.where(np.array(self.spectrum.shares) > 0, self._numbers(text) * MREV, np.inf)
-
-    def _error(self, text: str) -> NDArray:
-        """Estimated error (C) of the cumulated life, in percent of it."""
-        return cumulated_life_error(
-            self.shares_of_revolutions, self._counted(text), self._numbers(of_error(text))
+    def _life(self, lives: "_Lives") -> NDArray:
+        """Life (C) [rev] of all rows; NaN where none has one, or more is left out than of `life`."""
+        none = lives.left_out.any(axis=1) & np.isinf(lives.counted).all(axis=1)
+        others = np.any(lives.left_out & ~self._lives[""].left_out, axis=1)
+        return np.where(
+            none | others | self._to_come, np.nan, cumulated_life(self.shares_of_revolutions, lives.counted)
         )
 
+    @cached_property
+    def _to_come(self) -> NDArray:
+        """Whether rows of a cycle (C) are still to be computed."""
+        return np.array([any(row.status == NOT_COMPUTED for row in cycle) for cycle in self.rows])
+
+    def _shares_of(self, words: str, which: NDArray) -> Iterator[Column]:
+        for name, shares in (("time", self.shares_of_time), ("revolution", self.shares_of_revolutions)):
+            yield _column(f"{words}_{name}_share", "%", 100 * (shares * which).sum(axis=1))
+
+    def _status(self, cycle: int) -> str:
+        lives = self._lives[""]
+        if self._to_come[cycle]:
+            return NOT_COMPUTED
+        if np.isnan(self._life(lives)[cycle]):
+            return INCOMPLETE
+        if lives.left_out[cycle].any():
+            return LEFT_OUT
+        return BOUNDED if self._bounded[cycle].any() else CONVERGED
+
     def _message(self, cycle: int) -> str:
-        counts = zip(self.rows[cycle], self.spectrum.shares, strict=True)
-        failed = [number for number, (row, share) in enumerate(counts, 1) if share and not row.converged]
-        return f"not solved: row {', '.join(map(str, failed))}" if failed else ""
+        if self._to_come[cycle]:
+            return "rows are not computed yet"
+        left_out, bounded = self._lives[""].left_out[cycle], self._bounded[cycle]
+        shares = 100 * self.shares_of_time[cycle]
+        parts = (("left out", left_out), ("damage bounded", bounded))
+        return "; ".join(
+            f"{words}: row{'s' * int(rows.sum() > 1)} {_listed(rows)}, {shares[rows].sum():.3g} % of the time"
+            for words, rows in parts
+            if rows.any()
+        )
+
+
+@dataclass(frozen=True)
+class _Lives:
+    """Lives (C, N) of all rows of the cycles."""
+
+    own_or_bound: NDArray  # [rev]; NaN of a row that is left out
+    bounds: NDArray  # the row of the cycle whose life counts, NONE where it is its own
+
+    @property
+    def left_out(self) -> NDArray:
+        """Rows whose damage is not known."""
+        return np.isnan(self.own_or_bound)
+
+    @property
+    def counted(self) -> NDArray:
+        """Lives, infinite of what is left out."""
+        return np.where(self.left_out, np.inf, self.own_or_bound)
 
 
 def texts(spectrum: Spectrum) -> dict[str, str]:
     """Outputs that are cumulated, by the words of their columns: the bearing, and each raceway."""
-    return {"": f"{spectrum.life} [Mrev]"} | {f"{race}_": text for race, text in RACEWAYS.items()}
+    life = {"": f"{spectrum.life} [Mrev]"}
+    basic = {} if BASIC in life.values() else {"basic_": BASIC}
+    return life | basic | {f"{race}_": text for race, text in RACEWAYS.items()}
 
 
 def _column(name: str, unit: str, values: NDArray) -> Column:
     return Column(name, unit, tuple(values.ravel().tolist()))
+
+
+def _listed(rows: NDArray) -> str:
+    """Numbers of the first rows of some."""
+    numbers = np.flatnonzero(rows) + 1
+    return ", ".join(map(str, numbers[:SHOWN])) + (
+        f" and {len(numbers) - SHOWN} more" * (len(numbers) > SHOWN)
+    )

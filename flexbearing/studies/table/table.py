@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from flexbearing.studies.file import Axis
+from flexbearing.studies.plan.task import ANSWERED
 from flexbearing.studies.table.column import Column
 
 if TYPE_CHECKING:
@@ -56,4 +57,4 @@ class Table:
     @property
     def failed(self) -> int:
         """Rows without an answer."""
-        return len(self) - list(self["status"].values).count("converged")
+        return sum(status not in ANSWERED for status in self["status"].values)

@@ -1,0 +1,68 @@
+"""The duty cycles of a study from its variants: what bounds a row, and loads as a catalogue has them."""
+
+from collections.abc import Callable, Collection, Sequence
+from math import prod
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing.case.family import Family
+from flexbearing.studies.file.spectrum import Spectrum
+from flexbearing.studies.idle import is_load
+from flexbearing.studies.plan import Plan, Row, Variant
+from flexbearing.studies.table.bounds import Conditions
+from flexbearing.studies.table.duty import Catalogued, Cycles
+from quasidynamic import OutOfRange
+
+
+def duty_cycles(
+    plan: Plan,
+    spectrum: Spectrum,
+    rows: Sequence[Row],
+    speeds: NDArray,
+    errors: Collection[str],
+    catalogue: Catalogued | None,
+) -> Cycles:
+    """The cycle of each bearing, from the rows and speeds of all variants of a plan."""
+    length = len(plan.axes[-1].rows)
+    return Cycles(
+        spectrum,
+        speeds.reshape(-1, length),
+        [rows[first : first + length] for first in range(0, len(rows), length)],
+        errors,
+        conditions(plan.base.keys, plan.variants[:length]),
+        np.array([bool(each.thin) for each in plan.variants]).reshape(-1, length),
+        catalogue,
+    )
+
+
+def catalogued(
+    plan: Plan, family: Family, spectrum: Spectrum, case_of: Callable[[Variant], Any]
+) -> Catalogued | None:
+    """Equivalent loads of all variants; None where the kind has none, or one is not known beforehand."""
+    first = next(plan.computed, None)
+    if family.catalogue is None or first is None:
+        return None
+    of = family.catalogue()
+    try:
+        loads = [0.0 if each.idle else of.load(case_of(each)) for each in plan.variants]
+    except OutOfRange:
+        return None
+    found = np.array(loads).reshape(-1, len(plan.axes[-1].rows)) * spectrum.application_factor
+    return Catalogued(found, of.exponent, spectrum.required, _reliability(case_of(first)))
+
+
+def _reliability(case: Any) -> float:
+    """Factor a_1 of the reliability that a case asks for [-]."""
+    from flexbearing.runs.life_of_state import of_reliability
+
+    return prod(float(factor.value) for factor in of_reliability(case.life))
+
+
+def conditions(keys: Sequence[str], rows: Sequence[Variant]) -> Conditions:
+    """Loads of the rows of a cycle, and which rows differ in nothing else."""
+    loads = [number for number, key in enumerate(keys) if is_load(key)]
+    others = [str([value for n, value in enumerate(row.in_si) if n not in loads]) for row in rows]
+    values = np.array([[abs(row.in_si[number] or 0.0) for number in loads] for row in rows], dtype=float)
+    return Conditions(values.reshape(len(rows), len(loads)), np.unique(others, return_inverse=True)[1])

@@ -1,0 +1,87 @@
+"""Rows of a duty cycle that are time without damage: standstill, and no load."""
+
+from hashlib import sha256
+from typing import Any
+
+from flexbearing.build import clearance
+from flexbearing.case import BadCase
+from flexbearing.case.declarations import by_path
+from flexbearing.case.variants import Variants
+from flexbearing.studies.plan import Variant
+from flexbearing.studies.plan.identity import LENGTH
+from flexbearing.studies.plan.task import Idle, Values
+from quasidynamic import ImpossiblePart, OutOfRange
+
+SPEEDS = "operation.inner_speed", "operation.outer_speed"
+LOADS = "operation.radial_load", "operation.moment", "operation.load."  # keys, and a table of balls
+STANDSTILL = "standstill: time without damage"
+NO_LOAD = "no load: time without damage"
+
+
+def is_load(key: str) -> bool:
+    """Whether a key is a load of the bearing."""
+    return key.startswith(LOADS)
+
+
+def idle(read: Variants, values: Values) -> Variant | None:
+    """The row without damage that some values make; None where it must be computed.
+
+    Cases of rows that stand still, or have no load to be rated by, cannot be read: speeds and loads are then
+    taken from the row, everything else from the case without them.
+    """
+    own = {
+        key: value
+        for key, value in zip(read.keys, values, strict=True)
+        if value is not None and (key in SPEEDS or is_load(key))
+    }
+    if SPEEDS[1] not in own and not any(map(_is_zero, own.values())):
+        return None
+    try:
+        case: Any = read.case(
+            tuple(None if key in own else value for key, value in zip(read.keys, values, strict=True))
+        )
+        own = {key: by_path(type(case))[key].reader(value) for key, value in own.items()}
+    except (BadCase, ValueError):
+        return None  # what is wrong is told of the whole row
+    inner, outer = (own.get(key, getattr(case.operation, key.partition(".")[2])) for key in SPEEDS)
+    if why := STANDSTILL if inner == outer else NO_LOAD * _is_unloaded(case, own):
+        identity = sha256(f"{why} {inner - outer}".encode()).hexdigest()[:LENGTH]
+        in_si = (own.get(key, known) for key, known in zip(read.keys, read.in_si(case), strict=True))
+        return Variant(values, identity, in_si=tuple(in_si), idle=Idle(why, inner - outer))
+    return None
+
+
+def _is_zero(written: Any) -> bool:
+    """Whether a quantity in the words of a case file is 0, in whatever unit."""
+    return (
+        isinstance(written, str)
+        and written.lstrip(" +-").startswith(("0", ".", ","))
+        and not any(digit in written.partition(" ")[0].lower().partition("e")[0] for digit in "123456789")
+    )
+
+
+def _is_unloaded(case: Any, own: dict[str, Any]) -> bool:
+    """Whether nothing presses the rolling elements: no load, no preload, no tilt that takes the clearance."""
+    operation = case.operation
+    if case.kind == clearance.ROLLERS:
+        loads = {"operation.radial_load": operation.radial_load, "operation.moment": operation.moment}
+    else:
+        loads = {
+            f"operation.load.{name}": getattr(operation.load, name)
+            for name in type(operation.load).model_fields
+        }
+        if operation.preload or any(operation.displacement.values) or operation.held:
+            return False
+    if any((loads | own)[key] for key in loads):
+        return False
+    if case.life.loads == "rating":
+        return True
+    try:
+        tilted = (
+            abs(operation.misalignment) * case.bearing.roller.length
+            if case.kind == clearance.ROLLERS
+            else 0.0
+        )
+        return clearance.operating(case) >= tilted
+    except (ImpossiblePart, OutOfRange):
+        return False
