@@ -242,7 +242,7 @@ def _in_harmonics(
             bars=None,
             seconds=seconds,
         )
-        compliance.require_enough()
+        _require_enough(compliance, resolution)
         return compliance
 
     return _with_enough_harmonics(condensed, part, discretisation, resolution)
@@ -305,6 +305,12 @@ def _with_enough_harmonics(
     )
 
 
+def _require_enough(raceway: "HarmonicCompliance", resolution: Resolution) -> None:
+    """Refuse too few harmonics, unless they are given: then the compliance refuses at its rollers."""
+    if resolution.harmonics is None:
+        raceway.require_enough()
+
+
 def _responses_of(part: Part, discretisation: Discretisation) -> Any:
     """What answers the harmonics of a part: a function of part, resolution, last harmonic and stage."""
     match part, discretisation:
@@ -348,7 +354,7 @@ def _on_foundation(
     def condensed(resolution: Resolution, last: int) -> "RingOnFoundation":
         responses = _responses_of(part, discretisation)(part, resolution, last, stage, face_modes=ALONG)
         ring = ring_on_foundation(part, resolution.length, responses, seconds)
-        ring.raceway.require_enough()
+        _require_enough(ring.raceway, resolution)
         return ring
 
     return _with_enough_harmonics(condensed, part, discretisation, resolution)
@@ -360,7 +366,7 @@ def _on_matrix(part: OuterRing, resolution: Resolution, stage: Stage, seconds: d
 
     def condensed(resolution: Resolution, last: int) -> "HarmonicCompliance":
         compliance = ring_on_matrix(part, resolution, last, stage, seconds)
-        compliance.require_enough()
+        _require_enough(compliance, resolution)
         return compliance
 
     return _with_enough_harmonics(condensed, part, HARMONICS, resolution)
@@ -374,7 +380,7 @@ def _free_ring(part: OuterRing, resolution: Resolution, stage: Stage, seconds: d
 
     def condensed(resolution: Resolution, last: int) -> "FreeRing":
         ring = free_ring(part, resolution, last, stage, seconds)
-        ring.raceway.require_enough()
+        _require_enough(ring.raceway, resolution)
         return ring
 
     support = part.support

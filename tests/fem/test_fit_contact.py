@@ -290,5 +290,3 @@ def test_impossible_fits_are_refused(bodies):
         preloaded(bodies, replace(TIGHT, clamping=1e3))
     with pytest.raises(ImpossiblePart, match="track"):
         condense_fitted(PLAIN, replace(BAND, length=9e-3), SMALL)
-    with pytest.raises(NotSolved, match="harmonics"):
-        condense_fitted(PLAIN, BAND, replace(SMALL, harmonics=200))
