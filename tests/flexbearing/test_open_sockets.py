@@ -58,7 +58,7 @@ def sockets(process):
     "words",
     [
         ["study", "study.toml", "--jobs", "2"],
-        ["map", CASE, "--over", "operation.radial_load=2 kN..8 kN,60", "-o", "map.csv"],
+        ["map", CASE, "--over", "operation.radial_load=2 kN..8 kN,80", "-o", "map.csv"],
         ["run", CONFIGS / "joshi2015_fourpoint.toml", "--set", "friction.model=kalker"],
     ],
     ids=lambda words: words[0],
