@@ -203,7 +203,7 @@ class Evaluations:
         words = [
             f"{key} = {value}"
             for axis, place in zip(axes, places, strict=True)
-            for key, value in zip(axis.keys, axis.rows[place], strict=True)
+            for key, value in zip(axis.keys, axis.rows[int(place)], strict=True)
         ]
         return f" ({', '.join(words)})" if words else ""
 

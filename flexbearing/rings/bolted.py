@@ -30,7 +30,11 @@ def compliance(case: FourPointCase, report: Report) -> NDArray:
         when the finite elements find no trustworthy answer
     """
     total = np.zeros((case.balls, 2, 2, 2, 2))
-    for name, arches in (("outer", slice(None)), ("inner", slice(None, None, -1))):
+    sides: tuple[tuple[Literal["outer", "inner"], slice], ...] = (
+        ("outer", slice(None)),
+        ("inner", slice(None, None, -1)),
+    )
+    for name, arches in sides:
         part = ring(case, name)
         if part is not None:
             # the first diagonal presses on the outer arch at +x and on the inner one at -x
