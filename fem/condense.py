@@ -387,4 +387,7 @@ def _free_ring(part: OuterRing, resolution: Resolution, stage: Stage, seconds: d
     if isinstance(support, LineSupports):
         require_held(support, resolution.axial_modes)
     free = _with_enough_harmonics(condensed, part, HARMONICS, resolution)
-    return PlanetRim(free, support) if isinstance(support, PlanetGear) else RingOnLines(free, support)
+    if isinstance(support, PlanetGear):
+        return PlanetRim(free, support)
+    assert isinstance(support, LineSupports)
+    return RingOnLines(free, support)
