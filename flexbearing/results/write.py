@@ -10,6 +10,7 @@ from typing import Any, ClassVar, Literal, Self
 
 from numpy.typing import ArrayLike
 
+from flexbearing.case import BadCase
 from flexbearing.case.family import Family
 from flexbearing.files import BadOutput, NotStored, lock, parts_of, require_output, write
 from flexbearing.files.whole import host, part_name
@@ -34,7 +35,7 @@ class ResultFile:
     What is finished goes to a ``.part`` file within a second, always as a whole file that can be read, until
     :meth:`finish` writes the result and gives it its name: a name without ``.part`` promises a complete file.
     A run that breaks off leaves the ``.part`` file with all that it reached, and says so in a note of the
-    exception.
+    exception; one that finds its input bad leaves none.
 
     Parameters
     ----------
@@ -94,8 +95,9 @@ class ResultFile:
                     self._is_open = False
                     if self._timer is not None:
                         self._timer.cancel()
-                kept = "" if isinstance(problem, NotStored) else self._kept()
-                if kept and problem is not None:
+                if isinstance(problem, BadCase):  # of bad input there is no result, as exit code 2 promises
+                    self.part.unlink(missing_ok=True)
+                elif (kept := "" if isinstance(problem, NotStored) else self._kept()) and problem is not None:
                     problem.add_note(kept)
             elif problem is not None:  # a signal that came a moment later
                 problem.add_note(f"complete: {self.path}")

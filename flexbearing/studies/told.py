@@ -26,17 +26,16 @@ def variants(settled: Prepared) -> str:
     """The table of variants, what is wrong with each, and what there is to do."""
     plan = settled.plan
     lines = [f"{number + 1}: {plan.settings(number)}" for number in range(min(MOST, len(plan.variants)))]
-    if len(plan.variants) > MOST:
-        lines.append(f"... and {len(plan.variants) - MOST} more")
+    if (more := len(plan.variants) + plan.unchecked - MOST) > 0:
+        lines.append(f"... and {more} more")
     lines += map(plan.told, islice(plan.problems, MOST))
     columns = ", ".join(
         f"{column.column} [{column.unit}]" if column.unit else column.column for column in settled.columns
     )
-    bad = len(plan.problems)
     return "\n".join([
         *lines,
         f"columns: {columns}",
-        f"{len(plan.variants)} variants, {f'{bad} of them cannot' if bad else 'all of them can'} be computed",
+        plan.count_of_problems or f"{len(plan.variants)} variants, all of them can be computed",
         _rings(settled),
         *_choices(settled),
         _expected(settled),

@@ -14,7 +14,7 @@ from flexbearing.report.html.study import MOST_MESSAGES, _by_message
 from flexbearing.studies import told
 from flexbearing.studies.file import read, sampled
 from flexbearing.studies.maps.axes import axes
-from flexbearing.studies.plan import Impossible, plan
+from flexbearing.studies.plan import plan
 from flexbearing.studies.plan.checked import CheckedVariants
 from flexbearing.studies.plan.task import Variant
 from tests.flexbearing.toy_studies import CASE
@@ -118,16 +118,6 @@ def test_numbers_of_cases_are_those_of_rows_or_stored(count):
         stored.append(each if each.identity else None)
     assert [*stored] == [stored[number] for number in range(count)] == expected
     assert [[*map(type, each.in_si)] for each in stored] == [[*map(type, each.in_si)] for each in expected]
-
-
-def test_variants_that_cannot_be_are_few_words(tmp_path):
-    def checked(base, rows):
-        return [Impossible(f"{values} is too much") for values in rows]
-
-    text = '[over]\n"operation.radial_load" = "1 kN .. 2 kN, COUNT"'
-    size, made = bytes_of_a_variant(tmp_path, text, checked)
-    assert size < 150
-    assert (len(made.problems), made.variants[-1].identity) == (3000, "")
 
 
 def test_a_drawn_number_below_every_size_is_zero(tmp_path):

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from flexbearing import read
+from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, NotStored
 from flexbearing.files.whole import host
@@ -268,6 +269,21 @@ def test_interrupted_run_leaves_what_it_reached_in_a_part_file(path):
     assert (part.attributes["status"], len(part.iterations)) == ("unfinished", 1)
     assert part.attributes["title"] == BEGINNING["title"]
     np.testing.assert_array_equal(part.rigid["inner_load"], values("block")["inner_load"])
+
+
+def test_bad_input_found_late_leaves_nothing(path):
+    """As a drawing that is read after the state with rigid raceways."""
+
+    def refused():
+        with ResultFile(path, BEGINNING, ROLLERS) as file:
+            file.block("rigid", values("block"))
+            file._store_part()
+            raise BadCase("the drawing is no drawing")
+
+    with pytest.raises(BadCase) as problem:
+        refused()
+    assert not hasattr(problem.value, "__notes__")
+    assert list(path.parent.iterdir()) == []
 
 
 def test_run_that_breaks_off_before_anything_is_finished_leaves_nothing(path):

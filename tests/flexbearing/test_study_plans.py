@@ -13,6 +13,7 @@ from flexbearing.case import BadCase
 from flexbearing.quantities.attributes import FORMAT
 from flexbearing.studies.plan import plan
 from flexbearing.studies.plan.identity import identity
+from flexbearing.studies.plan.plan import MOST_PROBLEMS
 from flexbearing.studies.plan.task import Base, Variant
 from flexbearing.studies.prepare import prepared
 from tests.flexbearing.toy_studies import CASE, toy
@@ -78,6 +79,19 @@ def test_of_many_bad_variants_twenty_are_told_and_all_counted(tmp_path):
         settled.plan.require_sound()
     assert len(str(told.value).splitlines()) == 21
     assert "30 of 30 variants cannot be computed" in str(told.value)
+
+
+def test_after_many_bad_variants_the_others_are_not_checked(tmp_path):
+    """A variant that is refused takes ten times as long to check as one that is not."""
+    settled = toy(tmp_path, '"operation.radial_load" = "-4000 N .. -1 N, 4000"')
+    checked = len(settled.plan.variants)
+    assert MOST_PROBLEMS <= checked < 1000
+    assert checked + settled.plan.unchecked == 4000
+    with pytest.raises(
+        BadCase, match=f"{checked} of {checked} variants cannot be computed, {4000 - checked} more"
+    ):
+        settled.plan.require_sound()
+    assert len([*settled.plan.variants]) == checked
 
 
 def test_what_physics_forbids_is_told_as_well(tmp_path):

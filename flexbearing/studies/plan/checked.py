@@ -88,7 +88,7 @@ class CheckedVariants(Sequence[Variant]):
         return self._identities[place * size : (place + 1) * size].hex()
 
     def __iter__(self) -> Iterator[Variant]:
-        for number, row in enumerate(self._rows):
+        for number, row in zip(range(self._count), self._rows, strict=False):
             yield self._variant(number, row)
 
     def _variant(self, number: int, row: Row) -> Variant:

@@ -24,7 +24,7 @@ ENOUGH, OF_LARGE = 16, 8  # a task of more than ENOUGH is at most this part of a
 LONGEST = 300  # characters of the settings of a variant in a message
 CHECKED_AT_ONCE = 256  # variants, a tenth of a second of work
 MADE_ONCE = 10_000  # variants of a plan, some 10 MB; more are made anew whenever they are read
-MOST_MESSAGES, FURTHER = 1000, "it cannot be computed either"  # that differ; of all further ones
+MOST_PROBLEMS = 200  # after which the other variants are not checked: a refused one takes ten times as long
 
 
 @dataclass(frozen=True)
@@ -54,6 +54,7 @@ class Plan:
     corners: tuple[Corners, ...] = ()  # where levels are chosen that variants share
     fewest: int = FEWEST  # tasks into which a small study is cut
     side_by_side: bool = False  # whether the variants of a task are solved together
+    unchecked: int = 0  # variants, after so many that cannot be computed that the study is refused anyway
 
     def tasks(self, wanted: Callable[[Variant], bool]) -> tuple[Task, ...]:
         """Bundle variants, each identity once, those between the same rings together.
@@ -126,8 +127,15 @@ class Plan:
         for problem in self.problems:
             alike.setdefault(problem.message, []).append(problem)
         lines = [self.told(first, others=len(rest)) for first, *rest in islice(alike.values(), MOST)]
-        count = f"{len(self.problems)} of {len(self.variants)} variants cannot be computed; none was."
-        raise BadCase("\n".join([*lines, f"{self.name}: {count}"]))
+        raise BadCase("\n".join([*lines, f"{self.name}: {self.count_of_problems}; none was."]))
+
+    @property
+    def count_of_problems(self) -> str:
+        """How many variants cannot be computed, and of how many; empty where all can."""
+        if not self.problems:
+            return ""
+        count = f"{len(self.problems)} of {len(self.variants)} variants cannot be computed"
+        return f"{count}, {self.unchecked} more were not checked" if self.unchecked else count
 
     def told(self, problem: Problem, *, others: int = 0) -> str:
         """Line about a variant that cannot be computed, and how many others have the same message."""
@@ -147,17 +155,19 @@ def plan(
         Base(study.case.resolve(), study.text, study.keys),
         Crossed(tuple(axis.rows for axis in study.axes)),
     )
-    variants, problems, messages = CheckedVariants(rows), list[Problem](), dict[str, str]()
+    variants, problems = CheckedVariants(rows), list[Problem]()
     for found in mapped(partial(checked, base), _cut(rows)):
         for each in found:
             if isinstance(each, Impossible):
-                why = each.why if len(messages) < MOST_MESSAGES else messages.get(each.why, FURTHER)
-                problems.append(Problem(len(variants), messages.setdefault(why, why)))
+                problems.append(Problem(len(variants), each.why))
             variants.append(None if isinstance(each, Impossible) else each)
         tell(len(variants), len(rows))
-    corners = share_levels(base, variants)
+        if len(problems) >= MOST_PROBLEMS:
+            break
+    unchecked = len(rows) - len(variants)
+    corners = () if unchecked else share_levels(base, variants)
     few = tuple(variants) if len(rows) <= MADE_ONCE else variants
-    return Plan(study.name, base, study.axes, few, tuple(problems), corners)
+    return Plan(study.name, base, study.axes, few, tuple(problems), corners, unchecked=unchecked)
 
 
 def _cut(rows: Iterable[Values]) -> Iterator[list[Values]]:
