@@ -65,6 +65,7 @@ lint: $(READY)
 	$(BIN)/ruff check .
 	$(BIN)/lint-imports
 	$(BIN)/pyright --pythonpath $(BIN)/python
+	$(BIN)/python -m pytest -q tests/architecture/test_idioms.py
 
 benchmark: $(READY)
 	$(BIN)/python -m benchmarks.main_job

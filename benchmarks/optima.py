@@ -8,8 +8,8 @@ from tempfile import TemporaryDirectory
 from benchmarks.machine import describe
 from flexbearing.cache.store import VARIABLE
 from flexbearing.optimise.answer import Optimum
+from flexbearing.optimise.messages import page
 from flexbearing.optimise.run import optimise
-from flexbearing.optimise.told import page
 
 STUDIES = Path(__file__).parents[1] / "configs" / "studies"
 NAMES = ("optimum_profile", "optimum_planet", "optimum_cage")

@@ -31,7 +31,7 @@ def main() -> None:
         prepare()
         code = command(sys.argv[1:])
         signals.leave()
-    except BaseException as ended:  # whatever became of an interruption on its way here
+    except BaseException as ended:  # an interruption may arrive as another exception
         if signals.received() is None:
             raise
         problem = ended

@@ -31,7 +31,7 @@ class Report(Protocol):
 
 
 class Silent:
-    """Listens to what is only a part of a stage, and tells nobody."""
+    """Listens to what is only a part of a stage, and reports nothing."""
 
     def stage(self, text: str, fraction: float | None) -> None:
         """Take no note of a stage."""

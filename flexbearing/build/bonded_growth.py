@@ -46,12 +46,12 @@ def bonded_shape(case: Case, note: Callable[[str], None] = lambda text: None) ->
     )
 
     try:
-        growth, told = _growth(part, resolution)
+        growth, messages = _growth(part, resolution)
     except fem.ImpossiblePart as problem:
         raise BadCase(f"{case.source.path}: inner ring: {problem}") from problem
     except NotSolved as problem:
         raise BadCase(f"{case.source.path}: growth of the inner ring: {problem}") from problem
-    for text in told:
+    for text in messages:
         note(text)
     return growth.under(strains, densities, speed)
 
@@ -65,6 +65,6 @@ def _growth(part: "fem.RingOnShaft", resolution: "fem.Resolution") -> "tuple[Bon
 
         return bonded_growth(part, resolution)
 
-    told: list[str] = []
-    growth = configured().cached("BondedGrowth", ("bonded", part, resolution), computed, told.append)
-    return growth, tuple(told)
+    messages: list[str] = []
+    growth = configured().cached("BondedGrowth", ("bonded", part, resolution), computed, messages.append)
+    return growth, tuple(messages)

@@ -1,4 +1,4 @@
-"""Objects of the table in `forms` as bytes, with a digest that tells damage, without pickle.
+"""Objects of the table in `forms` as bytes, with a digest that shows damage, without pickle.
 
 The bytes are
 

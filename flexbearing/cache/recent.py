@@ -40,7 +40,7 @@ def remember(path: Path, ring: Any) -> None:
 
 
 def _stamp(path: Path) -> Stamp | None:
-    """What tells a file from another one of its name; None where there is none."""
+    """What distinguishes a file from another one of its name; None where there is none."""
     with suppress(OSError):
         state = path.lstat()
         return state.st_ino, state.st_size, state.st_mtime_ns

@@ -8,7 +8,7 @@ from flexbearing.case.declarations import Declaration, declarations, declared, f
 from flexbearing.case.excerpt import LONGEST, excerpt
 from flexbearing.case.family import Families
 from flexbearing.case.head import Head
-from flexbearing.case.named_materials import MATERIALS, told
+from flexbearing.case.named_materials import MATERIALS, origin
 from flexbearing.case.problems import BadCase
 from flexbearing.case.quantity import Section
 
@@ -85,9 +85,9 @@ def reference_page(families: Families, pictures: Mapping[str, Sequence[str]]) ->
 
 
 def _materials() -> list[str]:
-    """Materials that may stand by name, with their sources."""
+    """Materials that may be given by name, with their sources."""
     lines = ["", "## Materials by name", "", '`materials.roller = "100Cr6"` in place of its table.', ""]
-    return [*lines, *(f'- `"{name}"`: {told(name)}' for name in MATERIALS)]
+    return [*lines, *(f'- `"{name}"`: {origin(name)}' for name in MATERIALS)]
 
 
 def _limits() -> list[str]:
@@ -111,7 +111,7 @@ def _limits() -> list[str]:
 
 
 def _sizes(families: Families) -> list[str]:
-    """Between which sizes quantities must be, whatever key they stand at."""
+    """Between which sizes quantities must be, at any key."""
     kinds = {item.kind.name: item.kind for item in declarations(families) if item.kind}
     lines = ["", "A quantity that is not zero has a size that a bearing can have, of either sign:", ""]
     return [
@@ -152,7 +152,7 @@ def _full(item: Declaration) -> str:
 def _explained(item: Declaration, model: type[Section]) -> str:
     if item.section:
         inside = [child for child in declared(model) if child.path.startswith(f"{item.path}.")]
-        names = [f"{item.path} = {toml(name)}: {told(name)}" for name in item.choices]
+        names = [f"{item.path} = {toml(name)}: {origin(name)}" for name in item.choices]
         by_name = "\n\n".join(["", "or by name:", *names]) if names else ""
         return f"[{item.path}] {item.meaning}\n\n{_lines(inside)}{by_name}"
     return "\n".join(f"{name:<9}{text}" for name, text in _entries(item) if text)

@@ -1,4 +1,4 @@
-"""What every case file begins with, whatever bearing it is about."""
+"""What every case file begins with, for any bearing."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -70,7 +70,7 @@ def values(name: str, keys: Iterable[str]) -> dict[str, object]:
     return {key: value for key in keys if (value := getattr(material, key, None)) is not None}
 
 
-def told(name: str) -> str:
+def origin(name: str) -> str:
     """What the table has of a material, in a line."""
     material = MATERIALS[name]
     limit = f", yield stress {material.yield_stress}" if material.yield_stress else ""

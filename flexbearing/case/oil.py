@@ -1,4 +1,4 @@
-"""An oil at the temperature of its inlet, whatever it is for."""
+"""An oil at the temperature of its inlet, for any use."""
 
 from typing import ClassVar, Literal, Self
 

@@ -117,7 +117,7 @@ class Kind:
 
     @property
     def sizes(self) -> str:
-        """What a value that is not zero may be, whatever its sign."""
+        """What a value that is not zero may be, of either sign."""
         return f"{self.smallest:g} to {self.largest:g} {self.unit}"
 
     def _turning(self, given: Unit) -> Unit:

@@ -72,7 +72,7 @@ def _parsed(text: str, of: str) -> dict[str, Any]:
 
 
 def _kind_of_file(parsed: dict[str, Any]) -> str | None:
-    """What a file holds, from tables that no other kind of file has; none where this cannot be told."""
+    """What a file holds, from tables that no other kind of file has; none where this cannot be known."""
     if "bearing" in parsed:
         return "case"
     if "case" not in parsed:

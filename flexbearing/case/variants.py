@@ -76,7 +76,7 @@ class Variants:
         return tuple(_value(case, each) for each in self._each)
 
     def known(self, values: tuple[Any, ...], in_si: tuple[Any, ...]) -> Head:
-        """Make a case that was read before, in whatever process: nothing is parsed or checked again."""
+        """Make a case that was read before, in any process: nothing is parsed or checked again."""
         given = self._given(values)
         near = self._read.get(self._choices(given))
         if near is None:

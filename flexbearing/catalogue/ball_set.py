@@ -21,7 +21,7 @@ from quasidynamic.parts.ball_row import BallRow
 # Rules of thumb, assumed. Balls over half the difference of the diameters: Harris' 209 and 218 have 0.64, the
 # 6205 of the Case Western Reserve University 0.61, the QJ309 of Joshi et al. (2015) 0.66, the 7008 of Rivera
 # et al. (2021) 0.57. Filling: 180 deg of the 209, 188 deg of the 6205. Distance over diameter: 1.10 of the
-# 218, 1.23 of the QJ309, 1.18 of the 7008; C_0 of a 7208 BE of SKF asks for less than 1.09.
+# 218, 1.23 of the QJ309, 1.18 of the 7008; C_0 of a 7208 BE of SKF needs less than 1.09.
 SHARE = (0.56, 0.67)  # ball diameter over (D - d)/2
 FILLING = (178.0, 197.0)  # [deg] arc that touching balls of a deep groove bearing fill, first to last centre
 SPACING = (1.04, 1.25)  # distance of ball centres over the ball diameter, of the other kinds

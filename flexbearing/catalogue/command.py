@@ -78,9 +78,9 @@ def new(  # noqa: PLR0913  # an argument for each option
         bool, typer.Option("--life", help="compare its life with the catalogue's as well")
     ] = False,
 ) -> None:
-    """Write a case from a catalogue page; what the page lacks is assumed, and how much it matters is told.
+    """Write a case from a catalogue page; what the page lacks is assumed, and how much it matters is printed.
 
-    Numbers have units, such as --bore "50 mm" or --load "5 kN". On a terminal, what is missing is asked for.
+    Numbers have units, such as --bore "50 mm" or --load "5 kN". On a terminal, missing entries are prompted.
     """
     options = {
         name: text

@@ -1,6 +1,6 @@
 """What a catalogue page and an application give of a bearing, by the letters of catalogues.
 
-Only words stand here: the command line shows them without loading the model of a case.
+Only words are here: the command line shows them without loading the model of a case.
 """
 
 from collections.abc import Collection
@@ -11,7 +11,7 @@ MODELS = (".rexs", ".rexsj", ".rexsz", ".rexs.xml", ".rexs.json", ".rexs.zip")  
 
 @dataclass(frozen=True)
 class Entry:
-    """A number or a choice that is asked for."""
+    """A number or a choice that a user gives."""
 
     option: str
     meaning: str

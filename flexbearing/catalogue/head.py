@@ -1,4 +1,4 @@
-"""What stands above a case from a catalogue: where its numbers come from, and the command that writes it."""
+"""The head of a case from a catalogue: where its numbers come from, and the command that writes it."""
 
 from pathlib import Path
 

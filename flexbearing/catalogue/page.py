@@ -91,26 +91,26 @@ def value(name: str, text: str, like: str) -> Value:
         where it is no quantity of this kind with a unit, no whole number, or not on the list
     """
     entry = ENTRIES[name]
-    told = f"{entry.option} {excerpt(text)}"
+    given = f"{entry.option} {excerpt(text)}"
     if entry.key:
         choices = names(entry, like)
         if text not in choices:
-            raise BadCase(f"{told}: it must be {_either(text, choices)}")
+            raise BadCase(f"{given}: it must be {_either(text, choices)}")
         return Value(text)
     if not entry.quantity:
         try:
             return Value(text.strip(), inputs.whole(text, *ELEMENTS))
         except inputs.BadNumber:
-            raise BadCase(f"{told}: it must be {_allowed(entry)}.") from None
+            raise BadCase(f"{given}: it must be {_allowed(entry)}.") from None
     try:
         si = _kind(entry).to_si(text)
     except PydanticCustomError as problem:
         why = (problem.context or {})["why"]
-        raise BadCase(f"{told} {why}; it must be {_allowed(entry)}.") from None
+        raise BadCase(f"{given} {why}; it must be {_allowed(entry)}.") from None
     if si <= 0:
-        raise BadCase(f"{told}: it must be above zero.")
+        raise BadCase(f"{given}: it must be above zero.")
     if name == "angle" and si >= pi / 2:
-        raise BadCase(f"{told}: it must be below 90 deg.")
+        raise BadCase(f"{given}: it must be below 90 deg.")
     return Value(text.strip(), si)
 
 

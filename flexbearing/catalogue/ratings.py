@@ -14,9 +14,9 @@ _ROWS = (
 def table(page: Page, elements: ElementSet, size: str) -> str:
     """Ratings as lines of text."""
     assumed = [LETTERS[name] for name in ("elements", size) if name not in page]
-    told = [_assumed(assumed, LETTERS[size], elements), ""] if assumed else []
+    notes = [_assumed(assumed, LETTERS[size], elements), ""] if assumed else []
     if page.like == "four_point_ball":
-        return "\n".join(["", *told])
+        return "\n".join(["", *notes])
     here = elements.rated(*elements.chosen)
     columns = {"maker": None, "this case": [here]}
     if assumed:
@@ -30,7 +30,7 @@ def table(page: Page, elements: ElementSet, size: str) -> str:
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     lines = ["  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)) for row in rows]
     lines = ["", *(line.rstrip() for line in lines), ""]
-    return "\n".join([*lines, *told])
+    return "\n".join([*lines, *notes])
 
 
 def _assumed(letters: list[str], letter: str, elements: ElementSet) -> str:

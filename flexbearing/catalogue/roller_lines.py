@@ -89,7 +89,7 @@ def _film() -> Iterator[Line]:
 def _reference_life() -> Iterator[Line]:
     yield Line("life.capacity", "iso281", "life by ISO/TS 16281, with C of the maker where it is given")
     yield Line("life.edge_stress", True)
-    yield Line("accuracy.slices", 30, "as many as ISO/TS 16281 asks for beside the edge stress")
+    yield Line("accuracy.slices", 30, "as many as ISO/TS 16281 requires beside the edge stress")
 
 
 def _operation(page: Page, cage: bool) -> Iterator[Line]:

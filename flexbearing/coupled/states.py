@@ -31,7 +31,7 @@ class EndStates:
 
     @property
     def between_raceways(self) -> Tangent:
-        """Stiffness between raceways freed of their translation."""
+        """Stiffness between raceways without their translation."""
         return self.elastic.tangent
 
     @cached_property

@@ -152,7 +152,7 @@ def change_per_residual(compliance: Compliance, stiffness: NDArray, size: int) -
 
     .. math:: G = (1 + s\,s^T\,C K)^{-1},\quad K_{jm} = \frac{k_j}{2m + 1}
 
-    Every roller is a spring over its length between raceways held still; it feels the outer deviation less
+    Every roller is a spring over its length between raceways held fixed; it follows the outer deviation less
     the inner one and pushes the raceways apart, s = -1 of the inner and 1 of the outer one.
 
     Parameters

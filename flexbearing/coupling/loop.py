@@ -150,7 +150,7 @@ def newton(
                     tangent = tangent.moved(state.forces, mismatch)
                     linear = answering if tangent.share == 1.0 else structure.linearised(tangent.forces)
                 yield iteration
-                number = iteration.number  # of the last one that was told: the structure may fail before
+                number = iteration.number  # of the last one that was reported: the structure may fail before
                 if iteration.status:
                     return
     except PartnerFailed as failure:

@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import FastCase
+from flexbearing.derivatives.announced import announced
 from flexbearing.derivatives.by_keys import Differences, columns
 from flexbearing.derivatives.keys import Key, given_keys, keys_of, with_value
 from flexbearing.derivatives.sides import tabled
 from flexbearing.derivatives.stencil import Stencil
 from flexbearing.derivatives.table import Sensitivities
-from flexbearing.derivatives.told import told
 from flexbearing.outputs import Wanted, outputs, wanted
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.angular_contact import LAYOUT
@@ -57,7 +57,7 @@ def sensitivities(
     asked = _asked(case, of)
     state = _Differentiated(_State.solved(case), asked)
     shorter = [replace(key, relative_step=RELATIVE_STEP) for key in keys]
-    found, left_out = columns(state, told(shorter, report or Logged()))
+    found, left_out = columns(state, announced(shorter, report or Logged()))
     return tabled((case.title, "rigid raceways"), asked, state.values, found, left_out)
 
 

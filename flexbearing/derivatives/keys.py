@@ -16,7 +16,7 @@ NUMERICS = ("coupling.", "accuracy.", "outputs.")  # tables whose numbers say ho
 # of fits that grow the steps are 60 pm. Shorter ones lose the digits of a stiffness between flexible rings.
 RELATIVE_STEP = 1e-6  # of a value
 TEMPERATURE_STEP = 2e-4  # [K]
-AZIMUTH_STEP = 1.5e-7  # [rad] by which all rollers go around: longer ones feel how contacts stiffen
+AZIMUTH_STEP = 1.5e-7  # [rad] by which all rollers go around: with longer ones contacts stiffen
 # Steps of values that are zero, by SI unit: what moves a usual bearing about as far as 2e-6 of a value.
 STEPS_FROM_ZERO = {
     "m": 2e-11, "rad": 2e-9, "N": 2e-3, "N m": 2e-6, "m/s^2": 2e-5, "rad/s": 2e-4, "kg": 2e-8,

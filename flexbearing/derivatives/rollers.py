@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
+from flexbearing.derivatives.announced import announced
 from flexbearing.derivatives.keys import Key, given_keys, keys_of
 from flexbearing.derivatives.ring_slopes import RingChanged
 from flexbearing.derivatives.roller_slopes import Difference, OutputSlopes, RollerSlopes, numbers
@@ -16,7 +17,6 @@ from flexbearing.derivatives.roller_state import SolvedState, solved
 from flexbearing.derivatives.sides import tabled, with_sides
 from flexbearing.derivatives.stencil import STENCILS
 from flexbearing.derivatives.table import Sensitivities
-from flexbearing.derivatives.told import told
 from flexbearing.outputs import Wanted, outputs, wanted
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
@@ -55,7 +55,7 @@ def differentiated(
     state: SolvedState, of: Sequence[Wanted], by: Iterable[Key], report: Report | None = None
 ) -> Sensitivities:
     """Derivatives at a state that is known."""
-    return _Differentiated(state, of).table(told(list(by), report or Logged()))
+    return _Differentiated(state, of).table(announced(list(by), report or Logged()))
 
 
 def wanted_of(case: Case, of: Sequence[str]) -> list[Wanted]:

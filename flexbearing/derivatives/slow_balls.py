@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 
 from flexbearing.case import BadCase
 from flexbearing.case.balls.four_point import FourPointCase
+from flexbearing.derivatives.announced import announced
 from flexbearing.derivatives.by_keys import Differences, columns
 from flexbearing.derivatives.keys import Key, given_keys, keys_of, with_value
 from flexbearing.derivatives.sides import tabled
 from flexbearing.derivatives.stencil import Stencil
 from flexbearing.derivatives.table import Sensitivities
-from flexbearing.derivatives.told import told
 from flexbearing.outputs import Wanted, outputs, wanted
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.four_point import LAYOUT
@@ -49,7 +49,7 @@ def sensitivities(
     keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
     asked, report = _asked(case, of), report or Logged()
     state = _State(case, _compliance(case, report), asked)
-    found, left_out = columns(state, told(keys, report))
+    found, left_out = columns(state, announced(keys, report))
     raceways = "rigid raceways" if case.rings.rigid else "flexible rings"
     return tabled((case.title, raceways), asked, state.values, found, left_out)
 

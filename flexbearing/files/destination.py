@@ -37,7 +37,7 @@ def require_output(path: str | Path, inputs: Iterable[str | Path] = ()) -> Path:
         if output.exists():
             _require_replaceable(output, path)
         with suppress(FileNotFoundError):
-            part_name(output).lstat()  # tells when the name is too long
+            part_name(output).lstat()  # fails when the name is too long
     except (OSError, ValueError, RuntimeError) as problem:  # too long, a loop of links, a NUL in the name
         if isinstance(problem, BadOutput):
             raise

@@ -32,7 +32,7 @@ def lock(path: Path) -> Iterator[None]:
     """Be the only writer of a file.
 
     The operating system ends the lock with its process, however that ends, so that what a killed one left
-    behind does not matter. The file beside the output tells others who holds it.
+    behind does not matter. The file beside the output says who holds it.
 
     Raises
     ------

@@ -20,7 +20,7 @@ STATIC_SAFETY = Finding(
 )  # fmt: skip
 USUAL_STATIC_SAFETY = Finding(
     code="static-safety", label="static safety C_0/P_0", quantity="static_safety",
-    at_least=1.5, grade=USUAL, source="SKF, Rolling bearings (2018), normal running; ISO 76 asks for 1",
+    at_least=1.5, grade=USUAL, source="SKF, Rolling bearings (2018), normal running; ISO 76 requires 1",
     meaning="less than is usual in normal running; twice as much where it must run quietly or has shocks",
     action="take a larger bearing, or a reason for a lower static safety",
 )  # fmt: skip

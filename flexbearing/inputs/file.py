@@ -120,7 +120,7 @@ def stamp(path: Path) -> Stamp:
     if stat.S_ISDIR(about.st_mode):
         raise Unreadable("is a folder, no file", path)
     if not stat.S_ISREG(about.st_mode):
-        raise Unreadable("is no plain file but a pipe or a device, which may have no end", path)
+        raise Unreadable("is no plain file but a pipe or a device, which may be endless", path)
     return Stamp(path, about.st_mtime_ns, about.st_size)
 
 

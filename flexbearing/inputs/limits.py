@@ -26,5 +26,5 @@ FORMATS = {
 
 
 def sizes() -> str:
-    """Limits of all formats as a sentence of documents tells them."""
+    """Limits of all formats as a sentence of documents."""
     return "; ".join(f"{name} {size(most)}" for name, most in FORMATS.items())

@@ -26,17 +26,17 @@ def optimise(
     quiet: Annotated[bool, typer.Option("--quiet", help="print errors only")] = False,
 ) -> None:
     """Find the design with the best output within limits; a second start goes on where the first ended."""
-    from flexbearing.optimise import told
+    from flexbearing.optimise import messages
     from flexbearing.optimise.run import optimise as optimised
     from flexbearing.optimise.search import Found
 
     def tell(found: Found) -> None:
         if not quiet:
-            sys.stderr.write(printable(told.start(found)) + "\n")
+            sys.stderr.write(printable(messages.start(found)) + "\n")
 
     optimum = optimised(file, output, jobs=jobs, tell=tell)
     if not quiet:
-        sys.stdout.write(printable(told.page(optimum, output)) + "\n")
+        sys.stdout.write(printable(messages.page(optimum, output)) + "\n")
     elif not optimum.converged:
         sys.stderr.write(printable(f"{file}: {optimum.best.end}") + "\n")
     raise typer.Exit(CONVERGED if optimum.converged else NOT_CONVERGED)

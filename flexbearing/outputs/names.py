@@ -211,7 +211,7 @@ def _scalars(
 
 
 def _trial(entry: SummaryValue, axes: Mapping[str, tuple[str, ...]]) -> Any:
-    """The reduction of arrays of ones, whose shape tells a number from a list."""
+    """The reduction of arrays of ones, whose shape distinguishes a number from a list."""
     lengths = {axis: len(fixed.entries) for axis, fixed in FIXED.items()}
     return entry.reduction(*(np.ones([lengths.get(axis, 3) for axis in axes[name]]) for name in entry.of))
 

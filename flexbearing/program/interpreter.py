@@ -82,7 +82,7 @@ class Interpreter:
         try:
             return self.calls.recv()
         except (EOFError, ConnectionError) as ended:
-            raise Died("a worker process ended without an answer") from ended
+            raise Died("a worker process ended without a result") from ended
 
     @property
     def code(self) -> int | None:
@@ -90,7 +90,7 @@ class Interpreter:
         return self._process.poll()
 
     def end(self) -> None:
-        """End the process with whatever it computes, and what it started."""
+        """End the process with all that it computes, and what it started."""
         if self.code is None:
             with suppress(ProcessLookupError):
                 os.killpg(self._process.pid, signal.SIGKILL)
@@ -141,6 +141,6 @@ def _portable(problem: Exception) -> Exception:
     """An exception as it can be sent; its words where it cannot."""
     try:
         pickle.loads(pickle.dumps(problem))
-    except Exception:  # whatever its class does there
+    except Exception:  # its class may do anything there
         return RuntimeError(f"{type(problem).__name__}: {problem}")
     return problem

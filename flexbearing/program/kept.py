@@ -7,7 +7,7 @@ from pathlib import Path
 
 @contextmanager
 def keeping(written: list[Path]) -> Iterator[None]:
-    """Let whatever ends a command early say which files are complete."""
+    """Let an exception that ends a command early say which files are complete."""
     try:
         yield
     except BaseException as problem:  # only a note is added

@@ -61,7 +61,7 @@ class Processes:
             yield from filter(None, ends)
 
     def close(self) -> None:
-        """Forget what was not called, and end the processes with whatever they compute."""
+        """Forget what was not called, and end the processes with all that they compute."""
         self._waiting.clear()
         self._running.clear()
         for process in [*self._processes.values()]:

@@ -61,7 +61,7 @@ def _answered(
         place, _ = done.argument
         deaths[place] += done.died
         if deaths[place] == ATTEMPTS:
-            raise Died(f"a worker process ended {ATTEMPTS} times without an answer: is there enough memory?")
+            raise Died(f"a worker process ended {ATTEMPTS} times without a result: is there enough memory?")
         for numbered in [done.argument] if done.died else islice(left, 1):
             processes.submit(call, numbered)
         if not done.died:

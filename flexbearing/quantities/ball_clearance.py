@@ -1,4 +1,4 @@
-"""The root attribute of ball bearings that tells their operating clearance."""
+"""The root attribute of ball bearings with their operating clearance."""
 
 from flexbearing.quantities.attributes import Attribute
 from flexbearing.quantities.roller_records import CLEARANCE

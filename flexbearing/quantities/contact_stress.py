@@ -13,7 +13,7 @@ SUBSURFACE_AXES = (Axis("S1", "depth_below"), Axis("S2", "place_in_rolling_direc
 # declarations read best as a table:
 # fmt: off
 def worst_contact(source: str, section: str = "") -> tuple[Quantity, ...]:
-    """What every result tells of the most pressed contacts."""
+    """What every result contains of the most pressed contacts."""
     return (
         Quantity("contact_half_width", "b", "race", "m", "block",
             "half of the width, in the rolling direction, of the contact with the largest pressure (inner, "

@@ -167,7 +167,7 @@ class Such:
 
 
 def _shown(value: Any) -> str:
-    """A value in few characters, whatever its size."""
+    """A value in few characters, of any size."""
     if isinstance(value, str):
         return repr(value) if len(value) < 40 else f"{value[:40]!r}..."
     if isinstance(value, Mapping | list):

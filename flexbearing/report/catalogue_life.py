@@ -103,11 +103,11 @@ def _way(stages: list[dict[str, Any]]) -> Iterator[RenderableType]:
 def why(stages: list[dict[str, Any]]) -> Iterator[str]:
     """A sentence on each factor that differs from 1 by more than `TOLD`."""
     for stage in stages:
-        if told(stage):
+        if is_stated(stage):
             yield f"{stage['name']}: {stage['meaning']}"
 
 
-def told(stage: dict[str, Any]) -> bool:
+def is_stated(stage: dict[str, Any]) -> bool:
     """Whether a stage changes the life by more than `TOLD`, and says why."""
     return bool(stage.get("meaning")) and stage["factor"] is not None and abs(stage["factor"] - 1) > TOLD
 

@@ -203,7 +203,7 @@ def skew(blocks: dict[str, Any]) -> Iterator[RenderableType]:
     skewed = {name: block for name, block in blocks.items() if block and block["skew"]}
     if not skewed:
         return
-    yield Text("roller skew between guide flanges; not fed back into loads and speeds", style="bold")
+    yield Text("roller skew between guide flanges; without effect on loads and speeds", style="bold")
     table = right_aligned("", *skewed)
     for entry in rows(LAYOUT, SKEW):
         table.add_row(Text(label(entry)), *(shown(entry, value(entry, block)) for block in skewed.values()))

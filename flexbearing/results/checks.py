@@ -32,7 +32,7 @@ def require_same_names(names: Mapping[str, object], known: Mapping[str, object],
             raise NotInLayout(f"{where}: {name!r} is not in the layout of a result file.{hint}")
     required = [name for name, entry in known.items() if not getattr(entry, "optional", False)]
     if missing := [name for name in required if name not in names]:
-        raise NotInLayout(f"{where}: {', '.join(missing)} missing; the layout asks for every name.")
+        raise NotInLayout(f"{where}: {', '.join(missing)} missing; the layout requires every name.")
 
 
 def fitted(entry: Quantity, array: np.ndarray, sizes: Sizes, where: str) -> Sizes:
@@ -50,7 +50,7 @@ def fitted(entry: Quantity, array: np.ndarray, sizes: Sizes, where: str) -> Size
         settled = ", ".join(f"{axis} = {size}" for axis, size in {**numbers, **sizes}.items())
         raise NotInLayout(
             f"{where}: {entry.name} has shape {array.shape}; "
-            f"the layout asks for ({', '.join(entry.shape)}){' with ' + settled if settled else ''}."
+            f"the layout requires ({', '.join(entry.shape)}){' with ' + settled if settled else ''}."
         )
     return {**sizes, **{axis: size for axis, size in new.items() if axis not in FIXED}}
 

@@ -121,7 +121,7 @@ def _opened(data: bytes) -> Iterator[Any]:
             yield h5g.open(file, b"/")
         finally:
             file.close()
-    # The library tells damage in all these ways; which one, only the damage knows.
+    # The library reports damage in all these ways; which one, only the damage knows.
     except (OSError, RuntimeError, ValueError, TypeError, KeyError, MemoryError, OverflowError) as problem:
         if isinstance(problem, BadContent):
             raise

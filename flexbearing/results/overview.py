@@ -13,12 +13,12 @@ WIDTH = 100  # characters of a line
 def overview(layout: Layout, attributes: Mapping[str, Any], blocks: Mapping[str, Block], place: str) -> str:
     """How a run ended, and its main outputs beside each other for every block."""
     notes = [note["grade"] for note in attributes["notes"]]
-    told = f"{len(notes)} notes, {notes.count('danger')} of them dangers" if notes else "no notes"
+    count = f"{len(notes)} notes, {notes.count('danger')} of them dangers" if notes else "no notes"
     lines = [
         f"{attributes['title']}: {attributes['status']}",
         str(attributes["message"]),
         *_table(layout, blocks),
-        f"{attributes['iterations']} iterations, {attributes['wall_time_s']:.3g} s, {told}; {place}",
+        f"{attributes['iterations']} iterations, {attributes['wall_time_s']:.3g} s, {count}; {place}",
     ]
     return "\n".join(line if len(line) <= WIDTH else f"{line[: WIDTH - 3]}..." for line in lines)
 

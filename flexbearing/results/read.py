@@ -144,7 +144,7 @@ def _require_described(content: Content, layout: Layout, groups: Groups) -> None
         for name in arrays:
             place, entry = f"{group}/{name}", layout[name]
             if (content.units[place], content.axes[place]) != (entry.unit, named_axes(layout, group, entry)):
-                raise NotInLayout(f"{place} has another unit, or other axes, than the layout asks for")
+                raise NotInLayout(f"{place} has another unit, or other axes, than the layout requires")
 
 
 def _fitted(

@@ -172,7 +172,7 @@ class ResultFile:
             if self._is_open:
                 try:
                     self._store_part()
-                except Exception as problem:  # whatever it is, the run must hear of it
+                except Exception as problem:  # of any kind: the run raises it
                     self._problem = problem
 
     def _store_part(self) -> None:

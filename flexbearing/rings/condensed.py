@@ -1,4 +1,4 @@
-"""Parts of a case, condensed to what rollers feel of them, or taken from the cache."""
+"""Parts of a case, condensed to their stiffness at the rollers, or taken from the cache."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager

@@ -1,6 +1,6 @@
 """How raceways deflect in more axial shapes than a case exchanges: what the error of its life is judged by.
 
-Shapes beyond the second bend the ring under one roller alone: whatever holds the ring far away, and bars
+Shapes beyond the second bend the ring under one roller alone: supports of the ring far away, and bars
 that pass under it, hardly change them. A coarse axial section answers for them.
 """
 
@@ -82,7 +82,7 @@ def _compliance(case: Case, race: Race, raceway: LinearRaceway, report: Report) 
 
 
 def _linear(support: Any) -> Any:
-    """A support that holds a ring whatever presses on it; far away from a roller it does not matter which."""
+    """A support that holds a ring under any load; far away from a roller it does not matter which."""
     if isinstance(support, fem.LineSupports | fem.PlanetGear):
         return fem.Foundation(radial=SOFT, axial=SOFT, tangential=SOFT)
     return replace(support, pushing=False) if isinstance(support, fem.Foundation) else support

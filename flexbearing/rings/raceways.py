@@ -1,4 +1,4 @@
-"""Raceways that answer roller forces at once: rigid, or condensed to what rollers feel of them."""
+"""Raceways that answer roller forces at once: rigid, or condensed to their stiffness at the rollers."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
@@ -39,7 +39,7 @@ class RigidRaceway:
 
 @dataclass(frozen=True)
 class CondensedRaceway:
-    """A raceway whose stiffness is condensed: linear, whatever the forces."""
+    """A raceway whose stiffness is condensed: linear for all forces."""
 
     compliance: "RacewayCompliance"
     at: "Callable[[NDArray], RacewayCompliance] | None" = field(default=None, compare=False, repr=False)

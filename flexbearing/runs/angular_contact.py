@@ -44,7 +44,7 @@ class Solution:
 
     @property
     def friction(self) -> qd.AngularContactState | qd.FastRollingBalls:
-        """What tells heat and torque of friction."""
+        """Notes about heat and torque of friction."""
         return self.state if self.rolling is None else self.rolling
 
 
@@ -118,15 +118,17 @@ def build(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperatio
     return bearing(case), operation(case)
 
 
-def solved(cases: Sequence[FastCase], told: Callable[[float], None] = lambda _: None) -> list[Ended]:
+def solved(cases: Sequence[FastCase], progress: Callable[[float], None] = lambda _: None) -> list[Ended]:
     """Balance, pure rolling lines, and stick and slip where a case requires them; or why there is none.
 
     Cases whose bearings are the same are balanced side by side. The part of the balls whose stick and slip is
-    found is `told`.
+    found goes to `progress`.
     """
     built = [named(case, partial(_built, case)) for case in cases]
     return [
-        state if isinstance(state, NotSolved | BadCase) else named(case, partial(_rolled, case, state, told))
+        state
+        if isinstance(state, NotSolved | BadCase)
+        else named(case, partial(_rolled, case, state, progress))
         for case, state in zip(cases, _balanced(cases, built), strict=True)
     ]
 
@@ -163,13 +165,13 @@ def _balanced(cases: Sequence[FastCase], built: Sequence[Any]) -> list[Any]:
     return states
 
 
-def _rolled(case: FastCase, state: qd.AngularContactState, told: Callable[[float], None]) -> Solution:
+def _rolled(case: FastCase, state: qd.AngularContactState, progress: Callable[[float], None]) -> Solution:
     """A balance with the friction of the case."""
     if case.friction.model == "full_sliding":
         return followed(case, state)
     along, across = case.friction.cells
     with shared_map() as mapped:
-        rolling = bearing(case).roll(state, case.friction.model, (along, across), told, mapped)
+        rolling = bearing(case).roll(state, case.friction.model, (along, across), progress, mapped)
     return followed(case, state, rolling)
 
 

@@ -59,9 +59,9 @@ def _at_once(rows: list[dict[str, Any]], of: dict[str, float]) -> Iterator[Other
     for words, better in (("shortest life", min), ("longest life", max)):
         chosen: dict[str, tuple[float, tuple[str, ...]]] = {}
         for row in (row for row in rows if row["role"] != COMPARISON):
-            told = [(other["values"][name] / of[name], tuple(other["settings"]))
+            factors = [(other["values"][name] / of[name], tuple(other["settings"]))
                     for other in row["others"] if name in other["values"]]  # fmt: skip
-            known = [*told, *filter(None, [chosen.get(about(row["key"]))])]
+            known = [*factors, *filter(None, [chosen.get(about(row["key"]))])]
             ratio, settings = better(known, default=(1.0, ()))
             if better(ratio, 1.0) == ratio and abs(ratio - 1) > UNCHANGED:
                 chosen[about(row["key"])] = ratio, settings

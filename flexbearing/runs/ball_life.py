@@ -140,7 +140,7 @@ def notes(case: FastCase) -> tuple[Note, ...]:
 
 
 def row(case: FastCase) -> BallRow:
-    """The balls as the standards see them: with the contact angle of the design, whatever the clearance."""
+    """The balls as the standards see them: with the contact angle of the design, at any clearance."""
     parts, diameter = case.bearing, case.bearing.ball.diameter
     return BallRow(
         balls=parts.balls,

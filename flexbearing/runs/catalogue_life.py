@@ -30,7 +30,7 @@ class Catalogue:
     require_load: Callable[[Any], None]  # raises `BadCase` where a catalogue knows no life
     ratings: Callable[[Any, float], dict[str, Any]]  # of a case; and the hours of a million revolutions
     oil: Callable[[Any, float], dict[str, float]]  # of a case, at the load of a life [Mrev]: `of_oil`
-    rated: Callable[[Any], float | None]  # life by ratings alone [rev], where the case asks for no other
+    rated: Callable[[Any], float | None]  # life by ratings alone [rev], where the case has no other
     viscosity_ratio: Callable[[Any], float]  # kappa of a case with an oil
     load: Callable[[Any], float]  # equivalent load of ISO 281 [N], of a case whose forces are known
     exponent: float  # of this load in the life

@@ -156,12 +156,12 @@ def _friction(case: FourPointCase) -> qd.FrictionCurve:
 def solved(
     case: FourPointCase,
     compliance: NDArray | None = None,
-    told: Callable[[float], None] = lambda _: None,
+    progress: Callable[[float], None] = lambda _: None,
     near: Solution | None = None,
 ) -> Solution:
     """Loads and motion of the balls between rigid rings, or between those of a compliance [m/N].
 
-    The part of the balls whose stick and slip is found is `told`. From a solution of a case in full sliding
+    The part of the balls whose stick and slip is found goes to `progress`. From a solution in full sliding
     that is `near`, one step of Newton's method is made, which is exact to first order.
 
     Raises
@@ -185,12 +185,12 @@ def solved(
             compliance,
             known,
         )
-        return _rolled(case, model, (equilibrium.balls, equilibrium.distribution), told)
+        return _rolled(case, model, (equilibrium.balls, equilibrium.distribution), progress)
     loads = np.array(case.operation.contact_loads)
     shape = (case.balls, len(loads), 2)
     angle = np.full(shape, _mounted(case)[0])
     return _rolled(
-        case, model, (model.slide(angle, np.broadcast_to(loads[:, None], shape), motion), None), told
+        case, model, (model.slide(angle, np.broadcast_to(loads[:, None], shape), motion), None), progress
     )
 
 
@@ -202,13 +202,13 @@ def blocks(case: FourPointCase, report: Report) -> Iterator[tuple[Literal["rigid
     NotSolved, OutOfRange, ImpossiblePart
         as `solved`
     """
-    told = partial(report.stage, STICK)
+    progress = partial(report.stage, STICK)
     report.stage("slow balls between rigid rings", None)
-    yield "rigid", solved(case, told=told)
+    yield "rigid", solved(case, progress=progress)
     if not case.rings.rigid:
         compliance = compliance_of_rings(case, report)
         report.stage("slow balls between elastic rings", None)
-        yield "flexible", solved(case, compliance, told)
+        yield "flexible", solved(case, compliance, progress)
 
 
 def compliance_of_rings(case: FourPointCase, report: Report) -> NDArray:
@@ -229,7 +229,7 @@ def _rolled(
     case: FourPointCase,
     model: qd.FourPointBallBearing,
     sliding: tuple[qd.SlidingBalls, BallLoads | None],
-    told: Callable[[float], None],
+    progress: Callable[[float], None],
 ) -> Solution:
     """Solution with the friction of the case, from full sliding."""
     balls, distribution = sliding
@@ -237,7 +237,7 @@ def _rolled(
     if case.friction.model != "full_sliding":
         along, across = case.friction.cells
         with shared_map() as mapped:
-            balls = model.roll(balls, case.friction.model, (along, across), told, mapped)
+            balls = model.roll(balls, case.friction.model, (along, across), progress, mapped)
     return Solution(case, balls, distribution, torque)
 
 

@@ -144,7 +144,7 @@ def _lubrication_factors(case: Case, state: LoadedState) -> Iterator[LifeFactor]
 
 
 def _oil_factor(case: Case, bearing: CylindricalRollerBearing, load: float) -> Iterator[LifeFactor]:
-    """a_ISO at an equivalent load [N], where the case asks for it."""
+    """a_ISO at an equivalent load [N], where the case has it."""
     if case.life.lubrication == "a_ISO":
         ratio_of_oil, ratio = kappa(case, bearing), fatigue_share(case, bearing) / load
         words = f"kappa {ratio_of_oil:.3g}, e_C C_u/P {ratio:.3g}, equivalent load {load:.4g} N"

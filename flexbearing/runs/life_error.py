@@ -32,13 +32,13 @@ class LifeErrors:
         if np.isnan(value):
             words = "no error estimated: life with more axial modes: no line loads were found"
             return (_resolution(words),)
-        problem, told = self.problems[case], []
+        problem, notes = self.problems[case], []
         if problem:
-            told.append(_resolution(f"its error counts slices, not axial shapes: {problem}"))
+            notes.append(_resolution(f"its error counts slices, not axial shapes: {problem}"))
         if value > RESOLVED:
             words = "accuracy.slices, accuracy.axial_shapes or accuracy.target resolve it"
-            told.append(_resolution(f"numerical error of about {value:.0%}; {words}"))
-        return tuple(told)
+            notes.append(_resolution(f"numerical error of about {value:.0%}; {words}"))
+        return tuple(notes)
 
 
 def _resolution(words: str) -> Note:

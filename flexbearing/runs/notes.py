@@ -43,12 +43,12 @@ def of_case(case: Case) -> tuple[Note, ...]:
 
 def _overlap(case: Case) -> tuple[Note, ...]:
     """Say so when the cage has no room between the rings."""
-    told = cage_room.overlap(case)
-    if not told:
+    overlap = cage_room.overlap(case)
+    if not overlap:
         return ()
     words = (
-        f"dimensions overlap: {told}: such a bearing cannot be built, one of them is wrong; loads and life "
-        "do not depend on it, drag and friction of the cage do"
+        f"dimensions overlap: {overlap}: such a bearing cannot be built, one of them is wrong; loads and "
+        "life do not depend on it, drag and friction of the cage do"
     )
     return (outside("overlapping-dimensions", words),)
 

@@ -94,7 +94,7 @@ class PartFields:
 
     @property
     def _neighbour(self) -> FactoredSolid:
-        """The whole solid by another order of displacements, which tells the error."""
+        """The whole solid by another order of displacements, which gives the error."""
         return self.solid.of_order(neighbour(self.sizes.solid.order))
 
     def support(self) -> dict[str, float]:

@@ -195,7 +195,7 @@ def oil(case: Case, lived: float) -> dict[str, float]:
 
 
 def rated(case: Case) -> float | None:
-    """Life by ratings alone [rev]; None where the case asks for another."""
+    """Life by ratings alone [rev]; None where the case has another."""
     return life.rated(case, roller_bearing.parts(case))
 
 

@@ -78,7 +78,7 @@ def _stress_of_bars(rows: SolvedRows) -> dict[str, Any]:
 def _slope(state: Equilibrium) -> float:
     """Size of the slope of the inner raceway against the outer one along the most loaded roller [rad].
 
-    Raceways of elastic rings lean with their supports: straight lines are fitted through their deviations.
+    Raceways of elastic rings tilt with their supports: straight lines are fitted through their deviations.
     """
     roller = int(np.argmax(state.loads[0]))
     azimuth = state.balance.roller.bearing.azimuths[roller]

@@ -59,15 +59,15 @@ def load_half_a_pitch_further(azimuths: NDArray, loads: NDArray, direction: floa
 
 def notes(case: Case, model: RollerBearing, rings: RacewayPair, end: Equilibrium) -> tuple[Note, ...]:
     """A note where half a pitch changes the largest load by more than the target of the case."""
-    told, largest = case.accuracy.target or TOLD, float(end.loads[0].max())
-    if not largest > 0 or not _may_matter(case, end, WORTH_A_SOLVE * told):
+    threshold, largest = case.accuracy.target or TOLD, float(end.loads[0].max())
+    if not largest > 0 or not _may_matter(case, end, WORTH_A_SOLVE * threshold):
         return ()
     moved = None if _in_space(case, rings) else _half_a_pitch_further(case, model, rings, end)
     if moved is None:
         words = "half a pitch of the rollers may change loads and life, and is not solved here"
     else:
         load, life = float(moved.loads[0].max()), moved.life
-        if abs(load / largest - 1) <= told:
+        if abs(load / largest - 1) <= threshold:
             return ()
         words = (
             f"with all rollers half a pitch further the largest roller load is {load:,.4g} N instead of "

@@ -53,8 +53,8 @@ def answers(
                 for place, found in zip(solved.places, _numbers(solved, outputs), strict=True):
                     numbers[place] |= found
                 if solved.answer:
-                    for place, told in zip(solved.places, _dangers(solved, search), strict=True):
-                        messages[place] = message((*of_levels, *told))
+                    for place, dangers in zip(solved.places, _dangers(solved, search), strict=True):
+                        messages[place] = message((*of_levels, *dangers))
             except (NotSolved, OutOfRange) as problem:  # of one of them
                 own_run |= dict.fromkeys(solved.places, str(problem))
     return [

@@ -166,7 +166,7 @@ def default_output(case: Head) -> Path:
 
 
 def usual_output(case: str | Path, settings: Sequence[str] = ()) -> Path:
-    """Name of the result of a case file that is given none, whatever is there."""
+    """Name of the result of a case file that is given none, existing or not."""
     return Path("results") / f"{stem_of_outputs(case, settings)}.h5"
 
 

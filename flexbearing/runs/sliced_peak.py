@@ -21,15 +21,15 @@ RACEWAYS = ("inner", "outer")
 
 def notes(rows: SolvedRows) -> tuple[Note, ...]:
     """What must be said of the peak pressure of a solved state: corners of profiles, and ends."""
-    (case,), (state,), told = rows.cases, rows.each, []
+    (case,), (state,), found = rows.cases, rows.each, []
     rise = corner_rise(state)
     if rise > CORNER_DECADE:
-        told.append(_corner(rise))
+        found.append(_corner(rise))
     if case.bearing.contact == "slices":
         edge_stress = None if rows.edge_stress is None else rows.edge_stress[0]
         largest = largest_slice(state, edge_stress)
-        told += [_pressed_end(state, largest)] if largest.pressed_end else _checked(state, edge_stress)
-    return tuple(told)
+        found += [_pressed_end(state, largest)] if largest.pressed_end else _checked(state, edge_stress)
+    return tuple(found)
 
 
 def _checked(state: Equilibrium, edge_stress: NDArray | None) -> list[Note]:

@@ -17,7 +17,7 @@ from flexbearing.runs.part_fields import NAMES, PartFields, Race
 
 
 def case_of(result: Result) -> Case:
-    """The case that a result file holds; its drawing is looked for beside the case, then beside the result.
+    """The case that a result file holds; its drawing is looked for next to the case, then beside the result.
 
     Raises
     ------

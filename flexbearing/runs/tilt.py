@@ -52,7 +52,7 @@ class TiltComparison:
 
     def notes(self) -> tuple[Note, ...]:
         """A note where the choice changes loads or life by more than the target."""
-        operation, told = self.case.operation, self.case.accuracy.target or TOLD
+        operation, threshold = self.case.operation, self.case.accuracy.target or TOLD
         if not np.isfinite(self.state.life):  # nothing carries load
             return ()
         if self.other is None:
@@ -61,7 +61,7 @@ class TiltComparison:
             (other,) = self.other.each
             load = float(other.loads[0].max() / self.state.loads[0].max()) - 1
             life = other.life / self.state.life - 1
-            if max(abs(load), abs(life)) <= told:
+            if max(abs(load), abs(life)) <= threshold:
                 return ()
             words = (
                 f"would be {other.loads[0].max():,.5g} N ({load:+.1%}) and "

@@ -55,7 +55,7 @@ def study(  # noqa: PLR0913  # an argument for each option
     from flexbearing.case import BadCase
     from flexbearing.case.excerpt import excerpt
     from flexbearing.program.threads import limited_to
-    from flexbearing.studies import told
+    from flexbearing.studies import messages
     from flexbearing.studies.job_array import sbatch
     from flexbearing.studies.plan import Part
     from flexbearing.studies.prepare import compute, prepared
@@ -65,19 +65,19 @@ def study(  # noqa: PLR0913  # an argument for each option
     if emit not in (None, "sbatch"):
         raise BadCase(f'--emit {excerpt(emit)}: it must be "sbatch"')
     with limited_to(jobs):
-        settled = prepared(file, told.Checking(sys.stderr))
+        settled = prepared(file, messages.Checking(sys.stderr))
     if check or status:
-        _say(told.status(settled, output) if status else told.variants(settled))
+        _say(messages.status(settled, output) if status else messages.variants(settled))
         raise typer.Exit(BAD_INPUT if settled.plan.problems else CONVERGED)
     settled.plan.require_sound()
     if emit:
         _say(sbatch(settled, output, jobs).rstrip())
         raise typer.Exit(CONVERGED)
     settled = settled.of_part(wanted) if wanted else settled
-    with told.Shown(sys.stderr) as shown:
+    with messages.Shown(sys.stderr) as shown:
         where = Where(jobs, scheduler, slurm, (tls_ca, tls_cert, tls_key))
         table = compute(settled, output, where, retry_failed=retry_failed, tell=shown)
-    _say(told.end(settled, table, output))
+    _say(messages.end(settled, table, output))
     raise typer.Exit(NOT_CONVERGED if table.failed else CONVERGED)
 
 

@@ -54,7 +54,7 @@ def catalogued(
 
 
 def _reliability(case: Any) -> float:
-    """Factor a_1 of the reliability that a case asks for [-]."""
+    """Factor a_1 of the reliability of a case [-]."""
     from flexbearing.runs.life_of_state import of_reliability
 
     return prod(float(factor.value) for factor in of_reliability(case.life))

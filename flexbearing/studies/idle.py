@@ -26,7 +26,7 @@ def is_load(key: str) -> bool:
 def idle(read: Variants, values: Values) -> Variant | None:
     """The row without damage that some values make; None where it must be computed.
 
-    Cases of rows that stand still, or have no load to be rated by, cannot be read: speeds and loads are then
+    Cases of rows at standstill, or have no load to be rated by, cannot be read: speeds and loads are then
     taken from the row, everything else from the case without them.
     """
     own = {
@@ -42,7 +42,7 @@ def idle(read: Variants, values: Values) -> Variant | None:
         )
         own = {key: by_path(type(case))[key].reader(value) for key, value in own.items()}
     except (BadCase, ValueError):
-        return None  # what is wrong is told of the whole row
+        return None  # what is wrong is reported of the whole row
     inner, outer = (own.get(key, getattr(case.operation, key.partition(".")[2])) for key in SPEEDS)
     if why := STANDSTILL if inner == outer else NO_LOAD * _is_unloaded(case, own):
         identity = sha256(f"{why} {inner - outer}".encode()).hexdigest()[:LENGTH]
@@ -52,7 +52,7 @@ def idle(read: Variants, values: Values) -> Variant | None:
 
 
 def _is_zero(written: Any) -> bool:
-    """Whether a quantity in the words of a case file is 0, in whatever unit."""
+    """Whether a quantity in the words of a case file is 0, in any unit."""
     return (
         isinstance(written, str)
         and written.lstrip(" +-").startswith(("0", ".", ","))

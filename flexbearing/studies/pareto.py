@@ -73,11 +73,11 @@ class Timed:
     state: Mapping[str, np.ndarray]  # by the names in NAMES
     message: str = ""  # why there is no answer
     picked: str = ""  # levels that a target chose
-    told: dict[str, float] = field(default_factory=dict)  # [-] errors that it estimated
+    estimated: dict[str, float] = field(default_factory=dict)  # [-] errors that it estimated
 
 
 class NoReference(RuntimeError):
-    """The richest level has no answer, so that there are no errors."""
+    """The richest level has no result, so that there are no errors."""
 
 
 def pareto(
@@ -189,7 +189,7 @@ def _measured(done: Done, exact: Timed) -> Measured:
         message=answer.message,
         physics=level.physics,
         picked=answer.picked,
-        told=answer.told,
+        estimated=answer.estimated,
     )
 
 
@@ -214,7 +214,7 @@ def timed(wanted: Run) -> Timed:
         times,
         {name: state[name] for name in NAMES if name in state},
         picked=_picked(result.attributes.get("choices") or {}),
-        told=_told(result.attributes.get("error_estimate") or {}),
+        estimated=_told(result.attributes.get("error_estimate") or {}),
     )
 
 
@@ -247,7 +247,7 @@ def _load(case: str | Path, overrides: tuple[str, ...]) -> None:
 
 @contextmanager
 def _temporary(place: str) -> Iterator[str]:
-    """A folder for results that nobody keeps, whatever an exception says of them."""
+    """A folder for results that are deleted, also where an exception names them."""
     with TemporaryDirectory(dir=place) as folder:
         try:
             yield folder

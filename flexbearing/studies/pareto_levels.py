@@ -78,7 +78,7 @@ def left_out(case: Case, *, solid: bool) -> tuple[str, ...]:
         if case.outer.kind != "squirrel_cage":
             words.append("smeared: there are no bars")
     if _solid_is_new(case) and not solid:
-        words.append("full solid: not asked for, it takes much longer than all others (--solid)")
+        words.append("full solid: not requested, it takes much longer than all others (--solid)")
     if not (case.lubricant.inlet_heating or case.lubricant.film_heating):
         words.append("film heating: the case has none")
     return tuple(words)
@@ -140,7 +140,7 @@ def _structures(case: Case) -> list[Level]:
 
 
 def _rigid(case: Case) -> tuple[str, ...]:
-    """Settings for rigid rings; keys of flexible ones that were set beside the file are taken out."""
+    """Settings for rigid rings; keys of flexible ones that were set in addition to the file are taken out."""
     names = (setting.partition("=")[0].strip() for setting in case.source.overrides)
     others = (name for name in names if name.startswith(("outer.", "inner.")) and not name.endswith(".kind"))
     return ("outer.kind=rigid", "inner.kind=rigid", *(f"{name}=" for name in others))

@@ -65,14 +65,14 @@ def settle(study: Study, tell: TellChecked = lambda done, total: None, *, bounde
 
 
 def _require_turning(study: Study, settled: Plan) -> None:
-    """Refuse a share of the revolutions of a row that stands still."""
+    """Refuse a share of the revolutions of a row at standstill."""
     assert study.spectrum
     for number, variant in enumerate(settled.variants):
         row = number % len(study.spectrum.shares)
         if variant.idle and not variant.idle.speed and study.spectrum.shares[row]:
             raise BadCase(
-                f"{study.path.name}: [duty] row {row + 1} stands still and has a share of the revolutions; "
-                "give shares of the time"
+                f"{study.path.name}: [duty] row {row + 1} is at standstill and has a share of the "
+                "revolutions; give shares of the time"
             )
 
 

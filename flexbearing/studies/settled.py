@@ -47,7 +47,7 @@ class Progress:
         return self.seconds / new * (self.total - self.done) if new else None
 
     def after(self, end: Ended, rows_of: Mapping[str, int], seconds: float) -> "Progress":
-        """With a task more, whose rows stand in the table as often as their variants do."""
+        """With a task more, whose rows are in the table as often as their variants do."""
         done = sum(rows_of[row.identity] for row in end.rows)
         failed = sum(rows_of[row.identity] for row in end.rows if not row.converged)
         return replace(

@@ -9,7 +9,7 @@ from flexbearing.studies.table.duty import BASIC, MODIFIED
 from quasidynamic import ImpossiblePart, OutOfRange
 from quasidynamic.outcome.life_factors import LEAST_VISCOSITY_RATIO
 
-LEAST_FACTOR = 0.1  # a_ISO of rollers and of balls at kappa = 0.1, whatever the load
+LEAST_FACTOR = 0.1  # a_ISO of rollers and of balls at kappa = 0.1, at any load
 
 
 def too_thin(case: Any) -> str:

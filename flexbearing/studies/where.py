@@ -27,7 +27,7 @@ NEEDED = {"--scheduler": ("distributed",), "--slurm": ("distributed", "dask_jobq
 class Cost:
     """Usual processor time of a task [s]."""
 
-    task: float  # of its own, whatever it holds
+    task: float  # of its own, for any content
     variant: float  # of each variant in it
 
 

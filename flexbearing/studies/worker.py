@@ -59,12 +59,12 @@ def rows(task: Task, wish: Wish, cache: str | None = None) -> tuple[Row, ...]:
     wish = replace(wish, levels=levels)
     with rings_in(cache), complaints() as heard:
         ended = tuple(_rows(list(zip(task.variants, cases, strict=True)), wish))
-    told = tuple(dict.fromkeys(heard))
-    return tuple(replace(row, complaints=told) for row in ended) if told else ended
+    once = tuple(dict.fromkeys(heard))
+    return tuple(replace(row, complaints=once) for row in ended) if once else ended
 
 
 def condense(ring: Ring | Corners, cache: str | None = None, *, here: bool = False) -> Condensed:
-    """Condense a ring into the cache; whatever goes wrong is told by the variants that have it."""
+    """Condense a ring into the cache; errors are reported by the variants that have it."""
     with complaints() as heard:
         levels = None
         if isinstance(ring, Corners):
@@ -167,7 +167,7 @@ def _row(variant: Variant, case: Head, answer: Answer, seconds: float, wish: Wis
 
 
 def _by_ratings(row: Row, case: Any) -> Row:
-    """A row with the life by ratings, where its case asks for that: it needs no equilibrium."""
+    """A row with the life by ratings, where its case has that: it needs no equilibrium."""
     catalogue = FAMILIES[case.kind].catalogue
     try:
         life = catalogue().rated(case) if catalogue else None

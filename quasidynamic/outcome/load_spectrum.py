@@ -54,7 +54,7 @@ def time_shares(revolutions: ArrayLike, speed: ArrayLike) -> NDArray:
     Returns
     -------
     array (..., N)
-        t [-], the sum is 1; 0 of a row that stands still
+        t [-], the sum is 1; 0 of a row at standstill
 
     Source
     ------

@@ -11,29 +11,6 @@ PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 PACKAGES = ("quasidynamic", "fem", "flexbearing")
 SOURCES = {path.relative_to(ROOT).as_posix() for path in ROOT.glob("*/**/*.py")}
 
-# Idioms of this project that an engineer reads twice; the field has a word for each.
-IDIOMS = re.compile(
-    r"""\b(?:
-    told | tells | is\ asked\ for | (?:stand|stands|stood)\ still | hopeless | without\ hope
-    | known\ rings | rings\ that\ yield | (?:ring|rings|raceway|raceways)\ yields?
-    | alternations? | no\ number\ to\ rely\ on | knows?\ nothing\ of | of\ one's\ own
-    | walk\ through\ the\ house | falls?\ off | strangers? | ending\ of\ its\ own
-    | loaded\ program | have\ no\ end | by\ lot | at\ hand | asks?\ for | asked\ for | feels? | leans?
-    | freed\ of | neither\ of\ both | an\ information | nearer | in\ turn | whatever | machinery | mended
-    | (?:without\ an|has\ no|has\ an|have\ no|have\ an)\ answer | do(?:es)?\ not\ know\ of
-    | stands?\ (?:beside|in|above|below|here|by|on|as) | (?:section|ring|raceway)s?\ cones? | this\ very
-    | takes?\ back | acts?\ back | fed\ back | beside\ (?:the\ (?:file|case|study)|ours|a\ rigid)
-    )\b""",
-    re.VERBOSE,
-)
-
-
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
-def test_pages_use_the_terms_of_the_field(page):
-    if "decisions" not in page.parts:
-        lines = enumerate(page.read_text().splitlines(), start=1)
-        assert [f"{number}: {line}" for number, line in lines if IDIOMS.search(line)] == []
-
 
 @pytest.mark.parametrize("folder", ["howto", "theory", "tutorials"])
 def test_the_index_of_a_folder_lists_every_page(folder):

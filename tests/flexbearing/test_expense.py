@@ -11,7 +11,7 @@ import pytest
 from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
 from flexbearing.report.html.study import MOST_MESSAGES, _by_message
-from flexbearing.studies import told
+from flexbearing.studies import messages
 from flexbearing.studies.file import read, sampled
 from flexbearing.studies.maps.axes import axes
 from flexbearing.studies.plan import plan
@@ -130,8 +130,8 @@ def test_a_drawn_number_below_every_size_is_zero(tmp_path):
 def test_the_time_of_a_long_check_is_said_once_it_is_known(monkeypatch):
     """The first ones wait until workers have started."""
     stream, times = StringIO(), iter([20.0, 20.5, 22.0, 23.0, 300.0])
-    monkeypatch.setattr(told, "perf_counter", lambda: next(times))
-    checking = told.Checking(stream)
+    monkeypatch.setattr(messages, "perf_counter", lambda: next(times))
+    checking = messages.Checking(stream)
     for checked in (1000, 1500, 3000, 4000, 200_000):
         checking(checked, 201_000)
     assert stream.getvalue() == "3000 of 201000 variants checked, 3.3 min left\n"

@@ -84,10 +84,10 @@ def test_a_death_is_told_with_its_code(process):
     process.await_start()
     assert process.code is None
     process.send(os._exit, 7)
-    with pytest.raises(Died, match="without an answer"):
+    with pytest.raises(Died, match="without a result"):
         process.answer()
     process.send(abs, -3)
-    with pytest.raises(Died, match="without an answer"):
+    with pytest.raises(Died, match="without a result"):
         process.answer()
     process.end()
     assert process.code == 7

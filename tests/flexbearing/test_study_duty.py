@@ -75,9 +75,9 @@ def test_eight_rows_against_a_calculation_by_hand(cycle):
 
 
 def test_the_lives_of_the_cycle_stand_in_files_and_words(cycle):
-    from flexbearing.studies import told
+    from flexbearing.studies import messages
 
-    words = "\n".join(told.cycles(cycle.cycles))
+    words = "\n".join(messages.cycles(cycle.cycles))
     assert f"duty cycle: basic L10 life {cycle.cycles['life [h]'].values[0]:.6g} h; " in words
     assert cycle.cycles.name == "cycle_duty"
     assert cycle.cycles.to_xarray()["life"].shape == ()

@@ -12,7 +12,7 @@ from flexbearing.api import read_case, sensitivities
 from flexbearing.pages.make import report
 from flexbearing.sampling.design import Design
 from flexbearing.sampling.distribution import normal, uniform
-from flexbearing.studies import told
+from flexbearing.studies import messages
 from flexbearing.studies.file.sampled import Drawn, Factor
 from flexbearing.studies.prepare import compute, prepared
 from flexbearing.studies.table import Column
@@ -119,7 +119,7 @@ def test_a_study_that_was_killed_ends_with_the_same_scatter(study):
 
 def test_the_end_of_the_command_names_what_to_tighten_first(study):
     folder, settled, table = study
-    words = told.end(settled, table, folder / "whole")
+    words = messages.end(settled, table, folder / "whole")
     assert re.search(r"\nload N: P10 [\d.]+ \([\d.]+ to [\d.]+\), P50 .*; linear: P10 .* explains \d", words)
     assert words.count("tighten first: ") == 3
     assert "scatter_scatter.png" in words

@@ -88,14 +88,14 @@ def test_parquet_carries_units(tmp_path):
 
 
 def test_without_the_extra_the_table_is_csv_and_the_rest_says_what_to_install(tmp_path, monkeypatch):
-    from flexbearing.studies import told
+    from flexbearing.studies import messages
 
     monkeypatch.setattr(forms, "find_spec", lambda name: None)
     settled = toy(tmp_path)
     table = computed(settled, tmp_path)
     assert sorted(path.suffix for path in tmp_path.iterdir()) == [".csv", ".jsonl", ".toml"]
     assert (
-        told.end(settled, table, tmp_path)
+        messages.end(settled, table, tmp_path)
         .splitlines()[2]
         .endswith('toy.parquet, not written without pyarrow: pip install "flexbearing[studies]"')
     )

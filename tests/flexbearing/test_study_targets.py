@@ -8,7 +8,7 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing.studies import told, worker
+from flexbearing.studies import messages, worker
 from flexbearing.studies.plan.corners import extremes
 from flexbearing.studies.prepare import prepared
 from flexbearing.studies.table import journal
@@ -162,7 +162,9 @@ def test_the_life_under_a_duty_cycle_has_an_error_below_its_estimate(tmp_path):
     assert (true <= estimate).all()
     assert (estimate <= 5).all()
     assert "life error [%]" not in [column.heading for column in fine.columns]
-    assert f"h (error {estimate[1]:.2g} %); basic L10 life of each raceway: inner" in told.cycles(coarse)[1]
+    assert (
+        f"h (error {estimate[1]:.2g} %); basic L10 life of each raceway: inner" in messages.cycles(coarse)[1]
+    )
 
 
 def test_levels_between_rigid_rings_are_chosen_too(chosen, tmp_path):

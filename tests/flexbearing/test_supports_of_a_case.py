@@ -94,7 +94,7 @@ def test_pitch_circle_inside_of_the_rim_is_refused():
 
 
 @pytest.mark.parametrize(
-    ("file", "told"), [("mao2016", "its flange is clamped"), ("step_ring", "outer.clamps stand still")]
+    ("file", "told"), [("mao2016", "its flange is clamped"), ("step_ring", "outer.clamps do not move")]
 )
 def test_outer_ring_that_is_clamped_cannot_turn(file, told):
     with pytest.raises(BadCase, match=f"outer_speed .*{told}"):

@@ -1,4 +1,4 @@
-"""The parts of a ball bearing, whatever its kind."""
+"""The parts of a ball bearing of any kind."""
 
 from math import asin, pi
 from typing import Annotated, Literal, Self

@@ -372,4 +372,4 @@ class Inner(Section):
             raise impossible("bore", f"below the inner raceway diameter {raceway_diameter * 1e3:.4g} mm")
         if self.ribbed and raceway_diameter >= bore + 2 * (self.thickness or 0.0):
             least = (raceway_diameter - bore) / 2
-            raise impossible("thickness", f"more than {least * 1e3:.4g} mm: ribs stand above the raceway")
+            raise impossible("thickness", f"more than {least * 1e3:.4g} mm: ribs are above the raceway")

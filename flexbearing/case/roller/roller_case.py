@@ -160,7 +160,7 @@ class Case(Head):
     def _clamped_rings_stand_still(self) -> Self:
         clamped = {
             "squirrel_cage": "its flange is clamped",
-            "step": "outer.clamps stand still",
+            "step": "outer.clamps do not move",
             "matrix": "its body is held",
         }
         if self.operation.outer_speed and self.outer.kind in clamped:

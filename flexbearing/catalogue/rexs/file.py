@@ -22,7 +22,7 @@ _ENCODING = re.compile(rb"(?:\xef\xbb\xbf)?\s*<\?xml[^>]{0,200}?encoding\s*=\s*[
 
 
 def read(path: Path) -> Model:
-    """Read a model, whose form is that of its content, whatever the ending of its name.
+    """Read a model, whose form is that of its content, not that of its name.
 
     Raises
     ------

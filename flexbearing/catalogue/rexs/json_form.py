@@ -50,7 +50,7 @@ def _components(place: Element, owner: dict[str, Any]) -> None:
 
 
 def _attribute(given: dict[str, Any]) -> Element:
-    """An attribute with its value, whatever type is named; coded arrays have no text."""
+    """An attribute with its value, of any named type; coded arrays have no text."""
     attribute = _element("attribute", {name: given[name] for name in ("id", "unit") if name in given})
     for value in (value for name, value in given.items() if name not in ("id", "unit")):
         if isinstance(value, list):

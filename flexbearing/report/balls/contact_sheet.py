@@ -26,7 +26,7 @@ LINE, CAPTION, TICKS, BETWEEN, BAR = 0.19, 0.26, 0.3, 0.07, 0.13
 ROOM, HIGH = 1.06, 1.12  # of a panel around the ellipse, across and along
 ARROW, ACROSS, ALONG = 0.13, 0.24, 0.16  # length and distances of arrows [in]
 WIDEST = 155  # letters of a note in a line
-STICK, SLIP = "#0072B2", "#F0C987"  # told apart by colour-blind readers, and in grey
+STICK, SLIP = "#0072B2", "#F0C987"  # distinguished by colour-blind readers, and in grey
 AXES = "to the right: across the groove; upwards: rolling direction, towards growing azimuth [mm]"
 
 
@@ -133,7 +133,7 @@ class _Page(NamedTuple):
         return cls(Figure(figsize=(width, height)), width, height)
 
     def text(self, left: float, top: float, words: str, size: float = 8, **style: Any) -> None:
-        """Write words as they are, below a height unless told."""
+        """Write words as they are, below a height unless said."""
         place = left / self.width, top / self.height
         self.figure.text(*place, words, fontsize=size, parse_math=False, **{"va": "top", **style})
 

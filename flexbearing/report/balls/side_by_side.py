@@ -55,13 +55,13 @@ def notes(one: Result, other: Result) -> list[str]:
     told_of = {
         key: values
         for key, values in settings.items()
-        if not f"{key}.".startswith(tuple(f"{told}." for told in _TOLD))
+        if not f"{key}.".startswith(tuple(f"{shown}." for shown in _TOLD))
     }
     if not told_of:
         return []
-    told = [f"{key} ({_shown(a)} and {_shown(b)})" for key, (a, b) in list(told_of.items())[:_MOST]]
-    more = len(told_of) - len(told)
-    words = ", ".join(told) + (f" and {more} more" if more else "")
+    shown = [f"{key} ({_shown(a)} and {_shown(b)})" for key, (a, b) in list(told_of.items())[:_MOST]]
+    more = len(told_of) - len(shown)
+    words = ", ".join(shown) + (f" and {more} more" if more else "")
     lines = [f"The cases differ not by their friction model alone, but (in SI units) in {words}."]
     if SPIN in told_of:
         lines.append(

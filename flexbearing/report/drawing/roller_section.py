@@ -51,8 +51,8 @@ def _cage(sheet: Sheet, case: Any) -> None:
         for side in (-1, 1):
             sheet.rectangle((side * half, side * (half + reach)), (low, high), **SCHEMATIC, fc=CAGE)
         sheet.height("bearing.cage.thickness", low, high, -half - reach)
-        if told := overlap(case):
-            sheet.notes.append(f"Dimensions overlap: {told}.")
+        if message := overlap(case):
+            sheet.notes.append(f"Dimensions overlap: {message}.")
     if cage.land_diameter is not None:
         land = cage.land_diameter / 2
         for side in (-1, 1):

@@ -47,8 +47,8 @@ def ranked(reader: Reader) -> tuple[Check, ...]:
 
 def to_do(reader: Reader) -> Iterator[Items]:
     """What to do next."""
-    if told := steps(reader):
-        yield Items("What to do next", told, name="to-do")
+    if actions := steps(reader):
+        yield Items("What to do next", actions, name="to-do")
 
 
 def steps(reader: Reader) -> tuple[str, ...]:

@@ -45,7 +45,7 @@ _MORE = "Cooler or more viscous oil raises κ; cleaner oil lengthens the life at
 _WORDS = {"bearing stiffness": "stiffness of the bearing alone"}
 _SIGNS = (
     "Azimuth 0° is the z axis; the radial load of this case acts {}. Azimuths grow towards y, the way that a "
-    "positive speed turns. Positive along a roller is +x; other signs stand below the tables."
+    "positive speed turns. Positive along a roller is +x; other signs are below the tables."
 )
 _AXES = "Axes: x along the shaft, z at azimuth 0°, y at 90°; forces are positive along them."
 MISFITS = {  # by whether the bearing has balls; figures of the evidence pages
@@ -119,8 +119,8 @@ def _first(reader: Reader) -> Iterator[str]:
     shares = [check for check in checks if isinstance(check.share, Number)]
     unknown = _without_limit(checks)
     for check, value in unknown:
-        told = f"{text_of(value)}{_moved(reader, check)}"
-        yield f"Possibly first: {check.what} {told}; no strength is given."
+        words = f"{text_of(value)}{_moved(reader, check)}"
+        yield f"Possibly first: {check.what} {words}; no strength is given."
         yield design_changes.of_bars(reader) if check.place == BARS else ""
     yield from _nearest([check for check in shares if check.grade != OUTSIDE], bool(unknown))
     yield headline.tight_end(reader)
@@ -186,10 +186,10 @@ def _catalogue(reader: Reader) -> Iterator[str]:
     if alike is not None and chosen.key == "modified" and isinstance(alike.hours, Number):
         yield f"Like for like, with a_ISO at P, the catalogue's L10m is {_rounded(alike.hours)}."
     if steps := life.chain(reader):
-        told = ", ".join(f"{name} × {factor:.4g}" for name, factor in steps)
+        words = ", ".join(f"{name} × {factor:.4g}" for name, factor in steps)
         whole = prod(factor for _, factor in steps)
         together = f"; all together × {whole:.4g}" if len(steps) > 1 else ""
-        yield f"Factors between them, the largest first: {told}{together}."
+        yield f"Factors between them, the largest first: {words}{together}."
     if life.by_same_rating(reader) and not reader.attributes.get("catalogue_life"):
         yield (
             "Both lives are by the same C_r. The factor of the loads holds exponent 4 of slices instead of "
@@ -214,10 +214,10 @@ def _assumed(reader: Reader) -> Iterator[str]:
             yield f"{label}: {', '.join(names)}."
     chosen = assumed_effects.keys(reader, CHOICE)
     also = f" and choices of the case ({', '.join(chosen)})" if chosen else ""
-    told = list(_moving(reader))
-    if told:
+    words = list(_moving(reader))
+    if words:
         yield f"Inputs that are not exactly known{also} make together:"
-        yield from told
+        yield from words
     yield _heavier(reader)
 
 
@@ -273,13 +273,13 @@ def _exact(reader: Reader) -> Iterator[str]:
             and (error := exactness.known(reader, entry))
         ):
             found.setdefault(reader.label(entry).strip(), error)
-    told = [
+    words = [
         f"{label} {_percent(error).replace(' %', ' percentage points') if label == SLIP else _percent(error)}"
         for label, error in found.items()
         if isinstance(error, Number)
     ]
-    if told:
-        yield f"Numerical errors, from the exact answer of this model: {', '.join(told)}."
+    if words:
+        yield f"Numerical errors, from the exact answer of this model: {', '.join(words)}."
     else:
         yield "Closed formulas, without a grid: only the balance of forces has an error."
     if missing := beyond_range.left_out(reader):
@@ -317,15 +317,15 @@ def _stiffness(reader: Reader) -> Iterator[str]:
 def _stiffness_range(reader: Reader) -> str:
     """What inputs make of the stiffness along the load and along y; empty where that is not known."""
     known = {axis: combined.of(reader, word) for axis, word in (("the load", STIFFNESS), ("y", ALONG_Y))}
-    told = [
+    words = [
         f"along {axis} {span.squares[0]:.3g} to {span.squares[1]:.3g} times"
         for axis, span in known.items()
         if span is not None
     ]
     of = ", with supports" * stiffness.supported(reader)
-    if len(told) == 1:
-        told.append("along y not known, outputs.assumed_effects = true computes it")
-    return f"By inputs that are not exactly known{of}: {', '.join(told)}." if told else ""
+    if len(words) == 1:
+        words.append("along y not known, outputs.assumed_effects = true computes it")
+    return f"By inputs that are not exactly known{of}: {', '.join(words)}." if words else ""
 
 
 def _by_rotor_model(reader: Reader) -> Iterator[str]:
@@ -337,8 +337,8 @@ def _by_rotor_model(reader: Reader) -> Iterator[str]:
     for part, has in stiffness.IN_MODEL.items():
         rows = [f"{text_of(number)} along {axis}" for axis, number in stiffness.in_series(reader, part)]
         if rows:
-            told = ", ".join(rows) + _ranged(reader, part)
-            yield f"{has} only: with the support of the {part} ring, {told}."
+            words = ", ".join(rows) + _ranged(reader, part)
+            yield f"{has} only: with the support of the {part} ring, {words}."
     if stiffness.supported(reader):
         yield f"Neither in the rotor model: with supports, {both('total_radial_stiffness')}."
     else:

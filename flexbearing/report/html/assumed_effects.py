@@ -96,13 +96,13 @@ def moving(reader: Reader) -> list[str]:
     found, name = reader.attributes["assumed_effects"], ranked_by(reader)
     if name not in LIVES:
         return []
-    told: list[str] = []
+    lines: list[str] = []
     ranked = sorted(range(len(found["keys"])), key=lambda place: -_effect(found, place, name))
     for place in (place for place in ranked if _effect(found, place, name) > log(WORTH)):
         key = found["keys"][place]
         compared = " (for comparison)" * (key.get("role") == COMPARISON)
-        told.append(f"{assumptions.named(key['key'])}{compared}: {_of_life(reader, key)}")
-    return told
+        lines.append(f"{assumptions.named(key['key'])}{compared}: {_of_life(reader, key)}")
+    return lines
 
 
 def of_life(reader: Reader, key: str) -> str:
@@ -271,7 +271,7 @@ def _drawn(reader: Reader, found: dict[str, Any], ranked: list[int], name: str) 
     """Range of the output with other values of each key, over that of the case."""
     x: list[float | None] = []
     y: list[str | None] = []
-    told: list[str] = []
+    lines: list[str] = []
     base = found["of"][name]
     keys = [place for place in ranked if _effect(found, place, name) >= SMALLEST]
     for place in keys:
@@ -281,13 +281,13 @@ def _drawn(reader: Reader, found: dict[str, Any], ranked: list[int], name: str) 
         for ratio, words in sorted([(1.0, "this case"), *values]):
             x.append(float(f"{ratio:.6g}"))
             y.append(label)
-            told.append(units_in_words(words))
+            lines.append(units_in_words(words))
         x.append(None)
         y.append(None)
-        told.append("")
+        lines.append("")
     label = _heading(reader, name).partition(" [")[0]
     trace = {
-        "type": "scatter", "mode": "lines+markers", "x": x, "y": y, "text": told, "line": {"color": BLUE},
+        "type": "scatter", "mode": "lines+markers", "x": x, "y": y, "text": lines, "line": {"color": BLUE},
         "marker": {"size": 8}, "hovertemplate": "%{y}<br>%{text}: %{x} times<extra></extra>",
         "connectgaps": False,
     }  # fmt: skip

@@ -45,8 +45,8 @@ def blocks(reader: Reader) -> Iterator[Block]:
     found = reader.attributes.get("clearance")
     if not found:
         return
-    if told := which(reader):
-        yield Items("Which clearance", told)
+    if words := which(reader):
+        yield Items("Which clearance", words)
     if not found["steps"]:
         yield _stated(reader)
         yield from _used_up(reader, found)

@@ -18,12 +18,12 @@ def of_bars(reader: Reader) -> str:
         (factor, key, value) for key, value, factor in _factors(reader, _STRESS)
         if factor <= _WORTH
     )[:_MOST]  # fmt: skip
-    told = [
+    changes = [
         f"{assumptions.named(key)} {units_in_words(value)}, {factor:.3g} times"
         + (f" (stiffness with supports {stiffer[key, value]:.3g} times)" if (key, value) in stiffer else "")
         for factor, key, value in lower
     ]
-    return f"Lower by a change of design: {'; '.join(told)}." if told else ""
+    return f"Lower by a change of design: {'; '.join(changes)}." if changes else ""
 
 
 def _factors(reader: Reader, name: str) -> Iterator[tuple[str, str, float]]:

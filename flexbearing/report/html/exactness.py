@@ -36,7 +36,7 @@ _NO_TARGET = (
 )
 _BALLS = (
     "Contacts of balls follow closed formulas without a grid: loads, angles, pressures and stiffness have no "
-    "numerical error but that of the balance. Friction is summed over the contacts: its error is told where "
+    "numerical error but that of the balance. Friction is summed over the contacts: its error is given where "
     "cells of them are refined."
 )
 
@@ -178,7 +178,7 @@ def _of_target(reader: Reader) -> Iterator[tuple[Cell, ...]]:
         yield (
             words["life"],
             lives.error(reader, "life_L10"),
-            "finer slices and more axial shapes; those of the other lives stand beside them",
+            "finer slices and more axial shapes; those of the other lives are beside them",
         )
     left = [text for name, text in words.items() if name != "life" and not reader.error_path(name)]
     if left:
@@ -193,7 +193,7 @@ def _by_grid(reader: Reader, name: str, words: str, by: str) -> tuple[Cell, ...]
 
 
 def _of_pressures(reader: Reader) -> Iterator[tuple[Cell, ...]]:
-    """Errors of the peak pressures, by whatever estimates them."""
+    """Errors of the peak pressures, by their estimates."""
     summary = reader.summary.get(reader.last) or {}
     pressures = summary.get("peak_pressure_error_MPa")
     for race in summary.get("peak_pressure_MPa") or {}:

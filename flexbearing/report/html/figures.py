@@ -15,7 +15,7 @@ LOAD = "#a61c00"  # as in drawings
 COLOURS = (BLUE, ORANGE, GREEN, PURPLE)
 _UNLOADED = (
     " Rollers without load may slip: no traction drives them, and no contact is pressed. Slip under load "
-    "counts; the cage slip stands in the verdict."
+    "counts; the cage slip is in the verdict."
 )
 SHORT = 6  # lines that a legend names within a figure of usual height
 MARKED = 60  # places of a line that are marked at most
@@ -85,7 +85,7 @@ def _differing(largest: float, unit: str) -> str:
 
 
 def _apart(one: list[dict[str, Any]], other: list[dict[str, Any]]) -> float | None:
-    """Largest difference of lines that coincide in every end state; None where they can be told apart."""
+    """Largest difference of lines that coincide in every end state; None where they can be distinguished."""
     if len(one) != len(other):
         return None
     pairs = [

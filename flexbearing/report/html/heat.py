@@ -10,7 +10,7 @@ from flexbearing.report.html.units import printed, with_unit
 _FLOODED = (
     "Rolling friction of the oil film is hydrodynamic, by the shear of the oil in flooded inlets; an inlet "
     "with less oil shears less and carries a thinner film. So with little oil this loss, torque and film are "
-    "at most what stands here."
+    "at most what is given here."
 )
 
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from flexbearing.quantities.reductions import RACES
-from flexbearing.report.catalogue_life import told
+from flexbearing.report.catalogue_life import is_stated
 from flexbearing.report.html import oil, ratings
 from flexbearing.report.html.document import Block, Cell, Items, Table, Words
 from flexbearing.report.html.lives import lives
@@ -96,7 +96,7 @@ def _of_raceways(reader: Reader) -> Iterator[Table]:
         hours: Cell = reader.output(name, "h", ",.4g") if block.get("relative_speed") else ""
         rows.append((label, reader.output(name, "Mrev", ",.4g"), hours))
     first = next(each.name for each in lives(reader) if each.turns.of.startswith(_FIRST.format(reader.last)))
-    note = "Which life to use, and all others, stand in the verdict."
+    note = "Which life to use, and all others, are in the verdict."
     caption = f"{first} by raceways, {reader.state}, 90 % survive"
     yield Table(caption, ("of", "10⁶ revolutions", "hours"), tuple(rows), note)
 
@@ -260,7 +260,7 @@ def _left_out(reader: Reader) -> Iterator[Block]:
     try:
         influences = (*known.rating, *known.acting(reader.case, reader.case_with))
     except ValueError as problem:  # the case without an influence is none
-        yield Words((f"{how} What lies between cannot be told: {problem}",))
+        yield Words((f"{how} What lies between is not known: {problem}",))
         return
     rows = tuple((influence.name, influence.meaning) for influence in influences)
     yield Table("What the catalogue's life leaves out of this case", ("influence", "why"), rows, how)
@@ -270,14 +270,14 @@ def _catalogue(reader: Reader, found: dict[str, Any]) -> Iterator[Block]:
     """Every life from the catalogue's to that of the case."""
     stages: list[tuple[Cell, ...]] = []
     for place, stage in enumerate(found["stages"]):
-        why = stage["meaning"] if told(stage) else ""
+        why = stage["meaning"] if is_stated(stage) else ""
         path = f"catalogue_life/stages/{place}"
         factor: Cell = "" if stage["factor"] is None else reader.of_attribute(f"{path}/factor", "", "", ".4g")
         lives = (reader.of_attribute(f"{path}/life_{unit}", unit, unit, ",.4g") for unit in ("Mrev", "h"))
         stages.append((stage["name"], factor, *lives, why))
     head = ("influence", "factor", "life [10⁶ revolutions]", "life [h]", "why")
     note = (
-        "Every life is that of a case of its own, without what stands in the lines below it; a factor is the "
+        "Every life is that of a case of its own, without what the lines below it add; a factor is the "
         "ratio of neighbouring lives. Factors within 1 % of 1 have no sentence."
     )
     yield Table(

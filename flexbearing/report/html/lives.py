@@ -58,8 +58,8 @@ def blocks(reader: Reader) -> Iterator[Block]:
     found = lives(reader)
     if not found or not found[0].chosen:
         why = ratings.found(reader)
-        told = why if isinstance(why, str) else "The run computed none."
-        yield Words((f"No life of this case. {told}",))
+        reason = why if isinstance(why, str) else "The run computed none."
+        yield Words((f"No life of this case. {reason}",))
         return
     yield Words((f"Life of this case: {found[0].name}. {_why(reader, found)}{_NAMED}",))
     rows: list[tuple[Cell, ...]] = [
@@ -114,7 +114,7 @@ def _why(reader: Reader, found: tuple[Life, ...]) -> str:
     life, keys = reader.attributes["case_si"]["life"], {each.key for each in found}
     if _kind(reader) == _RATING:
         return (
-            'The case asks for the rule of the catalogue (life.loads = "rating"): one load P; clearance, '
+            'The case has the rule of the catalogue (life.loads = "rating"): one load P; clearance, '
             "tilt, profile and flexible rings do not count in it."
         )
     words = [

@@ -24,7 +24,7 @@ _FITTED = "lubricant.oil_fraction was fitted to a cage slip, so this is no predi
 _TILT = "no standard limits it; makers give the tilt that a bearing may have"
 _TILT_OF_ROLLERS = {
     "ring_tilt": "slope of its axis, dz/dx (dy/dx where that is larger); an outer ring on an elastic support "
-    "leans along: see the slope between the raceways",
+    "tilts along: see the slope between the raceways",
     "roller_tilt": "no standard limits it, positive: +x end further out; it presses the ends of the roller",
 }
 _LIMITS_OF_HEAT = "bearing maker: steel and cage; oil supplier: oil"
@@ -41,7 +41,7 @@ _NEVER = {  # why, who checks it
     ),
     "Creep of the rings in their seats": (
         "whether a ring turns in its seat is not computed",
-        "designer: fit tables of the maker for a load that turns or stands still",
+        "designer: fit tables of the maker for a rotating or a stationary load",
     ),
 }
 _HOOP = "Hoop stress of the rings by fit and speed"

@@ -59,8 +59,11 @@ def _tilt(reader: Reader) -> Iterator[Block]:
         return
     words = {"fixed": "The shaft holds the tilt of the inner ring", "free": "The inner ring is free to tilt"}
     choice = held["inner_ring"]
-    told = (f'{words.get(choice, "The inner ring")} (operation.tilt = "{choice}")', shaft_tilt.clamps(reader))
-    yield Words((" ".join(f"{sentence}." for sentence in told if sentence),))
+    sentences = (
+        f'{words.get(choice, "The inner ring")} (operation.tilt = "{choice}")',
+        shaft_tilt.clamps(reader),
+    )
+    yield Words((" ".join(f"{sentence}." for sentence in sentences if sentence),))
     if other := held.get("otherwise"):
         known = [form for form in (*_TILT, *_FURTHER) if form[0] in other]
         head = [with_unit(_words(name), reader.units.of(unit)) for name, _, unit, _ in known]

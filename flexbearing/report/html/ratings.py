@@ -23,7 +23,7 @@ _OF_CASE = (
     " The last column is the life of this case: solved again at the temperatures of its effects, "
     "at others its life without a_ISO times a_ISO at its own equivalent load, loads kept."
 )
-BY_A_ISO = (  # whatever the cleanliness: κ does not depend on it
+BY_A_ISO = (  # for any cleanliness: κ does not depend on it
     "life.lubrication=a_ISO",
     "life.cleanliness=oil, in-line filter, -/17/14",
 )

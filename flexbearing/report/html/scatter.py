@@ -110,7 +110,7 @@ def _first_to_tighten(found: ScatterTables) -> Iterator[str]:
             first = max(known, key=lambda row: row["narrower [%]"])
             yield (
                 f"{_words(output)}: tighten `{first['key']}` first. Half its scatter brings P10 and P90 "
-                f"nearer to each other by {first['narrower [%]']:.2g} %."
+                f"closer to each other by {first['narrower [%]']:.2g} %."
             )
 
 
@@ -135,7 +135,7 @@ def _percentiles(found: ScatterTables, units: Units) -> Table:
     )
     note = (
         "P10, P50 and P90: 10, 50 and 90 % of the bearings lie below. low and high: between them the "
-        "percentile lies with 95 % confidence, whatever rows without a number would give. linear: by the "
+        "percentile lies with 95 % confidence, for any values of rows without a number. linear: by the "
         "derivatives where every key has its mean, and how much of the variance of the rows that explains."
     )
     return Table("Percentiles of the outputs", head, tuple(rows), note)
@@ -156,12 +156,12 @@ def _causes(found: ScatterTables, units: Units) -> Table:
         rows.append((row["output"].replace("_", " "), row["key"], *shares, *halved, narrower, row["by"]))
     head = (
         "output", "key", *(name.replace("_", " ") for name in plain), "P10, half the scatter",
-        "P90, half the scatter", "nearer by [%]", "known by",
+        "P90, half the scatter", "closer by [%]", "known by",
     )  # fmt: skip
     note = (
         "first, total: Sobol indices, the shares of the variance that are due to the key alone and with its "
         'interactions, with intervals of 95 % confidence; only of studies with method = "sobol_indices". '
-        "nearer by: how much nearer P10 and P90 are when the key scatters half as much; known by the rows "
+        "closer by: how much closer P10 and P90 are when the key scatters half as much; known by the rows "
         "themselves, weighted, or by the linear prediction."
     )
     return Table("Which key causes the scatter", head, tuple(rows), note, sortable=True)

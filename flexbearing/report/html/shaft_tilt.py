@@ -29,13 +29,13 @@ def stiffness(reader: Reader) -> str:
     if "stiffness_z_N_per_m" not in other:
         return ""
 
-    def told(which: str) -> str:
+    def stated(which: str) -> str:
         paths = {axis: f"tilt/otherwise/{which}stiffness_{axis}_N_per_m" for axis in "zy"}
         numbers = {axis: reader.of_attribute(path, "N/m", "kN/mm", ",.4g") for axis, path in paths.items()}
         return ", ".join(f"{number.text} {number.unit} along {axis}" for axis, number in numbers.items())
 
     how = other["inner_ring"]
-    return f'With operation.tilt = "{how}": bearing alone, {told("")}; with supports, {told("total_")}.'
+    return f'With operation.tilt = "{how}": bearing alone, {stated("")}; with supports, {stated("total_")}.'
 
 
 def loads(reader: Reader) -> str:
@@ -50,9 +50,9 @@ def loads(reader: Reader) -> str:
         if name in other
     }
     life = reader.of_attribute("tilt/otherwise/life_L10_Mrev", "Mrev", "Mrev", ",.4g")
-    told = ", ".join(f"{words} {number.text} {number.unit}" for words, number in numbers.items())
+    stated = ", ".join(f"{words} {number.text} {number.unit}" for words, number in numbers.items())
     how = other["inner_ring"]
-    return f'With operation.tilt = "{how}": {told}, basic life {life.text} million revolutions.'
+    return f'With operation.tilt = "{how}": {stated}, basic life {life.text} million revolutions.'
 
 
 def _life(reader: Reader) -> float | None:
@@ -85,8 +85,8 @@ def step(reader: Reader) -> str:
     if known is None or abs(log(known[1])) < log(WORTH):
         return ""
     how, ratio = known
-    leans = f"; free, it tilts by {words}" if (words := steep(reader)) else ""
+    tilts = f"; free, it tilts by {words}" if (words := steep(reader)) else ""
     return (
         "ask the shaft or rotor designer whether the shaft lets the inner ring tilt (operation.tilt): with "
-        f'"{how}" the basic life is {ratio:.3g} times as long{leans}'
+        f'"{how}" the basic life is {ratio:.3g} times as long{tilts}'
     )

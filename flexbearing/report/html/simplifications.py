@@ -77,7 +77,7 @@ def _of_balls(case: dict[str, Any]) -> Iterator[Item]:
         f"{_MAKER}: cage and its limiting speed",
     )
     yield (
-        "No oil film is computed: contacts are dry, and oil counts in a_ISO alone, if asked for.",
+        "No oil film is computed: contacts are dry, and oil counts in a_ISO alone, where it is computed.",
         "lubrication engineer: film ratio at the temperature of the oil",
     )
     yield (

@@ -30,7 +30,7 @@ _NO_SUPPORTS = (
 _MATRIX = (
     "The matrix includes rings and supports, from the base that holds the outer ring to the ends of the "
     "shaft. Of the bearing alone only the radial part is given, in the table above: the rotation of a "
-    "raceway that deforms cannot be told from the deformation of its contacts."
+    "raceway that deforms cannot be separated from the deformation of its contacts."
 )
 _UNSYMMETRIC = (
     "Entries across the diagonal differ: rollers that turn and rub are no elastic spring alone. No damping is"

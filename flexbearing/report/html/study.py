@@ -82,7 +82,7 @@ def _verdict(table: StudyTable) -> Iterator[Block]:
     yield Words(
         (words, *([partial] if table.to_come else [])), "danger" if failed or table.to_come else "good"
     )
-    for title, rows in (("Rows without an answer", failed), ("Noted", noted)):
+    for title, rows in (("Rows without a result", failed), ("Noted", noted)):
         if rows:
             yield Items(title, tuple(_by_message(rows)), "danger")
 

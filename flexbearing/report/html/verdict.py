@@ -72,11 +72,11 @@ def _main(reader: Reader) -> Table:
     head = ("quantity", "value", "unit", "numerical error [%]")
     if not any(spans):
         return Table("Main results", head, tuple(cells for cells, _ in rows), name="main")
-    told = tuple(
+    shown = tuple(
         (*cells, *(span or (NOTHING,) * len(combined.HEAD)))
         for (cells, _), span in zip(rows, spans, strict=True)
     )
-    return Table("Main results", (*head, *combined.HEAD), told, combined.note(reader), name="main")
+    return Table("Main results", (*head, *combined.HEAD), shown, combined.note(reader), name="main")
 
 
 def _rows(reader: Reader) -> Iterator[tuple[tuple[Cell, ...], str]]:

@@ -66,7 +66,7 @@ def plain(value: Any, key: str = "") -> Any:
 
 
 def in_script(value: object) -> str:
-    r"""JSON that can be in a script element, whatever its texts are.
+    r"""JSON that can be in a script element, with any texts.
 
     >>> in_script("</script>")
     '"\\u003c/script>"'

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 PLACES = ("roller_azimuth", "slice_position")
 NOWHERE = "places of rollers or slices are not finite"
-# Okabe and Ito (2008): told apart by colour-blind readers; marks tell them apart in grey
+# Okabe and Ito (2008): distinguished by colour-blind readers; marks distinguish them in grey
 BLUE, ORANGE = "#0072B2", "#D55E00"
 
 NO_LOAD = 1e-100  # [N] that an axis of loads cannot tell from zero

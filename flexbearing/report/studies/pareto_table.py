@@ -31,7 +31,7 @@ class Measured:
     message: str = ""  # why it failed
     physics: bool = False  # another law: its errors are differences, and it is on no front
     picked: str = ""  # levels that a target chose
-    told: dict[str, float] = field(default_factory=dict)  # [-] errors that a target estimated
+    estimated: dict[str, float] = field(default_factory=dict)  # [-] errors that a target estimated
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -122,14 +122,14 @@ def table(study: Study) -> str:
     for level in (*study.levels, study.reference):
         numbers: list[object] = [level.times.get(when, "") for when in TIMES]
         numbers += [level.errors.get(name, "") for name in study.outputs]
-        numbers += [level.told.get(name, "") for name in TOLD]
+        numbers += [level.estimated.get(name, "") for name in TOLD]
         kind = "reference" if level is study.reference else "physics" if level.physics else "numerical"
         rows.append([level.name, kind, *numbers, level.picked, " ".join(level.settings), level.message])
     return as_csv(rows)
 
 
 def percent(value: float) -> str:
-    """A share in percent, as short as it can be told."""
+    """A share in percent, as short as possible."""
     return f"{100 * value:g} %"
 
 
@@ -149,8 +149,8 @@ def row(level: Measured, outputs: Sequence[str]) -> str:
 
 
 def picked_row(level: Measured) -> str:
-    """What a target chose, and its told and true errors."""
-    errors = (f"{100 * level.told[name]:.2g}, {100 * level.errors[name]:.2g}" for name in TOLD)
+    """What a target chose, and its estimated and true errors."""
+    errors = (f"{100 * level.estimated[name]:.2g}, {100 * level.errors[name]:.2g}" for name in TOLD)
     return f"| {level.name.removeprefix('target ')} | {level.picked} | " + " | ".join(errors) + " |"
 
 

@@ -69,7 +69,7 @@ def certificates(*files: Path | None) -> Certificates | None:
 
 
 def _require_usable(found: Certificates) -> None:
-    """Load the files as a connection does; nobody is asked for a passphrase."""
+    """Load the files as a connection does; without a prompt for a passphrase."""
     from ssl import create_default_context
 
     try:

@@ -20,5 +20,5 @@ class Engine(Protocol):
         ...
 
     def close(self) -> None:
-        """Stop whatever still runs, and every process that was started."""
+        """Stop all that still runs, and every process that was started."""
         ...

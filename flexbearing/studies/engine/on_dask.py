@@ -104,7 +104,7 @@ async def _threads(address: str, security: "Security") -> int:
         identity: Any = await wait_for(send_recv(answering, op="identity", n_workers=-1), PATIENCE)
         await answering.close()
         return sum(worker["nthreads"] for worker in identity["workers"].values())
-    except Exception as problem:  # whatever comes from there, also what asks for all memory
+    except Exception as problem:  # of any kind, also one that takes all memory
         words = excerpt(f"{type(problem).__name__}: {problem}", LONGEST)
         raise NoConnection(f"no scheduler answers there: {words}") from problem
 

@@ -72,8 +72,8 @@ def together(columns: Mapping[str, Sequence[Any]], name: str) -> Axis:
     """
     lengths = {key: len(column) for key, column in columns.items() if len(column) > 1}
     if len({*lengths.values()}) > 1:
-        told = ", ".join(f"{key} has {length}" for key, length in lengths.items())
-        raise BadValues(f"needs as many values of every key: {told}")
+        lengths_of_keys = ", ".join(f"{key} has {length}" for key, length in lengths.items())
+        raise BadValues(f"needs as many values of every key: {lengths_of_keys}")
     count = max(lengths.values(), default=1)
     return Axis(name, tuple(columns), Zipped(tuple(columns.values()), count))
 

@@ -176,7 +176,7 @@ def flat_tables(file: Path, of: str, names: Collection[str]) -> dict[str, Any]:
 def _dotted(table: Mapping[str, Any], prefix: str) -> list[tuple[str, Any]]:
     found: list[tuple[str, Any]] = []
     for key, value in table.items():
-        inside = isinstance(value, dict) and value  # an empty table is told as what stands at its key
+        inside = isinstance(value, dict) and value  # an empty table is refused as what stands at its key
         found += _dotted(value, f"{prefix}{key}.") if inside else [(f"{prefix}{key}", value)]
     return found
 
@@ -234,7 +234,7 @@ def _varied(over: Over, folder: Path, find: Callable[[str], Declaration]) -> tup
 
 
 def _collected(given: Mapping[str, str] | None, file: Path) -> tuple[Wanted, ...] | None:
-    """Columns of the table [collect]; whether there are such outputs is told with the case."""
+    """Columns of the table [collect]; whether there are such outputs is known with the case."""
     if given is None:
         return None
     for column in given:

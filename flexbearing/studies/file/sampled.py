@@ -227,6 +227,6 @@ def _require_difference(text: str) -> None:
     try:
         on_a_scale = bool(unit(parts[1]).offset)
     except (BadUnit, UnknownUnit):
-        return  # told with the number
+        return  # refused with the number
     if on_a_scale:
         raise BadValues(f"has the deviation {toml(excerpt(text))}: a difference of temperatures is in K")

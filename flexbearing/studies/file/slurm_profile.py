@@ -1,4 +1,4 @@
-"""The profile of a SLURM cluster: what a job of workers asks for."""
+"""The profile of a SLURM cluster: what a job of workers requests."""
 
 from pathlib import Path
 

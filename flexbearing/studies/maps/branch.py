@@ -113,7 +113,7 @@ class FollowedMap:
 
 
 def is_followed(over: Sequence[str]) -> bool:
-    """Whether `--over` asks for a branch: one load or speed, without a number of points."""
+    """Whether `--over` names a branch: one load or speed, without a number of points."""
     return len(over) == 1 and "," not in over[0] and over[0].partition("=")[0].strip() in AXES
 
 
@@ -197,7 +197,7 @@ def _branch(case: Case, axis: Axis, span: tuple[float, float]) -> Branch:
 
 
 def _tangent(rings: RacewayPair, forces: np.ndarray) -> tuple[Compliance, np.ndarray | None]:
-    """Both raceways near roller forces (2, Z, M) [N]; not a number where they have no answer."""
+    """Both raceways near roller forces (2, Z, M) [N]; not a number where they have no solution."""
     try:
         linear = rings.linearised(forces)
     except PartnerFailed:  # such a state is no solution: the branch takes a shorter step, or ends there

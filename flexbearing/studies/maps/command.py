@@ -27,7 +27,7 @@ def map_(
     ] = None,
     output: Annotated[
         Path | None,
-        typer.Option("-o", "--output", metavar="OUT.csv", help="table; all others stand beside it"),
+        typer.Option("-o", "--output", metavar="OUT.csv", help="table; all others are next to it"),
     ] = None,
     form: Annotated[
         str,

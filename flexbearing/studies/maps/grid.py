@@ -52,7 +52,7 @@ def grid(first: Case, axes: Sequence[MapAxis], report: Report) -> MapGrid:
     """
     _require_supported(first)
     cases, shape = _cases(first, axes), tuple(len(axis.values) for axis in axes)
-    told = tuple(_told(axis, number, shape, cases) for number, axis in enumerate(axes))
+    described = tuple(_told(axis, number, shape, cases) for number, axis in enumerate(axes))
     same, alike = np.unique(_same_parts(axes, shape), return_inverse=True)
     some = [cases[point] for point in same]
     for case in some:
@@ -73,7 +73,7 @@ def grid(first: Case, axes: Sequence[MapAxis], report: Report) -> MapGrid:
         raise BadCase(f"{first.source.path}: --over: {problem}") from problem
     except PartnerFailed as problem:
         raise NotSolved(str(problem)) from problem
-    return MapGrid(told, tuple(cases), tuple(rings[which] for which in alike), points)
+    return MapGrid(described, tuple(cases), tuple(rings[which] for which in alike), points)
 
 
 def _same_parts(axes: Sequence[MapAxis], shape: tuple[int, ...]) -> NDArray:

@@ -32,7 +32,7 @@ class WrittenMap:
 
     found: "SolvedMap | FollowedMap"
     text: str
-    complete: bool  # whether every point has an answer, or the branch left its range
+    complete: bool  # whether every point has a result, or the branch left its range
     files: dict[str, Path]  # by what they are
 
 

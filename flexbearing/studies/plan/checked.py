@@ -145,7 +145,7 @@ class _Column:
 
 
 def _plain(written: Any) -> Any:
-    """The number of a value in the words of a case file, whatever its unit; the value itself without one."""
+    """The number of a value in the words of a case file, in any unit; the value itself without one."""
     if isinstance(written, list):
         return tuple(map(_plain, written))
     if not isinstance(written, str):

@@ -29,7 +29,7 @@ MOST_PROBLEMS = 200  # after which the other variants are not checked: a refused
 
 @dataclass(frozen=True)
 class Impossible:
-    """What is told of values that make no case, or one that cannot be computed."""
+    """The message about values that make no case, or one that cannot be computed."""
 
     why: str  # one line
 
@@ -59,7 +59,7 @@ class Plan:
     def tasks(self, wanted: Callable[[Variant], bool]) -> tuple[Task, ...]:
         """Bundle variants, each identity once, those between the same rings together.
 
-        Tasks are cut alike whatever is still wanted: numbers of variants solved side by side depend on their
+        Tasks do not depend on what is still wanted: numbers of variants solved side by side depend on their
         neighbours in the last digits, so that a task is computed whole or not at all.
         """
         groups: dict[tuple[tuple[str, ...], str], dict[str, Variant]] = {}
@@ -126,7 +126,7 @@ class Plan:
         alike: dict[str, list[Problem]] = {}
         for problem in self.problems:
             alike.setdefault(problem.message, []).append(problem)
-        lines = [self.told(first, others=len(rest)) for first, *rest in islice(alike.values(), MOST)]
+        lines = [self.message_of(first, others=len(rest)) for first, *rest in islice(alike.values(), MOST)]
         raise BadCase("\n".join([*lines, f"{self.name}: {self.count_of_problems}; none was."]))
 
     @property
@@ -137,7 +137,7 @@ class Plan:
         count = f"{len(self.problems)} of {len(self.variants)} variants cannot be computed"
         return f"{count}, {self.unchecked} more were not checked" if self.unchecked else count
 
-    def told(self, problem: Problem, *, others: int = 0) -> str:
+    def message_of(self, problem: Problem, *, others: int = 0) -> str:
         """Line about a variant that cannot be computed, and how many others have the same message."""
         settings = excerpt(self.settings(problem.number), LONGEST)
         more = f" and {others} others" if others else ""

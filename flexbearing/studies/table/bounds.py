@@ -1,4 +1,4 @@
-"""Rows of a duty cycle without an answer: the damage of a row with more load is a bound."""
+"""Rows of a duty cycle without a result: the damage of a row with more load is a bound."""
 
 from dataclasses import dataclass
 
@@ -10,7 +10,7 @@ NONE = -1  # of a row that needs no bound, or has none
 
 @dataclass(frozen=True)
 class Conditions:
-    """What tells whether a row of a cycle bounds another one."""
+    """What decides whether a row of a cycle bounds another one."""
 
     loads: NDArray  # (N, L) every load that varies, without its sign
     others: NDArray  # (N) rows with the same number differ in loads alone

@@ -56,7 +56,7 @@ class Collected:
 
 
 def collected(study: Study, families: Families, *, elastic: bool, rollers: int = 0) -> tuple[Collected, ...]:
-    """Columns that a study asks for; without [collect], every scalar of the summary.
+    """Columns that a study collects; without [collect], every scalar of the summary.
 
     Raises
     ------

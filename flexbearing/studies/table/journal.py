@@ -75,7 +75,7 @@ class Journal:
         self._write(after + _line({"names": [*names]}))
 
     def add(self, rows: Iterable[Row]) -> None:
-        """Append rows; they outlive whatever ends this process.
+        """Append rows; they outlive this process.
 
         Raises
         ------
@@ -198,7 +198,7 @@ def _entry(row: Row, names: Sequence[str], of: str) -> dict[str, Any]:
 
 
 def _of(names: Sequence[str]) -> str:
-    """A short digest of names, by which a row tells which ones its values have."""
+    """A short digest of names, by which a row says which ones its values have."""
     return f"{crc32(json.dumps([*names]).encode()):08x}"
 
 

@@ -20,7 +20,7 @@ from flexbearing.studies.table.table import Table
 
 PERCENTILES_TABLE, SHARES, HISTOGRAM = SCATTER
 PERCENTILES = 10, 50, 90
-FEWEST = 100  # rows, by their weights, from which a narrower input is told
+FEWEST = 100  # rows, by their weights, from which a narrower input is estimated
 MOST_BINS = 60
 SAME = 1e-9  # relative difference of one number in two ways of solving a variant
 QUARTER = 0.25  # of the variance is left of an input whose spread is halved
@@ -189,7 +189,7 @@ class _Output:
         return float(self.linear.variances[place].sum() / self.linear.variances.sum())
 
     def narrowed(self, weights: NDArray | None, linear_share: float) -> dict[str, Any]:
-        """Percentiles with a key that scatters half as much, and by how much they come nearer."""
+        """Percentiles with a key that scatters half as much, and by how much closer they come."""
         low, high = (self._percentile(np.ones(len(self.places)), percent) for percent in (10, 90))
         if weights is None or _effective(weights[self.places]) < FEWEST:
             narrower = 1 - np.sqrt(1 - (1 - QUARTER) * linear_share)

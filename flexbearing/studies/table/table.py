@@ -56,5 +56,5 @@ class Table:
 
     @property
     def failed(self) -> int:
-        """Rows without an answer."""
+        """Rows without a result."""
         return sum(status not in ANSWERED for status in self["status"].values)

@@ -95,8 +95,8 @@ def _starts(optimum: Optimum) -> Iterator[str]:
     for found in optimum.starts:
         values = ", ".join(f"{value:.5g}" for value in found.point)
         left = "" if found.optimality is None else f", gain still possible {found.optimality.gain:.1e}"
-        told = "" if found.end is End.CONVERGED else f" ({found.message})"
-        yield f"  {found.end} after {found.iterations} iterations{left}{told}: {values}"
+        reason = "" if found.end is End.CONVERGED else f" ({found.message})"
+        yield f"  {found.end} after {found.iterations} iterations{left}{reason}: {values}"
 
 
 def _derivatives(optimum: Optimum) -> Iterator[str]:

@@ -6,7 +6,7 @@ from flexbearing.derivatives.keys import Key
 from flexbearing.progress import Report
 
 
-def told(keys: Sequence[Key], report: Report) -> Iterator[Key]:
+def announced(keys: Sequence[Key], report: Report) -> Iterator[Key]:
     """Yield keys one by one, and tell how many are done: a key that changes a flexible ring takes seconds."""
     text = f"derivatives by {len(keys)} keys" if len(keys) != 1 else f"derivatives by {keys[0].path}"
     report.stage(text, 0.0)

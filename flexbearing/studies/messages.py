@@ -28,7 +28,7 @@ def variants(settled: Prepared) -> str:
     lines = [f"{number + 1}: {plan.settings(number)}" for number in range(min(MOST, len(plan.variants)))]
     if (more := len(plan.variants) + plan.unchecked - MOST) > 0:
         lines.append(f"... and {more} more")
-    lines += map(plan.told, islice(plan.problems, MOST))
+    lines += map(plan.message_of, islice(plan.problems, MOST))
     columns = ", ".join(
         f"{column.column} [{column.unit}]" if column.unit else column.column for column in settled.columns
     )
@@ -141,14 +141,16 @@ def scatter(table: Table) -> Iterator[str]:
     shares = keys.rows
     for row in outputs.rows[:MOST]:
         unit = f" {row['unit']}" if row["unit"] else ""
-        told = ", ".join(f"{name} {row[name]:.5g}{_between(row, name)}" for name in ("P10", "P50", "P90"))
+        percentiles = ", ".join(
+            f"{name} {row[name]:.5g}{_between(row, name)}" for name in ("P10", "P50", "P90")
+        )
         linear = row["linear_explains [%]"]
         agrees = (
             "" if isnan(linear) else f"; linear: P10 {row['linear_P10']:.5g}, P90 {row['linear_P90']:.5g}"
         )
         explains = "" if isnan(linear) else f", explains {linear:.3g} % of the variance"
         unsolved = f"; {row['unsolved']} rows without a number" if row["unsolved"] else ""
-        yield f"{row['output']}{unit}: {told}{agrees}{explains}{unsolved}"
+        yield f"{row['output']}{unit}: {percentiles}{agrees}{explains}{unsolved}"
         of_output = [share for share in shares if share["output"] == row["output"]]
         yield from _first_to_tighten(of_output)
     yield from table.missing
@@ -205,7 +207,7 @@ class Checking:
 class Shown:
     """Shows progress in a line that changes, on a terminal, or in a line now and then; a context manager.
 
-    What workers complained of is told at the end.
+    What workers complained of is printed at the end.
     """
 
     def __init__(self, stream: TextIO):
