@@ -56,7 +56,7 @@ def test_summary_and_page_tell_of_the_skew(run):
     assert len(numbers["flange_forces_N"]) == 2
     assert numbers["rollers_on_both_flanges"] >= 1
     page = text(run)
-    assert "roller skew between guide flanges; not fed back" in page
+    assert "roller skew between guide flanges; without effect" in page
     assert f"{numbers['touching_skew_mrad']:.4f}" in page
 
 

@@ -287,7 +287,7 @@ def test_a_preloaded_bearing_without_load_is_computed(tmp_path):
 
 def test_a_row_at_rest_has_no_share_of_the_revolutions(tmp_path):
     file = duty_of(tmp_path, (8000, 8000), (3000, 0), measure="revolutions")
-    with pytest.raises(BadCase, match=r"\[duty\] row 2 stands still"):
+    with pytest.raises(BadCase, match=r"\[duty\] row 2 is at standstill"):
         prepared(file)
 
 
