@@ -29,7 +29,7 @@ from benchmarks.changed.paths import path
 from benchmarks.changed.results import result
 from benchmarks.changed.studies import mapped, optimisation, profile, study, tables_of_variants
 from benchmarks.changed.tables import table_of_study
-from benchmarks.fuzzing import Answer, Limits, Pool, by_shape, commit
+from benchmarks.fuzzing import LONG, Answer, Limits, Pool, by_shape, commit
 from benchmarks.machine import describe
 
 SHARES: dict[Callable[[random.Random, Bases], ChangedFiles], int] = {
@@ -95,6 +95,8 @@ def tell(answers: list[Answer]) -> None:
             f"with a fault: {sum(bool(answer.faults) for answer in of_kind)}",
             flush=True,
         )
+    large = sum(answer.code == LONG for answer in answers)
+    print(f"jobs of more than {LIMITS.large_seconds:g} s that announced themselves, ended: {large}")
     for answer in sorted(answers, key=lambda answer: -answer.seconds)[:5]:
         print(f"  slowest: {answer.seconds:.2f} s, exit {answer.code}: {_short(answer, 160)}")
     for answer in sorted(answers, key=lambda answer: -answer.memory)[:3]:

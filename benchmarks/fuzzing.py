@@ -189,7 +189,7 @@ class Pool:
         code = exit_code(words)
         seconds, memory = _processor_time() - began, _peak()
         length = os.fstat(printed).st_size
-        faults = [*_of_files(before), *self.read_back(task, code)]
+        faults = [*_of_files(before, words), *self.read_back(task, code)]
         answer = {"code": code, "seconds": seconds, "memory": memory, "length": length, "faults": faults}
         (place / "answer").write_text(json.dumps(answer))
         os._exit(0)
@@ -345,14 +345,14 @@ def _contents() -> Iterator[tuple[str, bytes]]:
             yield str(path), path.read_bytes()
 
 
-def _of_files(before: dict[str, bytes]) -> Iterator[str]:
-    """Faults by what is in the folder: inputs that have changed, files that should be gone."""
+def _of_files(before: dict[str, bytes], words: Sequence[str]) -> Iterator[str]:
+    """Faults by what is in the folder: inputs that have changed, files that should be gone and nobody named."""
     after = dict(_contents())
     for name, content in before.items():
         if after.get(name) != content:
             yield f"changed its input {name!r}" if name in after else f"removed its input {name!r}"
     for name in after.keys() - before.keys():
-        if LEFTOVER.search(name):
+        if LEFTOVER.search(name) and name not in words:
             yield f"left {name!r}"
     if below := descendants(os.getpid()):
         yield f"left {len(below)} processes"

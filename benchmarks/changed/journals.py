@@ -90,7 +90,7 @@ def _with_line(content: Content, line: int, change: Callable[[dict[str, Any]], s
     lines = rendered(content).split(b"\n")
     try:
         entry = json.loads(lines[line])
-    except (ValueError, IndexError):  # another change damaged it
+    except (ValueError, IndexError, RecursionError):  # another change damaged it
         return rendered(content)
     if not isinstance(entry, dict):
         return rendered(content)
