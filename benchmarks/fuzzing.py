@@ -346,7 +346,7 @@ def _contents() -> Iterator[tuple[str, bytes]]:
 
 
 def _of_files(before: dict[str, bytes], words: Sequence[str]) -> Iterator[str]:
-    """Faults by what is in the folder: inputs that have changed, files that should be gone and nobody named."""
+    """Faults by what is in the folder: inputs that have changed, files that should be gone, unless named."""
     after = dict(_contents())
     for name, content in before.items():
         if after.get(name) != content:
