@@ -61,10 +61,14 @@ class HarmonicStiffness:
         matrix, pattern = self.matrix.CreateMatrix(), self.parts[0]
         matrix.AsVector().FV().NumPy()[:] = values = _at(harmonic, [part.data for part in self.parts])
         K = sparse.csr_array((values, pattern.indices, pattern.indptr), shape=pattern.shape)
+        # A thin free ring is far softer than its elements: K u in doubles loses what a refinement restores.
+        extended = K.astype(np.longdouble)
         try:
             inverse = cholesky(matrix, ngs.BitArray((~self.clamped).tolist()))
             return refined(
-                lambda f: _product(inverse, f), lambda u, f: self.on_free(f - K @ u), self.on_free(loads)
+                lambda f: _product(inverse, f),
+                lambda u, f: self.on_free(f - extended @ u).astype(float),
+                self.on_free(loads),
             )
         except NotSolved as problem:
             raise NotSolved(f"harmonic {harmonic}: {problem}") from problem

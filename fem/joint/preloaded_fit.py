@@ -3,6 +3,7 @@
 It is preloaded without friction; Coulomb's law starts from there.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import isfinite
@@ -10,11 +11,21 @@ from math import isfinite
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.joint.fitted_ring import BORE, SHOULDER, FittedBodies
+from fem.joint.fitted_ring import (
+    BORE,
+    SHOULDER,
+    FitGrid,
+    FittedBodies,
+    FittedRing,
+    HousedRing,
+    condense_fitted,
+)  # fmt: skip
 from fem.joint.interface_stiffness import InterfaceStiffness, interface_stiffness
 from fem.joint.semismooth_newton import ContactEquations, solve_contact
 from fem.parts.material import ImpossiblePart, require
-from fem.raceway.harmonics import HarmonicCompliance
+from fem.parts.resolution import Resolution
+from fem.raceway.harmonics import HarmonicCompliance, with_enough_harmonics
+from fem.section.expansion import Along
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -113,6 +124,41 @@ class PreloadedFit:
         offset = offset.reshape(unloaded.shape)
         offset[..., 0] += self.force[interface.carries]
         return ContactEquations(interface, self.fit.friction, offset)
+
+
+def fitted(
+    part: FittedRing | HousedRing,
+    resolution: Resolution,
+    fit: Fit,
+    variations: Mapping[str, Along] | None = None,
+) -> PreloadedFit:
+    """Condense ring and mate as `condense_fitted` and put them together as `preloaded`.
+
+    A thin ring bends between the azimuths of a coarse grid: its harmonics are doubled until they are enough.
+
+    Parameters
+    ----------
+    part, resolution, fit, variations
+        as of these functions
+
+    Returns
+    -------
+    PreloadedFit
+
+    Raises
+    ------
+    ImpossiblePart, NotSolved
+        as these functions
+    """
+
+    def condensed(resolution: Resolution, last: int) -> PreloadedFit:
+        bodies = condense_fitted(part, resolution, FitGrid(harmonics=last), variations)
+        ready = preloaded(bodies, fit)
+        ready.closed.require_enough()
+        return ready
+
+    radius = part.seat.raceway_diameter / 2
+    return with_enough_harmonics(condensed, resolution, radius, FitGrid().harmonics)
 
 
 def preloaded(bodies: FittedBodies, fit: Fit) -> PreloadedFit:

@@ -4,7 +4,13 @@ What is in them belongs to the rooms that make them: results, report, cache.
 """
 
 from flexbearing.files.csv_rows import as_csv
-from flexbearing.files.destination import BadOutput, require_folder, require_output, require_outputs
+from flexbearing.files.destination import (
+    BadOutput,
+    require_folder,
+    require_folder_name,
+    require_output,
+    require_outputs,
+)  # fmt: skip
 from flexbearing.files.lock import lock
 from flexbearing.files.whole import NotStored, parts_of, write
 
@@ -15,6 +21,7 @@ __all__ = [
     "lock",
     "parts_of",
     "require_folder",
+    "require_folder_name",
     "require_output",
     "require_outputs",
     "write",

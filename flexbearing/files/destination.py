@@ -65,6 +65,25 @@ def require_outputs(paths: Iterable[str | Path], inputs: Iterable[str | Path] = 
     return list(settled)
 
 
+def require_folder_name(folder: str | Path) -> Path:
+    """Settle which folder outputs go to, or would go to; it need not be there.
+
+    Raises
+    ------
+    BadOutput
+        for a name that no folder can have: too long, a loop of links, a NUL in it
+    """
+    try:
+        named = _behind_links(folder)
+        with suppress(FileNotFoundError, NotADirectoryError):
+            named.lstat()
+    except (OSError, ValueError, RuntimeError) as problem:
+        if isinstance(problem, BadOutput):
+            raise
+        raise BadOutput(f"{folder}: no folder to write to: {_reason(problem)}.") from problem
+    return named
+
+
 def require_folder(folder: str | Path) -> Path:
     """Make a folder that outputs go to, where it is not there yet.
 

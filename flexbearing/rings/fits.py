@@ -104,16 +104,11 @@ def inner_ring_in_fit(case: Case, part: fem.RingOnShaft, azimuths: NDArray) -> R
     NotSolved
         if contact is not found
     """
-    from fem.joint.fitted_ring import FittedRing, condense_fitted
-    from fem.joint.preloaded_fit import Fit, preloaded
+    from fem.joint.fitted_ring import FittedRing
+    from fem.joint.preloaded_fit import Fit, fitted
 
     inner = case.inner
     ring = FittedRing(seat=part, shoulder_diameter=inner.shoulder_diameter)
-    bodies = condense_fitted(
-        ring,
-        fit_resolution(case, ring),
-        variations=expansions_along(case, ring="inner_ring", shaft="shaft"),
-    )
     fit = Fit(
         interference=case.shaft_interference,
         friction=0.0 if inner.fit == "frictionless" else inner.fit_friction,
@@ -122,7 +117,9 @@ def inner_ring_in_fit(case: Case, part: fem.RingOnShaft, azimuths: NDArray) -> R
         densities=(material(case, "inner_ring").density, material(case, "shaft").density),
         speed=case.operation.inner_speed,
     )
-    return RacewayInFit("fit of the inner ring", preloaded(bodies, fit), azimuths, _shaft_fit_figures)
+    along = expansions_along(case, ring="inner_ring", shaft="shaft")
+    ready = fitted(ring, fit_resolution(case, ring), fit, along)
+    return RacewayInFit("fit of the inner ring", ready, azimuths, _shaft_fit_figures)
 
 
 def outer_ring_in_housing(case: Case, part: fem.OuterRing, azimuths: NDArray) -> RacewayInFit:
@@ -135,15 +132,10 @@ def outer_ring_in_housing(case: Case, part: fem.OuterRing, azimuths: NDArray) ->
     NotSolved
         if contact is not found
     """
-    from fem.joint.fitted_ring import HousedRing, condense_fitted
-    from fem.joint.preloaded_fit import Fit, preloaded
+    from fem.joint.fitted_ring import HousedRing
+    from fem.joint.preloaded_fit import Fit, fitted
 
     ring = HousedRing(seat=part)
-    bodies = condense_fitted(
-        ring,
-        fit_resolution(case, ring),
-        variations=expansions_along(case, ring="outer_ring", housing="housing"),
-    )
     fit = Fit(
         interference=case.housing_interference,
         friction=0.0,
@@ -151,7 +143,9 @@ def outer_ring_in_housing(case: Case, part: fem.OuterRing, azimuths: NDArray) ->
         densities=(material(case, "outer_ring").density, material(case, "housing").density),
         speed=case.operation.outer_speed,
     )
-    return RacewayInFit("outer ring in its housing", preloaded(bodies, fit), azimuths, _housing_figures)
+    along = expansions_along(case, ring="outer_ring", housing="housing")
+    ready = fitted(ring, fit_resolution(case, ring), fit, along)
+    return RacewayInFit("outer ring in its housing", ready, azimuths, _housing_figures)
 
 
 def _shaft_fit_figures(fit: "PreloadedFit", loaded: "LoadedFit | None") -> dict[str, object]:

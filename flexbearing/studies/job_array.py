@@ -4,6 +4,7 @@ import shlex
 import sys
 from pathlib import Path
 
+from flexbearing.files import require_folder_name
 from flexbearing.studies.settled import Prepared
 
 USUAL = 10  # jobs
@@ -12,7 +13,7 @@ USUAL = 10  # jobs
 def sbatch(settled: Prepared, output: Path, jobs: int | None) -> str:
     """Write a script for SLURM: a job array whose jobs compute a part each, and one that gathers them."""
     count = min(len(settled.plan.tasks(lambda variant: True)), jobs or USUAL)
-    folder = output.resolve()
+    folder = require_folder_name(output)
     file, program = settled.study.path.resolve(), f"{shlex.quote(sys.executable)} -m flexbearing"
     command = f"{program} study {shlex.quote(str(file))} -o {shlex.quote(str(folder))} --jobs 1"
     name = shlex.quote(settled.study.name)

@@ -9,6 +9,7 @@ from time import perf_counter
 from typing import Any, Self, TextIO
 
 from flexbearing.case.problems import MOST
+from flexbearing.files import require_folder_name
 from flexbearing.printable import printable
 from flexbearing.studies.settled import Prepared, Progress
 from flexbearing.studies.table import Table, duty
@@ -76,7 +77,7 @@ def _of_a_variant(cost: Cost) -> str:
 
 def status(settled: Prepared, folder: Path) -> str:
     """How far a study is, by its journal."""
-    progress = settled.progress(settled.rows(folder))
+    progress = settled.progress(settled.rows(require_folder_name(folder)))
     left = progress.total - progress.done
     return (
         f"{settled.study.name}: {progress.total} variants, {progress.done} finished, "

@@ -12,6 +12,7 @@ from flexbearing.case.excerpt import excerpt
 from flexbearing.case.roller import Case
 from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
+from flexbearing.files import require_folder_name
 from flexbearing.program.threads import limited_to
 from flexbearing.program.workers import shared_map
 from flexbearing.studies.file import Study, read
@@ -158,7 +159,7 @@ def compute(
     settled.plan.require_sound()
     if where.slurm:
         settled = replace(settled, study=settled.study.reading(where.slurm))
-    folder, name = output.resolve(), settled.study.name
+    folder, name = require_folder_name(output), settled.study.name
     cache = str(folder / f"{name}.rings") if configured().folder is None else None
     study = settled.study
     wish = Wish(settled.outputs, study.search, settled.files(folder), study.final, study.spectrum is not None)

@@ -98,13 +98,19 @@ IMPOSSIBLE = {
     "a file where a folder should be": "ring.h5/sub",
     "a folder that cannot be made": "/proc/nowhere",
     "a name that is too long": "x" * 300 + "/sub",
+    "a link to itself": "loop/sub",
 }
 
 
 @pytest.mark.parametrize("where", IMPOSSIBLE.values(), ids=IMPOSSIBLE.keys())
 @pytest.mark.usefixtures("nothing_computed")
 def test_impossible_folder_is_refused_before_anything_is_computed(command, result, tmp_path, where):
+    (tmp_path / "loop").symlink_to("loop")
+    study = tmp_path / "study.toml"
+    study.write_text(f'case = "{PLAIN}"\n[over]\n"operation.radial_load" = ["1 kN"]')
+    unused = tmp_path / where
     commands = (
+        ("study", study, "-o", unused, "--jobs", "1"),
         ("plot", result, "-o", tmp_path / where),
         *(("export", result, "--to", form, "-o", tmp_path / where) for form in ("vtu", "csv", "netcdf")),
         ("map", PAPER, "--over", RANGE, "-o", tmp_path / where / "t.csv"),
@@ -113,8 +119,18 @@ def test_impossible_folder_is_refused_before_anything_is_computed(command, resul
     for words in commands:
         code, said, complaint = command(*words)
         assert (code, said) == (2, "")
-        assert "no folder to write to" in complaint or "too long" in complaint
+        assert any(words in complaint for words in ("no folder to write to", "too long", "Symlink loop"))
         assert complaint.count("\n") == 1
+
+
+@pytest.mark.parametrize("name", ["loop", "x" * 300])
+@pytest.mark.parametrize("how", [("--status",), ("--emit", "sbatch")], ids=" ".join)
+def test_a_folder_that_no_study_can_have_is_refused_where_nothing_is_written(command, tmp_path, name, how):
+    (tmp_path / "loop").symlink_to("loop")
+    study = tmp_path / "study.toml"
+    study.write_text(f'case = "{PLAIN}"\n[over]\n"operation.radial_load" = ["1 kN"]')
+    code, said, complaint = command("study", study, "-o", tmp_path / name, *how)
+    assert (code, said, "no folder to write to" in complaint) == (2, "", True)
 
 
 @pytest.mark.parametrize("protected", ["t.csv", "t.png"])
