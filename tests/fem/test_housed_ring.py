@@ -22,7 +22,8 @@ from fem import (
 from fem.assembly.factorisation import NotSolved
 from fem.joint.fitted_ring import FitGrid, HousedRing, condense_fitted
 from fem.joint.loaded_fit import loaded
-from fem.joint.preloaded_fit import Fit, preloaded
+from fem.joint.preloaded_fit import Fit, fitted, preloaded
+from fem.raceway.harmonics import TRUNCATED
 from fem.section.planet_rim import PlanetRim
 from tests.fem.condensed import by_harmonics
 from tests.fem.test_parts import STEEL
@@ -101,6 +102,15 @@ def test_ring_in_a_very_wide_bore_rests_on_one_line():
     shape = found.deviation[:, 0] - np.stack([np.sin(ROLLERS), np.cos(ROLLERS)], axis=1) @ found.translation
     assert found.touching_angle < np.radians(20)
     assert shape == approx(exact[:, 0], rel=0, abs=0.01 * np.abs(exact[:, 0]).max())
+
+
+@pytest.mark.slow
+def test_a_thin_ring_has_the_harmonics_that_its_bending_needs():
+    """One of 2 % of its radius bends between the azimuths of the usual grid."""
+    part = HousedRing(seat=replace(housed(STEEL).seat, thickness=0.75e-3))
+    ready = fitted(part, replace(BAND, mesh_size=COARSE), loose(5e-6))
+    assert ready.interface.azimuths.size > 2 * FitGrid().harmonics + 1
+    assert ready.closed.truncation < TRUNCATED
 
 
 def imbalance(found, forces):
