@@ -94,7 +94,7 @@ def test_fewer_bars_hold_a_smeared_cage_less():
 
 
 def test_free_ring_of_one_percent_of_its_radius_ovalises_like_a_thin_one():
-    """R^3 / (18 pi E I) per force of harmonic 2: far softer than its elements, whose rounding must not show."""
+    """R^3 / (18 pi E I) per force of harmonic 2: it is far softer than its elements."""
     part = replace(THIN, thickness=0.4e-3, support=LineSupports(azimuths=(0.0, 2.0, 4.0)))
     raceway = by_harmonics(part, L, M, MeshSize(order=4, size=4e-3, raceway_size=1e-3)).ring.raceway
     oval = raceway.response[list(raceway.harmonics).index(2), 0, 0]
