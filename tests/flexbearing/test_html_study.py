@@ -117,6 +117,21 @@ def test_a_large_table_shows_its_first_rows_and_says_so(tables, tmp_path, monkey
     assert "6 variants" in "".join(page.text)
 
 
+def test_of_many_duty_cycles_the_first_are_shown(tables, tmp_path, monkeypatch):
+    from flexbearing.report.html import study
+
+    monkeypatch.setattr(study, "MOST_ROWS", 3)
+    (tmp_path / "cycle.csv").write_text((tables / "cycle" / "cycle.csv").read_text("utf-8"), "utf-8")
+    head, row = (tables / "cycle" / "cycle_duty.csv").read_text("utf-8").splitlines()
+    (tmp_path / "cycle_duty.csv").write_text("\n".join([head, *(5 * [row])]) + "\n", "utf-8")
+    (written,) = report(tmp_path / "cycle.csv", tmp_path / "cycle.html")
+    page = Page(written.read_text("utf-8"))
+    assert {given["data-of"].split("/")[1] for given, _ in page.cells if "duty/" in given["data-of"]} == {
+        *"012"
+    }
+    assert any("first 3 of 5 duty cycles" in text for text in page.text)
+
+
 def test_lives_under_a_duty_cycle_stand_above_its_rows(tables, tmp_path):
     folder = tables / "cycle"
     (written,) = report(folder / "cycle.csv", tmp_path / "cycle.html")

@@ -10,6 +10,7 @@ from pytest import approx
 
 from flexbearing.api import read_case, sensitivities
 from flexbearing.pages.make import report
+from flexbearing.results import BadResult
 from flexbearing.sampling.design import Design
 from flexbearing.sampling.distribution import normal, uniform
 from flexbearing.studies import messages
@@ -152,6 +153,17 @@ def two_inputs(method, count):
         each.distribution.quantile(column) for each, column in zip(drawn.factors, points.T, strict=True)
     ]
     return drawn, np.array(numbers).T
+
+
+def test_a_scatter_with_an_output_twice_is_refused(study, tmp_path):
+    folder, _, table = study
+    for file in (folder / "whole").glob(f"{table.name}*.csv"):
+        (tmp_path / file.name).write_text(file.read_text("utf-8"), "utf-8")
+    shares = tmp_path / f"{table.name}_shares.csv"
+    lines = shares.read_text("utf-8").splitlines()
+    shares.write_text("\n".join([*lines, lines[-1]]) + "\n", "utf-8")
+    with pytest.raises(BadResult, match="several rows of"):
+        report(tmp_path / f"{table.name}.csv", tmp_path / "r.html")
 
 
 def test_rows_without_a_number_are_counted_and_constant_outputs_left_out():

@@ -33,6 +33,7 @@ COLUMNS = {  # of the tables, by their names behind that of the study
     "histogram": {"output", "bin", "unit", "from", "to", "rows", "linear_rows"},
 }  # fmt: skip
 MOST_FIGURES = 12  # outputs with figures; the tables have all
+SUBJECTS = "key", "bin"  # of which an output has a row each
 TEXTS = ("output", "unit", "key", "by")  # columns of texts
 GREY = "#c0c4cc"
 Row = Mapping[str, Any]
@@ -74,6 +75,8 @@ def _read(file: Path, names: set[str]) -> list[Row]:
         rows = [*reader]
         if any(set(row) != names for row in rows):
             raise BadResult(f"{file}: has other columns than a table of a sampled study.")
+        subjects = [" ".join(row[name] for name in ("output", *SUBJECTS) if name in row) for row in rows]
+        inputs.require_different(subjects, "rows of")
         return [{name: _cell(name, cell) for name, cell in row.items()} for row in rows]
     except inputs.Unreadable as problem:
         raise BadResult(f"{file}: {problem}.") from problem

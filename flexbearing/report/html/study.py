@@ -104,7 +104,10 @@ def _cycles(cycles: StudyTable, units: Units) -> Iterator[Block]:
     """Lives of the cycles, each a row."""
     rule = "the sum over its rows of the share of the revolutions over the life"
     yield Words((f"Damage adds up by the rule of Palmgren and Miner: 1/L of a cycle is {rule}.",))
-    yield _rows(cycles, units, "duty")
+    shown = cycles.first(MOST_ROWS)
+    if len(shown) < len(cycles):
+        yield Words((f"The first {len(shown)} of {len(cycles)} duty cycles are shown.",))
+    yield _rows(shown, units, "duty")
 
 
 def _varied(table: StudyTable, units: Units) -> Iterator[Block]:
