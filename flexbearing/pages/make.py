@@ -14,6 +14,7 @@ from flexbearing.pages.study_table import table_file, tables_of
 from flexbearing.report.html import SYSTEMS, Units, html, of_result, of_study
 from flexbearing.report.html.document import Document
 from flexbearing.report.html.scatter import read_scatter
+from flexbearing.report.html.study import MOST_ROWS
 from flexbearing.report.html.table import PARQUET, read_table
 
 PAGES = (".html", ".htm")
@@ -79,5 +80,5 @@ def _of_result(places: Iterable[Path], units: Units, outputs: Iterable[Path]) ->
 def _of_study(place: Path, units: Units) -> Document:
     """Report of a table, with the lives under its duty cycle and its scatter where there are such."""
     _, cycles, *_ = tables_of(place)
-    of_cycles = read_table(cycles, FAMILIES) if is_plain(cycles) else None
+    of_cycles = read_table(cycles, FAMILIES, MOST_ROWS + 1) if is_plain(cycles) else None
     return of_study(read_table(place, FAMILIES), of_cycles, units, read_scatter(place))

@@ -18,8 +18,8 @@ LONGEST = 10_000  # bytes of a text
 AT_ONCE = 1000  # rows
 
 
-def csv_text(place: Path) -> str:
-    """Text of the CSV file with the same table.
+def csv_text(place: Path, most: int | None = None) -> str:
+    """Text of the CSV file with the same table; of its first batches alone where only some rows are needed.
 
     Raises
     ------
@@ -40,7 +40,7 @@ def csv_text(place: Path) -> str:
         metadata = ParquetFile(content).metadata
         _require_size(metadata)
         packed = [metadata.schema.column(k).path for k in range(metadata.num_columns)]
-        return _text(ParquetFile(content, read_dictionary=packed))
+        return _text(ParquetFile(content, read_dictionary=packed), most or MOST_ROWS)
     except (pyarrow.ArrowException, OSError) as problem:
         raise inputs.Unreadable(
             f"is no Parquet file, or damaged: {excerpt(str(problem))}", place
@@ -89,12 +89,16 @@ def _require_size(metadata: Any) -> None:
         )
 
 
-def _text(opened: Any) -> str:
-    """Rows as CSV; texts are unpacked last, as one may be in a million cells."""
+def _text(opened: Any, most: int) -> str:
+    """Rows as CSV, at least so many where there are more; texts are unpacked last, as one may be in a million cells."""
     inputs.require_different(opened.schema_arrow.names)
     file = StringIO(newline="")
     file.write(as_csv([opened.schema_arrow.names]))
+    rows = 0
     for batch in opened.iter_batches(AT_ONCE):
+        if rows >= most:
+            break
+        rows += batch.num_rows
         if max(map(_longest_text, batch.columns), default=0) > LONGEST:
             raise inputs.Unreadable(f"has a text of more than {LONGEST} bytes")
         file.write(as_csv(zip(*map(_cells, batch.columns), strict=True)))

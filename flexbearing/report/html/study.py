@@ -106,7 +106,7 @@ def _cycles(cycles: StudyTable, units: Units) -> Iterator[Block]:
     yield Words((f"Damage adds up by the rule of Palmgren and Miner: 1/L of a cycle is {rule}.",))
     shown = cycles.first(MOST_ROWS)
     if len(shown) < len(cycles):
-        yield Words((f"The first {len(shown)} of {len(cycles)} duty cycles are shown.",))
+        yield Words((f"The first {len(shown)} duty cycles are shown; the table has all.",))
     yield _rows(shown, units, "duty")
 
 

@@ -104,8 +104,8 @@ class StudyTable:
                 if not column.varied and column.name not in apart and column.numbers]  # fmt: skip
 
 
-def read_table(place: Path, families: Families) -> StudyTable:
-    """Read the table of a study.
+def read_table(place: Path, families: Families, most: int | None = None) -> StudyTable:
+    """Read the table of a study, or its first rows.
 
     Raises
     ------
@@ -113,11 +113,11 @@ def read_table(place: Path, families: Families) -> StudyTable:
         where there is no such file, or it is no table of a study
     """
     try:
-        text = table_text(place)
+        text = table_text(place, most)
         lines = csv.reader(StringIO(text, newline=""), strict=True)
         head = next(lines)
         inputs.require_different(head)
-        cells = _cells(lines, len(head))
+        cells = _cells(islice(lines, most), len(head))
     except inputs.Unreadable as problem:
         raise BadResult(f"{place}: {problem}.") from problem
     except (ValueError, StopIteration, csv.Error) as problem:
@@ -127,8 +127,8 @@ def read_table(place: Path, families: Families) -> StudyTable:
     return StudyTable(place, text, tuple(_columns(head, cells, families)))
 
 
-def table_text(place: Path) -> str:
-    """Text of a CSV file, or of one with the same table as a Parquet file.
+def table_text(place: Path, most: int | None = None) -> str:
+    """Text of a CSV file, or of one with the same table as a Parquet file, of its first rows at least.
 
     Raises
     ------
@@ -139,7 +139,7 @@ def table_text(place: Path) -> str:
         return inputs.text(place, TABLE)
     from flexbearing.report.html.parquet import csv_text
 
-    return csv_text(place)
+    return csv_text(place, most)
 
 
 def _cells(lines: Iterator[list[str]], count: int) -> list[list[str]]:
