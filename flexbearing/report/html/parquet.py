@@ -90,7 +90,7 @@ def _require_size(metadata: Any) -> None:
 
 
 def _text(opened: Any, most: int) -> str:
-    """Rows as CSV, at least so many where there are more; texts are unpacked last, as one may be in a million cells."""
+    """Rows as CSV, at least so many if there are more; texts come last, as one may be in a million cells."""
     inputs.require_different(opened.schema_arrow.names)
     file = StringIO(newline="")
     file.write(as_csv([opened.schema_arrow.names]))
