@@ -292,7 +292,7 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
         )
     return (
         lines
-        + shoulders.hybrid(case.materials)
+        + shoulders.unusual(case.materials)
         + clearance.notes(case)
         + _preload(case, state)
         + _lineless(solution)
