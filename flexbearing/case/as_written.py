@@ -1,5 +1,6 @@
 """Values for which a rating of a case was given: those of its file, before settings changed them."""
 
+from collections.abc import Iterable
 from functools import lru_cache
 from typing import Any
 
@@ -9,8 +10,37 @@ from flexbearing.case.declarations import find
 from flexbearing.case.file_keys import value_at
 from flexbearing.case.head import Head
 from flexbearing.case.problems import BadCase
+from flexbearing.case.ratings import OF_CATALOGUE
 from flexbearing.case.read import settings_applied
 from flexbearing.case.text import tables
+
+ROLLER_SIZES = (
+    "bearing.rollers",
+    "bearing.outer_raceway_diameter",
+    "bearing.roller.diameter",
+    "bearing.roller.length",
+)
+GROOVES = tuple(f"bearing.{ring}.{name}" for ring in ("inner", "outer") for name in ("conformity", "radius"))
+BALL_SIZES = (
+    "bearing.balls",
+    "bearing.ball.diameter",
+    "bearing.pitch_diameter",
+    "bearing.contact_angle",
+    *GROOVES,
+)
+RATINGS = tuple(f"life.{name}" for name in OF_CATALOGUE)
+
+
+def rated_apart(rated: Iterable[str], varied: Iterable[str]) -> str:
+    """Why ratings cannot be among the keys of some settings while others vary; empty where they can.
+
+    A rating of a setting belongs to the bearing that results, so that it would not follow what varies.
+    """
+    ratings = [key for key in rated if key in RATINGS]
+    sizes = [key for key in varied if key in (*ROLLER_SIZES, *BALL_SIZES)]
+    if not (ratings and sizes):
+        return ""
+    return f"{ratings[0]} is set while {sizes[0]} varies; write it into the case file, then it follows"
 
 
 def as_written(case: Head, rating: str, keys: tuple[str, ...]) -> tuple[Any, ...]:

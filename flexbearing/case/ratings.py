@@ -22,7 +22,7 @@ CleanlinessName = Literal[
     "grease, severe contamination",
     "grease, very severe contamination",
 ]
-OF_CATALOGUE = {"dynamic_rating", "static_rating", "fatigue_limit_load"}  # they modify nothing
+OF_CATALOGUE = ("dynamic_rating", "static_rating", "fatigue_limit_load")  # they modify nothing
 
 
 class Ratings(Section):
@@ -53,7 +53,7 @@ class Ratings(Section):
     @property
     def is_basic(self) -> bool:
         """Whether nothing modifies the basic life."""
-        return not self.model_dump(exclude_defaults=True, exclude=OF_CATALOGUE)
+        return not self.model_dump(exclude_defaults=True, exclude={*OF_CATALOGUE})
 
     @model_validator(mode="after")
     def _clean_enough_to_rate(self) -> Self:

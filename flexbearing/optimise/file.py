@@ -10,6 +10,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from flexbearing import inputs
+from flexbearing.case.as_written import rated_apart
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.family import Families
 from flexbearing.case.file_keys import next_to, value_at
@@ -77,6 +78,9 @@ def read(path: str | Path, families: Families) -> Problem:
             [each.model_extra or {} for each in given.verify],
         )
         _require_apart(found, study, surrogate, "[surrogate]")
+        varied = [each.key for each in found]
+        if why := rated_apart((*fixed, *varied, *study.keys), varied):
+            raise BadValues(why)
         tables_of_keys = [("set", fixed), ("surrogate", surrogate), *(("verify", each) for each in verify)]
         for where, key in ((table, key) for table, settings in tables_of_keys for key in settings):  # noqa: B007
             find(key)

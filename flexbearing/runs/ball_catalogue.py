@@ -127,7 +127,7 @@ def ratings(case: FastCase, hours: float) -> dict[str, Any]:
     balls = ball_life.rated_balls(case)
     return {
         "ratings_N": {"C_r": ball_life.dynamic(case), "C_0r": static, "C_u": ball_life.fatigue_limit(case)},
-        "given": [*ball_life.ratings(case)],
+        "given": [LETTERS[name] for name in ball_life.ratings(case)],
         "formulas_N": {LETTERS[name]: _known(of, balls) for name, of in ball_life.FORMULAS.items()},
         "load_N": load.value,
         "equivalent_load": {
@@ -189,6 +189,6 @@ def load(case: FastCase) -> float:
 
 
 CATALOGUE = Catalogue(
-    RATING, influences, require_load, ratings, oil,
+    RATING, influences, require_load, ratings, ball_life.ratings, oil,
     ball_life.rated, ball_life.kappa, load, BALL_EXPONENT,
 )  # fmt: skip

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 import quasidynamic as qd
 from flexbearing.build.ball_parts import solid
 from flexbearing.build.viscosity import kinematic_viscosity
-from flexbearing.case.as_written import as_written
+from flexbearing.case.as_written import BALL_SIZES, as_written
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
 from flexbearing.case.balls.mounting import MountedMaterials
 from flexbearing.runs.given_rating import LETTERS, Rating
@@ -157,19 +157,6 @@ def row(case: FastCase) -> BallRow:
 
 
 PARTS = {part: f"materials.{part}" for part in ("ball", "inner_ring", "outer_ring")}
-GROOVES = (
-    "bearing.inner.conformity",
-    "bearing.inner.radius",
-    "bearing.outer.conformity",
-    "bearing.outer.radius",
-)
-SIZES = (
-    "bearing.balls",
-    "bearing.ball.diameter",
-    "bearing.pitch_diameter",
-    "bearing.contact_angle",
-    *GROOVES,
-)
 
 
 def dynamic(case: FastCase) -> float:
@@ -203,9 +190,9 @@ def fatigue_limit(case: FastCase) -> float:
 
 
 def ratings(case: FastCase) -> dict[str, Rating]:
-    """Ratings that the case gives, by their letters."""
+    """Ratings that the case gives, by their keys."""
     given = (name for name in LETTERS if getattr(case.life, name) is not None)
-    return {LETTERS[name]: _rating(case, name) for name in given}
+    return {name: _rating(case, name) for name in given}
 
 
 class RatedBalls(NamedTuple):
@@ -239,7 +226,7 @@ def _rating(case: FastCase, name: str) -> Rating:
 
 def _rated(case: FastCase, now: RatedBalls, name: str) -> RatedBalls:
     """The balls for which a rating of the case was given."""
-    sizes = as_written(case, f"life.{name}", SIZES)
+    sizes = as_written(case, f"life.{name}", BALL_SIZES)
     parts = dict(zip(PARTS, as_written(case, f"life.{name}", tuple(PARTS.values())), strict=True))
     materials = case.materials.model_copy(
         update={key: each for key, each in parts.items() if each is not None}

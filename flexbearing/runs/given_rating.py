@@ -48,7 +48,9 @@ def judged(each: Sequence[Mapping[str, Rating]]) -> dict[str, Any]:
     """Given ratings of cases over those of the formulas, and how much they changed with the bearing."""
     names = {name for ratings in each for name in ratings}
     return {
-        quantity: {name: [_known(measure, ratings.get(name)) for ratings in each] for name in sorted(names)}
+        quantity: {
+            LETTERS[name]: [_known(measure, ratings.get(name)) for ratings in each] for name in sorted(names)
+        }
         for quantity, measure in (("rating_ratio", _ratio), ("rating_change", _change))
     }
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from flexbearing.build.lubrication import oil
 from flexbearing.build.roller_bearing import nominal
 from flexbearing.build.rough_surfaces import roughness
-from flexbearing.case.as_written import as_written
+from flexbearing.case.as_written import ROLLER_SIZES, as_written
 from flexbearing.case.roller import Case
 from flexbearing.runs.given_rating import LETTERS, Rating
 from flexbearing.runs.life_of_state import CAPACITY, EDGE_STRESS, LifeOfState, explained, of_reliability
@@ -189,12 +189,9 @@ def fatigue_limit(case: Case, bearing: CylindricalRollerBearing) -> float:
 
 
 def ratings(case: Case, bearing: CylindricalRollerBearing) -> dict[str, Rating]:
-    """Ratings that the case gives, by their letters."""
-    return {
-        letters: _rating(case, bearing, name)
-        for name, letters in LETTERS.items()
-        if getattr(case.life, name) is not None
-    }
+    """Ratings that the case gives, by their keys."""
+    given = (name for name in LETTERS if getattr(case.life, name) is not None)
+    return {name: _rating(case, bearing, name) for name in given}
 
 
 FORMULAS = {
@@ -202,12 +199,6 @@ FORMULAS = {
     "static_rating": static_rating,
     "fatigue_limit_load": fatigue_load_limit,
 }
-SIZES = (
-    "bearing.rollers",
-    "bearing.outer_raceway_diameter",
-    "bearing.roller.diameter",
-    "bearing.roller.length",
-)
 
 
 def _rating(case: Case, bearing: CylindricalRollerBearing, name: str) -> Rating:
@@ -219,7 +210,7 @@ def _rating(case: Case, bearing: CylindricalRollerBearing, name: str) -> Rating:
 def _rated(case: Case, drawn: CylindricalRollerBearing, name: str) -> CylindricalRollerBearing:
     """The bearing for which a rating of the case was given."""
     sizes = drawn.rollers, drawn.outer_raceway_diameter, drawn.roller.diameter, drawn.roller.length
-    stated = as_written(case, f"life.{name}", SIZES)
+    stated = as_written(case, f"life.{name}", ROLLER_SIZES)
     written = tuple(now if then is None else then for now, then in zip(sizes, stated, strict=True))
     if written == sizes:
         return drawn

@@ -9,7 +9,7 @@ from flexbearing.case.roller import Case
 from flexbearing.case.roller.profile import SHAPES
 from flexbearing.runs import life
 from flexbearing.runs.catalogue_life import Catalogue, Influence
-from flexbearing.runs.given_rating import LETTERS
+from flexbearing.runs.given_rating import LETTERS, Rating
 from flexbearing.runs.oil_rating import of_oil
 from quasidynamic import CylindricalRollerBearing
 from quasidynamic.outcome.life_factors import ROLLERS, modification_factor
@@ -155,7 +155,7 @@ def ratings(case: Case, hours: float) -> dict[str, Any]:
     formulas = {LETTERS[name]: formula(drawn) for name, formula in life.FORMULAS.items()}
     return {
         "ratings_N": found,
-        "given": [*life.ratings(case, bearing)],
+        "given": [LETTERS[name] for name in life.ratings(case, bearing)],
         "formulas_N": formulas,
         "load_N": load,
         "static_safety": static_safety(static, load),
@@ -199,7 +199,12 @@ def viscosity_ratio(case: Case) -> float:
     return life.kappa(case, roller_bearing.parts(case))
 
 
+def given(case: Case) -> dict[str, Rating]:
+    """Ratings that the case gives, by their keys."""
+    return life.ratings(case, roller_bearing.parts(case))
+
+
 CATALOGUE = Catalogue(
-    RATING, influences, require_load, ratings, oil,
+    RATING, influences, require_load, ratings, given, oil,
     rated, viscosity_ratio, attrgetter("operation.radial_load"), ROLLER_EXPONENT,
 )  # fmt: skip
