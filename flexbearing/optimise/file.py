@@ -78,9 +78,6 @@ def read(path: str | Path, families: Families) -> Problem:
             [each.model_extra or {} for each in given.verify],
         )
         _require_apart(found, study, surrogate, "[surrogate]")
-        varied = [each.key for each in found]
-        if why := rated_apart((*fixed, *varied, *study.keys), varied):
-            raise BadValues(why)
         tables_of_keys = [("set", fixed), ("surrogate", surrogate), *(("verify", each) for each in verify)]
         for where, key in ((table, key) for table, settings in tables_of_keys for key in settings):  # noqa: B007
             find(key)
@@ -113,8 +110,11 @@ def _validated(raw: dict[str, Any], file: Path) -> OptimisationFile:
 
 
 def _require_apart(found: tuple[Variable, ...], study: Study, fixed: Settings, table: str) -> None:
-    """Refuse a key that is in two tables, and speeds, which weigh the rows of a duty cycle."""
+    """Refuse a key in two tables, speeds, which weigh rows of a duty cycle, and ratings beside sizes."""
     others = dict.fromkeys(study.keys, "[over] or [duty]") | dict.fromkeys(fixed, table)
+    varied = [each.key for each in found]
+    if why := rated_apart((*fixed, *varied, *study.keys), varied):
+        raise BadValues(why)
     for each in found:
         if each.entry is None and each.key in others:
             raise BadValues(f"{each.name} is given in {others[each.key]}, too")

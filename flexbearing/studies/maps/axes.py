@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from flexbearing.case import BadCase, Head
-from flexbearing.case.as_written import rated_apart
 from flexbearing.case.declarations import Declaration, find
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.problems import nearest
@@ -68,8 +67,6 @@ def axes(over: Sequence[str], model: type[Head]) -> tuple[MapAxis, ...]:
     keys = [axis.key for axis in found]
     if twice := [key for key in keys if keys.count(key) > 1]:
         raise BadCase(f"--over {twice[0]}: the key is varied twice")
-    if why := rated_apart(keys, keys):
-        raise BadCase(f"--over: {why}")
     if (count := prod(len(axis.values) for axis in found)) > MOST:
         raise BadCase(f"--over gives {count} points; a map has at most {MOST}")
     return found
