@@ -47,6 +47,7 @@ def new(  # noqa: PLR0913  # an argument for each option
     shaft: Annotated[str | None, _option("shaft")] = None,
     housing: Annotated[str | None, _option("housing")] = None,
     material: Annotated[str | None, _option("material")] = None,
+    balls: Annotated[str | None, _option("balls")] = None,
     oil: Annotated[str | None, _option("oil")] = None,
     temperature: Annotated[str | None, _option("temperature")] = None,
     cleanliness: Annotated[str | None, _option("cleanliness")] = None,

@@ -211,10 +211,11 @@ FORMULAS: dict[str, Callable[[RatedBalls], float]] = {
 
 def rated_balls(case: FastCase) -> RatedBalls:
     """The balls of a case for its ratings."""
-    return RatedBalls(row(case), _rated_material(case.materials))
+    return RatedBalls(row(case), rated_material(case.materials))
 
 
-def _rated_material(materials: MountedMaterials) -> Material:
+def rated_material(materials: MountedMaterials) -> Material:
+    """Material of the balls in the static rating."""
     return solid(materials.ball) if materials.hybrid else RATED_STEEL
 
 
@@ -231,7 +232,7 @@ def _rated(case: FastCase, now: RatedBalls, name: str) -> RatedBalls:
     materials = case.materials.model_copy(
         update={key: each for key, each in parts.items() if each is not None}
     )
-    then = RatedBalls(_row_of(now.row, sizes), _rated_material(materials))
+    then = RatedBalls(_row_of(now.row, sizes), rated_material(materials))
     return now if then == now else then
 
 
