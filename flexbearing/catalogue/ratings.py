@@ -35,11 +35,13 @@ def table(page: Page, elements: ElementSet, size: str) -> str:
 
 def _apart(page: Page, here: Ratings) -> list[str]:
     """A line for each rating of the maker that is far from that of this case."""
-    return [
-        f"The maker's {words} is {ratio:.3g} times that of this case; it may be of two rows."
-        for words, name, entry in _ROWS
-        if entry in page and not 1 / APART <= (ratio := page[entry].si / getattr(here, name)) <= APART
+    ratios = {words: page[entry].si / getattr(here, name) for words, name, entry in _ROWS if entry in page}
+    apart = [
+        f"{words}: the maker's is {ratio:.3g} times that of this case; check it, and number and size."
+        for words, ratio in ratios.items()
+        if not 1 / APART <= ratio <= APART
     ]
+    return [*apart, ""] if apart else []
 
 
 def _assumed(letters: list[str], letter: str, elements: ElementSet) -> str:
