@@ -289,9 +289,8 @@ WRONG = {
     VARY: "[maximise] or [minimise] is needed",
     VARY + GOAL.replace("life_L10", "duty_life"): "needs [duty]",
     VARY + GOAL + "[constrain]\ncage_slip = 5": "is no bound",
-    VARY.replace("clearance", "roller.length")
-    + '[set]\n"life.static_rating" = "9 kN"\n'
-    + GOAL: "[vary] life",
+    '[vary]\n"bearing.roller.length" = "4 mm .. 5 mm"\n[set]\n"life.static_rating" = "9 kN"\n'
+    + GOAL: "varies; write",
     VARY + GOAL + "[searching]\nstarts = 2": "searching",
 }
 

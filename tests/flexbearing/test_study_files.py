@@ -41,11 +41,8 @@ def test_every_key_is_an_axis_and_the_last_one_changes_fastest(study_of):
     assert study.name == "thin"
     assert study.keys == ("outer.thickness", "operation.radial_load", "outer.bars", "operation.tilt")
     assert rows(study) == [
-        (("2.9 mm",), ("4.0 mm",), ("5.1 mm",)),
-        (("10 kN",), ("19621.1 N",)),
-        ((24,),),
-        (("fixed",),),
-    ]
+        (("2.9 mm",), ("4.0 mm",), ("5.1 mm",)), (("10 kN",), ("19621.1 N",)), ((24,),), (("fixed",),)
+    ]  # fmt: skip
 
 
 TWO = '"bearing.roller.length" = ["4 mm", "5 mm"]'
@@ -116,7 +113,9 @@ def test_a_table_of_variants_is_one_axis_beside_the_others(study_of, separator):
         '[over]\nfile = "list.csv"\n"bearing.clearance" = ["50 um", "60 um"]',
         list=table.replace(",", separator),
     )
-    assert rows(study) == [(("10 kN", "squirrel_cage", 24), ("20 kN", "rigid", 12)), (("50 um",), ("60 um",))]
+    assert rows(study) == [
+        (("10 kN", "squirrel_cage", 24), ("20 kN", "rigid", 12)), (("50 um",), ("60 um",))
+    ]  # fmt: skip
     assert study.inputs[-1].name == "list.csv"
 
 
@@ -160,10 +159,8 @@ def test_lists_are_drawn_and_single_values_belong_to_every_variant(study_of):
     study = study_of(text)
     (axis,) = study.axes
     assert axis.keys == (
-        "bearing.form_error.roller_diameters",
-        "operation.radial_load",
-        "bearing.form_error.outer.waves",
-    )
+        "bearing.form_error.roller_diameters", "operation.radial_load", "bearing.form_error.outer.waves"
+    )  # fmt: skip
     deviations = np.array([[float(each.removesuffix(" m")) for each in row[0]] for row in axis.rows])
     assert deviations.shape == (6, 30)
     assert {row[1:] for row in axis.rows} == {("20 kN", 2)}
@@ -252,44 +249,53 @@ WRONG = {
     OVER + '"outer.thickness" = "1 mm .. 2 N, 5"': '[over] outer.thickness has "2 N", which is not a length',
     OVER + '"outer.thickness" = "1 mm .. 2 mm, 1"': "[over] outer.thickness has 1 values; a range has 2 to",
     OVER + '"outer.bars" = "10 .. 20, 4"': "[over] outer.bars has 13.3333 among its values, which is no",
-    OVER + '"lubricant.oil_fraction" = "0.1 .. x, 4"': "[over] lubricant.oil_fraction has an end",
+    OVER + '"lubricant.oil_fraction" = "0.1 .. x, 4"': '[over] lubricant.oil_fraction has an end',
     OVER + '"operation.radial_load" = "log 0 N .. 1 N, 4"': "[over] operation.radial_load has an end that",
-    OVER
-    + 'zip = true\n"operation.radial_load" = ["1 N", "2 N"]\n"outer.bars" = [1, 2, 3]': "[over] needs as many values of every key: operation.radial_load has 2, outer.bars has 3",
-    OVER
-    + '"operation.radial_load" = "1 N .. 2 N, 2000"\n"outer.thickness" = "1 mm .. 2 mm, 2000"': "[over] gives 4000000 variants; a study has at most 1000000",
+    OVER + 'zip = true\n"operation.radial_load" = ["1 N", "2 N"]\n"outer.bars" = [1, 2, 3]':
+        "[over] needs as many values of every key: operation.radial_load has 2, outer.bars has 3",
+    OVER + '"operation.radial_load" = "1 N .. 2 N, 2000"\n"outer.thickness" = "1 mm .. 2 mm, 2000"':
+        "[over] gives 4000000 variants; a study has at most 1000000",
     OVER + 'file = "none.csv"': '[over] file = "none.csv": there is no such file',
     OVER + 'file = "empty.csv"': '[over] file = "empty.csv": is empty; a header holds keys with units',
     OVER + 'file = "header.csv"': '[over] file = "header.csv": has 0 rows below its header',
     OVER + 'file = "short.csv"': '[over] file = "short.csv": row 2 has 1 cells, the header has 2',
     OVER + 'file = "unit.csv"': '[over] file = "unit.csv": column 1: outer.bars has no unit, found [mm]',
     OVER + 'file = "good.csv"\n"outer.bars" = 3': "[over] outer.bars is varied twice",
-    '[sample]\ncount = 3\nmethod = "sobol"\n'
-    + '"operation.radial_load" = "uniform 1 N, 2 N"': "[sample] count = 3 is not a power of 2, for which Sobol points are even: 2 or 4",
-    '[sample]\ncount = 3\n"operation.radial_load" = "weibull 1 N, 2 N"': '[sample] operation.radial_load = "weibull 1 N, 2 N" is no distribution; it must be',
-    '[sample]\ncount = 3\n"operation.radial_load" = "normal 1 N"': '[sample] operation.radial_load = "normal 1 N" has 1 numbers; it must be "normal MEAN, DEVIATION"',
-    '[sample]\ncount = 3\n"operation.radial_load" = "uniform 2 N, 1 N"': '[sample] operation.radial_load = "uniform 2 N, 1 N" cannot be: its second number is not above',
-    '[sample]\ncount = 3\n"operation.temperatures.shaft" = "normal 80 degC, 5 degC"': 'has the deviation "5 degC": a difference of temperatures is in K',
-    '[sample]\ncount = 3\n"outer.bars" = "uniform 10, 20"': "cannot be drawn: the key takes a whole number",
-    '[sample]\ncount = 3\n"bearing.form_error.roller_diameters" = "normal 0 um, 1 um"': 'has no count; a list of 30 numbers is drawn by "30 x normal ..."',
-    '[sample]\ncount = 3\n"operation.radial_load" = "2 x uniform 1 N, 2 N"': "has a count, but the key takes a force as text",
+    '[sample]\ncount = 3\nmethod = "sobol"\n' + '"operation.radial_load" = "uniform 1 N, 2 N"':
+        "[sample] count = 3 is not a power of 2, for which Sobol points are even: 2 or 4",
+    '[sample]\ncount = 3\n"operation.radial_load" = "weibull 1 N, 2 N"':
+        '[sample] operation.radial_load = "weibull 1 N, 2 N" is no distribution; it must be',
+    '[sample]\ncount = 3\n"operation.radial_load" = "normal 1 N"':
+        '[sample] operation.radial_load = "normal 1 N" has 1 numbers; it must be "normal MEAN, DEVIATION"',
+    '[sample]\ncount = 3\n"operation.radial_load" = "uniform 2 N, 1 N"':
+        '[sample] operation.radial_load = "uniform 2 N, 1 N" cannot be: its second number is not above',
+    '[sample]\ncount = 3\n"operation.temperatures.shaft" = "normal 80 degC, 5 degC"':
+        'has the deviation "5 degC": a difference of temperatures is in K',
+    '[sample]\ncount = 3\n"outer.bars" = "uniform 10, 20"':
+        "cannot be drawn: the key takes a whole number",
+    '[sample]\ncount = 3\n"bearing.form_error.roller_diameters" = "normal 0 um, 1 um"':
+        'has no count; a list of 30 numbers is drawn by "30 x normal ..."',
+    '[sample]\ncount = 3\n"operation.radial_load" = "2 x uniform 1 N, 2 N"':
+        "has a count, but the key takes a force as text",
     '[sample]\ncount = 262144\nmethod = "sobol_indices"\n"operation.radial_load" = "uniform 1 N, 2 N"\n'
-    '"operation.inner_speed" = "uniform 1 rpm, 2 rpm"': "[sample] gives 1048576 variants; a study has at most 1000000",
-    "[duty]\n" + LOAD: "[duty] needs the shares of its rows",
+    '"operation.inner_speed" = "uniform 1 rpm, 2 rpm"':
+        "[sample] gives 1048576 variants; a study has at most 1000000",
+    '[duty]\n' + LOAD: "[duty] needs the shares of its rows",
     "[duty]\ntime = [1, 2]": "[duty] needs the shares of its rows",
     "[duty]\ntime = [1, 2]\nrevolutions = [1, 2]\n" + LOAD: "[duty] needs the shares of",
-    '[duty]\ntime = [1, 2]\n"operation.radial_load" = ["1 N", "2 N", "3 N"]': "[duty] needs as many values of every key: time has 2, operation.radial_load has 3",
+    '[duty]\ntime = [1, 2]\n"operation.radial_load" = ["1 N", "2 N", "3 N"]':
+        "[duty] needs as many values of every key: time has 2, operation.radial_load has 3",
     '[duty]\ntime = ["30 %", "60 %"]\n' + LOAD: "[duty] time adds up to 90 %; percentages must",
     '[duty]\ntime = ["30 %", "12 h"]\n' + LOAD: "[duty] time has shares in '%' and 'h'; write all",
     '[duty]\ntime = ["30 N", "12 N"]\n' + LOAD: '[duty] time has "30 N", which is no share of time',
     '[duty]\nrevolutions = ["3 h"]\n' + LOAD: '[duty] revolutions has "3 h", which is no share of',
-    "[duty]\ntime = [1, -2]\n" + LOAD: "[duty] time has -2.0; a share is at least 0",
-    "[duty]\ntime = [0, 0]\n" + LOAD: "[duty] time has no share above zero",
+    '[duty]\ntime = [1, -2]\n' + LOAD: "[duty] time has -2.0; a share is at least 0",
+    '[duty]\ntime = [0, 0]\n' + LOAD: "[duty] time has no share above zero",
     '[duty]\ntime = ["much", 1]\n' + LOAD: '[duty] time has "much"; a share is a number',
     '[duty]\nfile = "gap.csv"': "[duty] time has an empty cell; every row has a share",
     '[duty]\nfile = "loads.csv"\n' + LOAD: "[duty] operation.radial_load is given here and in loads.csv",
     OVER + LOAD + '[duty]\nfile = "loads.csv"': "[duty] operation.radial_load is varied twice",
-}
+}  # fmt: skip
 TABLES = {
     "loads": "time [%],operation.radial_load [kN]\n100,5\n",
     "empty": "\n",
