@@ -48,7 +48,11 @@ RATING_ABOVE_FORMULA = Finding(
     action="check the rating, and the number and size of the rolling elements",
 )  # fmt: skip
 RATING_BELOW_FORMULA = replace(
-    RATING_ABOVE_FORMULA, code="rating-below-formula", at_most=None, at_least=1 / 1.15
+    RATING_ABOVE_FORMULA,
+    code="rating-below-formula",
+    label="share of a given rating in that of the formula",
+    at_most=None,
+    at_least=1 / 1.15,
 )
 CHANGED_RATING = Finding(
     code="changed-rating", label="how many times larger or smaller a given rating became",

@@ -245,10 +245,10 @@ def _counts(case: Any) -> tuple[tuple[Other, ...], str]:
 
 
 def _diameters(case: Any) -> tuple[tuple[Other, ...], str]:
-    """Rollers 5 % smaller and larger; an outer raceway that nobody gave follows, as the inner one is kept."""
+    """Rollers a tenth smaller and larger; an outer raceway that nobody gave follows, as the inner one is kept."""
     bearing, raceway = case.bearing, "bearing.outer_raceway_diameter"
     others = []
-    for factor in (0.95, 1.05):
+    for factor in (0.9, 1.1):
         diameter = factor * bearing.roller.diameter
         settings = [f"bearing.roller.diameter={1e3 * diameter:.6g} mm"]
         words = f"{1e3 * diameter:.4g} mm"
@@ -257,7 +257,7 @@ def _diameters(case: Any) -> tuple[tuple[Other, ...], str]:
             settings.append(f"{raceway}={1e3 * outer:.6g} mm")
             words += f", raceway of {1e3 * outer:.4g} mm"
         others.append(Other(words, tuple(settings)))
-    return tuple(others), f"5 %, the inner or the outer raceway kept: {THUMB}"
+    return tuple(others), f"10 %, the inner or the outer raceway kept: {THUMB}"
 
 
 def _tractions(case: Any) -> tuple[tuple[Other, ...], str]:
