@@ -245,7 +245,7 @@ def _counts(case: Any) -> tuple[tuple[Other, ...], str]:
 
 
 def _diameters(case: Any) -> tuple[tuple[Other, ...], str]:
-    """Rollers a tenth smaller and larger; an outer raceway that nobody gave follows, as the inner one is kept."""
+    """Rollers a tenth smaller and larger; with an outer raceway that nobody gave the inner one is kept."""
     bearing, raceway = case.bearing, "bearing.outer_raceway_diameter"
     others = []
     for factor in (0.9, 1.1):

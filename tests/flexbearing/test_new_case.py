@@ -281,6 +281,54 @@ def test_a_rating_far_from_the_formula_is_named(rating, ratio, tmp_path, unweigh
     assert f"the maker's is {ratio} times that of this case" in table
 
 
+OWN = "designation,like,bore,outside,width,static_rating\nNU 9,cylindrical_roller,50 mm,90 mm,20 mm,60 kN\n"
+
+
+@pytest.fixture
+def named(unweighed, tmp_path, monkeypatch, capsys):
+    def written(name, *words):
+        monkeypatch.chdir(tmp_path)
+        monkeypatch.setenv("HOME", str(tmp_path))
+        monkeypatch.delenv("XDG_CONFIG_HOME", raising=False)
+        code = program.command(["new", name, "--load", "5 kN", "--speed", "3000 rpm", "--force", *words])
+        return code, capsys.readouterr().err
+
+    return written
+
+
+@pytest.mark.parametrize("name", ["NU210", "nu 210", "NU-210"])
+def test_a_designation_stands_for_its_page(named, tmp_path, name):
+    assert named(name)[0] == 0
+    (place,) = tmp_path.glob("*.toml")
+    assert tomllib.loads(place.read_text())["life"]["dynamic_rating"] == "73.5 kN"
+    assert "SKF Rolling bearings (2018)" in place.read_text()
+
+
+@pytest.mark.parametrize("folder", [".", ".config/flexbearing"])
+def test_users_have_designations_of_their_own(named, tmp_path, folder):
+    place = tmp_path / folder / "designations.csv"
+    place.parent.mkdir(parents=True, exist_ok=True)
+    place.write_text(OWN)
+    assert named("NU9", "--C0", "65 kN")[0] == 0  # an option counts more
+    assert tomllib.loads((tmp_path / "nu9.toml").read_text())["life"]["static_rating"] == "65 kN"
+
+
+WRONG_TABLES = {
+    OWN.replace("bore", "bohre"): "'bohre' is no column",
+    OWN.replace("like", "source"): "has no column like",
+    OWN.replace(",60 kN", ""): "line 2 has 5 cells",
+    OWN.replace("outside", "bore"): "several columns 'bore'",
+}
+
+
+@pytest.mark.parametrize(("text", "words"), WRONG_TABLES.items(), ids=WRONG_TABLES.values())
+def test_tables_of_designations_that_are_none_are_told(named, tmp_path, text, words):
+    (tmp_path / "designations.csv").write_text(text)
+    code, message = named("NU9")
+    assert code == 2
+    assert words in message
+
+
 IMPOSSIBLE = {
     "raceways": (
         {"outer_raceway": "59.5 mm", "inner_raceway": "81.5 mm"}, "F = 81.5 mm must be below E = 59.5 mm."
