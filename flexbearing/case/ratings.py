@@ -22,26 +22,30 @@ CleanlinessName = Literal[
     "grease, severe contamination",
     "grease, very severe contamination",
 ]
-OF_CATALOGUE = {"dynamic_rating", "static_rating", "fatigue_limit_load"}  # they modify nothing
+OF_CATALOGUE = ("dynamic_rating", "static_rating", "fatigue_limit_load")  # they modify nothing
+FOLLOWS = (
+    "that of the bearing in the file, which changes as the formula's where settings change its sizes; one "
+    "of a setting is that of the bearing that results"
+)
 
 
 class Ratings(Section):
     """Ratings of a catalogue, and factors of ISO 281."""
 
     dynamic_rating: Force | None = key(
-        "basic dynamic radial load rating C_r of a catalogue, instead of the formula of ISO 281",
+        f"basic dynamic radial load rating C_r of a catalogue, instead of the formula of ISO 281; {FOLLOWS}",
         None,
         example="44 kN",
         gt=0,
     )
     static_rating: Force | None = key(
-        "basic static radial load rating C_0 of a catalogue, instead of the formula of ISO 76",
+        f"basic static radial load rating C_0 of a catalogue, instead of the formula of ISO 76; {FOLLOWS}",
         None,
         example="45 kN",
         gt=0,
     )
     fatigue_limit_load: Force | None = key(
-        "fatigue load limit C_u of a catalogue, instead of that of ISO 281 from C_0",
+        f"fatigue load limit C_u of a catalogue, instead of that of ISO 281 from C_0; {FOLLOWS}",
         None,
         example="5.5 kN",
         gt=0,
@@ -53,7 +57,7 @@ class Ratings(Section):
     @property
     def is_basic(self) -> bool:
         """Whether nothing modifies the basic life."""
-        return not self.model_dump(exclude_defaults=True, exclude=OF_CATALOGUE)
+        return not self.model_dump(exclude_defaults=True, exclude={*OF_CATALOGUE})
 
     @model_validator(mode="after")
     def _clean_enough_to_rate(self) -> Self:

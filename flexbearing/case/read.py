@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from pydantic import ValidationError
@@ -65,8 +66,7 @@ def with_settings(raw: dict[str, Any], source: Source, families: Families) -> He
     model = model_of(raw, settings, name, families)
     if settings:
         before = foreign(raw, model)
-        for setting in settings:
-            _override(raw, setting, model, families)
+        settings_applied(raw, settings, model, families)
         changed = {setting.partition("=")[0].strip() for setting in settings}
         _leave_out_former_kinds(raw, before, changed, model)
     raw.setdefault("title", excerpt(Path(source.path).stem, LONGEST_NAME))
@@ -137,6 +137,20 @@ def model_of(raw: Mapping[str, Any], settings: Sequence[str], file: str, familie
         return families[kind].case()
     allowed = " or ".join(map(toml, families))
     raise BadCase(f"{file}: kind = {quoted(kind)} is not allowed; it must be {allowed}.")
+
+
+def settings_applied(
+    raw: dict[str, Any], settings: Sequence[str], model: type[Head], families: Families = MappingProxyType({})
+) -> None:
+    """Put settings into the tables of a case file; `families` are those that messages name keys of.
+
+    Raises
+    ------
+    BadCase
+        for a setting that is none
+    """
+    for setting in settings:
+        _override(raw, setting, model, families)
 
 
 def _override(raw: dict[str, Any], setting: str, model: type[Head], families: Families) -> None:

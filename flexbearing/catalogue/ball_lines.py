@@ -5,7 +5,17 @@ from math import pi
 
 from flexbearing.catalogue.ball_set import USUAL_CONFORMITY, BallSet
 from flexbearing.catalogue.life_lines import life, oil
-from flexbearing.catalogue.lines import CHOSEN, RATED, THUMB, Line, assumed, entry, mm, usual_number
+from flexbearing.catalogue.lines import (
+    CHOSEN,
+    RATED,
+    THUMB,
+    Line,
+    assumed,
+    entry,
+    from_rating,
+    mm,
+    usual_number,
+)
 from flexbearing.catalogue.mounting_lines import mounting, surroundings
 from flexbearing.catalogue.page import Page
 
@@ -59,7 +69,7 @@ def _balls(page: Page, balls: BallSet) -> Iterator[Line]:
     if measured:
         yield Line("bearing.ball.diameter", page["diameter"].text)
     else:
-        why = f"from {RATED}" if rated else f"{THUMB}, the middle of 0.56 to 0.67 (D - d)/2"
+        why = from_rating(page, balls) if rated else f"{THUMB}, the middle of 0.56 to 0.67 (D - d)/2"
         yield assumed("bearing.ball.diameter", mm(diameter), why)
 
 
@@ -72,10 +82,16 @@ def _contact_angle(page: Page) -> Iterator[Line]:
 
 
 def _material(page: Page) -> Iterator[Line]:
-    if "material" in page:
-        yield Line("materials.ball", page["material"].text)
-    else:
-        yield assumed("materials.ball", "100Cr6", "the usual bearing steel, of balls and rings")
+    usual = "the usual bearing steel"
+    if not {"balls", "material"} & {*page.values}:
+        yield assumed("materials.ball", "100Cr6", f"{usual}, of balls and rings")
+        return
+    yield Line("materials.ball", page["balls" if "balls" in page else "material"].text)
+    for ring in ("inner_ring", "outer_ring"):
+        if "material" in page:
+            yield Line(f"materials.{ring}", page["material"].text)
+        else:
+            yield assumed(f"materials.{ring}", "100Cr6", usual)
 
 
 def _load(page: Page) -> Iterator[Line]:

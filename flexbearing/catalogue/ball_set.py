@@ -9,14 +9,17 @@ from math import asin, floor, pi, sin
 from typing import cast
 
 from flexbearing.case import BadCase
-from flexbearing.catalogue.element_set import ElementSet, Pair, Ratings, chosen, span
+from flexbearing.case.balls.mounting import MountedMaterials
+from flexbearing.catalogue.element_set import ElementSet, Pair, Ratings, chosen, near, span
 from flexbearing.catalogue.page import Page
+from flexbearing.runs.ball_life import rated_material
 from quasidynamic.outcome.ball_capacity import (
     ball_dynamic_rating,
     ball_fatigue_load_limit,
     ball_static_rating,
 )
 from quasidynamic.parts.ball_row import BallRow
+from quasidynamic.parts.material import Material
 
 # Rules of thumb, assumed. Balls over half the difference of the diameters: Harris' 209 and 218 have 0.64, the
 # 6205 of the Case Western Reserve University 0.61, the QJ309 of Joshi et al. (2015) 0.66, the 7008 of Rivera
@@ -49,7 +52,7 @@ def ball_set(page: Page, angle: float) -> BallSet:
     """
     pitch, half = (page["bore"].si + page["outside"].si) / 2, (page["outside"].si - page["bore"].si) / 2
     _require_room(page, pitch, half)
-    rated = partial(_ratings, pitch, angle)
+    rated = partial(_ratings, pitch, angle, rated_material(_materials(page)))
     ends = _ends(page, pitch, half)
     pairs = _pairs(page, rated, ends)
     return BallSet(
@@ -104,6 +107,8 @@ def _pairs(page: Page, rated: partial[Ratings], ends: dict[int, tuple[float, flo
     ]
     if pairs:
         return pairs
+    if found := near([(number, size) for number, of in ends.items() for size in of], rated, wanted):
+        return found
     unit, force = page["bore"].with_unit_of_this, page["static_rating"].with_unit_of_this
     static, sizes = [each for span in spans.values() for each in span], [*ends.values()]
     raise BadCase(
@@ -143,7 +148,14 @@ def _size(page: Page) -> str:
     return page.option("diameter" if "diameter" in page else "width")
 
 
-def _ratings(pitch: float, angle: float, balls: int, diameter: float) -> Ratings:
+def _materials(page: Page) -> MountedMaterials:
+    """Materials of balls and rings, 100Cr6 where they are not given."""
+    rings = page["material"].text if "material" in page else "100Cr6"
+    ball = page["balls"].text if "balls" in page else rings
+    return MountedMaterials.model_validate({"ball": ball, "inner_ring": rings, "outer_ring": rings})
+
+
+def _ratings(pitch: float, angle: float, material: Material, balls: int, diameter: float) -> Ratings:
     inner, outer = USUAL_CONFORMITY
     row = BallRow(
         balls=balls,
@@ -153,4 +165,5 @@ def _ratings(pitch: float, angle: float, balls: int, diameter: float) -> Ratings
         inner_conformity=inner,
         outer_conformity=outer,
     )
-    return Ratings(ball_dynamic_rating(row), ball_static_rating(row), ball_fatigue_load_limit(row))
+    static = ball_static_rating(row, material)
+    return Ratings(ball_dynamic_rating(row), static, ball_fatigue_load_limit(row, static))

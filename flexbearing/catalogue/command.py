@@ -23,7 +23,7 @@ def new(  # noqa: PLR0913  # an argument for each option
     file: Annotated[
         Path,
         typer.Argument(
-            help="case file to write (TOML), or the model"
+            help="case file to write (TOML), a designation such as NU210, or the model"
             " of a gearbox (REXS), whose cases are written to the folder of work",
             metavar="FILE",
         ),
@@ -47,6 +47,7 @@ def new(  # noqa: PLR0913  # an argument for each option
     shaft: Annotated[str | None, _option("shaft")] = None,
     housing: Annotated[str | None, _option("housing")] = None,
     material: Annotated[str | None, _option("material")] = None,
+    balls: Annotated[str | None, _option("balls")] = None,
     oil: Annotated[str | None, _option("oil")] = None,
     temperature: Annotated[str | None, _option("temperature")] = None,
     cleanliness: Annotated[str | None, _option("cleanliness")] = None,
@@ -95,12 +96,34 @@ def new(  # noqa: PLR0913  # an argument for each option
     if from_rexs or file.name.lower().endswith(MODELS):
         written = _of_model(file, from_rexs, rexs_bearing, run, {"given": options, **about}, tell)
     else:
+        file, like, options, about = _designated(file, like, options, about)
         written = _of_page(file, like, options, about, tell)
     for case, ratings in written:
         sys.stdout.write(printable(f"case: {case}\n{ratings}"))
         for wanted, name in ((life, "life"), (run, "run")):
             if wanted:
                 _go_on(context, name, case)
+
+
+def _designated(
+    file: Path, like: str, options: dict[str, str], about: dict[str, Any]
+) -> tuple[Path, str, dict[str, str], dict[str, Any]]:
+    """What a designation in place of a file stands for; options that are given count more."""
+    if file.suffix:
+        return file, like, options, about
+    from flexbearing.catalogue.designations import designated
+
+    found = designated(file.name, file.parent, Path(typer.get_app_dir("flexbearing")))
+    if found is None:
+        return file, like, options, about
+    taken = {name: text for name, text in found.items() if name in ENTRIES}
+    about = {
+        **about,
+        "title": about["title"] or file.name,
+        "source": about["source"] or found.get("source", ""),
+    }
+    name = file.with_name(f"{file.name.replace(' ', '').lower()}.toml")
+    return name, found.get("like", like), taken | options, about
 
 
 def _of_page(

@@ -1,9 +1,10 @@
 """Rolling elements of a bearing, where nothing says how many of what size there are."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 Pair = tuple[int, float]  # number of rolling elements, and their size [m]
+APART = 1.15  # of a rating and its formula, as older and other standards have it; assumed
 
 
 @dataclass(frozen=True)
@@ -23,6 +24,12 @@ class ElementSet:
     pairs: tuple[Pair, ...]  # plausible ones that have the maker's C_0 where it is given, by number
     plausible: tuple[Pair, ...]  # among them those of the least and the greatest ratings
     rated: Callable[[int, float], Ratings]  # ratings by the formulas for a number and a size
+
+
+def near(pairs: Sequence[Pair], rated: Callable[[int, float], Ratings], wanted: float) -> list[Pair]:
+    """The pair nearest to a static rating [N] that no plausible pair has; none where it is far away."""
+    best = min(pairs, key=lambda pair: abs(rated(*pair).static - wanted))
+    return [best] if 1 / APART <= wanted / rated(*best).static <= APART else []
 
 
 def chosen(pairs: list[Pair], rated: bool) -> Pair:

@@ -60,6 +60,7 @@ ENTRIES = {
         "--clearance", "operating diametral clearance, instead of classes", "", "Length", example="30 um"
     ),
     "material": Entry("--material", "material of rollers or balls and of rings", key="materials.inner_ring"),
+    "balls": Entry("--balls", "material of the balls, such as Si3N4 of hybrids", key="materials.ball"),
     "oil": Entry("--oil", "oil by name", key="lubricant.oil"),
     "temperature": Entry("--temperature", "temperature of the oil", "", "Temperature", example="70 degC"),
     "cleanliness": Entry("--cleanliness", "cleanliness of the oil by ISO 281", key="life.cleanliness"),
@@ -75,7 +76,7 @@ class Like:
 
     kind: str  # of the case
     needed: tuple[str, ...]
-    two_of: tuple[str, ...]  # any two of them do
+    two_of: tuple[str, ...]  # any two of them do; what lacks is estimated
     further: tuple[str, ...]  # taken where they are given
     instead: tuple[str, ...] = ()  # that have no place beside a stated clearance
 
@@ -93,11 +94,8 @@ class Like:
         return not {name, *beside} & {*given}
 
     def must_be_given(self, name: str, given: Collection[str]) -> bool:
-        """Whether an entry must be given, as no later one can stand for it."""
-        if name not in self.two_of:
-            return name in self.needed
-        later = [each for each in self.two_of[self.two_of.index(name) + 1 :] if each not in given]
-        return len(self._known(given)) + len(later) < 2
+        """Whether an entry must be given; of the raceways those that are not are estimated."""
+        return name in self.needed and name not in given
 
     def _known(self, given: Collection[str]) -> list[str]:
         return [each for each in self.two_of if each in given]
@@ -111,7 +109,7 @@ _ROLLERS = (
     *_RATINGS, "elements", "length", "clearance_class", "shaft", "clearance", "material", *_OIL,
 )  # fmt: skip
 _MOUNTED = ("clearance_class", "shaft", "housing")
-_BALLS = (*_RATINGS, "elements", "diameter", "material")
+_BALLS = (*_RATINGS, "elements", "diameter", "material", "balls")
 LIKES = {
     "cylindrical_roller": Like(
         "cylindrical_roller", (*_SIZE, "load", "speed"), _RACEWAYS, (*_ROLLERS, "housing"), _MOUNTED
@@ -134,6 +132,6 @@ LIKES = {
         "four_point_ball",
         (*_SIZE, "axial", "speed"),
         (),
-        ("elements", "diameter", "material", "angle", "load"),
+        ("elements", "diameter", "material", "balls", "angle", "load"),
     ),
 }

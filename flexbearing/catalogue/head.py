@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from flexbearing.catalogue.entries import ENTRIES
+from flexbearing.catalogue.entries import ENTRIES, LIKES
 from flexbearing.catalogue.lines import WIDTH
 from flexbearing.catalogue.page import Page
 from flexbearing.printable import printable
@@ -11,7 +11,12 @@ from flexbearing.printable import printable
 def origin(page: Page, file: Path, title: str, source: str) -> list[str]:
     """Source of the numbers, and the command."""
     words = [f"flexbearing new {_quoted(file.name)}", f"--like {page.like}"]
-    words += [f"{ENTRIES[name].option} {_quoted(value.text)}" for name, value in page.values.items()]
+    estimated = {*LIKES[page.like].two_of} & {*page.assumed}
+    words += [
+        f"{ENTRIES[name].option} {_quoted(value.text)}"
+        for name, value in page.values.items()
+        if name not in estimated
+    ]
     words += [f"{name} {_quoted(text)}" for name, text in (("--title", title), ("--source", source)) if text]
     rows = [f"  {words[0]}"]
     for word in words[1:]:

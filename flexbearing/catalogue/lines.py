@@ -38,6 +38,12 @@ def entry(page: Page, name: str, key: str, why: str = "") -> Line:
     return Line(key, page[name].text, why)
 
 
+def from_rating(page: Page, elements: ElementSet) -> str:
+    """Where an assumed size of rolling elements comes from, with a static rating of the maker."""
+    ratio = elements.rated(*elements.chosen).static / page["static_rating"].si
+    return f"{'from' if abs(ratio - 1) < 1e-6 else 'nearest to'} {RATED}"
+
+
 def usual_number(elements: ElementSet, usual: str, size: str, rated: bool) -> str:
     """Where an assumed number of rolling elements comes from."""
     few, many = elements.pairs[0][0], elements.pairs[-1][0]

@@ -14,7 +14,7 @@ from flexbearing.case.declarations import find
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.quantity import Kind
 from flexbearing.catalogue.entries import ENTRIES, LIKES, Entry, Like
-from flexbearing.units import unit
+from flexbearing.catalogue.raceways import raceways
 
 ELEMENTS = 3, 1000  # how many rollers or balls a case may have
 
@@ -26,10 +26,12 @@ class Value:
     text: str
     si: float = 0.0  # of a number
 
+    unit: str = ""  # of a number with one
+    size: float = 1.0  # of that unit in SI
+
     def with_unit_of_this(self, si: float) -> str:
         """Another value of the same kind in the unit that was given, for messages."""
-        name = self.text.lstrip("+-.0123456789eE \t")
-        return f"{si / unit(name).scale:.4g} {name}"
+        return f"{si / self.size:.4g} {self.unit}"
 
 
 @dataclass(frozen=True)
@@ -79,7 +81,10 @@ def read(like: str, options: Mapping[str, str | None], assumed: Mapping[str, str
     problems += [f"{words}." for words in missing(wanted, given, like)]
     if problems:
         raise BadCase("\n".join(problems))
-    return Page(like, values, assumed or {})
+    estimates = dict(raceways(wanted.two_of, {name: each.si for name, each in values.items()}))
+    values |= {name: value(name, text, like) for name, (text, _) in estimates.items()}
+    reasons = {name: why for name, (_, why) in estimates.items()}
+    return Page(like, values, {**(assumed or {}), **reasons})
 
 
 def value(name: str, text: str, like: str) -> Value:
@@ -107,11 +112,11 @@ def value(name: str, text: str, like: str) -> Value:
     except PydanticCustomError as problem:
         why = (problem.context or {})["why"]
         raise BadCase(f"{given} {why}; it must be {_allowed(entry)}.") from None
-    if si <= 0:
+    if si <= 0 and name != "clearance":  # where nothing and less is a preload
         raise BadCase(f"{given}: it must be above zero.")
     if name == "angle" and si >= pi / 2:
         raise BadCase(f"{given}: it must be below 90 deg.")
-    return Value(text.strip(), si)
+    return Value(text.strip(), si, *_kind(entry).unit_of(text))
 
 
 def missing(wanted: Like, given: Mapping[str, object], like: str) -> Iterator[str]:
@@ -119,12 +124,6 @@ def missing(wanted: Like, given: Mapping[str, object], like: str) -> Iterator[st
     for name in wanted.needed:
         if name not in given:
             yield f"{called(name)} is missing; it is {allowed(name, like)}"
-    known = [name for name in wanted.two_of if name in given]
-    if wanted.two_of and len(known) < 2:
-        yield (
-            f"of {', '.join(map(called, wanted.two_of))} two are needed, {len(known)} given; "
-            f"each is {allowed(wanted.two_of[0], like)}"
-        )
 
 
 def called(name: str) -> str:

@@ -1,6 +1,6 @@
 """Load ratings of a maker beside those of the formulas, as ranges where the rollers are assumed."""
 
-from flexbearing.catalogue.element_set import ElementSet, Ratings, span
+from flexbearing.catalogue.element_set import APART, ElementSet, Ratings, span
 from flexbearing.catalogue.page import Page
 
 LETTERS = {"elements": "Z", "length": "l_w", "diameter": "D_w"}
@@ -25,12 +25,23 @@ def table(page: Page, elements: ElementSet, size: str) -> str:
         columns["of these with C_0"] = [elements.rated(*pair) for pair in elements.pairs]
     rows = [["load ratings", *columns]]
     for words, name, entry in _ROWS:
-        maker = page[entry].text if entry in page else "-"
+        maker = f"{page[entry].si / 1e3:.4g} kN" if entry in page else "-"
         rows.append([words] + [maker if of is None else _range(of, name) for of in columns.values()])
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     lines = ["  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)) for row in rows]
     lines = ["", *(line.rstrip() for line in lines), ""]
-    return "\n".join([*lines, *notes])
+    return "\n".join([*lines, *notes, *_apart(page, here)])
+
+
+def _apart(page: Page, here: Ratings) -> list[str]:
+    """A line for each rating of the maker that is far from that of this case."""
+    ratios = {words: page[entry].si / getattr(here, name) for words, name, entry in _ROWS if entry in page}
+    apart = [
+        f"{words}: the maker's is {ratio:.3g} times that of this case; check it, and number and size."
+        for words, ratio in ratios.items()
+        if not 1 / APART <= ratio <= APART
+    ]
+    return [*apart, ""] if apart else []
 
 
 def _assumed(letters: list[str], letter: str, elements: ElementSet) -> str:

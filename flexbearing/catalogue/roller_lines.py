@@ -3,7 +3,17 @@
 from collections.abc import Iterator
 
 from flexbearing.catalogue.life_lines import life, oil
-from flexbearing.catalogue.lines import CHOSEN, RATED, THUMB, Line, assumed, entry, mm, usual_number
+from flexbearing.catalogue.lines import (
+    CHOSEN,
+    RATED,
+    THUMB,
+    Line,
+    assumed,
+    entry,
+    from_rating,
+    mm,
+    usual_number,
+)
 from flexbearing.catalogue.mounting_lines import mounting, surroundings
 from flexbearing.catalogue.page import Page
 from flexbearing.catalogue.roller_set import RollerSet
@@ -39,7 +49,9 @@ def _bearing(page: Page, rollers: RollerSet) -> Iterator[Line]:
     if "outer_raceway" in page:
         yield entry(page, "outer_raceway", "bearing.outer_raceway_diameter", "E of the catalogue")
     else:
-        yield Line("bearing.outer_raceway_diameter", f"{1e3 * rollers.outer_raceway:.9g} mm", "F + 2 D_w")
+        raceway = f"{1e3 * rollers.outer_raceway:.9g} mm"
+        guessed = "diameter" in page.assumed
+        yield Line("bearing.outer_raceway_diameter", raceway, "F + 2 D_w", assumed=guessed)
     yield Line("bearing.contact_law", "iso16281", "as the life, ISO/TS 16281")
     if "diameter" in page:
         yield entry(page, "diameter", "bearing.roller.diameter")
@@ -66,7 +78,7 @@ def _rollers(page: Page, rollers: RollerSet) -> tuple[Line, Line]:
         count = assumed("bearing.rollers", number, why)
     if measured:
         return count, Line("bearing.roller.length", page["length"].text)
-    why = f"from {RATED}" if rated else f"{THUMB}, the middle of 0.4 to 0.7 B"
+    why = from_rating(page, rollers) if rated else f"{THUMB}, the middle of 0.4 to 0.7 B"
     return count, assumed("bearing.roller.length", mm(length), why)
 
 

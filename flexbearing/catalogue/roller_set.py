@@ -12,7 +12,7 @@ from typing import Any
 
 import quasidynamic as qd
 from flexbearing.case import BadCase
-from flexbearing.catalogue.element_set import ElementSet, Ratings, chosen, span
+from flexbearing.catalogue.element_set import ElementSet, Ratings, chosen, near, span
 from flexbearing.catalogue.page import Page
 from flexbearing.runs.roller_counts import plausible_numbers
 from quasidynamic.outcome.capacity import dynamic_rating, fatigue_load_limit, static_rating
@@ -115,11 +115,11 @@ def _of_rating(
     pairs = [(number, rating / _ratings(outer, diameter, number, MM).static * MM) for number in numbers]
     if plausible := [(number, length) for number, length in pairs if shortest <= length <= longest]:
         return plausible
+    corners = [(numbers[0], shortest), (numbers[-1], longest)]
+    if found := near(corners, partial(_ratings, outer, diameter), rating):
+        return found
     unit, force = page["bore"].with_unit_of_this, page["static_rating"].with_unit_of_this
-    low, high = (
-        _ratings(outer, diameter, *corner).static
-        for corner in ((numbers[0], shortest), (numbers[-1], longest))
-    )
+    low, high = (_ratings(outer, diameter, *corner).static for corner in corners)
     raise BadCase(
         f"{page.option('static_rating')}: {span(numbers[0], numbers[-1])} rollers of {unit(diameter)}, "
         f"{unit(shortest)} to {unit(longest)} long, have {force(low)} to {force(high)} by ISO 76; "

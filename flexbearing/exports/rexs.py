@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.case import BadCase
+from flexbearing.case import BadCase, understood
 from flexbearing.exports.rexs_model import Component, Model, Value
 from flexbearing.files import require_folder, require_output, write
 from flexbearing.results import BadResult, Result
@@ -45,9 +45,22 @@ def export(result: Result, directory: Path) -> Iterator[Path]:
         raise BadResult(f"{result.place}: nothing was solved, so there is nothing to export.")
     path = require_output(require_folder(directory) / f"{result.stem}.rexs", result.files)
     attributes = result.attributes
-    made = model(attributes["case_si"], attributes, state)
+    made = model(_as_rated(result), attributes, state)
     write(path.resolve(), made.xml(attributes["created"], attributes["versions"]["flexbearing"]))
     yield path
+
+
+def _as_rated(result: Result) -> dict[str, Any]:
+    """The case with the ratings that its life was computed with."""
+    about = result.attributes
+    settings = about["case_overrides"]
+    if not settings:
+        return about["case_si"]
+    case = understood(about["case_text"], Path(about["case_file"]), settings, {result.kind: result.family})
+    catalogue = result.family.catalogue
+    assert catalogue  # of every roller bearing
+    rated = {name: rating.value for name, rating in catalogue().given(case).items()}
+    return about["case_si"] | {"life": about["case_si"]["life"] | rated}
 
 
 def model(case: Mapping[str, Any], attributes: Mapping[str, Any], state: Mapping[str, NDArray]) -> Model:

@@ -18,6 +18,7 @@ from flexbearing.findings.strength import (
     LIGHT_LOAD_OF_BALLS,
     LIGHT_LOAD_OF_ROLLERS,
     LOAD_ABOVE_STATIC_RATING,
+    RATINGS,
     STATIC_SAFETY,
     USUAL_STATIC_SAFETY,
     YIELD_STRESS,
@@ -35,6 +36,7 @@ OF_ROLLERS = (
     FILM_RATIO,
     CLEARANCE,
     RACEWAY_SLOPE,
+    *RATINGS,
 )
 OF_BALLS = (
     CONTACT_PRESSURE,
@@ -46,6 +48,7 @@ OF_BALLS = (
     GYROSCOPIC_MOMENT,
     VISCOSITY_RATIO,
     CLEARANCE,
+    *RATINGS,
 )
 DECLARED = tuple(dict.fromkeys((*OF_ROLLERS, *OF_BALLS)))
 

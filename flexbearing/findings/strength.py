@@ -41,6 +41,27 @@ LOAD_ABOVE_STATIC_RATING = replace(
     HEAVY_LOAD, at_most=1.0, times="static_rating", source="C_0, ISO 281 (2007)"
 )
 
+RATING_ABOVE_FORMULA = Finding(
+    code="rating-above-formula", label="given rating over that of the formula", quantity="rating_ratio",
+    at_most=1.15, grade=USUAL, source="usual between makers and ISO 281, ISO 76; assumed",
+    meaning="one of both may be of another bearing or of two rows, or the rolling elements not the maker's",
+    action="check the rating, and the number and size of the rolling elements",
+)  # fmt: skip
+RATING_BELOW_FORMULA = replace(
+    RATING_ABOVE_FORMULA,
+    code="rating-below-formula",
+    label="share of a given rating in that of the formula",
+    at_most=None,
+    at_least=1 / 1.15,
+)
+CHANGED_RATING = Finding(
+    code="changed-rating", label="how many times larger or smaller a given rating became",
+    quantity="rating_change", at_most=2.0, grade=OUTSIDE, source="limit of this program, assumed",
+    meaning="the case is far from the bearing that the maker rated",
+    action="give the rating of such a bearing",
+)  # fmt: skip
+RATINGS = (RATING_ABOVE_FORMULA, RATING_BELOW_FORMULA, CHANGED_RATING)
+
 
 def _light_load(share: float) -> Finding:
     return Finding(

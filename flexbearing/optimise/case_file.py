@@ -9,8 +9,8 @@ from typing import Any
 from zlib import crc32
 
 from flexbearing import inputs
-from flexbearing.case.declarations import toml
-from flexbearing.case.head import Source
+from flexbearing.case.declarations import find, toml
+from flexbearing.case.head import Head, Source
 from flexbearing.case.read import with_settings, written
 from flexbearing.case.text import LARGEST, tables
 from flexbearing.families import FAMILIES
@@ -24,12 +24,24 @@ def case_text(study: Study, settings: Mapping[str, Any], folder: Path) -> bytes:
     """The case of a study with some settings, as a file in a folder."""
     raw = deepcopy(tables(study.text))
     case = with_settings(raw, Source(str(study.case), study.text, written(settings)), FAMILIES)
+    _rate(raw, case)
     named = {path.resolve() for path in case.named_files}
     _told_from(raw, study.case.parent, named, folder)
     found = ", ".join(settings)
     head = f"# {study.case.name} with what {study.path.name} found: {found}.\n"
     text = (head + "\n".join(_lines(raw, "")) + "\n").encode()
     return _seal(text) + text
+
+
+def _rate(raw: dict[str, Any], case: Head) -> None:
+    """Write given ratings as those of the bearing that was found: it is the one of the file now."""
+    catalogue = FAMILIES[case.kind].catalogue
+    for name, rating in catalogue().given(case).items() if catalogue else ():
+        if rating.scale != 1:
+            declaration = find(f"life.{name}", type(case))
+            assert declaration
+            assert declaration.kind
+            raw["life"][name] = declaration.kind.written(rating.value, raw["life"][name])
 
 
 def require_unedited(place: Path) -> None:

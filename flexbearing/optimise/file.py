@@ -10,6 +10,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from flexbearing import inputs
+from flexbearing.case.as_written import rated_apart
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.family import Families
 from flexbearing.case.file_keys import next_to, value_at
@@ -109,8 +110,11 @@ def _validated(raw: dict[str, Any], file: Path) -> OptimisationFile:
 
 
 def _require_apart(found: tuple[Variable, ...], study: Study, fixed: Settings, table: str) -> None:
-    """Refuse a key that is in two tables, and speeds, which weigh the rows of a duty cycle."""
+    """Refuse a key in two tables, speeds, which weigh rows of a duty cycle, and ratings beside sizes."""
     others = dict.fromkeys(study.keys, "[over] or [duty]") | dict.fromkeys(fixed, table)
+    varied = [each.key for each in found]
+    if why := rated_apart((*fixed, *varied, *study.keys), varied):
+        raise BadValues(why)
     for each in found:
         if each.entry is None and each.key in others:
             raise BadValues(f"{each.name} is given in {others[each.key]}, too")

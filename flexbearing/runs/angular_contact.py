@@ -19,7 +19,7 @@ from flexbearing.findings.running import GYROSCOPIC_MOMENT
 from flexbearing.program.workers import shared_map
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import row, taken
-from flexbearing.runs import ball_life, interface, judged, shoulders
+from flexbearing.runs import ball_life, given_rating, interface, judged, shoulders
 from flexbearing.runs.ball_life import BallLives
 from flexbearing.runs.life_of_state import MREV
 from flexbearing.runs.subsurface import of_balls
@@ -253,6 +253,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
         "static_safety": solution.static_safety,
         "viscosity_ratio": ball_life.kappa(case) if case.lubricant and speed else None,
         "clearance": judged.clearances(clearance.record(case)) if radial else None,
+        **given_rating.judged([ball_life.ratings(case)]),
     }
     if operation.control != "coulomb":  # there balls turn where friction does not hold them
         values |= {"needed_friction": state.needed_friction.max(), "friction": case.friction.coefficient}
@@ -294,7 +295,7 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
         )
     return (
         lines
-        + shoulders.hybrid(case.materials)
+        + shoulders.unusual(case.materials)
         + clearance.notes(case)
         + _preload(case, state)
         + _lineless(solution)

@@ -9,16 +9,11 @@ from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.deep_groove import DeepGrooveBearing
 from flexbearing.runs import ball_life
 from flexbearing.runs.catalogue_life import Catalogue, Influence
+from flexbearing.runs.given_rating import LETTERS
 from flexbearing.runs.oil_rating import of_oil
 from quasidynamic import OutOfRange
-from quasidynamic.outcome.ball_capacity import (
-    ball_dynamic_rating,
-    ball_fatigue_load_limit,
-    ball_static_rating,
-)
 from quasidynamic.outcome.life_factors import BALLS, modification_factor
 from quasidynamic.outcome.rating_life import BALL_EXPONENT, rating_life, static_safety
-from quasidynamic.parts.ball_row import BallRow
 
 WEIGHTLESS = "0.001 kg/m^3"  # of balls without inertia
 
@@ -125,20 +120,15 @@ def require_load(case: FastCase) -> None:
 
 def ratings(case: FastCase, hours: float) -> dict[str, Any]:
     """What a catalogue's page says, and what it says of the load."""
-    row, given = ball_life.row(case), case.life
     load, at_rest = ball_life.dynamic_load(case), ball_life.static_load(case)
     radial, axial = case.operation.forces
     static = ball_life.static(case)
     lived = float(rating_life(ball_life.dynamic(case), load.value, BALL_EXPONENT))
-    by_maker = {"C_r": given.dynamic_rating, "C_0r": given.static_rating, "C_u": given.fatigue_limit_load}
+    balls = ball_life.rated_balls(case)
     return {
         "ratings_N": {"C_r": ball_life.dynamic(case), "C_0r": static, "C_u": ball_life.fatigue_limit(case)},
-        "given": [name for name, value in by_maker.items() if value is not None],
-        "formulas_N": {
-            "C_r": _known(ball_dynamic_rating, row),
-            "C_0r": _known(ball_static_rating, row),
-            "C_u": _known(ball_fatigue_load_limit, row),
-        },
+        "given": [LETTERS[name] for name in ball_life.ratings(case)],
+        "formulas_N": {LETTERS[name]: _known(of, balls) for name, of in ball_life.FORMULAS.items()},
         "load_N": load.value,
         "equivalent_load": {
             "F_r_N": radial, "F_a_N": axial,
@@ -151,10 +141,10 @@ def ratings(case: FastCase, hours: float) -> dict[str, Any]:
     } | _by_oil(case, load.value, lived, hours)  # fmt: skip
 
 
-def _known(formula: Callable[[BallRow], float], row: BallRow) -> float | None:
+def _known(formula: Callable[[Any], float], balls: ball_life.RatedBalls) -> float | None:
     """A rating by its formula; None where that does not hold."""
     try:
-        return formula(row)
+        return formula(balls)
     except OutOfRange:
         return None
 
@@ -199,6 +189,6 @@ def load(case: FastCase) -> float:
 
 
 CATALOGUE = Catalogue(
-    RATING, influences, require_load, ratings, oil,
+    RATING, influences, require_load, ratings, ball_life.ratings, oil,
     ball_life.rated, ball_life.kappa, load, BALL_EXPONENT,
 )  # fmt: skip

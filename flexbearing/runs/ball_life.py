@@ -1,18 +1,24 @@
 """The life of a ball bearing: by ISO/TS 16281 under the loads of its balls, and what modifies it."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 import quasidynamic as qd
+from flexbearing.build.ball_parts import solid
 from flexbearing.build.viscosity import kinematic_viscosity
+from flexbearing.case.as_written import BALL_SIZES, as_written
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
+from flexbearing.case.balls.mounting import MountedMaterials
+from flexbearing.runs.given_rating import LETTERS, Rating
 from flexbearing.runs.life_of_state import MREV, LifeOfState, explained, of_reliability
 from quasidynamic import OutOfRange
 from quasidynamic.note import Note, information
 from quasidynamic.outcome.ball_capacity import (
+    RATED_STEEL,
     ball_dynamic_rating,
     ball_fatigue_load_limit,
     ball_static_rating,
@@ -33,9 +39,7 @@ from quasidynamic.outcome.life_factors import (
 )
 from quasidynamic.outcome.rating_life import BALL_EXPONENT, rating_life, static_safety
 from quasidynamic.parts.ball_row import BallRow
-
-STEEL = (190e9, 225e9)  # [Pa] moduli of the steels that ISO 281 is meant for (assumed)
-SILICON_NITRIDE = (290e9, 330e9)  # [Pa] moduli of balls of ISO 26602 (assumed)
+from quasidynamic.parts.material import Material
 
 
 @dataclass(frozen=True)
@@ -152,6 +156,9 @@ def row(case: FastCase) -> BallRow:
     )
 
 
+PARTS = {part: f"materials.{part}" for part in ("ball", "inner_ring", "outer_ring")}
+
+
 def dynamic(case: FastCase) -> float:
     """C_r of the case, or of ISO 281 [N].
 
@@ -161,39 +168,98 @@ def dynamic(case: FastCase) -> float:
         where ISO 281 has none: balls that are not of steel, contact angles and sizes beyond its table
     """
     require_radial(row(case))
-    if case.life.dynamic_rating is not None:
-        return case.life.dynamic_rating
-    modulus = case.materials.ball.youngs_modulus
-    if not (_within(STEEL, modulus) or _is_hybrid(case)):
+    materials = case.materials
+    if case.life.dynamic_rating is None and not (materials.steel_balls or materials.hybrid):
         raise OutOfRange(
-            f"balls of {modulus / 1e9:.4g} GPa: ISO 281 rates balls of steel, ISO 20056-1 those of silicon "
-            "nitride between rings of steel; give life.dynamic_rating"
+            f"balls of {materials.ball.youngs_modulus / 1e9:.4g} GPa: ISO 281 rates balls of steel, ISO "
+            "20056-1 those of silicon nitride between rings of steel; give life.dynamic_rating"
         )
-    return ball_dynamic_rating(row(case))
-
-
-def _is_hybrid(case: FastCase) -> bool:
-    """Balls of silicon nitride between steel, whose C needs no reduction (DIN ISO 281 supplement 5)."""
-    rings = (case.materials.ring("inner"), case.materials.ring("outer"))
-    return _within(SILICON_NITRIDE, case.materials.ball.youngs_modulus) and all(
-        _within(STEEL, ring.youngs_modulus) for ring in rings
-    )
-
-
-def _within(moduli: tuple[float, float], modulus: float) -> bool:
-    low, high = moduli
-    return low <= modulus <= high
+    return _rating(case, "dynamic_rating").value
 
 
 def static(case: FastCase) -> float:
     """C_0r of the case, or of ISO 76 [N]."""
-    rating = case.life.static_rating
-    return ball_static_rating(row(case)) if rating is None else rating
+    return _rating(case, "static_rating").value
+
+
+def fatigue_limit(case: FastCase) -> float:
+    """C_u of the case, or of ISO 281 from C_0r [N]."""
+    if case.life.fatigue_limit_load is None:
+        return ball_fatigue_load_limit(row(case), static(case))
+    return _rating(case, "fatigue_limit_load").value
+
+
+def ratings(case: FastCase) -> dict[str, Rating]:
+    """Ratings that the case gives, by their keys."""
+    given = (name for name in LETTERS if getattr(case.life, name) is not None)
+    return {name: _rating(case, name) for name in given}
+
+
+class RatedBalls(NamedTuple):
+    """What the formulas of the standards rate."""
+
+    row: BallRow
+    material: Material  # for the static rating: that of the balls in hybrids, else the steel of ISO 76
+
+
+FORMULAS: dict[str, Callable[[RatedBalls], float]] = {
+    "dynamic_rating": lambda balls: ball_dynamic_rating(balls.row),
+    "static_rating": lambda balls: ball_static_rating(*balls),
+    "fatigue_limit_load": lambda balls: ball_fatigue_load_limit(balls.row, ball_static_rating(*balls)),
+}
+
+
+def rated_balls(case: FastCase) -> RatedBalls:
+    """The balls of a case for its ratings."""
+    return RatedBalls(row(case), rated_material(case.materials))
+
+
+def rated_material(materials: MountedMaterials) -> Material:
+    """Material of the balls in the static rating."""
+    return solid(materials.ball) if materials.hybrid else RATED_STEEL
+
+
+def _rating(case: FastCase, name: str) -> Rating:
+    """A rating of the case."""
+    now, given = rated_balls(case), getattr(case.life, name)
+    return Rating(FORMULAS[name], now, given, now if given is None else _rated(case, now, name))
+
+
+def _rated(case: FastCase, now: RatedBalls, name: str) -> RatedBalls:
+    """The balls for which a rating of the case was given."""
+    sizes = as_written(case, f"life.{name}", BALL_SIZES)
+    parts = dict(zip(PARTS, as_written(case, f"life.{name}", tuple(PARTS.values())), strict=True))
+    materials = case.materials.model_copy(
+        update={key: each for key, each in parts.items() if each is not None}
+    )
+    then = RatedBalls(_row_of(now.row, sizes), rated_material(materials))
+    return now if then == now else then
+
+
+def _row_of(now: BallRow, sizes: Sequence[Any]) -> BallRow:
+    """A row of balls with the sizes that are stated, None of others."""
+    balls, diameter, pitch, angle, *grooves = sizes
+    size = diameter or now.ball_diameter
+    stated = {
+        "balls": balls,
+        "ball_diameter": diameter,
+        "pitch_diameter": pitch,
+        "contact_angle": angle,
+        "inner_conformity": _conformity(grooves[0], grooves[1], size),
+        "outer_conformity": _conformity(grooves[2], grooves[3], size),
+    }
+    return replace(now, **{key: value for key, value in stated.items() if value is not None})
+
+
+def _conformity(conformity: float | None, radius: float | None, diameter: float) -> float | None:
+    """Groove radius over ball diameter; None of a groove that is not stated."""
+    return radius / diameter if conformity is None and radius is not None else conformity
 
 
 def safety(case: FastCase, state: qd.AngularContactState) -> float | None:
     """Static safety s_0 under what the balls carry for the ring, preload with it."""
-    if case.life.static_rating is None and not _within(STEEL, case.materials.ball.youngs_modulus):
+    rated = case.materials.steel_balls or case.materials.hybrid
+    if case.life.static_rating is None and not rated:
         return None
     axial, radial_y, radial_z = state.ring_load[:3]
     try:
@@ -205,16 +271,11 @@ def safety(case: FastCase, state: qd.AngularContactState) -> float | None:
         return None
 
 
-def fatigue_limit(case: FastCase) -> float:
-    """C_u of the case, or of ISO 281 from C_0r [N]."""
-    limit = case.life.fatigue_limit_load
-    return ball_fatigue_load_limit(row(case), static(case)) if limit is None else limit
-
-
 def dynamic_load(case: FastCase) -> EquivalentLoad:
     """P_r of ISO 281."""
-    balls, (radial, axial) = row(case), case.operation.forces
-    return ball_dynamic_load(radial, axial, balls.contact_angle, static_factor(balls) * axial / static(case))
+    balls, (radial, axial) = rated_balls(case), case.operation.forces
+    ratio = static_factor(*balls) * axial / static(case)
+    return ball_dynamic_load(radial, axial, balls.row.contact_angle, ratio)
 
 
 def static_load(case: FastCase) -> EquivalentLoad:

@@ -7,6 +7,7 @@ from typing import Any
 
 from flexbearing.case import BadCase
 from flexbearing.results import Result
+from flexbearing.runs.given_rating import Rating
 
 Settings = Mapping[str, str]  # an empty one takes a key or table out, also one given by settings
 SUMS = "rating"  # of life.loads, the life of a catalogue alone
@@ -29,6 +30,7 @@ class Catalogue:
     influences: Callable[[Any], Sequence[Influence]]  # of a case, in the order in which they enter
     require_load: Callable[[Any], None]  # raises `BadCase` where a catalogue knows no life
     ratings: Callable[[Any, float], dict[str, Any]]  # of a case; and the hours of a million revolutions
+    given: Callable[[Any], dict[str, Rating]]  # ratings that a case gives, by their keys
     oil: Callable[[Any, float], dict[str, float]]  # of a case, at the load of a life [Mrev]: `of_oil`
     rated: Callable[[Any], float | None]  # life by ratings alone [rev], where the case has no other
     viscosity_ratio: Callable[[Any], float]  # kappa of a case with an oil

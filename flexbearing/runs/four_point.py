@@ -284,7 +284,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
 def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
     """What a user must know of the solution, judged by findings before."""
     case, balls = solution.case, solution.balls
-    lines = (*judged.notes(found), *balls.notes, *shoulders.hybrid(case.materials), *clearance.notes(case))
+    lines = (*judged.notes(found), *balls.notes, *shoulders.unusual(case.materials), *clearance.notes(case))
     if solution.distribution is None:
         lines += (
             information(

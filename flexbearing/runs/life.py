@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 from flexbearing.build.lubrication import oil
 from flexbearing.build.roller_bearing import nominal
 from flexbearing.build.rough_surfaces import roughness
+from flexbearing.case.as_written import ROLLER_SIZES, as_written
 from flexbearing.case.roller import Case
+from flexbearing.runs.given_rating import LETTERS, Rating
 from flexbearing.runs.life_of_state import CAPACITY, EDGE_STRESS, LifeOfState, explained, of_reliability
 from quasidynamic import CylindricalRollerBearing
 from quasidynamic.outcome.capacity import (
@@ -40,6 +42,7 @@ from quasidynamic.outcome.life_factors import (
     viscosity_ratio,
 )
 from quasidynamic.outcome.rating_life import LINE_EXPONENT, ROLLER_EXPONENT, rating_life
+from quasidynamic.parts.profile import STRAIGHT
 
 
 def require_possible(case: Case, bearing: CylindricalRollerBearing) -> None:
@@ -103,7 +106,7 @@ def _slice_factors(case: Case, state: LoadedState) -> Iterator[dict[str, Any]]:
         rating = dynamic(case, bearing)
         capacity = reference_raceway_capacity(bearing, rating)
         after = life()
-        origin = "formula of ISO 281" if case.life.dynamic_rating is None else "given"
+        origin = _rating(case, bearing, "dynamic_rating").origin("ISO 281")
         note = f"ISO/TS 16281 by C_r = {rating:.5g} N, {origin}"
         yield {"name": CAPACITY, "value": after / before, "effect": "load", "note": note}
         before = after
@@ -170,20 +173,59 @@ def edge_stress(case: Case, slices: int) -> NDArray | None:
 
 def dynamic(case: Case, bearing: CylindricalRollerBearing) -> float:
     """C_r of the case, or of ISO 281 for the dimensions of the drawing [N]."""
-    rating = case.life.dynamic_rating
-    return dynamic_rating(nominal(case, bearing)) if rating is None else rating
+    return _rating(case, bearing, "dynamic_rating").value
 
 
 def static(case: Case, bearing: CylindricalRollerBearing) -> float:
     """C_0r of the case, or of ISO 76 for the dimensions of the drawing [N]."""
-    rating = case.life.static_rating
-    return static_rating(nominal(case, bearing)) if rating is None else rating
+    return _rating(case, bearing, "static_rating").value
 
 
 def fatigue_limit(case: Case, bearing: CylindricalRollerBearing) -> float:
     """C_u of the case, or of ISO 281 from C_0r [N]."""
-    limit = case.life.fatigue_limit_load
-    return fatigue_load_limit(nominal(case, bearing), static(case, bearing)) if limit is None else limit
+    if case.life.fatigue_limit_load is None:
+        return fatigue_load_limit(nominal(case, bearing), static(case, bearing))
+    return _rating(case, bearing, "fatigue_limit_load").value
+
+
+def ratings(case: Case, bearing: CylindricalRollerBearing) -> dict[str, Rating]:
+    """Ratings that the case gives, by their keys."""
+    given = (name for name in LETTERS if getattr(case.life, name) is not None)
+    return {name: _rating(case, bearing, name) for name in given}
+
+
+FORMULAS = {
+    "dynamic_rating": dynamic_rating,
+    "static_rating": static_rating,
+    "fatigue_limit_load": fatigue_load_limit,
+}
+
+
+def _rating(case: Case, bearing: CylindricalRollerBearing, name: str) -> Rating:
+    """A rating of the case for the dimensions of the drawing."""
+    drawn, given = nominal(case, bearing), getattr(case.life, name)
+    return Rating(FORMULAS[name], drawn, given, drawn if given is None else _rated(case, drawn, name))
+
+
+def _rated(case: Case, drawn: CylindricalRollerBearing, name: str) -> CylindricalRollerBearing:
+    """The bearing for which a rating of the case was given."""
+    sizes = drawn.rollers, drawn.outer_raceway_diameter, drawn.roller.diameter, drawn.roller.length
+    stated = as_written(case, f"life.{name}", ROLLER_SIZES)
+    written = tuple(now if then is None else then for now, then in zip(sizes, stated, strict=True))
+    if written == sizes:
+        return drawn
+    rollers, outer, diameter, length = written
+    return replace(
+        drawn,
+        rollers=rollers,
+        outer_raceway_diameter=outer,
+        roller=replace(drawn.roller, diameter=diameter, length=length, profile=STRAIGHT),
+        inner_profile=STRAIGHT,
+        outer_profile=STRAIGHT,
+        inner_waves=None,
+        outer_waves=None,
+        roller_deviations=(),
+    )
 
 
 def kappa(case: Case, bearing: CylindricalRollerBearing) -> float:

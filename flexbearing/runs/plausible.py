@@ -72,6 +72,7 @@ RANGES: tuple[tuple[str, Range, str], ...] = (  # of keys that hold numbers, the
     ("bearing.*.conformity", plus(-0.005, 0.005), THUMB),
     ("bearing.balls", plus(-1, 1), "one less, one more"),
     ("bearing.roller.length", times(0.9, 1.1), f"10 %: {THUMB}"),
+    ("bearing.outer_raceway_diameter", times(0.995, 1.005), f"0.5 %: {THUMB}"),
     ("bearing.contact_angle", plus(-pi / 90, pi / 90), f"2 deg: {THUMB}"),
     ("bearing.roughness.*", times(0.5, 2.0), THUMB),
     ("friction.coefficient", times(0.5, 1.5), THUMB),
@@ -243,6 +244,22 @@ def _counts(case: Any) -> tuple[tuple[Other, ...], str]:
     return tuple(others), f"as many as fit beside each other in a cage, C_0 of ISO 76 kept: {THUMB}"
 
 
+def _diameters(case: Any) -> tuple[tuple[Other, ...], str]:
+    """Rollers a tenth smaller and larger; with an outer raceway that nobody gave the inner one is kept."""
+    bearing, raceway = case.bearing, "bearing.outer_raceway_diameter"
+    others = []
+    for factor in (0.9, 1.1):
+        diameter = factor * bearing.roller.diameter
+        settings = [f"bearing.roller.diameter={1e3 * diameter:.6g} mm"]
+        words = f"{1e3 * diameter:.4g} mm"
+        if raceway in case.assumed:
+            outer = bearing.outer_raceway_diameter + 2 * (diameter - bearing.roller.diameter)
+            settings.append(f"{raceway}={1e3 * outer:.6g} mm")
+            words += f", raceway of {1e3 * outer:.4g} mm"
+        others.append(Other(words, tuple(settings)))
+    return tuple(others), f"10 %, the inner or the outer raceway kept: {THUMB}"
+
+
 def _tractions(case: Any) -> tuple[tuple[Other, ...], str]:
     """Other traction laws of any oil, with a usual limit of the shear stress where the case has none."""
     limit = getattr(case.lubricant, "limiting_ratio", None)
@@ -255,6 +272,7 @@ def _tractions(case: Any) -> tuple[tuple[Other, ...], str]:
 
 FURTHER: dict[str, Callable[[Any], tuple[tuple[Other, ...], str]]] = {  # keys that change with others
     "bearing.rollers": _counts,
+    "bearing.roller.diameter": _diameters,
     "bearing.roller.profile": _profiles,
     "bearing.cage.guidance": _guidances,
     "lubricant.traction": _tractions,

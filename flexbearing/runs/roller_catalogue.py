@@ -9,9 +9,9 @@ from flexbearing.case.roller import Case
 from flexbearing.case.roller.profile import SHAPES
 from flexbearing.runs import life
 from flexbearing.runs.catalogue_life import Catalogue, Influence
+from flexbearing.runs.given_rating import LETTERS, Rating
 from flexbearing.runs.oil_rating import of_oil
 from quasidynamic import CylindricalRollerBearing
-from quasidynamic.outcome.capacity import dynamic_rating, fatigue_load_limit, static_rating
 from quasidynamic.outcome.life_factors import ROLLERS, modification_factor
 from quasidynamic.outcome.rating_life import ROLLER_EXPONENT, rating_life, static_safety
 
@@ -150,17 +150,12 @@ def ratings(case: Case, hours: float) -> dict[str, Any]:
     bearing, load = roller_bearing.bearing(case).bearing, case.operation.radial_load
     dynamic, static = life.dynamic(case, bearing), life.static(case, bearing)
     lived = float(rating_life(dynamic, load))
-    given = {
-        "C_r": case.life.dynamic_rating, "C_0r": case.life.static_rating, "C_u": case.life.fatigue_limit_load
-    }  # fmt: skip
     found = {"C_r": dynamic, "C_0r": static, "C_u": life.fatigue_limit(case, bearing)}
     drawn = roller_bearing.nominal(case, bearing)
-    formulas = {
-        "C_r": dynamic_rating(drawn), "C_0r": static_rating(drawn), "C_u": fatigue_load_limit(drawn)
-    }  # fmt: skip
+    formulas = {LETTERS[name]: formula(drawn) for name, formula in life.FORMULAS.items()}
     return {
         "ratings_N": found,
-        "given": [name for name, value in given.items() if value is not None],
+        "given": [LETTERS[name] for name in life.ratings(case, bearing)],
         "formulas_N": formulas,
         "load_N": load,
         "static_safety": static_safety(static, load),
@@ -204,7 +199,12 @@ def viscosity_ratio(case: Case) -> float:
     return life.kappa(case, roller_bearing.parts(case))
 
 
+def given(case: Case) -> dict[str, Rating]:
+    """Ratings that the case gives, by their keys."""
+    return life.ratings(case, roller_bearing.parts(case))
+
+
 CATALOGUE = Catalogue(
-    RATING, influences, require_load, ratings, oil,
+    RATING, influences, require_load, ratings, given, oil,
     rated, viscosity_ratio, attrgetter("operation.radial_load"), ROLLER_EXPONENT,
 )  # fmt: skip

@@ -85,7 +85,21 @@ def effects(case: Head, family: Family, report: Report) -> dict[str, Any]:
     """What other values of assumed inputs make of a case, as `flexbearing.runs.assumed_effects` finds it."""
     from flexbearing.runs.assumed_effects import assumed_effects
 
-    return assumed_effects(case, _reader(case, family), lambda each: compared(each, family), report)
+    read = _reader(case, family, _ratings(case, family))
+    return assumed_effects(case, read, lambda each: compared(each, family), report)
+
+
+def _ratings(case: Head, family: Family) -> list[str]:
+    """Settings that keep the ratings of a case: other values of what is assumed are no other bearing."""
+    from quasidynamic import OutOfRange
+
+    if family.catalogue is None:
+        return []
+    try:
+        given = family.catalogue().given(case)
+        return [f"life.{name}={rating.value!r} N" for name, rating in given.items()]
+    except OutOfRange as problem:
+        raise BadCase(f"{case.source.path}: {problem}") from problem
 
 
 def _solver(
@@ -139,12 +153,12 @@ def _inputs_weighed(case: Head, family: Family, report: Report, notes: list[Any]
     return {"assumed_effects": found}
 
 
-def _reader(case: Head, family: Family) -> Callable[[Sequence[str]], Head]:
-    """Read the same case with further settings."""
+def _reader(case: Head, family: Family, same: Sequence[str] = ()) -> Callable[[Sequence[str]], Head]:
+    """Read the same case with further settings, before which some stand that are the same in all."""
     from flexbearing.case import understood
 
     def read(further: Sequence[str]) -> Head:
-        settings = [*case.source.overrides, *further]
+        settings = [*case.source.overrides, *same, *further]
         return understood(case.source.text, Path(case.source.path), settings, {family.kind: family})
 
     return read

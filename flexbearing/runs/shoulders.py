@@ -8,17 +8,23 @@ from quasidynamic.note import Note, danger, information, outside
 from quasidynamic.outcome.truncation import USUAL_SHOULDER
 
 
-def hybrid(materials: MountedMaterials) -> tuple[Note, ...]:
-    """What ceramic balls mean for what is not given, and for the ratings."""
-    if not materials.hybrid:
+def unusual(materials: MountedMaterials) -> tuple[Note, ...]:
+    """What balls that are not of steel mean for rings of no material, and for the ratings."""
+    if materials.steel_balls:
         return ()
-    rings = " and ".join(materials.steel_rings)
+    rings = " and ".join(materials.not_given)
+    if not materials.ceramic:
+        modulus = f"{materials.ball.youngs_modulus / 1e9:.4g} GPa"
+        text = f"{rings}: {modulus} as the balls, as no material is given, which is no bearing steel"
+        return (information("rings-as-balls", text),) if rings else ()
     steel = f"{rings}: 100Cr6, as no material is given and the balls are ceramic; " if rings else ""
-    text = (
-        f"{steel}without a given rating C is that of steel balls, which hybrids need not reduce "
-        "(DIN ISO 281 supplement 5), and there is no s_0: ISO 20056-2 has their C_0"
+    rated = (
+        "without given ratings C is that of steel balls, which hybrids need not reduce (DIN ISO 281 "
+        "supplement 5), and C_0 the load of 4200 MPa by Hertz (assumed: ISO 20056-2 allows slightly more)"
+        if materials.hybrid
+        else "there are no ratings by formulas, and no s_0, for these materials"
     )
-    return (information("hybrid", text),)
+    return (information("hybrid", f"{steel}{rated}"),)
 
 
 def reached_over(

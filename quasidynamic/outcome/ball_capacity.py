@@ -160,7 +160,7 @@ def ball_raceway_capacity(row: BallRow, rating: float | None = None) -> tuple[fl
     return share / 0.407 * (1 + x) ** (3 / 10), share / 0.389 * (1 + 1 / x) ** (3 / 10)
 
 
-def static_factor(row: BallRow) -> float:
+def static_factor(row: BallRow, ball: Material = RATED_STEEL) -> float:
     r"""Factor of the static load rating.
 
     .. math:: f_0 = \frac{1}{5 D^2} \min_{i, o} Q(p_0 = 4200\ \text{MPa}) \quad \text{(N, mm)}
@@ -172,6 +172,8 @@ def static_factor(row: BallRow) -> float:
     ----------
     row : BallRow
         gamma, f_i, f_o
+    ball : Material
+        of the balls; the rings are of the steel of the table
 
     Returns
     -------
@@ -185,11 +187,12 @@ def static_factor(row: BallRow) -> float:
 
     Source
     ------
-    ISO 76 (2006), table 1 with its note.
+    ISO 76 (2006), table 1 with its note. Of other balls than steel the same pressure is assumed: ISO 20056-2
+    (2017) says in its introduction that hybrids are allowed slightly more, its table was not found printed.
 
     Valid
     -----
-    gamma up to 0.40; within the last printed digit of the table.
+    gamma up to 0.40; within the last printed digit of the table for steel.
     """
     require_radial(row)
     if not row.diameter_ratio <= TABULATED[1] * (1 + ROUNDING):
@@ -200,12 +203,12 @@ def static_factor(row: BallRow) -> float:
     wide = np.array([max(row.inner_conformity, USUAL_INNER), max(row.outer_conformity, USUAL_OUTER)])
     diameter, sides = row.ball_diameter, np.array([INNER, OUTER])
     curvatures = race_curvatures(diameter, wide * diameter, row.pitch_diameter, row.contact_angle, sides)
-    contacts = point_contact(curvatures, contact_modulus(RATED_STEEL, RATED_STEEL))
+    contacts = point_contact(curvatures, contact_modulus(RATED_STEEL, ball))
     loads = (PERMANENT / contacts.peak_pressure(1.0)) ** 3  # the peak pressure goes with Q^(1/3)
     return float(loads.min()) / (5 * (diameter / MILLIMETRE) ** 2)
 
 
-def ball_static_rating(row: BallRow) -> float:
+def ball_static_rating(row: BallRow, ball: Material = RATED_STEEL) -> float:
     r"""Radial load at which the most loaded contact meets 4200 MPa.
 
     .. math:: C_{0r} = f_0 Z D^2 \cos\alpha \quad \text{(N, mm; one row)}
@@ -214,6 +217,8 @@ def ball_static_rating(row: BallRow) -> float:
     ----------
     row : BallRow
         alpha, D, Z and what f_0 needs
+    ball : Material
+        of the balls, see `static_factor`
 
     Returns
     -------
@@ -228,7 +233,9 @@ def ball_static_rating(row: BallRow) -> float:
     -----
     As `static_factor`; the most loaded ball carries 5/(Z cos(alpha)) of the load.
     """
-    return static_factor(row) * row.balls * (row.ball_diameter / MILLIMETRE) ** 2 * cos(row.contact_angle)
+    return (
+        static_factor(row, ball) * row.balls * (row.ball_diameter / MILLIMETRE) ** 2 * cos(row.contact_angle)
+    )
 
 
 def ball_fatigue_load_limit(row: BallRow, rating: float | None = None) -> float:

@@ -153,3 +153,27 @@ def test_contact_angle_of_a_deep_groove_rating_is_zero_whatever_the_clearance():
 def test_short_life_is_a_danger():
     result = run(DEEP, {"operation.load.radial_z": "40 kN", "operation.inner_speed": "12000 rpm"})
     assert "short-life" in {note["code"] for note in result.dangers}
+
+
+def test_static_rating_of_hybrids_is_that_of_their_stiffer_contacts():
+    """The load at a pressure goes with E*^-2; ISO 20056-2 allows hybrids a little more than 4200 MPa."""
+    hybrid = {"materials.ball": "Si3N4", "materials.inner_ring": "100Cr6", "materials.outer_ring": "100Cr6"}
+    steel, ceramic = (read_case(DEEP, settings) for settings in ({}, hybrid))
+    soft, stiff = (1 - 0.3**2) / 207e9, (1 - 0.26**2) / 315e9
+    assert ball_life.static(ceramic) / ball_life.static(steel) == approx(((soft + stiff) / (2 * soft)) ** 2)
+    assert ball_life.dynamic(ceramic) == ball_life.dynamic(steel)
+    result = run(DEEP, hybrid)
+    assert result.rigid["static_safety"] > 0
+    assert "assumed" in next(each["text"] for each in result.attributes["notes"] if each["code"] == "hybrid")
+
+
+def test_given_static_rating_follows_the_material_of_the_balls():
+    place = DEEP.parent / "catalogue" / "6208.toml"
+    assert ball_life.static(read_case(place, {"materials.ball": "Si3N4"})) == approx(0.7 * 19e3, rel=0.01)
+
+
+def test_rings_as_balls_of_no_bearing_steel_are_noted():
+    """A ring whose material is not given takes that of the balls."""
+    settings = {"materials.ball.youngs_modulus": "110 GPa", "life.dynamic_rating": "10 kN"}
+    codes = [{note["code"] for note in run(DEEP, each).attributes["notes"]} for each in ({}, settings)]
+    assert ["rings-as-balls" in each for each in codes] == [False, True]

@@ -23,6 +23,9 @@ ROLLERS = ("nu209_fits.toml", "operation.misalignment=1 arcmin")
 BARS = ("mao2016.toml", "accuracy.structure=beam", "materials.outer_ring.yield_stress=900 MPa")
 BALLS = ("harris218.toml", "lubricant.oil=ISO VG 68", "lubricant.inlet_temperature=60 degC")
 DEEP = ("6209.toml",)
+RATED = ("catalogue/nj2210.toml", "bearing.roller.length=12 mm")
+RATED_BALLS = ("catalogue/6208.toml", "bearing.balls=8")
+OF_RATINGS = ("rating-above-formula", "rating-below-formula", "changed-rating")
 LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the number
     ("contact-pressure", DANGER, "static_pressure"): 1.0,
     ("static-safety", DANGER, ""): 1.0,
@@ -31,6 +34,9 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
     ("heavy-load", OUTSIDE, "dynamic_rating"): 0.5,  # ISO 281
     ("heavy-load", OUTSIDE, "static_rating"): 1.0,  # ISO 281, of balls
     ("short-life", DANGER, ""): 3600.0,
+    ("rating-above-formula", USUAL, ""): 1.15,
+    ("rating-below-formula", USUAL, ""): 1 / 1.15,
+    ("changed-rating", OUTSIDE, ""): 2.0,
     ("viscosity-ratio", USUAL, ""): 1.0,
     ("film-ratio", USUAL, "mixed_film_ratio"): 1.0,
     ("gyroscopic-moment", OUTSIDE, "friction"): 1.0,
@@ -40,9 +46,11 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
 BASES = {"static_pressure": static_pressure.ROLLERS, "dynamic_rating": 7e4, "static_rating": 6e4,
          "yield_stress": 9e8, "friction": 0.1, "mixed_film_ratio": MIXED_FROM}  # fmt: skip
 CASES = [
-    *((number, "OF_ROLLERS", BARS if each.code == "yield-stress" else ROLLERS)
+    *((number, "OF_ROLLERS",
+       BARS if each.code == "yield-stress" else RATED if each.code in OF_RATINGS else ROLLERS)
       for number, each in enumerate(declared.OF_ROLLERS)),
-    *((number, "OF_BALLS", DEEP if each.code == "preload" else BALLS)
+    *((number, "OF_BALLS",
+       DEEP if each.code == "preload" else RATED_BALLS if each.code in OF_RATINGS else BALLS)
       for number, each in enumerate(declared.OF_BALLS)),
 ]  # fmt: skip
 

@@ -1,21 +1,26 @@
 """Life from the rating C_r: of ISO 281, or of a catalogue."""
 
+import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 from pytest import approx
 
 from flexbearing import api, check
 from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
-from flexbearing.case import BadCase
+from flexbearing.case import BadCase, understood
 from flexbearing.coupling import LinearPair
+from flexbearing.families import FAMILIES
 from flexbearing.runs import life
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic.outcome.capacity import dynamic_rating, raceway_capacity, reference_raceway_capacity
 from quasidynamic.outcome.life import reference_life
 
 PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
+CATALOGUE = PLAIN.parent / "catalogue"
+NJ2210, NEAR = CATALOGUE / "nj2210.toml", ("13 mm", "11 mm")
 ISO = {"life.capacity": "iso281"}
 CLEAN = {"life.lubrication": "a_ISO", "life.cleanliness": "oil, in-line filter, -/17/14"}
 
@@ -118,3 +123,93 @@ def test_rollers_that_iso_281_does_not_rate_have_every_other_answer(rollers, dia
     judged = {found["quantity"] for found in result.attributes["findings"] if found["limit"] is not None}
     assert "contact_pressure" in judged
     assert "load" not in judged
+
+
+# each size with another value of a bearing of a catalogue
+SIZES = {
+    "nj2210": {
+        "bearing.roller.length": "8 mm", "bearing.roller.diameter": "10.5 mm", "bearing.rollers": 14,
+        "bearing.outer_raceway_diameter": "83 mm",
+    },
+    "6208": {
+        "bearing.ball.diameter": "11 mm", "bearing.balls": 8, "bearing.pitch_diameter": "61 mm",
+        "bearing.inner.conformity": 0.53, "bearing.outer.conformity": 0.54,
+    },
+    "7208": {"bearing.contact_angle": "30 deg"},
+}  # fmt: skip
+EACH = [(file, key, value) for file, sizes in SIZES.items() for key, value in sizes.items()]
+GIVEN = {"dynamic_rating": "C_r", "static_rating": "C_0r", "fatigue_limit_load": "C_u"}
+
+
+def rated(case):
+    """Ratings that are used over those of the formulas."""
+    found = FAMILIES[case.kind].catalogue().ratings(case, 1.0)
+    return {name: found["ratings_N"][name] / found["formulas_N"][name] for name in GIVEN.values()}
+
+
+@pytest.mark.parametrize(("file", "key", "value"), EACH, ids=[f"{file}-{key}" for file, key, _ in EACH])
+def test_given_ratings_keep_their_factor_on_the_formula_where_a_size_changes(file, key, value):
+    plain, changed = (read_case(CATALOGUE / f"{file}.toml", each) for each in ({}, {key: value}))
+    assert rated(changed) == approx(rated(plain), rel=1e-9)
+    again = read_case(CATALOGUE / f"{file}.toml", {key: value, "life.dynamic_rating": "50 kN"})
+    found = FAMILIES[again.kind].catalogue().ratings(again, 1.0)["ratings_N"]
+    assert found["C_r"] == 50e3  # a rating of a setting is that of the bearing that results
+    assert rated(again)["C_0r"] == approx(rated(plain)["C_0r"], rel=1e-9)
+
+
+def test_a_shorter_roller_has_a_shorter_life():
+    long, short = (
+        api.run(NJ2210, {"bearing.roller.length": length}).rigid["modified_life"] for length in NEAR
+    )
+    assert short < 0.8 * long
+
+
+@pytest.mark.parametrize(
+    ("file", "key"),
+    [("nj2210", "bearing.roller.length"), ("nj2210", "bearing.roller.diameter"),
+     ("6208", "bearing.ball.diameter"), ("7208", "bearing.pitch_diameter")],
+)  # fmt: skip
+def test_derivative_of_the_life_is_that_of_a_rating_by_the_formula(file, key):
+    """Other sizes with ratings of settings, which are those of the formula times the maker's factor."""
+    place = CATALOGUE / f"{file}.toml"
+    case = read_case(place)
+    found = api.sensitivities(case, of=["modified_life"], by=[key])["modified_life", key]
+    factors, lives, step = rated(case), [], 1e-4
+    for side in (-1, 1):
+        size = {key: f"{found.key.value * (1 + side * step)!r} m"}
+        of = FAMILIES[case.kind].catalogue().ratings(read_case(place, size), 1.0)["formulas_N"]
+        given = {f"life.{name}": f"{factors[to] * of[to]!r} N" for name, to in GIVEN.items()}
+        lives.append(float(api.run(place, size | given).rigid["modified_life"]))
+    expected = np.log(lives[1] / lives[0]) / np.log((1 + step) / (1 - step))
+    assert found.elasticity == approx(expected, rel=1e-3)
+    assert found.elasticity > 1
+
+
+def test_a_given_rating_is_that_of_the_file_after_the_result_is_read_again():
+    settings = {"bearing.roller.length": "8 mm"}
+    about = api.run(NJ2210, settings).attributes
+    again = understood(about["case_text"], Path("elsewhere.toml"), about["case_overrides"], FAMILIES)
+    assert rated(again) == rated(read_case(NJ2210, settings))
+
+
+FAR = {
+    "as the maker's": ({}, "rating-above-formula", "C_r"),
+    "of two rows": ({"life.dynamic_rating": "148 kN"}, "rating-above-formula", "C_r"),
+    "of a smaller bearing": ({"life.static_rating": "60 kN"}, "rating-below-formula", "C_0r"),
+    "far from its bearing": ({"bearing.roller.length": "5 mm"}, "changed-rating", "C_0r"),
+}
+
+
+@pytest.mark.parametrize(("settings", "code", "place"), FAR.values(), ids=FAR)
+def test_ratings_far_from_the_formula_are_a_finding(settings, code, place):
+    found = api.run(NJ2210, settings).attributes
+    broken = {(each["code"], each["place"]) for each in found["findings"] if each["verdict"] == "not met"}
+    assert (code, place) in broken
+    assert code in {note["code"] for note in found["notes"]}
+
+
+def test_a_setting_that_hides_what_is_wrong_in_the_file_says_so(tmp_path):
+    place = tmp_path / "wrong.toml"
+    place.write_text(re.sub(r'length = "[^"]*"', 'length = "long"', NJ2210.read_text()))
+    with pytest.raises(BadCase, match=r"belongs to its bearing\.roller\.length"):
+        api.check(place, {"bearing.roller.length": "12 mm"})

@@ -117,6 +117,7 @@ def test_points_that_share_their_parts_are_the_bearings_of_their_cases():
 @pytest.mark.parametrize(
     ("over", "words"),
     [
+        (["life.static_rating=1 kN..2 kN,2", "bearing.roller.length=4 mm..5 mm,2"], "is set while"),
         (["operation.radial_laod=1 N..2 N,3"], "Did you mean radial_load"),
         (["bearing.roller.profile=straight..crowned,3"], "keys that are numbers"),
         (["operation.radial_load=1 N..2 mm,3"], "is not a force"),

@@ -1,18 +1,23 @@
 """The best design of a problem whose optimum is known, through files, journal and optimiser."""
 
+import tomllib
 from contextlib import nullcontext
 from functools import partial
 from math import exp
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from flexbearing import __main__ as program
+from flexbearing.api import read_case
+from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.files import BadOutput
 from flexbearing.optimise import run
 from flexbearing.optimise.answer import Optimum
+from flexbearing.optimise.case_file import case_text
 from flexbearing.optimise.evaluations import Workers
 from flexbearing.optimise.goals import Terms
 from flexbearing.optimise.gradients import CENTRAL, EXACT
@@ -22,6 +27,7 @@ from flexbearing.optimise.schema import Search
 from flexbearing.optimise.search import End, ScaledProblem, search
 from flexbearing.optimise.variables import Variable
 from flexbearing.optimise.worker import BY, slope_name
+from flexbearing.runs import life
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan import Row
 from flexbearing.studies.run import Work
@@ -260,6 +266,19 @@ def test_an_edited_case_of_the_best_is_kept(tmp_path):
     assert (best.read_text(), asked) == (edited, [])
 
 
+def test_best_case_has_the_rating_of_its_bearing():
+    """A rating in a file is that of the bearing in the file."""
+    place = CASE.parent / "catalogue" / "nj2210.toml"
+    study = SimpleNamespace(case=place, path=place, text=place.read_text())
+    settings = {"bearing.roller.length": "8 mm"}
+    text = case_text(study, settings, place.parent).decode()
+    best = tomllib.loads(text)
+    drawn = roller_bearing.bearing(case := read_case(place, settings)).bearing
+    assert life.dynamic(case, drawn) < 70e3
+    assert best["life"]["dynamic_rating"] == f"{life.dynamic(case, drawn) / 1e3:.6g} kN"
+    assert best["life"]["static_rating"] == f"{life.static(case, drawn) / 1e3:.6g} kN"
+
+
 VARY, GOAL = '[vary]\n"bearing.clearance" = "0 um .. 1 um"\n', '[maximise]\noutput = "life_L10"\n'
 WRONG = {
     VARY.replace("clearance", "clearence") + GOAL: "Did you mean clearance",
@@ -270,6 +289,8 @@ WRONG = {
     VARY: "[maximise] or [minimise] is needed",
     VARY + GOAL.replace("life_L10", "duty_life"): "needs [duty]",
     VARY + GOAL + "[constrain]\ncage_slip = 5": "is no bound",
+    '[vary]\n"bearing.roller.length" = "4 mm .. 5 mm"\n[set]\n"life.static_rating" = "9 kN"\n'
+    + GOAL: "varies; write",
     VARY + GOAL + "[searching]\nstarts = 2": "searching",
 }
 

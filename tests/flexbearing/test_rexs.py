@@ -209,6 +209,13 @@ def test_bearing_comes_back_as_a_case(catalogue, tmp_path, monkeypatch):
         assert getattr(other.life, name) == approx(getattr(one.life, name), rel=1e-12)
 
 
+def test_a_changed_bearing_is_exported_with_its_changed_rating(tmp_path):
+    _, path = exported(CASE, {"bearing.roller.length": "6 mm"}, tmp_path)
+    (attributes,) = of_case(path, BEARING, "components/component")
+    length = flexbearing.check(CASE).bearing.roller.length
+    assert attributes["radial_dynamic_load_rating"] == approx(37.4 * (6e-3 / length) ** (7 / 9), rel=1e-6)
+
+
 def test_options_count_more_than_the_model(catalogue, tmp_path, monkeypatch):
     monkeypatch.setattr(run_case, "effects", lambda *_, **__: (_ for _ in ()).throw(BadCase("not here")))
     words = ["--from-rexs", str(catalogue[1]), "--width", "18 mm", "--load", "7 kN"]

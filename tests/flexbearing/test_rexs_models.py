@@ -11,9 +11,9 @@ import pytest
 
 from flexbearing import BadCase, api, inputs
 from flexbearing.__main__ import command
+from flexbearing.catalogue import page as pages
 from flexbearing.catalogue.rexs.bearings import bearing as bearing_of
 from flexbearing.catalogue.rexs.file import ENDINGS, read
-from flexbearing.catalogue.rexs.missing import filled
 
 HERE = Path(__file__).parent / "rexs"
 OLD, NEW = (HERE / f"gearbox_{version}.rexs" for version in ("1.0", "1.4"))
@@ -337,10 +337,10 @@ def test_nothing_replaces_files_that_are_there(written, tmp_path):
 def test_assumed_raceways_are_near_those_of_catalogues(bore, outside, diameter, raceway):
     """An NU 210 and an NU 209, by their catalogue pages."""
     given = {"bore": f"{bore} mm", "outside": f"{outside} mm", "load": "1 kN", "speed": "1 rpm"}
-    options, assumed = filled("cylindrical_roller", given)
-    assert {*assumed} == {"diameter", "outer_raceway"}
+    found = pages.read("cylindrical_roller", given | {"width": "20 mm"})
+    assert {*found.assumed} == {"diameter", "outer_raceway"}
     for name, length in (("diameter", diameter), ("outer_raceway", raceway)):
-        assert float(options[name].removesuffix(" mm")) == pytest.approx(length, rel=0.02)
+        assert 1e3 * found[name].si == pytest.approx(length, rel=0.02)
 
 
 BOMB = archive(**{"m.rexs": b" " * (2**25 + 1)})

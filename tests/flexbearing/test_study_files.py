@@ -45,6 +45,27 @@ def test_every_key_is_an_axis_and_the_last_one_changes_fastest(study_of):
     ]  # fmt: skip
 
 
+TWO = '"bearing.roller.length" = ["4 mm", "5 mm"]'
+APART = {
+    f'"life.dynamic_rating" = "50 kN"\n{TWO}': False,
+    f'zip = true\n"life.dynamic_rating" = "50 kN"\n{TWO}': False,
+    f'zip = true\n"life.dynamic_rating" = ["50 kN", "60 kN"]\n{TWO}': True,
+    '"life.dynamic_rating" = ["50 kN", "60 kN"]\n"bearing.roller.length" = "4 mm"': True,
+}
+
+
+@pytest.mark.parametrize(("text", "possible"), APART.items(), ids=["alone", "constant", "rows", "one size"])
+def test_a_rating_stands_in_the_row_of_its_sizes(study_of, text, possible):
+    """One that is set for all rows would not follow the sizes of each."""
+    if possible:
+        assert study_of(f"[over]\n{text}").keys
+    else:
+        with pytest.raises(
+            BadCase, match=r"life\.dynamic_rating is set while bearing\.roller\.length varies"
+        ):
+            study_of(f"[over]\n{text}")
+
+
 RANGES = {
     '"operation.radial_load" = "log 1 N .. 1 kN, 4"': ["1 N", "10 N", "100 N", "1000 N"],
     '"operation.inner_speed" = "3000rpm..6000rpm, 2"': ["3000 rpm", "6000 rpm"],

@@ -89,7 +89,11 @@ class MountedBearing(BallBearing):
 
 
 AS_BALLS = "without it as the balls, or 100Cr6 where these are stiffer than any steel"
-STIFFEST_STEEL = 250e9  # [Pa] Young's modulus: above it a material is taken for a ceramic; assumed
+STEELS = (
+    190e9,
+    225e9,
+)  # [Pa] Young's moduli of bearing steels, for which ISO 281 and ISO 76 are meant; assumed
+SILICON_NITRIDES = (290e9, 330e9)  # [Pa] of balls of ISO 26602; assumed
 
 
 class MountedMaterials(Section):
@@ -104,18 +108,34 @@ class MountedMaterials(Section):
     def ring(self, race: Literal["inner", "outer"]) -> Elastic:
         """Material of a ring: the one given, else that of the balls, else bearing steel."""
         given = self.inner_ring if race == "inner" else self.outer_ring
-        return given or (_bearing_steel() if self.hybrid else self.ball)
+        return given or (_bearing_steel() if self.ceramic else self.ball)
+
+    @property
+    def ceramic(self) -> bool:
+        """Whether the balls are stiffer than any steel."""
+        return self.ball.youngs_modulus > STEELS[1]
+
+    @property
+    def steel_balls(self) -> bool:
+        """Whether the balls are of steel."""
+        return _within(STEELS, self.ball)
 
     @property
     def hybrid(self) -> bool:
-        """Whether the balls are of a ceramic."""
-        return self.ball.youngs_modulus > STIFFEST_STEEL
+        """Whether balls of silicon nitride run between rings of steel, as ISO 20056 has them."""
+        rings = (self.ring("inner"), self.ring("outer"))
+        return _within(SILICON_NITRIDES, self.ball) and all(_within(STEELS, ring) for ring in rings)
 
     @property
-    def steel_rings(self) -> tuple[str, ...]:
-        """Rings that are of bearing steel as none is given beside ceramic balls."""
-        given = {"inner ring": self.inner_ring, "outer ring": self.outer_ring}
-        return tuple(name for name, material in given.items() if material is None and self.hybrid)
+    def not_given(self) -> tuple[str, ...]:
+        """Rings whose material is not given."""
+        rings = {"inner ring": self.inner_ring, "outer ring": self.outer_ring}
+        return tuple(name for name, material in rings.items() if material is None)
+
+
+def _within(moduli: tuple[float, float], material: Elastic) -> bool:
+    low, high = moduli
+    return low <= material.youngs_modulus <= high
 
 
 @cache

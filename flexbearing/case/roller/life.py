@@ -5,7 +5,7 @@ from typing import Literal, Self
 from pydantic import model_validator
 
 from flexbearing.case.quantity import Force, key, require
-from flexbearing.case.ratings import Ratings
+from flexbearing.case.ratings import FOLLOWS, Ratings
 
 FEWEST_SLICES = 30  # of ISO/TS 16281, for the edge stress
 BY_RATING = {"loads": ("rating",)}
@@ -33,7 +33,7 @@ class Life(Ratings):
         only=BY_RATING,
     )
     dynamic_rating: Force | None = key(
-        "basic dynamic radial load rating C_r of a catalogue, instead of the formula of ISO 281; "
+        f"basic dynamic radial load rating C_r of a catalogue, instead of the formula of ISO 281; {FOLLOWS}; "
         'for capacity = "iso281", loads = "rating", lubrication = "a_ISO" and `flexbearing life`',
         None,
         example="44 kN",

@@ -8,9 +8,6 @@ from flexbearing.catalogue.page import value
 Given = Mapping[str, float]  # entries in SI units
 Guess = tuple[str, str, str]  # name, text and reason of an entry
 
-# Harris' 209 and an NU 210 have rollers of 0.55 (D - d)/2 and pitch diameters of 1.007 (d + D)/2, an NU 308
-# and an NUP 204 0.56 and 1.015.
-ROLLER, PITCH = 0.555, 1.01
 USUAL_LOAD = 0.1  # of C: a bearing of usual life
 SMALL = 0.01  # of the axial load, where a radial one must be there
 
@@ -23,7 +20,7 @@ def filled(like: str, options: Mapping[str, str]) -> tuple[dict[str, str], dict[
     BadCase
         for a given entry that cannot be read
     """
-    numbers = (*LIKES[like].needed, *LIKES[like].two_of, "dynamic_rating", "static_rating", "axial")
+    numbers = (*LIKES[like].needed, "dynamic_rating", "static_rating", "axial")
     given = {name: value(name, options[name], like).si for name in numbers if name in options}
     found, why = dict(options), dict[str, str]()
     for rule in _RULES:
@@ -31,20 +28,6 @@ def filled(like: str, options: Mapping[str, str]) -> tuple[dict[str, str], dict[
             found[name], why[name] = text, reason
             given[name] = value(name, text, like).si
     return found, why
-
-
-def _raceways(like: str, given: Given) -> Iterator[Guess]:
-    """Diameter of the rollers and of the outer raceway, until two diameters are known."""
-    two_of = LIKES[like].two_of
-    if not two_of or not {"bore", "outside"} <= {*given}:
-        return
-    known = [name for name in two_of if name in given]
-    diameter = given.get("diameter", ROLLER * (given["outside"] - given["bore"]) / 2)
-    if "diameter" not in given and len(known) < 2:  # of three
-        yield "diameter", f"{1e3 * diameter:.4g} mm", f"rule of thumb, {ROLLER:g} (D - d)/2"
-    if not {"inner_raceway", "outer_raceway"} & {*given}:
-        raceway = PITCH * (given["outside"] + given["bore"]) / 2 + diameter
-        yield "outer_raceway", f"{1e3 * raceway:.5g} mm", f"rule of thumb, {PITCH:g} (d + D)/2 + D_w"
 
 
 def _angle(like: str, given: Given) -> Iterator[Guess]:
@@ -70,4 +53,4 @@ def _speed(like: str, given: Given) -> Iterator[Guess]:
         yield "speed", "1000 rpm", "the model has none"
 
 
-_RULES: tuple[Callable[[str, Given], Iterator[Guess]], ...] = (_raceways, _angle, _loads, _speed)
+_RULES: tuple[Callable[[str, Given], Iterator[Guess]], ...] = (_angle, _loads, _speed)

@@ -1,11 +1,12 @@
 """Along what a study varies: each axis holds keys whose values belong together; axes are crossed."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import prod
 from pathlib import Path
 from typing import Any
 
+from flexbearing.case.as_written import rated_apart
 from flexbearing.case.declarations import Declaration
 from flexbearing.studies.file.columns import Row, Zipped
 from flexbearing.studies.file.rows import rows
@@ -38,6 +39,8 @@ def axes(
         _require_few(prod(map(count, over.values())))
     columns = columns_of(over, find)
     if zipped and columns:
+        constant = [key for key, column in columns.items() if len(column) == 1]
+        _require_rated_together(constant, [key for key in columns if key not in constant])
         found.append(together(columns, TOGETHER))
     elif columns:
         found += [Axis(key, (key,), Zipped((column,), len(column))) for key, column in columns.items()]
@@ -79,7 +82,7 @@ def together(columns: Mapping[str, Sequence[Any]], name: str) -> Axis:
 
 
 def require_crossable(found: Sequence[Axis]) -> None:
-    """Refuse axes that vary a key twice, or have too many variants together.
+    """Refuse axes that vary a key twice, have too many variants together, or rate what others vary.
 
     Raises
     ------
@@ -91,6 +94,14 @@ def require_crossable(found: Sequence[Axis]) -> None:
         if keys.count(key) > 1:
             raise BadValues(f"{key} is varied twice")
     _require_few(prod(len(axis.rows) for axis in found))
+    for axis in found:
+        others = (key for other in found if other is not axis and len(other.rows) > 1 for key in other.keys)
+        _require_rated_together(axis.keys, others)
+
+
+def _require_rated_together(rated: Iterable[str], varied: Iterable[str]) -> None:
+    if why := rated_apart(rated, varied):
+        raise BadValues(why)
 
 
 def _require_few(variants: int) -> None:

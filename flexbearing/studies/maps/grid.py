@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from flexbearing.build import ring_parts, roller_bearing
 from flexbearing.build.expansion import roller_length
 from flexbearing.case import BadCase
+from flexbearing.case.as_written import rated_apart
 from flexbearing.case.declarations import find
 from flexbearing.case.roller import Case
 from flexbearing.case.text import setting_value
@@ -122,6 +123,8 @@ def _cases(first: Case, axes: Sequence[MapAxis]) -> list[Case]:
         declaration = find(key, type(first))
         given[key] = text if declaration and text in declaration.choices else setting_value(text)
     varied = [axis.key for axis in axes]
+    if why := rated_apart((*given, *varied), varied):
+        raise BadCase(f"--over: {why}")
     keys = (*(key for key in given if key not in varied), *varied)
     variants, cases = Variants(Path(source.path), source.text, keys, FAMILIES), []
     for values in product(*(axis.values for axis in axes)):

@@ -1,0 +1,57 @@
+"""Bearings by their designation: tables of catalogue pages that users extend."""
+
+import csv
+from collections.abc import Iterator, Mapping
+from io import StringIO
+from pathlib import Path
+
+from flexbearing import inputs
+from flexbearing.case import BadCase
+from flexbearing.catalogue.entries import ENTRIES
+
+TABLE = "designations.csv"
+LARGEST = 2**20  # bytes of a table, some 10 000 bearings
+ABOUT = ("designation", "like", "source")  # columns besides entries of a page
+
+
+def designated(name: str, *folders: Path) -> dict[str, str] | None:
+    """Entries of a bearing with its like and source, from the first folder whose table has it, else shipped.
+
+    Raises
+    ------
+    BadCase
+        for a table that cannot be read
+    """
+    for folder in (*folders, Path(__file__).parent):
+        table = folder / TABLE
+        if table.exists():
+            for row in _rows(table):
+                if _plain(row["designation"]) == _plain(name):
+                    return {key: text for key, text in row.items() if text}
+    return None
+
+
+def _rows(table: Path) -> Iterator[Mapping[str, str]]:
+    """Rows of a table by its headings."""
+    try:
+        lines = csv.reader(StringIO(inputs.text(table, LARGEST), newline=""), strict=True)
+        heads = next(lines, [])
+        inputs.require_different(heads)
+        if unknown := [head for head in heads if head not in (*ABOUT, *ENTRIES)]:
+            raise BadCase(
+                f"{table}: {unknown[0][:60]!r} is no column; they are {', '.join((*ABOUT, *ENTRIES))}."
+            )
+        if missing := [head for head in ("designation", "like") if head not in heads]:
+            raise BadCase(f"{table}: has no column {missing[0]}.")
+        for number, cells in enumerate(lines, 2):
+            if len(cells) not in (0, len(heads)):
+                raise BadCase(f"{table}: line {number} has {len(cells)} cells, the first line {len(heads)}.")
+            if cells:
+                yield dict(zip(heads, map(str.strip, cells), strict=True))
+    except (inputs.Unreadable, csv.Error) as problem:
+        raise BadCase(f"{table}: {problem}") from problem
+
+
+def _plain(name: str) -> str:
+    """A designation as makers write it, NU 2210 or nu2210."""
+    return name.replace(" ", "").replace("-", "").upper()
