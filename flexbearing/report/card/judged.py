@@ -1,0 +1,84 @@
+"""Whether a bearing can be used, and how long."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from flexbearing.findings import DANGER, NOT_CHECKED
+from flexbearing.findings.running import REQUIRED_LIFE
+from flexbearing.report.card.card import Item
+from flexbearing.report.html import against_limits, combined, finding_checks, headline, lives as of_report
+from flexbearing.report.html.check import Check, one, used
+from flexbearing.report.html.document import Number
+from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.sentences import rounded
+
+_AUTHORS = ", Lundberg and Palmgren"  # of a life, which its kind names
+
+
+def usable(reader: Reader) -> Iterator[Item]:
+    """The verdict of the report, then the limits that are not kept, or the nearest one."""
+    checks = against_limits.ranked(reader)
+    yield Item(headline.judged(reader).partition(":")[0].rstrip("."))
+    broken = [check for check in checks if check.broken]
+    yield from _missed(broken) if broken else _nearest(checks)
+    for check in checks:
+        if check.urgent and isinstance(check.value, Number):
+            yield Item(check.place.removesuffix(" (nominal)") or lower(check.what), check.value, remark="no limit")
+    if not any(check.broken and check.grade == DANGER for check in checks):
+        yield from map(Item, reader.notes(DANGER)[:1])
+
+
+def _missed(broken: Sequence[Check]) -> Iterator[Item]:
+    """The gravest of limits that are not kept, and how many others there are."""
+    check, *others = broken
+    if isinstance(check.value, str):
+        yield Item(lower(one(check)))
+    else:
+        yield Item(lower(check.what), check.value, remark=check.limit.partition(" (")[0])
+    if others:
+        yield Item(f"{len(others)} more not met")
+
+
+def _nearest(checks: Sequence[Check]) -> Iterator[Item]:
+    check = next((check for check in checks if check.used), None)
+    if check is not None:
+        yield Item(f"nearest limit: {lower(check.what)}", remark=used(check))
+
+
+def lives(reader: Reader) -> Iterator[Item]:
+    """The most detailed life with its range and against the required one; that of a catalogue."""
+    for life in of_report.lives(reader):
+        number = life.hours if isinstance(life.hours, Number) else life.turns
+        if life.chosen:
+            yield Item(f"{kind(life)}:", short(number), _range(reader, number))
+            yield from _required(reader)
+        elif life.key == "catalogue":
+            yield Item(f"{kind(life).partition(',')[0]}:", short(number))
+
+
+def _range(reader: Reader, number: Number) -> tuple[Number, Number] | None:
+    span = combined.of(reader, combined.LIFE)
+    return None if span is None else (short(number, span.squares[0]), short(number, span.squares[1]))
+
+
+def short(number: Number, times: float = 1.0) -> Number:
+    """A life with the digits that a sentence of the report gives it."""
+    return replace(number, text=rounded(number, times)) if number.text[-1:].isdigit() else number
+
+
+def _required(reader: Reader) -> Iterator[Item]:
+    required = (reader.attributes["case_si"].get("life") or {}).get("required")
+    if required is not None:
+        limit = reader.units.number(required, "s", "h", ",.4g", "case/life.required")
+        verdict = finding_checks.verdict(reader, REQUIRED_LIFE.code) or NOT_CHECKED
+        yield Item("required", limit, remark=verdict)
+
+
+def kind(life: of_report.Life) -> str:
+    """What life it is, in words."""
+    return lower(life.name.removesuffix(_AUTHORS))
+
+
+def lower(words: str) -> str:
+    """Words that a sentence does not begin with."""
+    return words[:1].lower() + words[1:]
