@@ -350,11 +350,12 @@ def _show(result: "Result", terminal: "Console | None", *, everything: bool, not
     elif notes:
         sections = noted(all_printable(result.summary()["notes"]))
         sys.stdout.write(laid_out(sections, terminal, encoding=sys.stdout.encoding))
-    sys.stdout.write(result.card.text(terminal.width) if terminal else result.card.text())
+    card = result.card.with_hint("see --notes, --all")
+    sys.stdout.write(card.text(terminal.width) if terminal else card.text())
 
 
 def _log(*, everything: bool) -> None:
-    """Print what the library logs: everything to the output, or only warnings as errors."""
+    """Print what the library logs: stages to the output, or only warnings as errors."""
     import logging
 
     class Shown(logging.Formatter):
@@ -365,7 +366,8 @@ def _log(*, everything: bool) -> None:
     assert handler
     handler.setFormatter(Shown("%(message)s"))
     if everything:
-        logging.basicConfig(level=logging.INFO, handlers=[handler])
+        logging.basicConfig(handlers=[handler])
+        logging.getLogger("flexbearing").setLevel(logging.INFO)
 
 
 def _end(problem: object) -> NoReturn:

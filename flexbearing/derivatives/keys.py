@@ -96,7 +96,7 @@ def key_of(case: Head, path: str) -> Key:
     BadCase
         for another key, or one without a value in this case
     """
-    item, named = find(path, type(case)), f"--by {excerpt(path)}"
+    item, named = find(path, type(case)), f"key {excerpt(path)}"
     if item is None:
         families: Any = {}
         raise BadCase(f"{named}: is not a key of this case.{nearest(path, type(case), families)}")

@@ -10,7 +10,7 @@ SHORT_LIFE = Finding(
     meaning="the bearing fails at once", action="take a larger bearing, a lower load or speed",
 )  # fmt: skip
 REQUIRED_LIFE = Finding(
-    code="required-life", label="most detailed life of the case", quantity="life_to_reach",
+    code="required-life", label="life against the required one", quantity="life_to_reach",
     at_least=1.0, times="required_life", grade=DANGER, source="life.required", unit="s", shown="h",
     meaning="the required life is not reached",
     action="take a bearing with a longer life, a lower load, a cleaner, cooler or more viscous oil",

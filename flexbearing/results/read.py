@@ -33,6 +33,9 @@ from flexbearing.results.result import NOTHING, Arrays, Result
 from flexbearing.results.scales import ITERATIONS, Groups, named_axes, scales
 
 
+CASE = ".toml"  # ending of the files that are run
+
+
 class BadResult(ValueError):
     """A file that is no result file of this format."""
 
@@ -162,8 +165,10 @@ def _fitted(
 
 
 def _require_there(path: Path) -> None:
-    if path.is_file():
+    if path.is_file() and path.suffix != CASE:
         return
+    if path.is_file():
+        raise BadResult(f"{path}: is a case; run it first: flexbearing run {path}")
     if path.exists():
         raise BadResult(f"{path}: is no file; a result is one.")
     if parts := [part for part, *_ in parts_of(path) if part.suffix == UNFINISHED]:

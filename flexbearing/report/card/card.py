@@ -1,7 +1,7 @@
 """What a card holds, and the words that are made of it."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from html import escape
 from textwrap import wrap
 
@@ -59,6 +59,11 @@ class Card:
     title: str
     lines: tuple[Line, ...]
     unsolved: str = ""  # how the run ended, where it has no answer
+
+    def with_hint(self, words: str) -> "Card":
+        """The same with where more is, behind its notes."""
+        *others, notes = self.lines
+        return replace(self, lines=(*others, replace(notes, items=(*notes.items, Item(words)))))
 
     def text(self, width: int = WIDTH) -> str:
         """Lines of a terminal of a width in characters: a subject, then its facts."""

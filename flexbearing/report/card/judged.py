@@ -12,6 +12,7 @@ from flexbearing.report.html.document import Number
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.sentences import rounded
 
+_MOST = 3  # limits of damage that are named
 _AUTHORS = ", Lundberg and Palmgren"  # of a life, which its kind names
 
 
@@ -29,14 +30,17 @@ def usable(reader: Reader) -> Iterator[Item]:
 
 
 def _missed(broken: Sequence[Check]) -> Iterator[Item]:
-    """The gravest of limits that are not kept, and how many others there are."""
-    check, *others = broken
-    if isinstance(check.value, str):
-        yield Item(lower(one(check)))
-    else:
-        yield Item(lower(check.what), check.value, remark=check.limit.partition(" (")[0])
-    if others:
-        yield Item(f"{len(others)} more not met")
+    """Limits of damage that are not kept, else the gravest of all, and how many others there are."""
+    shown = [check for check in broken if check.grade == DANGER][:_MOST] or broken[:1]
+    for check in shown:
+        if check.what.lower() == REQUIRED_LIFE.label:  # its numbers are those of the life
+            yield Item("required life not reached")
+        elif isinstance(check.value, str):
+            yield Item(lower(one(check)))
+        else:
+            yield Item(lower(check.what), check.value, remark=check.limit.partition(" (")[0])
+    if others := len(broken) - len(shown):
+        yield Item(f"{others} more unmet")
 
 
 def _nearest(checks: Sequence[Check]) -> Iterator[Item]:
@@ -68,7 +72,9 @@ def short(number: Number, times: float = 1.0) -> Number:
 
 def _required(reader: Reader) -> Iterator[Item]:
     required = (reader.attributes["case_si"].get("life") or {}).get("required")
-    if required is not None:
+    if required is None:
+        yield Item("no life.required")
+    else:
         limit = reader.units.number(required, "s", "h", ",.4g", "case/life.required")
         verdict = finding_checks.verdict(reader, REQUIRED_LIFE.code) or NOT_CHECKED
         yield Item("required", limit, remark=verdict)

@@ -1,6 +1,7 @@
 """The card of a result, made of what the first page of its report is made of."""
 
 from collections.abc import Iterator
+from textwrap import shorten
 
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.report.card.bearing import loads, rigid, stiffness
@@ -12,6 +13,7 @@ from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import METRIC
 from flexbearing.results import Result
 
+_LONGEST = 300  # characters of why there is no answer
 _ANSWERS = {
     "usable": usable, "life": lives, "load": loads, "bearing": stiffness, "rigid": rigid,
     "uncertain": uncertain,
@@ -27,13 +29,12 @@ def of_result(result: Result) -> Card:
     return Card(
         reader.attributes["title"] or result.stem,
         tuple(Line(label, items) for label, items in lines if items),
-        "" if solved else verdict.ending(reader.attributes),
+        "" if solved else shorten(verdict.ending(reader.attributes), _LONGEST, placeholder=" ..."),
     )
 
 
 def _notes(reader: Reader) -> Iterator[Item]:
-    """How many notes of each grade there are, and how to see them."""
+    """How many notes of each grade there are."""
     counts = {grade: len(reader.notes(grade)) for grade in GRADES}
     told = ", ".join(f"{count} {grade}" for grade, count in counts.items() if count)
-    yield Item(f"{told}: --notes" if told else "none")
-    yield Item("numbers: --all")
+    yield Item(told or "none")
