@@ -95,7 +95,7 @@ def _leave_out_former_kinds(
         log = logging.getLogger(__name__)
         for path, why in unused.items():
             without(raw, path)
-            log.info("%s of the file is left out: %s", shown(path), why)
+            log.debug("%s of the file is left out: %s", shown(path), why)
 
 
 def written(values: Mapping[str, object]) -> tuple[str, ...]:

@@ -13,7 +13,6 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from flexbearing.report.balls.contact_fields import DrawnBall
-    from flexbearing.report.card import Card
     from flexbearing.report.drawing import Drawing
     from flexbearing.report.drawing.words import Words
 
@@ -40,9 +39,3 @@ class FamilyReport:
     deformed: bool = False  # whether deformed rings can be drawn
     balls: Callable[[Result], tuple[DrawnBall, ...]] | None = None  # whose cells a result holds
     drawings: Callable[[Words], Iterator[Drawing]] | None = None  # to scale, of a case
-
-    def card(self, result: Result) -> Card:
-        """The answer of a result in a few lines."""
-        from flexbearing.report.card import of_result  # which reads this record
-
-        return of_result(result)

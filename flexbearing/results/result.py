@@ -99,7 +99,7 @@ class Result:
     @property
     def card(self) -> Any:
         """Its answer in a few lines, a `flexbearing.report.card.Card`."""
-        return self.family.report().card(self)
+        return self.family.card()(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
         arrays = [dict(block) for block in self._arrays]

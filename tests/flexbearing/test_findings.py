@@ -19,9 +19,10 @@ from quasidynamic.outcome import static_pressure
 from tests.flexbearing.hostile_cases import CONFIGS
 
 # kind of case with a value of the finding: keys that it needs
-ROLLERS = ("nu209_fits.toml", "operation.misalignment=1 arcmin")
+ROLLERS = ("nu209_fits.toml", "operation.misalignment=1 arcmin", "life.required=1 h")
 BARS = ("mao2016.toml", "accuracy.structure=beam", "materials.outer_ring.yield_stress=900 MPa")
-BALLS = ("harris218.toml", "lubricant.oil=ISO VG 68", "lubricant.inlet_temperature=60 degC")
+BALLS = ("harris218.toml", "lubricant.oil=ISO VG 68", "lubricant.inlet_temperature=60 degC",
+         "life.required=1 h", "life.dynamic_rating=70 kN")
 DEEP = ("6209.toml",)
 LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the number
     ("contact-pressure", DANGER, "static_pressure"): 1.0,
@@ -31,6 +32,7 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
     ("heavy-load", OUTSIDE, "dynamic_rating"): 0.5,  # ISO 281
     ("heavy-load", OUTSIDE, "static_rating"): 1.0,  # ISO 281, of balls
     ("short-life", DANGER, ""): 3600.0,
+    ("required-life", DANGER, "required_life"): 1.0,
     ("viscosity-ratio", USUAL, ""): 1.0,
     ("film-ratio", USUAL, "mixed_film_ratio"): 1.0,
     ("gyroscopic-moment", OUTSIDE, "friction"): 1.0,
@@ -38,7 +40,7 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
     ("raceway-slope", USUAL, ""): np.radians(4 / 60),
 }
 BASES = {"static_pressure": static_pressure.ROLLERS, "dynamic_rating": 7e4, "static_rating": 6e4,
-         "yield_stress": 9e8, "friction": 0.1, "mixed_film_ratio": MIXED_FROM}  # fmt: skip
+         "yield_stress": 9e8, "friction": 0.1, "mixed_film_ratio": MIXED_FROM, "required_life": 7.2e7}  # fmt: skip
 CASES = [
     *((number, "OF_ROLLERS", BARS if each.code == "yield-stress" else ROLLERS)
       for number, each in enumerate(declared.OF_ROLLERS)),
