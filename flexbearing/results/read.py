@@ -12,8 +12,10 @@ import numpy as np
 
 from flexbearing import inputs
 from flexbearing.case.family import Families
+from flexbearing.case.text import command
 from flexbearing.files import parts_of
 from flexbearing.files.whole import UNFINISHED
+from flexbearing.inputs.limits import CASE as LARGEST
 from flexbearing.quantities import Quantity
 from flexbearing.quantities.attributes import FORMAT, OLDER
 from flexbearing.quantities.axes import ITERATION
@@ -33,7 +35,7 @@ from flexbearing.results.result import NOTHING, Arrays, Result
 from flexbearing.results.scales import ITERATIONS, Groups, named_axes, scales
 
 
-CASE = ".toml"  # ending of the files that are run
+INPUT = ".toml"  # ending of the files that results are computed from
 
 
 class BadResult(ValueError):
@@ -165,10 +167,11 @@ def _fitted(
 
 
 def _require_there(path: Path) -> None:
-    if path.is_file() and path.suffix != CASE:
+    if path.is_file() and path.suffix != INPUT:
         return
     if path.is_file():
-        raise BadResult(f"{path}: is a case; run it first: flexbearing run {path}")
+        by = command(inputs.text(path, LARGEST))
+        raise BadResult(f"{path}: is no result; run it first: flexbearing {by} {path}")
     if path.exists():
         raise BadResult(f"{path}: is no file; a result is one.")
     if parts := [part for part, *_ in parts_of(path) if part.suffix == UNFINISHED]:
