@@ -33,7 +33,7 @@ def _operation(reader: Reader) -> Iterator[Item]:
     for name, label in _OPERATION.items():
         value = given.get(name)
         if isinstance(value, int | float) and value:
-            yield Item(label, reader.units.of_key(value, _unit(name), f"case/operation.{name}", ",.4g"))
+            yield Item(label, reader.units.of_key(value, _unit(name), f"case/operation.{name}"))
 
 
 def _unit(name: str) -> str:
@@ -52,7 +52,7 @@ def _oil(reader: Reader) -> Iterator[Item]:
         return
     name = known["oil"] if isinstance(known.get("oil"), str) else "oil"
     mark = origin(reader, "lubricant.inlet_temperature")
-    temperature = reader.units.of_key(warm, "K", "case/lubricant.inlet_temperature", ",.4g")
+    temperature = reader.units.of_key(warm, "K", "case/lubricant.inlet_temperature")
     yield Item(f"{name} at", temperature, remark="" if mark == "given" else mark)
 
 

@@ -62,9 +62,9 @@ class Units:
             text = _significant(converted(value, stored, shown), sum(map(str.isdigit, mantissa)))
         return Number(text.lstrip("+-") if not text.strip("-+0.,") else text, shown, of, stored)
 
-    def of_key(self, value: float, si: str, of: str, digits: str = ",.6g") -> Number:
+    def of_key(self, value: float, si: str, of: str) -> Number:
         """Print the value of a key of the case, whose SI unit is known."""
-        return self.number(value, si, _people(value, si), digits, of)
+        return self.number(value, si, _people(value, si), ",.6g", of)
 
 
 def printed(unit_name: str) -> str:
