@@ -13,7 +13,7 @@ from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import METRIC
 from flexbearing.results import Result
 
-_LONGEST = 300  # characters of why there is no answer
+_LONGEST = 400  # characters of why there is no answer
 _ANSWERS = {
     "usable": usable, "life": lives, "load": loads, "bearing": stiffness, "rigid": rigid,
     "uncertain": uncertain,
