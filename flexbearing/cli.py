@@ -80,7 +80,7 @@ def check(case: CaseFile, settings: Settings = None) -> None:
 
 
 @app.command()
-def run(
+def run(  # noqa: PLR0913
     case: CaseFile,
     output: Annotated[Path | None, typer.Option("-o", "--output", metavar="OUT.h5")] = None,
     settings: Settings = None,

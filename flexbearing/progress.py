@@ -46,7 +46,7 @@ def _to_the_log(text: str) -> None:
 
 
 class Logged:
-    """Tells every stage, to the log or elsewhere, a line each, and how far a long one is; details to the log."""
+    """Reports every stage, in the log or elsewhere, and how far a long one is; details for those who debug."""
 
     def __init__(self, tell: Callable[[str], None] = _to_the_log):
         self._tell, self._last, self._told = tell, "", -inf

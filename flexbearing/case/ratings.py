@@ -50,8 +50,8 @@ class Ratings(Section):
     lubrication: Literal["a_ISO"] | None = key("a_ISO: factor of ISO 281 by viscosity and cleanliness", None)
     cleanliness: CleanlinessName | None = key('cleanliness by ISO 281, lubrication = "a_ISO"', None)
     required: Time | None = key(
-        "required life, that the most detailed life of the case is judged by: the modified one where the case "
-        "has factors of oil, steel or reliability",
+        "required life, by which the most detailed life of the case is judged: the modified one where it has "
+        "factors of oil, steel or reliability. For one of ISO 281 (L10h) see the catalogue's life",
         None,
         example="20000 h",
         gt=0,

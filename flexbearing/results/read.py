@@ -34,7 +34,6 @@ from flexbearing.results.content import MEANINGS, Content, digest
 from flexbearing.results.result import NOTHING, Arrays, Result
 from flexbearing.results.scales import ITERATIONS, Groups, named_axes, scales
 
-
 INPUT = ".toml"  # ending of the files that results are computed from
 
 

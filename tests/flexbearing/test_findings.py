@@ -21,8 +21,13 @@ from tests.flexbearing.hostile_cases import CONFIGS
 # kind of case with a value of the finding: keys that it needs
 ROLLERS = ("nu209_fits.toml", "operation.misalignment=1 arcmin", "life.required=1 h")
 BARS = ("mao2016.toml", "accuracy.structure=beam", "materials.outer_ring.yield_stress=900 MPa")
-BALLS = ("harris218.toml", "lubricant.oil=ISO VG 68", "lubricant.inlet_temperature=60 degC",
-         "life.required=1 h", "life.dynamic_rating=70 kN")
+BALLS = (
+    "harris218.toml",
+    "lubricant.oil=ISO VG 68",
+    "lubricant.inlet_temperature=60 degC",
+    "life.required=1 h",
+    "life.dynamic_rating=70 kN",
+)
 DEEP = ("6209.toml",)
 LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the number
     ("contact-pressure", DANGER, "static_pressure"): 1.0,
@@ -40,7 +45,8 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
     ("raceway-slope", USUAL, ""): np.radians(4 / 60),
 }
 BASES = {"static_pressure": static_pressure.ROLLERS, "dynamic_rating": 7e4, "static_rating": 6e4,
-         "yield_stress": 9e8, "friction": 0.1, "mixed_film_ratio": MIXED_FROM, "required_life": 7.2e7}  # fmt: skip
+         "yield_stress": 9e8, "friction": 0.1, "mixed_film_ratio": MIXED_FROM,
+         "required_life": 7.2e7}  # fmt: skip
 CASES = [
     *((number, "OF_ROLLERS", BARS if each.code == "yield-stress" else ROLLERS)
       for number, each in enumerate(declared.OF_ROLLERS)),

@@ -61,7 +61,9 @@ def _stiffness(reader: Reader) -> Iterator[Item]:
     if name not in known or not all(each in block for each in known[name].declared.of):
         return
     both = verdict.scalar(reader, known["total_stiffness"]) if supports.supported(reader) else None
-    yield Item(label, verdict.scalar(reader, known[name]), remark=f"{both.text} with supports" if both else "")
+    yield Item(
+        label, verdict.scalar(reader, known[name]), remark=f"{both.text} with supports" if both else ""
+    )
 
 
 def rigid(reader: Reader) -> Iterator[Item]:

@@ -24,7 +24,9 @@ def usable(reader: Reader) -> Iterator[Item]:
     yield from _missed(broken) if broken else _nearest(checks)
     for check in checks:
         if check.urgent and isinstance(check.value, Number):
-            yield Item(check.place.removesuffix(" (nominal)") or lower(check.what), check.value, remark="no limit")
+            yield Item(
+                check.place.removesuffix(" (nominal)") or lower(check.what), check.value, remark="no limit"
+            )
     if not any(check.broken and check.grade == DANGER for check in checks):
         yield from map(Item, reader.notes(DANGER)[:1])
 
@@ -51,13 +53,15 @@ def _nearest(checks: Sequence[Check]) -> Iterator[Item]:
 
 def lives(reader: Reader) -> Iterator[Item]:
     """The most detailed life with its range and against the required one; that of a catalogue."""
+    required = (reader.attributes["case_si"].get("life") or {}).get("required")
     for life in of_report.lives(reader):
         number = life.hours if isinstance(life.hours, Number) else life.turns
         if life.chosen:
             yield Item(f"{kind(life)}:", short(number), _range(reader, number))
-            yield from _required(reader)
+            yield _required(reader, required)
         elif life.key == "catalogue":
-            yield Item(f"{kind(life).partition(',')[0]}:", short(number))
+            below = isinstance(life.hours, Number) and 3600 * _value(number) < (required or 0.0)
+            yield Item(f"{kind(life).partition(',')[0]}:", short(number), remark="below it" * below)
 
 
 def _range(reader: Reader, number: Number) -> tuple[Number, Number] | None:
@@ -70,14 +74,16 @@ def short(number: Number, times: float = 1.0) -> Number:
     return replace(number, text=rounded(number, times)) if number.text[-1:].isdigit() else number
 
 
-def _required(reader: Reader) -> Iterator[Item]:
-    required = (reader.attributes["case_si"].get("life") or {}).get("required")
+def _required(reader: Reader, required: float | None) -> Item:
+    """The required life [s] with the verdict of the run."""
     if required is None:
-        yield Item("no life.required")
-    else:
-        limit = reader.units.number(required, "s", "h", ",.4g", "case/life.required")
-        verdict = finding_checks.verdict(reader, REQUIRED_LIFE.code) or NOT_CHECKED
-        yield Item("required", limit, remark=verdict)
+        return Item("no life.required")
+    limit = reader.units.number(required, "s", "h", ",.4g", "case/life.required")
+    return Item("required", limit, remark=finding_checks.verdict(reader, REQUIRED_LIFE.code) or NOT_CHECKED)
+
+
+def _value(number: Number) -> float:
+    return float(number.text.replace(",", ""))
 
 
 def kind(life: of_report.Life) -> str:

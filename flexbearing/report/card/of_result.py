@@ -5,8 +5,8 @@ from textwrap import shorten
 
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.report.card.bearing import loads, rigid, stiffness
-from flexbearing.report.card.case import computed, uncertain
 from flexbearing.report.card.card import Card, Item, Line
+from flexbearing.report.card.case import computed, uncertain
 from flexbearing.report.card.judged import lives, usable
 from flexbearing.report.html import verdict
 from flexbearing.report.html.reader import Reader
