@@ -80,7 +80,7 @@ def check(case: CaseFile, settings: Settings = None) -> None:
 
 
 @app.command()
-def run(  # noqa: PLR0913
+def run(  # noqa: PLR0913  # an argument for each option
     case: CaseFile,
     output: Annotated[Path | None, typer.Option("-o", "--output", metavar="OUT.h5")] = None,
     settings: Settings = None,

@@ -46,7 +46,7 @@ def _to_the_log(text: str) -> None:
 
 
 class Logged:
-    """Reports every stage, in the log or elsewhere, and how far a long one is; details for those who debug."""
+    """Reports every stage, in the log or elsewhere, and how far a long one is; details for debugging."""
 
     def __init__(self, tell: Callable[[str], None] = _to_the_log):
         self._tell, self._last, self._told = tell, "", -inf

@@ -177,7 +177,7 @@ class Reader:
         return _LABELS.get((entry.label.strip(), self.of_balls), entry.label)
 
     def output(self, name: str, unit: str, digits: str, block: str = "") -> Number:
-        """A scalar output of the last end state, or another, in a unit that it or its revolutions can have."""
+        """A scalar output of the last end state, or another, in a unit of itself or of its revolutions."""
         asked = f"{block or self.last}.{name} [{unit}]"
         value = self.result[asked].number
         return self.units.number(float(value), unit, unit, digits, f"outputs/{asked}")
