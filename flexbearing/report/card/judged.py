@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from textwrap import shorten
 
 from flexbearing.findings import DANGER, NOT_CHECKED
 from flexbearing.findings.running import REQUIRED_LIFE
@@ -12,6 +13,7 @@ from flexbearing.report.html.document import Number
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.sentences import rounded
 
+_LONGEST = 160  # characters of a danger
 _MOST = 3  # limits of damage that are named
 _AUTHORS = ", Lundberg and Palmgren"  # of a life, which its kind names
 
@@ -27,8 +29,15 @@ def usable(reader: Reader) -> Iterator[Item]:
             yield Item(
                 check.place.removesuffix(" (nominal)") or lower(check.what), check.value, remark="no limit"
             )
-    if not any(check.broken and check.grade == DANGER for check in checks):
-        yield from map(Item, reader.notes(DANGER)[:1])
+
+
+def dangers(reader: Reader) -> Iterator[Item]:
+    """The first danger that no limit tells."""
+    limits = {record["code"] for record in reader.attributes.get("findings") or ()}
+    for note in reader.attributes["notes"]:
+        if note["grade"] == DANGER and note["code"] not in limits:
+            yield Item(shorten(note["text"], _LONGEST, placeholder=" ..."))
+            return
 
 
 def _missed(broken: Sequence[Check]) -> Iterator[Item]:

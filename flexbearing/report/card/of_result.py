@@ -7,7 +7,7 @@ from flexbearing.quantities.attributes import GRADES
 from flexbearing.report.card.bearing import loads, rigid, stiffness
 from flexbearing.report.card.card import Card, Item, Line
 from flexbearing.report.card.case import computed, uncertain
-from flexbearing.report.card.judged import lives, usable
+from flexbearing.report.card.judged import dangers, lives, usable
 from flexbearing.report.html import verdict
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import METRIC
@@ -15,7 +15,7 @@ from flexbearing.results import Result
 
 _LONGEST = 400  # characters of why there is no answer
 _ANSWERS = {
-    "usable": usable, "life": lives, "load": loads, "bearing": stiffness, "rigid": rigid,
+    "usable": usable, "danger": dangers, "life": lives, "load": loads, "bearing": stiffness, "rigid": rigid,
     "uncertain": uncertain,
 }  # fmt: skip
 
@@ -24,7 +24,7 @@ def of_result(result: Result) -> Card:
     """What was computed, whether it can be used, and its main numbers; of no solution, why there is none."""
     reader = Reader(result, METRIC)
     solved = reader.attributes["status"] == "converged" and bool(reader.blocks)
-    known = {"": computed, **(_ANSWERS if solved else {}), "notes": _notes}
+    known = {"": computed, **(_ANSWERS if solved else {"danger": dangers}), "notes": _notes}
     lines = ((label, tuple(items(reader))) for label, items in known.items())
     return Card(
         reader.attributes["title"] or result.stem,
