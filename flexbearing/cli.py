@@ -14,7 +14,7 @@ from flexbearing.exports.command import export
 from flexbearing.exports.draw_command import draw
 from flexbearing.optimise.command import optimise
 from flexbearing.pages.command import report
-from flexbearing.printable import printable
+from flexbearing.printable import all_printable, printable
 from flexbearing.program.kept import keeping
 from flexbearing.sensitivity.command import sensitivity
 from flexbearing.studies.command import study
@@ -38,6 +38,8 @@ app = typer.Typer(
 
 CaseFile = Annotated[Path, typer.Argument(help="case file (TOML)", metavar="CASE")]
 ResultPath = Annotated[Path, typer.Argument(help="result file (HDF5)", metavar="OUT.h5")]
+Everything = Annotated[bool, typer.Option("--all", help="print all numbers and notes first")]
+Notes = Annotated[bool, typer.Option("--notes", help="print the notes first")]
 Settings = Annotated[
     list[str] | None,
     typer.Option(
@@ -78,7 +80,7 @@ def check(case: CaseFile, settings: Settings = None) -> None:
 
 
 @app.command()
-def run(
+def run(  # noqa: PLR0913  # an argument for each option
     case: CaseFile,
     output: Annotated[Path | None, typer.Option("-o", "--output", metavar="OUT.h5")] = None,
     settings: Settings = None,
@@ -87,9 +89,11 @@ def run(
         typer.Option("--start", metavar="OTHER.h5", help="result of a neighbouring case where newton begins"),
     ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", help="print errors only")] = False,
+    everything: Everything = False,
+    notes: Notes = False,
     strict: Annotated[bool, typer.Option("--strict", help="exit code 1 where a danger is noted")] = False,
 ) -> None:
-    """Compute a case and store every iteration; prints a summary."""
+    """Compute a case and store every iteration; prints its answer in a few lines."""
     from flexbearing.progress import Logged, OnTerminal
     from flexbearing.runs.run_case import default_output
 
@@ -102,8 +106,8 @@ def run(
     wrong = _what_went_wrong(result, strict=strict)
     with keeping([place]):
         if not quiet:
-            _show(result, console)
-            _say(f"\nresults: {place}")
+            _say(f"results: {place}\n")
+            _show(result, console, everything=everything, notes=notes)
         for words in wrong if quiet else ():
             sys.stderr.write(f"{case}: {printable(words)}\n")
     raise typer.Exit(NOT_CONVERGED if wrong else CONVERGED)
@@ -123,8 +127,6 @@ def life(
     as_json: Annotated[bool, typer.Option("--json", help="one JSON object instead of text")] = False,
 ) -> None:
     """Compare the life of a case with that of a catalogue, and tell what lies between, factor by factor."""
-    from flexbearing.printable import all_printable
-
     found = api.against_catalogue(case, settings or [])
     if as_json:
         import json
@@ -141,9 +143,11 @@ def life(
 @app.command()
 def summary(
     result: ResultPath,
+    everything: Everything = False,
+    notes: Notes = False,
     as_json: Annotated[bool, typer.Option("--json", help="one JSON object instead of text")] = False,
 ) -> None:
-    """Print the numbers of a result."""
+    """Print the answer of a result in a few lines."""
     found = api.read(result)
     if as_json:
         import json
@@ -151,7 +155,7 @@ def summary(
         numbers = json.dumps(found.summary(), indent=2, allow_nan=False)
         sys.stdout.write(numbers.replace("\x7f", r"\u007f") + "\n")  # JSON escapes every other one
     else:
-        _show(found, _terminal())
+        _show(found, _terminal(), everything=everything, notes=notes)
 
 
 app.command(name="diff")(diff)
@@ -336,15 +340,22 @@ def _say(words: str) -> None:
     sys.stdout.write(printable(words) + "\n")
 
 
-def _show(result: "Result", terminal: "Console | None") -> None:
-    """Print the summary of a result; without a terminal, in what its encoding has of frames."""
-    from flexbearing.report import text
+def _show(result: "Result", terminal: "Console | None", *, everything: bool, notes: bool) -> None:
+    """Print the card of a result, below what else of it is wanted."""
+    from flexbearing.report import laid_out, text
+    from flexbearing.report.sections import noted
 
-    sys.stdout.write(text(result, terminal, encoding=sys.stdout.encoding))
+    if everything:
+        sys.stdout.write(text(result, terminal, encoding=sys.stdout.encoding) + "\n")
+    elif notes:
+        sections = noted(all_printable(result.summary()["notes"]))
+        sys.stdout.write(laid_out(sections, terminal, encoding=sys.stdout.encoding))
+    card = result.card.with_hint("see --notes, --all")
+    sys.stdout.write(card.text(terminal.width) if terminal else card.text())
 
 
 def _log(*, everything: bool) -> None:
-    """Print what the library logs: everything to the output, or only warnings as errors."""
+    """Print what the library logs: stages to the output, or only warnings as errors."""
     import logging
 
     class Shown(logging.Formatter):
@@ -355,7 +366,8 @@ def _log(*, everything: bool) -> None:
     assert handler
     handler.setFormatter(Shown("%(message)s"))
     if everything:
-        logging.basicConfig(level=logging.INFO, handlers=[handler])
+        logging.basicConfig(handlers=[handler])
+        logging.getLogger("flexbearing").setLevel(logging.INFO)
 
 
 def _end(problem: object) -> NoReturn:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from flexbearing.case.family import Entry, Family
 
+_CARD = Entry("flexbearing.report.card:of_result")
 _ROLLER = Family(
     kind="cylindrical_roller",
     case=Entry("flexbearing.case.roller:Case"),
@@ -17,6 +18,7 @@ _ROLLER = Family(
     ahead=Entry("flexbearing.rings.ahead:outer_ring_ahead"),
     layout=Entry("flexbearing.quantities.roller:LAYOUT"),
     report=Entry("flexbearing.report.roller.report:REPORT"),
+    card=_CARD,
     profiles=Entry("flexbearing.build.profiles:drawn"),
     initial_state=Entry("flexbearing.coupled.initial_state:initial_state"),
     catalogue=Entry("flexbearing.runs.roller_catalogue:CATALOGUE"),
@@ -31,6 +33,7 @@ _FOUR_POINT = Family(
     rows=Entry("flexbearing.runs.ball:four_point_answers"),
     layout=Entry("flexbearing.quantities.four_point:LAYOUT"),
     report=Entry("flexbearing.report.balls.four_point_report:REPORT"),
+    card=_CARD,
     sensitivities=Entry("flexbearing.derivatives.slow_balls:sensitivities"),
 )
 _ANGULAR = Family(
@@ -42,6 +45,7 @@ _ANGULAR = Family(
     rows=Entry("flexbearing.runs.ball:angular_answers"),
     layout=Entry("flexbearing.quantities.angular_contact:LAYOUT"),
     report=Entry("flexbearing.report.balls.angular_contact_report:REPORT"),
+    card=_CARD,
     catalogue=Entry("flexbearing.runs.ball_catalogue:CATALOGUE"),
     sensitivities=Entry("flexbearing.derivatives.balls:sensitivities"),
 )

@@ -2,6 +2,7 @@
 
 import logging
 from collections.abc import Callable
+from math import inf
 from time import perf_counter
 from typing import TYPE_CHECKING, Protocol, Self
 
@@ -45,10 +46,10 @@ def _to_the_log(text: str) -> None:
 
 
 class Logged:
-    """Tells every stage and iteration, to the log or elsewhere, a line each, and how far a long stage is."""
+    """Reports every stage, in the log or elsewhere, and how far a long one is; details for debugging."""
 
     def __init__(self, tell: Callable[[str], None] = _to_the_log):
-        self._tell, self._last, self._told = tell, "", 0.0
+        self._tell, self._last, self._told = tell, "", -inf
 
     def __enter__(self) -> Self:
         return self
@@ -58,18 +59,26 @@ class Logged:
 
     def stage(self, text: str, fraction: float | None) -> None:
         """Log a stage when it begins, and its part that is done, if there is one, every `EVERY` seconds."""
-        now = perf_counter()
-        if text != self._last:
-            self._tell(text)
-        elif fraction is not None and now - self._told >= EVERY:
-            self._tell(f"{text}: {100 * fraction:.0f} % done")
-        else:
-            return
-        self._last, self._told = text, now
+        last, self._last = self._last, text
+        if text != last and ":" not in text:
+            self._told = -inf
+            self._detail(text)
+        elif fraction is not None:
+            self._detail(f"{text}: {100 * fraction:.0f} % done")
+        elif text != last:
+            self._detail(text)
 
     def iteration(self, iteration: "Iteration") -> None:
-        """Log number, largest load change and largest load of an iteration."""
-        self._tell(line(iteration))
+        """Log number, largest load change and largest load of an iteration, every `EVERY` seconds."""
+        self._detail(line(iteration))
+
+    def _detail(self, text: str) -> None:
+        """Tell what is news after `EVERY` seconds without any; else it is for those who debug."""
+        if (now := perf_counter()) - self._told < EVERY:
+            log.debug("%s", text)
+            return
+        self._told = now
+        self._tell(text)
 
 
 def line(iteration: "Iteration") -> str:
@@ -82,7 +91,7 @@ def line(iteration: "Iteration") -> str:
 
 
 class OnTerminal:
-    """Shows stages as bars and iterations as lines, on a terminal; a context manager."""
+    """Shows the stage at work as a bar with its iteration, on a terminal; nothing of it stays."""
 
     def __init__(self, console: "Console"):
         from rich.progress import (  # only terminals pay for it
@@ -97,7 +106,7 @@ class OnTerminal:
             BarColumn(bar_width=20),
             TimeElapsedColumn(),
         )
-        self._bars = Progress(*columns, console=console)
+        self._bars = Progress(*columns, console=console, transient=True)
         self._task: TaskID | None = None
         self._text = ""
 
@@ -122,10 +131,10 @@ class OnTerminal:
             self._bars.update(self._task, total=1.0, completed=fraction)
 
     def iteration(self, iteration: "Iteration") -> None:
-        """Print one line above the bars."""
-        self._bars.console.print(line(iteration), highlight=False)
+        """Show the iteration at work behind its stage."""
+        if self._task is not None:
+            self._bars.update(self._task, description=printable(f"{self._text}: {line(iteration)}"))
 
     def _finish(self) -> None:
         if self._task is not None:
-            self._bars.update(self._task, total=1.0, completed=1.0)
-            self._bars.stop_task(self._task)
+            self._bars.remove_task(self._task)

@@ -4,7 +4,7 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
-from flexbearing.case.quantity import Force, Section, impossible, key, require
+from flexbearing.case.quantity import Force, Section, Time, impossible, key, require
 
 CleanlinessName = Literal[
     "oil, in-line filter, -/13/10",
@@ -22,7 +22,8 @@ CleanlinessName = Literal[
     "grease, severe contamination",
     "grease, very severe contamination",
 ]
-OF_CATALOGUE = ("dynamic_rating", "static_rating", "fatigue_limit_load")  # they modify nothing
+OF_CATALOGUE = ("dynamic_rating", "static_rating", "fatigue_limit_load")
+MODIFYING_NOTHING = {*OF_CATALOGUE, "required"}
 FOLLOWS = (
     "that of the bearing in the file, which changes as the formula's where settings change its sizes; one "
     "of a setting is that of the bearing that results"
@@ -53,11 +54,18 @@ class Ratings(Section):
     reliability: float | None = key("probability of survival", None, example=0.99, ge=0.9, le=0.9995)
     lubrication: Literal["a_ISO"] | None = key("a_ISO: factor of ISO 281 by viscosity and cleanliness", None)
     cleanliness: CleanlinessName | None = key('cleanliness by ISO 281, lubrication = "a_ISO"', None)
+    required: Time | None = key(
+        "required life, by which the most detailed life of the case is judged: the modified one where it has "
+        "factors of oil, steel or reliability. For one of ISO 281 (L10h) see the catalogue's life",
+        None,
+        example="20000 h",
+        gt=0,
+    )
 
     @property
     def is_basic(self) -> bool:
         """Whether nothing modifies the basic life."""
-        return not self.model_dump(exclude_defaults=True, exclude={*OF_CATALOGUE})
+        return not self.model_dump(exclude_defaults=True, exclude=MODIFYING_NOTHING)
 
     @model_validator(mode="after")
     def _clean_enough_to_rate(self) -> Self:

@@ -95,7 +95,7 @@ def _leave_out_former_kinds(
         log = logging.getLogger(__name__)
         for path, why in unused.items():
             without(raw, path)
-            log.info("%s of the file is left out: %s", shown(path), why)
+            log.debug("%s of the file is left out: %s", shown(path), why)
 
 
 def written(values: Mapping[str, object]) -> tuple[str, ...]:
@@ -108,7 +108,7 @@ def _settings(overrides: Sequence[str] | Mapping[str, object]) -> tuple[str, ...
         overrides = written(overrides)
     if len(overrides) > MOST_SETTINGS or sum(map(len, overrides)) > LARGEST:
         raise BadCase(
-            f"--set: more than {MOST_SETTINGS} settings, or {LARGEST // 1024} KiB of them; write a case file"
+            f"more than {MOST_SETTINGS} settings, or {LARGEST // 1024} KiB of them; write a case file"
         )
     return tuple(overrides)
 
@@ -156,7 +156,7 @@ def settings_applied(
 def _override(raw: dict[str, Any], setting: str, model: type[Head], families: Families) -> None:
     """Put a "key=value" setting into the raw case, or take a key out by "key="."""
     key, separator, value = setting.partition("=")
-    key, named = key.strip(), f"--set {excerpt(setting)}"
+    key, named = key.strip(), f"setting {excerpt(setting)}"
     if not separator or not key:
         raise BadCase(
             f"{named}: a setting is KEY=VALUE, such as bearing.clearance=50 um; KEY= takes a key out"

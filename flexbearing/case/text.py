@@ -71,6 +71,14 @@ def _parsed(text: str, of: str) -> dict[str, Any]:
     return parsed
 
 
+def command(text: str) -> str:
+    """Name of the command that computes a file; that of cases where its text does not tell."""
+    try:
+        return _READ_BY[_kind_of_file(_parsed(text, "")) or "case"]
+    except Unreadable:
+        return _READ_BY["case"]
+
+
 def _kind_of_file(parsed: dict[str, Any]) -> str | None:
     """What a file holds, from tables that no other kind of file has; none where this cannot be known."""
     if "bearing" in parsed:

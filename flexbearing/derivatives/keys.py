@@ -11,7 +11,7 @@ from flexbearing.case.problems import nearest
 from flexbearing.case.quantity import Section
 from flexbearing.case.text import setting_value, tables
 
-NUMERICS = ("coupling.", "accuracy.", "outputs.")  # tables whose numbers say how it is computed, not what
+NUMERICS = ("coupling.", "accuracy.", "outputs.", "life.required")  # how it is computed or judged, not what
 # Small against the nanometres by which a slice is pressed that just carries load: of a clearance of 60 um and
 # of fits that grow the steps are 60 pm. Shorter ones lose the digits of a stiffness between flexible rings.
 RELATIVE_STEP = 1e-6  # of a value
@@ -96,7 +96,7 @@ def key_of(case: Head, path: str) -> Key:
     BadCase
         for another key, or one without a value in this case
     """
-    item, named = find(path, type(case)), f"--by {excerpt(path)}"
+    item, named = find(path, type(case)), f"key {excerpt(path)}"
     if item is None:
         families: Any = {}
         raise BadCase(f"{named}: is not a key of this case.{nearest(path, type(case), families)}")

@@ -132,6 +132,4 @@ def _require_differentiable(case: Case) -> None:
     }
     for key, (given, why) in refused.items():
         if given:
-            raise BadCase(
-                f"{case.source.path}: {key} {why}; derivatives need --set {key}= (which takes the key out)."
-            )
+            raise BadCase(f"{case.source.path}: {key} {why}; take the key out for derivatives.")

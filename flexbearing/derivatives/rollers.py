@@ -77,8 +77,8 @@ def wanted_of(case: Case, of: Sequence[str]) -> list[Wanted]:
     for output in found:
         if output.block == "rigid" and flexible:
             raise BadCase(
-                f"--of {output.name}: derivatives are those of the answer between flexible rings; for rigid "
-                "raceways --set inner.kind=rigid and outer.kind=rigid"
+                f"output {output.name}: derivatives are those of the answer between flexible rings; for "
+                "rigid raceways set inner.kind and outer.kind to rigid"
             )
     return found
 

@@ -62,8 +62,8 @@ def _asked(case: FourPointCase, of: Sequence[str]) -> list[Wanted]:
     for output in found:
         if output.block == "rigid" and not case.rings.rigid:
             raise BadCase(
-                f"--of {output.name}: derivatives are those of the answer between elastic rings; for rigid "
-                "ones --set rings.inner.kind=rigid and rings.outer.kind=rigid"
+                f"output {output.name}: derivatives are those of the answer between elastic rings; for "
+                "rigid ones set rings.inner.kind and rings.outer.kind to rigid"
             )
     return found
 

@@ -22,7 +22,7 @@ def export(result: Result, directory: Path) -> Iterator[Path]:
     about = result.attributes
     if not about.get("assumed_effects"):
         raise BadCase(
-            f"{result.place}: --to effects needs a result of a run with --set outputs.assumed_effects=true"
+            f"{result.place}: --to effects needs a result of a run with outputs.assumed_effects = true"
         )
     file = Path(about["case_file"])
     case = understood(about["case_text"], file, about["case_overrides"], {result.kind: result.family})

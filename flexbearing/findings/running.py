@@ -9,6 +9,12 @@ SHORT_LIFE = Finding(
     at_least=3600.0, grade=DANGER, source="an hour, limit of this program", unit="s", shown="h",
     meaning="the bearing fails at once", action="take a larger bearing, a lower load or speed",
 )  # fmt: skip
+REQUIRED_LIFE = Finding(
+    code="required-life", label="life against the required one", quantity="life_to_reach",
+    at_least=1.0, times="required_life", grade=DANGER, source="life.required", unit="s", shown="h",
+    meaning="the required life is not reached",
+    action="take a bearing with a longer life, a lower load, a cleaner, cooler or more viscous oil",
+)  # fmt: skip
 VISCOSITY_RATIO = Finding(
     code="viscosity-ratio", label="viscosity ratio κ", quantity="viscosity_ratio",
     at_least=1.0, grade=USUAL, source="usual; ISO 281 rates from 0.1", noted=False,

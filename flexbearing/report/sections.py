@@ -1,6 +1,6 @@
 """Sections of the page below its table of numbers."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from rich import box
@@ -57,10 +57,18 @@ def closing(numbers: dict[str, Any], ending: str) -> Iterator[RenderableType]:
     yield from listed("assumed (not known, chosen)", numbers["assumed"])
     fitted = [f"{key}: {to}" for key, to in numbers["calibrated"].items()]
     yield from listed("fitted, so no validation", fitted)
-    for grade in GRADES[1:]:
-        yield from listed(grade, [note["text"] for note in numbers["notes"] if note["grade"] == grade])
+    yield from noted(note for note in numbers["notes"] if note["grade"] != GRADES[0])
     converged = numbers["status"] == "converged"
     yield Text(ending, style="bold green" if converged else "bold red")
+
+
+def noted(notes: Iterable[dict[str, str]]) -> Iterator[RenderableType]:
+    """Notes by grade, the gravest first."""
+    texts: dict[str, list[str]] = {grade: [] for grade in GRADES}
+    for note in notes:
+        texts[note["grade"]].append(note["text"])
+    for grade, lines in texts.items():
+        yield from listed(grade, lines)
 
 
 def tilt(held: dict[str, Any] | None) -> Iterator[RenderableType]:

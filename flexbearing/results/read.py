@@ -12,8 +12,10 @@ import numpy as np
 
 from flexbearing import inputs
 from flexbearing.case.family import Families
+from flexbearing.case.text import command
 from flexbearing.files import parts_of
 from flexbearing.files.whole import UNFINISHED
+from flexbearing.inputs.limits import CASE as LARGEST
 from flexbearing.quantities import Quantity
 from flexbearing.quantities.attributes import FORMAT, OLDER
 from flexbearing.quantities.axes import ITERATION
@@ -31,6 +33,8 @@ from flexbearing.results.checks import (
 from flexbearing.results.content import MEANINGS, Content, digest
 from flexbearing.results.result import NOTHING, Arrays, Result
 from flexbearing.results.scales import ITERATIONS, Groups, named_axes, scales
+
+INPUT = ".toml"  # ending of the files that results are computed from
 
 
 class BadResult(ValueError):
@@ -162,8 +166,11 @@ def _fitted(
 
 
 def _require_there(path: Path) -> None:
-    if path.is_file():
+    if path.is_file() and path.suffix != INPUT:
         return
+    if path.is_file():
+        by = command(inputs.text(path, LARGEST))
+        raise BadResult(f"{path}: is no result; run it first: flexbearing {by} {path}")
     if path.exists():
         raise BadResult(f"{path}: is no file; a result is one.")
     if parts := [part for part, *_ in parts_of(path) if part.suffix == UNFINISHED]:

@@ -14,7 +14,6 @@ from flexbearing.outputs import Value, wanted
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.quantities.summary import summary
 from flexbearing.results.checks import require_same_names
-from flexbearing.results.overview import overview
 from flexbearing.results.scales import ITERATIONS
 
 if TYPE_CHECKING:
@@ -92,8 +91,15 @@ class Result:
         )
 
     def __repr__(self) -> str:
-        blocks = {name: block for name, block in self._blocks.items() if block}
-        return overview(self.family.layout(), self.attributes, blocks, self.place)
+        return self.card.text().rstrip()
+
+    def _repr_html_(self) -> str:
+        return self.card.html()
+
+    @property
+    def card(self) -> Any:
+        """Its answer in a few lines, a `flexbearing.report.card.Card`."""
+        return self.family.card()(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
         arrays = [dict(block) for block in self._arrays]

@@ -263,7 +263,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
             "load": {"by the loads of the balls": ball_life.equivalent(case, lives)},
             "dynamic_rating": ball_life.dynamic(case),
             "static_rating": ball_life.static(case),
-            "life": judged.seconds(life / MREV, speed),
+            **judged.lives(life / MREV, speed, [case.life.required]),
         }
     return evaluate(declared.OF_BALLS, values)
 

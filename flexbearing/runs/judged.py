@@ -40,6 +40,16 @@ def seconds(life: ArrayLike, speed: ArrayLike) -> Any:
         return 1e6 * 2 * np.pi * np.asarray(life) / np.abs(speed)
 
 
+def lives(life: ArrayLike, speed: ArrayLike, required: Iterable[float | None]) -> dict[str, Any]:
+    """The most detailed life [10^6 revolutions] as time [s], and that of cases which require one."""
+    lasting, wanted = seconds(life, speed), np.array(list(required), dtype=float)  # None is NaN
+    return {
+        "life": lasting,
+        "life_to_reach": np.where(np.isnan(wanted), np.nan, lasting),
+        "required_life": wanted,
+    }
+
+
 def clearances(record: Mapping[str, Any]) -> dict[str, float]:
     """Diametral clearance as computed, and at the tight end of the tolerances [m]."""
     ends = record.get("tolerances", {}).get("ends")

@@ -56,7 +56,9 @@ def values_of_dangers(rows: SolvedRows) -> dict[str, Any]:
     return {
         **judged.pressures(rows.bounded_pressure.T, ROLLERS),
         "static_safety": rows.static_safety,
-        "life": judged.seconds(np.array(lives) / MREV, rows.relative_speed),
+        **judged.lives(
+            np.array(lives) / MREV, rows.relative_speed, (case.life.required for case in rows.cases)
+        ),
         **(_stress_of_bars(rows) if limited else {}),
     }
 

@@ -182,6 +182,7 @@ def test_a_part_whose_levels_cannot_be_computed_is_not_left_rigid(folder, capsys
     codes = [note["code"] for note in result.attributes["notes"]]
     assert codes[0] == "unmet-target"
     assert "rigid-part" not in codes
-    first = next(line for line in capsys.readouterr().out.splitlines() if line.strip())
-    assert first.startswith("DANGER: accuracy.target")
+    card = capsys.readouterr().out.partition("\n\n")[2]
+    assert card.startswith("Not converged (")
+    assert "danger     accuracy.target" in card
     assert "take more harmonics" in result.attributes["message"]

@@ -84,7 +84,7 @@ def test_bad_setting(setting):
 
 
 def test_keys_of_the_file_that_a_setting_makes_strangers_are_left_out(caplog):
-    with caplog.at_level("INFO", logger="flexbearing.case"):
+    with caplog.at_level("DEBUG", logger="flexbearing.case"):
         case = read_case(PAPER, ["outer.kind=rigid", "inner.kind=rigid"])
     assert case.outer.bars is None
     assert case.materials.shaft is None

@@ -19,6 +19,7 @@ from flexbearing.quantities import Quantity, SummaryValue
 from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.units import MPA
 from flexbearing.report import text, write_figures
+from flexbearing.report.card import of_result as card_of
 from flexbearing.report.family_report import FamilyReport
 from flexbearing.report.html import html, of_result
 from quasidynamic import ImpossiblePart
@@ -82,6 +83,7 @@ TOY = Family(
     report=lambda: FamilyReport(
         lambda numbers: iter([Text(f"{numbers['rigid']['pressure_MPa']:g} MPa")]), lambda result: {}
     ),
+    card=lambda: card_of,
 )
 FILE = """
 kind = "bushing"
@@ -129,7 +131,9 @@ def test_new_family_is_explained_and_named_where_keys_are_refused(file):
 
 
 def test_command_line_knows_a_new_family(file, capsys):
-    for words in (["check", file], ["run", file, "-o", "out.h5"], ["summary", "--json", "out.h5"]):
+    for words in (["check", file], ["run", file, "-o", "out.h5"]):
         assert command([str(word) for word in words]) == 0
-    block = json.loads(capsys.readouterr().out.partition("results: out.h5")[2])["rigid"]
+    assert "a toy\nusable     Yes, as far as checked\n" in capsys.readouterr().out
+    assert command(["summary", "--json", "out.h5"]) == 0
+    block = json.loads(capsys.readouterr().out)["rigid"]
     assert block["pressure_MPa"] == pytest.approx(np.float64(10.0), rel=1e-12)

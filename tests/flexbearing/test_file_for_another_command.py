@@ -4,10 +4,11 @@ from pathlib import Path
 
 import pytest
 
-from flexbearing.api import read_case
+from flexbearing.api import read, read_case
 from flexbearing.case.problems import BadCase
 from flexbearing.families import FAMILIES
 from flexbearing.optimise.file import read as optimisation_of
+from flexbearing.results import BadResult
 from flexbearing.studies.file.read import read as study_of
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -24,6 +25,14 @@ READERS = {
     "study": lambda file: study_of(file, FAMILIES),
     "optimisation": lambda file: optimisation_of(file, FAMILIES),
 }
+
+
+@pytest.mark.parametrize(("kind", "by"), [("case", "run"), ("study", "study"), ("optimisation", "optimise")])
+def test_what_is_no_result_is_to_be_run_first(kind, by):
+    file, _ = FILES[kind]
+    with pytest.raises(BadResult) as problem:
+        read(file)
+    assert str(problem.value) == f"{file}: is no result; run it first: flexbearing {by} {file}"
 
 
 @pytest.mark.parametrize("given", FILES)

@@ -19,9 +19,15 @@ from quasidynamic.outcome import static_pressure
 from tests.flexbearing.hostile_cases import CONFIGS
 
 # kind of case with a value of the finding: keys that it needs
-ROLLERS = ("nu209_fits.toml", "operation.misalignment=1 arcmin")
+ROLLERS = ("nu209_fits.toml", "operation.misalignment=1 arcmin", "life.required=1 h")
 BARS = ("mao2016.toml", "accuracy.structure=beam", "materials.outer_ring.yield_stress=900 MPa")
-BALLS = ("harris218.toml", "lubricant.oil=ISO VG 68", "lubricant.inlet_temperature=60 degC")
+BALLS = (
+    "harris218.toml",
+    "lubricant.oil=ISO VG 68",
+    "lubricant.inlet_temperature=60 degC",
+    "life.required=1 h",
+    "life.dynamic_rating=70 kN",
+)
 DEEP = ("6209.toml",)
 RATED = ("catalogue/nj2210.toml", "bearing.roller.length=12 mm")
 RATED_BALLS = ("catalogue/6208.toml", "bearing.balls=8")
@@ -37,6 +43,7 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
     ("rating-above-formula", USUAL, ""): 1.15,
     ("rating-below-formula", USUAL, ""): 1 / 1.15,
     ("changed-rating", OUTSIDE, ""): 2.0,
+    ("required-life", DANGER, "required_life"): 1.0,
     ("viscosity-ratio", USUAL, ""): 1.0,
     ("film-ratio", USUAL, "mixed_film_ratio"): 1.0,
     ("gyroscopic-moment", OUTSIDE, "friction"): 1.0,
@@ -44,7 +51,8 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
     ("raceway-slope", USUAL, ""): np.radians(4 / 60),
 }
 BASES = {"static_pressure": static_pressure.ROLLERS, "dynamic_rating": 7e4, "static_rating": 6e4,
-         "yield_stress": 9e8, "friction": 0.1, "mixed_film_ratio": MIXED_FROM}  # fmt: skip
+         "yield_stress": 9e8, "friction": 0.1, "mixed_film_ratio": MIXED_FROM,
+         "required_life": 7.2e7}  # fmt: skip
 CASES = [
     *((number, "OF_ROLLERS",
        BARS if each.code == "yield-stress" else RATED if each.code in OF_RATINGS else ROLLERS)

@@ -3,7 +3,9 @@
 import logging
 from io import StringIO
 from pathlib import Path
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
 from rich.console import Console
 
@@ -43,6 +45,33 @@ def test_lines_tell_the_part_of_a_stage_that_goes_on(monkeypatch, caplog):
         report.stage("balls", part)
     report.stage("balls", None)
     assert caplog.messages == ["rings", "balls", "balls: 55 % done", "balls: 98 % done"]
+
+
+def iteration(number):
+    state = SimpleNamespace(forces=np.ones((2, 3, 1)))
+    return SimpleNamespace(number=number, load_change=1e-3, state=state)
+
+
+def test_iterations_and_details_are_lines_only_after_a_while(monkeypatch, caplog):
+    caplog.set_level(logging.INFO, "flexbearing.run")
+    clock = iter([0.0, 1.0, 2.0, 11.0, 12.0])
+    monkeypatch.setattr(progress, "perf_counter", lambda: next(clock))
+    report = Logged()
+    report.stage("coupled", None)
+    report.stage("outer ring: taken from the cache", None)
+    for number in (1, 2, 3):
+        report.iteration(iteration(number))
+    assert [message[:13] for message in caplog.messages] == ["coupled", "iteration   2"]
+
+
+def test_nothing_of_the_progress_stays_on_a_terminal():
+    file = StringIO()
+    with OnTerminal(Console(file=file, force_terminal=True, width=120)) as report:
+        report.stage("coupled", None)
+        report.iteration(iteration(1))
+        assert "coupled: iteration   1" in report._bars.tasks[0].description
+    assert not report._bars.tasks
+    assert "\x1b[2K" in file.getvalue()[-20:]  # the line is erased
 
 
 @pytest.mark.parametrize("part", [0.25, 0.5])

@@ -269,7 +269,7 @@ def test_line_of_an_iteration_tells_the_largest_load():
 
 
 def test_progress_is_logged_with_units(tmp_path, caplog):
-    with caplog.at_level(logging.INFO, logger="flexbearing"):
+    with caplog.at_level(logging.DEBUG, logger="flexbearing"):
         flexbearing.run(PAPER, [*COARSE, CAGE_ONLY], output=tmp_path / "out.h5")
     lines = [record.getMessage() for record in caplog.records]
     assert any("outer ring: " in line and "unknowns" in line for line in lines)
@@ -294,7 +294,8 @@ def test_run_prints_and_ends_with_zero(tmp_path, capsys):
     settings = [word for setting in RIGID for word in ("--set", setting)]
     found = command("run", PAPER, "-o", tmp_path / "out.h5", *settings)
     assert found.returncode == 0, found.stderr
-    assert "largest roller load, inner [N]" in found.stdout
+    assert "largest roller " in found.stdout
+    assert len(found.stdout.split()) < 120
     assert str(tmp_path / "out.h5") in found.stdout
     plot = ["plot", str(tmp_path / "out.h5"), "-o", str(tmp_path)]
     assert in_this_process(plot) == 0

@@ -65,6 +65,10 @@ def test_spread_and_passing_state_stand_in_note_page_and_json(cold, capsys):
     assert json.loads(capsys.readouterr().out)["equilibria"]["rigid"]["others"]
     assert program.command(["summary", str(cold.path)]) == 0
     page = capsys.readouterr().out
+    assert "\nusable     No" in page
+    assert "\ndanger     several equilibria between rigid raceways" in page
+    assert program.command(["summary", str(cold.path), "--all"]) == 0
+    page = capsys.readouterr().out
     assert page.startswith("DANGER: several equilibria between rigid raceways")
     assert "several equilibria, rigid rings: between rigid raceways" in page
     assert f"{passing['largest_inner_load_N']:.1f}" in page

@@ -115,10 +115,10 @@ def test_every_encoding_has_a_form_for_every_character(encoding, tmp_path):
 
 
 def test_frames_of_a_page_suit_the_encoding(result, tmp_path):
-    plain = shell(f"flexbearing summary {result}", tmp_path, PYTHONIOENCODING="ascii")[1]
+    plain = shell(f"flexbearing summary {result} --all", tmp_path, PYTHONIOENCODING="ascii")[1]
     assert plain.isascii()
     assert "\\u25" not in plain
-    assert "──" in shell(f"flexbearing summary {result}", tmp_path, PYTHONIOENCODING="utf-8")[1]
+    assert "──" in shell(f"flexbearing summary {result} --all", tmp_path, PYTHONIOENCODING="utf-8")[1]
 
 
 @FULL

@@ -258,7 +258,8 @@ class FastCase(MountedCase):
         life, operation = self.life, self.operation
         if life.lubrication and self.lubricant is None:
             raise needed(["lubricant"], 'life.lubrication = "a_ISO"')
-        if not life.is_basic and operation.inner_speed == operation.outer_speed:
+        timed = life.required is not None or not life.is_basic
+        if timed and operation.inner_speed == operation.outer_speed:
             raise impossible("operation.inner_speed", "another one than operation.outer_speed for a life")
         if life.loads == "rating":
             for name in operation.held:

@@ -3,8 +3,6 @@
 from collections.abc import Iterator, Sequence
 from math import prod
 
-import numpy as np
-
 from flexbearing.findings import DANGER, NOT_MET, OUTSIDE, USUAL
 from flexbearing.findings.codes import PEAK_AT_ENDS
 from flexbearing.findings.running import FULL_FILM, VISCOSITY_RATIO
@@ -30,6 +28,7 @@ from flexbearing.report.html import (
 )
 from flexbearing.report.html.check import MISSED, Check, one, text_of, used
 from flexbearing.report.html.document import Number, Table
+from flexbearing.report.html.elements import most_loaded
 from flexbearing.report.html.open_checks import rolls
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.sentences import load_axis, rounded
@@ -404,24 +403,11 @@ def _celsius(reader: Reader) -> float:
 
 def _load(reader: Reader) -> Iterator[str]:
     """The most loaded rolling element, how many carry, and what azimuth and signs are."""
-    shown, block = reader.result.family.report().elements, reader.blocks.get(reader.last, {})
-    if shown is None or not block:
+    most = most_loaded(reader, reader.last)
+    if most is None:
         return
-    name = next(iter(shown.figures.values()))[0]
-    symbols, loads = reader.layout[name].shape, np.asarray(block[name])
-    races = [
-        axis for axis, symbol in enumerate(symbols) if reader.layout.axis[symbol].entries[:1] == ("inner",)
-    ]
-    inner = loads[tuple(slice(1) if axis in races else slice(None) for axis in range(loads.ndim))]
-    index = tuple(int(step) for step in np.unravel_index(np.argmax(inner), inner.shape))
-    axis = symbols.index("Z")
-    place, count = index[axis], loads.shape[axis]
-    most = reader.element(reader.last, name, *index, digits=",.4g")
-    at = reader.element(reader.last, shown.azimuth, place, digits=".1f")
-    highest = inner.max(axis=tuple(other for other in range(inner.ndim) if other != axis))
-    carry = reader.summary[reader.last].get("loaded_rollers", int(np.count_nonzero(highest > 0)))
-    which = f"{shown.word.capitalize()} {place + 1} of {count}, at azimuth {text_of(at)}"
-    yield f"{which}, carries most: {text_of(most)} at the inner raceway. {carry} carry load."
+    which = f"{most.word.capitalize()} {most.number} of {most.count}, at azimuth {text_of(most.azimuth)}"
+    yield f"{which}, carries most: {text_of(most.load)} at the inner raceway. {most.carrying} carry load."
     yield _SIGNS.format(load_axis(reader))
 
 

@@ -55,11 +55,10 @@ def blocks(reader: Reader) -> Iterator[Block]:
         if reader.attributes["assumed"] or reader.attributes["calibrated"] or _tolerances(reader):
             yield how(reader)
         return
-    name = ranked_by(reader)
-    ranked = sorted(range(len(found["keys"])), key=lambda place: -_effect(found, place, name))
-    if any(_effect(found, place, name) >= SMALLEST for place in ranked):
-        yield _drawn(reader, found, ranked, name)
-    yield _table(reader, found, ranked, name)
+    name, places = ranked_by(reader), ranked(reader)
+    if any(_effect(found, place, name) >= SMALLEST for place in places):
+        yield _drawn(reader, found, places, name)
+    yield _table(reader, found, places, name)
     if missing := tuple(_missing(found)):
         yield Items("Other values that were not computed", missing)
 
@@ -97,12 +96,33 @@ def moving(reader: Reader) -> list[str]:
     if name not in LIVES:
         return []
     lines: list[str] = []
-    ranked = sorted(range(len(found["keys"])), key=lambda place: -_effect(found, place, name))
-    for place in (place for place in ranked if _effect(found, place, name) > log(WORTH)):
+    for place in (place for place in ranked(reader) if _effect(found, place, name) > log(WORTH)):
         key = found["keys"][place]
         compared = " (for comparison)" * (key.get("role") == COMPARISON)
         lines.append(f"{assumptions.named(key['key'])}{compared}: {_of_life(reader, key)}")
     return lines
+
+
+def ranked(reader: Reader) -> list[int]:
+    """Places of the keys among the effects, the largest effect first."""
+    found, name = reader.attributes["assumed_effects"], ranked_by(reader)
+    return sorted(range(len(found["keys"])), key=lambda place: -_effect(found, place, name))
+
+
+def largest(reader: Reader, count: int) -> list[tuple[str, list[Number]]]:
+    """Keys with the largest effects, no comparisons, each with results over that of the case, growing."""
+    found, name = reader.attributes["assumed_effects"], ranked_by(reader)
+    chosen = [
+        place for place in ranked(reader)
+        if found["keys"][place].get("role") != COMPARISON and _effect(found, place, name) > SMALLEST
+    ]  # fmt: skip
+    rows = []
+    for place in chosen[:count]:
+        others = range(len(found["keys"][place]["others"]))
+        ratios = [ratio for number in others
+                  if isinstance(ratio := _ratio(reader, place, number, name), Number)]  # fmt: skip
+        rows.append((found["keys"][place]["key"], sorted(ratios, key=lambda ratio: float(ratio.text))))
+    return rows
 
 
 def of_life(reader: Reader, key: str) -> str:

@@ -81,7 +81,7 @@ def which(reader: Reader) -> tuple[str, ...]:
             _DIAMETRAL,
             "Before mounting, as in a catalogue, and mounted at rest: not in the case. [bearing.fits] with a "
             "clearance before mounting, in place of bearing.clearance, computes both.",
-            f"In operation, warm and turning: {used} ({_origin(reader)}). All results use it."
+            f"In operation, warm and turning: {used} ({origin(reader)}). All results use it."
             + _expanded(reader),
         )
     bands = {each["name"]: each for each in found.get("tolerances", {}).get("classes", ())}
@@ -120,7 +120,7 @@ def _micrometres(reader: Reader, length: float, digits: str = ".1f") -> str:
     return f"{number.text} {printed(number.unit)}"
 
 
-def _origin(reader: Reader) -> str:
+def origin(reader: Reader) -> str:
     """Where a stated clearance comes from."""
     fitted = reader.attributes["calibrated"].get("bearing.clearance")
     if fitted:

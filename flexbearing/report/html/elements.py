@@ -1,12 +1,12 @@
 """Rolling elements one by one, and their figures over the azimuth."""
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from flexbearing.report.family_report import Elements
-from flexbearing.report.html.document import Block, Cell, Table, Words
+from flexbearing.report.html.document import Block, Cell, Number, Table, Words
 from flexbearing.report.html.figures import along_rollers, around, same_map, shows_nothing
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import NOTHING, with_unit
@@ -15,6 +15,42 @@ _SIGNED = {  # whose sign is reported below the table, with their headings
     "roller_slip": "roller slip", "roller_tilt": "roller tilt", "cage_force": "pocket force",
     "roller_skew": "roller skew",
 }  # fmt: skip
+
+
+@dataclass(frozen=True)
+class MostLoaded:
+    """The rolling element with the largest load at the inner raceway, and how many carry load."""
+
+    word: str  # "roller"
+    number: int  # from 1
+    count: int
+    carrying: int
+    load: Number
+    azimuth: Number
+
+
+def most_loaded(reader: Reader, block: str) -> MostLoaded | None:
+    """The most loaded rolling element of an end state; None where the result has none."""
+    shown, values = reader.result.family.report().elements, reader.blocks.get(block, {})
+    if shown is None or not values:
+        return None
+    name = next(iter(shown.figures.values()))[0]
+    symbols, loads = reader.layout[name].shape, np.asarray(values[name])
+    races = [
+        axis for axis, symbol in enumerate(symbols) if reader.layout.axis[symbol].entries[:1] == ("inner",)
+    ]
+    inner = loads[tuple(slice(1) if axis in races else slice(None) for axis in range(loads.ndim))]
+    index = tuple(int(step) for step in np.unravel_index(np.argmax(inner), inner.shape))
+    axis = symbols.index("Z")
+    highest = inner.max(axis=tuple(other for other in range(inner.ndim) if other != axis))
+    return MostLoaded(
+        word=shown.word,
+        number=index[axis] + 1,
+        count=loads.shape[axis],
+        carrying=reader.summary[block].get("loaded_rollers", int(np.count_nonzero(highest > 0))),
+        load=reader.element(block, name, *index, digits=",.4g"),
+        azimuth=reader.element(block, shown.azimuth, index[axis], digits=".1f"),
+    )
 
 
 def blocks(reader: Reader, elements: Elements | None) -> Iterator[Block]:

@@ -19,7 +19,7 @@ _SHORT = {  # by the worst grade
     DANGER: "No: a limit of damage is exceeded.",
     OUTSIDE: "Not assured: a law is used outside its range.",
     BUILD: "Not as drawn: dimensions overlap.",
-    USUAL: "Only with a reason for each usual minimum or maximum that is not kept.",
+    USUAL: "Only with a reason: a usual minimum or maximum is not kept.",
     "": "Yes, as far as checked.",
 }
 _REMAINS = "A life this long means that lubricant, wear or seals end the service, not fatigue."

@@ -42,6 +42,7 @@ class Life:
     error: Cell  # numerical, in percent of the life, or why there is none
     meaning: str
     chosen: bool = False  # the most detailed one of the case
+    output: str = ""  # its name among the outputs; empty of a catalogue
 
 
 def lives(reader: Reader) -> tuple[Life, ...]:
@@ -200,7 +201,8 @@ def _modified(reader: Reader) -> Iterator[Life]:
 def _output(reader: Reader, name: str, key: str, label: str, meaning: str) -> Life:
     turning = reader.blocks[reader.last].get("relative_speed")
     hours: Cell = reader.output(name, "h", ",.4g") if turning else ""
-    return Life(key, label, reader.output(name, "Mrev", ",.4g"), hours, error(reader, name), meaning)
+    turns = reader.output(name, "Mrev", ",.4g")
+    return Life(key, label, turns, hours, error(reader, name), meaning, output=name)
 
 
 def error(reader: Reader, name: str) -> Cell:

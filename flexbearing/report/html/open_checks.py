@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from flexbearing.findings.running import REQUIRED_LIFE
 from flexbearing.report.html import heat, shaft_tilt
 from flexbearing.report.html.check import Check, unchecked
 from flexbearing.report.html.document import Number
@@ -69,9 +70,10 @@ def checks(reader: Reader) -> Iterator[Check]:
 def _life(reader: Reader) -> Iterator[Check]:
     """The life has a limit that only the reader knows."""
     first = next(iter(lives(reader)), None)
-    if first is not None and first.chosen:
-        do = "compare the life with the required one"
-        why, who = "the case states no required life", "designer: required life, of the kind that it names"
+    judged = {each["code"] for each in reader.attributes.get("findings") or ()}
+    if first is not None and first.chosen and REQUIRED_LIFE.code not in judged:
+        do = "give life.required, or compare the life with the required one"
+        why, who = "the case states no life.required", "designer: required life, of the kind that it names"
         yield unchecked(f"Life: {first.name}", why, who, first.hours or first.turns, do)
 
 

@@ -176,9 +176,9 @@ class Reader:
         """Label of a value of the summary, lives with their method."""
         return _LABELS.get((entry.label.strip(), self.of_balls), entry.label)
 
-    def output(self, name: str, unit: str, digits: str) -> Number:
-        """A scalar output of the last end state in a unit that its revolutions or itself can have."""
-        asked = f"{self.last}.{name} [{unit}]"
+    def output(self, name: str, unit: str, digits: str, block: str = "") -> Number:
+        """A scalar output of the last end state, or another, in a unit of itself or of its revolutions."""
+        asked = f"{block or self.last}.{name} [{unit}]"
         value = self.result[asked].number
         return self.units.number(float(value), unit, unit, digits, f"outputs/{asked}")
 

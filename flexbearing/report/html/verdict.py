@@ -31,7 +31,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
         yield from headline.blocks(reader)
     if converged and reader.blocks:
         yield from answers.blocks(reader)
-    yield Words((_ending(reader.attributes),), "" if converged else "danger")
+    yield Words((ending(reader.attributes),), "" if converged else "danger")
     dangers = reader.notes(GRADES[0])
     if dangers:
         yield Items("Dangers", dangers, "danger")
@@ -48,7 +48,8 @@ def blocks(reader: Reader) -> Iterator[Block]:
     yield from exactness.blocks(reader)
 
 
-def _ending(attributes: dict[str, Any]) -> str:
+def ending(attributes: dict[str, Any]) -> str:
+    """How the run ended, in a sentence."""
     count, message = attributes["iterations"], attributes["message"]
     ended = f"Not converged ({attributes['status']}): {message or attributes['ending']}: no answer."
     words = f"Converged: {message}." if attributes["status"] == "converged" else ended
@@ -90,7 +91,7 @@ def _rows(reader: Reader) -> Iterator[tuple[tuple[Cell, ...], str]]:
         output, block = known[name], reader.blocks[reader.last]
         same = name == ALONE and not stiffness.supported(reader)  # as total_stiffness
         if name != "life_L10" and not same and all(each in block for each in output.declared.of):
-            number = _scalar(reader, output)
+            number = scalar(reader, output)
             label = _label(reader, name) or ", ".join([output.declared.label.strip(), *name.split(".")[1:]])
             error = exactness.error(reader, output.declared)
             yield (label, number, printed(number.unit), error), words.get(name, "")
@@ -111,7 +112,8 @@ def _label(reader: Reader, name: str) -> str:
     return f"{along}, {'with supports' if supports else 'of the bearing alone'}"
 
 
-def _scalar(reader: Reader, output: Any) -> Number:
+def scalar(reader: Reader, output: Any) -> Number:
+    """A main output of the last end state."""
     unit = unit_of(output.declared).name
     si = reader.layout[output.declared.of[0]].unit if output.declared.in_si else unit
     asked = f"{reader.last}.{output.name}"

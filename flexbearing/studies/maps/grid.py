@@ -105,7 +105,7 @@ def _require_supported(case: Case) -> None:
     if not _rigid(case) and not is_linear(case):
         raise BadCase(
             f"{name}: maps are over rings that deflect linearly: no fit that may open, no one-sided support; "
-            "use a study, or --set outer.kind=rigid and --set inner.kind=rigid"
+            "use a study, or set outer.kind and inner.kind to rigid"
         )
 
 
@@ -119,7 +119,7 @@ def _cases(first: Case, axes: Sequence[MapAxis]) -> list[Case]:
     for setting in source.overrides:
         key, _, text = (part.strip() for part in setting.partition("="))
         if not text:
-            raise BadCase(f"--set {key}=: a map takes no key out; leave it out of the case file")
+            raise BadCase(f"setting {key}=: a map takes no key out; leave it out of the case file")
         declaration = find(key, type(first))
         given[key] = text if declaration and text in declaration.choices else setting_value(text)
     varied = [axis.key for axis in axes]
@@ -154,8 +154,8 @@ def _rings(cases: Sequence[Case], models: Sequence[RollerBearing], report: Repor
         parts = all(ring_parts.part_of(case, race) == ring_parts.part_of(first, race) for race in RACES)
         if not (same and parts):
             raise BadCase(
-                f"{first.source.path}: --over: a map is between the same elastic rings, and this key changes "
-                "them; use a study, or --set outer.kind=rigid and --set inner.kind=rigid"
+                f"{first.source.path}: a map is between the same elastic rings, and this key changes "
+                "them; use a study, or set outer.kind and inner.kind to rigid"
             )
     alike: list[Case | None] = list(cases)
     return linear_raceways({race: alike for race in RACES}, azimuths, models[0].axial_modes, report)

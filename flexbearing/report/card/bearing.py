@@ -1,0 +1,79 @@
+"""Loads, pressure, clearance, stiffness and lubrication of the bearing."""
+
+from collections.abc import Iterator
+
+from flexbearing.findings.strength import CONTACT_PRESSURE
+from flexbearing.outputs import outputs
+from flexbearing.report.card.card import Item
+from flexbearing.report.card.judged import kind, short
+from flexbearing.report.html import against_limits, clearance, lubrication, stiffness as supports, verdict
+from flexbearing.report.html.check import used
+from flexbearing.report.html.document import Number
+from flexbearing.report.html.elements import most_loaded
+from flexbearing.report.html.lives import lives
+from flexbearing.report.html.reader import Reader
+
+
+def loads(reader: Reader) -> Iterator[Item]:
+    """The largest load and the peak pressure."""
+    most = most_loaded(reader, reader.last)
+    if most is not None:
+        yield Item(f"largest {most.word}", most.load, remark=f"{most.carrying}/{most.count} loaded")
+    pressures = [
+        check for check in against_limits.ranked(reader)
+        if check.what.lower().startswith(CONTACT_PRESSURE.label) and isinstance(check.value, Number)
+    ]  # fmt: skip
+    if pressures:
+        worst = max(pressures, key=lambda check: check.used)
+        yield Item("peak pressure", worst.value, remark=used(worst))
+
+
+def stiffness(reader: Reader) -> Iterator[Item]:
+    """Clearance, radial stiffness, viscosity ratio and film ratio, as far as the result has them."""
+    yield from _clearance(reader)
+    yield from _stiffness(reader)
+    if (kappa := lubrication.viscosity_ratio(reader)) is not None:
+        yield Item("kappa", kappa)
+    ratios = [lubrication.film_ratio(reader, race) for race in lubrication.films(reader)]
+    if known := [ratio for ratio in ratios if ratio is not None]:
+        yield Item("film ratio", min(known, key=lambda ratio: float(ratio.text)))
+
+
+def _clearance(reader: Reader) -> Iterator[Item]:
+    found = reader.attributes.get("clearance") or {}
+    if found.get("operating_m") is None:
+        return
+
+    def number(path: str) -> Number:
+        return reader.of_attribute(f"clearance/{path}", "m", "um", ".1f")
+
+    ends = None
+    if "ends" in found.get("tolerances", {}):
+        ends = number(clearance.TIGHT), number("tolerances/ends/loosest_m")
+    mark = "" if found["steps"] else clearance.origin(reader).partition(",")[0]
+    yield Item("clearance", number("operating_m"), ends, mark if mark in ("assumed", "fitted") else "")
+
+
+def _stiffness(reader: Reader) -> Iterator[Item]:
+    """Of a bearing on elastic supports with and without them."""
+    known, block = {each.name: each for each in outputs(reader.layout)}, reader.blocks[reader.last]
+    name, label = ("stiffness",) * 2 if "stiffness" in known else ("stiffness_zz", "stiffness along z")
+    if name not in known or not all(each in block for each in known[name].declared.of):
+        return
+    both = verdict.scalar(reader, known["total_stiffness"]) if supports.supported(reader) else None
+    yield Item(
+        label, verdict.scalar(reader, known[name]), remark=f"{both.text} with supports" if both else ""
+    )
+
+
+def rigid(reader: Reader) -> Iterator[Item]:
+    """What rigid rings would give, where rings are elastic."""
+    if len(reader.blocks) < 2:
+        return
+    first = next(iter(reader.blocks))
+    if (most := most_loaded(reader, first)) is not None:
+        yield Item(f"largest {most.word}", most.load, remark=f"{most.carrying} loaded")
+    for life in (life for life in lives(reader) if life.chosen):
+        unit = life.hours.unit if isinstance(life.hours, Number) else life.turns.unit
+        number = reader.output(life.output, unit, ",.4g", first)
+        yield Item(f"{kind(life)}:", short(number))

@@ -1,0 +1,105 @@
+"""Whether a bearing can be used, and how long."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from textwrap import shorten
+
+from flexbearing.findings import DANGER, NOT_CHECKED
+from flexbearing.findings.running import REQUIRED_LIFE
+from flexbearing.report.card.card import Item
+from flexbearing.report.html import against_limits, combined, finding_checks, headline, lives as of_report
+from flexbearing.report.html.check import Check, one, used
+from flexbearing.report.html.document import Number
+from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.sentences import rounded
+
+_LONGEST = 160  # characters of a danger
+_MOST = 3  # limits of damage that are named
+_AUTHORS = ", Lundberg and Palmgren"  # of a life, which its kind names
+
+
+def usable(reader: Reader) -> Iterator[Item]:
+    """The verdict of the report, then the limits that are not kept, or the nearest one."""
+    checks = against_limits.ranked(reader)
+    yield Item(headline.judged(reader).partition(":")[0].rstrip("."))
+    broken = [check for check in checks if check.broken]
+    yield from _missed(broken) if broken else _nearest(checks)
+    for check in checks:
+        if check.urgent and isinstance(check.value, Number):
+            yield Item(
+                check.place.removesuffix(" (nominal)") or lower(check.what), check.value, remark="no limit"
+            )
+
+
+def dangers(reader: Reader) -> Iterator[Item]:
+    """The first danger that no limit covers."""
+    limits = {record["code"] for record in reader.attributes.get("findings") or ()}
+    for note in reader.attributes["notes"]:
+        if note["grade"] == DANGER and note["code"] not in limits:
+            yield Item(shorten(note["text"], _LONGEST, placeholder=" ..."))
+            return
+
+
+def _missed(broken: Sequence[Check]) -> Iterator[Item]:
+    """Limits of damage that are not kept, else the gravest of all, and how many others there are."""
+    shown = [check for check in broken if check.grade == DANGER][:_MOST] or broken[:1]
+    for check in shown:
+        if check.what.lower() == REQUIRED_LIFE.label:  # its numbers are those of the life
+            yield Item("required life not reached")
+        elif isinstance(check.value, str):
+            yield Item(lower(one(check)))
+        else:
+            yield Item(lower(check.what), check.value, remark=check.limit.partition(" (")[0])
+    if others := len(broken) - len(shown):
+        yield Item(f"{others} more unmet")
+
+
+def _nearest(checks: Sequence[Check]) -> Iterator[Item]:
+    check = next((check for check in checks if check.used), None)
+    if check is not None:
+        yield Item(f"nearest limit: {lower(check.what)}", remark=used(check))
+
+
+def lives(reader: Reader) -> Iterator[Item]:
+    """The most detailed life with its range and against the required one; that of a catalogue."""
+    required = (reader.attributes["case_si"].get("life") or {}).get("required")
+    for life in of_report.lives(reader):
+        number = life.hours if isinstance(life.hours, Number) else life.turns
+        if life.chosen:
+            yield Item(f"{kind(life)}:", short(number), _range(reader, number))
+            yield _required(reader, required)
+        elif life.key == "catalogue":
+            below = isinstance(life.hours, Number) and 3600 * _value(number) < (required or 0.0)
+            yield Item(f"{kind(life).partition(',')[0]}:", short(number), remark="below it" * below)
+
+
+def _range(reader: Reader, number: Number) -> tuple[Number, Number] | None:
+    span = combined.of(reader, combined.LIFE)
+    return None if span is None else (short(number, span.squares[0]), short(number, span.squares[1]))
+
+
+def short(number: Number, times: float = 1.0) -> Number:
+    """A life with the digits that a sentence of the report gives it."""
+    return replace(number, text=rounded(number, times)) if number.text[-1:].isdigit() else number
+
+
+def _required(reader: Reader, required: float | None) -> Item:
+    """The required life [s] with the verdict of the run."""
+    if required is None:
+        return Item("no life.required")
+    limit = reader.units.number(required, "s", "h", ",.4g", "case/life.required")
+    return Item("required", limit, remark=finding_checks.verdict(reader, REQUIRED_LIFE.code) or NOT_CHECKED)
+
+
+def _value(number: Number) -> float:
+    return float(number.text.replace(",", ""))
+
+
+def kind(life: of_report.Life) -> str:
+    """What life it is, in words."""
+    return lower(life.name.removesuffix(_AUTHORS))
+
+
+def lower(words: str) -> str:
+    """Words that a sentence does not begin with."""
+    return words[:1].lower() + words[1:]

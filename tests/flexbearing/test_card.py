@@ -1,0 +1,130 @@
+"""The card of a result: short, alike for all kinds of bearing, with numbers of the report's first page."""
+
+import re
+from dataclasses import astuple, is_dataclass
+from pathlib import Path
+
+import pytest
+from pytest import approx
+
+import flexbearing
+from flexbearing.__main__ import command
+from flexbearing.report.html import METRIC, headline, of_result
+from flexbearing.report.html.document import Number
+from flexbearing.report.html.reader import Reader
+
+CONFIGS = Path(__file__).parents[2] / "configs"
+KINDS = ["catalogue/nu210", "mao2016", "planet", "catalogue/6208", "joshi2015_qj309"]
+FIRST, INPUTS = ("verdict",), ("computed", "inputs")  # sections of the report
+
+
+@pytest.fixture(scope="module")
+def results(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("card")
+    known = {}
+
+    def of(name):
+        if name not in known:
+            known[name] = folder / f"{Path(name).stem}.h5"
+            flexbearing.run(CONFIGS / f"{name}.toml", output=known[name])
+        return flexbearing.read(known[name])
+
+    return of
+
+
+def numbers_in(result, sections):
+    """All numbers that stand in sections of the report, as they are printed."""
+    found = [each.blocks for each in of_result(result).sections if each.name in sections]
+    return set(re.findall(r"\d[\d,.]*\d|\d", " ".join(texts(found))))
+
+
+def texts(value):
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, list | tuple):
+        for each in value:
+            yield from texts(each)
+    elif is_dataclass(value) and not isinstance(value, type):
+        yield from texts(astuple(value))
+
+
+def printed(item):
+    """Numbers of a fact."""
+    values = [item.value] if isinstance(item.value, Number) else []
+    words = " ".join([*(each.text for each in (*values, *(item.ends or ()))), item.remark])
+    words += item.label if " by " in item.label else ""  # factors of an input
+    return re.findall(r"\d[\d,.]*\d|\d", words.replace("..", " "))
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_a_card_has_few_lines_and_words(name, results, capsys):
+    assert command(["summary", str(results(name).path)]) == 0
+    card = capsys.readouterr().out
+    assert len(card.splitlines()) <= 15
+    assert len(card.split()) <= 120
+    assert all(len(line) <= 100 for line in card.splitlines())
+    assert "nan" not in card
+    assert card.splitlines()[0] == results(name).attributes["title"]
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_numbers_are_those_of_the_first_page(name, results):
+    result = results(name)
+    pools = {"": numbers_in(result, INPUTS)}
+    first = numbers_in(result, FIRST)
+    for line in (line for line in result.card.lines if line.subject not in ("rigid", "notes")):
+        for item in line.items:
+            assert set(printed(item)) <= pools.get(line.subject, first), item.words
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_verdict_is_that_of_the_report(name, results):
+    lines = {line.subject: line.items for line in results(name).card.lines}
+    said = headline.judged(Reader(results(name), METRIC))
+    assert said.startswith(lines["usable"][0].label)
+
+
+def test_rigid_rings_are_compared_where_rings_are_elastic(results):
+    known = {name: {line.subject: line.items for line in results(name).card.lines} for name in KINDS}
+    assert [name for name in KINDS if "rigid" in known[name]] == ["mao2016", "planet"]
+    result = results("mao2016")
+    load, life = known["mao2016"]["rigid"]
+    assert float(load.value.text.replace(",", "")) == approx(result.rigid["inner_load"].max(), abs=0.5)
+    assert float(life.value.text) == approx(result["rigid.life_L10 [h]"].number, rel=1e-2)
+    assert life.label == "basic life L10:"
+
+
+@pytest.mark.parametrize(("required", "said"), [("20000 h", "met"), ("500000 h", "not met")])
+def test_life_is_judged_by_the_required_one(required, said):
+    result = flexbearing.run(CONFIGS / "catalogue/nu210.toml", {"life.required": required})
+    (record,) = [each for each in result.attributes["findings"] if each["code"] == "required-life"]
+    assert (record["verdict"], record["source"]) == (said, "life.required")
+    assert record["value"] / 3600 == approx(result["modified_life [h]"].number)
+    lines = {line.subject: line.items for line in result.card.lines}
+    _, against, catalogue = lines["life"]
+    assert (against.label, against.remark) == ("required", said)
+    assert catalogue.remark == ("" if said == "met" else "below it")
+    assert lines["usable"][0].label == ("Yes, as far as checked" if said == "met" else "No")
+    assert "required-life" in {note["code"] for note in result.dangers} or said == "met"
+    assert "assumed_effects" in result.attributes  # which do not depend on it
+
+
+def test_what_is_not_known_is_left_out(results):
+    subjects = [line.subject for line in results("joshi2015_qj309").card.lines]
+    assert subjects == ["", "usable", "load", "bearing", "uncertain", "notes"]  # no life is rated
+    words = repr(results("joshi2015_qj309"))
+    assert "kappa" not in words
+    assert "degC" not in words
+
+
+def test_all_numbers_and_notes_are_printed_above_the_card(results, capsys):
+    path, shown = str(results("catalogue/nu210").path), {}
+    for options in ((), ("--notes",), ("--all",)):
+        assert command(["summary", path, *options]) == 0
+        shown[options] = capsys.readouterr().out
+    notes = [note["text"].split()[0] for note in results("catalogue/nu210").attributes["notes"]]
+    for options in (("--notes",), ("--all",)):
+        assert shown[options].endswith(shown[()])
+        assert all(word in shown[options] for word in notes)
+    assert "tangent stiffness" in shown["--all",]
+    assert "tangent stiffness" not in shown["--notes",]
