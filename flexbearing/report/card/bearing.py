@@ -13,8 +13,6 @@ from flexbearing.report.html.elements import most_loaded
 from flexbearing.report.html.lives import lives
 from flexbearing.report.html.reader import Reader
 
-DIAGONAL = "diagonal_clearance"  # of four contacts, whose balls never touch the bottom of a groove
-
 
 def loads(reader: Reader) -> Iterator[Item]:
     """The largest load and the peak pressure."""
@@ -42,9 +40,8 @@ def stiffness(reader: Reader) -> Iterator[Item]:
 
 
 def _clearance(reader: Reader) -> Iterator[Item]:
-    known, block = {each.name: each for each in outputs(reader.layout)}, reader.blocks[reader.last]
-    if DIAGONAL in known and all(each in block for each in known[DIAGONAL].declared.of):
-        yield Item("clearance along a diagonal", verdict.scalar(reader, known[DIAGONAL]))
+    if (way := clearance.along_diagonal(reader)) is not None:
+        yield Item("clearance along a diagonal", way)
         return
     found = reader.attributes.get("clearance") or {}
     if found.get("operating_m") is None:

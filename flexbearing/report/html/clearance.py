@@ -4,10 +4,15 @@ from collections.abc import Iterator
 from math import floor
 from typing import Any
 
+from flexbearing.outputs import outputs
 from flexbearing.report.html import assumed_effects
-from flexbearing.report.html.document import Block, Cell, Figure, Items, Table, Words
+from flexbearing.report.html.check import text_of
+from flexbearing.report.html.document import Block, Cell, Figure, Items, Number, Table, Words
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import printed, units_in_words, with_unit
+from flexbearing.report.html.verdict import scalar
+
+DIAGONAL = "diagonal_clearance"
 
 _EQUALLY_WARM = (
     "The case gives no [operation.temperatures], so all parts are equally warm and heat changes nothing. A "
@@ -48,7 +53,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
     if words := which(reader):
         yield Items("Which clearance", words)
     if not found["steps"]:
-        yield _stated(reader)
+        yield from (_stated(reader),) if along_diagonal(reader) is None else ()
         yield from _used_up(reader, found)
         return
     yield _steps(reader, found)
@@ -70,12 +75,23 @@ def blocks(reader: Reader) -> Iterator[Block]:
     yield from _used_up(reader, found)
 
 
+def along_diagonal(reader: Reader) -> Number | None:
+    """Free way of a ball between four contacts; None for other bearings."""
+    declared = next((each for each in outputs(reader.layout) if each.name == DIAGONAL), None)
+    return None if declared is None else scalar(reader, declared)
+
+
 def which(reader: Reader) -> tuple[str, ...]:
     """Clearance before mounting, mounted, in operation, a line each with its number; empty without one."""
     found = reader.attributes.get("clearance") or {}
     if found.get("operating_m") is None:
         return ()
     used = _micrometres(reader, found["operating_m"])
+    if (way := along_diagonal(reader)) is not None:
+        return (
+            f"Free way of a ball along a diagonal, both contacts together: {text_of(way)}. Between "
+            f"the bottoms of the grooves, which it never touches: {used}.",
+        )
     if not found["steps"]:
         return (
             _DIAMETRAL,
