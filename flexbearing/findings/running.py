@@ -15,6 +15,13 @@ VISCOSITY_RATIO = Finding(
     meaning="surfaces touch through the film",
     action="take an oil {share:.2g} times as viscous, or cool it; else use EP/AW additives",
 )  # fmt: skip
+NO_MODIFIED_LIFE = "no-modified-life"  # code of notes on a life that is left out
+RATED_VISCOSITY_RATIO = Finding(
+    code=NO_MODIFIED_LIFE, label="viscosity ratio of a_ISO", quantity="rated_viscosity_ratio",
+    at_least=0.1, grade=OUTSIDE, source="ISO 281 (2007)",
+    meaning="no a_ISO holds there, the modified life is left out",
+    action="take an oil {share:.2g} times as viscous, or cool it",
+)  # fmt: skip
 FILM_RATIO = Finding(
     code="film-ratio", label="smallest film ratio Λ", quantity="film_ratio",
     at_least=1.0, times="mixed_film_ratio", grade=USUAL, source="asperities carry below", noted=False,

@@ -114,7 +114,6 @@ def _preloaded(case: FastCase) -> float:
 
 def build(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperation]:
     """Bearing and operation of a case; raises `ImpossiblePart` or `OutOfRange` where they cannot be."""
-    ball_life.require_possible(case)
     return bearing(case), operation(case)
 
 
@@ -249,7 +248,8 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
     values = {
         **judged.pressures(state.peak_pressures.max(axis=1), BALLS),
         "static_safety": solution.static_safety,
-        "viscosity_ratio": ball_life.kappa(case) if case.lubricant and speed else None,
+        "viscosity_ratio": ball_life.kappa(case) if speed and not ball_life.unviscous(case) else None,
+        "rated_viscosity_ratio": ball_life.rated_kappa(case),
         "clearance": judged.clearances(clearance.record(case)) if radial else None,
     }
     if operation.control != "coulomb":  # there balls turn where friction does not hold them

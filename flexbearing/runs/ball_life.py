@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 import quasidynamic as qd
 from flexbearing.build.viscosity import kinematic_viscosity
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
-from flexbearing.runs.life_of_state import MREV, LifeOfState, explained, of_reliability
+from flexbearing.runs.life_of_state import MREV, LifeOfState, explained, no_life, of_reliability, why_none
 from quasidynamic import OutOfRange
-from quasidynamic.note import Note, information
+from quasidynamic.note import Note
 from quasidynamic.outcome.ball_capacity import (
     ball_dynamic_rating,
     ball_fatigue_load_limit,
@@ -44,7 +44,7 @@ class BallLives:
 
     basic: float  # L10r
     raceways: NDArray  # (2) of the inner and the outer raceway on their own
-    of_state: LifeOfState | None  # after every factor; None when nothing modifies the basic life
+    of_state: LifeOfState | None  # after every factor; None where there is none, or one does not hold
 
     @property
     def modified(self) -> float | None:
@@ -53,15 +53,9 @@ class BallLives:
 
 
 def lives(case: FastCase, state: qd.AngularContactState) -> BallLives | None:
-    """Lives under the loads of all balls; None at rest, without load, and where no rating is known.
-
-    Raises
-    ------
-    OutOfRange
-        where a factor that the case requires does not hold
-    """
+    """Lives under the loads of all balls; None at rest, without load, and where no rating is known."""
     relative = case.operation.inner_speed - case.operation.outer_speed
-    if not relative or (case.life.is_basic and unrated(case)):
+    if not relative or unrated(case):
         return None
     speeds = case.operation.inner_speed, case.operation.outer_speed
     turning = turning_share(speeds[0], relative), turning_share(speeds[1], relative)
@@ -70,7 +64,8 @@ def lives(case: FastCase, state: qd.AngularContactState) -> BallLives | None:
     if not np.isfinite(basic):
         return None
     raceways = ball_raceway_lives(state.loads, balls, turning, rating) * MREV
-    return BallLives(basic * MREV, raceways, None if case.life.is_basic else _modified(case, basic))
+    modified = None if case.life.is_basic or unmodified(case) else _modified(case, basic)
+    return BallLives(basic * MREV, raceways, modified)
 
 
 def equivalent(case: FastCase, lives: BallLives) -> float:
@@ -89,8 +84,11 @@ def _modified(case: FastCase, basic: float) -> LifeOfState:
 
 
 def rated(case: FastCase) -> float | None:
-    """Life by ratings alone [rev], which needs no equilibrium; None where the loads of the balls count."""
-    if case.life.loads != "rating":
+    """Life by ratings alone [rev], which needs no equilibrium; None where the loads of the balls count.
+
+    None, too, where ISO 281 has no such life.
+    """
+    if case.life.loads != "rating" or unmodified(case):
         return None
     load = dynamic_load(case).value
     basic = float(rating_life(dynamic(case), load, BALL_EXPONENT))
@@ -108,33 +106,32 @@ def _lubrication(case: FastCase, load: float) -> Iterator[LifeFactor]:
     yield replace(factor, life_exponent=slope if case.life.loads != "rating" else 0.0)
 
 
-def require_possible(case: FastCase) -> None:
-    """Raise `OutOfRange` where the case requires a life that its geometry, speed or oil does not allow."""
+def unrated(case: FastCase) -> str:
+    """Why there is no dynamic rating; empty where there is one."""
+    return why_none(lambda: dynamic(case))
+
+
+def unmodified(case: FastCase) -> str:
+    """Why a case has no modified life; empty where it has one, or requires none."""
     if case.life.is_basic:
-        return
-    dynamic(case)
+        return ""
+    return unrated(case) or why_none(lambda: _require_factors(case))
+
+
+def _require_factors(case: FastCase) -> None:
+    """Raise `OutOfRange` where the geometry, speed or oil has no factor of the life, under any load."""
     if case.life.loads == "rating":
         dynamic_load(case)
     if case.life.lubrication:
         modification_factor(kappa(case), fatigue_share(case), BALLS)
-    of_reliability(case.life)
-
-
-def unrated(case: FastCase) -> str:
-    """Why there is no dynamic rating; empty where there is one."""
-    try:
-        dynamic(case)
-    except OutOfRange as why:
-        return str(why)
-    return ""
 
 
 def notes(case: FastCase) -> tuple[Note, ...]:
     """What keeps the life away, and what must be known of the oil."""
-    turning = case.operation.inner_speed != case.operation.outer_speed
-    why = unrated(case) if turning and case.life.is_basic else ""
-    lines = (information("no-life", f"no rating life: {why}"),) if why else ()
-    if case.life.lubrication and case.lubricant is not None:
+    if case.operation.inner_speed == case.operation.outer_speed:
+        return ()
+    lines = no_life(unrated(case), unmodified(case), rated_kappa(case))
+    if case.life.lubrication and case.lubricant is not None and not unviscous(case):
         lines += kinematic_viscosity(case.lubricant)[1]
     return lines
 
@@ -229,6 +226,18 @@ def kappa(case: FastCase) -> float:
     speed = case.operation.inner_speed - case.operation.outer_speed
     viscosity, _ = kinematic_viscosity(case.lubricant)
     return float(viscosity_ratio(viscosity, speed, case.bearing.pitch_diameter))
+
+
+def unviscous(case: FastCase) -> str:
+    """Why the oil has no viscosity at its temperature; empty where it has one."""
+    oil = case.lubricant
+    return "no oil is given" if oil is None else why_none(lambda: kinematic_viscosity(oil))
+
+
+def rated_kappa(case: FastCase) -> float | None:
+    """Viscosity ratio of a life with a_ISO [-]; None without, at rest, and beyond the data of the oil."""
+    turns = case.operation.inner_speed != case.operation.outer_speed
+    return kappa(case) if turns and case.life.lubrication and not unviscous(case) else None
 
 
 def fatigue_share(case: FastCase) -> float:

@@ -19,9 +19,10 @@ from quasidynamic.outcome import static_pressure
 from tests.flexbearing.hostile_cases import CONFIGS
 
 # kind of case with a value of the finding: keys that it needs
-ROLLERS = ("nu209_fits.toml", "operation.misalignment=1 arcmin")
+A_ISO = ("life.lubrication=a_ISO", "life.cleanliness=oil, in-line filter, -/17/14")
+ROLLERS = ("nu209_fits.toml", "operation.misalignment=1 arcmin", *A_ISO)
 BARS = ("mao2016.toml", "accuracy.structure=beam", "materials.outer_ring.yield_stress=900 MPa")
-BALLS = ("harris218.toml", "lubricant.oil=ISO VG 68", "lubricant.inlet_temperature=60 degC")
+BALLS = ("harris218.toml", "lubricant.oil=ISO VG 68", "lubricant.inlet_temperature=60 degC", *A_ISO)
 DEEP = ("6209.toml",)
 LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the number
     ("contact-pressure", DANGER, "static_pressure"): 1.0,
@@ -32,6 +33,7 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
     ("heavy-load", OUTSIDE, "static_rating"): 1.0,  # ISO 281, of balls
     ("short-life", DANGER, ""): 3600.0,
     ("viscosity-ratio", USUAL, ""): 1.0,
+    ("no-modified-life", OUTSIDE, ""): 0.1,  # ISO 281
     ("film-ratio", USUAL, "mixed_film_ratio"): 1.0,
     ("gyroscopic-moment", OUTSIDE, "friction"): 1.0,
     ("preload", USUAL, ""): 0.0,
