@@ -2,7 +2,7 @@
 
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -19,10 +19,9 @@ from flexbearing.findings.running import GYROSCOPIC_MOMENT
 from flexbearing.program.workers import shared_map
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import row, taken
-from flexbearing.runs import ball_life, interface, judged, shoulders
+from flexbearing.runs import ball_life, interface, judged, shoulders, subsurface
 from flexbearing.runs.ball_life import BallLives
 from flexbearing.runs.life_of_state import MREV
-from flexbearing.runs.subsurface import of_balls
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.columns import kind_and_numbers
 from quasidynamic.note import Note, information, outside
@@ -41,6 +40,12 @@ class Solution:
     rolling: qd.FastRollingBalls | None  # balls whose contacts stick and slip; None in full sliding
     lives: BallLives | None  # None at rest, without load, and where no rating is known
     static_safety: float | None = None  # [-] s_0; None where ISO 76 has none
+    unrolled: str = ""  # why stick and slip are not known, where the case requires them
+
+    @property
+    def worst(self) -> WorstPointContact:
+        """The most pressed contact of each raceway."""
+        return WorstPointContact.of(self.state.peak_pressures.T, *(axis.T for axis in self.state.semi_axes))
 
     @property
     def friction(self) -> qd.AngularContactState | qd.FastRollingBalls:
@@ -48,6 +53,7 @@ class Solution:
         return self.state if self.rolling is None else self.rolling
 
 
+OUT_OF_RANGE = "outside a law"  # how a solver ended
 Ended = Solution | NotSolved | BadCase  # or why there is no solution
 
 
@@ -136,7 +142,9 @@ def named(case: Head, solve: Callable[[], Any]) -> Any:
         return solve()
     except NotSolved as failure:
         return failure
-    except (ImpossiblePart, OutOfRange) as problem:
+    except OutOfRange as problem:  # under its loads; what is built is without them
+        return NotSolved(str(problem), OUT_OF_RANGE)
+    except ImpossiblePart as problem:
         return BadCase(f"{case.source.path}: {problem}")
 
 
@@ -163,12 +171,17 @@ def _balanced(cases: Sequence[FastCase], built: Sequence[Any]) -> list[Any]:
 
 
 def _rolled(case: FastCase, state: qd.AngularContactState, told: Callable[[float], None]) -> Solution:
-    """A balance with the friction of the case."""
+    """A balance with the friction of the case; that of full sliding where no stick and slip is known."""
     if case.friction.model == "full_sliding":
         return followed(case, state)
+    if case.operation.inner_speed == case.operation.outer_speed:
+        return replace(followed(case, state), unrolled="the bearing does not turn")
     along, across = case.friction.cells
-    with shared_map() as mapped:
-        rolling = bearing(case).roll(state, case.friction.model, (along, across), told, mapped)
+    try:
+        with shared_map() as mapped:
+            rolling = bearing(case).roll(state, case.friction.model, (along, across), told, mapped)
+    except OutOfRange as why:
+        return replace(followed(case, state), unrolled=str(why))
     return followed(case, state, rolling)
 
 
@@ -187,10 +200,9 @@ def block(solution: Solution) -> dict[str, NDArray]:
     case, state, contact = solution.case, solution.state, solution.contact
     lines = _lines(case, state, contact) if len(contact.balls) else None
     free = {"yaw": state.yaw} if case.operation.control == "coulomb" else None
-    worst = WorstPointContact.of(state.peak_pressures.T, *(axis.T for axis in state.semi_axes))
     parts = {
-        "worst": worst,
-        "subsurface": of_balls(case, worst),
+        "worst": solution.worst,
+        "subsurface": subsurface.of_balls(case, solution.worst),
         "state": state,
         "friction": solution.friction,
         "rolling": solution.rolling,
@@ -259,7 +271,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
         values |= {
             "load": {"by the loads of the balls": ball_life.equivalent(case, lives)},
             "dynamic_rating": ball_life.dynamic(case),
-            "static_rating": ball_life.static(case),
+            "static_rating": ball_life.static_or_none(case),
             "life": judged.seconds(life / MREV, speed),
         }
     return evaluate(declared.OF_BALLS, values)
@@ -298,6 +310,8 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
         + _lineless(solution)
         + (*held, *_lying(case, state))
         + _stick(case, solution)
+        + interface.unrolled(solution.unrolled)
+        + subsurface.notes(case, solution.worst)
         + ball_life.notes(case)
     )
 

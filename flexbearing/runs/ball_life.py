@@ -188,6 +188,11 @@ def static(case: FastCase) -> float:
     return ball_static_rating(row(case)) if rating is None else rating
 
 
+def static_or_none(case: FastCase) -> float | None:
+    """The same; None where ISO 76 has none."""
+    return None if why_none(lambda: static(case)) else static(case)
+
+
 def safety(case: FastCase, state: qd.AngularContactState) -> float | None:
     """Static safety s_0 under what the balls carry for the ring, preload with it."""
     if case.life.static_rating is None and not _within(STEEL, case.materials.ball.youngs_modulus):

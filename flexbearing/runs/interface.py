@@ -2,7 +2,13 @@
 
 from collections.abc import Iterator
 
-from quasidynamic.note import Note, information
+from quasidynamic.note import Note, information, outside
+
+
+def unrolled(why: str) -> tuple[Note, ...]:
+    """Note that no stick and slip is known, where a case requires it; empty: it is known, or not required."""
+    words = f"friction torque: that of full sliding, above the real one; no stick and slip: {why}"
+    return (outside("no-stick-and-slip", words),) if why else ()
 
 
 def compliant(compliance: float | None) -> Iterator[Note]:

@@ -134,6 +134,15 @@ def test_bearing_without_a_rating_says_why(settings, why):
     assert why in note["text"]
 
 
+def test_a_given_rating_lives_beyond_the_static_one():
+    """D cos(alpha)/d_m of 0.46 is beyond ISO 76: no s_0, which takes neither loads nor lives."""
+    result = run(DEEP, {
+        "bearing.balls": 5, "bearing.ball.diameter": "31 mm", "life.dynamic_rating": "30 kN",
+        "bearing.pitch_diameter": "68 mm", "bearing.inner.radius": "16 mm", "bearing.outer.radius": "16 mm"
+    })  # fmt: skip
+    assert ("life_L10" in result.rigid, "static_safety" in result.rigid) == (True, False)
+
+
 @pytest.mark.parametrize(
     ("settings", "reason", "rated"),
     [

@@ -37,8 +37,8 @@ def require_narrow(across: NDArray, radius: NDArray) -> None:
     """
     if not np.all(across < radius):
         raise OutOfRange(
-            f"contact ellipse: semi-axis {np.max(across):.4g} m is not below the radius "
-            f"{np.min(radius):.4g} m of the pressed surface: the load is far too high"
+            f"contact ellipse: semi-axis {1e3 * np.max(across):.4g} mm is not below the radius "
+            f"{1e3 * np.min(radius):.4g} mm of the pressed surface: the load is far too high"
         )
 
 
