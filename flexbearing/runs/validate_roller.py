@@ -37,6 +37,6 @@ def require_around(case: Case, bearing: CylindricalRollerBearing) -> None:
 
         flange_corner(flange, bearing)
     ring_parts.outer_part(case)
-    ring_parts.inner_part(case)
+    ring_parts.require_shoulder(case)
     ring_parts.require_held_in_housing(case)
     ring_parts.require_held_on_lines(case)
