@@ -164,10 +164,9 @@ def _loads(
         "temperature_lubricant": (case["lubricant"]["inlet_temperature"] - ZERO_CELSIUS, "C"),
         "maximum_hertzian_pressure_inner_ring": (1e-6 * float(pressure[0]), MPA),
         "maximum_hertzian_pressure_outer_ring": (1e-6 * float(pressure[1]), MPA),
-        "radial_stiffness": (float(state["stiffness"]), "N / m"),
         "total_frictional_torque": (abs(float(state["driving_torque"])), "N m"),
         "total_frictional_power_loss": (float(state["driving_power"]), "W"),
-    }
+    } | ({"radial_stiffness": (float(state["stiffness"]), "N / m")} if "stiffness" in state else {})
 
 
 def _lives(case: Mapping[str, Any], state: Mapping[str, NDArray]) -> Attributes:

@@ -8,9 +8,11 @@ from flexbearing.findings.running import (
     CLEARANCE,
     FILM_RATIO,
     GYROSCOPIC_MOMENT,
+    LEAST_STIFFNESS,
     RACEWAY_SLOPE,
     RATED_VISCOSITY_RATIO,
     SHORT_LIFE,
+    STIFFNESS_IN_SERIES,
     VISCOSITY_RATIO,
 )
 from flexbearing.findings.strength import (
@@ -37,6 +39,8 @@ OF_ROLLERS = (
     FILM_RATIO,
     CLEARANCE,
     RACEWAY_SLOPE,
+    STIFFNESS_IN_SERIES,
+    LEAST_STIFFNESS,
 )
 OF_BALLS = (
     CONTACT_PRESSURE,
@@ -49,6 +53,7 @@ OF_BALLS = (
     VISCOSITY_RATIO,
     RATED_VISCOSITY_RATIO,
     CLEARANCE,
+    LEAST_STIFFNESS,
 )
 DECLARED = tuple(dict.fromkeys((*OF_ROLLERS, *OF_BALLS)))
 

@@ -35,6 +35,19 @@ GYROSCOPIC_MOMENT = Finding(
     meaning="in reality balls would turn about the rolling direction",
     action='set operation.control = "coulomb", which lets the balls turn',
 )  # fmt: skip
+STIFFNESS_IN_SERIES = Finding(
+    code="stiffness-not-in-series", label="bearing and supports in series, off the stiffness with supports",
+    quantity="series_error", at_most=0.02, grade=OUTSIDE, source="limit of this program", shown="%",
+    meaning="supports bend the rings by the loads of the bearing, these are no two springs: the stiffness of "
+    "bearing and supports alone is left out",
+    action="use the stiffness with supports, or the matrix, without supports in the rotor model",
+)  # fmt: skip
+LEAST_STIFFNESS = Finding(
+    code="no-positive-stiffness", label="smallest radial stiffness", quantity="least_stiffness",
+    at_least=0.0, grade=OUTSIDE, source="a stable support", unit="N/m", shown="kN/mm",
+    meaning="the tangent at this state pushes the ring away: a rotor on it is not stable",
+    action="take the stiffness over a range of displacements, or another clearance or load",
+)  # fmt: skip
 CLEARANCE = Finding(
     code="preload", label="diametral clearance", quantity="clearance",
     at_least=0.0, grade=USUAL, source="else preload", unit="m", shown="um", noted=False,

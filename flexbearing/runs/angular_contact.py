@@ -261,6 +261,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
         **judged.pressures(state.peak_pressures.max(axis=1), BALLS),
         "static_safety": solution.static_safety,
         "viscosity_ratio": ball_life.kappa(case) if speed and not ball_life.unviscous(case) else None,
+        "least_stiffness": judged.least_stiffness(state.stiffness[None, 1:3, 1:3]),
         "rated_viscosity_ratio": ball_life.rated_kappa(case),
         "clearance": judged.clearances(clearance.record(case)) if radial else None,
     }

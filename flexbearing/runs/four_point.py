@@ -285,7 +285,10 @@ def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray | 
 def judge(solution: Solution) -> tuple[Judged, ...]:
     """The solution against the limits of ball bearings."""
     largest = solution.balls.peak_pressure.max(axis=(0, 1))
-    return evaluate(declared.OF_BALLS, judged.pressures(largest, BALLS))
+    values = judged.pressures(largest, BALLS)
+    if solution.distribution is not None:
+        values["least_stiffness"] = judged.least_stiffness(solution.distribution.stiffness[None, 1:3, 1:3])
+    return evaluate(declared.OF_BALLS, values)
 
 
 def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:

@@ -32,6 +32,8 @@ def values(rows: SolvedRows) -> dict[str, Any]:
         ),
         "film_ratio": None if rows.film_ratio is None else _smallest(rows.film_ratio),
         "mixed_film_ratio": MIXED_FROM,
+        "series_error": None if rows.rings[0].rigid else rows.end.series_error,
+        "least_stiffness": judged.least_stiffness(rows.end.with_supports.radial_matrix),
         "raceway_slope": np.array(
             [_slope(state) if np.any(state.ring_tilt) else np.nan for state in rows.each]
         ),

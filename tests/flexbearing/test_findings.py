@@ -24,6 +24,7 @@ ROLLERS = ("nu209_fits.toml", "operation.misalignment=1 arcmin", *A_ISO)
 BARS = ("mao2016.toml", "accuracy.structure=beam", "materials.outer_ring.yield_stress=900 MPa")
 BALLS = ("harris218.toml", "lubricant.oil=ISO VG 68", "lubricant.inlet_temperature=60 degC", *A_ISO)
 DEEP = ("6209.toml",)
+FLEXIBLE = ("yield-stress", "stiffness-not-in-series")  # which rigid rings do not have
 LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the number
     ("contact-pressure", DANGER, "static_pressure"): 1.0,
     ("static-safety", DANGER, ""): 1.0,
@@ -35,6 +36,8 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
     ("viscosity-ratio", USUAL, ""): 1.0,
     ("no-modified-life", OUTSIDE, ""): 0.1,  # ISO 281
     ("film-ratio", USUAL, "mixed_film_ratio"): 1.0,
+    ("stiffness-not-in-series", OUTSIDE, ""): 0.02,
+    ("no-positive-stiffness", OUTSIDE, ""): 0.0,
     ("gyroscopic-moment", OUTSIDE, "friction"): 1.0,
     ("preload", USUAL, ""): 0.0,
     ("raceway-slope", USUAL, ""): np.radians(4 / 60),
@@ -42,7 +45,7 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
 BASES = {"static_pressure": static_pressure.ROLLERS, "dynamic_rating": 7e4, "static_rating": 6e4,
          "yield_stress": 9e8, "friction": 0.1, "mixed_film_ratio": MIXED_FROM}  # fmt: skip
 CASES = [
-    *((number, "OF_ROLLERS", BARS if each.code == "yield-stress" else ROLLERS)
+    *((number, "OF_ROLLERS", BARS if each.code in FLEXIBLE else ROLLERS)
       for number, each in enumerate(declared.OF_ROLLERS)),
     *((number, "OF_BALLS", DEEP if each.code == "preload" else BALLS)
       for number, each in enumerate(declared.OF_BALLS)),
