@@ -4,6 +4,12 @@ from collections.abc import Mapping
 from typing import Any
 
 from flexbearing.findings.finding import Finding
+from flexbearing.findings.neglected import (
+    CONTACT_HEIGHT,
+    MUCH_NEGLECTED,
+    NEGLECTED,
+    REVERSED_THRUST,
+)
 from flexbearing.findings.running import (
     CLEARANCE,
     FILM_RATIO,
@@ -41,6 +47,8 @@ OF_ROLLERS = (
     RACEWAY_SLOPE,
     STIFFNESS_IN_SERIES,
     LEAST_STIFFNESS,
+    MUCH_NEGLECTED,
+    NEGLECTED,
 )
 OF_BALLS = (
     CONTACT_PRESSURE,
@@ -54,6 +62,10 @@ OF_BALLS = (
     RATED_VISCOSITY_RATIO,
     CLEARANCE,
     LEAST_STIFFNESS,
+    MUCH_NEGLECTED,
+    NEGLECTED,
+    REVERSED_THRUST,
+    CONTACT_HEIGHT,
 )
 DECLARED = tuple(dict.fromkeys((*OF_ROLLERS, *OF_BALLS)))
 

@@ -19,7 +19,7 @@ from flexbearing.findings.running import GYROSCOPIC_MOMENT
 from flexbearing.program.workers import shared_map
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import row, taken
-from flexbearing.runs import ball_life, interface, judged, shoulders, subsurface
+from flexbearing.runs import ball_life, interface, judged, neglect, shoulders, subsurface
 from flexbearing.runs.ball_life import BallLives
 from flexbearing.runs.life_of_state import MREV
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
@@ -259,6 +259,8 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
     radial = not isinstance(case.bearing, AngularBearing)  # not adjusted axially
     values = {
         **judged.pressures(state.peak_pressures.max(axis=1), BALLS),
+        **neglect.of_fast_balls(solution),
+        **_places(case, state),
         "static_safety": solution.static_safety,
         "viscosity_ratio": ball_life.kappa(case) if speed and not ball_life.unviscous(case) else None,
         "least_stiffness": judged.least_stiffness(state.stiffness[None, 1:3, 1:3]),
@@ -276,6 +278,21 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
             "life": judged.seconds(life / MREV, speed),
         }
     return evaluate(declared.OF_BALLS, values)
+
+
+def _places(case: FastCase, state: qd.AngularContactState) -> dict[str, Any]:
+    """Angle of the most loaded ball, and how high contacts reach on races whose end is not given."""
+    of_design = isinstance(case.bearing, AngularBearing) and bool(state.loads.any())
+    ball = int(state.loads.sum(axis=0).argmax())
+    heights = {
+        race: height.max() / case.bearing.ball.diameter
+        for name, race, height in zip(("inner", "outer"), judged.RACES, state.needed_shoulders, strict=True)
+        if getattr(case.bearing, name).shoulder is None
+    }
+    return {
+        "contact_height": heights,
+        "loaded_angle": state.contact_angles[:, ball].min() if of_design else None,
+    }
 
 
 def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:

@@ -19,7 +19,7 @@ from flexbearing.progress import Report
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import row, taken
 from flexbearing.rings import bolted
-from flexbearing.runs import interface, judged, shoulders, subsurface
+from flexbearing.runs import interface, judged, neglect, shoulders, subsurface
 from quasidynamic import NotSolved, OutOfRange
 from quasidynamic.four_point import FourPointEquilibrium
 from quasidynamic.note import Note, danger, information, outside
@@ -282,10 +282,26 @@ def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray | 
     return {"balls": np.array(chosen), **fields}
 
 
+def _heights(solution: Solution) -> dict[str, float]:
+    """How high contacts reach over the ball diameter, on rigid races whose end is not given."""
+    case, balls = solution.case, solution.balls
+    arches = {race: case.arches(name) for race, name in enumerate(("inner", "outer"))}
+    open_races = [race for race, name in enumerate(("inner", "outer")) if np.isinf(_groove_end(case, name))]
+    return {
+        judged.RACES[race]: balls.needed_shoulders(race, arches[race].radius, arches[race].aside).max()
+        / case.bearing.ball.diameter
+        for race in open_races
+    }
+
+
 def judge(solution: Solution) -> tuple[Judged, ...]:
     """The solution against the limits of ball bearings."""
     largest = solution.balls.peak_pressure.max(axis=(0, 1))
-    values = judged.pressures(largest, BALLS)
+    values = {
+        **judged.pressures(largest, BALLS),
+        **neglect.of_slow_balls(solution),
+        "contact_height": _heights(solution),
+    }
     if solution.distribution is not None:
         values["least_stiffness"] = judged.least_stiffness(solution.distribution.stiffness[None, 1:3, 1:3])
     return evaluate(declared.OF_BALLS, values)

@@ -9,7 +9,7 @@ from flexbearing.case.roller import Case
 from flexbearing.findings import DANGER, declared, evaluate
 from flexbearing.findings.running import RATED_VISCOSITY_RATIO
 from flexbearing.findings.strength import BARS
-from flexbearing.runs import judged, life
+from flexbearing.runs import judged, life, neglect
 from flexbearing.runs.life_of_state import MREV
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import CylindricalRollerBearing, Equilibrium, OutOfRange
@@ -63,6 +63,7 @@ def values_of_dangers(rows: SolvedRows) -> dict[str, Any]:
         **judged.pressures(rows.bounded_pressure.T, ROLLERS),
         "static_safety": rows.static_safety,
         "life": judged.seconds(np.array(lives) / MREV, rows.relative_speed),
+        **neglect.of_rollers(rows),
         "rated_viscosity_ratio": np.array([life.rated_kappa(*of) for of in _parts(rows)], dtype=float),
         **(_stress_of_bars(rows) if limited else {}),
     }

@@ -86,7 +86,9 @@ def blocks(reader: Reader) -> Iterator[Block]:
     )
     yield _matrix(reader)
     if "total_stiffness" in block:
-        yield Words((*([_MATRIX] if supported(reader) and in_series(reader) else []), _TILT, _NEAR, _UNSYMMETRIC))
+        yield Words(
+            (*([_MATRIX] if supported(reader) and in_series(reader) else []), _TILT, _NEAR, _UNSYMMETRIC)
+        )
 
 
 def _which(reader: Reader) -> str:
