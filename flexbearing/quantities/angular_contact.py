@@ -26,7 +26,7 @@ from flexbearing.quantities.reductions import (
 from flexbearing.quantities.stiffness import RADIAL_STIFFNESSES
 from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, MREV, RPM, UM
 
-DRY_TORQUE = "friction torque (dry contacts only, cage and oil not counted)"
+DRY_TORQUE = "friction torque (dry contacts only; no cage, no oil)"
 RING = "ring"  # section of the page
 _APART = "NaN for a ball without lines, as one that does not touch both races"
 _FRICTION = "absent where a contact is as wide as the surface it presses"

@@ -362,7 +362,8 @@ def _stick(case: FastCase, solution: Solution) -> tuple[Note, ...]:
             f"friction torque: {case.friction.model} on {along} by {across} cells a contact, within "
             f"{rolling.grid_error.sum():.2g} N m of finer ones; "
             f"{100 * (rolling.friction_torque / torque - 1):+.1f} % against {balance} with the same "
-            f'friction.spin = "{case.friction.spin}", of {torque:.5g} N m',
+            f'friction.spin = "{case.friction.spin}", of {torque:.5g} N m'
+            f"{interface.by_springs(case.friction.model, rolling.stick_share)}",
         ),
         information(
             "kept-motion",

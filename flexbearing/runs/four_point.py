@@ -348,7 +348,8 @@ def _stick(solution: Solution, balls: qd.RollingBalls) -> tuple[Note, ...]:
             "stick-and-slip",
             f"torque: {friction.model} on {along} by {across} cells a contact, within "
             f"{balls.grid_error.sum():.2g} N m of finer ones; {100 * share:+.1f} % against full sliding with "
-            f"{same}, of {solution.full_sliding_torque:.5g} N m",
+            f"{same}, of {solution.full_sliding_torque:.5g} N m"
+            f"{interface.by_springs(friction.model, balls.stick_share)}",
         ),
     )
     lines += (*interface.compliant(friction.interface_compliance),)

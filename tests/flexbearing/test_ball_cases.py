@@ -14,6 +14,7 @@ import flexbearing
 from flexbearing import explain, read
 from flexbearing.api import read_case
 from flexbearing.families import FAMILIES
+from flexbearing.quantities.angular_contact import DRY_TORQUE
 from flexbearing.report import text, write_figures
 from flexbearing.runs import angular_contact
 from tests.flexbearing.noted import codes, texts
@@ -488,7 +489,7 @@ def test_every_control_has_one_friction_torque_by_one_coefficient(run, control):
         assert less == approx(torque / 2, rel=1e-9)
         assert other.rigid["spin_friction"] == approx(one.rigid["spin_friction"] / 2, rel=1e-9)
     page = text(one)
-    assert page.count("friction torque [N m]") == 1
+    assert page.count(f"{DRY_TORQUE} [N m]") == 1
     assert "sum of spin torques, Rivera Eq. (24) [N m]" in page
 
 
@@ -498,7 +499,7 @@ def test_local_spin_makes_more_friction_of_fast_balls(run):
     assert 1.02 < local["friction_torque"] / centre["friction_torque"] < 1.04
 
 
-OF_FRICTION = ("yaw of the ball's axis [deg]", "friction torque [N m]", "heat of friction of a ball [W]")
+OF_FRICTION = ("yaw of the ball's axis [deg]", f"{DRY_TORQUE} [N m]", "heat of friction of a ball [W]")
 
 
 def test_page_shows_the_yaw_only_where_friction_decides(run):
