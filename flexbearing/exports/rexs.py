@@ -147,7 +147,7 @@ def _loads(
     moment_v, moment_w = turned * (-moment[0], moment[1])  # about y is -dz/dx
     tilt_v, tilt_w = turned * (-tilt[0], tilt[1])
     place_v, place_w = 1e6 * turned * place
-    return {
+    found: Attributes = {
         "force_acting_on_inner_component_u": (0.0, "N"),
         "force_acting_on_inner_component_v": (float(force_v), "N"),
         "force_acting_on_inner_component_w": (float(force_w), "N"),
@@ -166,7 +166,10 @@ def _loads(
         "maximum_hertzian_pressure_outer_ring": (1e-6 * float(pressure[1]), MPA),
         "total_frictional_torque": (abs(float(state["driving_torque"])), "N m"),
         "total_frictional_power_loss": (float(state["driving_power"]), "W"),
-    } | ({"radial_stiffness": (float(state["stiffness"]), "N / m")} if "stiffness" in state else {})
+    }
+    if "stiffness" in state:
+        found["radial_stiffness"] = (float(state["stiffness"]), "N / m")
+    return found
 
 
 def _lives(case: Mapping[str, Any], state: Mapping[str, NDArray]) -> Attributes:

@@ -8,15 +8,14 @@ from numpy.typing import NDArray
 
 from quasidynamic.outcome.neglected import friction_share, inertia_shares, tilting_share, weight_share
 
-if TYPE_CHECKING:  # each imports what it judges
-    from flexbearing.runs import angular_contact, four_point
+if TYPE_CHECKING:
     from flexbearing.runs.solved_rows import SolvedRows
 
 INERTIA, MOMENT, WEIGHT, FRICTION = "inertia", "gyroscopic moment", "weight", "friction"
 OF_BALLS, OF_ROLLERS = " of the balls", " of the rollers"
 
 
-def of_fast_balls(solution: "angular_contact.Solution") -> Mapping[str, Any]:
+def of_fast_balls(solution: Any) -> Mapping[str, Any]:
     """Weight, and friction where a race controls the balls; centrifugal forces and moments are computed."""
     state, case = solution.state, solution.case
     bearing, total = state.bearing, state.loads.sum()
@@ -29,7 +28,7 @@ def of_fast_balls(solution: "angular_contact.Solution") -> Mapping[str, Any]:
     return {"neglected": found | {FRICTION: friction_share(torque, bearing.pitch_diameter, total / 2)}}
 
 
-def of_slow_balls(solution: "four_point.Solution") -> Mapping[str, Any]:
+def of_slow_balls(solution: Any) -> Mapping[str, Any]:
     """Inertia, gyroscopic moment, weight and friction: loads are those of a bearing that stands."""
     balls, bearing, speed = solution.balls, solution.bearing, solution.case.operation.speed
     ball, driven = bearing.ball, balls.sliding.driven

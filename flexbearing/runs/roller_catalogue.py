@@ -174,8 +174,10 @@ def _by_oil(case: Case, bearing: CylindricalRollerBearing, lived: float, hours: 
     if case.life.lubrication != "a_ISO":
         return {}
     kappa = life.rated_kappa(case, bearing)
+    if kappa is None:
+        return {}
     if life.without_oil_factor(case, bearing):
-        return {} if kappa is None else {"viscosity_ratio": kappa}
+        return {"viscosity_ratio": kappa}
     left = life.fatigue_share(case, bearing)
     factor = float(modification_factor(kappa, left / case.operation.radial_load).value)
     return {

@@ -48,7 +48,9 @@ def inertia_shares(
     """
     inertia = mass * diameter**2 / 10
     centrifugal = mass * pitch_diameter * np.square(orbit) / 2
-    return centrifugal / load, np.abs(inertia * np.multiply(orbit, spin)) / (diameter * np.asarray(load))
+    return centrifugal / np.asarray(load), np.abs(inertia * np.multiply(orbit, spin)) / (
+        diameter * np.asarray(load)
+    )
 
 
 def weight_share(mass: float, load: ArrayLike) -> Any:
