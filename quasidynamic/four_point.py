@@ -151,8 +151,8 @@ class FourPointBallBearing:
         ellipse = Ellipse(across, along, self._surface(angle), coefficient * load, self.spin)
         if not np.all(across < radius):
             raise OutOfRange(
-                f"semi-axis {across.max():.4g} m of a contact is not below the ball radius {radius:.4g} m: "
-                "the load is far too high"
+                f"semi-axis {1e3 * across.max():.4g} mm of a contact is not below the ball radius "
+                f"{1e3 * radius:.4g} mm: the load is far too high"
             )
         contacts = BallContacts(
             ball_radius=np.full(len(angle), radius),

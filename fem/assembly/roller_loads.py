@@ -19,6 +19,7 @@ from scipy import sparse
 
 from fem.errors import NotSolved
 from fem.mesh.solid import MILLIMETRES
+from fem.parts.material import in_mm
 from fem.parts.rings import MeshSize, Patches
 
 REACH = 8.0  # standard deviations; a Gaussian has 1e-14 of its peak there
@@ -172,7 +173,7 @@ def _normalised(shapes: NDArray, weight: NDArray, patches: Patches) -> NDArray:
     if not error <= UNRESOLVED:
         raise NotSolved(
             f"patch integrals are {error:.2g} wrong, allowed {UNRESOLVED:g}: "
-            f"width {patches.width:.3g} m is too narrow for this mesh of the raceway"
+            f"width {in_mm(patches.width)} is too narrow for this mesh of the raceway"
         )
     return shapes @ np.linalg.inv(gram)
 

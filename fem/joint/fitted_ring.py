@@ -15,7 +15,7 @@ from fem.mesh.axial_section import AxialSection, sections
 from fem.parts.boundary_conditions import ClampedFace, Housing, RigidSeat
 from fem.parts.material import ImpossiblePart
 from fem.parts.resolution import Resolution, Shape
-from fem.parts.rings import SLENDEREST_SLOT, OuterRing, RingOnShaft, require_on_track
+from fem.parts.rings import OuterRing, RingOnShaft, require_on_track
 from fem.raceway.harmonics import highest_harmonic, resolving
 from fem.section.expansion import Along
 from fem.section.revolved_body import assembled
@@ -35,13 +35,7 @@ class FittedRing:
 
     def __post_init__(self):
         if self.shoulder_diameter is not None:
-            wall = 2 * SLENDEREST_SLOT
-            low, high = self.seat.bore + wall, self.seat.outside_diameter - wall
-            if not low <= self.shoulder_diameter <= high:
-                raise ImpossiblePart(
-                    f"shoulder_diameter = {self.shoulder_diameter!r} is impossible; allowed is {low:.6g} to "
-                    f"{high:.6g} m, between bore and outside"
-                )
+            self.seat.require_shoulder(self.shoulder_diameter)
 
     def faces(self, grid: "FitGrid") -> tuple[ContactFace, ...]:
         """Where ring and shaft can touch."""

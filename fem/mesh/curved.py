@@ -12,7 +12,9 @@ from dataclasses import replace
 import ngsolve as ngs
 import numpy as np
 
-from fem.parts.rings import ImpossiblePart, MeshSize
+from fem.errors import NotSolved
+from fem.parts.material import in_mm
+from fem.parts.rings import MeshSize
 
 LEAST = 0.02  # of the volume of a straight element that is left where it does not count as folded
 FOLDED = 1e-3  # share of a volume that may fold beside fillets; that changes compliances by 1e-3 at most
@@ -39,7 +41,7 @@ def curved(generate: Callable[[MeshSize], ngs.Mesh], mesh_size: MeshSize, allowe
 
     Raises
     ------
-    ImpossiblePart
+    NotSolved
         if elements are inside out on the finest mesh, too
     """
     for share in FINER:
@@ -50,9 +52,9 @@ def curved(generate: Callable[[MeshSize], ngs.Mesh], mesh_size: MeshSize, allowe
         _log.debug("%d elements of order %d, %.2g of the volume folded", mesh.ne, mesh_size.order, folded)
         if folded <= allowed:
             return mesh
-    raise ImpossiblePart(
-        f"raceway_size = {mesh_size.raceway_size!r} m with size = {mesh_size.size!r} m and "
-        f"order = {mesh_size.order} is impossible: curved edges turn {folded:.2g} of the volume inside "
+    raise NotSolved(
+        f"elements of {in_mm(mesh_size.size)}, on the raceway of {in_mm(mesh_size.raceway_size)}, and of "
+        f"order {mesh_size.order} are impossible: curved edges turn {folded:.2g} of the volume inside "
         f"out, also on elements {FINER[-1]:g} times as large; allowed is {allowed:g}, by other sizes or a "
         "lower order"
     )

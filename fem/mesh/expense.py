@@ -2,7 +2,8 @@
 
 import logging
 
-from fem.parts.material import ImpossiblePart
+from fem.errors import NotSolved
+from fem.parts.material import in_mm
 from fem.parts.rings import MeshSize
 
 LARGEST = {2: 300_000, 3: 3_000_000}  # unknowns on an axial section, for every harmonic; of a solid
@@ -36,7 +37,7 @@ def require_affordable(
 
     Raises
     ------
-    ImpossiblePart
+    NotSolved
         when there are too many
     """
     elements = HELD[dimension] * loaded / mesh_size.raceway_size ** (dimension - 1)
@@ -46,9 +47,9 @@ def require_affordable(
     unknowns = PER_SIMPLEX[dimension] * mesh_size.order**dimension * elements
     where = {2: "on the axial section", 3: "in the solid"}[dimension]
     if unknowns > LARGEST[dimension]:
-        raise ImpossiblePart(
-            f"size = {mesh_size.size:.4g} m with raceway_size = {mesh_size.raceway_size:.4g} m and "
-            f"order = {mesh_size.order} make about {unknowns:.2g} unknowns {where}; allowed are "
+        raise NotSolved(
+            f"elements of {in_mm(mesh_size.size)}, on the raceway of {in_mm(mesh_size.raceway_size)}, and of "
+            f"order {mesh_size.order} make about {unknowns:.2g} unknowns {where}; allowed are "
             f"{LARGEST[dimension]:.2g}, by larger elements or a lower order"
         )
     _log.info("about %d unknowns %s", unknowns, where)

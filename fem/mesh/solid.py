@@ -81,7 +81,7 @@ def meshed(part: Part | StepSolid, length: float, mesh_size: MeshSize) -> ngs.Me
 
 
 def require_affordable_solid(body, mesh_size: MeshSize) -> None:
-    """Refuse elements that are far too many for a shape; raises `ImpossiblePart`."""
+    """Refuse elements that are far too many for a shape; raises `NotSolved`."""
     contents = [
         (solid.mass / MILLIMETRES**3, sum(face.mass for face in solid.faces) / MILLIMETRES**2)
         for solid in body.solids

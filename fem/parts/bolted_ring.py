@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import asin, cos, inf, isinf, pi, sin
 from typing import Literal
 
-from fem.parts.material import Elastic, require, require_positive
+from fem.parts.material import Elastic, in_mm, require, require_positive
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,8 +38,8 @@ class BoltedGrooveRing:
         )  # fmt: skip
         require(0 < self.contact_angle < pi / 2, "contact_angle", self.contact_angle, "between 0 and pi/2")
         require(
-            self.groove_radius > self.ball_diameter / 2, "groove_radius", self.groove_radius,
-            f"more than half of the ball_diameter, {self.ball_diameter / 2:.6g} m",
+            self.groove_radius > self.ball_diameter / 2, "groove_radius", in_mm(self.groove_radius),
+            f"more than half of the ball_diameter, {in_mm(self.ball_diameter / 2)}",
         )  # fmt: skip
         require(
             self.contact_angle < self.groove_end < pi / 2, "groove_end", self.groove_end,
@@ -56,18 +56,18 @@ class BoltedGrooveRing:
     def _require_room(self):
         half = self.at(self.groove_end)[0]
         require(
-            self.face_distance > half, "face_distance", self.face_distance,
-            f"more than half of the groove's width, {half:.6g} m",
+            self.face_distance > half, "face_distance", in_mm(self.face_distance),
+            f"more than half of the groove's width, {in_mm(half)}",
         )  # fmt: skip
         require(
-            self.width > self.face_distance + half, "width", self.width,
-            f"more than face_distance and half of the groove, {self.face_distance + half:.6g} m",
+            self.width > self.face_distance + half, "width", in_mm(self.width),
+            f"more than face_distance and half of the groove, {in_mm(self.face_distance + half)}",
         )  # fmt: skip
         bottom = self.pitch_diameter + 2 * self.outward * self.bottom
         far = "above" if self.race == "outer" else "below"
         require(
-            self.outward * (self.far_diameter - bottom) > 0, "far_diameter", self.far_diameter,
-            f"{far} the diameter of the groove's bottom, {bottom:.6g} m",
+            self.outward * (self.far_diameter - bottom) > 0, "far_diameter", in_mm(self.far_diameter),
+            f"{far} the diameter of the groove's bottom, {in_mm(bottom)}",
         )  # fmt: skip
 
     @property

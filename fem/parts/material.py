@@ -17,7 +17,12 @@ def require(holds: bool, name: str, value: object, allowed: str) -> None:
         unless it holds
     """
     if not holds:
-        raise ImpossiblePart(f"{name} = {value!r} is impossible; allowed is {allowed}")
+        raise ImpossiblePart(f"{name} = {value} is impossible; allowed is {allowed}")
+
+
+def in_mm(length: float) -> str:
+    """A length [m] as people write it."""
+    return f"{1e3 * length:.5g} mm"
 
 
 def require_positive(part: object, *names: str) -> None:

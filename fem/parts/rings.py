@@ -19,6 +19,7 @@ from fem.parts.boundary_conditions import (
 from fem.parts.material import (
     Elastic,
     ImpossiblePart as ImpossiblePart,  # parts are where one expects it
+    in_mm,
     require,
     require_positive,
 )
@@ -40,11 +41,14 @@ class OuterRing:
 
     def __post_init__(self):
         require_positive(self, "raceway_diameter", "thickness", "width")
-        require(self.thickness > SLENDEREST_SLOT, "thickness", self.thickness, f"> {SLENDEREST_SLOT} m")
+        require(
+            self.thickness > SLENDEREST_SLOT, "thickness", in_mm(self.thickness),
+            f"above {in_mm(SLENDEREST_SLOT)}",
+        )  # fmt: skip
         _require_inside(self.offset, self.width)
         if self.offset and isinstance(self.support, LineSupports | PlanetGear):
             raise ImpossiblePart(
-                f"offset = {self.offset!r} m: a ring with {type(self.support).__name__} is known with its "
+                f"raceway_offset = {in_mm(self.offset)}: a ring on lines or tooth forces is known with its "
                 "raceway in its middle only; allowed is zero"
             )
 
@@ -131,13 +135,14 @@ class SquirrelCage:
         require(self.bars >= 1, "bars", self.bars, "1 or more")
         thickest = self.thickness - 2 * SLENDEREST_SLOT / 3
         require(
-            self.bar_thickness <= thickest, "bar_thickness", self.bar_thickness,
-            f"at most {thickest:.3g} m: less than the thickness of the ring, so that the raceway stays whole",
+            self.bar_thickness <= thickest, "bar_thickness", in_mm(self.bar_thickness),
+            f"at most {in_mm(thickest)}, less than the thickness of the ring, which leaves the raceway whole",
         )  # fmt: skip
         widest = widest_bar(self.bars, self.bar_radii[0])
         require(
-            self.bar_width <= widest, "bar_width", self.bar_width,
-            f"at most {widest:.3g} m: {self.bars} bars leave slots of {SLENDEREST_SLOT:.1g} m or more",
+            self.bar_width <= widest, "bar_width", in_mm(self.bar_width),
+            f"{_at_most(widest, 'fewer bars')}: {self.bars} bars leave slots of {in_mm(SLENDEREST_SLOT)} or "
+            "more",
         )  # fmt: skip
         _require_inside(self.offset, self.width)
         if self.collar_length != 0:
@@ -150,29 +155,31 @@ class SquirrelCage:
         least = longest - SLENDEREST_SLOT
         require(
             SLENDEREST_SLOT <= self.collar_length <= least or self.collar_length == longest,
-            "collar_length", self.collar_length,
-            f"zero, {SLENDEREST_SLOT:.1g} m to {least:.3g} m, or {longest:.3g} m, which is the whole ring",
+            "collar_length", in_mm(self.collar_length),
+            f"zero, {in_mm(SLENDEREST_SLOT)} to {in_mm(least)}, or {in_mm(longest)}, which is the whole ring",
         )  # fmt: skip
         thicker = self.thickness + SMALLEST_FILLET
         require(
             self.collar_thickness >= thicker or self.collar_thickness == self.thickness,
-            "collar_thickness", self.collar_thickness,
-            f"that of the ring, {self.thickness:.3g} m, or {thicker:.3g} m and more",
+            "collar_thickness", in_mm(self.collar_thickness),
+            f"that of the ring, {in_mm(self.thickness)}, or {in_mm(thicker)} and more",
         )  # fmt: skip
 
     def _require_room_for_fillets(self):
         step, gap = (self.thickness - self.bar_thickness) / 2, self.bar_length / 2
         largest = min(step - SMALLEST_FILLET / 2, gap - SLENDEREST_SLOT / 2)
         require(
-            SMALLEST_FILLET <= self.fillet <= largest, "fillet", self.fillet,
-            f"zero, or {SMALLEST_FILLET:.1g} m to {largest:.3g} m: inside the faces that the bars rest on, "
-            f"{step:.3g} m wide beside the bars, and short of half the bars, {gap:.3g} m",
+            SMALLEST_FILLET <= self.fillet <= largest, "fillet", in_mm(self.fillet),
+            ("zero" if largest < SMALLEST_FILLET
+             else f"zero, or {in_mm(SMALLEST_FILLET)} to {in_mm(largest)}")
+            + ": inside the faces that the bars rest on, "
+            f"{in_mm(step)} wide beside the bars, and short of half the bars, {in_mm(gap)}",
         )  # fmt: skip
         widest = widest_bar(self.bars, self.bar_radii[0] - self.fillet) - self.bar_width
         require(
-            2 * self.fillet <= widest, "fillet", self.fillet,
-            f"at most {widest / 2:.3g} m, which leaves slots of {SLENDEREST_SLOT:.1g} m between the feet of "
-            f"{self.bars} bars",
+            2 * self.fillet <= widest, "fillet", in_mm(self.fillet),
+            f"{_at_most(widest / 2, 'zero')}, which leaves slots of {in_mm(SLENDEREST_SLOT)} between the "
+            f"feet of {self.bars} bars",
         )  # fmt: skip
 
     @property
@@ -251,7 +258,7 @@ class RingOnShaft:
             ("width", "shaft_length"),
         ):
             limit, value = getattr(self, outside) - wall, getattr(self, inside)
-            require(value <= limit, inside, value, f"at most {limit:.6g} m, inside {outside}")
+            require(value <= limit, inside, in_mm(value), f"at most {in_mm(limit)}, inside {outside}")
 
     @property
     def track(self) -> float:
@@ -277,13 +284,32 @@ class RingOnShaft:
         """Rigid motions that nothing holds: none."""
         return FreeMotions()
 
+    def require_shoulder(self, diameter: float) -> None:
+        """Refuse a shoulder of the shaft [m] that does not end on the side of the ring."""
+        wall = 2 * SLENDEREST_SLOT
+        low, high = self.bore + wall, self.outside_diameter - wall
+        require(
+            low <= diameter <= high, "shoulder_diameter", in_mm(diameter),
+            f"{in_mm(low)} to {in_mm(high)}, between bore and outside",
+        )  # fmt: skip
+
 
 Part = SquirrelCage | OuterRing | RingOnShaft
 
 
+def _at_most(limit: float, instead: str) -> str:
+    """A largest length [m], or what is allowed instead where there is none."""
+    return f"at most {in_mm(limit)}" if limit > 0 else instead
+
+
 def _require_inside(offset: float, width: float) -> None:
     """Refuse a raceway whose middle lies beyond an end face; `require_on_track` sees to its length."""
-    require(abs(offset) < width / 2, "offset", offset, f"below half of the width, {width / 2:.4g} m")
+    require(
+        abs(offset) < width / 2,
+        "raceway_offset",
+        in_mm(offset),
+        f"below half of the width, {in_mm(width / 2)}",
+    )
 
 
 def require_on_track(length: float, track: float) -> None:
@@ -295,7 +321,7 @@ def require_on_track(length: float, track: float) -> None:
         if rollers would run beyond it
     """
     if length > track * (1 + 1e-9):
-        raise ImpossiblePart(f"length = {length!r} m of the loaded band; allowed is the track, {track!r} m")
+        raise ImpossiblePart(f"rollers of {in_mm(length)} run beyond the track of {in_mm(track)}")
 
 
 @dataclass(frozen=True, kw_only=True)

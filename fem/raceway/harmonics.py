@@ -72,7 +72,7 @@ def highest_harmonic(radius: float, detail: float, mesh: MeshSize, wish: int | N
     if not FEWEST <= wish <= limit:
         raise NotSolved(
             f"{wish} harmonics are impossible on this mesh of the raceway, allowed are {FEWEST} to {limit}: "
-            "a smaller raceway_size or a higher order resolves more"
+            "smaller elements of the raceway or a higher order resolve more"
         )
     return wish
 

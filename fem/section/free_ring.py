@@ -224,5 +224,5 @@ def _require_all_harmonics(ring: FreeRing, slenderness: float) -> None:
         if not rest <= REST:
             raise TooFewHarmonics(
                 f"{rest:.2g} of the deflection of the ring lies beyond harmonic {len(answer) - 1}, "
-                f"allowed {REST:g}: take more harmonics, on elements of a smaller raceway_size"
+                f"allowed {REST:g}: take more harmonics, on smaller elements of the raceway"
             )

@@ -2,6 +2,8 @@
 
 import math
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -34,6 +36,11 @@ def part_of(case: Case, race: Race) -> "Part | None":
 
 def outer_part(case: Case) -> "fem.SquirrelCage | fem.OuterRing | StepSolid | None":
     """What carries the outer raceway, at its temperature; None when it is rigid."""
+    with _of_table("outer"):
+        return _outer_part(case)
+
+
+def _outer_part(case: Case) -> "fem.SquirrelCage | fem.OuterRing | StepSolid | None":
     outer: Any = case.outer  # which values are there depends on the kind, checked on reading
     hot = hot_over_cold(case, "outer_ring")
     ring: dict[str, Any] = {
@@ -68,6 +75,15 @@ def outer_mass(case: Case) -> float | None:
         return None
     cold = volume(part) / hot_over_cold(case, "outer_ring") ** 3
     return cold * case.materials.outer_ring.density
+
+
+@contextmanager
+def _of_table(name: str) -> Iterator[None]:
+    """Say of what is impossible in which table of the case it stands."""
+    try:
+        yield
+    except fem.ImpossiblePart as problem:
+        raise fem.ImpossiblePart(f"[{name}] {problem}") from problem
 
 
 def _support(case: Case) -> Any:
@@ -150,6 +166,11 @@ def _direction(name: str) -> tuple[float, float, float]:
 
 def inner_part(case: Case) -> "fem.RingOnShaft | None":
     """Inner ring on its shaft, at the ring's temperature; None when it is rigid."""
+    with _of_table("inner"):
+        return _inner_part(case)
+
+
+def _inner_part(case: Case) -> "fem.RingOnShaft | None":
     inner: Any = case.inner
     if inner.kind == "rigid":
         return None
@@ -214,6 +235,20 @@ def _without_effect(case: Case) -> tuple[Note, ...]:
     return (information("inner-thickness", words),)
 
 
+def require_shoulder(case: Case) -> None:
+    """Refuse a shoulder of the shaft that does not end on the side of the ring.
+
+    Raises
+    ------
+    ImpossiblePart
+        when it ends below the bore or above the ring
+    """
+    part = inner_part(case)
+    if part is not None and case.inner.shoulder_diameter is not None and case.inner.fit != "bonded":
+        with _of_table("inner"):
+            part.require_shoulder(case.inner.shoulder_diameter)
+
+
 def require_held_in_housing(case: Case) -> None:
     """Refuse a loose ring that no load presses on its housing.
 
@@ -230,8 +265,8 @@ def require_held_in_housing(case: Case) -> None:
     gap = -interference + diameter * (hot_over_cold(case, "housing") - hot_over_cold(case, "outer_ring"))
     if gap >= 0:
         raise fem.ImpossiblePart(
-            f"bearing.fits.housing.interference = {interference!r} m leaves {gap:.3g} m hot, and nothing "
-            "holds the ring; allowed is an operation.radial_load above zero, or a hotter ring"
+            f"bearing.fits.housing.interference = {1e6 * interference:.4g} um leaves {1e6 * gap:.3g} um hot, "
+            "and nothing holds the ring; allowed is an operation.radial_load above zero, or a hotter ring"
         )
 
 

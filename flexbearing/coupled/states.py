@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from flexbearing.coupling import Iteration, LinearPair
 from flexbearing.coupling.partners import Compliance
+from flexbearing.findings.running import STIFFNESS_IN_SERIES
 from flexbearing.quantities.quantity import row, taken
 from flexbearing.quantities.roller import LAYOUT
 from quasidynamic import Equilibrium
@@ -15,6 +16,8 @@ from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.ring_stiffness import Tangent
+
+IN_SERIES = STIFFNESS_IN_SERIES.limit
 
 
 @dataclass(frozen=True)
@@ -39,19 +42,54 @@ class EndStates:
         """Stiffness from base to shaft ends."""
         return with_supports(self.elastic, self.rings)
 
+    @cached_property
+    def series_error(self) -> NDArray:
+        r"""How far bearing and supports in series are from the stiffness with supports (C) [-].
+
+        .. math:: |k_{total} (1/k + \sum 1/k_o) - 1|
+
+        One where a stiffness is not positive. Large where supports deform the rings by what the bearing
+        carries, as lines do: then there are no two springs.
+        """
+        alone, total = (each.radial_stiffness for each in (self.between_raceways, self.with_supports))
+        supports = sum(1.0 / each.support_stiffness for each in self.rings.raceways if each is not None)
+        positive = (alone > 0) & (total > 0)
+        return np.where(positive, np.abs(total * (1.0 / alone + supports) - 1.0), 1.0)
+
+    @property
+    def in_series(self) -> NDArray:
+        """Where (C) bearing and supports are springs in series."""
+        return self.series_error <= IN_SERIES
+
+    @property
+    def stiffness(self) -> NDArray | None:
+        """Radial stiffness of the bearing alone (C) [N/m] along the load; None where there is none."""
+        return self._where_in_series(self.between_raceways.radial_stiffness)
+
+    @property
+    def radial_matrix(self) -> NDArray | None:
+        """The same (C, 2, 2) along y and z."""
+        return self._where_in_series(self.between_raceways.radial_matrix)
+
     @property
     def support_stiffness(self) -> NDArray | None:
         """Stiffness of the outer ring's support (C) [N/m], the same in all cases; None where it is rigid."""
         outer = self.rings.outer
         if outer is None or not np.isfinite(outer.support_stiffness):
             return None
-        return np.full(len(self.states.scaled), outer.support_stiffness)
+        return self._where_in_series(np.full(len(self.states.scaled), outer.support_stiffness))
 
     @property
     def support_stiffness_ratio(self) -> NDArray | None:
         """Stiffness of the outer ring's support over that of the bearing (C) [-]; None where it is rigid."""
-        support = self.support_stiffness
-        return None if support is None else support / self.between_raceways.radial_stiffness
+        support, alone = self.support_stiffness, self.stiffness
+        return None if support is None or alone is None else support / alone
+
+    def _where_in_series(self, values: NDArray) -> NDArray | None:
+        """Values (C, ...), not a number where they are none of springs in series; None where none is."""
+        if not self.in_series.any():
+            return None
+        return np.where(self.in_series.reshape(-1, *(1 for _ in values.shape[1:])), values, np.nan)
 
     @property
     def support_translation(self) -> NDArray:

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.case import BadCase
 from flexbearing.derivatives.keys import Key
 from flexbearing.derivatives.table import OutputValue, Sensitivities
 from flexbearing.outputs import Wanted
@@ -30,8 +31,16 @@ def tabled(
     columns: Mapping[Key, NDArray],
     left_out: Sequence[tuple[str, str]],
 ) -> Sensitivities:
-    """The table of derivatives; outputs that the case does not have are left out."""
+    """The table of derivatives; outputs that the case does not have are left out.
+
+    Raises
+    ------
+    BadCase
+        where it has none of them
+    """
     there = np.isfinite(values)
+    if not there.any():
+        raise BadCase(f"--of {', '.join(each.name for each in outputs)}: the case has no such output")
     numbers = np.array(list(columns.values())).reshape(-1, 3, len(values)).transpose(1, 2, 0)
     slopes, below, above = numbers[:, there]
     known = [

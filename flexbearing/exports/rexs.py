@@ -160,7 +160,7 @@ def _loads(
     moment_v, moment_w = turned * (-moment[0], moment[1])  # about y is -dz/dx
     tilt_v, tilt_w = turned * (-tilt[0], tilt[1])
     place_v, place_w = 1e6 * turned * place
-    return {
+    found: Attributes = {
         "force_acting_on_inner_component_u": (0.0, "N"),
         "force_acting_on_inner_component_v": (float(force_v), "N"),
         "force_acting_on_inner_component_w": (float(force_w), "N"),
@@ -177,10 +177,12 @@ def _loads(
         "temperature_lubricant": (case["lubricant"]["inlet_temperature"] - ZERO_CELSIUS, "C"),
         "maximum_hertzian_pressure_inner_ring": (1e-6 * float(pressure[0]), MPA),
         "maximum_hertzian_pressure_outer_ring": (1e-6 * float(pressure[1]), MPA),
-        "radial_stiffness": (float(state["stiffness"]), "N / m"),
         "total_frictional_torque": (abs(float(state["driving_torque"])), "N m"),
         "total_frictional_power_loss": (float(state["driving_power"]), "W"),
     }
+    if "stiffness" in state:
+        found["radial_stiffness"] = (float(state["stiffness"]), "N / m")
+    return found
 
 
 def _lives(case: Mapping[str, Any], state: Mapping[str, NDArray]) -> Attributes:

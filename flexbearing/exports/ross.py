@@ -89,6 +89,11 @@ def read(path: Path) -> Bearing:
     which = TILT_HELD if of_balls else TILT_FOLLOWS
     states = [_column(path, heads, rows, _names(f"{which}_{entry}"), "N/m") for entry in ENTRIES]
     _require_speeds(path, heads, rows, speeds)
+    if (least := min(states[0].min(), states[3].min())) <= 0:
+        raise BadResult(
+            f"{path}: has a stiffness of {least:.3g} N/m along y or z, which is not positive: no rotor is "
+            "stable on it."
+        )
     turns = np.sign(speeds[np.argmax(np.abs(speeds))])
     order = np.argsort(np.abs(speeds))
     yy, yz, zy, zz = (state[order] for state in states)

@@ -4,13 +4,22 @@ from collections.abc import Mapping
 from typing import Any
 
 from flexbearing.findings.finding import Finding
+from flexbearing.findings.neglected import (
+    CONTACT_HEIGHT,
+    MUCH_NEGLECTED,
+    NEGLECTED,
+    REVERSED_THRUST,
+)
 from flexbearing.findings.running import (
     CLEARANCE,
     FILM_RATIO,
     GYROSCOPIC_MOMENT,
+    LEAST_STIFFNESS,
     RACEWAY_SLOPE,
+    RATED_VISCOSITY_RATIO,
     REQUIRED_LIFE,
     SHORT_LIFE,
+    STIFFNESS_IN_SERIES,
     VISCOSITY_RATIO,
 )
 from flexbearing.findings.strength import (
@@ -35,10 +44,15 @@ OF_ROLLERS = (
     HEAVY_LOAD,
     LIGHT_LOAD_OF_ROLLERS,
     VISCOSITY_RATIO,
+    RATED_VISCOSITY_RATIO,
     FILM_RATIO,
     CLEARANCE,
     RACEWAY_SLOPE,
     *RATINGS,
+    STIFFNESS_IN_SERIES,
+    LEAST_STIFFNESS,
+    MUCH_NEGLECTED,
+    NEGLECTED,
 )
 OF_BALLS = (
     CONTACT_PRESSURE,
@@ -50,8 +64,14 @@ OF_BALLS = (
     STATIC_SAFETY,
     GYROSCOPIC_MOMENT,
     VISCOSITY_RATIO,
+    RATED_VISCOSITY_RATIO,
     CLEARANCE,
     *RATINGS,
+    LEAST_STIFFNESS,
+    MUCH_NEGLECTED,
+    NEGLECTED,
+    REVERSED_THRUST,
+    CONTACT_HEIGHT,
 )
 DECLARED = tuple(dict.fromkeys((*OF_ROLLERS, *OF_BALLS)))
 

@@ -21,6 +21,13 @@ VISCOSITY_RATIO = Finding(
     meaning="surfaces touch through the film",
     action="take an oil {share:.2g} times as viscous, or cool it; else use EP/AW additives",
 )  # fmt: skip
+NO_MODIFIED_LIFE = "no-modified-life"  # code of notes on a life that is left out
+RATED_VISCOSITY_RATIO = Finding(
+    code=NO_MODIFIED_LIFE, label="viscosity ratio of a_ISO", quantity="rated_viscosity_ratio",
+    at_least=0.1, grade=OUTSIDE, source="ISO 281 (2007)",
+    meaning="no a_ISO holds there, the modified life is left out",
+    action="take an oil {share:.2g} times as viscous, or cool it",
+)  # fmt: skip
 FILM_RATIO = Finding(
     code="film-ratio", label="smallest film ratio Λ", quantity="film_ratio",
     at_least=1.0, times="mixed_film_ratio", grade=USUAL, source="asperities carry below", noted=False,
@@ -33,6 +40,19 @@ GYROSCOPIC_MOMENT = Finding(
     quantity="needed_friction", at_most=1.0, times="friction", grade=OUTSIDE, source="friction.coefficient",
     meaning="in reality balls would turn about the rolling direction",
     action='set operation.control = "coulomb", which lets the balls turn',
+)  # fmt: skip
+STIFFNESS_IN_SERIES = Finding(
+    code="stiffness-not-in-series", label="bearing and supports in series, off the stiffness with supports",
+    quantity="series_error", at_most=0.02, grade=OUTSIDE, source="limit of this program", shown="%",
+    meaning="supports bend the rings by the loads of the bearing, these are no two springs: the stiffness of "
+    "bearing and supports alone is left out",
+    action="use the stiffness with supports, or the matrix, without supports in the rotor model",
+)  # fmt: skip
+LEAST_STIFFNESS = Finding(
+    code="no-positive-stiffness", label="smallest radial stiffness", quantity="least_stiffness",
+    at_least=0.0, grade=OUTSIDE, source="a stable support", unit="N/m", shown="kN/mm",
+    meaning="the tangent at this state pushes the ring away: a rotor on it is not stable",
+    action="take the stiffness over a range of displacements, or another clearance or load",
 )  # fmt: skip
 CLEARANCE = Finding(
     code="preload", label="diametral clearance", quantity="clearance",

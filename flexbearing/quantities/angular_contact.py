@@ -26,6 +26,7 @@ from flexbearing.quantities.reductions import (
 from flexbearing.quantities.stiffness import RADIAL_STIFFNESSES
 from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, MREV, RPM, UM
 
+DRY_TORQUE = "friction torque (dry contacts only; no cage, no oil)"
 RING = "ring"  # section of the page
 _APART = "NaN for a ball without lines, as one that does not touch both races"
 _FRICTION = "absent where a contact is as wide as the surface it presses"
@@ -112,9 +113,9 @@ QUANTITIES = (
         summary=(SummaryValue("gyroscopic_moment_range_Nm", finite_range, "gyroscopic moment", ".4f",
             in_si=True, entries=EXTENT),)),
     Quantity("friction_torque", "", "", "N m", "block", "torque between the rings by Coulomb friction in "
-        f"the contacts, by friction.model, with any race control; {_FRICTION}",
+        f"dry contacts, cage and oil not counted, by friction.model, with any race control; {_FRICTION}",
         source="friction.friction_torque", optional=True,
-        summary=(SummaryValue("friction_torque_Nm", label="friction torque", digits=".4g"),)),
+        summary=(SummaryValue("friction_torque_Nm", label=DRY_TORQUE, digits=".4g"),)),
     Quantity("friction_heat", "Phi", "Z", "W", "block", f"heat of friction of both contacts; {_FRICTION}",
         source="friction.friction_heat", optional=True,
         summary=(SummaryValue("friction_heat_range_W", finite_range, "heat of friction of a ball", ".4g",

@@ -16,7 +16,7 @@ from flexbearing.quantities.forms import (
 
 BLOCKS = "rigid or flexible"
 RATINGS = ("C_r", "C_0r", "C_u")
-MODIFIED = {"viscosity_ratio", "a_ISO", "modified_Mrev", "modified_h"}  # all of them, or none
+MODIFIED = {"a_ISO", "modified_Mrev", "modified_h"}  # all of them with a viscosity ratio, or none
 
 
 _FACTOR = Record(
@@ -35,8 +35,8 @@ LIFE: Form = Such(
             {
                 "basic_Mrev": NUMBER,
                 "factors": ListOf(_FACTOR),
-                "modified_Mrev": NUMBER,
-            }
+            },
+            optional={"modified_Mrev": NUMBER},
         ),
     ),
     _same_factors,
@@ -47,7 +47,8 @@ _EQUIVALENT = ("F_r_N", "F_a_N", "P_0_N", "e", "X", "Y", "X_0", "Y_0")
 
 
 def _whole(found: Any) -> bool:
-    return bool(found["stages"]) and len(MODIFIED & set(found["ratings"])) in (0, len(MODIFIED))
+    modified = MODIFIED & set(found["ratings"])
+    return bool(found["stages"]) and (not modified or {"viscosity_ratio", *MODIFIED} <= set(found["ratings"]))
 
 
 _CATALOGUE: Form = Record(
@@ -68,7 +69,7 @@ _CATALOGUE: Form = Record(
                     {"note": TEXT} | dict.fromkeys(_EQUIVALENT, NUMBER), further=NUMBER
                 ),
             }
-            | dict.fromkeys(sorted(MODIFIED), NUMBER),
+            | dict.fromkeys(("viscosity_ratio", *sorted(MODIFIED)), NUMBER),
         ),
         "stages": ListOf(
             Record(

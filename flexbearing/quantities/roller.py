@@ -37,6 +37,7 @@ from flexbearing.quantities.units import COUNT, DEG, KN_PER_MM, MM, MPA, MRAD, M
 _DEVIATION = "positive outward, without form error, local indentation and rigid translation"
 _DEVIATIONS = ("inner_deviation", "outer_deviation")
 _FLANGED = "absent without [bearing.flange]"
+_NOT_IN_SERIES = "absent where bearing and supports in series are not total_stiffness within 2 %"
 _NO_BARS = "absent without bars"
 _NO_ROUGHNESS = "absent without roughness"
 _PRESSURE = (
@@ -125,8 +126,8 @@ QUANTITIES = (
     # stiffness and place of the ring
     Quantity("stiffness", "k", "", "N/m", "block",
         "radial tangent stiffness between raceways without the mean translation of the rings on their "
-        "supports",
-        source="end.between_raceways.radial_stiffness", people=KN_PER_MM,
+        f"supports; {_NOT_IN_SERIES}",
+        source="end.stiffness", optional=True, people=KN_PER_MM,
         summary=(SummaryValue("stiffness_N_per_m", label="stiffness of the bearing", digits=",.1f",
                               in_si=True, error="stiffness"),)),
     Quantity("total_stiffness", "k_t", "", "N/m", "block",
@@ -137,15 +138,15 @@ QUANTITIES = (
     Quantity("radial_stiffness", "", "radial_force transverse", "N/m", "block",
         "radial tangent stiffness between raceways without the mean translation of the rings on their "
         "supports, forces along y and z by displacements along y and z; the tilt follows, or stays "
-        "where operation.tilt holds it",
-        source="end.between_raceways.radial_matrix", people=KN_PER_MM),
+        f"where operation.tilt holds it; {_NOT_IN_SERIES}",
+        source="end.radial_matrix", optional=True, people=KN_PER_MM),
     Quantity("total_radial_stiffness", "", "radial_force transverse", "N/m", "block",
         "radial tangent stiffness from base to shaft ends, supports included, forces along y and z by "
         "displacements along y and z; the tilt follows, or stays where operation.tilt holds it",
         source="end.with_supports.radial_matrix", people=KN_PER_MM, summary=TOTAL_STIFFNESSES),
     Quantity("support_stiffness", "", "", "N/m", "block",
         "radial stiffness of the support of the outer ring, such as the bars of a squirrel cage; absent "
-        "where the outer raceway is rigid, or its support",
+        f"where the outer raceway is rigid, or its support, and {_NOT_IN_SERIES}",
         source="end.support_stiffness", optional=True, people=KN_PER_MM,
         summary=(SummaryValue("support_stiffness_N_per_m", in_si=True),)),
     Quantity("outer_mass", "", "", "kg", "block",
@@ -155,7 +156,7 @@ QUANTITIES = (
         summary=(SummaryValue("outer_mass_g", compared=False),)),
     Quantity("support_stiffness_ratio", "", "", "1", "block",
         "support_stiffness of the outer ring over stiffness of the bearing; absent where the outer raceway "
-        "is rigid, or its support",
+        f"is rigid, or its support, and {_NOT_IN_SERIES}",
         source="end.support_stiffness_ratio", optional=True,
         summary=(SummaryValue("support_stiffness_ratio", label="stiffness of outer support / of bearing",
                               digits=".3f"),)),

@@ -2,7 +2,7 @@
 
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -19,10 +19,9 @@ from flexbearing.findings.running import GYROSCOPIC_MOMENT
 from flexbearing.program.workers import shared_map
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import row, taken
-from flexbearing.runs import ball_life, given_rating, interface, judged, shoulders
+from flexbearing.runs import ball_life, given_rating, interface, judged, neglect, shoulders, subsurface
 from flexbearing.runs.ball_life import BallLives
 from flexbearing.runs.life_of_state import MREV
-from flexbearing.runs.subsurface import of_balls
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.columns import kind_and_numbers
 from quasidynamic.note import Note, information, outside
@@ -41,6 +40,12 @@ class Solution:
     rolling: qd.FastRollingBalls | None  # balls whose contacts stick and slip; None in full sliding
     lives: BallLives | None  # None at rest, without load, and where no rating is known
     static_safety: float | None = None  # [-] s_0; None where ISO 76 has none
+    unrolled: str = ""  # why stick and slip are not known, where the case requires them
+
+    @property
+    def worst(self) -> WorstPointContact:
+        """The most pressed contact of each raceway."""
+        return WorstPointContact.of(self.state.peak_pressures.T, *(axis.T for axis in self.state.semi_axes))
 
     @property
     def friction(self) -> qd.AngularContactState | qd.FastRollingBalls:
@@ -48,6 +53,7 @@ class Solution:
         return self.state if self.rolling is None else self.rolling
 
 
+OUT_OF_RANGE = "outside a law"  # how a solver ended
 Ended = Solution | NotSolved | BadCase  # or why there is no solution
 
 
@@ -114,7 +120,6 @@ def _preloaded(case: FastCase) -> float:
 
 def build(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperation]:
     """Bearing and operation of a case; raises `ImpossiblePart` or `OutOfRange` where they cannot be."""
-    ball_life.require_possible(case)
     return bearing(case), operation(case)
 
 
@@ -139,7 +144,9 @@ def named(case: Head, solve: Callable[[], Any]) -> Any:
         return solve()
     except NotSolved as failure:
         return failure
-    except (ImpossiblePart, OutOfRange) as problem:
+    except OutOfRange as problem:  # under its loads; what is built is without them
+        return NotSolved(str(problem), OUT_OF_RANGE)
+    except ImpossiblePart as problem:
         return BadCase(f"{case.source.path}: {problem}")
 
 
@@ -166,12 +173,17 @@ def _balanced(cases: Sequence[FastCase], built: Sequence[Any]) -> list[Any]:
 
 
 def _rolled(case: FastCase, state: qd.AngularContactState, progress: Callable[[float], None]) -> Solution:
-    """A balance with the friction of the case."""
+    """A balance with the friction of the case; that of full sliding where no stick and slip is known."""
     if case.friction.model == "full_sliding":
         return followed(case, state)
+    if case.operation.inner_speed == case.operation.outer_speed:
+        return replace(followed(case, state), unrolled="the bearing does not turn")
     along, across = case.friction.cells
-    with shared_map() as mapped:
-        rolling = bearing(case).roll(state, case.friction.model, (along, across), progress, mapped)
+    try:
+        with shared_map() as mapped:
+            rolling = bearing(case).roll(state, case.friction.model, (along, across), progress, mapped)
+    except OutOfRange as why:
+        return replace(followed(case, state), unrolled=str(why))
     return followed(case, state, rolling)
 
 
@@ -190,10 +202,9 @@ def block(solution: Solution) -> dict[str, NDArray]:
     case, state, contact = solution.case, solution.state, solution.contact
     lines = _lines(case, state, contact) if len(contact.balls) else None
     free = {"yaw": state.yaw} if case.operation.control == "coulomb" else None
-    worst = WorstPointContact.of(state.peak_pressures.T, *(axis.T for axis in state.semi_axes))
     parts = {
-        "worst": worst,
-        "subsurface": of_balls(case, worst),
+        "worst": solution.worst,
+        "subsurface": subsurface.of_balls(case, solution.worst),
         "state": state,
         "friction": solution.friction,
         "rolling": solution.rolling,
@@ -250,8 +261,12 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
     radial = not isinstance(case.bearing, AngularBearing)  # not adjusted axially
     values = {
         **judged.pressures(state.peak_pressures.max(axis=1), BALLS),
+        **neglect.of_fast_balls(solution),
+        **_places(case, state),
         "static_safety": solution.static_safety,
-        "viscosity_ratio": ball_life.kappa(case) if case.lubricant and speed else None,
+        "viscosity_ratio": ball_life.kappa(case) if speed and not ball_life.unviscous(case) else None,
+        "least_stiffness": judged.least_stiffness(state.stiffness[None, 1:3, 1:3]),
+        "rated_viscosity_ratio": ball_life.rated_kappa(case),
         "clearance": judged.clearances(clearance.record(case)) if radial else None,
         **given_rating.judged([ball_life.ratings(case)]),
     }
@@ -262,10 +277,25 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
         values |= {
             "load": {"by the loads of the balls": ball_life.equivalent(case, lives)},
             "dynamic_rating": ball_life.dynamic(case),
-            "static_rating": ball_life.static(case),
+            "static_rating": ball_life.static_or_none(case),
             **judged.lives(life / MREV, speed, [case.life.required]),
         }
     return evaluate(declared.OF_BALLS, values)
+
+
+def _places(case: FastCase, state: qd.AngularContactState) -> dict[str, Any]:
+    """Angle of the most loaded ball, and how high contacts reach on races whose end is not given."""
+    of_design = isinstance(case.bearing, AngularBearing) and bool(state.loads.any())
+    ball = int(state.loads.sum(axis=0).argmax())
+    heights = {
+        race: height.max() / case.bearing.ball.diameter
+        for name, race, height in zip(("inner", "outer"), judged.RACES, state.needed_shoulders, strict=True)
+        if getattr(case.bearing, name).shoulder is None
+    }
+    return {
+        "contact_height": heights,
+        "loaded_angle": state.contact_angles[:, ball].min() if of_design else None,
+    }
 
 
 def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
@@ -301,6 +331,8 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
         + _lineless(solution)
         + (*held, *_lying(case, state))
         + _stick(case, solution)
+        + interface.unrolled(solution.unrolled)
+        + subsurface.notes(case, solution.worst)
         + ball_life.notes(case)
     )
 
@@ -333,7 +365,8 @@ def _stick(case: FastCase, solution: Solution) -> tuple[Note, ...]:
             f"friction torque: {case.friction.model} on {along} by {across} cells a contact, within "
             f"{rolling.grid_error.sum():.2g} N m of finer ones; "
             f"{100 * (rolling.friction_torque / torque - 1):+.1f} % against {balance} with the same "
-            f'friction.spin = "{case.friction.spin}", of {torque:.5g} N m',
+            f'friction.spin = "{case.friction.spin}", of {torque:.5g} N m'
+            f"{interface.by_springs(case.friction.model, rolling.stick_share)}",
         ),
         information(
             "kept-motion",

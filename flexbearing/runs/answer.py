@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
+from flexbearing.findings.running import NO_MODIFIED_LIFE
 from quasidynamic.note import Note, graded
 
 CONVERGED, BAD_INPUT = "converged", "bad input"
@@ -13,7 +14,7 @@ class Answer:
     """What a run of a case gives."""
 
     status: str  # "converged", or how it ended
-    message: str  # dangers of a run that converged, else why it did not
+    message: str  # dangers of a run that converged and why a life is absent, else why it did not
     numbers: Mapping[str, float]  # by the texts of outputs; NaN or absent: the case does not have it
     own_run: str = ""  # why it was not solved beside others; empty: it was, or there were none
 
@@ -22,5 +23,9 @@ Alone = Callable[[int], Answer]  # the answer of a case, by its place, from a ru
 
 
 def message(notes: Iterable[Note]) -> str:
-    """Message of a run that converged: its dangers, one after the other."""
-    return "; ".join(f"danger: {note.text}" for note in graded(notes) if note.grade == "danger")
+    """Message of a run that converged: its dangers, and why it has no modified life."""
+    return "; ".join(
+        f"{'danger: ' * (note.grade == 'danger')}{note.text}"
+        for note in graded(notes)
+        if note.grade == "danger" or note.code == NO_MODIFIED_LIFE
+    )

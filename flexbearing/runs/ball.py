@@ -46,7 +46,9 @@ def solve_four_point(case: FourPointCase, record: Recorder, report: Report) -> d
             record.block(name, four_point.block(solution))
     except NotSolved as failure:
         return _not_solved(failure)
-    except (ImpossiblePart, OutOfRange) as problem:
+    except OutOfRange as problem:  # under its loads; what is built is without them
+        return _not_solved(NotSolved(str(problem), angular_contact.OUT_OF_RANGE))
+    except ImpossiblePart as problem:
         raise BadCase(f"{case.source.path}: {problem}") from problem
     worst = solution.balls.sliding.imbalance.max()
     words = f"friction of every ball in balance to {worst:.1e} of its power"

@@ -151,9 +151,11 @@ def _known(formula: Callable[[Any], float], balls: ball_life.RatedBalls) -> floa
 
 def _by_oil(case: FastCase, load: float, lived: float, hours: float) -> dict[str, Any]:
     """Modified rating life of ISO 281, where the case says how clean the oil is."""
-    if case.life.lubrication is None:
+    kappa = ball_life.rated_kappa(case)
+    if kappa is None:
         return {}
-    kappa = ball_life.kappa(case)
+    if ball_life.unmodified(case):
+        return {"viscosity_ratio": kappa}
     factor = float(modification_factor(kappa, ball_life.fatigue_share(case) / load, BALLS).value)
     return {
         "viscosity_ratio": kappa, "a_ISO": factor, "modified_Mrev": lived * factor,
@@ -190,5 +192,5 @@ def load(case: FastCase) -> float:
 
 CATALOGUE = Catalogue(
     RATING, influences, require_load, ratings, ball_life.ratings, oil,
-    ball_life.rated, ball_life.kappa, load, BALL_EXPONENT,
+    ball_life.rated, ball_life.rated_kappa, load, BALL_EXPONENT,
 )  # fmt: skip

@@ -14,9 +14,9 @@ from flexbearing.case.as_written import BALL_SIZES, as_written
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
 from flexbearing.case.balls.mounting import MountedMaterials
 from flexbearing.runs.given_rating import LETTERS, Rating
-from flexbearing.runs.life_of_state import MREV, LifeOfState, explained, of_reliability
+from flexbearing.runs.life_of_state import MREV, LifeOfState, explained, no_life, of_reliability, why_none
 from quasidynamic import OutOfRange
-from quasidynamic.note import Note, information
+from quasidynamic.note import Note
 from quasidynamic.outcome.ball_capacity import (
     RATED_STEEL,
     ball_dynamic_rating,
@@ -48,7 +48,7 @@ class BallLives:
 
     basic: float  # L10r
     raceways: NDArray  # (2) of the inner and the outer raceway on their own
-    of_state: LifeOfState | None  # after every factor; None when nothing modifies the basic life
+    of_state: LifeOfState | None  # after every factor; None where there is none, or one does not hold
 
     @property
     def modified(self) -> float | None:
@@ -57,15 +57,9 @@ class BallLives:
 
 
 def lives(case: FastCase, state: qd.AngularContactState) -> BallLives | None:
-    """Lives under the loads of all balls; None at rest, without load, and where no rating is known.
-
-    Raises
-    ------
-    OutOfRange
-        where a factor that the case requires does not hold
-    """
+    """Lives under the loads of all balls; None at rest, without load, and where no rating is known."""
     relative = case.operation.inner_speed - case.operation.outer_speed
-    if not relative or (case.life.is_basic and unrated(case)):
+    if not relative or unrated(case):
         return None
     speeds = case.operation.inner_speed, case.operation.outer_speed
     turning = turning_share(speeds[0], relative), turning_share(speeds[1], relative)
@@ -74,7 +68,8 @@ def lives(case: FastCase, state: qd.AngularContactState) -> BallLives | None:
     if not np.isfinite(basic):
         return None
     raceways = ball_raceway_lives(state.loads, balls, turning, rating) * MREV
-    return BallLives(basic * MREV, raceways, None if case.life.is_basic else _modified(case, basic))
+    modified = None if case.life.is_basic or unmodified(case) else _modified(case, basic)
+    return BallLives(basic * MREV, raceways, modified)
 
 
 def equivalent(case: FastCase, lives: BallLives) -> float:
@@ -93,8 +88,11 @@ def _modified(case: FastCase, basic: float) -> LifeOfState:
 
 
 def rated(case: FastCase) -> float | None:
-    """Life by ratings alone [rev], which needs no equilibrium; None where the loads of the balls count."""
-    if case.life.loads != "rating":
+    """Life by ratings alone [rev], which needs no equilibrium; None where the loads of the balls count.
+
+    None, too, where ISO 281 has no such life.
+    """
+    if case.life.loads != "rating" or unmodified(case):
         return None
     load = dynamic_load(case).value
     basic = float(rating_life(dynamic(case), load, BALL_EXPONENT))
@@ -112,33 +110,32 @@ def _lubrication(case: FastCase, load: float) -> Iterator[LifeFactor]:
     yield replace(factor, life_exponent=slope if case.life.loads != "rating" else 0.0)
 
 
-def require_possible(case: FastCase) -> None:
-    """Raise `OutOfRange` where the case requires a life that its geometry, speed or oil does not allow."""
+def unrated(case: FastCase) -> str:
+    """Why there is no dynamic rating; empty where there is one."""
+    return why_none(lambda: dynamic(case))
+
+
+def unmodified(case: FastCase) -> str:
+    """Why a case has no modified life; empty where it has one, or requires none."""
     if case.life.is_basic:
-        return
-    dynamic(case)
+        return ""
+    return unrated(case) or why_none(lambda: _require_factors(case))
+
+
+def _require_factors(case: FastCase) -> None:
+    """Raise `OutOfRange` where the geometry, speed or oil has no factor of the life, under any load."""
     if case.life.loads == "rating":
         dynamic_load(case)
     if case.life.lubrication:
         modification_factor(kappa(case), fatigue_share(case), BALLS)
-    of_reliability(case.life)
-
-
-def unrated(case: FastCase) -> str:
-    """Why there is no dynamic rating; empty where there is one."""
-    try:
-        dynamic(case)
-    except OutOfRange as why:
-        return str(why)
-    return ""
 
 
 def notes(case: FastCase) -> tuple[Note, ...]:
     """What keeps the life away, and what must be known of the oil."""
-    turning = case.operation.inner_speed != case.operation.outer_speed
-    why = unrated(case) if turning and case.life.is_basic else ""
-    lines = (information("no-life", f"no rating life: {why}"),) if why else ()
-    if case.life.lubrication and case.lubricant is not None:
+    if case.operation.inner_speed == case.operation.outer_speed:
+        return ()
+    lines = no_life(unrated(case), unmodified(case), rated_kappa(case))
+    if case.life.lubrication and case.lubricant is not None and not unviscous(case):
         lines += kinematic_viscosity(case.lubricant)[1]
     return lines
 
@@ -256,6 +253,11 @@ def _conformity(conformity: float | None, radius: float | None, diameter: float)
     return radius / diameter if conformity is None and radius is not None else conformity
 
 
+def static_or_none(case: FastCase) -> float | None:
+    """The same; None where ISO 76 has none."""
+    return None if why_none(lambda: static(case)) else static(case)
+
+
 def safety(case: FastCase, state: qd.AngularContactState) -> float | None:
     """Static safety s_0 under what the balls carry for the ring, preload with it."""
     rated = case.materials.steel_balls or case.materials.hybrid
@@ -290,6 +292,18 @@ def kappa(case: FastCase) -> float:
     speed = case.operation.inner_speed - case.operation.outer_speed
     viscosity, _ = kinematic_viscosity(case.lubricant)
     return float(viscosity_ratio(viscosity, speed, case.bearing.pitch_diameter))
+
+
+def unviscous(case: FastCase) -> str:
+    """Why the oil has no viscosity at its temperature; empty where it has one."""
+    oil = case.lubricant
+    return "no oil is given" if oil is None else why_none(lambda: kinematic_viscosity(oil))
+
+
+def rated_kappa(case: FastCase) -> float | None:
+    """Viscosity ratio of a life with a_ISO [-]; None without, at rest, and beyond the data of the oil."""
+    turns = case.operation.inner_speed != case.operation.outer_speed
+    return kappa(case) if turns and case.life.lubrication and not unviscous(case) else None
 
 
 def fatigue_share(case: FastCase) -> float:

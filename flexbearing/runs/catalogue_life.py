@@ -6,6 +6,7 @@ from math import pi
 from typing import Any
 
 from flexbearing.case import BadCase
+from flexbearing.findings.running import NO_MODIFIED_LIFE
 from flexbearing.results import Result
 from flexbearing.runs.given_rating import Rating
 
@@ -33,7 +34,7 @@ class Catalogue:
     given: Callable[[Any], dict[str, Rating]]  # ratings that a case gives, by their keys
     oil: Callable[[Any, float], dict[str, float]]  # of a case, at the load of a life [Mrev]: `of_oil`
     rated: Callable[[Any], float | None]  # life by ratings alone [rev], where the case has no other
-    viscosity_ratio: Callable[[Any], float]  # kappa of a case with an oil
+    viscosity_ratio: Callable[[Any], float | None]  # kappa of a life with a_ISO
     load: Callable[[Any], float]  # equivalent load of ISO 281 [N], of a case whose forces are known
     exponent: float  # of this load in the life
 
@@ -89,7 +90,7 @@ def against_catalogue(
     ------
     BadCase
         without a load, for a case that requires the life by rating alone, and where a case of the way
-        has no solution
+        has no solution, or not the life that it requires
     """
     catalogue.require_load(case)
     if case.life.loads == SUMS:
@@ -138,8 +139,13 @@ def _lived(result: Result, name: str) -> float:
     if result.attributes["status"] != "converged":
         raise BadCase(f"{name}: not converged: {result.attributes['message']}")
     block = "flexible" if result.flexible else "rigid"
-    modified = (result.attributes.get("life") or {}).get(block)
-    return float(modified["modified_Mrev"] if modified else result[f"{block}.life_L10"].to("Mrev"))
+    modified = (result.attributes.get("life") or {}).get(block, {}).get("modified_Mrev")
+    if modified is not None:
+        return float(modified)
+    for note in result.attributes["notes"]:
+        if note["code"] == NO_MODIFIED_LIFE:
+            raise BadCase(f"{name}: {note['text']}")
+    return float(result[f"{block}.life_L10"].to("Mrev"))
 
 
 def _hours(case: Any) -> float:

@@ -19,9 +19,8 @@ from flexbearing.progress import Report
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import row, taken
 from flexbearing.rings import bolted
-from flexbearing.runs import interface, judged, shoulders
-from flexbearing.runs.subsurface import of_balls
-from quasidynamic import NotSolved
+from flexbearing.runs import interface, judged, neglect, shoulders, subsurface
+from quasidynamic import NotSolved, OutOfRange
 from quasidynamic.four_point import FourPointEquilibrium
 from quasidynamic.note import Note, danger, information, outside
 from quasidynamic.outcome.static_pressure import BALLS
@@ -43,6 +42,13 @@ class Solution:
     balls: qd.SlidingBalls
     distribution: BallLoads | None  # None when contact loads are given
     full_sliding_torque: float  # [N m] of all balls, before parts of their contacts stick
+    unrolled: str = ""  # why stick and slip are not known, where the case requires them
+
+    @property
+    def worst(self) -> WorstPointContact:
+        """The most pressed contact of each raceway."""
+        each = self.balls.peak_pressure, self.balls.ellipse.across, self.balls.ellipse.along
+        return WorstPointContact.of(*(values.reshape(-1, 2) for values in each))
 
     @property
     def bearing(self) -> qd.FourPointBearing:
@@ -234,21 +240,22 @@ def _rolled(
     """Solution with the friction of the case, from full sliding."""
     balls, distribution = sliding
     torque = balls.torque
-    if case.friction.model != "full_sliding":
-        along, across = case.friction.cells
+    if case.friction.model == "full_sliding":
+        return Solution(case, balls, distribution, torque)
+    along, across = case.friction.cells
+    try:
         with shared_map() as mapped:
             balls = model.roll(balls, case.friction.model, (along, across), progress, mapped)
+    except OutOfRange as why:
+        return Solution(case, balls, distribution, torque, str(why))
     return Solution(case, balls, distribution, torque)
 
 
 def block(solution: Solution) -> dict[str, NDArray]:
     """Quantities of the solution."""
-    balls = solution.balls
-    each = balls.peak_pressure, balls.ellipse.across, balls.ellipse.along
-    worst = WorstPointContact.of(*(values.reshape(-1, 2) for values in each))
     parts = {
-        "worst": worst,
-        "subsurface": of_balls(solution.case, worst),
+        "worst": solution.worst,
+        "subsurface": subsurface.of_balls(solution.case, solution.worst),
         "solution": solution,
         "balls": solution.balls,
         "ring": solution.distribution,
@@ -264,7 +271,7 @@ def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray | 
     diagonals, points, speed = balls.load.shape[1], case.fields.points, case.operation.speed
     scales = {"x": 1.0, "y": 1.0, "slip_along": speed, "slip_across": speed}
     scales |= dict.fromkeys(("shear_along", "shear_across", "pressure", "stick"), 1.0)
-    shape = (points, points) if case.friction.model == "full_sliding" else case.friction.cells[::-1]
+    shape = case.friction.cells[::-1] if isinstance(balls, qd.RollingBalls) else (points, points)
     fields = {name: np.zeros((len(chosen), diagonals, 2, *shape)) for name in scales}
     for place in np.ndindex(len(chosen), diagonals, 2):
         contact = (chosen[place[0]], place[1], place[2])
@@ -275,10 +282,29 @@ def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray | 
     return {"balls": np.array(chosen), **fields}
 
 
+def _heights(solution: Solution) -> dict[str, float]:
+    """How high contacts reach over the ball diameter, on rigid races whose end is not given."""
+    case, balls = solution.case, solution.balls
+    arches = {race: case.arches(name) for race, name in enumerate(("inner", "outer"))}
+    open_races = [race for race, name in enumerate(("inner", "outer")) if np.isinf(_groove_end(case, name))]
+    return {
+        judged.RACES[race]: balls.needed_shoulders(race, arches[race].radius, arches[race].aside).max()
+        / case.bearing.ball.diameter
+        for race in open_races
+    }
+
+
 def judge(solution: Solution) -> tuple[Judged, ...]:
     """The solution against the limits of ball bearings."""
     largest = solution.balls.peak_pressure.max(axis=(0, 1))
-    return evaluate(declared.OF_BALLS, judged.pressures(largest, BALLS))
+    values = {
+        **judged.pressures(largest, BALLS),
+        **neglect.of_slow_balls(solution),
+        "contact_height": _heights(solution),
+    }
+    if solution.distribution is not None:
+        values["least_stiffness"] = judged.least_stiffness(solution.distribution.stiffness[None, 1:3, 1:3])
+    return evaluate(declared.OF_BALLS, values)
 
 
 def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
@@ -292,7 +318,8 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
                 "contact loads are given: every ball carries them, at the contact angle without load",
             ),
         )
-    lines += _on_shoulders(case, balls)
+    lines += _on_shoulders(case, balls) + interface.unrolled(solution.unrolled)
+    lines += subsurface.notes(case, solution.worst)
     idle = int((~balls.sliding.driven).sum())
     if idle:
         words = f"{idle} of {len(balls.load)} balls are not pressed on both rings: they make no torque"
@@ -321,7 +348,8 @@ def _stick(solution: Solution, balls: qd.RollingBalls) -> tuple[Note, ...]:
             "stick-and-slip",
             f"torque: {friction.model} on {along} by {across} cells a contact, within "
             f"{balls.grid_error.sum():.2g} N m of finer ones; {100 * share:+.1f} % against full sliding with "
-            f"{same}, of {solution.full_sliding_torque:.5g} N m",
+            f"{same}, of {solution.full_sliding_torque:.5g} N m"
+            f"{interface.by_springs(friction.model, balls.stick_share)}",
         ),
     )
     lines += (*interface.compliant(friction.interface_compliance),)

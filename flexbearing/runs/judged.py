@@ -4,12 +4,13 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from flexbearing import findings
 from flexbearing.findings import DANGER, OUTSIDE, USUAL, Judged
 from quasidynamic.note import Grade, Note
 
+ROUNDING = 1e-9  # of the largest stiffness: what rounding leaves of nothing
 RACES = ("inner raceway", "outer raceway")  # places
 _GRADES: dict[str, Grade] = {DANGER: "danger", OUTSIDE: "outside validity", USUAL: "information"}
 
@@ -48,6 +49,12 @@ def lives(life: ArrayLike, speed: ArrayLike, required: Iterable[float | None]) -
         "life_to_reach": np.where(np.isnan(wanted), np.nan, lasting),
         "required_life": wanted,
     }
+
+
+def least_stiffness(matrices: NDArray) -> NDArray:
+    """Smallest radial stiffness (C) [N/m] in any direction, of matrices (C, 2, 2) along y and z."""
+    each = np.linalg.eigvalsh((matrices + matrices.swapaxes(1, 2)) / 2)
+    return np.where(np.abs(each[:, 0]) <= ROUNDING * np.abs(each[:, 1]), 0.0, each[:, 0])
 
 
 def clearances(record: Mapping[str, Any]) -> dict[str, float]:

@@ -13,7 +13,14 @@ from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.as_written import ROLLER_SIZES, as_written
 from flexbearing.case.roller import Case
 from flexbearing.runs.given_rating import LETTERS, Rating
-from flexbearing.runs.life_of_state import CAPACITY, EDGE_STRESS, LifeOfState, explained, of_reliability
+from flexbearing.runs.life_of_state import (
+    CAPACITY,
+    EDGE_STRESS,
+    LifeOfState,
+    explained,
+    of_reliability,
+    why_none,
+)
 from quasidynamic import CylindricalRollerBearing
 from quasidynamic.outcome.capacity import (
     STRESS_REDUCTION,
@@ -45,14 +52,23 @@ from quasidynamic.outcome.rating_life import LINE_EXPONENT, ROLLER_EXPONENT, rat
 from quasidynamic.parts.profile import STRAIGHT
 
 
-def require_possible(case: Case, bearing: CylindricalRollerBearing) -> None:
-    """Raise where a factor does not hold for this bearing, speed and oil; loads are not needed."""
-    if case.life.capacity == "iso281" or case.life.loads == "rating":
-        dynamic(case, bearing)
-    if case.life.lubrication == "a_ISO":
-        dynamic(case, bearing)
-        modification_factor(kappa(case, bearing), fatigue_share(case, bearing))
-    _fixed_factors(case)
+def unrated(case: Case, bearing: CylindricalRollerBearing) -> str:
+    """Why the life of a case has no dynamic rating; empty where it has one, or needs none."""
+    if case.life.capacity == "iso281" or case.life.loads == "rating" or case.life.lubrication == "a_ISO":
+        return why_none(lambda: dynamic(case, bearing))
+    return ""
+
+
+def without_oil_factor(case: Case, bearing: CylindricalRollerBearing) -> str:
+    """Why a case has no a_ISO under any load; empty where it has one, or requires none."""
+    if case.life.lubrication != "a_ISO":
+        return ""
+    return why_none(lambda: modification_factor(kappa(case, bearing), fatigue_share(case, bearing)))
+
+
+def unmodified(case: Case, bearing: CylindricalRollerBearing) -> str:
+    """Why a case has no modified life; empty where it has one, or requires none."""
+    return unrated(case, bearing) or without_oil_factor(case, bearing)
 
 
 @dataclass(frozen=True)
@@ -67,22 +83,25 @@ class LoadedState:
 
 
 def modified(case: Case, state: LoadedState) -> LifeOfState | None:
-    """Life after every factor of a case; None when nothing modifies it or nothing carries load.
+    """Life after every factor of a case; None where nothing modifies it, carries load or rates it.
 
-    Raises
-    ------
-    OutOfRange
-        where a factor does not hold for this bearing, speed and oil
+    Without the modified life where a_ISO does not hold for this bearing, speed and oil.
     """
-    if case.life.is_basic or not np.isfinite(state.basic):
+    if case.life.is_basic or not np.isfinite(state.basic) or unrated(case, state.bearing):
         return None
+    by_loads = tuple(_slice_factors(case, state))
+    if without_oil_factor(case, state.bearing):
+        return LifeOfState(state.basic, by_loads, None)
     factors = (*_lubrication_factors(case, state), *_fixed_factors(case))
-    return LifeOfState.of(state.basic, tuple(_slice_factors(case, state)), factors)
+    return LifeOfState.of(state.basic, by_loads, factors)
 
 
 def rated(case: Case, bearing: CylindricalRollerBearing) -> float | None:
-    """Life by ratings alone [rev], which needs no equilibrium; None where loads of rollers or films count."""
-    if case.life.loads != "rating" or case.life.lubrication == "film":
+    """Life by ratings alone [rev], which needs no equilibrium; None where loads of rollers or films count.
+
+    None, too, where ISO 281 has no such life.
+    """
+    if case.life.loads != "rating" or case.life.lubrication == "film" or unmodified(case, bearing):
         return None
     factors = (*_oil_factor(case, bearing, case.operation.radial_load), *_fixed_factors(case))
     return LifeOfState.of(_by_rating(case, bearing), (), factors).modified
@@ -233,6 +252,13 @@ def kappa(case: Case, bearing: CylindricalRollerBearing) -> float:
     lubricant, operation = oil(case), case.operation
     speed, pitch = operation.inner_speed - operation.outer_speed, nominal(case, bearing).pitch_diameter
     return float(viscosity_ratio(lubricant.viscosity / lubricant.density, speed, pitch))
+
+
+def rated_kappa(case: Case, bearing: CylindricalRollerBearing) -> float | None:
+    """Viscosity ratio of a life with a_ISO [-]; None without, and at rest."""
+    operation = case.operation
+    turns = operation.inner_speed != operation.outer_speed
+    return kappa(case, bearing) if turns and case.life.lubrication == "a_ISO" else None
 
 
 def fatigue_share(case: Case, bearing: CylindricalRollerBearing) -> float:

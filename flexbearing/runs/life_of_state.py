@@ -1,12 +1,20 @@
 """A life with every factor that was applied to it."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
 from math import prod
 from typing import Any
 
 from flexbearing.case.ratings import Ratings
-from quasidynamic.outcome.life_factors import LifeFactor, ModifiedLife, reliability_factor
+from flexbearing.findings.running import NO_MODIFIED_LIFE
+from quasidynamic import OutOfRange
+from quasidynamic.note import Note, information, outside
+from quasidynamic.outcome.life_factors import (
+    LEAST_VISCOSITY_RATIO,
+    LifeFactor,
+    ModifiedLife,
+    reliability_factor,
+)
 
 MREV = 1e6  # revolutions
 CAPACITY, EDGE_STRESS = "capacity", "edge stress"  # factors between the basic and the reference life
@@ -18,7 +26,7 @@ class LifeOfState:
 
     basic: float  # [10^6 revolutions]
     factors: tuple[dict[str, Any], ...]  # name, value, effect and note
-    modified: float  # [revolutions]
+    modified: float | None  # [revolutions]; None where a factor does not hold
 
     @property
     def reference(self) -> float | None:
@@ -49,13 +57,30 @@ class LifeOfState:
         return {
             "basic_Mrev": self.basic,
             "factors": list(self.factors),
-            "modified_Mrev": self.modified / MREV,
-        }
+        } | ({} if self.modified is None else {"modified_Mrev": self.modified / MREV})
 
 
 def explained(factor: LifeFactor, words: str) -> LifeFactor:
     """A factor with more to say of it."""
     return replace(factor, note="; ".join(filter(None, (factor.note, words))))
+
+
+def why_none(law: Callable[[], object]) -> str:
+    """Why a law has no value; empty where it has one."""
+    try:
+        law()
+    except OutOfRange as why:
+        return str(why)
+    return ""
+
+
+def no_life(unrated: str, unmodified: str, kappa: float | None) -> tuple[Note, ...]:
+    """Why a life is left out; a viscosity ratio that is too small is a finding of its own."""
+    if not unmodified:
+        return (information("no-life", f"no rating life: {unrated}"),) if unrated else ()
+    if kappa is not None and kappa < LEAST_VISCOSITY_RATIO:
+        return ()
+    return (outside(NO_MODIFIED_LIFE, f"no modified life: {unmodified}"),)
 
 
 def of_reliability(life: Ratings) -> list[LifeFactor]:

@@ -9,9 +9,10 @@ from flexbearing.build import clearance, ring_parts
 from flexbearing.build.lubrication import oil, oil_name
 from flexbearing.case import cage_room
 from flexbearing.case.roller import Case
-from flexbearing.runs import several, skew
+from flexbearing.runs import life, several, skew
+from flexbearing.runs.life_of_state import no_life
 from flexbearing.runs.solved_rows import SolvedRows
-from quasidynamic import Equilibrium
+from quasidynamic import CylindricalRollerBearing, Equilibrium
 from quasidynamic.note import Note, danger, information, outside
 from quasidynamic.outcome.validity import validity
 
@@ -98,9 +99,15 @@ def of_solution(rows: SolvedRows) -> tuple[Note, ...]:
         *validity(state),
         *_information(case, state),
         *(skew.notes(skewed, state, state.minimum_film) if skewed else ()),
+        *without_life(case, rows.models[0].bearing),
         *rows.life_errors.notes(0),
         *rows.notes_of_whole[0],
     )
+
+
+def without_life(case: Case, bearing: CylindricalRollerBearing) -> tuple[Note, ...]:
+    """Why the modified life of a case is left out."""
+    return no_life("", life.unmodified(case, bearing), life.rated_kappa(case, bearing))
 
 
 def of_others(rows: SolvedRows, place: int, *, search: bool) -> tuple[Note, ...]:

@@ -145,11 +145,22 @@ def _solve(
         return ending | failed if converged else ending
     postprocessing.store("flexible", resolved.model, stored.state, tangent, converged=converged)
     if converged:
+        figures = _of_springs(figures, postprocessing)
         postprocessing.notes.extend([*resolved.notes(stored.state), *notes.of_structure(figures)])
         ending |= _tilt(TiltComparison.at(case, resolved.model, stored.state, tangent), postprocessing)
         ending |= _passage(case, resolved.model, rings, stored.state, postprocessing, report)
         ending |= _slice_error(case, resolved.model, rings, stored.state, postprocessing)
     return ending | {"structure": figures}
+
+
+def _of_springs(figures: dict[str, Any], postprocessing: Postprocessing) -> dict[str, Any]:
+    """Figures of the rings without the stiffness of their supports, where it is none in series."""
+    if postprocessing.solved["flexible"].end.in_series[0]:
+        return figures
+    absent = {"support_stiffness_N_per_m": None, "support_stiffness_error_N_per_m": None}
+    return {
+        race: {**each, **{name: None for name in absent if name in each}} for race, each in figures.items()
+    }
 
 
 def _all_rigid(resolved: Resolved, rigid: Equilibrium, postprocessing: Postprocessing) -> dict[str, object]:

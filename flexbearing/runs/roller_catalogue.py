@@ -168,7 +168,12 @@ def _by_oil(case: Case, bearing: CylindricalRollerBearing, lived: float, hours: 
     """Modified rating life of ISO 281, where the case says how clean the oil is."""
     if case.life.lubrication != "a_ISO":
         return {}
-    kappa, left = life.kappa(case, bearing), life.fatigue_share(case, bearing)
+    kappa = life.rated_kappa(case, bearing)
+    if kappa is None:
+        return {}
+    if life.without_oil_factor(case, bearing):
+        return {"viscosity_ratio": kappa}
+    left = life.fatigue_share(case, bearing)
     factor = float(modification_factor(kappa, left / case.operation.radial_load).value)
     return {
         "viscosity_ratio": kappa, "a_ISO": factor, "modified_Mrev": lived * factor,
@@ -194,9 +199,9 @@ def rated(case: Case) -> float | None:
     return life.rated(case, roller_bearing.parts(case))
 
 
-def viscosity_ratio(case: Case) -> float:
-    """Viscosity ratio kappa of ISO 281 [-]."""
-    return life.kappa(case, roller_bearing.parts(case))
+def viscosity_ratio(case: Case) -> float | None:
+    """Viscosity ratio kappa of ISO 281 [-]; None at rest, and without a_ISO."""
+    return life.rated_kappa(case, roller_bearing.parts(case))
 
 
 def given(case: Case) -> dict[str, Rating]:

@@ -7,8 +7,9 @@ from numpy.typing import NDArray
 
 from flexbearing.case.roller import Case
 from flexbearing.findings import DANGER, declared, evaluate
+from flexbearing.findings.running import RATED_VISCOSITY_RATIO
 from flexbearing.findings.strength import BARS
-from flexbearing.runs import given_rating, judged, life
+from flexbearing.runs import given_rating, judged, life, neglect
 from flexbearing.runs.life_of_state import MREV
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import CylindricalRollerBearing, Equilibrium, OutOfRange
@@ -19,7 +20,7 @@ from quasidynamic.outcome.static_pressure import ROLLERS
 
 def values(rows: SolvedRows) -> dict[str, Any]:
     """Values of solved states of roller bearings, cases first; without stresses of solids."""
-    each = list(zip(rows.cases, (model.bearing for model in rows.models), strict=True))
+    each = _parts(rows)
     turns = rows.relative_speed != 0
     return {
         **values_of_dangers(rows),
@@ -32,10 +33,16 @@ def values(rows: SolvedRows) -> dict[str, Any]:
         ),
         "film_ratio": None if rows.film_ratio is None else _smallest(rows.film_ratio),
         "mixed_film_ratio": MIXED_FROM,
+        "series_error": None if rows.rings[0].rigid else rows.end.series_error,
+        "least_stiffness": judged.least_stiffness(rows.end.with_supports.radial_matrix),
         "raceway_slope": np.array(
             [_slope(state) if np.any(state.ring_tilt) else np.nan for state in rows.each]
         ),
     }
+
+
+def _parts(rows: SolvedRows) -> list[tuple[Case, CylindricalRollerBearing]]:
+    return list(zip(rows.cases, (model.bearing for model in rows.models), strict=True))
 
 
 def _dynamic_rating(case: Case, bearing: CylindricalRollerBearing) -> float:
@@ -47,10 +54,10 @@ def _dynamic_rating(case: Case, bearing: CylindricalRollerBearing) -> float:
 
 
 def values_of_dangers(rows: SolvedRows) -> dict[str, Any]:
-    """Those values that dangers are judged by, which are cheap."""
+    """Those values that rows of a table are judged by, which are cheap."""
     lives = [
-        basic if life is None else life.modified
-        for basic, life in zip(rows.basic_life, rows.life, strict=True)
+        basic if found is None or found.modified is None else found.modified
+        for basic, found in zip(rows.basic_life, rows.life, strict=True)
     ]
     limited = any(case.materials.outer_ring.yield_stress is not None for case in rows.cases)
     return {
@@ -59,13 +66,16 @@ def values_of_dangers(rows: SolvedRows) -> dict[str, Any]:
         **judged.lives(
             np.array(lives) / MREV, rows.relative_speed, (case.life.required for case in rows.cases)
         ),
+        **neglect.of_rollers(rows),
+        "rated_viscosity_ratio": np.array([life.rated_kappa(*of) for of in _parts(rows)], dtype=float),
         **(_stress_of_bars(rows) if limited else {}),
     }
 
 
 def dangers(rows: SolvedRows) -> list[tuple[Note, ...]]:
-    """What makes the answer of each case dangerous."""
-    found = evaluate((each for each in declared.OF_ROLLERS if each.grade == DANGER), values_of_dangers(rows))
+    """What makes the answer of each case dangerous, and an oil that leaves it without a modified life."""
+    of_rows = [each for each in declared.OF_ROLLERS if each.grade == DANGER or each is RATED_VISCOSITY_RATIO]
+    found = evaluate(of_rows, values_of_dangers(rows))
     broken = np.any([each.broken for each in found], axis=0)
     return [judged.notes(found, case) if broken[case] else () for case in range(len(rows))]
 

@@ -74,8 +74,9 @@ def _numbers(solved: Solved, outputs: Mapping[str, Wanted]) -> Iterator[dict[str
 
 
 def _dangers(solved: Solved, search: bool) -> Iterator[tuple[Note, ...]]:
-    """Dangers of each case; without a `search` it is reported where other equilibria are likely."""
+    """Dangers and absent life of each case; without a `search` it is reported where others are likely."""
     rows = solved.rows
     each = zip(roller_findings.dangers(rows), rows.several_likely.tolist(), strict=True)
     for place, (dangers, likely) in enumerate(each):
-        yield (*dangers, *(notes.of_others(rows, place, search=search) if likely else ()))
+        without = notes.without_life(rows.cases[place], rows.models[place].bearing)
+        yield (*dangers, *without, *(notes.of_others(rows, place, search=search) if likely else ()))

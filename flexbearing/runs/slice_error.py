@@ -54,7 +54,8 @@ def _numbers(state: Equilibrium, rings: RacewayPair) -> Iterator[tuple[str, Any]
     end = EndStates(state.cases, rings.linearised(state.forces))
     yield "roller_load", state.loads
     yield CAGE_SLIP.name, state.cage_slip
-    yield "stiffness", end.between_raceways.radial_stiffness[0]
+    if end.stiffness is not None:
+        yield "stiffness", end.between_raceways.radial_stiffness[0]
     yield "total_stiffness", end.with_supports.radial_stiffness[0]
     yield "peak_pressure", state.peak_pressure
     yield "driving_torque", state.driving_torque

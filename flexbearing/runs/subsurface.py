@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING
 
 from numpy.typing import NDArray
 
+from quasidynamic.note import Note, outside
+
 if TYPE_CHECKING:  # balls load no rollers, and these no balls
     from flexbearing.case.balls.angular_contact import FastCase
     from flexbearing.case.balls.four_point import FourPointCase
@@ -35,14 +37,8 @@ def of_rollers(
 
 
 def of_balls(case: "FastCase | FourPointCase", worst: "WorstPointContact") -> "Subsurface | None":
-    """Field below the most pressed ellipse of both raceways, without friction.
-
-    Raises
-    ------
-    OutOfRange
-        for a contact that is longer along than across the rolling direction
-    """
-    if not case.outputs.subsurface_stresses:
+    """Field below the most pressed ellipse of both raceways, without friction; None where none is known."""
+    if not case.outputs.subsurface_stresses or _too_long(worst):
         return None
     from quasidynamic.contact.ellipse.subsurface import ellipse_stress
     from quasidynamic.outcome.subsurface import below
@@ -53,3 +49,18 @@ def of_balls(case: "FastCase | FourPointCase", worst: "WorstPointContact") -> "S
         for ratio, ring in zip(worst.axis_ratio, rings, strict=True)
     ]
     return below(stresses, worst.pressure, worst.half_width)
+
+
+def notes(case: "FastCase | FourPointCase", worst: "WorstPointContact") -> tuple[Note, ...]:
+    """Why a case that requires stresses below its contacts has none."""
+    if not case.outputs.subsurface_stresses or not _too_long(worst):
+        return ()
+    words = (
+        f"no stresses below the contacts: an ellipse is {worst.axis_ratio.max():.3g} times as long along as "
+        "across the rolling direction, allowed is 1"
+    )
+    return (outside("no-subsurface-stresses", words),)
+
+
+def _too_long(worst: "WorstPointContact") -> bool:
+    return bool((worst.axis_ratio > 1.0).any())

@@ -79,10 +79,11 @@ class TiltComparison:
 
 def _further(other: SolvedRows) -> dict[str, float]:
     """Radial stiffnesses along y and z, of the bearing alone and with supports, and largest stresses."""
-    both = {"": other.end.between_raceways, "total_": other.end.with_supports}
+    both = {"": other.end.radial_matrix, "total_": other.end.with_supports.radial_matrix}
     stiffnesses = {
-        f"{which}stiffness_{axis}_N_per_m": float(tangent.radial_matrix[0, place, place])
-        for which, tangent in both.items()
+        f"{which}stiffness_{axis}_N_per_m": float(matrix[0, place, place])
+        for which, matrix in both.items()
+        if matrix is not None
         for place, axis in enumerate("yz")
     }
     stressed = {"nominal_bar_stress_MPa": 1e-6 * float(other.bars.largest[0])} if other.bars else {}

@@ -23,7 +23,7 @@ def build(case: Case) -> None:
 
 
 def require_around(case: Case, bearing: CylindricalRollerBearing) -> None:
-    """Build what a bearing is rated by, guided by and mounted in.
+    """Build what a bearing is guided by and mounted in.
 
     Raises
     ------
@@ -32,15 +32,11 @@ def require_around(case: Case, bearing: CylindricalRollerBearing) -> None:
     OutOfRange
         where a law does not hold for it
     """
-    if not case.life.is_basic:
-        from flexbearing.runs import life
-
-        life.require_possible(case, bearing)
     if flange := roller_bearing.flange(case):
         from quasidynamic.contact.flange import flange_corner
 
         flange_corner(flange, bearing)
     ring_parts.outer_part(case)
-    ring_parts.inner_part(case)
+    ring_parts.require_shoulder(case)
     ring_parts.require_held_in_housing(case)
     ring_parts.require_held_on_lines(case)

@@ -84,34 +84,20 @@ def _checked(base: Base, rows: Sequence[Values], *, cycle: bool) -> list[Variant
 
 
 def _variant(read: Variants, values: Values, *, cycle: bool) -> Variant | Impossible:
+    from flexbearing.runs.validate import require_possible
     from flexbearing.studies.idle import idle
     from flexbearing.studies.rings import levels, rings
+    from flexbearing.studies.thin_oil import too_thin
 
     if cycle and (found := idle(read, values)):
         return found
     try:
         case = read.case(values)
-        thin = _possible(case, cycle=cycle)
+        require_possible(case, FAMILIES[case.kind])
     except BadCase as problem:
         return Impossible(excerpt("; ".join(str(problem).splitlines()), LONGEST))
+    thin = too_thin(case) if cycle else ""
     return Variant(values, identity(case), rings(case), levels(case), read.in_si(case), thin=thin)
-
-
-def _possible(case: Head, *, cycle: bool) -> str:
-    """Raise where a case cannot be computed; tell why it can be without a_ISO alone, empty where with it."""
-    from flexbearing.runs.validate import require_possible
-
-    try:
-        require_possible(case, FAMILIES[case.kind])
-    except BadCase:
-        from flexbearing.studies.thin_oil import too_thin, without_factor
-
-        thin = too_thin(case) if cycle else ""
-        if not thin:
-            raise
-        require_possible(without_factor(case), FAMILIES[case.kind])
-        return thin
-    return ""
 
 
 def _first(settled: Plan) -> Head | None:

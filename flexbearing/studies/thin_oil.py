@@ -6,7 +6,6 @@ from typing import Any
 from flexbearing.case import Head
 from flexbearing.families import FAMILIES
 from flexbearing.studies.table.duty import BASIC, MODIFIED
-from quasidynamic import ImpossiblePart, OutOfRange
 from quasidynamic.outcome.life_factors import LEAST_VISCOSITY_RATIO
 
 LEAST_FACTOR = 0.1  # a_ISO of rollers and of balls at kappa = 0.1, at any load
@@ -15,13 +14,8 @@ LEAST_FACTOR = 0.1  # a_ISO of rollers and of balls at kappa = 0.1, at any load
 def too_thin(case: Any) -> str:
     """Why a case has no a_ISO where its viscosity ratio is too small; empty where it has one."""
     catalogue = FAMILIES[case.kind].catalogue
-    if catalogue is None or case.life.lubrication != "a_ISO":
-        return ""
-    try:
-        kappa = catalogue().viscosity_ratio(case)
-    except (ImpossiblePart, OutOfRange):
-        return ""
-    if kappa >= LEAST_VISCOSITY_RATIO:
+    kappa = catalogue().viscosity_ratio(case) if catalogue else None
+    if kappa is None or kappa >= LEAST_VISCOSITY_RATIO:
         return ""
     return f"kappa {kappa:.3g} is below {LEAST_VISCOSITY_RATIO}: bounded by a_ISO = {LEAST_FACTOR}, its least"
 

@@ -35,8 +35,9 @@ class Mounting:
         need = 4 * self.rolling_element.outer_radius + self.cold_clearance
         if not abs(room - need) < 0.2 * self.rolling_element.outer_radius:
             raise ImpossiblePart(
-                f"mounting: the raceways leave {room} m on the diameter, two {self.element}s with the cold "
-                f"clearance take {need} m; they must agree within a tenth of the {self.element} diameter"
+                f"mounting: the raceways leave {1e3 * room:.6g} mm on the diameter, two {self.element}s with "
+                f"the cold clearance take {1e3 * need:.6g} mm; they must agree within a tenth of the "
+                f"{self.element} diameter"
             )
 
     @property

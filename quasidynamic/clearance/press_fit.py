@@ -24,12 +24,14 @@ class PressFit:
         shaft, bore = self.inside.outer_radius, self.outside.inner_radius
         if not math.isclose(shaft, bore, rel_tol=1e-9):
             raise ImpossiblePart(
-                f"fit: outer radius {shaft} m of the inside body and inner radius {bore} m of the outside "
-                "body must be the same nominal radius; give their difference as the interference"
+                f"fit: outer radius {1e3 * shaft:.6g} mm of the inside body and inner radius "
+                f"{1e3 * bore:.6g} mm of the outside body must be the same nominal radius; give their "
+                "difference as the interference"
             )
         if not abs(self.interference) < 0.02 * shaft:
             raise ImpossiblePart(
-                f"fit.interference = {self.interference} m must stay below 1 % of the diameter"
+                f"interference of a fit = {1e6 * self.interference:.4g} um must stay below 1 % of the "
+                f"diameter, {2e4 * shaft:.4g} um"
             )
 
 

@@ -53,7 +53,8 @@ def flange_corner(flange: Flange, bearing: CylindricalRollerBearing) -> FlangeCo
     radius, pitch = bearing.roller.diameter / 2, bearing.pitch_diameter / 2
     if flange.height >= radius:
         raise ImpossiblePart(
-            f"flange.height = {flange.height:.4g} m must be below half a roller diameter, {radius:.4g} m"
+            f"flange.height = {1e3 * flange.height:.4g} mm must be below half a roller diameter, "
+            f"{1e3 * radius:.4g} mm"
         )
     on_inner = flange.ring == "inner"
     edge = bearing.inner_radius + flange.height if on_inner else bearing.outer_radius - flange.height

@@ -69,8 +69,8 @@ class FourPointBearing:
             raise ImpossiblePart(f"{self.balls} balls do not fit on the pitch circle")
         if not -self.centre_distance < self.clearance < self.ball.diameter:
             raise ImpossiblePart(
-                f"bearing.clearance = {self.clearance!r} m: an interference must be below the distance of "
-                f"the groove centres, {self.centre_distance:.3g} m"
+                f"bearing.clearance = {1e6 * self.clearance:.4g} um: an interference must be below the "
+                f"distance of the groove centres, {1e6 * self.centre_distance:.3g} um"
             )
 
     @property

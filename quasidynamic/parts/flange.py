@@ -25,6 +25,6 @@ class Flange:
                 raise ImpossiblePart(f"flange.{name} = {getattr(self, name)!r} must be finite and >= 0")
         if self.height <= self.roller_chamfer:
             raise ImpossiblePart(
-                f"flange.height = {self.height:.4g} m must be above the chamfer of the roller, "
-                f"{self.roller_chamfer:.4g} m, or the end of the roller touches nothing"
+                f"flange.height = {1e3 * self.height:.4g} mm must be above the chamfer of the roller, "
+                f"{1e3 * self.roller_chamfer:.4g} mm, or the end of the roller touches nothing"
             )

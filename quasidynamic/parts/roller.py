@@ -25,7 +25,8 @@ class Roller:
             require_positive(f"roller.{name}", getattr(self, name))
         if not 1 / SLENDEREST <= self.length / self.diameter <= SLENDEREST:
             raise ImpossiblePart(
-                f"roller.length = {self.length:.6g} m with roller.diameter = {self.diameter:.6g} m: "
+                f"roller.length = {1e3 * self.length:.6g} mm with roller.diameter = "
+                f"{1e3 * self.diameter:.6g} mm: "
                 f"neither a roller nor a needle; allowed is a length of 1/{SLENDEREST} to {SLENDEREST} "
                 "diameters"
             )

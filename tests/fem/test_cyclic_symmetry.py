@@ -305,7 +305,7 @@ def test_unbalanced_solution_is_noticed():
 
 
 def test_harmonic_too_short_for_the_mesh_is_refused():
-    with pytest.raises(NotSolved, match="raceway_size"):
+    with pytest.raises(NotSolved, match="elements of the raceway"):
         by_harmonics(CAGE, L, M, COARSE, harmonics=30)
 
 

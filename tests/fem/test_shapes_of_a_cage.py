@@ -162,7 +162,7 @@ def test_collar_is_no_beam(collar):
 
 def test_raceway_aside_on_lines_is_refused():
     lines = LineSupports(azimuths=(0.0, 2.1, 4.2))
-    with pytest.raises(ImpossiblePart, match=r"offset = 0\.001 m.*allowed is zero"):
+    with pytest.raises(ImpossiblePart, match=r"raceway_offset = 1 mm.*allowed is zero"):
         plain(lines, 1e-3)
 
 

@@ -14,9 +14,10 @@ import flexbearing
 from flexbearing import explain, read
 from flexbearing.api import read_case
 from flexbearing.families import FAMILIES
+from flexbearing.quantities.angular_contact import DRY_TORQUE
 from flexbearing.report import text, write_figures
 from flexbearing.runs import angular_contact
-from tests.flexbearing.noted import texts
+from tests.flexbearing.noted import codes, texts
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 BALLS = sorted(
@@ -373,11 +374,36 @@ def test_ring_that_nothing_holds_is_not_solved_and_says_so(tmp_path, name, setti
     assert write_figures(result, tmp_path) == []
 
 
-def test_load_beyond_small_contacts_is_bad_input(tmp_path):
-    with pytest.raises(flexbearing.case.BadCase, match=r"joshi2015_fag\.toml: .* far too high"):
-        flexbearing.run(
-            CONFIGS / "joshi2015_fag.toml", ['operation.contact_loads=["1e9 N"]'], output=tmp_path / "r.h5"
-        )
+def test_load_beyond_small_contacts_is_not_solved():
+    """The case is one that `check` accepts: its loads leave the law."""
+    settings = ['operation.contact_loads=["1e9 N"]']
+    flexbearing.check(CONFIGS / "joshi2015_fag.toml", settings)
+    result = flexbearing.run(CONFIGS / "joshi2015_fag.toml", settings)
+    assert (result.attributes["status"], result.attributes["ending"]) == ("not solved", "outside a law")
+    assert "far too high" in result.attributes["message"]
+
+
+@pytest.mark.parametrize(
+    ("case", "settings", "code"),
+    [
+        ("harris218.toml", {
+            "bearing.inner.radius": "300 mm", "bearing.outer.radius": "300 mm",
+            "outputs.subsurface_stresses": True}, "no-subsurface-stresses"),
+        ("harris218.toml", {"operation.inner_speed": "0 rpm", "friction.model": "fastsim"},
+         "no-stick-and-slip"),
+        ("joshi2015_qj309.toml", {
+            "friction.contact_pressure": "offset", "friction.model": "fastsim",
+            "operation.load.axial": "200 kN", "bearing.inner.shoulder": "2 mm",
+            "bearing.outer.shoulder": "2 mm"}, "no-stick-and-slip"),
+    ],
+    ids=["ellipse too long", "at rest", "on the shoulder"],
+)  # fmt: skip
+def test_an_output_outside_its_law_is_absent_alone(case, settings, code):
+    result = flexbearing.run(CONFIGS / case, settings)
+    assert result.attributes["status"] == "converged"
+    assert result.rigid["contact_load"].max() > 0
+    assert code in codes(result, "outside validity")
+    assert not {name for name in result.rigid if name.startswith(("subsurface", "stick"))}
 
 
 # -- file and pictures ----------------------------------------------------------------------------
@@ -463,7 +489,7 @@ def test_every_control_has_one_friction_torque_by_one_coefficient(run, control):
         assert less == approx(torque / 2, rel=1e-9)
         assert other.rigid["spin_friction"] == approx(one.rigid["spin_friction"] / 2, rel=1e-9)
     page = text(one)
-    assert page.count("friction torque [N m]") == 1
+    assert page.count(f"{DRY_TORQUE} [N m]") == 1
     assert "sum of spin torques, Rivera Eq. (24) [N m]" in page
 
 
@@ -473,7 +499,7 @@ def test_local_spin_makes_more_friction_of_fast_balls(run):
     assert 1.02 < local["friction_torque"] / centre["friction_torque"] < 1.04
 
 
-OF_FRICTION = ("yaw of the ball's axis [deg]", "friction torque [N m]", "heat of friction of a ball [W]")
+OF_FRICTION = ("yaw of the ball's axis [deg]", f"{DRY_TORQUE} [N m]", "heat of friction of a ball [W]")
 
 
 def test_page_shows_the_yaw_only_where_friction_decides(run):

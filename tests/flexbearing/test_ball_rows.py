@@ -10,7 +10,7 @@ from flexbearing.api import read_case
 from flexbearing.families import FAMILIES
 from flexbearing.outputs import outputs, wanted
 from flexbearing.runs import ball_life
-from quasidynamic import AngularContactBallBearing, OutOfRange
+from quasidynamic import AngularContactBallBearing, ImpossiblePart
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 SPEEDS = [{"operation.inner_speed": f"{speed} rpm"} for speed in (3000, 6000, 9000)]
@@ -59,11 +59,11 @@ def test_a_row_without_a_solution_says_why_and_the_others_have_theirs(status, mo
 
     def no_factor(case, state):
         if case is cases[1]:
-            raise OutOfRange("a factor does not hold")
+            raise ImpossiblePart("such a part cannot be")
         return lives(case, state)
 
     monkeypatch.setattr(ball_life, "lives", no_factor)
     first, failed, last = rows_of(cases, ["life_L10"])
     assert (failed.status, failed.numbers) == (status, {})
-    assert ("nothing holds the inner ring" if status == "not solved" else "does not hold") in failed.message
+    assert ("nothing holds the inner ring" if status == "not solved" else "cannot be") in failed.message
     assert first.status == last.status == "converged"

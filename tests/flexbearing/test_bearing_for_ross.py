@@ -73,6 +73,13 @@ def test_stiffness_whose_tilt_follows_goes_before_that_which_holds_it(tmp_path):
     assert_allclose(balls.kyy, 4e8, rtol=0, atol=0)
 
 
+def test_stiffness_that_holds_no_rotor_is_refused(tmp_path):
+    file = table(tmp_path / "t.csv")
+    file.write_text(file.read_text().replace(",4e8,", ",-4e8,", 1))
+    with pytest.raises(BadResult, match="not positive"):
+        ross.read(file)
+
+
 WRONG = {
     "four speeds": ({"speeds": SPEEDS[:4]}, "4 speeds"),
     "a speed twice": ({"speeds": (*SPEEDS, 1000)}, "a speed twice"),

@@ -8,7 +8,7 @@ import pytest
 from pydantic import BaseModel, TypeAdapter, ValidationError, create_model
 from pytest import approx
 
-from flexbearing import explain
+from flexbearing import check, explain
 from flexbearing.api import read_case
 from flexbearing.case import BadCase
 from flexbearing.case.declarations import declarations
@@ -276,3 +276,43 @@ COLLAR = ("outer.collar_length=2 mm", "outer.collar_thickness=6 mm")
 def test_impossible_shape_of_a_raceway_is_named(settings, told):
     kept = {setting.partition("=")[0]: setting for setting in settings}
     assert told in refusal(*kept.values())
+
+
+RING = ["outer.kind=ring", "inner.kind=rigid"]
+PLANET = [
+    *RING, "outer.support=planet", 'outer.tooth_azimuths=["0 deg", "180 deg"]',
+    'outer.tooth_radial=["0 N", "0 N"]', 'outer.tooth_tangential=["-2 kN", "2 kN"]',
+]  # fmt: skip
+UNKNOWN_TO_STRUCTURE = {
+    "seat below a beam": ([*RING, "outer.support=seat"], "beam", '"side" or "foundation"'),
+    "planet gear as a beam": (PLANET, "beam", '"side" or "foundation"'),
+    "planet gear as a solid": (PLANET, "solid", '"side" or "seat" or "housing"'),
+    "solid shaft as a beam": (["outer.kind=rigid", "inner.shaft_thickness="], "beam", "a solid shaft"),
+}
+
+
+@pytest.mark.parametrize(
+    ("settings", "structure", "allowed"), UNKNOWN_TO_STRUCTURE.values(), ids=UNKNOWN_TO_STRUCTURE
+)
+def test_parts_that_a_structure_does_not_know_are_refused_on_reading(settings, structure, allowed):
+    words = refusal(*settings, f"accuracy.structure={structure}")
+    assert allowed in words
+    assert f'accuracy.structure = "{structure}"' in words
+
+
+@pytest.mark.parametrize(
+    ("settings", "words"),
+    [
+        (["outer.fillet=20 mm"], "[outer] fillet = 20.044 mm is impossible; allowed is zero"),
+        (["inner.fit=frictionless", "inner.shoulder_diameter=100 mm"], "[inner] shoulder_diameter = 100 mm"),
+        (
+            [*RING, "outer.thickness=0.1 mm"],
+            "[outer] thickness = 0.10022 mm is impossible; allowed is above 0.3 mm",
+        ),
+    ],
+    ids=["fillet", "shoulder", "thin ring"],
+)
+def test_impossible_parts_are_refused_by_check_in_the_words_of_the_case(settings, words):
+    with pytest.raises(BadCase) as problem:
+        check(PAPER, settings)
+    assert words in str(problem.value)

@@ -7,12 +7,15 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from flexbearing import check
+from flexbearing import check, run
 from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.coupling import LinearPair
+from flexbearing.derivatives.rollers import sensitivities
+from flexbearing.report import text
 from flexbearing.runs import life
+from flexbearing.runs.rows import answers
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic.outcome.capacity import dynamic_rating, raceway_capacity, roller_capacity
 from quasidynamic.outcome.life import (
@@ -37,7 +40,10 @@ ROUGH = {
     "bearing.roughness.inner_raceway": "0.1 um",
     "bearing.roughness.outer_raceway": "0.2 um",
 }
+SMALL = {"bearing.roller.diameter": "0.5 mm", "bearing.cage.thickness": "0.2 mm"}
 CLEAN = {"life.lubrication": "a_ISO", "life.cleanliness": "oil, in-line filter, -/17/14"}
+
+THIN = CLEAN | {"lubricant.viscosity": "0.8 mPa s"}
 
 
 @pytest.fixture(scope="module")
@@ -190,14 +196,44 @@ REFUSED = {
     ),
     "reliability of a dream": ({"life.reliability": 0.99999}, ["[life] reliability", "at most 0.9995"]),
     "steel without a factor": ({"life.steel": "M51"}, ['[life] steel = "M51"', '"M50"']),
-    "oil too thin for ISO 281": (
-        {**CLEAN, "lubricant.viscosity": "0.5 mPa s"}, ["viscosity ratio", "below 0.1, where ISO 281 stops"],
-    ),
-    "rollers too small for ISO 281": (
-        {**CLEAN, "bearing.roller.diameter": "0.5 mm", "bearing.cage.thickness": "0.2 mm"},
-        ["outside 0.01 to 0.3 of ISO 281"],
+}  # fmt: skip
+
+
+OUTSIDE = {  # a law, and what the case keeps
+    "oil too thin": (THIN, "", {"life_L10"}),
+    "oil too thin, C_r of ISO 281": (THIN | {"life.capacity": "iso281"}, "", {"life_L10", "reference_life"}),
+    "oil too thin, C_r/P": (THIN | {"life.loads": "rating"}, "", {"life_L10"}),
+    "rollers too small": (CLEAN | SMALL, "outside 0.01 to 0.3 of ISO 281", {"life_L10"}),
+    "rollers too small, C_r of ISO 281": (
+        {"life.capacity": "iso281"} | SMALL, "outside 0.01 to 0.3 of ISO 281", {"life_L10"}
     ),
 }  # fmt: skip
+
+
+@pytest.mark.parametrize(("settings", "reason", "lives"), OUTSIDE.values(), ids=OUTSIDE)
+def test_a_law_that_does_not_hold_takes_the_modified_life_alone(settings, reason, lives):
+    result = run(PLAIN, settings)
+    assert result.attributes["status"] == "converged"
+    assert lives == {"life_L10", "reference_life", "modified_life"} & set(result.flexible)
+    (note,) = [each for each in result.attributes["notes"] if each["code"] == "no-modified-life"]
+    assert reason in note["text"]
+    broken = [each for each in result.attributes["findings"] if each["code"] == "no-modified-life"]
+    assert ("not met" in {each["verdict"] for each in broken}) == (not reason)
+    assert "modified life [Mrev]" not in text(result)
+
+
+def test_single_runs_rows_and_derivatives_agree_that_there_is_no_modified_life():
+    texts = ["modified_life", "life_L10"]
+    alone = run(PLAIN, THIN)
+    (row, other) = answers([read_case(PLAIN, THIN), read_case(PLAIN, CLEAN)], texts, lambda place: None)
+    assert np.isnan(row.numbers["modified_life"])
+    assert row.numbers["life_L10"] == approx(float(alone["life_L10"].number), rel=1e-9)
+    assert row.message == next(
+        each["text"] for each in alone.attributes["notes"] if each["code"] == "no-modified-life"
+    )
+    assert (other.message, other.numbers["modified_life"] > 0) == ("", True)
+    with pytest.raises(BadCase, match="no such output"):
+        sensitivities(read_case(PLAIN, THIN), ["modified_life"], ["bearing.roller.length"])
 
 
 @pytest.mark.parametrize(("settings", "expected"), REFUSED.values(), ids=REFUSED.keys())

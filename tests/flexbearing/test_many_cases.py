@@ -191,11 +191,6 @@ OWN_RUN = {
     "an elastic ring of its own": (
         {"outer.kind": "ring", "outer.thickness": "4 mm", "outer.width": "10 mm"}, ""
     ),
-    "a_ISO outside its range": (
-        {"life.lubrication": "a_ISO", "life.cleanliness": "grease, normal cleanliness",
-         "lubricant.viscosity": "0.1 mPa s"},
-        "viscosity ratio",
-    ),
 }  # fmt: skip
 
 

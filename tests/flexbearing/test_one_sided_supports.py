@@ -9,7 +9,12 @@ from pytest import approx
 
 import flexbearing
 from flexbearing.case import BadCase
+from flexbearing.findings import evaluate
+from flexbearing.findings.running import LEAST_STIFFNESS
 from flexbearing.report import text
+from flexbearing.report.html import METRIC, stiffness
+from flexbearing.report.html.reader import Reader
+from flexbearing.runs import judged
 from tests.flexbearing.noted import codes
 
 CASE = Path(__file__).parents[2] / "configs" / "nu209.toml"
@@ -90,11 +95,10 @@ def test_foundation_that_pulls_says_how_much(run):
     assert told["least_pressure_MPa"] < -0.1
     assert told["resultant_N"] == approx(carried(both), rel=1e-6, abs=1e-2)
     assert "is pulled, by up to" in text(both)
-    one = run(*BEAM).attributes["structure"]["outer"]
-    assert one["foundation"]["largest_pressure_MPa"] > 1.2 * told["largest_pressure_MPa"]
-    assert (
-        one["support_stiffness_N_per_m"] < both.attributes["structure"]["outer"]["support_stiffness_N_per_m"]
-    )
+    one = run(*BEAM)
+    pressure = one.attributes["structure"]["outer"]["foundation"]["largest_pressure_MPa"]
+    assert pressure > 1.2 * told["largest_pressure_MPa"]
+    assert one.flexible["total_stiffness"] < both.flexible["total_stiffness"]
 
 
 def test_shear_springs_take_what_pressure_does_not(run):
@@ -188,3 +192,41 @@ def test_stiffness_of_a_ring_that_lifts_off_is_that_of_differences(supports, run
         places.append(blocks[-1]["ring_displacement"] - inner + outer)
     across_and_along = np.linalg.inv(blocks[1]["stiffness_matrix"][1:, 1:])[:2, 1]
     assert (places[2] - places[0]) / 20 == approx(across_and_along, rel=1e-3, abs=1e-12)
+
+
+PARTS = {"stiffness", "radial_stiffness", "support_stiffness", "support_stiffness_ratio"}
+
+
+@pytest.mark.parametrize(
+    ("support", "springs"),
+    [(LINES, False), (["outer.support=side"], True), (["outer.support=seat"], True)],
+    ids=["lines", "side", "seat"],
+)
+def test_stiffness_of_parts_is_given_where_they_are_springs_in_series(support, springs, run):
+    """Lines bend the ring by what the bearing carries: 545 and 329 kN/mm are together 349, not 205."""
+    result = run(*support)
+    block, figures = result.flexible, result.attributes["structure"]["outer"]
+    assert PARTS & set(block) == (PARTS if springs else set())
+    assert ("stiffness-not-in-series" in codes(result, "outside validity")) is not springs
+    assert (figures["support_stiffness_N_per_m"] is None) is not springs
+    assert block["total_stiffness"] > 0
+    if springs:
+        series = 1 / (1 / block["stiffness"] + 1 / block["support_stiffness"])
+        assert series == approx(block["total_stiffness"], rel=2e-2)
+
+
+def test_a_stiffness_that_is_none_in_series_stays_out_of_table_page_and_export(run, tmp_path):
+    result = run(*LINES)
+    (row,) = [line for line in text(result).splitlines() if line.startswith(" stiffness of the bearing")]
+    assert row.split()[-2:] == ["-", "-"]
+    page = "".join(str(block) for block in stiffness.blocks(Reader(result, METRIC)))
+    assert stiffness.NOT_IN_SERIES in page
+    assert "bearing alone" not in page
+
+
+def test_a_tangent_that_is_not_positive_is_a_finding():
+    shear = np.array([[[2.0, 3.0], [3.0, 2.0]], [[2.0, 0.5], [-0.5, 2.0]], [[0.0, 0.0], [0.0, 5.0]]])
+    least = judged.least_stiffness(shear)
+    assert least == approx([-1.0, 2.0, 0.0], abs=1e-12)
+    (found,) = evaluate([LEAST_STIFFNESS], {"least_stiffness": least})
+    assert found.broken.tolist() == [True, False, False]

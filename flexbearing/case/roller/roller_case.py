@@ -11,7 +11,6 @@ from flexbearing.case.head import KIND, Head
 from flexbearing.case.quantity import impossible, in_mm, key, needed
 from flexbearing.case.roller.bands import bands
 from flexbearing.case.roller.bearing import Bearing
-from flexbearing.case.roller.full_solids import require_solids
 from flexbearing.case.roller.life import FEWEST_SLICES, Life
 from flexbearing.case.roller.lubricant import Lubricant
 from flexbearing.case.roller.mounting import require_mounting
@@ -19,6 +18,7 @@ from flexbearing.case.roller.numerics import Accuracy, Coupling
 from flexbearing.case.roller.outputs import Outputs
 from flexbearing.case.roller.profile import Generatrix
 from flexbearing.case.roller.rings import Inner, Outer
+from flexbearing.case.roller.structures import require_known, require_solids
 from flexbearing.case.roller.surroundings import Materials, Operation
 from flexbearing.case.tolerances import CLEARANCE, HOUSING, SHAFT, Band, Place
 
@@ -196,12 +196,14 @@ class Case(Head):
         return self
 
     @model_validator(mode="after")
-    def _full_structures_are_solids(self) -> Self:
+    def _structures_know_the_parts(self) -> Self:
         if self.coupling.structure == "full":
             require_solids(self.accuracy, self.inner, self.outer, lifts_off=self.lifts_off)
             if self.operation.temperatures and self.operation.temperatures.outer_seat is not None:
                 allowed = 'left out for coupling.structure = "full", whose solids do not expand'
                 raise impossible("operation.temperatures.outer_seat", allowed)
+        else:
+            require_known(self.accuracy, self.inner, self.outer, lifts_off=self.lifts_off)
         return self
 
     @model_validator(mode="after")

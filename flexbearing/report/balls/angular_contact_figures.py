@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexbearing.quantities.angular_contact import LAYOUT
+from flexbearing.quantities.angular_contact import DRY_TORQUE, LAYOUT
 from flexbearing.quantities.reductions import RACES
 from flexbearing.report.axes_look import require_span
 from flexbearing.report.balls.contact_fields import DrawnBall, drawn_contact, require_cells, torque_words
@@ -50,9 +50,7 @@ def balls(result: Result) -> tuple[DrawnBall, ...]:
         ("", f"{name} race"): drawn_contact(values, (race, ball), (race,)) for race, name in enumerate(RACES)
     }
     error = values["grid_error"].sum() if "grid_error" in values else None
-    return (
-        DrawnBall(ball, torque_words("friction torque", float(values["friction_torque"]), error), contacts),
-    )
+    return (DrawnBall(ball, torque_words(DRY_TORQUE, float(values["friction_torque"]), error), contacts),)
 
 
 def ball_loads(result: Result) -> Figure:

@@ -302,7 +302,7 @@ def _stiffness(reader: Reader) -> Iterator[str]:
     block = reader.blocks.get(reader.last, {})
     if "stiffness_matrix" not in block:
         return
-    if "radial_stiffness" not in block:
+    if "total_radial_stiffness" not in block:
         diagonal = (f"{axis} {text_of(stiffness.entry(reader, row, row))}" for row, axis in enumerate("xyz"))
         yield f"Of the bearing alone, along {', '.join(diagonal)}."
     else:
@@ -332,9 +332,14 @@ def _by_rotor_model(reader: Reader) -> Iterator[str]:
         along, across = (reader.element(reader.last, name, row, row, digits=",.4g") for row in (1, 0))
         return f"{text_of(along)} along z, {text_of(across)} along y"
 
+    if not stiffness.in_series(reader):
+        yield f"With supports, {both('total_radial_stiffness')}. {stiffness.NOT_IN_SERIES}"
+        return
     yield f"Shaft and supports in the rotor model: bearing alone, {both('radial_stiffness')}."
     for part, has in stiffness.IN_MODEL.items():
-        rows = [f"{text_of(number)} along {axis}" for axis, number in stiffness.in_series(reader, part)]
+        rows = [
+            f"{text_of(number)} along {axis}" for axis, number in stiffness.with_one_support(reader, part)
+        ]
         if rows:
             words = ", ".join(rows) + _ranged(reader, part)
             yield f"{has} only: with the support of the {part} ring, {words}."

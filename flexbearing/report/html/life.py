@@ -112,7 +112,7 @@ def _shorter(reader: Reader) -> Iterator[Words]:
 def _factors(reader: Reader) -> Iterator[Table]:
     """Factors of the modified life."""
     life = (reader.attributes.get("life") or {}).get(reader.last)
-    if not life:
+    if not life or "modified_Mrev" not in life:
         return
     path, first = f"life/{reader.last}", _FIRST.format(reader.last)
     of = next(each.name for each in lives(reader) if each.turns.of.startswith(first))
@@ -167,7 +167,7 @@ def _by_what_was_solved(reader: Reader) -> Iterator[Table]:
         rows.append((name, times, reader.units.number(now, "Mrev", "Mrev", ",.4g", path), why))
         before, place = now, path
     life, path = (reader.attributes.get("life") or {}).get(reader.last), f"life/{reader.last}"
-    if life:
+    if life and "modified_Mrev" in life:
         rows += _stepped(reader, values["life_Mrev"])
         modified = reader.of_attribute(f"{path}/modified_Mrev", "Mrev", "Mrev", ",.4g")
         rows.append(("Life of this case after all factors", "", modified, ""))

@@ -82,7 +82,7 @@ def _with_oil(reader: Reader, given: float, step: float, modified: bool) -> tupl
     """A row with oil so much warmer [K]; empty where its data do not reach there."""
     asked = f"{given + step:.6g}"
     rated = with_oil_at(reader, asked, *(() if modified else BY_A_ISO))
-    if rated is None:
+    if rated is None or (modified and "a_ISO" not in rated):
         return ()
     oil = reader.units.number(given + step, "K", "degC", ".4g", "")
     mark = "" if step in _WARMER and step else " (this case)" if step == 0 else " (κ = 1)"
@@ -127,7 +127,7 @@ def own_life_at(reader: Reader, kelvin: str) -> float | None:
     load, life = _equivalent_load(reader), (reader.attributes.get("life") or {}).get(reader.last) or {}
     of_oil = [factor["value"] for factor in life.get("factors", ()) if factor["name"] == "a_ISO"]
     rated = None if load is None else with_oil_at(reader, kelvin, f"operation.radial_load={load!r} N")
-    if rated is None or not of_oil:
+    if rated is None or not of_oil or "a_ISO" not in rated:
         return None
     return life["modified_Mrev"] / of_oil[0] * rated["a_ISO"]
 
@@ -140,10 +140,10 @@ def viscosity_ratio(reader: Reader) -> tuple[float, str] | None:
     if "viscosity_ratio" in known[0]:
         return known[0]["viscosity_ratio"], f"{known[1]}/viscosity_ratio"
     try:
-        rated = catalogue().ratings(reader.case_with(BY_A_ISO), inf)
+        kappa = catalogue().viscosity_ratio(reader.case_with(BY_A_ISO))
     except ValueError:  # no oil in the case, or one outside its data
         return None
-    return rated["viscosity_ratio"], "viscosity_ratio"
+    return None if kappa is None else (kappa, "viscosity_ratio")
 
 
 def with_oil_at(reader: Reader, kelvin: str, *further: str) -> dict[str, Any] | None:

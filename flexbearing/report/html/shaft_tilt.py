@@ -26,7 +26,7 @@ def otherwise(reader: Reader) -> tuple[str, float] | None:
 def stiffness(reader: Reader) -> str:
     """Radial stiffnesses where the shaft holds the ring otherwise, in words; empty where none are known."""
     other = (reader.attributes.get("tilt") or {}).get("otherwise") or {}
-    if "stiffness_z_N_per_m" not in other:
+    if "total_stiffness_z_N_per_m" not in other:
         return ""
 
     def stated(which: str) -> str:
@@ -35,7 +35,8 @@ def stiffness(reader: Reader) -> str:
         return ", ".join(f"{number.text} {number.unit} along {axis}" for axis, number in numbers.items())
 
     how = other["inner_ring"]
-    return f'With operation.tilt = "{how}": bearing alone, {stated("")}; with supports, {stated("total_")}.'
+    alone = f"bearing alone, {stated('')}; " if "stiffness_z_N_per_m" in other else ""
+    return f'With operation.tilt = "{how}": {alone}with supports, {stated("total_")}.'
 
 
 def loads(reader: Reader) -> str:

@@ -23,6 +23,10 @@ _WHICH = (
     "which includes the bending of the shaft between the ends of the case. A part in both models would count "
     "twice."
 )
+NOT_IN_SERIES = (
+    "Bearing and supports are no springs in series here, as the supports bend the rings by the loads of the "
+    "bearing: only the stiffness with supports is given. A rotor model takes it, without supports of its own."
+)
 _NO_SUPPORTS = (
     "Rings, shaft and housing are rigid in this case: there is one stiffness, that of the bearing alone, and "
     "the matrix below is its matrix. A rotor or shaft model needs its own shaft and housing beside it."
@@ -72,7 +76,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
     if "stiffness_matrix" not in block:
         return
     if "total_stiffness" in block:
-        yield Words((_WHICH if supported(reader) else _NO_SUPPORTS,))
+        yield Words((_which(reader),))
         yield _radial(reader)
     else:
         yield Words((_BALLS,))
@@ -82,11 +86,27 @@ def blocks(reader: Reader) -> Iterator[Block]:
     )
     yield _matrix(reader)
     if "total_stiffness" in block:
-        yield Words((*([_MATRIX] if supported(reader) else []), _TILT, _NEAR, _UNSYMMETRIC))
+        yield Words(
+            (*([_MATRIX] if supported(reader) and in_series(reader) else []), _TILT, _NEAR, _UNSYMMETRIC)
+        )
+
+
+def _which(reader: Reader) -> str:
+    """Which stiffness a rotor model needs."""
+    if not in_series(reader):
+        return NOT_IN_SERIES
+    return _WHICH if supported(reader) else _NO_SUPPORTS
+
+
+def in_series(reader: Reader) -> bool:
+    """Whether bearing and supports are springs in series, each with a stiffness of its own."""
+    return "stiffness" in reader.blocks[reader.last]
 
 
 def supported(reader: Reader) -> bool:
     """Whether a ring is on a support that gives way."""
+    if not in_series(reader) and "total_stiffness" in reader.blocks[reader.last]:
+        return True
     structure = reader.attributes.get("structure") or {}
     return len(reader.blocks) > 1 and any(_support(figures) is not None for figures in structure.values())
 
@@ -98,7 +118,7 @@ def _support(figures: dict[str, Any]) -> float | None:
 
 def _radial(reader: Reader) -> Table:
     """Every radial stiffness with what it is for, along the load and beside it."""
-    names = [("stiffness", "bearing alone, along the load", _FREE_ACROSS)]
+    names = [("stiffness", "bearing alone, along the load", _FREE_ACROSS)] * in_series(reader)
     if supported(reader):
         names.append(("total_stiffness", "with supports, along the load", "neither is in the rotor model"))
     rows: list[tuple[Cell, ...]] = []
@@ -108,9 +128,9 @@ def _radial(reader: Reader) -> Table:
             reader.element(block, name, digits=",.4g") for block in reader.blocks
         ]  # fmt: skip
         rows.append((label, *numbers, printed(reader.units.of("kN/mm")), use))
-    if "radial_stiffness" in reader.blocks[reader.last]:
-        rows += _over_yz(reader, "bearing alone", "radial_stiffness")
-        rows += _over_yz(reader, "with supports", "total_radial_stiffness") if supported(reader) else ()
+    for which, name in (("bearing alone", "radial_stiffness"), ("with supports", "total_radial_stiffness")):
+        if name in reader.blocks[reader.last] and (name == "radial_stiffness" or supported(reader)):
+            rows += _over_yz(reader, which, name)
     rows += _supports(reader)
     return Table(
         f"Radial tangent stiffness{_free(reader)}", ("stiffness", *reader.blocks, "unit", "for"), tuple(rows)
@@ -146,7 +166,7 @@ def _supports(reader: Reader) -> Iterator[tuple[Cell, ...]]:
 
 def _in_series(reader: Reader, part: str, empty: list[str]) -> Iterator[tuple[Cell, ...]]:
     """Rows of the bearing with one of its supports, for rotor models that have the other."""
-    for axis, number in in_series(reader, part):
+    for axis, number in with_one_support(reader, part):
         label = f"with the support of the {part} ring only, along {axis}"
         yield (
             label,
@@ -157,7 +177,7 @@ def _in_series(reader: Reader, part: str, empty: list[str]) -> Iterator[tuple[Ce
         )
 
 
-def in_series(reader: Reader, part: str) -> Iterator[tuple[str, Number]]:
+def with_one_support(reader: Reader, part: str) -> Iterator[tuple[str, Number]]:
     """Stiffness of the bearing in series with what holds a ring, along z and y; none where that is rigid."""
     support = _support((reader.attributes.get("structure") or {}).get(part) or {})
     if support is None or len(reader.blocks) < 2 or "radial_stiffness" not in reader.blocks[reader.last]:

@@ -37,8 +37,8 @@ def require_narrow(across: NDArray, radius: NDArray) -> None:
     """
     if not np.all(across < radius):
         raise OutOfRange(
-            f"contact ellipse: semi-axis {np.max(across):.4g} m is not below the radius "
-            f"{np.min(radius):.4g} m of the pressed surface: the load is far too high"
+            f"contact ellipse: semi-axis {1e3 * np.max(across):.4g} mm is not below the radius "
+            f"{1e3 * np.min(radius):.4g} mm of the pressed surface: the load is far too high"
         )
 
 
@@ -127,8 +127,8 @@ def race_curvatures(
     across = ball - 1.0 / np.asarray(groove_radius)
     if not np.all(across > 0.0):
         raise OutOfRange(
-            f"groove radius {np.min(groove_radius):.6g} m must be above the ball radius: the contact of a "
-            "ball in a groove as narrow as itself is no ellipse"
+            f"groove radius {1e3 * np.min(groove_radius):.6g} mm must be above the ball radius: the contact "
+            "of a ball in a groove as narrow as itself is no ellipse"
         )
     along = ball / (
         1.0 + np.asarray(side) * np.asarray(ball_diameter) * np.cos(contact_angle) / pitch_diameter

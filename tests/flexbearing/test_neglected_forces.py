@@ -1,0 +1,111 @@
+"""What each kind of bearing neglects is a share of its load, and a danger where it is none to neglect."""
+
+import re
+from functools import cache
+
+import pytest
+from pytest import approx
+
+import flexbearing
+from flexbearing.report import text
+from tests.flexbearing.hostile_cases import CONFIGS
+from tests.flexbearing.noted import codes
+
+FAST = {"operation.speed": "10000 rpm", "operation.load.axial": "2 kN"}
+
+
+@cache
+def _solved(case, *settings):
+    return flexbearing.run(CONFIGS / case, dict(settings))
+
+
+def solved(case, settings):
+    return _solved(case, *settings.items())
+
+
+def shares(result):
+    return {
+        each["place"]: each["value"]
+        for each in result.attributes["findings"]
+        if each["code"] == "neglected-force"
+    }
+
+
+def test_a_slow_bearing_that_turns_fast_says_that_inertia_decides():
+    """342 N and 35.8 deg at any speed; at 10 000 rpm 157 N press each ball outwards."""
+    result = solved("joshi2015_qj309.toml", FAST)
+    assert result.rigid["contact_load"].max() == approx(341.9, rel=2e-3)
+    assert "neglected-force" in codes(result, "danger")
+    found = shares(result)
+    assert found["inertia of the balls"] == approx(0.459, rel=1e-2)
+    assert 0.01 < found["gyroscopic moment of the balls"] < 0.1
+    assert "neglected" in text(result)
+
+
+@pytest.mark.parametrize(("speed", "grade"), [(1000, None), (2000, "outside validity"), (6000, "danger")])
+def test_inertia_grows_with_the_square_of_the_speed(speed, grade):
+    result = solved("joshi2015_qj309.toml", FAST | {"operation.speed": f"{speed} rpm"})
+    expected = shares(solved("joshi2015_qj309.toml", FAST))["inertia of the balls"] * (speed / 1e4) ** 2
+    assert shares(result)["inertia of the balls"] == approx(expected, rel=1e-6)
+    assert [code for code in codes(result, grade) if code == "neglected-force"] == (
+        [] if grade is None else ["neglected-force"]
+    )
+
+
+@pytest.mark.parametrize(
+    ("case", "places"),
+    [
+        ("harris218.toml", {"weight of the balls", "friction"}),
+        ("nu209.toml", {"gyroscopic moment of the rollers"}),
+    ],
+)
+def test_every_family_prints_what_it_neglects(case, places):
+    result = solved(case, {})
+    assert set(shares(result)) == places
+    assert "neglected-force" not in codes(result)
+
+
+def test_balls_whose_friction_is_balanced_neglect_none():
+    settings = {"operation.control": "coulomb", "friction.coefficient": 0.08}
+    assert set(shares(solved("harris218.toml", settings))) == {"weight of the balls"}
+
+
+@pytest.mark.parametrize("case", ["harris218.toml", "rivera2021_7008.toml"])
+def test_reversed_thrust_is_a_danger(case):
+    load = "-500 N"
+    assert "reversed-thrust" in codes(solved(case, {"operation.load.axial": load}), "danger")
+    assert "reversed-thrust" not in codes(solved(case, {}))
+
+
+def test_contacts_where_no_race_is_are_a_danger():
+    heavy = solved("joshi2015_qj309.toml", {"operation.load.axial": "300 kN"})
+    assert "contact-height" in codes(heavy, "danger")
+    limited = {"bearing.inner.shoulder": "4 mm", "bearing.outer.shoulder": "4 mm"}
+    given = solved("joshi2015_qj309.toml", {"operation.load.axial": "300 kN"} | limited)
+    assert "contact-height" not in codes(given)
+    assert "truncated-contact" in codes(given, "danger")
+
+
+def test_friction_torque_of_fast_balls_is_that_of_dry_contacts():
+    assert "friction torque (dry contacts only; no cage, no oil) [N m]" in text(
+        solved("rivera2021_7008.toml", {})
+    )
+
+
+@pytest.mark.parametrize(
+    ("friction", "least"), [(0.1, 0.0), (1.0, 0.08)], ids=["little sticks", "much sticks"]
+)
+def test_fastsim_says_its_error_by_the_share_that_sticks(friction, least):
+    """Its torque is above that of half-spaces by less than the note says, and by much where much sticks."""
+    torque, words = {}, ""
+    for model in ("fastsim", "kalker"):
+        settings = {"friction.model": model, "friction.coefficient": friction, "friction.cells": (12, 24)}
+        result = solved("rivera2021_7008.toml", settings)
+        torque[model] = float(result.rigid["friction_torque"])
+        if model == "fastsim":
+            (words,) = [
+                each["text"] for each in result.attributes["notes"] if each["code"] == "stick-and-slip"
+            ]
+    found = re.search(r"fastsim is up to ([0-9.]+)% above kalker", words)
+    assert found
+    assert least < torque["fastsim"] / torque["kalker"] - 1 < float(found[1]) / 100
