@@ -10,6 +10,7 @@ from flexbearing.case.excerpt import excerpt
 from flexbearing.case.problems import nearest
 from flexbearing.case.quantity import Section
 from flexbearing.case.text import setting_value, tables
+from flexbearing.runs.key_ranges import range_of
 
 NUMERICS = ("coupling.", "accuracy.", "outputs.")  # tables whose numbers say how it is computed, not what
 # Small against the nanometres by which a slice is pressed that just carries load: of a clearance of 60 um and
@@ -53,6 +54,11 @@ class Key:
     def is_ratio(self) -> bool:
         """Whether a percent of it means something: not of temperatures, nor of zero."""
         return self.value != 0.0 and self.si_unit != "K"
+
+    @property
+    def realistic_step(self) -> float:
+        """By which it changes in practice, in its unit."""
+        return range_of(self.path).step_of(self.value, self.si_unit) / self.size
 
     def allows(self, change: float) -> bool:
         """Whether the value may change by so many steps."""

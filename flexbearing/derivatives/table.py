@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from math import nan
 from typing import Any
 
 import numpy as np
@@ -15,8 +16,8 @@ from flexbearing.derivatives.keys import Key
 NEGLIGIBLE = 1e-5
 
 COLUMNS: tuple[str, ...] = (
-    "output", "output_unit", "key", "key_unit", "value", "key_value", "derivative", "elasticity",
-    "percent_per_unit", "derivative_below", "derivative_above", "one_sided",
+    "output", "output_unit", "key", "key_unit", "value", "key_value", "step", "percent_by_step", "derivative",
+    "elasticity", "percent_per_unit", "derivative_below", "derivative_above", "one_sided",
 )  # fmt: skip
 
 
@@ -52,18 +53,23 @@ class Slope:
     @property
     def share(self) -> float:
         """Change of the output in percent of it, by one unit of the key."""
-        return 100.0 * self.slope / self.output.value if self.output.value else float("nan")
+        return 100.0 * self.slope / self.output.value if self.output.value else nan
+
+    @property
+    def effect(self) -> float:
+        """Change of the output in percent of it by one realistic step of the key, by the derivative."""
+        return self.by_step(self.slope)
+
+    def by_step(self, slope: float) -> float:
+        """The same of another slope, such as that on one side."""
+        return 100.0 * slope * self.key.realistic_step / self.output.value if self.output.value else nan
 
     @property
     def elasticity(self) -> float:
         """Percent of the output by a percent of the key; NaN where either means nothing."""
-        return self.elastic(self.slope)
-
-    def elastic(self, slope: float) -> float:
-        """Elasticity of a slope, such as that on one side."""
         if not (self.key.is_ratio and self.output.value):
-            return float("nan")
-        return slope * self.key.value / self.key.size / self.output.value
+            return nan
+        return self.slope * self.key.value / self.key.size / self.output.value
 
     @property
     def reaches(self) -> bool:
@@ -96,10 +102,7 @@ class Sensitivities:
 
     @cached_property
     def by_output(self) -> dict[str, tuple[Slope, ...]]:
-        """Derivatives by the keys that reach an output, the strongest first.
-
-        Those with an elasticity stand first, then those of temperatures and of values that are zero.
-        """
+        """Derivatives by the keys that reach an output, by the change that a realistic step of each makes."""
         return {
             output.name: tuple(sorted(self._reaching(number), key=_strength))
             for number, output in enumerate(self.outputs)
@@ -121,9 +124,8 @@ class Sensitivities:
 
 
 def _strength(slope: Slope) -> tuple[bool, float]:
-    elasticity = slope.elasticity
-    without = bool(np.isnan(elasticity))
-    return without, -abs(slope.share if without else elasticity)
+    without = bool(np.isnan(slope.effect))  # of an output that is zero, or jumps
+    return without, -abs(slope.slope * slope.key.realistic_step if without else slope.effect)
 
 
 def _record(slope: Slope) -> dict[str, Any]:
@@ -131,6 +133,8 @@ def _record(slope: Slope) -> dict[str, Any]:
     numbers = (
         output.value,
         key.stated,
+        key.realistic_step,
+        slope.effect,
         slope.slope,
         slope.elasticity,
         slope.share,

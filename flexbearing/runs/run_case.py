@@ -85,7 +85,7 @@ def effects(case: Head, family: Family, report: Report) -> dict[str, Any]:
     """What other values of assumed inputs make of a case, as `flexbearing.runs.assumed_effects` finds it."""
     from flexbearing.runs.assumed_effects import assumed_effects
 
-    return assumed_effects(case, _reader(case, family), lambda each: compared(each, family), report)
+    return assumed_effects(case, reader(case, family), lambda each: compared(each, family), report)
 
 
 def _solver(
@@ -114,7 +114,7 @@ def _lives_compared(case: Head, family: Family, report: Report, notes: list[Any]
     report.stage("lives against those of a catalogue", None)
     try:
         lives = against_catalogue(
-            case, family.catalogue(), _reader(case, family), lambda each: compared(each, family)
+            case, family.catalogue(), reader(case, family), lambda each: compared(each, family)
         )
     except BadCase as problem:
         why = information("no-catalogue-life", f"no life of a catalogue to compare with: {problem}")
@@ -139,7 +139,7 @@ def _inputs_weighed(case: Head, family: Family, report: Report, notes: list[Any]
     return {"assumed_effects": found}
 
 
-def _reader(case: Head, family: Family) -> Callable[[Sequence[str]], Head]:
+def reader(case: Head, family: Family) -> Callable[[Sequence[str]], Head]:
     """Read the same case with further settings."""
     from flexbearing.case import understood
 
