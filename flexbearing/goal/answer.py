@@ -1,7 +1,7 @@
 """What reaches a wanted life, and what does not."""
 
 from dataclasses import dataclass
-from math import nan
+from math import isfinite, nan
 from typing import Any
 
 from flexbearing.goal.target import Target
@@ -55,6 +55,17 @@ class Goal:
 
         return text(self)
 
+    @property
+    def reached(self) -> bool:
+        """Whether a lever or a pair reaches it."""
+        return bool(self.pair) or any(change.reaches for change in self.changes)
+
+    def as_json(self) -> dict[str, Any]:
+        """The whole as plain values."""
+        target = self.target
+        of = {"output": target.name, "unit": target.unit, "before": target.before, "wanted": target.wanted}
+        return {"title": self.title, **of, "changes": self.records(), "weak": list(self.weak)}
+
     def records(self) -> list[dict[str, Any]]:
         """Every change as plain values, the pair last."""
         found = (*self.changes, *((self.pair,) if self.pair else ()))
@@ -63,7 +74,7 @@ class Goal:
                 "keys": {each.key: [each.before, each.after] for each in change.keys},
                 "steps": change.steps,
                 "reaches": change.reaches,
-                f"life_{self.target.unit}": change.life,
+                "life": change.life if isfinite(change.life) else None,
                 "limit": change.limit,
             }
             for change in found

@@ -1,13 +1,13 @@
 """What may be changed: numbers between realistic ends, counted in realistic steps, and graded choices."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import copysign
 from typing import Any
 
 from flexbearing.case import Head
 from flexbearing.derivatives.keys import Key, given_keys
-from flexbearing.runs.key_ranges import range_of
+from flexbearing.case.key_ranges import range_of
 from flexbearing.runs.plausible import graded
 
 CONDITIONS = "operation.", "life."  # keys of what a designer is given: in no pair
@@ -29,6 +29,11 @@ class Lever:
     def end(self, sign: float) -> float:
         """Steps up to the last value of one side."""
         return abs((self.high if sign > 0 else self.low) - self.key.value) / self.step
+
+    def up_to(self, steps: float, sign: float) -> "Lever":
+        """The same that ends after some steps to one side."""
+        last = self.key.value + copysign(steps * self.step, sign)
+        return replace(self, high=last) if sign > 0 else replace(self, low=last)
 
     @property
     def step(self) -> float:
@@ -60,8 +65,12 @@ class Move:
     choice: Choice | None = None  # that is taken first
 
     def end(self) -> float:
-        """Steps of the move until the last lever is at its end."""
+        """Steps until the last lever is at its end."""
         return max(lever.end(weight) / abs(weight) for lever, weight in self.parts)
+
+    def up_to(self, steps: float) -> "Move":
+        """The same whose levers end after so many steps."""
+        return replace(self, parts=tuple((lever.up_to(steps, weight), weight) for lever, weight in self.parts))
 
     def changes(self, steps: float) -> Iterator[tuple[Lever, str]]:
         """Levers with their values; each stops at its end."""

@@ -1,15 +1,18 @@
 """Changes towards a life as text."""
 
 from collections.abc import Iterator
+from os.path import commonprefix
 
 from rich.console import RenderableType
 from rich.text import Text
 
-from flexbearing.goal.answer import Change, Goal
+from flexbearing.case.excerpt import excerpt
+from flexbearing.goal.answer import Change, Changed, Goal
 from flexbearing.report.output import laid_out
 from flexbearing.report.sections import right_aligned
 
 DIGITS = 4
+LONGEST = 120  # characters of a reason
 
 
 def text(goal: Goal) -> str:
@@ -30,30 +33,37 @@ def sections(goal: Goal) -> Iterator[RenderableType]:
         yield _table(goal, "two changes", [goal.pair])
     if others:
         yield _table(goal, "cannot, comes to", others)
-        yield from (Text(f"  {each.name}: {each.limit}") for each in others if each.limit)
+        yield from (Text(f"  {each.name}: {excerpt(each.limit, LONGEST)}") for each in others if each.limit)
     if goal.weak:
         yield Text(f"  less than 1 %: {', '.join(goal.weak)}")
 
 
 def _table(goal: Goal, heading: str, changes: list[Change]) -> RenderableType:
-    table = right_aligned(heading, "from", "to", "steps", "life, by a run")
-    for column in table.columns:
-        column.overflow = "fold"
+    table = right_aligned(heading, "from", "to", "steps", "life")
+    table.columns[0].overflow = "fold"
     for change in changes:
         for number, each in enumerate(change.keys):
             ends = (f"{change.steps:.2g}", _life(goal, change.life)) if number == 0 else ("", "")
-            table.add_row(*map(Text, (each.key, _short(each.before), _short(each.after), *ends)))
+            table.add_row(*map(Text, (each.key, *_words(each), *ends)))
     return table
 
 
 def _life(goal: Goal, life: float) -> str:
-    return f"{life:,.{DIGITS}g} {goal.target.unit}" if life < 10**DIGITS else f"{float(f'{life:.{DIGITS}g}'):,.0f} {goal.target.unit}"
+    rounded = float(f"{life:.{DIGITS}g}")
+    return f"{rounded:,.0f} {goal.target.unit}" if rounded >= 10**DIGITS else f"{rounded:g} {goal.target.unit}"
 
 
-def _short(words: str) -> str:
-    """A value with four digits; a choice as it is."""
-    number, _, unit = words.partition(" ")
+def _words(changed: Changed) -> tuple[str, str]:
+    """Both values: numbers with four digits, of choices what differs."""
+    both = changed.before, changed.after
     try:
-        return f"{float(number):.{DIGITS}g} {unit}".strip()
+        return _number(both[0]), _number(both[1])
     except ValueError:
-        return words
+        alike = len(commonprefix(both))
+        start = both[0].rfind(" ", 0, alike) + 1
+        return both[0][start:], both[1][start:]
+
+
+def _number(words: str) -> str:
+    number, _, unit = words.partition(" ")
+    return f"{float(number):.{DIGITS}g} {unit}".strip()

@@ -111,7 +111,10 @@ def _by_trial(trials: Trials, found: Sequence[Lever]) -> dict[Lever, tuple[float
 
 
 def _pairs(trials: Trials, numbers: Sequence[Followed], graded: Sequence[Sequence[_Tried]]) -> list[Followed]:
-    """Pairs of the strongest levers that a designer has, changed in the ratio of their gains."""
+    """Pairs of the strongest levers that a designer has, changed in the ratio of their gains.
+
+    No lever goes further than alone.
+    """
     free = [each for each in numbers if each.gain > 0 and not each.move.parts[0][0].given]
     strong = sorted(free, key=lambda each: -each.gain)[:PAIRED]
     next_choices = [each for tried in graded for each in tried if each.choice.steps == 1]
@@ -119,13 +122,13 @@ def _pairs(trials: Trials, numbers: Sequence[Followed], graded: Sequence[Sequenc
     moves, first, starts = [], [], []
     for one, other in combinations(strong, 2):
         gain = hypot(one.gain, other.gain)
-        parts = ((lever, side * each.gain / gain) for each in (one, other) for lever, side in each.move.parts)
-        moves.append(Move(tuple(parts)))
+        both = [(each.move.up_to(each.place).parts[0], each.gain / gain) for each in (one, other)]
+        moves.append(Move(tuple((lever, side * share) for (lever, side), share in both)))
         first.append(-trials.start / gain)
         starts.append(trials.start)
     for tried in better:
         for each in strong if trials.start < tried.distance < 0 else ():
-            moves.append(replace(each.move, choice=tried.choice))
+            moves.append(replace(each.move.up_to(each.place), choice=tried.choice))
             first.append(-tried.distance / each.gain)
             starts.append(tried.distance)
     return trials.followed(moves, first, starts)
