@@ -1,7 +1,6 @@
 """Changes towards a life as text."""
 
 from collections.abc import Iterator
-from os.path import commonprefix
 
 from rich.console import RenderableType
 from rich.text import Text
@@ -54,14 +53,12 @@ def _life(goal: Goal, life: float) -> str:
 
 
 def _words(changed: Changed) -> tuple[str, str]:
-    """Both values: numbers with four digits, of choices what differs."""
+    """Both values: numbers with four digits, of choices the last part."""
     both = changed.before, changed.after
     try:
         return _number(both[0]), _number(both[1])
     except ValueError:
-        alike = len(commonprefix(both))
-        start = both[0].rfind(" ", 0, alike) + 1
-        return both[0][start:], both[1][start:]
+        return both[0].rpartition(", ")[2], both[1].rpartition(", ")[2]
 
 
 def _number(words: str) -> str:

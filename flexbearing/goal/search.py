@@ -3,11 +3,12 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
-from math import hypot, isnan, log, nan
+from math import hypot, isnan, log
 
 from flexbearing.case import BadCase, Head
 from flexbearing.case.family import Family
 from flexbearing.derivatives.any_family import sensitivities
+from flexbearing.derivatives.table import Slope
 from flexbearing.goal.answer import Change, Changed, Goal
 from flexbearing.goal.levers import Choice, Lever, Move, choices, levers
 from flexbearing.goal.target import target
@@ -16,6 +17,7 @@ from flexbearing.progress import Report
 from flexbearing.runs.run_case import compared, reader
 
 WEAK = 0.01  # of the life: levers that change it less are only named
+CLOSE = 1e-3  # of the wanted life, by a run
 PAIRED = 4  # the strongest levers, of which pairs are tried
 
 
@@ -36,7 +38,7 @@ def goal(case: Head, family: Family, life: str, report: Report) -> Goal:
     singles = [*(_change(trials, each) for each in numbers), *(_nearest(each) for each in graded if each)]
     pair = min((_change(trials, each) for each in pairs if each.reaches), key=lambda each: each.steps, default=None)
     verified = [_verified(trials, each) for each in singles]
-    strong = [each for each in verified if abs(log(each.life / trials.target.before)) > WEAK]
+    strong = [each for each in verified if not abs(log(each.life / trials.target.before)) <= WEAK]
     weak = tuple(each.name for each in verified if each not in strong)
     return Goal(
         case.title, trials.target, tuple(sorted(strong, key=_order)), pair and _verified(trials, pair), weak
@@ -90,9 +92,9 @@ def _by_derivative(trials: Trials, found: Sequence[Lever]) -> dict[Lever, tuple[
     except BadCase:  # a case without derivatives
         return {}
     longer = 1.0 if trials.target.wanted >= trials.target.before else -1.0
-    slopes = [slope for slopes in table.by_output.values() for slope in slopes if not slope.jumps]
+    slopes = [slope for slopes in table.by_output.values() for slope in slopes if isinstance(slope, Slope)]
     return {
-        paths[slope.key.path]: (1.0 if slope.effect * longer > 0 else -1.0, abs(slope.effect) / 100)
+        paths[slope.key.path]: (1.0 if slope.change * longer > 0 else -1.0, abs(slope.change) / trials.target.before)
         for slope in slopes
     }
 
@@ -164,8 +166,10 @@ def _limit(trials: Trials, followed: Followed) -> str:
 def _verified(trials: Trials, change: Change) -> Change:
     """A change with the life that a run of its case gives."""
     result = compared(reader(trials.case, trials.family)(change.settings), trials.family)
-    converged = result.attributes["status"] == "converged"
-    return replace(change, life=float(result[trials.target.text]) if converged else nan)
+    if result.attributes["status"] != "converged":
+        return replace(change, reaches=False, limit=f"a run does not converge: {result.attributes['message']}")
+    life = float(result[trials.target.text])
+    return replace(change, life=life, reaches=change.reaches and trials.target.distance(life) > -CLOSE)
 
 
 def _order(change: Change) -> tuple[bool, float]:
