@@ -31,6 +31,7 @@ class Family:
     solve: Callable[[], Callable[..., dict[str, Any]]]  # case, result file, progress report: the ending
     layout: Callable[[], Any]  # a `flexbearing.quantities.layout.Layout`
     report: Callable[[], Any]  # a `flexbearing.report.family_report.FamilyReport`
+    write_report: Callable[[], Callable[..., Any]] = Entry("flexbearing.pages.make:report")
     ahead: Callable[[], Callable[[Any], Any]] | None = None  # begins beside what `solve` loads; a context
     profiles: Callable[[], Callable[[Any], Any]] | None = None  # along rollers: places, drops
     initial_state: Callable[[], Callable[..., Any]] | None = None  # from another result; None: it has no such

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
+from flexbearing.case import BadCase
+from flexbearing.studies.file.read import ENDS
 from flexbearing.studies.table.column import Column
 from flexbearing.studies.table.marks import Mark
 from flexbearing.studies.table.table import Table
@@ -13,6 +15,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from flexbearing.report.studies.lines_figure import Line, Printed
+
+MOST = 6  # outputs that are drawn without being named
 
 
 @dataclass(frozen=True)
@@ -24,6 +28,17 @@ class Plot:
     y: tuple[str, ...]
     rigid: tuple[str | None, ...]  # the same between rigid raceways
     marks: tuple[Mark, ...] = ()
+
+
+def drawn_over_first_key(table: Table, outputs: Sequence[str]) -> "Figure":
+    """Draw outputs over the first key that varies, without names the first ones."""
+    varied = [column.name for column in table.columns if column.varied and len({*column.values}) > 1]
+    named = [table[output].name for output in outputs] or [
+        column.name for column in table.columns if not column.varied and column.name not in ENDS
+    ][:MOST]
+    if not varied:
+        raise BadCase(f"{table.name}: no key varies, so there is nothing to draw outputs over.")
+    return draw(table, Plot(varied[0], None, tuple(named), (None,) * len(named)))
 
 
 def draw(table: Table, plot: Plot) -> "Figure":
