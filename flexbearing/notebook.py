@@ -51,7 +51,9 @@ class Case:
 
         require_possible(self.head, self._family)
 
-    def run(self, output: str | Path | None = None, *, start: "str | Path | Result | None" = None) -> "Result":
+    def run(
+        self, output: str | Path | None = None, *, start: "str | Path | Result | None" = None
+    ) -> "Result":
         """Compute the case, see `flexbearing.run`."""
         return api.compute(self.head, output=output, start=start)
 
@@ -109,7 +111,13 @@ class Case:
         return optimise(study, output, case=self.head)
 
     def save(self, file: str | Path) -> Path:
-        """Write the case as a file; refuses to replace one."""
+        """Write the case as a file.
+
+        Raises
+        ------
+        BadOutput
+            where there is one already, or it cannot be written
+        """
         from flexbearing.case.write import text
         from flexbearing.files import BadOutput, require_output, write
 
@@ -123,7 +131,12 @@ class Case:
 def new(like: str = "cylindrical_roller", *, title: str = "", source: str = "", **entries: str | int) -> Case:
     """Make a case of the page of a catalogue, `new("cylindrical_roller", bore="50 mm", ...)`.
 
-    The entries are those of `flexbearing new`; what none gives is assumed. Raises `BadCase`.
+    The entries are those of `flexbearing new`; what none gives is assumed.
+
+    Raises
+    ------
+    BadCase
+        for an entry that is unknown, missing or impossible
     """
     from flexbearing.case import understood
     from flexbearing.catalogue.entries import ENTRIES

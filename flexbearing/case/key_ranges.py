@@ -65,6 +65,7 @@ def _temperature(keys: str, spread: float, *, lever: bool = True) -> KeyRange:
     return KeyRange(keys, plus(-spread, spread), THUMB, 5.0, True, about(60.0, 250.0) if lever else None)
 
 
+TWO_DEG = pi / 90
 MOST_STEPS = 20  # to either side of zero
 _ANY = within(3.0)
 _FIFTH = times(0.8, 1.25), f"a fifth less, a quarter more: {THUMB}"
@@ -75,7 +76,9 @@ RANGES: tuple[KeyRange, ...] = (  # of keys that hold numbers, the first that fi
     KeyRange("bearing.clearance", *_CN, **_CLEARANCE),
     KeyRange("bearing.fits.cold_clearance", *_CN, **_CLEARANCE),
     KeyRange("bearing.fits.*", *_FIFTH),
-    KeyRange("operation.temperatures.reference", plus(-5.0, 5.0), f"ISO 1 sets 20 degC; 5 K: {THUMB}", 5.0, True),
+    KeyRange(
+        "operation.temperatures.reference", plus(-5.0, 5.0), f"ISO 1 sets 20 degC; 5 K: {THUMB}", 5.0, True,
+    ),
     _temperature("operation.temperatures.*", 10.0),
     _temperature("lubricant.inlet_temperature", 20.0),
     KeyRange("lubricant.viscosity", *_FIFTH, lever=_ANY),
@@ -91,7 +94,9 @@ RANGES: tuple[KeyRange, ...] = (  # of keys that hold numbers, the first that fi
     KeyRange("bearing.*.radius", *_FIFTH, 0.01, lever=within(1.1)),
     KeyRange("bearing.balls", plus(-1, 1), "one less, one more"),
     KeyRange("bearing.roller.length", times(0.9, 1.1), f"10 %: {THUMB}", lever=_ANY),
-    KeyRange("bearing.contact_angle", plus(-pi / 90, pi / 90), f"2 deg: {THUMB}", pi / 90, True, about(pi / 9, 0.0)),
+    KeyRange(
+        "bearing.contact_angle", plus(-TWO_DEG, TWO_DEG), f"2 deg: {THUMB}", TWO_DEG, True, about(pi / 9, 0.0),
+    ),
     KeyRange("bearing.first_roller_azimuth", *_FIFTH, pi / 90, True),
     KeyRange("bearing.roughness.*", times(0.5, 2.0), THUMB, lever=within(10.0)),
     KeyRange("friction.coefficient", times(0.5, 1.5), THUMB),

@@ -7,10 +7,10 @@ from typing import Any, TypeVar
 from flexbearing.case import BadCase, Head
 from flexbearing.case.declarations import Declaration, declared, find
 from flexbearing.case.excerpt import excerpt
+from flexbearing.case.key_ranges import range_of
 from flexbearing.case.problems import nearest
 from flexbearing.case.quantity import Section
 from flexbearing.case.text import setting_value, tables
-from flexbearing.case.key_ranges import range_of
 
 NUMERICS = ("coupling.", "accuracy.", "outputs.")  # tables whose numbers say how it is computed, not what
 # Small against the nanometres by which a slice is pressed that just carries load: of a clearance of 60 um and

@@ -29,7 +29,9 @@ class OutputValue:
     name: str
     unit: str
     value: float
-    ratio: bool = True  # whether a share of it says something: not of a percentage, nor of what rounds to zero
+    ratio: bool = (
+        True  # whether a share of it says something: not of a percentage, nor of what rounds to zero
+    )
 
     def percent(self, change: float) -> float:
         """A change in its unit as percent of it; NaN where that says nothing."""
@@ -134,7 +136,7 @@ class Sensitivities:
 
     @cached_property
     def by_output(self) -> dict[str, tuple[Slope | Chosen, ...]]:
-        """What changes an output, by how much a realistic step of each key changes it, the strongest first."""
+        """What changes an output, the key whose realistic step changes it most first."""
         return {
             output.name: tuple(sorted([*self._reaching(number), *self._chosen(output)], key=_strength))
             for number, output in enumerate(self.outputs)
@@ -199,4 +201,6 @@ def _record(slope: Slope) -> dict[str, Any]:
     )
     finite = [float(number) if np.isfinite(number) else None for number in numbers]
     values = output.name, output.unit, key.path, key.unit or "1", *finite, slope.one_sided
-    return dict.fromkeys(COLUMNS) | dict(zip((each for each in COLUMNS if each != "choice"), values, strict=True))
+    return dict.fromkeys(COLUMNS) | dict(
+        zip((each for each in COLUMNS if each != "choice"), values, strict=True)
+    )

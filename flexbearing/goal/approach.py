@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Generator, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from math import inf, isnan
 
 import numpy as np
@@ -37,7 +38,7 @@ class Track:
     def bracket(self) -> tuple[float, float] | None:
         """Neighbours of which the second is the first one without a negative value."""
         places = self.places
-        for before, place in zip(places, places[1:], strict=False):
+        for before, place in pairwise(places):
             if self.values[place] >= 0:
                 return before, place
         return None

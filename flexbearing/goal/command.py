@@ -25,7 +25,6 @@ def goal(
     from flexbearing.families import FAMILIES
     from flexbearing.goal.search import goal as search
     from flexbearing.printable import all_printable, printable
-    from flexbearing.report import laid_out
     from flexbearing.sensitivity.command import listener
 
     wanted = api.read_case(case, settings or [])
@@ -36,7 +35,6 @@ def goal(
 
         sys.stdout.write(json.dumps(all_printable(found.as_json()), indent=2, allow_nan=False) + "\n")
     else:
-        from flexbearing.goal.page import sections
-
-        sys.stdout.write(printable(laid_out(sections(found), encoding=sys.stdout.encoding)))
-    raise typer.Exit(0 if found.reached else NOT_REACHED)
+        sys.stdout.write(printable(f"{found!r}\n"))
+    if not found.reached:
+        raise typer.Exit(NOT_REACHED)

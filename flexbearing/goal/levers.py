@@ -6,8 +6,8 @@ from math import copysign
 from typing import Any
 
 from flexbearing.case import Head
-from flexbearing.derivatives.keys import Key, given_keys
 from flexbearing.case.key_ranges import range_of
+from flexbearing.derivatives.keys import Key, given_keys
 from flexbearing.runs.plausible import graded
 
 CONDITIONS = "operation.", "life."  # keys of what a designer is given: in no pair
@@ -70,7 +70,9 @@ class Move:
 
     def up_to(self, steps: float) -> "Move":
         """The same whose levers end after so many steps."""
-        return replace(self, parts=tuple((lever.up_to(steps, weight), weight) for lever, weight in self.parts))
+        return replace(
+            self, parts=tuple((lever.up_to(steps, weight), weight) for lever, weight in self.parts)
+        )
 
     def changes(self, steps: float) -> Iterator[tuple[Lever, str]]:
         """Levers with their values; each stops at its end."""
@@ -103,11 +105,15 @@ def choices(case: Any) -> list[list[Choice]]:
         words = [other.words for other in each.others]
         before = _value(case, each.key)
         place = words.index(before) if before in words else None
-        found.append([
-            Choice(each.key, other.words, before, other.settings, 1 if place is None else abs(number - place))
-            for number, other in enumerate(each.others)
-            if number != place
-        ])
+        found.append(
+            [
+                Choice(
+                    each.key, other.words, before, other.settings, 1 if place is None else abs(number - place)
+                )
+                for number, other in enumerate(each.others)
+                if number != place
+            ]
+        )
     return found
 
 

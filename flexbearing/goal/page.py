@@ -1,12 +1,14 @@
 """Changes towards a life as text."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from typing import Any
 
 from rich.console import RenderableType
 from rich.text import Text
 
 from flexbearing.case.excerpt import excerpt
-from flexbearing.goal.answer import Change, Changed, Goal
+from flexbearing.goal.change import Change, Changed
+from flexbearing.goal.target import Target
 from flexbearing.report.output import laid_out
 from flexbearing.report.sections import right_aligned
 
@@ -14,42 +16,42 @@ DIGITS = 4
 LONGEST = 120  # characters of a reason
 
 
-def text(goal: Goal) -> str:
-    """The page for whoever types its name."""
-    return laid_out(sections(goal)).rstrip()
+def text(*goal: Any) -> str:
+    """The page for whoever types its name; arguments as of `sections`."""
+    return laid_out(sections(*goal)).rstrip()
 
 
-def sections(goal: Goal) -> Iterator[RenderableType]:
-    """Levers that reach it, levers that do not, the pair."""
-    target = goal.target
-    yield Text(goal.title, style="bold")
-    yield Text(f"{target.name} {_life(goal, target.before)}; wanted {_life(goal, target.wanted)}\n")
-    reaching = [each for each in goal.changes if each.reaches]
-    others = [each for each in goal.changes if not each.reaches]
-    if reaching:
-        yield _table(goal, "one change", reaching)
-    if goal.pair:
-        yield _table(goal, "two changes", [goal.pair])
-    if others:
-        yield _table(goal, "cannot, comes to", others)
-        yield from (Text(f"  {each.name}: {excerpt(each.limit, LONGEST)}") for each in others if each.limit)
-    if goal.weak:
-        yield Text(f"  less than 1 %: {', '.join(goal.weak)}")
+def sections(
+    title: str, target: Target, changes: Sequence[Change], pair: Change | None, weak: Sequence[str]
+) -> Iterator[RenderableType]:
+    """Changes that reach it, the pair, changes that do not."""
+    yield Text(title, style="bold")
+    yield Text(f"{target.name} {_life(target.before, target)}; wanted {_life(target.wanted, target)}\n")
+    others = [each for each in changes if not each.reaches]
+    groups = {
+        "one change": [each for each in changes if each.reaches],
+        "two changes": [pair] if pair else [],
+        "cannot, comes to": others,
+    }
+    yield from (_table(name, group, target) for name, group in groups.items() if group)
+    yield from (Text(f"  {each.name}: {excerpt(each.limit, LONGEST)}") for each in others if each.limit)
+    if weak:
+        yield Text(f"  less than 1 %: {', '.join(weak)}")
 
 
-def _table(goal: Goal, heading: str, changes: list[Change]) -> RenderableType:
+def _table(heading: str, changes: Sequence[Change], target: Target) -> RenderableType:
     table = right_aligned(heading, "from", "to", "steps", "life")
     table.columns[0].overflow = "fold"
     for change in changes:
         for number, each in enumerate(change.keys):
-            ends = (f"{change.steps:.2g}", _life(goal, change.life)) if number == 0 else ("", "")
+            ends = ("", "") if number else (f"{change.steps:.2g}", _life(change.life, target))
             table.add_row(*map(Text, (each.key, *_words(each), *ends)))
     return table
 
 
-def _life(goal: Goal, life: float) -> str:
+def _life(life: float, target: Target) -> str:
     rounded = float(f"{life:.{DIGITS}g}")
-    return f"{rounded:,.0f} {goal.target.unit}" if rounded >= 10**DIGITS else f"{rounded:g} {goal.target.unit}"
+    return f"{rounded:,.0f} {target.unit}" if rounded >= 10**DIGITS else f"{rounded:g} {target.unit}"
 
 
 def _words(changed: Changed) -> tuple[str, str]:

@@ -9,7 +9,8 @@ from flexbearing.case import BadCase, Head
 from flexbearing.case.family import Family
 from flexbearing.derivatives.any_family import sensitivities
 from flexbearing.derivatives.table import Slope
-from flexbearing.goal.answer import Change, Changed, Goal
+from flexbearing.goal.answer import Goal
+from flexbearing.goal.change import Change, Changed
 from flexbearing.goal.levers import Choice, Lever, Move, choices, levers
 from flexbearing.goal.target import target
 from flexbearing.goal.trials import Followed, Trials
@@ -36,7 +37,9 @@ def goal(case: Head, family: Family, life: str, report: Report) -> Goal:
     numbers, graded = _numbers(trials), _graded(trials)
     pairs = _pairs(trials, numbers, graded)
     singles = [*(_change(trials, each) for each in numbers), *(_nearest(each) for each in graded if each)]
-    pair = min((_change(trials, each) for each in pairs if each.reaches), key=lambda each: each.steps, default=None)
+    pair = min(
+        (_change(trials, each) for each in pairs if each.reaches), key=lambda each: each.steps, default=None
+    )
     verified = [_verified(trials, each) for each in singles]
     strong = [each for each in verified if not abs(log(each.life / trials.target.before)) <= WEAK]
     weak = tuple(each.name for each in verified if each not in strong)
@@ -73,7 +76,7 @@ def _nearest(tried: Sequence[_Tried]) -> Change:
 
 
 def _numbers(trials: Trials) -> list[Followed]:
-    """Every number, followed to the side where the life comes nearer."""
+    """Every number, followed to the side where the life improves."""
     found = levers(trials.case)
     ways = _by_derivative(trials, found)
     ways |= _by_trial(trials, [lever for lever in found if lever not in ways])
@@ -94,7 +97,10 @@ def _by_derivative(trials: Trials, found: Sequence[Lever]) -> dict[Lever, tuple[
     longer = 1.0 if trials.target.wanted >= trials.target.before else -1.0
     slopes = [slope for slopes in table.by_output.values() for slope in slopes if isinstance(slope, Slope)]
     return {
-        paths[slope.key.path]: (1.0 if slope.change * longer > 0 else -1.0, abs(slope.change) / trials.target.before)
+        paths[slope.key.path]: (
+            1.0 if slope.change * longer > 0 else -1.0,
+            abs(slope.change) / trials.target.before,
+        )
         for slope in slopes
     }
 
@@ -167,7 +173,9 @@ def _verified(trials: Trials, change: Change) -> Change:
     """A change with the life that a run of its case gives."""
     result = compared(reader(trials.case, trials.family)(change.settings), trials.family)
     if result.attributes["status"] != "converged":
-        return replace(change, reaches=False, limit=f"a run does not converge: {result.attributes['message']}")
+        return replace(
+            change, reaches=False, limit=f"a run does not converge: {result.attributes['message']}"
+        )
     life = float(result[trials.target.text])
     return replace(change, life=life, reaches=change.reaches and trials.target.distance(life) > -CLOSE)
 

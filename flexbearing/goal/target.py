@@ -28,7 +28,7 @@ class Target:
         return f"{self.name} [{self.unit}]"
 
     def distance(self, life: float) -> float:
-        """Logarithm of how far a life is from the wanted one, negative on the side of the case; NaN of none."""
+        """Logarithm of a life over the wanted one, negative on the side of the case; NaN of none."""
         if not (life > 0 and isfinite(life)):
             return nan
         longer = log(life / self.wanted)

@@ -36,7 +36,7 @@ class Followed:
 
     @property
     def gain(self) -> float:
-        """By how much the logarithm of the life comes nearer in a step, on average."""
+        """Mean change of the logarithm of the life towards the wanted one, by a step."""
         return (self.track.values[self.place] - self.track.values[0.0]) / self.place if self.place else 0.0
 
 
@@ -73,7 +73,9 @@ class Trials:
                 found[place] = self.target.distance(life)
         return found
 
-    def followed(self, moves: Sequence[Move], first: Sequence[float], starts: Sequence[float]) -> list[Followed]:
+    def followed(
+        self, moves: Sequence[Move], first: Sequence[float], starts: Sequence[float]
+    ) -> list[Followed]:
         """Follow moves from their distances at the start; `first` is where each is expected to get there."""
         tracks = [Track({0.0: start}, move.end()) for move, start in zip(moves, starts, strict=True)]
 

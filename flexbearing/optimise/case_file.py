@@ -20,7 +20,9 @@ from flexbearing.studies.file import Study
 def case_text(study: Study, settings: Mapping[str, Any], folder: Path) -> bytes:
     """The case of a study with some settings, as a file in a folder."""
     raw = deepcopy(tables(study.text))
-    case = with_settings(raw, Source(str(study.case), study.text, (*study.settings, *written(settings))), FAMILIES)
+    case = with_settings(
+        raw, Source(str(study.case), study.text, (*study.settings, *written(settings))), FAMILIES
+    )
     named = {path.resolve() for path in case.named_files}
     _told_from(raw, study.case.parent, named, folder)
     found = ", ".join(settings)

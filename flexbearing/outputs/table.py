@@ -29,7 +29,7 @@ class Outputs(Mapping[str, Value]):
         return Outputs(self.layout, self.blocks, words.lower())
 
     def __getitem__(self, name: str) -> Value:
-        """An output, also with a unit and a block, "rigid.max_roller_load [kN]"; "life" is the most detailed."""
+        """An output by name, block and unit, "rigid.max_roller_load [kN]"; "life" is the most detailed."""
         if life := _LIFE.fullmatch(name):
             return self._life(*(part or "" for part in life.groups()))
         return wanted(self.layout, name).value(self.blocks)
@@ -47,7 +47,9 @@ class Outputs(Mapping[str, Value]):
         rows = [(output.name, f"{value!r}", output.meaning) for output, value in self._rows]
         first, second = (max((len(row[place]) for row in rows), default=0) for place in (0, 1))
         lines = (f"{name:<{first}}  {value:>{second}}  {meaning}" for name, value, meaning in rows)
-        return printable("\n".join(line if len(line) <= WIDTH else f"{line[: WIDTH - 3]}..." for line in lines))
+        return printable(
+            "\n".join(line if len(line) <= WIDTH else f"{line[: WIDTH - 3]}..." for line in lines)
+        )
 
     def _repr_html_(self) -> str:
         rows = (

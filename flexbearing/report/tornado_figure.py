@@ -23,7 +23,7 @@ SMALLEST = 1e-3  # of the longest bar: shorter ones are not drawn
 
 
 def draw_tornado(found: Sensitivities) -> Figure:
-    """Draw how much a realistic step of each key changes every output; both sides of a derivative are marked."""
+    """Draw what a realistic step of each key changes; both sides of a derivative are marked."""
     from matplotlib.figure import Figure  # a second to load: only pictures pay for it
 
     panels = {name: _drawn(slopes) for name, slopes in found.by_output.items()}

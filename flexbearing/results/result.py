@@ -78,7 +78,7 @@ class Result:
         return tuple(note for note in self.attributes["notes"] if note["grade"] == GRADES[0])
 
     def __getitem__(self, output: str) -> Value:
-        """A scalar by its name, "max_roller_load [kN]" or "life [h]", the most detailed life; see `outputs`."""
+        """A scalar by its name, "max_roller_load [kN]", or "life [h]", the most detailed life."""
         return self.outputs[output]
 
     @property

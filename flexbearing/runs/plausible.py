@@ -7,8 +7,8 @@ from typing import Any
 
 from flexbearing.build.clearance import operating
 from flexbearing.case.declarations import Declaration, by_path, toml
-from flexbearing.quantities.effects import CHOICE, COMPARISON, INPUT
 from flexbearing.case.key_ranges import FROM_ZERO, GRADED, THUMB, range_of
+from flexbearing.quantities.effects import CHOICE, COMPARISON, INPUT
 from flexbearing.runs.roller_counts import plausible_numbers
 
 LIMITING_RATIO = 0.05  # usual, where a law needs one

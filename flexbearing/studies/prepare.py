@@ -35,7 +35,7 @@ LONGEST = 500  # characters of what is wrong with a variant
 def prepared(
     source: Source, tell: TellChecked = lambda done, total: None, case: Head | None = None
 ) -> Prepared:
-    """Read a study, from its file or as a dictionary, and settle what it computes; of its case or a given one.
+    """Read a study, from its file or as a dictionary, and settle what it computes.
 
     Raises
     ------

@@ -39,6 +39,4 @@ ELEMENTS = Elements(
     },
 )
 SHORT = {"loads": "roller_loads", "pressure": "pressure_along", "deviation": "raceway_deviation"}
-REPORT = FamilyReport(
-    page, pictures, elements=ELEMENTS, deformed=True, short=SHORT, drawings=of_rollers
-)
+REPORT = FamilyReport(page, pictures, elements=ELEMENTS, deformed=True, short=SHORT, drawings=of_rollers)
