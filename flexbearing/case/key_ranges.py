@@ -95,7 +95,7 @@ RANGES: tuple[KeyRange, ...] = (  # of keys that hold numbers, the first that fi
     KeyRange("bearing.balls", plus(-1, 1), "one less, one more"),
     KeyRange("bearing.roller.length", times(0.9, 1.1), f"10 %: {THUMB}", lever=_ANY),
     KeyRange(
-        "bearing.contact_angle", plus(-TWO_DEG, TWO_DEG), f"2 deg: {THUMB}", TWO_DEG, True, about(pi / 9, 0.0),
+        "bearing.contact_angle", plus(-TWO_DEG, TWO_DEG), f"2 deg: {THUMB}", TWO_DEG, True, about(0.35, 0.0),
     ),
     KeyRange("bearing.first_roller_azimuth", *_FIFTH, pi / 90, True),
     KeyRange("bearing.roughness.*", times(0.5, 2.0), THUMB, lever=within(10.0)),

@@ -70,7 +70,7 @@ def optimise(
     tell: Tell = lambda found: None,
     work: Callable[[Problem, Path], Workers] | None = None,
 ) -> Optimum:
-    """Find the best design of an optimisation, from its file or as a dictionary; of its case or a given one.
+    """Find the best design of an optimisation, from its file or as a dictionary.
 
     Designs that a former call with the same folder computed are taken from there.
 
@@ -84,8 +84,8 @@ def optimise(
     problem, folder = read(source, FAMILIES, case), require_folder(Path(output))
     base, name, inputs = _sound(problem), problem.study.name, problem.study.inputs
     places = (*(folder / f"{name}{end}" for end in (TABLE, CASE)), base.journal(folder))
-    table, case, path = require_outputs(places, inputs)
-    require_unedited(case)
+    table, best, path = require_outputs(places, inputs)
+    require_unedited(best)
     meshed = varied_rings(problem)
     count = processes(jobs) if jobs else (cores() if meshed else 1)
     if meshed and not problem.surrogate:  # noise of meshes is all that closer designs differ by
@@ -102,7 +102,7 @@ def optimise(
         surrogate = _searched_instead(evaluations) if problem.surrogate else None
         found = _Search(evaluations, surrogate, SCATTER if meshed else SPARE).optimum(tell)
     write(table, FORMS[TABLE][0](found.table))
-    write(case, case_text(problem.study, found.settings, folder))
+    write(best, case_text(problem.study, found.settings, folder))
     return found
 
 
