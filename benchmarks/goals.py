@@ -23,7 +23,8 @@ WITHIN = 0.02  # of the change, or of the longest life
 POINTS = 61  # from the value of the case to each end
 ROLLERS = {
     "bore": "50 mm", "outside": "90 mm", "width": "20 mm", "inner_raceway": "59.5 mm",
-    "outer_raceway": "81.5 mm", "clearance": "30 um", "oil": "ISO VG 68", "load": "15 kN", "speed": "3000 rpm",
+    "outer_raceway": "81.5 mm", "clearance": "30 um", "oil": "ISO VG 68", "load": "15 kN",
+    "speed": "3000 rpm",
 }  # fmt: skip
 BALLS = {
     "bore": "45 mm", "outside": "85 mm", "width": "19 mm", "clearance": "12 um", "oil": "ISO VG 68",
@@ -77,7 +78,8 @@ def _number(case: fb.Case, goal: Goal, lever: Lever, change: Change) -> Compared
         steps = np.linspace(0.0, sign * lever.end(sign), POINTS)
         changed = [(f"{lever.key.path}={lever.words(float(step))}",) for step in steps]
         far = np.array(_lives(case, goal, changed))
-        usable = far if np.isfinite(far).all() else far[: np.argmax(~np.isfinite(far))]
+        known = np.isfinite(far)  # between rows that did not converge, too
+        steps, usable = steps[known], far[known]
         best = max(best, usable.max(initial=-np.inf))
         if (usable >= 0).any():
             after = int(np.argmax(usable >= 0))

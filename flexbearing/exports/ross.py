@@ -55,7 +55,8 @@ def export(source: Path | Result, directory: Path) -> Iterator[Path]:
     """
     bearing = of_result(source) if isinstance(source, Result) else read(source)
     folder, files = require_folder(directory), source.files if isinstance(source, Result) else (source,)
-    ends = {f"_ross{version}": axis for version, axis in AXES.items()} if len(bearing.speed) > 1 else {"_ross": ""}
+    versions = {f"_ross{version}": axis for version, axis in AXES.items()}
+    ends = versions if len(bearing.speed) > 1 else {"_ross": ""}
     paths = {folder / f"{source.stem}{end}.toml": axis for end, axis in ends.items()}
     require_outputs(paths, files)
     for path, axis in paths.items():
@@ -91,12 +92,17 @@ def _inside(elastic: Sequence[str]) -> str:
 
 
 def text(bearing: Bearing, tag: str, axis: str) -> str:
-    """A bearing as ``BearingElement.load`` of ROSS reads it, at node 0 and without damping; one speed: numbers."""
+    """A bearing as ``BearingElement.load`` of ROSS reads it, at node 0, without damping."""
     numbers = {"kxx": bearing.kxx, "kxy": bearing.kxy, "kyx": bearing.kyx, "kyy": bearing.kyy}
     values = {**numbers, **{f"c{name[1:]}": 0.0 * each for name, each in numbers.items()}}
     lists = {axis: bearing.speed, **values} if axis else values
     lines = [f"{name} = {json.dumps(each.tolist() if axis else each.item())}" for name, each in lists.items()]
-    head = [f"# {bearing.inside}", f"[{json.dumps(f'BearingElement_{tag}')}]", "n = 0", f"tag = {json.dumps(tag)}"]
+    head = [
+        f"# {bearing.inside}",
+        f"[{json.dumps(f'BearingElement_{tag}')}]",
+        "n = 0",
+        f"tag = {json.dumps(tag)}",
+    ]
     return "\n".join([*head, *lines]) + "\n"
 
 

@@ -12,6 +12,7 @@ HALVINGS = 7  # towards a place that can be computed, or where the function grow
 CLOSE = 0.02  # of the distance to a place that cannot be computed
 TOLERANCE = 1e-4  # of the distance
 ITERATIONS = 40
+SHARES = (0.1, 0.3, 0.6, 1.0)  # of the way to an end, where a function is looked at
 Batch = Callable[[Sequence[int], Sequence[float]], list[float]]  # numbers of searches and places to values
 Walk = Generator[float, float, None]
 
@@ -69,6 +70,20 @@ def reach(tracks: Sequence[Track], first: Sequence[float], batch: Batch) -> None
         values of some of the functions, a place each
     """
     _side_by_side(tracks, [_walk(track, place) for track, place in zip(tracks, first, strict=True)], batch)
+    refine(tracks, batch)
+
+
+def look(tracks: Sequence[Track], batch: Batch) -> None:
+    """Take functions that fall at first at a few places up to their ends, and refine what is found there."""
+    wanted = [(n, share * track.end) for share in SHARES for n, track in enumerate(tracks)]
+    found = batch([n for n, _ in wanted], [place for _, place in wanted])
+    for (number, place), value in zip(wanted, found, strict=True):
+        tracks[number].values[place] = value
+    refine(tracks, batch)
+
+
+def refine(tracks: Sequence[Track], batch: Batch) -> None:
+    """The largest values between known places, then the roots."""
     peaks = {n: track.peak for n, track in enumerate(tracks) if track.bracket is None and track.peak}
     _refine(tracks, peaks, batch, largest=True)
     _refine(tracks, {n: track.bracket for n, track in enumerate(tracks) if track.bracket}, batch)

@@ -42,7 +42,9 @@ def goal(case: Head, family: Family, life: str, report: Report) -> Goal:
     )
     verified = [_verified(trials, each) for each in singles]
     strong = [each for each in verified if not abs(log(each.life / trials.target.before)) <= WEAK]
-    weak = tuple(each.name for each in verified if each not in strong)
+    tried = {each.name for each in verified}
+    still = [lever.key.path for lever in levers(case) if lever.key.path not in tried]
+    weak = (*(each.name for each in verified if each not in strong), *still)
     return Goal(
         case.title, trials.target, tuple(sorted(strong, key=_order)), pair and _verified(trials, pair), weak
     )
@@ -82,7 +84,19 @@ def _numbers(trials: Trials) -> list[Followed]:
     ways |= _by_trial(trials, [lever for lever in found if lever not in ways])
     moves = [(Move(((lever, side),)), gain) for lever, (side, gain) in ways.items() if lever.end(side) > 0]
     first = [-trials.start / gain for _, gain in moves]
-    return trials.followed([move for move, _ in moves], first, [trials.start] * len(moves))
+    followed = trials.followed([move for move, _ in moves], first, [trials.start] * len(moves))
+    return _better_sides(trials, {each.move.parts[0][0]: each for each in followed})
+
+
+def _better_sides(trials: Trials, known: dict[Lever, Followed]) -> list[Followed]:
+    """Levers that do not reach it on one side are looked at on the other: the life may rise further away."""
+    short = [each.move.parts[0] for each in known.values() if not each.reaches]
+    moves = [Move(((lever, -side),)) for lever, side in short if lever.end(-side) > 0]
+    for other in trials.followed(moves, (), [trials.start] * len(moves)):
+        lever = other.move.parts[0][0]
+        if other.track.values[other.place] > known[lever].track.values[known[lever].place]:
+            known[lever] = other
+    return list(known.values())
 
 
 def _by_derivative(trials: Trials, found: Sequence[Lever]) -> dict[Lever, tuple[float, float]]:

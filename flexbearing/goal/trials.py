@@ -6,7 +6,7 @@ from math import nan
 
 from flexbearing.case import BadCase, Head
 from flexbearing.case.family import Family
-from flexbearing.goal.approach import Track, reach
+from flexbearing.goal.approach import Track, look, reach
 from flexbearing.goal.levers import Move
 from flexbearing.goal.target import Target
 from flexbearing.progress import Report
@@ -76,7 +76,10 @@ class Trials:
     def followed(
         self, moves: Sequence[Move], first: Sequence[float], starts: Sequence[float]
     ) -> list[Followed]:
-        """Follow moves from their distances at the start; `first` is where each is expected to get there."""
+        """Follow moves from their distances at the start; `first` is where each is expected to get there.
+
+        Without it they are only looked at in a few places.
+        """
         tracks = [Track({0.0: start}, move.end()) for move, start in zip(moves, starts, strict=True)]
 
         def batch(numbers: Sequence[int], steps: Sequence[float]) -> list[float]:
@@ -85,5 +88,5 @@ class Trials:
             both = zip(numbers, steps, strict=True)
             return self.distances([moves[number].settings(step) for number, step in both])
 
-        reach(tracks, first, batch)
+        reach(tracks, first, batch) if first else look(tracks, batch)
         return [Followed(move, track) for move, track in zip(moves, tracks, strict=True)]

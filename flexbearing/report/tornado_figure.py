@@ -71,4 +71,4 @@ def _words(change: Slope | Chosen) -> str:
     """A key with its step."""
     if isinstance(change, Chosen):
         return f"{change.key}: {change.words}"
-    return f"{change.key.path} +{change.key.realistic_step:.3g} {change.key.unit}".rstrip()
+    return f"{change.key.path} +{change.key.realistic_step:.4g} {change.key.unit}".rstrip()

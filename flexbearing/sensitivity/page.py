@@ -44,7 +44,7 @@ def _table(changes: Sequence[Slope | Chosen], unit: str) -> RenderableType:
         if isinstance(each, Chosen):
             row = each.key, each.words.rpartition(", ")[2], change
         else:
-            step = f"{each.key.realistic_step:.3g} {each.key.unit}".strip()
+            step = f"{each.key.realistic_step:.4g} {each.key.unit}".strip()
             sides = (_number(each.below), _number(each.above)) if sided else ()
             row = each.key.path, step, change, _derivative(each, unit), *sides
         table.add_row(*map(Text, row))

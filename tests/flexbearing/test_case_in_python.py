@@ -11,7 +11,8 @@ import flexbearing as fb
 CONFIGS = Path(__file__).parents[2] / "configs"
 PAGE = {
     "bore": "50 mm", "outside": "90 mm", "width": "20 mm", "inner_raceway": "59.5 mm",
-    "outer_raceway": "81.5 mm", "clearance": "30 um", "oil": "ISO VG 68", "load": "15 kN", "speed": "3000 rpm",
+    "outer_raceway": "81.5 mm", "clearance": "30 um", "oil": "ISO VG 68", "load": "15 kN",
+    "speed": "3000 rpm",
 }  # fmt: skip
 
 BASIC = dict.fromkeys(("life.cleanliness", "life.lubrication", "life.capacity", "life.edge_stress"))
