@@ -75,15 +75,22 @@ def reach(tracks: Sequence[Track], first: Sequence[float], batch: Batch) -> None
 
 def look(tracks: Sequence[Track], batch: Batch) -> None:
     """Take functions that fall at first at a few places up to their ends, and refine what is found there."""
-    wanted = [(n, share * track.end) for share in SHARES for n, track in enumerate(tracks)]
-    found = batch([n for n, _ in wanted], [place for _, place in wanted])
+    _take(tracks, [(n, share * track.end) for share in SHARES for n, track in enumerate(tracks)], batch)
+    refine(tracks, batch)
+
+
+def _take(tracks: Sequence[Track], wanted: Sequence[tuple[int, float]], batch: Batch) -> None:
+    """Values of functions at some places."""
+    found = batch([number for number, _ in wanted], [place for _, place in wanted]) if wanted else []
     for (number, place), value in zip(wanted, found, strict=True):
         tracks[number].values[place] = value
-    refine(tracks, batch)
 
 
 def refine(tracks: Sequence[Track], batch: Batch) -> None:
     """The largest values between known places, then the roots."""
+    ends = {n: track.places[-2:] for n, track in enumerate(tracks) if track.bracket is None}
+    rising = [(n, sum(last) / 2) for n, last in ends.items() if tracks[n].best == last[-1] > 0.0]
+    _take(tracks, rising, batch)  # the largest value may be before an end
     peaks = {n: track.peak for n, track in enumerate(tracks) if track.bracket is None and track.peak}
     _refine(tracks, peaks, batch, largest=True)
     _refine(tracks, {n: track.bracket for n, track in enumerate(tracks) if track.bracket}, batch)
@@ -139,10 +146,7 @@ def _refine(tracks: Sequence[Track], brackets: dict, batch: Batch, *, largest: b
         numbers, flat = np.broadcast_arrays(numbers, places)
         wanted = [(int(n), float(place)) for n, place in zip(numbers.ravel(), flat.ravel(), strict=True)]
         new = [pair for pair in dict.fromkeys(wanted) if pair[1] not in tracks[pair[0]].values]
-        if new:
-            found = batch([n for n, _ in new], [place for _, place in new])
-            for (number, place), value in zip(new, found, strict=True):
-                tracks[number].values[place] = value
+        _take(tracks, new, batch)
         found = np.array([tracks[n].values[place] for n, place in wanted]).reshape(flat.shape)
         return -np.where(np.isnan(found), -inf, found) if largest else found
 

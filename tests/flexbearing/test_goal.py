@@ -81,6 +81,7 @@ FUNCTIONS = {  # negative at zero; where the root is, or the largest value
     "late": (lambda x: x - 9.9, 9.9, True),
     "falls again": (lambda x: 1.0 - (x - 4.0) ** 2, 3.0, True),
     "an early rise": (lambda x: -1.0 - (x - 0.05) ** 2, 0.05, False),
+    "falls before the end": (lambda x: -1.0 - (x - 8.0) ** 2, 8.0, False),
     "too low": (lambda x: -1.0 - (x - 6.0) ** 2, 6.0, False),
     "too short": (lambda x: 0.01 * x - 1.0, 10.0, False),
     "ends": (lambda x: x - 8.0 if x < 5.0 else np.nan, 4.9, False),

@@ -13,7 +13,6 @@ import flexbearing as fb
 from flexbearing import __main__ as program, api
 from flexbearing.case import BadCase
 from flexbearing.derivatives.rollers import BEYOND, REACH, sensitivities
-from flexbearing.derivatives.table import Chosen
 from flexbearing.families import FAMILIES
 from flexbearing.progress import Silent
 from flexbearing.report.tornado_figure import draw_tornado
@@ -117,7 +116,7 @@ def test_keys_stand_in_the_order_of_what_a_realistic_step_changes():
     assert sizes == sorted(sizes, reverse=True)
     assert slopes[0].key.path == "bearing.roller.diameter"
     place = [slope.key.path for slope in slopes].index("operation.temperatures.roller")
-    assert place < 12  # 5 K, that has no elasticity
+    assert place < len(slopes) - 1  # 5 K, without an elasticity
     assert slopes[place].change == approx(5 * slopes[place].slope)
     assert "bearing.cage.mass" not in [
         slope.key.path for slope in slopes
@@ -127,9 +126,9 @@ def test_keys_stand_in_the_order_of_what_a_realistic_step_changes():
 def test_choices_are_ranked_among_numbers_by_what_they_change():
     """Of a slip that rounds to zero no percentage is formed."""
     found = api.sensitivities(rigid_case(), ["life", "cage_slip"])
-    (rollers, *_) = [each for each in found.by_output["life_L10"] if isinstance(each, Chosen)]
-    settings = [*RIGID, "bearing.rollers=31" if "31" in rollers.words else f"bearing.rollers={rollers.words}"]
-    assert rollers.value == approx(fb.run(PAPER, settings)["life_L10"].number, rel=1e-6)
+    rollers = [each for each in found.by_output["life_L10"] if getattr(each, "words", "") == "31"][0]
+    again = fb.run(PAPER, [*RIGID, "bearing.rollers=31"])["life_L10"].number
+    assert rollers.value == approx(again, rel=1e-6)
     assert all(np.isnan(each.percent) for each in found.by_output["cage_slip"])
 
 
