@@ -76,7 +76,10 @@ def of_result(result: Result) -> Bearing:
         raise BadResult(f"{result.place}: not converged: {result.attributes['message']}.")
     case = result.attributes["case_si"]
     kinds = {race: (case.get(race) or {}).get("kind", "rigid") for race in ("inner", "outer")}
-    kinds |= {race: ring["kind"] for race, ring in (case.get("rings") or {}).items() if "kind" in ring}
+    rings = case.get("rings") or {}  # of slow balls
+    kinds |= {
+        race: ring["kind"] for race, ring in rings.items() if isinstance(ring, Mapping) and "kind" in ring
+    }
     elastic = [f"{race} ring ({kind})" for race, kind in kinds.items() if kind != "rigid"]
     speed = case["operation"].get("inner_speed") or 0.0
     which = TILT_FOLLOWS if f"{TILT_FOLLOWS}_yy" in result.outputs else TILT_HELD

@@ -126,7 +126,7 @@ def test_keys_stand_in_the_order_of_what_a_realistic_step_changes():
 def test_choices_are_ranked_among_numbers_by_what_they_change():
     """Of a slip that rounds to zero no percentage is formed."""
     found = api.sensitivities(rigid_case(), ["life", "cage_slip"])
-    rollers = [each for each in found.by_output["life_L10"] if getattr(each, "words", "") == "31"][0]
+    rollers = next(each for each in found.by_output["life_L10"] if getattr(each, "words", "") == "31")
     again = fb.run(PAPER, [*RIGID, "bearing.rollers=31"])["life_L10"].number
     assert rollers.value == approx(again, rel=1e-6)
     assert all(np.isnan(each.percent) for each in found.by_output["cage_slip"])
