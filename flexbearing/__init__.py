@@ -7,9 +7,10 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from flexbearing.api import check as check, explain as explain, read as read, run as run
+    from flexbearing.api import explain as explain, read as read, run as run
     from flexbearing.case import BadCase as BadCase
     from flexbearing.files import BadOutput as BadOutput, NotStored as NotStored
+    from flexbearing.notebook import Case as Case, new as new
     from flexbearing.outputs import (
         AbsentOutput as AbsentOutput,
         UnknownOutput as UnknownOutput,
@@ -21,9 +22,10 @@ if TYPE_CHECKING:
     __version__: str
 
 EXPORTS = {
-    "api": ("check", "explain", "read", "run"),
+    "api": ("explain", "read", "run"),
     "case": ("BadCase",),
     "files": ("BadOutput", "NotStored"),
+    "notebook": ("Case", "new"),
     "outputs": ("AbsentOutput", "UnknownOutput", "WrongUnit"),
     "results": ("BadResult",),
     "studies.study": ("study",),

@@ -12,6 +12,7 @@ from flexbearing.catalogue.command import new
 from flexbearing.differences.command import diff
 from flexbearing.exports.command import export
 from flexbearing.exports.draw_command import draw
+from flexbearing.goal.command import goal
 from flexbearing.optimise.command import optimise
 from flexbearing.pages.command import report
 from flexbearing.printable import all_printable, printable
@@ -272,6 +273,7 @@ def pareto(
 
 
 app.command(name="sensitivity")(sensitivity)
+app.command(name="goal")(goal)
 app.command(name="study")(study)
 app.command(name="optimise")(optimise)
 

@@ -32,6 +32,7 @@ class Family:
     layout: Callable[[], Any]  # a `flexbearing.quantities.layout.Layout`
     report: Callable[[], Any]  # a `flexbearing.report.family_report.FamilyReport`
     card: Callable[[], Callable[[Any], Any]]  # a result in a few lines: a `flexbearing.report.card.Card`
+    write_report: Callable[[], Callable[..., Any]] = Entry("flexbearing.pages.make:report")
     ahead: Callable[[], Callable[[Any], Any]] | None = None  # begins beside what `solve` loads; a context
     profiles: Callable[[], Callable[[Any], Any]] | None = None  # along rollers: places, drops
     initial_state: Callable[[], Callable[..., Any]] | None = None  # from another result; None: it has no such

@@ -38,8 +38,15 @@ class Variants:
     belong to the case, such as `outer.kind`, is read in full.
     """
 
-    def __init__(self, path: Path, text: str, keys: tuple[str, ...], families: Families):
-        self.path, self.text, self.keys = path, text, keys
+    def __init__(
+        self,
+        path: Path,
+        text: str,
+        keys: tuple[str, ...],
+        families: Families,
+        settings: tuple[str, ...] = (),  # of every case, before its own values
+    ):
+        self.path, self.text, self.keys, self.settings = path, text, keys, settings
         self._families = families
         try:
             self._tables = tables(text)
@@ -100,7 +107,7 @@ class Variants:
         return case
 
     def _source(self, given: Mapping[str, Any]) -> Source:
-        return Source(str(self.path), self.text, written(given))
+        return Source(str(self.path), self.text, (*self.settings, *written(given)))
 
     def _choices(self, given: Mapping[str, Any]) -> str:
         """Which keys are given, and values that decide which keys belong to the case, as a text."""

@@ -61,6 +61,22 @@ def new(  # noqa: PLR0913  # an argument for each option
     return f"{ratings}effects: {effects_file.name(Path(file))}\n"
 
 
+def case_text(
+    like: str, options: Mapping[str, str | None], file: Path, title: str = "", source: str = ""
+) -> tuple[str, str]:
+    """Text of the case of a catalogue page, and the ratings in it; nothing is written.
+
+    Raises
+    ------
+    BadCase
+        as `new`
+    """
+    try:
+        return _case(pages.read(like, options), file, title, source)
+    except (ImpossiblePart, OutOfRange) as problem:
+        raise BadCase(f"{problem}.") from problem
+
+
 def _case(page: Page, file: Path, title: str, source: str) -> tuple[str, str]:
     """Text of the case of a page, and the ratings in it."""
     lines, ratings = _lines(page)

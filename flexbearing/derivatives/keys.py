@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 from flexbearing.case import BadCase, Head
 from flexbearing.case.declarations import Declaration, declared, find
 from flexbearing.case.excerpt import excerpt
+from flexbearing.case.key_ranges import range_of
 from flexbearing.case.problems import nearest
 from flexbearing.case.quantity import Section
 from flexbearing.case.text import setting_value, tables
@@ -53,6 +54,11 @@ class Key:
     def is_ratio(self) -> bool:
         """Whether a percent of it means something: not of temperatures, nor of zero."""
         return self.value != 0.0 and self.si_unit != "K"
+
+    @property
+    def realistic_step(self) -> float:
+        """By which it changes in practice, in its unit."""
+        return range_of(self.path).step_of(self.value, self.si_unit) / self.size
 
     def allows(self, change: float) -> bool:
         """Whether the value may change by so many steps."""

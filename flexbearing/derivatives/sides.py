@@ -44,12 +44,17 @@ def tabled(
     numbers = np.array(list(columns.values())).reshape(-1, 3, len(values)).transpose(1, 2, 0)
     slopes, below, above = numbers[:, there]
     known = [
-        OutputValue(output.name, output.unit, float(value))
+        OutputValue(output.name, output.unit, float(value), _is_ratio(output, float(value)))
         for output, value in zip(outputs, values, strict=True)
         if np.isfinite(value)
     ]
     jumps = _jumps(known, list(columns), slopes)
     return Sensitivities(*heading, tuple(known), tuple(columns), slopes, below, above, (*left_out, *jumps))
+
+
+def _is_ratio(output: Wanted, value: float) -> bool:
+    """Whether a share of the output says something."""
+    return output.unit != "%" and not output.output.rounds_to_zero(value / output.conversion.factor)
 
 
 def _jumps(outputs: Sequence[OutputValue], keys: Sequence[Key], slopes: NDArray) -> Iterator[tuple[str, str]]:

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from math import nan
 from typing import Any
 
 import numpy as np
@@ -15,8 +16,9 @@ from flexbearing.derivatives.keys import Key
 NEGLIGIBLE = 1e-5
 
 COLUMNS: tuple[str, ...] = (
-    "output", "output_unit", "key", "key_unit", "value", "key_value", "derivative", "elasticity",
-    "percent_per_unit", "derivative_below", "derivative_above", "one_sided",
+    "output", "output_unit", "key", "key_unit", "value", "key_value", "step", "choice", "change_by_step",
+    "percent_by_step", "derivative",
+    "elasticity", "percent_per_unit", "derivative_below", "derivative_above", "one_sided",
 )  # fmt: skip
 
 
@@ -27,6 +29,13 @@ class OutputValue:
     name: str
     unit: str
     value: float
+    ratio: bool = (
+        True  # whether a share of it says something: not of a percentage, nor of what rounds to zero
+    )
+
+    def percent(self, change: float) -> float:
+        """A change in its unit as percent of it; NaN where that says nothing."""
+        return 100.0 * change / self.value if self.ratio and self.value else nan
 
 
 @dataclass(frozen=True)
@@ -52,18 +61,28 @@ class Slope:
     @property
     def share(self) -> float:
         """Change of the output in percent of it, by one unit of the key."""
-        return 100.0 * self.slope / self.output.value if self.output.value else float("nan")
+        return 100.0 * self.slope / self.output.value if self.output.value else nan
+
+    @property
+    def change(self) -> float:
+        """Of the output in its unit by one realistic step of the key, by the derivative."""
+        return self.by_step(self.slope)
+
+    def by_step(self, slope: float) -> float:
+        """The same of another slope, such as that on one side."""
+        return slope * self.key.realistic_step
+
+    @property
+    def percent(self) -> float:
+        """The same change in percent of the output."""
+        return self.output.percent(self.change)
 
     @property
     def elasticity(self) -> float:
         """Percent of the output by a percent of the key; NaN where either means nothing."""
-        return self.elastic(self.slope)
-
-    def elastic(self, slope: float) -> float:
-        """Elasticity of a slope, such as that on one side."""
         if not (self.key.is_ratio and self.output.value):
-            return float("nan")
-        return slope * self.key.value / self.key.size / self.output.value
+            return nan
+        return self.slope * self.key.value / self.key.size / self.output.value
 
     @property
     def reaches(self) -> bool:
@@ -71,6 +90,26 @@ class Slope:
         sides = [abs(each) for each in (self.slope, self.below, self.above) if not np.isnan(each)]
         size = max(abs(self.key.value), self.key.step / self.key.relative_step) / self.key.size
         return max(sides, default=0.0) * size > NEGLIGIBLE * abs(self.output.value)
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """An output with another choice of a key, solved."""
+
+    output: OutputValue
+    key: str
+    words: str  # of the choice
+    value: float  # of the output
+
+    @property
+    def change(self) -> float:
+        """Of the output in its unit."""
+        return self.value - self.output.value
+
+    @property
+    def percent(self) -> float:
+        """The same in percent of the output."""
+        return self.output.percent(self.change)
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,6 +124,7 @@ class Sensitivities:
     below: NDArray  # (O, K) on the side of smaller keys; NaN where both sides have the same
     above: NDArray  # (O, K)
     left_out: tuple[tuple[str, str], ...] = ()  # keys without derivatives, and why
+    chosen: tuple[Chosen, ...] = ()  # outputs with other choices of graded keys
 
     def __getitem__(self, place: tuple[str, str]) -> Slope:
         """The derivative of an output by a key, by their names."""
@@ -95,35 +135,54 @@ class Sensitivities:
         return self._slope(names[0].index(output), names[1].index(key))
 
     @cached_property
-    def by_output(self) -> dict[str, tuple[Slope, ...]]:
-        """Derivatives by the keys that reach an output, the strongest first.
-
-        Those with an elasticity stand first, then those of temperatures and of values that are zero.
-        """
+    def by_output(self) -> dict[str, tuple[Slope | Chosen, ...]]:
+        """What changes an output, the key whose realistic step changes it most first."""
         return {
-            output.name: tuple(sorted(self._reaching(number), key=_strength))
+            output.name: tuple(sorted([*self._reaching(number), *self._chosen(output)], key=_strength))
             for number, output in enumerate(self.outputs)
         }
 
     def records(self) -> list[dict[str, Any]]:
         """Every derivative as plain values; what means nothing is None."""
-        return [_record(slope) for slopes in self.by_output.values() for slope in slopes]
+        return [
+            _record(each) if isinstance(each, Slope) else _record_of_choice(each)
+            for changes in self.by_output.values()
+            for each in changes
+        ]
 
     def _reaching(self, output: int) -> Iterator[Slope]:
+        without = {key for key, _ in self.left_out}  # among them keys at which some outputs jump
         for key in range(len(self.keys)):
             slope = self._slope(output, key)
-            if slope.reaches:
+            if slope.reaches and slope.key.path not in without:
                 yield slope
+
+    def _chosen(self, output: OutputValue) -> Iterator[Chosen]:
+        for each in self.chosen:
+            if each.output is output and abs(each.value - output.value) > NEGLIGIBLE * abs(output.value):
+                yield each
 
     def _slope(self, output: int, key: int) -> Slope:
         numbers = (float(each[output, key]) for each in (self.slopes, self.below, self.above))
         return Slope(self.outputs[output], self.keys[key], *numbers)
 
 
-def _strength(slope: Slope) -> tuple[bool, float]:
-    elasticity = slope.elasticity
-    without = bool(np.isnan(elasticity))
-    return without, -abs(slope.share if without else elasticity)
+def _strength(change: Slope | Chosen) -> float:
+    return -abs(change.change)
+
+
+def _record_of_choice(chosen: Chosen) -> dict[str, Any]:
+    output, percent = chosen.output, chosen.percent
+    known = {
+        "output": output.name,
+        "output_unit": output.unit,
+        "key": chosen.key,
+        "value": output.value,
+        "choice": chosen.words,
+        "change_by_step": chosen.change,
+        "percent_by_step": percent if np.isfinite(percent) else None,
+    }
+    return dict.fromkeys(COLUMNS) | known
 
 
 def _record(slope: Slope) -> dict[str, Any]:
@@ -131,6 +190,9 @@ def _record(slope: Slope) -> dict[str, Any]:
     numbers = (
         output.value,
         key.stated,
+        key.realistic_step,
+        slope.change,
+        slope.percent,
         slope.slope,
         slope.elasticity,
         slope.share,
@@ -139,4 +201,6 @@ def _record(slope: Slope) -> dict[str, Any]:
     )
     finite = [float(number) if np.isfinite(number) else None for number in numbers]
     values = output.name, output.unit, key.path, key.unit or "1", *finite, slope.one_sided
-    return dict(zip(COLUMNS, values, strict=True))
+    return dict.fromkeys(COLUMNS) | dict(
+        zip((each for each in COLUMNS if each != "choice"), values, strict=True)
+    )

@@ -16,7 +16,7 @@ NOT_CONVERGED = 1
 
 def export(
     file: Annotated[
-        Path, typer.Argument(help="result file (HDF5); for ross the table of a study", metavar="OUT.h5")
+        Path, typer.Argument(help="result file (HDF5); for ross also the table of a study", metavar="OUT.h5")
     ],
     to: Annotated[str, typer.Option("--to", metavar="|".join(FORMS), help="form of the files")],
     output: Annotated[
@@ -51,13 +51,13 @@ def _require_belonging(to: str, options: dict[str, str]) -> None:
 
 def _files(file: Path, to: str, directory: Path, options: dict[str, str]) -> Iterator[Path]:
     """Write the files one after the other."""
+    from flexbearing import api
+
     if to == "ross":
         from flexbearing.exports import ross
 
-        yield from ross.export(file, directory)
+        yield from ross.export(file if file.suffix == ".csv" else api.read(file), directory)
         return
-    from flexbearing import api
-
     result = api.read(file)
     if to == "vtu":
         from flexbearing.exports import vtu

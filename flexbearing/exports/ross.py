@@ -1,4 +1,4 @@
-"""A bearing of a rotor for ROSS: its stiffness over the speed, from the table of a study, as TOML.
+"""A bearing of a rotor for ROSS, as TOML: its stiffness over the speed of a study, or of one result.
 
 ROSS has z along the shaft and counts speeds positive about it. With s the sign of the speed, x axial, z along
 the load here, x = s y, y = -z, z = -s x there: a right-handed system in which the load of a case without
@@ -21,7 +21,7 @@ from flexbearing import inputs
 from flexbearing.files import require_folder, require_outputs, write
 from flexbearing.inputs.limits import TABLE
 from flexbearing.outputs.value import WrongUnit, conversion
-from flexbearing.results import BadResult
+from flexbearing.results import BadResult, Result
 
 LEAST = 5  # speeds: ROSS takes a cubic through four, and extrapolates without a word
 SPEED, CONVERGED = "operation.inner_speed", "converged"
@@ -40,32 +40,72 @@ class Bearing:
     kxy: NDArray  # force along x by displacement along y
     kyx: NDArray
     kyy: NDArray
+    inside: str = ""  # whether supports are in it
 
 
-def export(table: Path, directory: Path) -> Iterator[Path]:
-    """Write the bearing of a study over its speeds, a file for each version of ROSS.
+def export(source: Path | Result, directory: Path) -> Iterator[Path]:
+    """Write the bearing of a study over its speeds, a file for each version of ROSS; of a result one for all.
 
     Raises
     ------
     BadResult
-        if the table cannot be read or is none over five speeds or more
+        if the table cannot be read or is none over five speeds or more, or the result has no stiffness
     BadOutput, NotStored
         if a file cannot be written
     """
-    bearing, folder = read(table), require_folder(directory)
-    paths = {version: folder / f"{table.stem}_ross{version}.toml" for version in AXES}
-    require_outputs(paths.values(), (table,))
-    for version, path in paths.items():
-        write(path.resolve(), text(bearing, table.stem, AXES[version]).encode())
+    bearing = of_result(source) if isinstance(source, Result) else read(source)
+    folder, files = require_folder(directory), source.files if isinstance(source, Result) else (source,)
+    versions = {f"_ross{version}": axis for version, axis in AXES.items()}
+    ends = versions if len(bearing.speed) > 1 else {"_ross": ""}
+    paths = {folder / f"{source.stem}{end}.toml": axis for end, axis in ends.items()}
+    require_outputs(paths, files)
+    for path, axis in paths.items():
+        write(path.resolve(), text(bearing, source.stem, axis).encode())
         yield path
 
 
+def of_result(result: Result) -> Bearing:
+    """The bearing at the speed of a result.
+
+    Raises
+    ------
+    BadResult
+        where it did not converge
+    """
+    if result.attributes["status"] != CONVERGED:
+        raise BadResult(f"{result.place}: not converged: {result.attributes['message']}.")
+    case = result.attributes["case_si"]
+    kinds = {race: (case.get(race) or {}).get("kind", "rigid") for race in ("inner", "outer")}
+    rings = case.get("rings") or {}  # of slow balls
+    kinds |= {
+        race: ring["kind"] for race, ring in rings.items() if isinstance(ring, Mapping) and "kind" in ring
+    }
+    elastic = [f"{race} ring ({kind})" for race, kind in kinds.items() if kind != "rigid"]
+    speed = case["operation"].get("inner_speed") or 0.0
+    which = TILT_FOLLOWS if f"{TILT_FOLLOWS}_yy" in result.outputs else TILT_HELD
+    yy, yz, zy, zz = (np.array([float(result[f"{which}_{entry} [N/m]"])]) for entry in ENTRIES)
+    turns = np.sign(speed) or 1.0
+    return Bearing(np.array([abs(speed)]), yy, -turns * yz, -turns * zy, zz, _inside(elastic))
+
+
+def _inside(elastic: Sequence[str]) -> str:
+    if not elastic:
+        return "Rings and supports are rigid: no stiffness of a support or housing is inside."
+    return f"Inside is the deflection of {', '.join(elastic)} with supports: leave them out of the rotor."
+
+
 def text(bearing: Bearing, tag: str, axis: str) -> str:
-    """A bearing as ``BearingElement.load`` of ROSS reads it, at node 0 and without damping."""
+    """A bearing as ``BearingElement.load`` of ROSS reads it, at node 0, without damping."""
     numbers = {"kxx": bearing.kxx, "kxy": bearing.kxy, "kyx": bearing.kyx, "kyy": bearing.kyy}
-    lists = {axis: bearing.speed, **numbers, **{f"c{name[1:]}": 0.0 * each for name, each in numbers.items()}}
-    lines = [f"{name} = {json.dumps(each.tolist())}" for name, each in lists.items()]
-    head = [f"[{json.dumps(f'BearingElement_{tag}')}]", "n = 0", f"tag = {json.dumps(tag)}"]
+    values = {**numbers, **{f"c{name[1:]}": 0.0 * each for name, each in numbers.items()}}
+    lists = {axis: bearing.speed, **values} if axis else values
+    lines = [f"{name} = {json.dumps(each.tolist() if axis else each.item())}" for name, each in lists.items()]
+    head = [
+        f"# {bearing.inside}",
+        f"[{json.dumps(f'BearingElement_{tag}')}]",
+        "n = 0",
+        f"tag = {json.dumps(tag)}",
+    ]
     return "\n".join([*head, *lines]) + "\n"
 
 
@@ -88,6 +128,7 @@ def read(path: Path) -> Bearing:
     of_balls = not any(TILT_FOLLOWS in head for head in heads) and any(TILT_HELD in head for head in heads)
     which = TILT_HELD if of_balls else TILT_FOLLOWS
     states = [_column(path, heads, rows, _names(f"{which}_{entry}"), "N/m") for entry in ENTRIES]
+    flexible = any(head.startswith(f"flexible.{which}") for head in heads)
     _require_speeds(path, heads, rows, speeds)
     if (least := min(states[0].min(), states[3].min())) <= 0:
         raise BadResult(
@@ -97,7 +138,13 @@ def read(path: Path) -> Bearing:
     turns = np.sign(speeds[np.argmax(np.abs(speeds))])
     order = np.argsort(np.abs(speeds))
     yy, yz, zy, zz = (state[order] for state in states)
-    return Bearing(np.abs(speeds)[order], yy, -turns * yz, -turns * zy, zz)
+    return Bearing(np.abs(speeds)[order], yy, -turns * yz, -turns * zy, zz, _INSIDE[flexible])
+
+
+_INSIDE = {
+    True: "Inside is the deflection of elastic rings with their supports: leave them out of the rotor.",
+    False: "Inside are supports only if the case of the study has elastic rings.",
+}
 
 
 def _names(entry: str) -> tuple[str, ...]:

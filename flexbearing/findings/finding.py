@@ -32,6 +32,9 @@ class Finding:
     unit: str = ""  # SI
     shown: str = ""  # for people
     noted: bool = True  # whether a note says that it is not kept; all are in the checks of a report
+    of_model: bool = (
+        False  # about the model or its inputs, no limit of the bearing: no check where it is kept
+    )
 
     def __post_init__(self):
         if (self.at_most is None) == (self.at_least is None):

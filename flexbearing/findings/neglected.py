@@ -9,6 +9,7 @@ NEGLECTED = Finding(
     quantity="neglected", at_most=0.01, grade=OUTSIDE, source="limit of this program", shown="%",
     meaning="loads, contact angles and lives are off by about as much",
     action="take a kind of case that counts it, as angular_contact_ball for fast balls, or a lower speed",
+    of_model=True,
 )  # fmt: skip
 MUCH_NEGLECTED = replace(
     NEGLECTED,
@@ -21,6 +22,7 @@ REVERSED_THRUST = Finding(
     at_least=0.0, grade=DANGER, source="the open side of an angular contact bearing", unit="rad", shown="deg",
     meaning="the thrust presses the balls over the low shoulder, the bearing comes apart",
     action="turn the thrust round, or take a second bearing the other way round",
+    of_model=True,
 )  # fmt: skip
 CONTACT_HEIGHT = Finding(
     code="contact-height", label="height of contacts on the race over the ball diameter",

@@ -27,6 +27,7 @@ RATED_VISCOSITY_RATIO = Finding(
     at_least=0.1, grade=OUTSIDE, source="ISO 281 (2007)",
     meaning="no a_ISO holds there, the modified life is left out",
     action="take an oil {share:.2g} times as viscous, or cool it",
+    of_model=True,
 )  # fmt: skip
 FILM_RATIO = Finding(
     code="film-ratio", label="smallest film ratio Λ", quantity="film_ratio",
@@ -47,12 +48,14 @@ STIFFNESS_IN_SERIES = Finding(
     meaning="supports bend the rings by the loads of the bearing, these are no two springs: the stiffness of "
     "bearing and supports alone is left out",
     action="use the stiffness with supports, or the matrix, without supports in the rotor model",
+    of_model=True,
 )  # fmt: skip
 LEAST_STIFFNESS = Finding(
     code="no-positive-stiffness", label="smallest radial stiffness", quantity="least_stiffness",
     at_least=0.0, grade=OUTSIDE, source="a stable support", unit="N/m", shown="kN/mm",
     meaning="the tangent at this state pushes the ring away: a rotor on it is not stable",
     action="take the stiffness over a range of displacements, or another clearance or load",
+    of_model=True,
 )  # fmt: skip
 CLEARANCE = Finding(
     code="preload", label="diametral clearance", quantity="clearance",

@@ -46,6 +46,7 @@ RATING_ABOVE_FORMULA = Finding(
     at_most=1.15, grade=USUAL, source="usual between makers and ISO 281, ISO 76; assumed",
     meaning="one of both may be of another bearing or of two rows, or the rolling elements not the maker's",
     action="check the rating, and the number and size of the rolling elements",
+    of_model=True,
 )  # fmt: skip
 RATING_BELOW_FORMULA = replace(
     RATING_ABOVE_FORMULA,
@@ -59,6 +60,7 @@ CHANGED_RATING = Finding(
     quantity="rating_change", at_most=2.0, grade=OUTSIDE, source="limit of this program, assumed",
     meaning="the case is far from the bearing that the maker rated",
     action="give the rating of such a bearing",
+    of_model=True,
 )  # fmt: skip
 RATINGS = (RATING_ABOVE_FORMULA, RATING_BELOW_FORMULA, CHANGED_RATING)
 

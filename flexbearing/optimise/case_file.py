@@ -1,35 +1,35 @@
 """The case file of the best design, which `flexbearing run` takes."""
 
 import os
-import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from copy import deepcopy
 from pathlib import Path
 from typing import Any
 from zlib import crc32
 
 from flexbearing import inputs
-from flexbearing.case.declarations import find, toml
+from flexbearing.case.declarations import find
 from flexbearing.case.head import Head, Source
 from flexbearing.case.read import with_settings, written
 from flexbearing.case.text import LARGEST, tables
+from flexbearing.case.write import lines
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput
 from flexbearing.studies.file import Study
-
-_BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
 def case_text(study: Study, settings: Mapping[str, Any], folder: Path) -> bytes:
     """The case of a study with some settings, as a file in a folder."""
     raw = deepcopy(tables(study.text))
-    case = with_settings(raw, Source(str(study.case), study.text, written(settings)), FAMILIES)
+    case = with_settings(
+        raw, Source(str(study.case), study.text, (*study.settings, *written(settings))), FAMILIES
+    )
     _rate(raw, case)
     named = {path.resolve() for path in case.named_files}
     _told_from(raw, study.case.parent, named, folder)
     found = ", ".join(settings)
     head = f"# {study.case.name} with what {study.path.name} found: {found}.\n"
-    text = (head + "\n".join(_lines(raw, "")) + "\n").encode()
+    text = (head + "\n".join(lines(raw)) + "\n").encode()
     return _seal(text) + text
 
 
@@ -73,18 +73,3 @@ def _told_from(table: dict[str, Any], before: Path, named: set[Path], folder: Pa
             _told_from(value, before, named, folder)
         elif isinstance(value, str) and (before / value).resolve() in named:
             table[name] = os.path.relpath((before / value).resolve(), folder.resolve())
-
-
-def _lines(table: Mapping[str, Any], prefix: str) -> Iterator[str]:
-    """Values of a table, then the tables in it."""
-    for name, value in table.items():
-        if not isinstance(value, Mapping):
-            yield f"{_key(name)} = {toml(value)}"
-    for name, value in table.items():
-        if isinstance(value, Mapping):
-            yield f"\n[{prefix}{_key(name)}]"
-            yield from _lines(value, f"{prefix}{_key(name)}.")
-
-
-def _key(name: str) -> str:
-    return name if _BARE.fullmatch(name) else toml(name)

@@ -14,15 +14,16 @@ from flexbearing.case.as_written import rated_apart
 from flexbearing.case.excerpt import excerpt
 from flexbearing.case.family import Families
 from flexbearing.case.file_keys import next_to, value_at
+from flexbearing.case.head import Head, Source as CaseSource
 from flexbearing.case.problems import BadCase, messages
-from flexbearing.case.read import LONGEST_NAME
+from flexbearing.case.read import LONGEST_NAME, with_settings
 from flexbearing.case.text import tables
 from flexbearing.optimise.goals import Bound, Goal, Measure
 from flexbearing.optimise.schema import DUTY_LIFE, OptimisationFile, Search
 from flexbearing.optimise.variables import Variable, variables
 from flexbearing.outputs import UnknownOutput, WrongUnit, wanted
 from flexbearing.studies.file import Study
-from flexbearing.studies.file.read import declared, flat_tables, study_of
+from flexbearing.studies.file.read import Source, declared, flat_tables, study_of
 from flexbearing.studies.file.schema import StudyFile
 from flexbearing.studies.file.values import BadValues
 from flexbearing.studies.table.duty import Cycles
@@ -50,25 +51,25 @@ class Problem:
     surrogate: Settings  # of the cheaper model that is searched; none: the case itself is
 
 
-def read(path: str | Path, families: Families) -> Problem:
-    """Read an optimisation file.
+def read(source: Source, families: Families, case: Head | None = None) -> Problem:
+    """Read an optimisation, from its file or as a dictionary; of its case unless that is given.
 
     Raises
     ------
     BadCase
         one line for each problem: file, key, value found, what is allowed, nearest valid name
     """
-    file = Path(path)
-    raw = flat_tables(file, "optimisation", _TABLES)
+    raw, file = flat_tables(source, "optimisation", _TABLES)
+    raw = raw if case is None else {**raw, "case": case.source.path}
     given = _validated(raw, file)
     conditions = {name: raw[name] for name in ("case", "name", "over", "duty") if name in raw}
-    study = study_of(StudyFile.model_validate(conditions), file, families)
+    study = study_of(StudyFile.model_validate(conditions), file, families, case)
     find = partial(declared, model=families[study.kind].case(), families=families)
     layout, files = families[study.kind].layout(), families[study.kind].case().file_keys
     name = excerpt(file.name, LONGEST_NAME)
     where = "vary"
     try:
-        fixed, text = given.set.model_extra or {}, tables(study.text)
+        fixed, text = given.set.model_extra or {}, _with_settings(study, families)
         found = variables(given.vary.model_extra or {}, find, lambda key: fixed.get(key, value_at(text, key)))
         _require_apart(found, study, fixed, "[set]")
         entries = [each.key for each in found if each.entry is not None]
@@ -92,6 +93,14 @@ def read(path: str | Path, families: Families) -> Problem:
     return Problem(
         study, fixed, found, lists, goal, bounds, given.search, tuple(verify), surrogate
     )  # fmt: skip
+
+
+def _with_settings(study: Study, families: Families) -> dict[str, Any]:
+    """Tables of the case with the settings that every variant has."""
+    raw = tables(study.text)
+    if study.settings:
+        with_settings(raw, CaseSource(str(study.case), study.text, study.settings), families)
+    return raw
 
 
 def _validated(raw: dict[str, Any], file: Path) -> OptimisationFile:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.cache import configured
-from flexbearing.case import BadCase
+from flexbearing.case import BadCase, Head
 from flexbearing.families import FAMILIES
 from flexbearing.files import require_folder, require_outputs, write
 from flexbearing.optimise.answer import Optimum, answer, rank
@@ -44,6 +44,7 @@ from flexbearing.optimise.worker import SlopeWish, slope_name, slope_rows
 from flexbearing.program.threads import cores, limited_to, processes
 from flexbearing.studies.engine import Engine
 from flexbearing.studies.engine.serial import Serial
+from flexbearing.studies.file.read import Source
 from flexbearing.studies.prepare import settle
 from flexbearing.studies.run import Work, guarded
 from flexbearing.studies.settled import Prepared
@@ -61,14 +62,15 @@ EMPTY: Settings = {}
 
 
 def optimise(
-    file: str | Path,
+    source: Source,
     output: str | Path = "results",
     *,
+    case: Head | None = None,
     jobs: int | None = None,
     tell: Tell = lambda found: None,
     work: Callable[[Problem, Path], Workers] | None = None,
 ) -> Optimum:
-    """Find the best design of an optimisation file.
+    """Find the best design of an optimisation, from its file or as a dictionary.
 
     Designs that a former call with the same folder computed are taken from there.
 
@@ -79,11 +81,11 @@ def optimise(
     BadOutput, NotStored
         as for a study
     """
-    problem, folder = read(file, FAMILIES), require_folder(Path(output))
+    problem, folder = read(source, FAMILIES, case), require_folder(Path(output))
     base, name, inputs = _sound(problem), problem.study.name, problem.study.inputs
     places = (*(folder / f"{name}{end}" for end in (TABLE, CASE)), base.journal(folder))
-    table, case, path = require_outputs(places, inputs)
-    require_unedited(case)
+    table, best, path = require_outputs(places, inputs)
+    require_unedited(best)
     meshed = varied_rings(problem)
     count = processes(jobs) if jobs else (cores() if meshed else 1)
     if meshed and not problem.surrogate:  # noise of meshes is all that closer designs differ by
@@ -100,7 +102,7 @@ def optimise(
         surrogate = _searched_instead(evaluations) if problem.surrogate else None
         found = _Search(evaluations, surrogate, SCATTER if meshed else SPARE).optimum(tell)
     write(table, FORMS[TABLE][0](found.table))
-    write(case, case_text(problem.study, found.settings, folder))
+    write(best, case_text(problem.study, found.settings, folder))
     return found
 
 

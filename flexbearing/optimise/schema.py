@@ -3,18 +3,10 @@
 from collections.abc import Mapping
 from typing import Any, Literal
 
-from pydantic import ConfigDict
-
 from flexbearing.case.quantity import Section, key
-from flexbearing.studies.file.schema import Duty, Over
+from flexbearing.studies.file.schema import Duty, Keys, Over
 
 DUTY_LIFE = "duty_life"  # life that the rows of [duty] cumulate to, beside the outputs of a row
-
-
-class Keys(Section):
-    """Keys of the case; every name in the table is one."""
-
-    model_config = ConfigDict(extra="allow")
 
 
 class Objective(Section):

@@ -4,11 +4,13 @@ Names, units and reductions follow from `quantities`; files, cases and models ar
 """
 
 from flexbearing.outputs.names import AbsentOutput, Output, UnknownOutput, Wanted, of_rollers, outputs, wanted
+from flexbearing.outputs.table import Outputs
 from flexbearing.outputs.value import Value, WrongUnit
 
 __all__ = [
     "AbsentOutput",
     "Output",
+    "Outputs",
     "UnknownOutput",
     "Value",
     "Wanted",

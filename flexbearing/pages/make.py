@@ -16,6 +16,7 @@ from flexbearing.report.html.document import Document
 from flexbearing.report.html.scatter import read_scatter
 from flexbearing.report.html.study import MOST_ROWS
 from flexbearing.report.html.table import PARQUET, read_table
+from flexbearing.results import Result
 
 PAGES = (".html", ".htm")
 TABLES = (".csv", PARQUET)  # of a study
@@ -23,7 +24,7 @@ ARRAYS = ".nc"  # of a study: the same numbers over its axes, which are no table
 
 
 def report(
-    source: str | Path,
+    source: str | Path | Result,
     output: str | Path | None = None,
     *,
     against: str | Path | None = None,
@@ -47,13 +48,13 @@ def report(
     if units not in SYSTEMS:
         raise BadCase(f"--units {units}: it is {' or '.join(SYSTEMS)}")
     browser = chromium() if pdf else ""
-    place = Path(source)
+    place = (source.path or Path(f"{source.stem}.h5")) if isinstance(source, Result) else Path(source)
     if place.suffix == ARRAYS:
         raise BadCase(
             f"{place}: holds the arrays of a study, not its rows; name the table beside it: "
             f"{place.with_suffix(TABLES[0]).name}"
         )
-    of_table = is_folder(place) or place.suffix in TABLES
+    of_table = not isinstance(source, Result) and (is_folder(place) or place.suffix in TABLES)
     if of_table and against is not None:
         raise BadCase(f"--against {against}: {source} is a study; only results are compared")
     place = table_file(place) if of_table else place
@@ -63,16 +64,20 @@ def report(
     page, *printed = require_outputs(outputs, inputs)
     if wanted.suffix not in PAGES:
         raise BadOutput(f"{wanted}: a report is HTML; choose a name that ends in {PAGES[0]}.")
-    document = _of_study(place, SYSTEMS[units]) if of_table else _of_result(inputs, SYSTEMS[units], outputs)
+    if of_table:
+        document = _of_study(place, SYSTEMS[units])
+    else:
+        first, *others = [source if isinstance(source, Result) else place, *inputs[1:]]
+        document = _of_result([first, *others], SYSTEMS[units], outputs)
     write(page, html(document).encode())
     for paper in printed:
         write(paper, pdf_bytes(browser, page))
     return outputs
 
 
-def _of_result(places: Iterable[Path], units: Units, outputs: Iterable[Path]) -> Document:
+def _of_result(sources: Iterable[Path | Result], units: Units, outputs: Iterable[Path]) -> Document:
     """Report of a result, perhaps against another; no output may be a file that they were computed from."""
-    result, *others = map(api.read, places)
+    result, *others = (each if isinstance(each, Result) else api.read(each) for each in sources)
     require_outputs(outputs, [file for each in (result, *others) for file in each.files])
     return of_result(result, units, tuple(section(result, other, units) for other in others))
 

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from flexbearing.report.plots import Plots
 from flexbearing.results import Result
 
 if TYPE_CHECKING:
@@ -38,4 +40,9 @@ class FamilyReport:
     elements: Elements | None = None  # rolling elements that a report shows one by one
     deformed: bool = False  # whether deformed rings can be drawn
     balls: Callable[[Result], tuple[DrawnBall, ...]] | None = None  # whose cells a result holds
+    short: Mapping[str, str] = field(default_factory=dict)  # names of pictures in notebooks to those of files
     drawings: Callable[[Words], Iterator[Drawing]] | None = None  # to scale, of a case
+
+    def plots(self, result: Result) -> Plots:
+        """Pictures of a result as functions."""
+        return Plots(partial(self.pictures, result), self.short)

@@ -1,6 +1,6 @@
 """What one run left behind, as arrays that cannot change."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
@@ -10,7 +10,7 @@ import numpy as np
 
 from flexbearing.case.family import Family
 from flexbearing.case.file_keys import next_to, value_at
-from flexbearing.outputs import Value, wanted
+from flexbearing.outputs import Outputs, Value
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.quantities.summary import summary
 from flexbearing.results.checks import require_same_names
@@ -77,8 +77,22 @@ class Result:
         return tuple(note for note in self.attributes["notes"] if note["grade"] == GRADES[0])
 
     def __getitem__(self, output: str) -> Value:
-        """A scalar by its name, "flexible.max_roller_load" or "cage_slip [%]"; see `flexbearing.outputs`."""
-        return wanted(self.family.layout(), output).value(self._blocks)
+        """A scalar by its name, "max_roller_load [kN]", or "life [h]", the most detailed life."""
+        return self.outputs[output]
+
+    @property
+    def outputs(self) -> Outputs:
+        """Every scalar with its value, unit and meaning, by name; `search` finds some."""
+        return Outputs(self.family.layout(), self._blocks)
+
+    @property
+    def plot(self) -> Any:
+        """Its pictures: `plot.loads()`, `plot.pressure()` and what `dir(plot)` names."""
+        return self.family.report().plots(self)
+
+    def report(self, file: str | Path, **options: Any) -> Path:
+        """Write its report, as `flexbearing report` with the same options; returns the file."""
+        return self.family.write_report()(self, file, **options)[0]
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Result):
@@ -110,6 +124,12 @@ class Result:
         return {"rigid": self.rigid, "flexible": self.flexible}
 
     @property
+    def _different_blocks(self) -> dict[str, Arrays]:
+        """The same; of a case without a flexible part one alone, as both are equal."""
+        alike = self.rigid.keys() == self.flexible.keys() and _same(self.rigid, self.flexible)
+        return {"rigid": self.rigid} if alike else self._blocks
+
+    @property
     def _arrays(self) -> tuple[Arrays, ...]:
         return (self.rigid, self.flexible, *self.iterations)
 
@@ -128,7 +148,7 @@ class Result:
         """
         from flexbearing.results.labelled import labelled
 
-        groups = {**self._blocks, ITERATIONS: self.stacked}
+        groups = {**self._different_blocks, ITERATIONS: self.stacked}
         simple = {name: each for name, each in self.attributes.items() if isinstance(each, str | int | float)}
         return labelled(self.family.layout(), groups, simple)
 
@@ -141,31 +161,6 @@ class Result:
         """Every dataset of the iterations, stacked over them; empty without any."""
         names = self.iterations[0] if self.iterations else ()
         return {name: np.stack([state[name] for state in self.iterations]) for name in names}
-
-    def sensitivities(self, of: Sequence[str] = (), by: Sequence[str] = ()) -> Any:
-        """Derivatives of outputs by keys of the case, at its equilibrium, which is solved again.
-
-        Parameters
-        ----------
-        of : sequence of str
-            outputs, as of `flexbearing.api.sensitivities`
-        by : sequence of str
-            keys; by default all continuous ones that the case states
-
-        Returns
-        -------
-        flexbearing.derivatives.table.Sensitivities
-
-        Raises
-        ------
-        BadCase, UnknownOutput, WrongUnit, NotSolved
-            as `flexbearing.api.sensitivities`
-        NotTheSameState
-            where the case leads to another equilibrium than that of this result, as after a start elsewhere
-        """
-        from flexbearing.results.differentiated import sensitivities
-
-        return sensitivities(self, of, by)
 
     def history(self, name: str) -> np.ndarray:
         """Stack a dataset over the iterations.

@@ -2,21 +2,19 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from fnmatch import fnmatchcase
 from math import isclose, pi
 from typing import Any
 
 from flexbearing.build.clearance import operating
 from flexbearing.case.declarations import Declaration, by_path, toml
+from flexbearing.case.key_ranges import FROM_ZERO, GRADED, THUMB, range_of
 from flexbearing.quantities.effects import CHOICE, COMPARISON, INPUT
 from flexbearing.runs.roller_counts import plausible_numbers
 
-Range = Callable[[float], tuple[float, ...]]  # of a value in SI units
-
-THUMB = "rule of thumb"
 LIMITING_RATIO = 0.05  # usual, where a law needs one
 CHOICES = "other choices of the key"
 EDGE_SLICES = 30  # that the edge stress of ISO/TS 16281 needs at least
+MOST_COUNTS = 5  # elements less and more
 FEW = 5  # choices of which all others are tried; of more the neighbours in their list
 STEELS, BODIES = ("100Cr6", "M50"), ("structural steel", "grey cast iron")
 MATERIALS = {"shaft": BODIES, "housing": BODIES}  # by parts; of all others bearing steels
@@ -40,60 +38,6 @@ class Plausible:
     role: str = INPUT
 
 
-def times(*factors: float) -> Range:
-    """A range by factors of the value."""
-    return lambda value: tuple(factor * value for factor in factors)
-
-
-def plus(*steps: float) -> Range:
-    """A range by steps from the value, in SI units."""
-    return lambda value: tuple(value + step for step in steps)
-
-
-def instead(*others: float) -> Range:
-    """A range of other values, in SI units."""
-    return lambda _: others
-
-
-# fmt: off
-RANGES: tuple[tuple[str, Range, str], ...] = (  # of keys that hold numbers, the first that fits
-    ("bearing.clearance", times(0.7, 1.3), "spread of class CN about its middle, ISO 5753-1"),
-    ("bearing.fits.cold_clearance", times(0.7, 1.3), "spread of class CN about its middle, ISO 5753-1"),
-    ("operation.temperatures.reference", plus(-5.0, 5.0), f"ISO 1 sets 20 degC; 5 K: {THUMB}"),
-    ("operation.temperatures.*", plus(-10.0, 10.0), THUMB),
-    ("lubricant.inlet_temperature", plus(-20.0, 20.0), THUMB),
-    ("lubricant.limiting_ratio", instead(0.03, 0.08), THUMB),
-    ("lubricant.oil_fraction", times(0.5, 2.0), THUMB),
-    ("bearing.cage.pocket_friction", instead(0.02, 0.1), THUMB),
-    ("bearing.cage.thickness", times(0.6, 1.4), THUMB),
-    ("bearing.cage.land_diameter", times(0.995, 1.005), THUMB),
-    ("bearing.cage.*", times(0.5, 2.0), THUMB),
-    ("bearing.roller.drop", times(0.5, 2.0), THUMB),
-    ("bearing.*.conformity", plus(-0.005, 0.005), THUMB),
-    ("bearing.balls", plus(-1, 1), "one less, one more"),
-    ("bearing.roller.length", times(0.9, 1.1), f"10 %: {THUMB}"),
-    ("bearing.outer_raceway_diameter", times(0.995, 1.005), f"0.5 %: {THUMB}"),
-    ("bearing.contact_angle", plus(-pi / 90, pi / 90), f"2 deg: {THUMB}"),
-    ("bearing.roughness.*", times(0.5, 2.0), THUMB),
-    ("friction.coefficient", times(0.5, 1.5), THUMB),
-    ("materials.*.youngs_modulus", times(0.97, 1.03), f"3 %: {THUMB}"),
-    ("materials.*.poisson_ratio", plus(-0.02, 0.02), THUMB),
-    ("materials.*.density", times(0.98, 1.02), f"2 %: {THUMB}"),
-    ("outer.bars", times(0.5, 1.5), THUMB),
-    ("outer.flange_length", times(0.5, 2.0), THUMB),
-    ("inner.track_width", times(0.9, 1.1), THUMB),
-    ("*", times(0.8, 1.25), f"a fifth less, a quarter more: {THUMB}"),
-)
-# fmt: on
-FROM_ZERO = {  # of keys that are zero, by their unit
-    "m": ("-5 um", "5 um"),
-    "rad": ("-1 arcmin", "1 arcmin"),
-    "rad/s": ("-1 rpm", "1 rpm"),
-    "N": ("-10 N", "10 N"),
-    "N m": ("-0.1 N m", "0.1 N m"),
-}  # fmt: skip
-
-
 def plausible(case: Any) -> Iterator[Plausible]:
     """What every assumed or calibrated key of a case might be instead, tolerances, rules and loads."""
     known = by_path(type(case))
@@ -105,6 +49,22 @@ def plausible(case: Any) -> Iterator[Plausible]:
     for path in marked:
         yield from _of_key(case, known, path)
     yield from (each for each in (*_choices(case), *_loads(case)) if each.key not in marked)
+
+
+def graded(case: Any, *, every: bool = False) -> Iterator[Plausible]:
+    """Other choices of keys whose choices are steps: the next ones, or `every` one from low to high."""
+    known = by_path(type(case))
+    for path in GRADED:
+        declared, value = known.get(path), _at(case, path)
+        if declared is None or value is None:
+            continue
+        if not every or (path in FURTHER and not declared.whole):
+            yield Plausible(path, *_others(case, declared, value), CHOICE)
+        elif declared.whole:
+            counts = range(max(value - MOST_COUNTS, 1), value + MOST_COUNTS + 1)
+            yield Plausible(path, tuple(_set(path, count) for count in counts), CHOICES, CHOICE)
+        else:
+            yield Plausible(path, tuple(_set(path, each) for each in declared.choices), CHOICES, CHOICE)
 
 
 def _choices(case: Any) -> Iterator[Plausible]:
@@ -181,9 +141,10 @@ def _others(case: Any, declared: Declaration, value: Any) -> tuple[tuple[Other, 
         return (_set(path, half),), "half a pitch, the farthest that there is"
     if declared.kind is None and not declared.number:
         return (), "a text, for which no others are known"
-    if value == 0 and (steps := FROM_ZERO.get(declared.kind.unit if declared.kind else "")):
-        return tuple(_set(path, each) for each in steps), f"{steps[-1]} either way: {THUMB}"
-    change, source = next((change, why) for name, change, why in RANGES if fnmatchcase(path, name))
+    if value == 0 and (step := FROM_ZERO.get(declared.kind.unit if declared.kind else "")):
+        return tuple(_set(path, f"{sign}{step[1]}") for sign in ("-", "")), f"{step[1]} either way: {THUMB}"
+    known = range_of(path)
+    change, source = known.plausible, known.source
     if isinstance(value, list | tuple):
         changed = zip(*(change(each) for each in value), strict=True)
         return tuple(_set(path, [_written(declared, each) for each in row]) for row in changed), source

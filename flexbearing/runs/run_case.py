@@ -85,7 +85,7 @@ def effects(case: Head, family: Family, report: Report) -> dict[str, Any]:
     """What other values of assumed inputs make of a case, as `flexbearing.runs.assumed_effects` finds it."""
     from flexbearing.runs.assumed_effects import assumed_effects
 
-    read = _reader(case, family, _ratings(case, family))
+    read = reader(case, family, _ratings(case, family))
     return assumed_effects(case, read, lambda each: compared(each, family), report)
 
 
@@ -128,7 +128,7 @@ def _lives_compared(case: Head, family: Family, report: Report, notes: list[Any]
     report.stage("lives against those of a catalogue", None)
     try:
         lives = against_catalogue(
-            case, family.catalogue(), _reader(case, family), lambda each: compared(each, family)
+            case, family.catalogue(), reader(case, family), lambda each: compared(each, family)
         )
     except BadCase as problem:
         why = information("no-catalogue-life", f"no life of a catalogue to compare with: {problem}")
@@ -153,7 +153,7 @@ def _inputs_weighed(case: Head, family: Family, report: Report, notes: list[Any]
     return {"assumed_effects": found}
 
 
-def _reader(case: Head, family: Family, same: Sequence[str] = ()) -> Callable[[Sequence[str]], Head]:
+def reader(case: Head, family: Family, same: Sequence[str] = ()) -> Callable[[Sequence[str]], Head]:
     """Read the same case with further settings, before which some stand that are the same in all."""
     from flexbearing.case import understood
 

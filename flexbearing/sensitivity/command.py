@@ -76,7 +76,7 @@ def _differentiated(case: "Head", of: Sequence[str], by: Sequence[str]) -> "Sens
     from quasidynamic import NotSolved
 
     try:
-        with _listener() as report:
+        with listener() as report:
             return api.sensitivities(case, of, by, report)
     except (UnknownOutput, WrongUnit) as problem:
         raise BadCase(f"--of {problem}") from None
@@ -85,7 +85,7 @@ def _differentiated(case: "Head", of: Sequence[str], by: Sequence[str]) -> "Sens
         raise typer.Exit(NOT_CONVERGED) from None
 
 
-def _listener() -> "Logged | OnTerminal":
+def listener() -> "Logged | OnTerminal":
     """Shows beside the output how far the derivatives are: bars on a terminal, else lines."""
     from flexbearing.printable import printable
     from flexbearing.progress import Logged, OnTerminal

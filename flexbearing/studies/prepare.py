@@ -16,6 +16,7 @@ from flexbearing.files import require_folder_name
 from flexbearing.program.threads import limited_to
 from flexbearing.program.workers import shared_map
 from flexbearing.studies.file import Study, read
+from flexbearing.studies.file.read import Source
 from flexbearing.studies.plan import Impossible, Plan, Variant, plan
 from flexbearing.studies.plan.identity import identity
 from flexbearing.studies.plan.task import Base, Values
@@ -32,15 +33,17 @@ TellChecked = Callable[[int, int], None]
 LONGEST = 500  # characters of what is wrong with a variant
 
 
-def prepared(file: str | Path, tell: TellChecked = lambda done, total: None) -> Prepared:
-    """Read a study and settle what it computes.
+def prepared(
+    source: Source, tell: TellChecked = lambda done, total: None, case: Head | None = None
+) -> Prepared:
+    """Read a study, from its file or as a dictionary, and settle what it computes.
 
     Raises
     ------
     BadCase
         one line for each problem of the study file, or of the case that its variants are made of
     """
-    return settle(read(file, FAMILIES), tell, bounded=True)
+    return settle(read(source, FAMILIES, case), tell, bounded=True)
 
 
 def settle(study: Study, tell: TellChecked = lambda done, total: None, *, bounded: bool = False) -> Prepared:

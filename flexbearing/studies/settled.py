@@ -200,4 +200,4 @@ class Prepared:
 @lru_cache(maxsize=4)
 def variants_of(base: Base) -> Variants:
     """Cases of a study, whose file is parsed once."""
-    return Variants(base.path, base.text, base.keys, FAMILIES)
+    return Variants(base.path, base.text, base.keys, FAMILIES, base.settings)

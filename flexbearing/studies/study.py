@@ -5,12 +5,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from flexbearing.case import Head
+    from flexbearing.studies.file.read import Source
     from flexbearing.studies.settled import Progress
     from flexbearing.studies.table import Table
 
 
 def study(  # noqa: PLR0913  # an argument for each option
-    file: str | Path,
+    source: "Source",
     output: str | Path = "results",
     *,
     jobs: int | None = None,
@@ -20,14 +22,15 @@ def study(  # noqa: PLR0913  # an argument for each option
     retry_failed: bool = False,
     tell: "Callable[[Progress], None]" = lambda progress: None,
 ) -> "Table":
-    """Compute the variants of a study file.
+    """Compute the variants of a study.
 
     Rows that a former call with the same folder finished are taken from there.
 
     Parameters
     ----------
-    file : path
-        study file
+    source : path or mapping
+        study file, or the same as a dictionary: {"case": "x.toml", "over": {...}}; its case may be a
+        `flexbearing.Case`
     output : path
         folder of the table and of what is finished so far
     jobs : int, optional
@@ -68,5 +71,10 @@ def study(  # noqa: PLR0913  # an argument for each option
 
     where = Where(jobs, scheduler, None if slurm is None else Path(slurm), tuple(map(Path, tls)))
     with limited_to(jobs):
-        settled = prepared(file)
+        settled = prepared(source, case=_case(source))
     return compute(settled, Path(output), where, retry_failed=retry_failed, tell=tell)
+
+
+def _case(source: "Source") -> "Head | None":
+    """What a `flexbearing.Case` of a dictionary holds; None of a path."""
+    return None if isinstance(source, str | Path) else getattr(source.get("case"), "head", None)

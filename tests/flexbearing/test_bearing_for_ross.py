@@ -80,6 +80,18 @@ def test_stiffness_that_holds_no_rotor_is_refused(tmp_path):
         ross.read(file)
 
 
+def test_a_result_becomes_a_bearing_of_one_speed_that_says_whether_supports_are_inside(tmp_path):
+    beam = {"inner.kind": "rigid", "outer.kind": "ring", "accuracy.structure": "beam"}
+    result = flexbearing.run(CONFIGS / "mao2016.toml", beam)
+    (path,) = ross.export(result, tmp_path)
+    element = tomllib.loads(path.read_text())["BearingElement_mao2016"]
+    assert element["kyy"] == result["total_stiffness_zz [N/m]"].number
+    assert element["kxy"] == -result["total_stiffness_yz [N/m]"].number
+    assert "outer ring (ring)" in path.read_text().splitlines()[0]
+    (path,) = ross.export(flexbearing.run(CONFIGS / "6209.toml"), tmp_path)
+    assert "rigid" in path.read_text().splitlines()[0]
+
+
 WRONG = {
     "four speeds": ({"speeds": SPEEDS[:4]}, "4 speeds"),
     "a speed twice": ({"speeds": (*SPEEDS, 1000)}, "a speed twice"),

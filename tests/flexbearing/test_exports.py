@@ -116,7 +116,6 @@ WRONG = {
     "another form": (["--to", "pdf"], "one of csv, vtu, netcdf"),
     "a part of tables": (["--to", "csv", "--part", "outer"], "belongs to --to vtu"),
     "a state of tables": (["--to", "netcdf", "--state", "rigid"], "belongs to --to vtu"),
-    "ROSS of a result": (["--to", "ross"], "no table of a study"),
 }
 
 

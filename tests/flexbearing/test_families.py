@@ -107,7 +107,7 @@ def file(tmp_path, monkeypatch):
 
 def test_new_family_is_read_checked_run_and_shown(file):
     assert api.read_case(file, ["load=3 kN"]).load == 3000.0
-    assert flexbearing.check(file).bushing.width == 0.01
+    assert flexbearing.api.check(file).bushing.width == 0.01
     result = flexbearing.run(file, output="toy.h5")
     assert result.attributes["status"] == "converged"
     assert flexbearing.read(result.path).rigid["pressure"] == pytest.approx(1e7, rel=1e-15)
@@ -125,7 +125,7 @@ def test_new_family_is_explained_and_named_where_keys_are_refused(file):
     with pytest.raises(BadCase, match='belongs to kind = "cylindrical_roller"'):
         flexbearing.api.read_case(file, ["bearing.rollers=5"])
     with pytest.raises(BadCase, match="is a pipe"):
-        flexbearing.check(file, ["bushing.width=1 m"])
+        flexbearing.api.check(file, ["bushing.width=1 m"])
     with pytest.raises(BadCase, match="starts from no other result"):
         flexbearing.run(file, start=flexbearing.run(file))
 

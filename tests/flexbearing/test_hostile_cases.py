@@ -22,7 +22,7 @@ LONGEST_LINE = 700  # characters: a key, a value, what is allowed, the keys of a
 def refusal(file, settings=()):
     """What is said of a case; red for any other exception, and for a case that is taken."""
     with pytest.raises(BadCase) as problem:
-        flexbearing.check(file, settings)
+        flexbearing.api.check(file, settings)
     return str(problem.value)
 
 
@@ -244,7 +244,7 @@ PLACES = [(name, place) for name, case in CASES.items() for place in places(case
 
 def ends_well_or_is_refused(file, settings=()):
     try:
-        assert flexbearing.check(file, settings).title is not None
+        assert flexbearing.api.check(file, settings).title is not None
     except BadCase as problem:
         require_short(str(problem))
 

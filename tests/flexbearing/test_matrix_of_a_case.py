@@ -51,12 +51,12 @@ def test_springs_as_a_matrix_load_the_rollers_as_a_foundation(on_matrix):
 
 
 def test_units_of_the_files_are_those_of_the_case():
-    part = outer_part(flexbearing.check(PAPER, COARSE | MATRIX))
+    part = outer_part(flexbearing.api.check(PAPER, COARSE | MATRIX))
     newtons = part.support.stiffness  # pyright: ignore[reportOptionalMemberAccess, reportAttributeAccessIssue]
     assert np.abs(part.support.places[:, 1:]).max() == approx(42.5e-3, rel=1e-9)  # pyright: ignore
     area = 2 * np.pi * 42.5e-3 * 12e-3
     assert newtons[::3, ::3].sum() == approx(1e12 * area, rel=1e-8)
-    kilo = outer_part(flexbearing.check(PAPER, COARSE | MATRIX | {"outer.force_unit": "1 kN"}))
+    kilo = outer_part(flexbearing.api.check(PAPER, COARSE | MATRIX | {"outer.force_unit": "1 kN"}))
     assert_allclose(kilo.support.stiffness, 1e3 * newtons, rtol=1e-12)  # pyright: ignore
 
 
@@ -75,7 +75,7 @@ def test_mesh_with_other_axes_is_the_same_body(tmp_path):
         "outer.zenith": "y", "outer.centre_x": "0 mm", "outer.centre_z": "3 mm",
     }  # fmt: skip
     one, other = (
-        outer_part(flexbearing.check(PAPER, COARSE | MATRIX | more)).support  # pyright: ignore
+        outer_part(flexbearing.api.check(PAPER, COARSE | MATRIX | more)).support  # pyright: ignore
         for more in ({}, turned)
     )
     assert_allclose(other.places, one.places, rtol=0, atol=1e-12)
@@ -100,7 +100,7 @@ WRONG = {
 @pytest.mark.parametrize(("changes", "complaint"), WRONG.values(), ids=WRONG)
 def test_matrices_that_carry_no_ring_are_refused(changes, complaint):
     with pytest.raises(BadCase, match=complaint):
-        flexbearing.check(PAPER, COARSE | MATRIX | changes)
+        flexbearing.api.check(PAPER, COARSE | MATRIX | changes)
 
 
 def turned(folder, change):
@@ -119,13 +119,13 @@ INDEFINITE = {
 
 def test_the_name_of_a_file_begins_its_problem_once(tmp_path):
     with pytest.raises(BadCase, match=r"(?<!mtx: )k.mtx: '1.5e' is no number"):
-        flexbearing.check(PAPER, turned(tmp_path, lambda row: "1.5e"))
+        flexbearing.api.check(PAPER, turned(tmp_path, lambda row: "1.5e"))
 
 
 @pytest.mark.parametrize("change", INDEFINITE.values(), ids=INDEFINITE)
 def test_indefinite_matrices_are_refused_with_their_eigenvalues(change, tmp_path):
     with pytest.raises(BadCase, match=r"k.mtx: the stiffness of the seat is indefinite.* from -[0-9.e+]+ to"):
-        flexbearing.check(PAPER, turned(tmp_path, change))
+        flexbearing.api.check(PAPER, turned(tmp_path, change))
 
 
 def codes(case):
@@ -144,8 +144,8 @@ def test_the_note_on_a_matrix_tells_its_eigenvalues_and_what_holds_it(on_matrix)
 def test_a_body_that_rounding_may_hold_is_noted(tmp_path):
     """Springs along x that nearly vanish."""
     soft = turned(tmp_path, lambda row: 1e-7 * float(row[4]) if row[1] == row[3] == "1" else row[4])
-    assert "loose-matrix" in codes(flexbearing.check(PAPER, soft))
-    assert "loose-matrix" not in codes(flexbearing.check(PAPER, COARSE | MATRIX))
+    assert "loose-matrix" in codes(flexbearing.api.check(PAPER, soft))
+    assert "loose-matrix" not in codes(flexbearing.api.check(PAPER, COARSE | MATRIX))
 
 
 def test_body_without_a_solid_has_no_fields(on_matrix, capsys):
@@ -196,7 +196,7 @@ def test_housing_of_calculix_carries_the_ring_as_one_of_ours(tmp_path):
     if shutil.which("ccx") is None:
         pytest.skip("CalculiX is not installed: the Debian package calculix-ccx has it")
     tube(tmp_path / "housing.inp", 42.5, 52.5, 12.0, (4, 72, 6))
-    steel = flexbearing.check(PAPER, COARSE | MATRIX).materials.outer_ring
+    steel = flexbearing.api.check(PAPER, COARSE | MATRIX).materials.outer_ring
     (tmp_path / "deck.inp").write_text(
         DECK.format(youngs_modulus=1e-6 * steel.youngs_modulus, poisson_ratio=steel.poisson_ratio) + STORED
     )

@@ -396,7 +396,7 @@ def test_an_existing_file_is_kept(unweighed, tmp_path):
         new(file, "cylindrical_roller", NU210)
     assert file.read_text() == "mine"
     new(file, "cylindrical_roller", NU210, force=True)
-    assert flexbearing.check(file)
+    assert flexbearing.api.check(file)
 
 
 def test_squirrel_cage_is_a_case(write, tmp_path):
@@ -404,7 +404,7 @@ def test_squirrel_cage_is_a_case(write, tmp_path):
     assert case["outer"]["kind"] == "squirrel_cage"
     assert case["outer"]["thickness"] == "4.25 mm"
     assert {"outer.bars", "outer.bar_width", "outer.bar_length", "operation.tilt"} < set(case["assumed"])
-    assert flexbearing.check(tmp_path / "case.toml").outer.bars == 24
+    assert flexbearing.api.check(tmp_path / "case.toml").outer.bars == 24
 
 
 def test_questions_are_asked_until_they_are_answered(monkeypatch, capsys):
@@ -441,7 +441,7 @@ def balls(tmp_path, unweighed):
     def written(like, page, **options):
         file = tmp_path / "case.toml"
         new(file, like, page | options, force=True)
-        assert flexbearing.check(file).kind == like
+        assert flexbearing.api.check(file).kind == like
         return tomllib.loads(file.read_text())
 
     return written
@@ -554,7 +554,7 @@ def test_impossible_balls_are_told(options, message, tmp_path):
 def test_words_of_the_user_stay_in_their_comment(unweighed, tmp_path):
     file = tmp_path / "a case.toml"
     new(file, "cylindrical_roller", NU210, title='The "first"', source='page 5\ntitle = "no"')
-    assert flexbearing.check(file).title == 'The "first"'
+    assert flexbearing.api.check(file).title == 'The "first"'
     assert header(file)[1:3] == ["a case.toml", "--like"]
     assert header(file)[-1] == 'page 5 title = "no"'
 

@@ -118,7 +118,7 @@ USES = {
             f"best.toml q.csv {PAPER}",
         ),
     ),
-    **dict.fromkeys(("check", "life", "summary", "diff", "explain"), ()),  # write nothing
+    **dict.fromkeys(("check", "life", "goal", "summary", "diff", "explain"), ()),  # write nothing
     **dict.fromkeys(("cache list", "cache clear", "cache path"), ()),
 }
 LINKS = {"symbolic link": Path.symlink_to, "hard link": Path.hardlink_to}

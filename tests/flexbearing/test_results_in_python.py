@@ -89,7 +89,7 @@ def test_xarray_selects_by_race_and_iteration():
 
 
 def test_the_package_offers_little_and_loads_nothing():
-    offered = {"run", "read", "study", "check", "explain", "__version__"}
+    offered = {"Case", "new", "run", "read", "study", "explain", "__version__"}
     exceptions = set(dir(flexbearing)) - offered
     assert offered <= set(dir(flexbearing))
     assert all(issubclass(getattr(flexbearing, name), Exception) for name in exceptions)

@@ -194,7 +194,7 @@ def test_bearing_comes_back_as_a_case(catalogue, tmp_path, monkeypatch):
     back = tmp_path / "back.toml"
     assert command(["new", str(back), "--from-rexs", str(catalogue[1]), "--width", "18 mm"]) == 0
     after = tomllib.loads(back.read_text())
-    one, other = (flexbearing.check(path) for path in (CASE, back))
+    one, other = (flexbearing.api.check(path) for path in (CASE, back))
     assert other.bearing.rollers == one.bearing.rollers
     assert other.bearing.outer_raceway_diameter == approx(one.bearing.outer_raceway_diameter, rel=1e-12)
     for name in ("diameter", "length", "profile"):

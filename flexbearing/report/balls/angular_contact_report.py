@@ -21,4 +21,6 @@ ELEMENTS = Elements(
         "semi-axis along rolling": ("semi_axis_along",),
     },
 )
-REPORT = FamilyReport(page, pictures, elements=ELEMENTS, balls=balls, drawings=of_fast_balls)
+REPORT = FamilyReport(
+    page, pictures, elements=ELEMENTS, balls=balls, short={"loads": "ball_loads"}, drawings=of_fast_balls
+)

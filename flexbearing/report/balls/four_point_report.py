@@ -20,4 +20,6 @@ ELEMENTS = Elements(
         "semi-axis along rolling": ("semi_axis_along",),
     },
 )
-REPORT = FamilyReport(page, pictures, elements=ELEMENTS, balls=balls, drawings=of_slow_balls)
+REPORT = FamilyReport(
+    page, pictures, elements=ELEMENTS, balls=balls, short={"loads": "ball_loads"}, drawings=of_slow_balls
+)

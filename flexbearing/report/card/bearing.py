@@ -6,7 +6,7 @@ from flexbearing.findings.strength import CONTACT_PRESSURE
 from flexbearing.outputs import outputs
 from flexbearing.report.card.card import Item
 from flexbearing.report.card.judged import kind, short
-from flexbearing.report.html import against_limits, clearance, lubrication, stiffness as supports, verdict
+from flexbearing.report.html import against_limits, clearance, lubrication, stiffness as supports
 from flexbearing.report.html.check import used
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.elements import most_loaded
@@ -63,10 +63,8 @@ def _stiffness(reader: Reader) -> Iterator[Item]:
     name, label = ("stiffness",) * 2 if "stiffness" in known else ("stiffness_zz", "stiffness along z")
     if name not in known or not all(each in block for each in known[name].declared.of):
         return
-    both = verdict.scalar(reader, known["total_stiffness"]) if supports.supported(reader) else None
-    yield Item(
-        label, verdict.scalar(reader, known[name]), remark=f"{both.text} with supports" if both else ""
-    )
+    both = reader.scalar(known["total_stiffness"]) if supports.supported(reader) else None
+    yield Item(label, reader.scalar(known[name]), remark=f"{both.text} with supports" if both else "")
 
 
 def rigid(reader: Reader) -> Iterator[Item]:

@@ -10,7 +10,6 @@ from flexbearing.report.html.check import text_of
 from flexbearing.report.html.document import Block, Cell, Figure, Items, Number, Table, Words
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import printed, units_in_words, with_unit
-from flexbearing.report.html.verdict import scalar
 
 DIAGONAL = "diagonal_clearance"
 
@@ -78,7 +77,7 @@ def blocks(reader: Reader) -> Iterator[Block]:
 def along_diagonal(reader: Reader) -> Number | None:
     """Free way of a ball between four contacts; None for other bearings."""
     declared = next((each for each in outputs(reader.layout) if each.name == DIAGONAL), None)
-    return None if declared is None else scalar(reader, declared)
+    return None if declared is None else reader.scalar(declared)
 
 
 def which(reader: Reader) -> tuple[str, ...]:

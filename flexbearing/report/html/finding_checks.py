@@ -29,6 +29,8 @@ def checks(reader: Reader) -> Iterator[Check]:
     groups: dict[tuple[str, str], list[dict[str, Any]]] = {}
     for number, record in enumerate(reader.attributes.get("findings") or ()):
         numbered = {**record, "at": f"findings/{number}"}
+        if of_code(record["code"], record["grade"]).of_model and record["verdict"] != NOT_MET:
+            continue
         groups.setdefault((record["code"], record["place"]), []).append(numbered)
     for records in groups.values():
         yield _explained(reader, records[0]["code"], _check(reader, records))

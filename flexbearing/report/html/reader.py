@@ -196,6 +196,15 @@ class Reader:
             value = value[int(step)] if isinstance(value, list | tuple) else value[step]
         return self.units.number(value, stored, people, digits, f"attributes/{path}")
 
+    def scalar(self, output: Any) -> Number:
+        """A main output of the last end state."""
+        unit = unit_of(output.declared).name
+        si = self.layout[output.declared.of[0]].unit if output.declared.in_si else unit
+        asked = f"{self.last}.{output.name}"
+        shown = "kN/mm" if unit == "N/m" else unit
+        value = float(self.result[asked].number)
+        return self.units.number(value, si, shown, output.declared.digits or ",.4g", f"outputs/{asked}")
+
     def change(self, before: str, after: str) -> Number | str:
         """Change from one place of the summary to another in percent; empty where it means nothing."""
         one, other = self._at(before), self._at(after)

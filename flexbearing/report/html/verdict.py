@@ -19,7 +19,6 @@ from flexbearing.report.html import (
 from flexbearing.report.html.document import Block, Cell, Items, Number, Table, Words
 from flexbearing.report.html.reader import OUTSIDE, Reader
 from flexbearing.report.html.units import NOTHING, printed
-from flexbearing.report.rows import unit_of
 
 ALONE = "stiffness"  # output of the bearing without its supports
 
@@ -91,7 +90,7 @@ def _rows(reader: Reader) -> Iterator[tuple[tuple[Cell, ...], str]]:
         output, block = known[name], reader.blocks[reader.last]
         same = name == ALONE and not stiffness.supported(reader)  # as total_stiffness
         if name != "life_L10" and not same and all(each in block for each in output.declared.of):
-            number = scalar(reader, output)
+            number = reader.scalar(output)
             label = _label(reader, name) or ", ".join([output.declared.label.strip(), *name.split(".")[1:]])
             error = exactness.error(reader, output.declared)
             yield (label, number, printed(number.unit), error), words.get(name, "")
@@ -110,14 +109,3 @@ def _label(reader: Reader, name: str) -> str:
     along = "radial stiffness along z" if name == "stiffness_zz" else "radial stiffness along the load"
     supports = name != ALONE and stiffness.supported(reader)
     return f"{along}, {'with supports' if supports else 'of the bearing alone'}"
-
-
-def scalar(reader: Reader, output: Any) -> Number:
-    """A main output of the last end state."""
-    unit = unit_of(output.declared).name
-    si = reader.layout[output.declared.of[0]].unit if output.declared.in_si else unit
-    asked = f"{reader.last}.{output.name}"
-    shown = "kN/mm" if unit == "N/m" else unit
-    return reader.units.number(
-        float(reader.result[asked].number), si, shown, output.declared.digits or ",.4g", f"outputs/{asked}"
-    )

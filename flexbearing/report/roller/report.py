@@ -38,4 +38,5 @@ ELEMENTS = Elements(
         "outer_slice_load": ("Load per length of the outer contacts", "kN/m"),
     },
 )
-REPORT = FamilyReport(page, pictures, elements=ELEMENTS, deformed=True, drawings=of_rollers)
+SHORT = {"loads": "roller_loads", "pressure": "pressure_along", "deviation": "raceway_deviation"}
+REPORT = FamilyReport(page, pictures, elements=ELEMENTS, deformed=True, short=SHORT, drawings=of_rollers)

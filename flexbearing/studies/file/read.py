@@ -16,7 +16,7 @@ from flexbearing.case.family import Families
 from flexbearing.case.file_keys import next_to, value_at
 from flexbearing.case.head import Head
 from flexbearing.case.problems import BadCase, messages, nearest
-from flexbearing.case.read import LONGEST_NAME, model_of
+from flexbearing.case.read import LONGEST_NAME, model_of, written
 from flexbearing.case.text import LARGEST, Unreadable, tables
 from flexbearing.studies.file.axes import Axis, axes, require_crossable
 from flexbearing.studies.file.sampled import Drawn, sampled
@@ -25,6 +25,7 @@ from flexbearing.studies.file.spectrum import Spectrum, spectrum
 from flexbearing.studies.file.values import BadValues
 
 _PLAIN_NAME = re.compile(r"[^./\\\x00-\x1f\x7f][^/\\\x00-\x1f\x7f]{0,99}")
+Source = str | Path | Mapping[str, Any]  # of a study: its file, or the same as a dictionary
 ENDS = "status", "message", "seconds"  # columns that every table has
 _COLUMN = re.compile(rf"(?!(?:{'|'.join(ENDS)})$)[\w.]{{1,100}}")
 
@@ -53,6 +54,7 @@ class Study:
     drawn: Drawn | None = None  # distributions of the axis "variant"
     spectrum: Spectrum | None = None  # weights of the axis "duty", which is the last one
     plot: PlotTable | None = None  # what is drawn
+    settings: tuple[str, ...] = ()  # "key=value" of every variant
     full: bool = False  # whether every variant has a result file
     final: bool = False  # without iterations
 
@@ -66,47 +68,52 @@ class Study:
         return replace(self, inputs=(*self.inputs, *files))
 
 
-def read(path: str | Path, families: Families) -> Study:
-    """Read a study file and the text of its case.
+def read(source: Source, families: Families, case: Head | None = None) -> Study:
+    """Read a study, from its file or as a dictionary, and the text of its case unless that is given.
 
     Raises
     ------
     BadCase
         one line for each problem: file, key, value found, what is allowed, nearest valid name
     """
-    file = Path(path)
-    raw = flat_tables(file, "study", ("over", "sample", "duty"))
-    given = _validated(raw, file)
+    raw, file = flat_tables(source, "study", ("over", "sample", "duty", "set"))
+    given = _validated(raw if case is None else {**raw, "case": case.source.path}, file)
     if not (given.over or given.sample or given.duty):
         name = excerpt(file.name, LONGEST_NAME)
         raise BadCase(f"{name}: [over], [sample] and [duty] are missing; a study has one of them.")
-    return study_of(given, file, families)
+    return study_of(given, file, families, case)
 
 
-def study_of(given: StudyFile, file: Path, families: Families) -> Study:
-    """A study from the keys of its file, with the text of its case.
+def study_of(given: StudyFile, file: Path, families: Families, of: Head | None = None) -> Study:
+    """A study from the keys of its file, with the text of its case, or `of` a case that was read.
 
     Raises
     ------
     BadCase
         as `read`
     """
-    case = file.parent / given.case
-    stated = _tables(case, "case")
-    model = model_of(stated, (), excerpt(case.name, LONGEST_NAME), families)
-    found, drawn, weights = _axes(given, file, partial(declared, model=model, families=families))
+    case = file.parent / given.case if of is None else Path(of.source.path)
+    text = _text(case) if of is None else of.source.text
+    stated = _parsed(text, case, "case")
+    fixed = given.set.model_extra or {}
+    settings = (*(of.source.overrides if of else ()), *written(fixed))
+    model = model_of(stated, settings, excerpt(case.name, LONGEST_NAME), families)
+    find = partial(declared, model=model, families=families)
+    found, drawn, weights = _axes(given, file, find)
+    _require_apart(fixed, found, file, find)
     return Study(
         path=file,
         name=_name(given, file),
         case=case,
-        text=_text(case),
+        text=text,
         kind=next(kind for kind, family in families.items() if family.case() is model),
         inputs=(
-            file,
+            *((file,) if file.suffix else ()),
             case,
             *(file.parent / table.file for table in (given.over, given.duty) if table and table.file),
             *([file.parent / given.duty.series] if given.duty and given.duty.series else []),
             *next_to(case, _file_names(stated, found, model)),
+            *next_to(case, (value for key, value in fixed.items() if key in model.file_keys)),
         ),
         axes=found,
         collect=_collected(given.collect, file),
@@ -114,9 +121,24 @@ def study_of(given: StudyFile, file: Path, families: Families) -> Study:
         drawn=drawn,
         spectrum=weights,
         plot=given.plot,
+        settings=settings,
         full=given.results != "table",
         final=given.results == "final",
     )
+
+
+def _require_apart(
+    fixed: Mapping[str, Any], found: Iterable[Axis], file: Path, find: Callable[[str], Declaration]
+) -> None:
+    """Refuse a key of [set] that is none, or varies."""
+    varied = {key for axis in found for key in axis.keys}
+    try:
+        for key in fixed:
+            find(key)
+            if key in varied:
+                raise BadValues(f"{key} is varied, too")
+    except BadValues as problem:
+        raise BadCase(f"{excerpt(file.name, LONGEST_NAME)}: [set] {problem}") from None
 
 
 def _file_names(stated: dict[str, Any], found: Iterable[Axis], model: type[Head]) -> Iterator[Any]:
@@ -144,9 +166,9 @@ def declared(key: str, model: type[Head], families: Families) -> Declaration:
     return declaration
 
 
-def _tables(file: Path, of: str) -> dict[str, Any]:
+def _parsed(text: str, file: Path, of: str) -> dict[str, Any]:
     try:
-        return tables(_text(file), of)
+        return tables(text, of)
     except Unreadable as problem:
         raise BadCase(f"{excerpt(file.name, LONGEST_NAME)}: {problem}") from problem
 
@@ -158,19 +180,23 @@ def _text(file: Path) -> str:
         raise BadCase(f"{excerpt(str(file), LONGEST_NAME)}: {problem}") from problem
 
 
-def flat_tables(file: Path, of: str, names: Collection[str]) -> dict[str, Any]:
-    """Tables of a file; in those of some names the keys have dots, as quoted ones do.
+def flat_tables(source: Source, of: str, names: Collection[str]) -> tuple[dict[str, Any], Path]:
+    """Tables of a file or a dictionary, and its name; in those of some names the keys have dots.
 
     Raises
     ------
     BadCase
         where it cannot be read
     """
-    raw = _tables(file, of)
+    if isinstance(source, Mapping):
+        raw, file = dict(source), Path(of)
+    else:
+        file = Path(source)
+        raw = _parsed(_text(file), file, of)
     for name in names:
         if isinstance(raw.get(name), dict):
             raw[name] = dict(_dotted(raw[name], ""))
-    return raw
+    return raw, file
 
 
 def _dotted(table: Mapping[str, Any], prefix: str) -> list[tuple[str, Any]]:

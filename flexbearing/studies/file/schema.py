@@ -9,6 +9,12 @@ from flexbearing.case.quantity import Section, key
 from flexbearing.sampling.design import Method
 
 
+class Keys(Section):
+    """Keys of the case; every name in the table is one."""
+
+    model_config = ConfigDict(extra="allow")
+
+
 class Over(Section):
     """Keys of the case and the values that they take; every other name in the table is such a key."""
 
@@ -135,6 +141,7 @@ class StudyFile(Section):
         "the same without iterations; they are computed one by one then",
         "table",
     )
+    set: Keys = key("settings of every variant that differ from the case file, key by key", {})
     over: Over | None = key("keys that are varied, each over a list, a range or a single value", None)
     sample: Sample | None = key("keys that are drawn from distributions", None)
     duty: Duty | None = key(

@@ -21,6 +21,7 @@ RANGE = 'a range is "FROM .. TO, COUNT", such as "2.9 mm .. 5.1 mm, 6", or "log 
 _RANGE = re.compile(
     r"\s*(?P<log>log\s)?\s*(?P<first>.+?)\s*\.\.\s*(?P<last>.+?)\s*,\s*(?P<count>[0-9]{1,7})\s*"
 )
+_NUMBER = re.compile(r"[+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?")
 
 
 class BadValues(ValueError):
@@ -90,6 +91,8 @@ def ends(first: str, last: str, declaration: Declaration) -> tuple[tuple[float, 
     kind = declaration.kind
     if kind is None:
         return (_plain(first), _plain(last)), ""
+    if _NUMBER.fullmatch(first.strip()):  # "3 .. 14 mm"
+        first = f"{first.strip()} {kind.split(last)[1]}"
     in_si = in_si_units(first, kind), in_si_units(last, kind)
     (one, unit), (other, unit_of_last) = kind.split(first), kind.split(last)
     return ((one, other), unit) if unit and unit == unit_of_last else (in_si, kind.unit)

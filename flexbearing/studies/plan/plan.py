@@ -152,7 +152,7 @@ def plan(
 ) -> Plan:
     """Settle what a study computes."""
     base, rows = (
-        Base(study.case.resolve(), study.text, study.keys),
+        Base(study.case.resolve(), study.text, study.keys, study.settings),
         Crossed(tuple(axis.rows for axis in study.axes)),
     )
     variants, problems = CheckedVariants(rows), list[Problem]()

@@ -21,6 +21,7 @@ class Base:
     path: Path
     text: str
     keys: tuple[str, ...]  # that vary
+    settings: tuple[str, ...] = ()  # "key=value" of every variant
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,16 +3,48 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
+from flexbearing.case import BadCase
+from flexbearing.studies.file import Axis
+from flexbearing.studies.file.read import ENDS
 from flexbearing.studies.table.column import Column
 from flexbearing.studies.table.marks import Mark
-from flexbearing.studies.table.table import Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from flexbearing.report.studies.lines_figure import Line, Printed
+
+MOST = 6  # outputs that are drawn without being named
+
+
+class Table(Protocol):
+    """What is drawn of a `flexbearing.studies.table.Table`."""
+
+    @property
+    def name(self) -> str:
+        """Of the study."""
+        ...
+
+    @property
+    def columns(self) -> tuple[Column, ...]:
+        """Keys and outputs."""
+        ...
+
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """Crossed keys."""
+        ...
+
+    @property
+    def arrays(self) -> tuple[Column, ...]:
+        """Outputs roller by roller."""
+        ...
+
+    def __getitem__(self, heading: str) -> Column: ...
+
+    def __len__(self) -> int: ...
 
 
 @dataclass(frozen=True)
@@ -24,6 +56,23 @@ class Plot:
     y: tuple[str, ...]
     rigid: tuple[str | None, ...]  # the same between rigid raceways
     marks: tuple[Mark, ...] = ()
+
+
+def drawn_over_first_key(table: Table, outputs: Sequence[str]) -> "Figure":
+    """Draw outputs over the first key that varies, without names the first ones.
+
+    Raises
+    ------
+    BadCase
+        where no key varies
+    """
+    varied = [column.name for column in table.columns if column.varied and len({*column.values}) > 1]
+    named = [table[output].name for output in outputs] or [
+        column.name for column in table.columns if not column.varied and column.name not in ENDS
+    ][:MOST]
+    if not varied:
+        raise BadCase(f"{table.name}: no key varies, so there is nothing to draw outputs over.")
+    return draw(table, Plot(varied[0], None, tuple(named), (None,) * len(named)))
 
 
 def draw(table: Table, plot: Plot) -> "Figure":

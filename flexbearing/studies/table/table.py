@@ -10,6 +10,7 @@ from flexbearing.studies.table.column import Column
 if TYPE_CHECKING:
     import pandas
     import xarray
+    from matplotlib.figure import Figure
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,12 @@ class Table:
         from flexbearing.studies.table.arrays import dataset
 
         return dataset(self.name, self.columns, self.axes, self.arrays)
+
+    def plot(self, *outputs: str) -> "Figure":
+        """Draw outputs over the first key, a line for each value of the others; the first ones by default."""
+        from flexbearing.studies.table.plot import drawn_over_first_key
+
+        return drawn_over_first_key(self, outputs)
 
     @property
     def failed(self) -> int:
