@@ -123,11 +123,13 @@ def compute(
     start: "str | Path | Result | None" = None,
     levels: "Levels | None" = None,
     compared: bool = False,
+    search: bool = True,
 ) -> "Result":
     """Compute a case that was read before; everything else as for `run`.
 
     A roller case with a target takes the `levels` that it shares with others, where they are given. One
-    whose numbers alone are `compared` with those of others is solved without a search for other equilibria.
+    whose numbers alone are `compared` with those of others is solved without a search for other equilibria;
+    without `search` a note says where others are likely.
     """
     from flexbearing.families import FAMILIES
     from flexbearing.runs.run_case import compared as solved_to_compare, run_case
@@ -135,7 +137,8 @@ def compute(
     if compared:
         return solved_to_compare(case, FAMILIES[case.kind])
     near = read(start) if isinstance(start, str | Path) else start
-    return run_case(case, FAMILIES[case.kind], output, report, near, levels)
+    others = "searched" if search else "reported"
+    return run_case(case, FAMILIES[case.kind], output, report, near, levels, others)
 
 
 def against_catalogue(case: str | Path, overrides: Overrides = ()) -> dict[str, Any]:

@@ -103,7 +103,7 @@ def of_solution(rows: SolvedRows) -> tuple[Note, ...]:
     )
 
 
-def of_others(rows: SolvedRows, place: int, *, search: bool) -> tuple[Note, ...]:
+def of_others(rows: SolvedRows, place: int, *, search: bool = False) -> tuple[Note, ...]:
     """Other equilibria of a case that likely has some: those that are found, or that nobody searched."""
     if not search:
         words = "several equilibria are likely; others than the computed one were not searched"

@@ -177,7 +177,7 @@ def _passage(
 ) -> dict[str, object]:
     """Other positions of the rollers where the case requires them, or a note where they matter to people."""
     if case.operation.roller_positions is None:
-        if not postprocessing.record.compared:
+        if postprocessing.record.others != "left out":
             postprocessing.notes.extend(roller_position.notes(case, model, rings, end))
         return {}
     from flexbearing.runs.passage import passage
