@@ -21,7 +21,6 @@ from flexbearing.results.checks import (
 )
 from flexbearing.results.result import NOTHING, Arrays, Result
 
-
 Others = Literal["searched", "reported", "left out"]
 
 

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 LONGEST = 80  # characters of the settings in the name of a result
 
 
-def run_case(
+def run_case(  # noqa: PLR0913  # what a run may be given besides its case
     case: Head,
     family: Family,
     output: str | Path | None = None,

@@ -184,7 +184,8 @@ def _answer(case: Head, wish: Wish, file: Path | None = None) -> Answer:
     """The answer of a run; that between rigid raceways where it does not converge."""
     try:
         output = None if wish.final else file
-        result = compute(case, output=output, levels=wish.levels, search=wish.search)
+        others = "searched" if wish.search else "reported"
+        result = compute(case, output=output, levels=wish.levels, others=others)
         if file is not None and wish.final:
             store(result.end_states, file, case.input_files)
     except BadCase as problem:

@@ -11,8 +11,7 @@ from threading import Thread
 import pytest
 
 from flexbearing.case import BadCase
-from flexbearing.studies.engine import on_dask
-from flexbearing.studies.engine import EngineLost
+from flexbearing.studies.engine import EngineLost, on_dask
 from flexbearing.studies.engine.certificates import certificates
 from flexbearing.studies.engine.on_dask import NoConnection, connected
 from flexbearing.studies.engine.serial import Serial
