@@ -8,6 +8,7 @@ from flexbearing.findings.running import (
     CLEARANCE,
     FILM_RATIO,
     GYROSCOPIC_MOMENT,
+    PRESSED_ENDS,
     RACEWAY_SLOPE,
     SHORT_LIFE,
     VISCOSITY_RATIO,
@@ -35,6 +36,7 @@ OF_ROLLERS = (
     FILM_RATIO,
     CLEARANCE,
     RACEWAY_SLOPE,
+    PRESSED_ENDS,
 )
 OF_BALLS = (
     CONTACT_PRESSURE,

@@ -6,9 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.case.roller import Case
-from flexbearing.findings import DANGER, declared, evaluate
+from flexbearing.findings import declared, evaluate
 from flexbearing.findings.strength import BARS
 from flexbearing.runs import judged, life
+from flexbearing.runs.answer import in_rows
 from flexbearing.runs.life_of_state import MREV
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import CylindricalRollerBearing, Equilibrium, OutOfRange
@@ -46,7 +47,7 @@ def _dynamic_rating(case: Case, bearing: CylindricalRollerBearing) -> float:
 
 
 def values_of_dangers(rows: SolvedRows) -> dict[str, Any]:
-    """Those values that dangers are judged by, which are cheap."""
+    """Those values that rows of a table are judged by, which are cheap."""
     lives = [
         basic if life is None else life.modified
         for basic, life in zip(rows.basic_life, rows.life, strict=True)
@@ -54,6 +55,7 @@ def values_of_dangers(rows: SolvedRows) -> dict[str, Any]:
     limited = any(case.materials.outer_ring.yield_stress is not None for case in rows.cases)
     return {
         **judged.pressures(rows.bounded_pressure.T, ROLLERS),
+        "sliced_peak_error": rows.sliced_peak_error,
         "static_safety": rows.static_safety,
         "life": judged.seconds(np.array(lives) / MREV, rows.relative_speed),
         **(_stress_of_bars(rows) if limited else {}),
@@ -61,8 +63,10 @@ def values_of_dangers(rows: SolvedRows) -> dict[str, Any]:
 
 
 def dangers(rows: SolvedRows) -> list[tuple[Note, ...]]:
-    """What makes the answer of each case dangerous."""
-    found = evaluate((each for each in declared.OF_ROLLERS if each.grade == DANGER), values_of_dangers(rows))
+    """What makes the answer of each case dangerous, and peak pressures that slices do not have."""
+    found = evaluate(
+        (each for each in declared.OF_ROLLERS if in_rows(each.grade, each.code)), values_of_dangers(rows)
+    )
     broken = np.any([each.broken for each in found], axis=0)
     return [judged.notes(found, case) if broken[case] else () for case in range(len(rows))]
 

@@ -24,7 +24,7 @@ from flexbearing.program.memory import keep_freed
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged
 from flexbearing.results import store
-from flexbearing.runs.answer import Answer
+from flexbearing.runs.answer import Answer, message
 from flexbearing.studies.plan import Condensed, Corners, Ring, Row, Task, Variant
 from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED, ERROR, NOT_STORED, RATED, file_name
 from flexbearing.studies.settled import variants_of
@@ -32,6 +32,7 @@ from flexbearing.studies.table.collected import errors, numbers
 from flexbearing.studies.table.duty import MODIFIED, MREV
 from flexbearing.studies.thin_oil import bounded, without_factor
 from quasidynamic import ImpossiblePart, OutOfRange
+from quasidynamic.note import Note
 
 LONGEST = 500  # characters of a message
 
@@ -199,7 +200,7 @@ def _answer(case: Head, wish: Wish, file: Path | None = None) -> Answer:
     status = result.attributes["status"]
     blocks: Mapping[str, Any] = {"rigid": result.rigid, "flexible": result.flexible}
     if status == CONVERGED:
-        dangers = "; ".join(f"danger: {note['text']}" for note in result.dangers)
-        return Answer(status, dangers, numbers(blocks, wish.texts, case.kind, FAMILIES))
+        notes = message(Note(**note) for note in result.attributes["notes"])
+        return Answer(status, notes, numbers(blocks, wish.texts, case.kind, FAMILIES))
     of_rigid = tuple(text for text in wish.texts if text.startswith("rigid."))
     return Answer(status, result.attributes["message"], numbers(blocks, of_rigid, case.kind, FAMILIES))

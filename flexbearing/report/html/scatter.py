@@ -136,8 +136,8 @@ def _percentiles(found: ScatterTables, units: Units) -> Table:
     note = (
         "P10, P50 and P90: 10, 50 and 90 % of the bearings lie below. low and high: between them the "
         "percentile lies with 95 % confidence, for any values of rows without a number. linear: by the "
-        "derivatives where every key has its mean, of the logarithm where an output is skewed, and how much of "
-        "the variance of the rows that explains."
+        "derivatives where every key has its mean, of the logarithm of a skewed output, and how much of the "
+        "variance of the rows that explains."
     )
     return Table("Percentiles of the outputs", head, tuple(rows), note)
 
