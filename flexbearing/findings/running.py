@@ -44,6 +44,6 @@ PRESSED_ENDS = Finding(
     code="pressed-end", label="error of the peak pressure of slices", quantity="sliced_peak_error",
     at_most=0.09, grade=OUTSIDE, source="calibrated against half-spaces",
     unit="1", shown="%",
-    meaning="slices leave out the rise of the pressure at pressed ends and corners, and life.edge_stress has none",
+    meaning="slices miss the pressure at pressed ends and corners, and life.edge_stress is not made for it",
     action='set bearing.contact = "half_space", or take a profile that relieves the ends',
 )  # fmt: skip
