@@ -18,8 +18,11 @@ SPREAD = (
 LEAST = 0.5  # of the mean load: a cell with less is as wide as one with it
 ROUNDS = 2  # of loads by widths, and of widths by loads
 SETS = 30  # of cells that touch; rarely more than eight
-AT_END = 0.84  # of the largest pressure: so much in the last cell is a peak at the end, without bound
-LEFT, BENT = 0.5, 0.7  # of the slices' pressure at an end and its bending along the roller, see `is_smooth`
+END_RISE, FINE = (
+    (1.2, 0.6),
+    256,
+)  # of the pressure of an end to that of a cell there, of so many: `_with_rise`
+LEFT, TURN, BENT = 0.5, 0.15, 0.5  # pressure of slices at an end, and bending along the roller: `is_smooth`
 AT_ONCE = 32  # contacts whose matrices fit into the memory of a processor
 
 
@@ -53,8 +56,13 @@ class LineContacts:
         """
         along = self.pressure
         peak = along.max(axis=1)
-        at_end = np.maximum(along[:, 0], along[:, -1]) > AT_END * peak
-        return np.where(at_end, 1.0, np.abs(sliced / peak - 1))
+        return np.where(self._with_rise(along[:, [0, -1]].max(axis=1)) > peak, 1.0, np.abs(sliced / peak - 1))
+
+    def _with_rise(self, end: NDArray) -> NDArray:
+        """Pressure (C) in the last of `FINE` cells at an end that is pressed: it grows as their root."""
+        width = half_width(self.force / self.length, self.radius, self.modulus)
+        least, rise = END_RISE
+        return end * np.maximum(least, rise * np.sqrt(width / self.length * FINE))
 
 
 def line_loads(contacts: LineContacts) -> NDArray:
@@ -174,20 +182,21 @@ def number_of_cells(slender: NDArray) -> NDArray:
         return np.clip(STEP * np.round(1 / slender / STEP), FEWEST, MOST)
 
 
-def is_smooth(along: NDArray, width: NDArray) -> NDArray:
+def is_smooth(along: NDArray, slender: NDArray) -> NDArray:
     """Whether pressures (..., K) fall so far, and so evenly, towards both ends that slices have their peak.
 
-    Their powers 1.8 are about the approach: its second derivative by the place over the length, times the
-    half-width over the length, is small.
+    Their powers 1.8 are about the approach: its second differences are small, and so is its second derivative
+    by the place over the length, times the half-width over the length.
     """
     count, largest = along.shape[-1], along.max(axis=-1)
     if count < 3:
         return np.zeros(largest.shape, bool)
     with np.errstate(invalid="ignore", divide="ignore"):  # without load nothing is missing
         approach = (along / largest[..., None]) ** 1.8
-    bent = np.abs(np.diff(approach, 2, axis=-1)).max(axis=-1) * count**2 * width
+    turn = np.abs(np.diff(approach, 2, axis=-1)).max(axis=-1)
     left = np.maximum(along[..., 0], along[..., -1])
-    return ((bent < BENT) & (left < LEFT * largest)) | ~(largest > 0)
+    smooth = (turn < TURN) & (turn * count**2 * slender < BENT) & (left < LEFT * largest)
+    return smooth | ~(largest > 0)
 
 
 def _contacts(
