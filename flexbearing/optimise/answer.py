@@ -44,7 +44,7 @@ class Peaks:
     """Peak pressure of the row and raceway of a design whose slices miss most of it."""
 
     sliced: float  # [MPa]
-    whole: float  # [MPa] by half-spaces; NaN where they have no answer
+    whole: float  # [MPa] by half-spaces; NaN where they were not solved
     message: str = ""  # why there is none
 
     @property

@@ -23,7 +23,7 @@ Alone = Callable[[int], Answer]  # the answer of a case, by its place, from a ru
 
 
 def in_rows(grade: str, code: str) -> bool:
-    """Whether a note stands in the message of a row: dangers, and peak pressures that slices do not have."""
+    """Whether a note is in the message of a row: dangers, and peak pressures that slices do not have."""
     return grade == "danger" or code == PRESSED_ENDS.code
 
 

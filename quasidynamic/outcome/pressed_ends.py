@@ -135,7 +135,7 @@ def _touching(matrix: NDArray, contacts: LineContacts, touching: NDArray) -> tup
 def sliced_peak_error(
     states: BearingStates, bearings: Sequence[CylindricalRollerBearing], sliced: NDArray
 ) -> NDArray:
-    """Error of the largest pressure of slices over that of the contact it stands in.
+    """Error of the largest pressure of slices over that of the same contact on half-spaces.
 
     Parameters
     ----------
@@ -158,7 +158,7 @@ def sliced_peak_error(
 
     Valid
     -----
-    An indicator: of random rollers it tells those with more than 10 % from others, see
+    An indicator: it finds random rollers with more than 10 %, and hardly others, see
     `benchmarks/pressed_ends.py`.
     """
     cases = np.arange(len(sliced))

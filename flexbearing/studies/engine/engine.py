@@ -8,7 +8,7 @@ from flexbearing.program.processes import Done
 
 
 class EngineLost(Died):
-    """What computes the calls of an engine is gone: no call is at fault, and none has an answer."""
+    """What computes the calls of an engine is gone: no call is at fault."""
 
 
 class Engine(Protocol):
