@@ -31,6 +31,9 @@ class Finding:
     times: str = ""  # value that the limit is a multiple of, such as a rating
     unit: str = ""  # SI
     shown: str = ""  # for people
+    of_capacity: bool = (
+        True  # whether value over limit is a share of what a bearing can bear; not of an error
+    )
     noted: bool = True  # whether a note says that it is not kept; all are in the checks of a report
 
     def __post_init__(self):
@@ -68,6 +71,10 @@ class Judged:
         with np.errstate(divide="ignore", invalid="ignore"):
             return self.value / self.limit if self.finding.side == AT_MOST else self.limit / self.value
 
+    def _has_share(self, limit: float, share: float) -> bool:
+        """Whether there is a share of the limit: not of a limit of zero, nor of the one of an error."""
+        return bool(self.finding.of_capacity and limit and np.isfinite(share))
+
     def record(self, case: int = 0) -> dict[str, Any]:
         """The same of one case as JSON can hold it."""
         value, limit, share = (float(each[case]) for each in (self.value, self.limit, self.share))
@@ -81,7 +88,7 @@ class Judged:
             "side": self.finding.side,
             "limit": limit if known else None,
             "source": self.finding.source,
-            "share": share if limit and np.isfinite(share) else None,  # of a limit of zero there is none
+            "share": share if self._has_share(limit, share) else None,
             "verdict": verdict if known else NOT_CHECKED,
         }
 
