@@ -113,7 +113,7 @@ def solve(
         _through_pseudo_time(balance, solved, unknowns, ROUNDS[0])
         _through_settled_time(balance, solved, (start, slipping))
         for case in solved.unsolved():
-            left = MOST_WORK - solved.evaluations[case]
+            left = MOST_WORK - int(solved.evaluations[case])
             lighter = from_heavier_load(balance.take(np.array([case])), restart, left)
             solved.evaluations[case] += lighter.evaluations
             if lighter.unknowns is not None:
