@@ -10,9 +10,10 @@ import numpy as np
 from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe
+from benchmarks.pressed_ends import Drawn
 from benchmarks.slicing import ARCMIN, DIAMETER, MODULUS, RADIUS, SLICES, Case
+from flexbearing.findings.running import PRESSED_ENDS
 from quasidynamic.contact.line import fujiwara_kawase, johns_gohar, peak_pressure
-from quasidynamic.outcome.largest_slice import PRESSED_END, end_share
 from quasidynamic.outcome.life import edge_stress_factor
 from quasidynamic.outcome.sliced_peak import CELLS, SlicedPeak
 from quasidynamic.parts.profile import Crowned, Logarithmic, Profile, Straight, TangentCrowned
@@ -59,7 +60,8 @@ def row(case: Tried) -> str:
     sliced = float(peak_pressure(case.sliced.max(), RADIUS, MODULUS))
     checked = SlicedPeak(0, 0, sliced, case.whole(CELLS))
     told = "end" if checked.at_end else "" if checked.holds else "peak"
-    if end_share(peak_pressure(case.sliced, RADIUS, MODULUS)) > PRESSED_END:
+    drawn = Drawn(PROFILES[case.name](), case.length, RADIUS, case.force, case.tilt * ARCMIN, SLICES)
+    if drawn.indicated(case.sliced) > PRESSED_ENDS.limit:
         told = "pressed"
     cells = [f"{case.pressure / 1e9:g}", f"{case.tilt}'"]
     if plain.at_end:

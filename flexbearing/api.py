@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from flexbearing.derivatives.table import Sensitivities
     from flexbearing.progress import Report
     from flexbearing.report.drawing import Drawing
-    from flexbearing.results import Result
+    from flexbearing.results import Others, Result
 
 Overrides = Sequence[str] | Mapping[str, object]
 
@@ -122,20 +122,21 @@ def compute(
     report: "Report | None" = None,
     start: "str | Path | Result | None" = None,
     levels: "Levels | None" = None,
-    compared: bool = False,
+    others: "Others" = "searched",
 ) -> "Result":
     """Compute a case that was read before; everything else as for `run`.
 
-    A roller case with a target takes the `levels` that it shares with others, where they are given. One
-    whose numbers alone are `compared` with those of others is solved without a search for other equilibria.
+    A roller case with a target takes the `levels` that it shares with others, where they are given. `others`
+    says what is done about other equilibria: they are "searched", "reported" where they are likely, or "left
+    out" of a case whose numbers alone are compared with those of others.
     """
     from flexbearing.families import FAMILIES
     from flexbearing.runs.run_case import compared as solved_to_compare, run_case
 
-    if compared:
+    if others == "left out":
         return solved_to_compare(case, FAMILIES[case.kind])
     near = read(start) if isinstance(start, str | Path) else start
-    return run_case(case, FAMILIES[case.kind], output, report, near, levels)
+    return run_case(case, FAMILIES[case.kind], output, report, near, levels, others)
 
 
 def against_catalogue(case: str | Path, overrides: Overrides = ()) -> dict[str, Any]:
@@ -169,7 +170,7 @@ def against_catalogue(case: str | Path, overrides: Overrides = ()) -> dict[str, 
     catalogue = FAMILIES[wanted.kind].catalogue
     if catalogue is None:
         raise BadCase(f'{case}: kind = "{wanted.kind}" has no ratings in ISO 281, so no life is compared.')
-    solved = partial(compute, compared=True)
+    solved = partial(compute, others="left out")
     return compared(wanted, catalogue(), lambda further: read_case(case, [*given, *further]), solved)
 
 

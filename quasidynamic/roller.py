@@ -24,7 +24,7 @@ from quasidynamic.parts.operation import Operation
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.elastic_raceways import iterate
-from quasidynamic.solve.rollers.strategy import solve
+from quasidynamic.solve.rollers.strategy import MOST_WORK, solve
 from quasidynamic.solve.start import RESTARTS, slipping_start, static_start
 
 __all__ = ["Batch", "Equilibria", "Equilibrium", "RollerBearing", "solve_many"]
@@ -66,7 +66,7 @@ class RollerBearing:
         """
         balance = self.balance(deviation=deviation)
         begin = None if start is None else balance.pack(start.unknowns)
-        equilibrium = _solved(balance, self.axial_modes, begin, None if deviation is None else BUDGET)[0]
+        equilibrium = _solved(balance, self.axial_modes, begin, MOST_WORK if deviation is None else BUDGET)[0]
         if equilibrium.status is not SolverOutcome.CONVERGED:
             raise NotSolved(equilibrium.failure(), equilibrium.status)
         return equilibrium
@@ -204,7 +204,7 @@ def _pressed(operation: Operation) -> float:
 
 
 def _solved(
-    balance: BearingBalance, axial_modes: int, begin: NDArray | None = None, budget: int | None = None
+    balance: BearingBalance, axial_modes: int, begin: NDArray | None = None, budget: int = MOST_WORK
 ) -> Batch:
     # A trial slip or step may be absurd: what overflows is no start, or shows in its residual.
     with np.errstate(all="ignore"):

@@ -32,9 +32,7 @@ class Finding:
     unit: str = ""  # SI
     shown: str = ""  # for people
     noted: bool = True  # whether a note says that it is not kept; all are in the checks of a report
-    of_model: bool = (
-        False  # about the model or its inputs, no limit of the bearing: no check where it is kept
-    )
+    of_model: bool = False  # about the model or its inputs, not the bearing: no check where it is kept
 
     def __post_init__(self):
         if (self.at_most is None) == (self.at_least is None):
@@ -71,6 +69,10 @@ class Judged:
         with np.errstate(divide="ignore", invalid="ignore"):
             return self.value / self.limit if self.finding.side == AT_MOST else self.limit / self.value
 
+    def _has_share(self, limit: float, share: float) -> bool:
+        """Whether there is a share of the limit: not of a limit of zero, nor of one of the model."""
+        return bool(limit and not self.finding.of_model and np.isfinite(share))
+
     def record(self, case: int = 0) -> dict[str, Any]:
         """The same of one case as JSON can hold it."""
         value, limit, share = (float(each[case]) for each in (self.value, self.limit, self.share))
@@ -84,7 +86,7 @@ class Judged:
             "side": self.finding.side,
             "limit": limit if known else None,
             "source": self.finding.source,
-            "share": share if limit and np.isfinite(share) else None,  # of a limit of zero there is none
+            "share": share if self._has_share(limit, share) else None,
             "verdict": verdict if known else NOT_CHECKED,
         }
 

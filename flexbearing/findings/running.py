@@ -69,3 +69,10 @@ RACEWAY_SLOPE = Finding(
     source="4 arcmin, rule of thumb: range of the edge stress of ISO/TS 16281; that of the maker counts",
     meaning="the ends of rollers are pressed", action="take a stiffer shaft, or align the seats",
 )  # fmt: skip
+PRESSED_ENDS = Finding(
+    code="pressed-end", label="error of the peak pressure of slices", quantity="sliced_peak_error",
+    at_most=0.09, grade=OUTSIDE, source="calibrated against half-spaces",
+    unit="1", shown="%", of_model=True,
+    meaning="slices miss the pressure at pressed ends and corners, and life.edge_stress is not made for it",
+    action='set bearing.contact = "half_space", or take a profile that relieves the ends',
+)  # fmt: skip

@@ -6,13 +6,16 @@ from time import perf_counter
 
 import numpy as np
 
+from flexbearing.findings.running import PRESSED_ENDS
 from flexbearing.optimise.evaluations import Evaluations, NotComputed, Point
 from flexbearing.optimise.file import Settings
 from flexbearing.optimise.goals import Bound, Goal, Numbers
-from flexbearing.optimise.search import End, Found
+from flexbearing.optimise.search import FEASIBLE, End, Found
 from flexbearing.optimise.variables import Variable, settings
 from flexbearing.studies.table import Table
 
+HALF_SPACES = {"bearing.contact": "half_space", "life.edge_stress": False}  # which they contain already
+PRESSED = "no best design: half-spaces have a higher peak pressure"
 ALIKE = 1e-3  # relative difference of merits up to which starts agree
 
 
@@ -37,6 +40,20 @@ class Measured:
 
 
 @dataclass(frozen=True)
+class Peaks:
+    """Peak pressure of the row and raceway of a design whose slices miss most of it."""
+
+    sliced: float  # [MPa]
+    whole: float  # [MPa] by half-spaces; NaN where they were not solved
+    message: str = ""  # why there is none
+
+    @property
+    def hold(self) -> bool:
+        """Whether half-spaces have no higher peak."""
+        return 1 - self.sliced / self.whole <= PRESSED_ENDS.limit
+
+
+@dataclass(frozen=True)
 class Optimum:
     """What an optimisation found."""
 
@@ -56,6 +73,8 @@ class Optimum:
     rows: int  # that were computed, the others stood in the journal
     table: Table
     settings: Settings  # of the case at the best point
+    peaks: Peaks | None  # of the best point, also by half-spaces; None where slices have none
+    violated: tuple[str, ...]  # rows of the best point that miss a constraint, with the value
     seconds: tuple[float, float]  # of the search, and of the case and what is verified
 
     @property
@@ -65,8 +84,23 @@ class Optimum:
 
     @property
     def converged(self) -> bool:
-        """Whether the best point is an optimum that meets all constraints, also where it is verified."""
-        return self.best.end is End.CONVERGED
+        """Whether the best point is an optimum that meets all constraints, and half-spaces have its peaks."""
+        return self.best.end is End.CONVERGED and self.usable
+
+    @property
+    def feasible(self) -> bool:
+        """Whether the best point has a result and meets all constraints."""
+        return self.best.end not in (End.INFEASIBLE, End.NO_ANSWER) and not self.violated
+
+    @property
+    def usable(self) -> bool:
+        """Whether the best point is feasible, with peak pressures that half-spaces have as well."""
+        return self.feasible and (self.peaks is None or self.peaks.hold)
+
+    @property
+    def ending(self) -> str:
+        """How the best start ended."""
+        return str(self.best.end) if self.usable or not self.feasible else PRESSED
 
     @property
     def agreeing(self) -> tuple[Found, ...]:
@@ -86,8 +120,9 @@ def answer(
     """Order what the starts found, and compute what is reported of the best."""
     began, problem, goal, bounds = perf_counter(), evaluations.problem, evaluations.goal, evaluations.bounds
     ordered = tuple(sorted(starts, key=rank))
-    best = _settings(evaluations, ordered[0].point)
-    designs = [{}, *(design for extra in problem.verify for design in ({**extra}, {**best, **extra}))]
+    best, base = _settings(evaluations, ordered[0].point), evaluations.reference
+    pairs = (design for extra in problem.verify for design in ({**base, **extra}, {**best, **extra}))
+    designs = [base, *pairs]
     answers = iter(evaluations.of_settings(designs, evaluations.measures))
     case = measured("the case", next(answers), goal, bounds)
     verified = tuple(
@@ -114,6 +149,8 @@ def answer(
         rows=evaluations.computed + (surrogate.computed if surrogate else 0),
         table=evaluations.table(),
         settings=best,
+        peaks=_peaks(evaluations, best) if ordered[0].numbers else None,
+        violated=tuple(_violated(evaluations, ordered[0])),
         seconds=(seconds[0], seconds[1] + perf_counter() - began),
     )
 
@@ -145,6 +182,35 @@ def measured(
         worst.append(float(values[np.argmin(margins)]))
         missed = max(missed, -float(margins.min()))
     return Measured(what, goal.value(goal.measure.terms(numbers)), tuple(worst), missed)
+
+
+def _peaks(evaluations: Evaluations, best: Settings) -> Peaks | None:
+    """Peak pressures of a design that was searched with slices, checked by half-spaces."""
+    measures = evaluations.workers.peaks
+    if not measures:
+        return None
+    sliced, whole = evaluations.of_settings([best, {**best, **HALF_SPACES}], measures)
+    both = [
+        np.array([numbers.values[measure.text] for measure in measures]).ravel()
+        if isinstance(numbers, Numbers)
+        else np.array([np.nan])
+        for numbers in (sliced, whole)
+    ]
+    if not all(np.isfinite(each).all() for each in both):
+        return Peaks(float(both[0].max()), np.nan, str(whole))
+    place = (both[0] / both[1]).argmin()
+    return Peaks(float(both[0][place]), float(both[1][place]))
+
+
+def _violated(evaluations: Evaluations, best: Found) -> Iterator[str]:
+    """Constraints that a design misses in some row, with the value there."""
+    if best.numbers is None:
+        return
+    for bound in evaluations.bounds:
+        values = bound.measure.terms(best.numbers).values
+        for row in np.flatnonzero(bound.margins(best.numbers).values < -FEASIBLE):
+            where = evaluations.row_words(int(row), bound.measure)
+            yield f"{bound.words}{where}: {values[row]:.6g}"
 
 
 def _active(evaluations: Evaluations, best: Found) -> Iterator[Active]:

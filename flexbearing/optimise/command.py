@@ -38,5 +38,5 @@ def optimise(
     if not quiet:
         sys.stdout.write(printable(messages.page(optimum, output)) + "\n")
     elif not optimum.converged:
-        sys.stderr.write(printable(f"{file}: {optimum.best.end}") + "\n")
+        sys.stderr.write(printable(f"{file}: {optimum.ending}") + "\n")
     raise typer.Exit(CONVERGED if optimum.converged else NOT_CONVERGED)

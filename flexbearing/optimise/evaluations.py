@@ -40,6 +40,9 @@ class Workers:
     values: Work
     slopes: Callable[[Sequence[str]], Work]  # given all keys; a row holds those that its identity names
     processes: int = 1  # that share the keys of a design
+    peaks: tuple[
+        Measure, ...
+    ] = ()  # peak pressures that half-spaces check; none where slices do not have them
 
 
 def designs_of(problem: Problem, designs: Sequence[Settings]) -> Prepared:
@@ -99,7 +102,7 @@ class Evaluations:
         goal = self.problem.goal(self.cycles)
         if goal.logarithmic:
             return goal
-        (numbers,) = self.of_settings([{}], (goal.measure,))
+        (numbers,) = self.of_settings([self.reference], (goal.measure,))
         if isinstance(numbers, NotComputed):
             raise BadCase(
                 f"{self.problem.study.path.name}: a linear scale needs the case to be solved: {numbers}"
@@ -115,6 +118,11 @@ class Evaluations:
     def measures(self) -> tuple[Measure, ...]:
         """Everything that is measured of a design."""
         return self.problem.goal(self.cycles).measure, *(bound.measure for bound in self.bounds)
+
+    @property
+    def reference(self) -> Settings:
+        """Of the case that the best design is compared with: its own ones but for the operation of all."""
+        return {key: value for key, value in self.problem.fixed.items() if key.startswith("operation.")}
 
     @property
     def texts(self) -> tuple[str, ...]:

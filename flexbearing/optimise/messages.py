@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from pathlib import Path
 
+from flexbearing.findings.running import PRESSED_ENDS
 from flexbearing.optimise.answer import Measured, Optimum
 from flexbearing.optimise.gradients import EXACT
 from flexbearing.optimise.run import CASE, TABLE
@@ -20,19 +21,21 @@ def page(optimum: Optimum, folder: Path) -> str:
     """The answer as text."""
     search, verification = optimum.seconds
     lines = [
-        f"{optimum.name}: {optimum.best.end}",
+        f"{optimum.name}: {optimum.ending}",
         *_design(optimum),
         "",
         *_numbers(optimum),
         "",
-        *_limits(optimum),
+        *(_limits(optimum) if optimum.usable else ()),
         *_starts(optimum),
         *_derivatives(optimum),
         f"{optimum.designs} designs{_of_surrogate(optimum)}, {optimum.rows} rows computed now: "
         f"searched in {search:.1f} s, "
         f"verified in {verification:.1f} s",
         f"all designs: {folder / (optimum.name + TABLE)}",
-        f"case of the best: {folder / (optimum.name + CASE)}",
+        f"case of the best: {folder / (optimum.name + CASE)}"
+        if optimum.usable
+        else "no case of the best is written",
     ]
     return "\n".join(lines)
 
@@ -49,6 +52,22 @@ def _design(optimum: Optimum) -> Iterator[str]:
         yield f"  {each.name} = {value:.6g}{unit}   (of {bounds})"
     if optimum.best.end is End.INFEASIBLE:
         yield f"  it misses a constraint by {optimum.best.missed:.2%}; no start came closer"
+    for words in optimum.violated[:MOST]:
+        yield f"  missed: {words}"
+    yield from _peaks(optimum)
+
+
+def _peaks(optimum: Optimum) -> Iterator[str]:
+    """What half-spaces say of the peak pressure of the best point."""
+    peaks = optimum.peaks
+    if peaks is None:
+        return
+    if peaks.message:
+        yield f"  peak pressure not checked by half-spaces: {peaks.message}"
+        return
+    yield f"  peak pressure: {peaks.sliced:.5g} MPa of slices, {peaks.whole:.5g} MPa by half-spaces"
+    if not peaks.hold:
+        yield f"  {PRESSED_ENDS.meaning}; {PRESSED_ENDS.action}"
 
 
 def _numbers(optimum: Optimum) -> Iterator[str]:
@@ -58,7 +77,8 @@ def _numbers(optimum: Optimum) -> Iterator[str]:
     which, of = "largest" if goal.sign > 0 else "least", "worst row" if goal.worst else "mean of all rows"
     yield f"{which} {goal.measure.name}, {of}: case -> best"
     for number, (case, best) in enumerate(rows):
-        yield f"  {'as searched' if number == 0 else best.what}: {_objective(case, best, unit)}"
+        change = _objective(case, best, unit, gain=optimum.usable)
+        yield f"  {'as searched' if number == 0 else best.what}: {change}"
         for place, bound in enumerate(optimum.bounds):
             if best.bounds:
                 before = f"{case.bounds[place]:.6g} -> " if case.bounds else ""
@@ -67,12 +87,12 @@ def _numbers(optimum: Optimum) -> Iterator[str]:
             yield f"    a constraint is missed by {best.missed:.2%} here"
 
 
-def _objective(case: Measured, best: Measured, unit: str) -> str:
+def _objective(case: Measured, best: Measured, unit: str, *, gain: bool) -> str:
     if best.objective is None:
         return f"not solved: {best.message}"
     if case.objective is None:
         return f"{best.objective:.6g}{unit} (the case was not solved: {case.message})"
-    change = f" ({best.objective / case.objective - 1:+.1%})" if case.objective else ""
+    change = f" ({best.objective / case.objective - 1:+.1%})" if gain and case.objective else ""
     return f"{case.objective:.6g} -> {best.objective:.6g}{unit}{change}"
 
 

@@ -10,8 +10,11 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.build.clearance import ROLLERS
 from flexbearing.cache import configured
 from flexbearing.case import BadCase, Head
+from flexbearing.case.file_keys import value_at
+from flexbearing.case.text import tables
 from flexbearing.families import FAMILIES
 from flexbearing.files import require_folder, require_outputs, write
 from flexbearing.optimise.answer import Optimum, answer, rank
@@ -26,7 +29,7 @@ from flexbearing.optimise.evaluations import (
     varied_rings,
 )
 from flexbearing.optimise.file import Problem, Settings, read
-from flexbearing.optimise.goals import Numbers
+from flexbearing.optimise.goals import Measure, Numbers
 from flexbearing.optimise.gradients import Gradients
 from flexbearing.optimise.managed_search import from_design, managed_search
 from flexbearing.optimise.search import (
@@ -102,7 +105,10 @@ def optimise(
         surrogate = _searched_instead(evaluations) if problem.surrogate else None
         found = _Search(evaluations, surrogate, SCATTER if meshed else SPARE).optimum(tell)
     write(table, FORMS[TABLE][0](found.table))
-    write(best, case_text(problem.study, found.settings, folder))
+    if found.usable:
+        write(best, case_text(problem.study, found.settings, folder))
+    else:
+        best.unlink(missing_ok=True)  # of a former search
     return found
 
 
@@ -158,6 +164,7 @@ def _names(problem: Problem) -> list[str]:
     """Names of the numbers in the journal: outputs, and their slopes."""
     measures = problem.goal(None).measure, *(bound.measure for bound in problem.bounds(None))
     texts = dict.fromkeys(measure.text for measure in measures)
+    texts |= dict.fromkeys(each.text for each in _peaks(problem))
     return [*texts, *(slope_name(text, each.key) for text in texts for each in problem.variables)]
 
 
@@ -171,7 +178,18 @@ def _bearings(problem: Problem, folder: Path) -> Workers:
     def slopes(keys: Sequence[str]) -> Work:
         return Work(partial(slope_rows, wish=SlopeWish(texts, tuple(keys)), cache=cache), ring)
 
-    return Workers(Work(partial(rows, wish=Wish(texts), cache=cache), ring), slopes)
+    peaks = _peaks(problem)
+    wish = Wish((*texts, *(each.text for each in peaks if each.text not in texts)))
+    return Workers(Work(partial(rows, wish=wish, cache=cache), ring), slopes, peaks=peaks)
+
+
+def _peaks(problem: Problem) -> tuple[Measure, ...]:
+    """Peak pressures that half-spaces check; none of balls, and none that they have anyway."""
+    contact = problem.fixed.get("bearing.contact", value_at(tables(problem.study.text), "bearing.contact"))
+    if problem.study.kind != ROLLERS or contact not in (None, "slices"):
+        return ()
+    names = (f"peak_pressure.{race}" for race in ("inner", "outer"))
+    return tuple(Measure(name, f"{name} [MPa]", "MPa") for name in names)
 
 
 @contextmanager

@@ -30,7 +30,7 @@ OLDER = {  # what the files of an older format are
     8: "its contacts in full sliding have no pressure, and axes of contacts have other names",
     9: "it has no pressure along rollers, no shear stress below contacts and no static safety",
 }
-ENDS = ("converged", "iteration limit", "diverging", "stagnating", "not finite", "not solved")
+ENDS = ("converged", "iteration limit", "diverging", "stagnating", "not finite", "work limit", "not solved")
 STATUSES = (*ENDS, "unfinished")  # of a run that is at work, or was interrupted
 
 

@@ -21,12 +21,14 @@ from flexbearing.results.checks import (
 )
 from flexbearing.results.result import NOTHING, Arrays, Result
 
+Others = Literal["searched", "reported", "left out"]
+
 
 class Recorder(Protocol):
     """Takes what a run reaches: a `Record`, or a `ResultFile`, which also stores it."""
 
     stores: ClassVar[bool]  # whether a file is written
-    compared: bool  # whether numbers alone matter, and no other equilibria
+    others: Others  # what is done about other equilibria
 
     def iteration(self, number: int, values: Mapping[str, ArrayLike]) -> None:
         """Add an iteration."""
@@ -48,8 +50,9 @@ class Record:
         root attributes that are known when the run begins, such as ``title`` and ``case_text``
     family : Family
         of the bearing; it decides the layout
-    compared : bool
-        whether its numbers alone are compared with those of other cases: other equilibria are not searched
+    others : "searched", "reported" or "left out"
+        what is done about other equilibria: they are searched, a note says where they are likely, or numbers
+        alone matter, which are compared with those of other cases
 
     Raises
     ------
@@ -59,8 +62,8 @@ class Record:
 
     stores: ClassVar[bool] = False
 
-    def __init__(self, attributes: Mapping[str, Any], family: Family, *, compared: bool = False):
-        self.compared = compared
+    def __init__(self, attributes: Mapping[str, Any], family: Family, *, others: Others = "searched"):
+        self.others = others
         self._family = family
         self._layout: Layout = family.layout()
         self._attributes = self._allowed({**stamp(), "kind": family.kind, **attributes})

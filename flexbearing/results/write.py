@@ -20,7 +20,7 @@ from flexbearing.results.attributes import encoded
 from flexbearing.results.checks import NotInLayout
 from flexbearing.results.content import MEANINGS, Content
 from flexbearing.results.image import image
-from flexbearing.results.record import Record
+from flexbearing.results.record import Others, Record
 from flexbearing.results.result import Result
 from flexbearing.results.scales import ITERATIONS, meanings, named_axes, scales
 
@@ -47,6 +47,8 @@ class ResultFile:
         of the bearing; it decides the layout
     inputs : sequence of paths
         files that are read and that the result must not replace
+    others : "searched" or "reported"
+        what is done about other equilibria, as of a `Record`
 
     Raises
     ------
@@ -68,12 +70,16 @@ class ResultFile:
     """
 
     stores: ClassVar[bool] = True
-    compared: bool = False
 
     def __init__(
-        self, path: str | Path, attributes: Mapping[str, Any], family: Family, inputs: tuple[Path, ...] = ()
+        self,
+        path: str | Path,
+        attributes: Mapping[str, Any],
+        family: Family,
+        inputs: tuple[Path, ...] = (),
+        others: Others = "searched",
     ):
-        self.path = Path(path)
+        self.path, self.others = Path(path), others
         self._place = _require_place(path, inputs)  # where a link leads
         self.part = part_name(self._place)
         self._record = Record(attributes, family)

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
-from flexbearing.findings.running import NO_MODIFIED_LIFE
+from flexbearing.findings.running import NO_MODIFIED_LIFE, PRESSED_ENDS
 from quasidynamic.note import Note, graded
 
 CONVERGED, BAD_INPUT = "converged", "bad input"
@@ -22,10 +22,11 @@ class Answer:
 Alone = Callable[[int], Answer]  # the answer of a case, by its place, from a run of its own
 
 
+def in_rows(grade: str, code: str) -> bool:
+    """Whether a note is in the message of a row: dangers, an absent life, peaks that slices do not have."""
+    return grade == "danger" or code in (NO_MODIFIED_LIFE, PRESSED_ENDS.code)
+
+
 def message(notes: Iterable[Note]) -> str:
-    """Message of a run that converged: its dangers, and why it has no modified life."""
-    return "; ".join(
-        f"{'danger: ' * (note.grade == 'danger')}{note.text}"
-        for note in graded(notes)
-        if note.grade == "danger" or note.code == NO_MODIFIED_LIFE
-    )
+    """Message of a run that converged: notes for rows, one after the other."""
+    return "; ".join(f"{note.grade}: {note.text}" for note in graded(notes) if in_rows(note.grade, note.code))

@@ -110,7 +110,7 @@ def without_life(case: Case, bearing: CylindricalRollerBearing) -> tuple[Note, .
     return no_life("", life.unmodified(case, bearing), life.rated_kappa(case, bearing))
 
 
-def of_others(rows: SolvedRows, place: int, *, search: bool) -> tuple[Note, ...]:
+def of_others(rows: SolvedRows, place: int, *, search: bool = False) -> tuple[Note, ...]:
     """Other equilibria of a case that likely has some: those that are found, or that nobody searched."""
     if not search:
         words = "several equilibria are likely; others than the computed one were not searched"

@@ -73,7 +73,7 @@ class Postprocessing:
         self.values[name] = roller_findings.values(rows)
         if name == "flexible" and self.case.outputs.stresses:
             self._add_stresses(self.blocks[name])
-        if not self.record.compared:
+        if self.record.others == "searched":
             self.several[name] = rows.other_equilibria(0)
 
     def _add_stresses(self, block: Arrays) -> None:
@@ -90,6 +90,9 @@ class Postprocessing:
 
     def _notes_on_several(self) -> list[Note]:
         """One for each block that is one of several equilibria; the last that was examined is the answer."""
+        if self.record.others == "reported":
+            answers = list(self.solved.values())[-1:]
+            return [note for rows in answers if rows.several_likely[0] for note in notes.of_others(rows, 0)]
         last = list(self.several)[-1:]
         return [found.note(answer=[name] == last) for name, found in self.several.items() if found]
 

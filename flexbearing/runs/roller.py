@@ -17,7 +17,7 @@ from flexbearing.rings.full_solve import full_fe_raceways
 from flexbearing.runs import notes, roller_position, slice_error
 from flexbearing.runs.postprocess import Postprocessing
 from flexbearing.runs.tilt import TiltComparison
-from quasidynamic import Equilibrium, RollerBearing
+from quasidynamic import Equilibrium, RollerBearing, SolverOutcome
 from quasidynamic.note import Note, graded, information
 
 if TYPE_CHECKING:
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from flexbearing.rings.ahead import Ahead
 
 RIGID = LinearPair(None, None)
+WORK_LIMIT = str(SolverOutcome.WORK)
 
 
 @dataclass(frozen=True)
@@ -188,7 +189,7 @@ def _passage(
 ) -> dict[str, object]:
     """Other positions of the rollers where the case requires them, or a note where they matter to people."""
     if case.operation.roller_positions is None:
-        if not postprocessing.record.compared:
+        if postprocessing.record.others != "left out":
             postprocessing.notes.extend(roller_position.notes(case, model, rings, end))
         return {}
     from flexbearing.runs.passage import passage
@@ -217,7 +218,8 @@ def _start(initial: InitialState, attempts: Any, postprocessing: Postprocessing)
 
 
 def _not_solved(message: str, failure: PartnerFailed) -> dict[str, object]:
-    return _ending("not solved", message, 0) | {"ending": failure.ending}
+    status = WORK_LIMIT if failure.ending == WORK_LIMIT else "not solved"
+    return _ending(status, message, 0) | {"ending": failure.ending}
 
 
 def _ending(status: str, message: str, iterations: int) -> dict[str, object]:

@@ -6,10 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.case.roller import Case
-from flexbearing.findings import DANGER, declared, evaluate
-from flexbearing.findings.running import RATED_VISCOSITY_RATIO
+from flexbearing.findings import declared, evaluate
 from flexbearing.findings.strength import BARS
 from flexbearing.runs import given_rating, judged, life, neglect
+from flexbearing.runs.answer import in_rows
 from flexbearing.runs.life_of_state import MREV
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import CylindricalRollerBearing, Equilibrium, OutOfRange
@@ -62,6 +62,7 @@ def values_of_dangers(rows: SolvedRows) -> dict[str, Any]:
     limited = any(case.materials.outer_ring.yield_stress is not None for case in rows.cases)
     return {
         **judged.pressures(rows.bounded_pressure.T, ROLLERS),
+        "sliced_peak_error": rows.sliced_peak_error,
         "static_safety": rows.static_safety,
         **judged.lives(
             np.array(lives) / MREV, rows.relative_speed, (case.life.required for case in rows.cases)
@@ -73,9 +74,10 @@ def values_of_dangers(rows: SolvedRows) -> dict[str, Any]:
 
 
 def dangers(rows: SolvedRows) -> list[tuple[Note, ...]]:
-    """What makes the answer of each case dangerous, and an oil that leaves it without a modified life."""
-    of_rows = [each for each in declared.OF_ROLLERS if each.grade == DANGER or each is RATED_VISCOSITY_RATIO]
-    found = evaluate(of_rows, values_of_dangers(rows))
+    """Dangers of each case, why it has no modified life, and peak pressures that slices do not have."""
+    found = evaluate(
+        (each for each in declared.OF_ROLLERS if in_rows(each.grade, each.code)), values_of_dangers(rows)
+    )
     broken = np.any([each.broken for each in found], axis=0)
     return [judged.notes(found, case) if broken[case] else () for case in range(len(rows))]
 

@@ -17,7 +17,7 @@ from flexbearing.case.outputs import LifeOutputs
 from flexbearing.files import BadOutput
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
-from flexbearing.results import Record, Result, ResultFile, case_file
+from flexbearing.results import Others, Record, Result, ResultFile, case_file
 from flexbearing.runs import effects_file
 from flexbearing.runs.validate import require_possible
 
@@ -27,15 +27,16 @@ if TYPE_CHECKING:
 LONGEST = 80  # characters of the settings in the name of a result
 
 
-def run_case(
+def run_case(  # noqa: PLR0913  # what a run may be given besides its case
     case: Head,
     family: Family,
     output: str | Path | None = None,
     report: Report | None = None,
     start: Result | None = None,
     levels: "Levels | None" = None,
+    others: Others = "searched",
 ) -> Result:
-    """Compute a case, and store it where a file is requested.
+    """Compute a case, and store it where a file is requested; other equilibria are searched, or reported.
 
     Raises
     ------
@@ -53,7 +54,11 @@ def run_case(
     with family.ahead()(case) if family.ahead else nullcontext() as ahead:  # of all that is loaded to solve
         solve = _solver(case, family, start, levels=levels, ahead=ahead)
         head = _head(case) | family.opening()(case)
-        kept = ResultFile(output, head, family, inputs) if output else nullcontext(Record(head, family))
+        kept = (
+            ResultFile(output, head, family, inputs, others)
+            if output
+            else nullcontext(Record(head, family, others=others))
+        )
         with linear_algebra_alone(), kept as record:
             ending = solve(case, record, report or Logged())
             if _comparing_lives(case) and ending["status"] == "converged":
@@ -76,7 +81,7 @@ def compared(case: Head, family: Family) -> Result:
     began = perf_counter()
     require_possible(case, family)
     with family.ahead()(case) if family.ahead else nullcontext() as ahead, linear_algebra_alone():
-        record = Record(_head(case) | family.opening()(case), family, compared=True)
+        record = Record(_head(case) | family.opening()(case), family, others="left out")
         ending = _solver(case, family, None, ahead=ahead)(case, record, Logged())
         return record.finish(**ending, wall_time_s=perf_counter() - began)
 

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.findings.running import PRESSED_ENDS
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import Equilibrium, NotSolved, OutOfRange
 from quasidynamic.note import Note, outside
-from quasidynamic.outcome.largest_slice import LargestSlice, largest_slice
 from quasidynamic.outcome.profile_corner import CORNER_DECADE, corner_rise
 
 if TYPE_CHECKING:
@@ -20,15 +20,13 @@ RACEWAYS = ("inner", "outer")
 
 
 def notes(rows: SolvedRows) -> tuple[Note, ...]:
-    """What must be said of the peak pressure of a solved state: corners of profiles, and ends."""
+    """What must be said of the peak pressure of a solved state besides the finding on pressed ends."""
     (case,), (state,), found = rows.cases, rows.each, []
     rise = corner_rise(state)
     if rise > CORNER_DECADE:
         found.append(_corner(rise))
-    if case.bearing.contact == "slices":
-        edge_stress = None if rows.edge_stress is None else rows.edge_stress[0]
-        largest = largest_slice(state, edge_stress)
-        found += [_pressed_end(state, largest)] if largest.pressed_end else _checked(state, edge_stress)
+    if case.bearing.contact == "slices" and rows.sliced_peak_error[0] <= PRESSED_ENDS.limit:
+        found += _checked(state, None if rows.edge_stress is None else rows.edge_stress[0])
     return tuple(found)
 
 
@@ -51,21 +49,11 @@ def _corner(rise: float) -> Note:
     )
 
 
-def _told(state: Equilibrium, peak: "SlicedPeak | LargestSlice") -> tuple[str, str]:
+def _told(state: Equilibrium, peak: "SlicedPeak") -> tuple[str, str]:
     """Pressure of the slices and the contact they belong to."""
     azimuth = np.degrees(state.balance.roller.bearing.azimuths[peak.roller])
     contact = f"the roller at {azimuth:.4g} deg on the {RACEWAYS[peak.race]} raceway"
     return f"peak pressure: {peak.pressure / GIGAPASCAL:.3g} GPa of the slices", contact
-
-
-def _pressed_end(state: Equilibrium, peak: LargestSlice) -> Note:
-    sliced, contact = _told(state, peak)
-    return outside(
-        "pressed-end",
-        f"{sliced} may be more than 5 % too low: near an end of {contact} the pressure is still "
-        f"{peak.end_share:.0%} of the largest one, so the profile does not relieve that end enough, and "
-        'slices leave out the rise of the pressure there; bearing.contact = "half_space" computes it',
-    )
 
 
 def _of_slices(state: Equilibrium, peak: "SlicedPeak") -> Iterator[Note]:

@@ -30,6 +30,7 @@ from quasidynamic import Equilibrium, RollerBearing, SolverOutcome
 from quasidynamic.note import Note
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.losses import Losses
+from quasidynamic.outcome.pressed_ends import sliced_peak_error
 from quasidynamic.outcome.rating_life import static_safety
 from quasidynamic.outcome.skew import Skew
 from quasidynamic.outcome.worst_line_contact import WorstLineContact
@@ -261,6 +262,15 @@ class SolvedRows:
         if self.edge_stress is None:
             return self.states.peak_pressure
         return self._pressure_of_slices.max(axis=(2, 3))
+
+    @cached_property
+    def sliced_peak_error(self) -> NDArray:
+        """Error of the peak pressure (C) of slices [-]; not a number where half-spaces have it."""
+        sliced = np.array([case.bearing.contact == "slices" for case in self.cases])
+        if not self.converged or not sliced.any():
+            return np.full(len(self), np.nan)
+        bearings = [model.bearing for model in self.models]
+        return np.where(sliced, sliced_peak_error(self.states, bearings, self._sliced_peak), np.nan)
 
     @property
     def worst(self) -> WorstLineContact:

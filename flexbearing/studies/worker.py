@@ -42,7 +42,7 @@ class Wish:
     """What is wanted of every variant."""
 
     texts: tuple[str, ...]  # outputs, with units
-    search: bool = False  # whether other equilibria are searched where they are likely
+    search: bool = False  # whether other equilibria are searched where they are likely, of every row
     files: Path | None = None  # folder of a result file for each variant; None where the rows suffice
     final: bool = False  # whether these files hold end states alone
     cycle: bool = False  # whether they are rows of a duty cycle
@@ -184,7 +184,9 @@ def _by_ratings(row: Row, case: Any) -> Row:
 def _answer(case: Head, wish: Wish, file: Path | None = None) -> Answer:
     """The answer of a run; that between rigid raceways where it does not converge."""
     try:
-        result = compute(case, output=None if wish.final else file, levels=wish.levels)
+        output = None if wish.final else file
+        others = "searched" if wish.search else "reported"
+        result = compute(case, output=output, levels=wish.levels, others=others)
         if file is not None and wish.final:
             store(result.end_states, file, case.input_files)
     except BadCase as problem:

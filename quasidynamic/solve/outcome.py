@@ -11,4 +11,5 @@ class SolverOutcome(StrEnum):
     UNDETERMINED = "undetermined"  # nothing holds the ring: neither load nor contact
     STALLED = "stalled"  # no step lowers the residual
     LIMIT = "iteration limit"
+    WORK = "work limit"  # every way together took as many evaluations as a case may
     NOT_FINITE = "not finite"

@@ -11,8 +11,11 @@ from flexbearing.__main__ import command
 from flexbearing.coupling import PartnerFailed
 from flexbearing.rings import condensed
 from flexbearing.rings.raceways import CondensedRaceway
-from quasidynamic import NotSolved, RollerBearing
+from quasidynamic import NotSolved, RollerBearing, roller
 from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.rollers import settled_time, strategy
+from quasidynamic.solve.start import static_start
+from tests.bearings import paper_bearing
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
 BEAM = ["inner.kind=rigid", "accuracy.structure=beam", "accuracy.slices=10", "operation.tilt=fixed"]
@@ -100,3 +103,19 @@ def test_elements_that_find_no_memory_are_an_ending_of_their_own(monkeypatch, tm
 
 def _set(settings):
     return [word for setting in settings for word in ("--set", setting)]
+
+
+def test_a_row_ends_at_its_budget_of_work_with_a_status_of_its_own(monkeypatch):
+    """Next to no load in a wide clearance: every way was tried for minutes."""
+    for module in (roller, strategy):
+        monkeypatch.setattr(module, "MOST_WORK", 40)
+    hardly = ["operation.radial_load=1e-6 N", "bearing.clearance=3 mm"]
+    result = flexbearing.run(Path(__file__).parents[2] / "configs" / "nu209.toml", hardly)
+    assert result.attributes["status"] == result.attributes["ending"] == "work limit"
+    assert "work limit after" in result.attributes["message"]
+
+
+def test_settling_cage_and_spins_ends_with_its_evaluations_of_contacts(monkeypatch):
+    monkeypatch.setattr(settled_time, "MOST_CONTACTS", 3)
+    balance = paper_bearing().balance()
+    assert settled_time.through_settled_time(balance, static_start(balance)).unknowns is None

@@ -10,8 +10,9 @@ import flexbearing
 from flexbearing.api import read_case
 from flexbearing.outputs import outputs, wanted
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.runs.answer import Answer
+from flexbearing.runs.answer import Answer, message
 from flexbearing.runs.rows import answers
+from quasidynamic.note import Note
 from quasidynamic.outcome.ring_stiffness import Tangent
 from tests.cold_oil import PAPER, RIGID, cold_case, settings
 
@@ -46,14 +47,13 @@ def variants(path, changes, loads=(9000, 12000, 15000)):
     ]
 
 
-def single(case, texts):
+def single(case, texts, others="searched"):
     """The answer of a run."""
-    result = flexbearing.api.compute(case)
+    result = flexbearing.api.compute(case, others=others)
     blocks = {"rigid": result.rigid, "flexible": result.flexible}
     numbers = {text: wanted(LAYOUT, text).number(blocks) for text in texts}
-    return Answer(
-        result.attributes["status"], "; ".join(f"danger: {note['text']}" for note in result.dangers), numbers
-    )
+    notes = message(Note(**note) for note in result.attributes["notes"])
+    return Answer(result.attributes["status"], notes, numbers)
 
 
 def refused(place):
@@ -64,8 +64,8 @@ def column(found, text):
     return np.array([answer.numbers.get(text, np.nan) for answer in found])
 
 
-def assert_equal(found, cases, texts):
-    expected = [single(case, texts) for case in cases]
+def assert_equal(found, cases, texts, others="searched"):
+    expected = [single(case, texts, others) for case in cases]
     assert [answer.status for answer in found] == [answer.status for answer in expected]
     assert [answer.message for answer in found] == [answer.message for answer in expected]
     for text in texts:
@@ -137,6 +137,7 @@ def test_without_a_search_a_row_says_that_other_equilibria_are_likely(tmp_path):
     case = read_case(cold_case(tmp_path), [*RIGID, *settings(13)])
     found = answers([case], ["life_L10"], refused)
     assert "several equilibria are likely" in found[0].message
+    assert_equal(found, [case], ["life_L10"], others="reported")
 
 
 BEAM = {

@@ -10,15 +10,18 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+import flexbearing
 from flexbearing import __main__ as program
 from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
+from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput
-from flexbearing.optimise import run
+from flexbearing.optimise import messages, run
 from flexbearing.optimise.answer import Optimum
 from flexbearing.optimise.case_file import case_text
 from flexbearing.optimise.evaluations import Workers
+from flexbearing.optimise.file import read as read_problem
 from flexbearing.optimise.goals import Terms
 from flexbearing.optimise.gradients import CENTRAL, EXACT
 from flexbearing.optimise.optimality import optimality
@@ -27,6 +30,8 @@ from flexbearing.optimise.schema import Search
 from flexbearing.optimise.search import End, ScaledProblem, search
 from flexbearing.optimise.variables import Variable
 from flexbearing.optimise.worker import BY, slope_name
+from flexbearing.outputs import wanted
+from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs import life
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan import Row
@@ -206,6 +211,12 @@ class Plane:
 def test_infeasible_problem_is_told(tmp_path):
     optimum = found(tmp_path, '[constrain]\ncage_slip = "<= 0.5 %"')
     assert optimum.best.end is End.INFEASIBLE
+    page = messages.page(optimum, tmp_path)
+    assert "missed: cage_slip <= 0.5 %: 1" in page
+    assert "no case of the best is written" in page
+    assert "more room" not in page
+    assert "%)" not in page.split("case -> best")[1].splitlines()[1]
+    assert not [*tmp_path.rglob("*_optimum.toml")]
     assert not optimum.converged
     assert optimum.best.missed == pytest.approx(1.0, rel=1e-3)  # slip is 1 % at least
 
@@ -345,3 +356,48 @@ def test_workers_verify_a_design_while_others_find_its_slopes(tmp_path, monkeypa
     first_finer, first_slope = alone[1], next(name for name in alone if BY in name)
     assert alone.index(first_finer) < alone.index(first_slope)
     assert shared.index(first_slope) + 1 == shared.index(first_finer)
+
+
+MISALIGNED = """
+case = "{case}"
+[set]
+"operation.misalignment" = "3 arcmin"
+"operation.radial_load" = "9 kN"
+[vary]
+"bearing.roller.drop" = "log 0.5 um .. 20 um"
+[maximise]
+output = "life_L10 [h]"
+[search]
+starts = 1
+"""
+
+
+def found_of(tmp_path):
+    file = tmp_path / "drop.toml"
+    file.write_text(MISALIGNED.format(case=CASE))
+    optimum = optimise(file, tmp_path)
+    return optimum, messages.page(optimum, tmp_path)
+
+
+def test_a_best_design_whose_peak_only_slices_have_is_none(tmp_path):
+    """The life of slices is longest with pressed ends: no case of it is written, a former one is removed."""
+    file = tmp_path / "drop.toml"
+    file.write_text(MISALIGNED.format(case=CASE))
+    former = tmp_path / "drop_optimum.toml"
+    former.write_bytes(case_text(read_problem(file, FAMILIES).study, {}, tmp_path))
+    optimum, page = found_of(tmp_path)
+    assert optimum.best.end is End.CONVERGED
+    assert optimum.best.point == (0.5,)
+    assert not optimum.converged
+    assert optimum.peaks.whole > 1.5 * optimum.peaks.sliced
+    assert "no best design" in page
+    assert "%)" not in page.split("case -> best")[1].splitlines()[1]
+    assert not former.exists()
+
+
+def test_the_case_is_compared_under_the_operation_of_the_designs(tmp_path):
+    optimum, _ = found_of(tmp_path)
+    alike = flexbearing.run(CASE, ["operation.radial_load=9 kN", "operation.misalignment=3 arcmin"])
+    assert optimum.case.objective == pytest.approx(
+        wanted(LAYOUT, "life_L10 [h]").number({"rigid": alike.rigid})
+    )

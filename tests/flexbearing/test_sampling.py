@@ -17,7 +17,7 @@ from flexbearing.sampling.distribution import (
     weighted_quantile,
 )
 from flexbearing.sampling.indices import sobol_indices
-from flexbearing.sampling.linear import Linear, explained
+from flexbearing.sampling.linear import Linear, explained, is_skewed
 from flexbearing.sampling.quantiles import quantile
 
 UNIFORM = uniform(-pi, pi)
@@ -156,3 +156,17 @@ def test_linear_prediction_of_a_linear_function_is_exact():
     assert explained(values, linear.at(numbers)) == approx(1, abs=1e-12)
     assert linear.value == approx(values.mean(), rel=1e-3)
     assert linear.deviation == approx(values.std(), rel=5e-3)
+
+
+def test_a_skewed_output_above_zero_is_predicted_by_its_logarithm():
+    numbers = np.random.default_rng(0).normal(0, 1, (20_000, 1))
+    lives = 50 * np.exp(1.5 * numbers[:, 0])
+    slope, zero, one = np.array([75.0]), np.zeros(1), np.ones(1)
+    assert is_skewed(lives)
+    assert not is_skewed(lives - 50)
+    assert not is_skewed(100 + numbers[:, 0])
+    plain, linear = (Linear(50.0, slope, zero, one, logarithmic=of) for of in (False, True))
+    assert plain.at(numbers).min() < 0
+    assert linear.at(numbers) == approx(lives)
+    assert linear.mean == approx(lives.mean(), rel=0.05)
+    assert linear.deviation == approx(lives.std(), rel=0.2)

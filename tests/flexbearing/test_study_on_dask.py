@@ -1,6 +1,9 @@
 """Studies on a Dask scheduler that somebody else runs: addresses, certificates, the same table."""
 
+import json
 import socket
+import subprocess
+import sys
 from functools import partial
 from pathlib import Path
 from threading import Thread
@@ -8,7 +11,7 @@ from threading import Thread
 import pytest
 
 from flexbearing.case import BadCase
-from flexbearing.studies.engine import on_dask
+from flexbearing.studies.engine import EngineLost, on_dask
 from flexbearing.studies.engine.certificates import certificates
 from flexbearing.studies.engine.on_dask import NoConnection, connected
 from flexbearing.studies.engine.serial import Serial
@@ -16,11 +19,13 @@ from flexbearing.studies.run import Work, run
 from flexbearing.studies.where import Where
 from tests.flexbearing.toy_studies import cubes, no_ring, toy
 
+ROOT = Path(__file__).parents[2]
 FORTY = '"operation.radial_load" = "2 kN .. 41 kN, 40"'
 
 
-def computed(settled, folder, engine):
-    return run(settled, folder, Work(partial(cubes, texts=settled.texts), no_ring), lambda tasks: engine)
+def computed(settled, folder, engine, **options):
+    work = Work(partial(cubes, texts=settled.texts), no_ring)
+    return run(settled, folder, work, lambda tasks: engine, **options)
 
 
 @pytest.fixture(scope="module")
@@ -132,3 +137,34 @@ def test_a_running_scheduler_computes_and_stays(how, tmp_path, request):
                 engine = connected(cluster.scheduler_address, certificates(*given))
             assert engine.workers == 2
             assert str(computed(settled, tmp_path / folder, engine).rows) == str(alone.rows)
+
+
+@pytest.mark.slow
+def test_a_scheduler_that_is_killed_leaves_no_failed_row_and_the_next_start_goes_on(tmp_path):
+    settled, started = toy(tmp_path, FORTY), []
+    place = tmp_path / "scheduler.json"
+    file = ("--scheduler-file", str(place), "--no-dashboard")
+    calls = (
+        ("dask_scheduler", "--host", "127.0.0.1", "--port", "0", *file),
+        ("dask_worker", "--no-nanny", *file),
+    )
+    try:
+        for name, *options in calls:
+            words = [sys.executable, "-m", f"distributed.cli.{name}", *options]
+            started.append(subprocess.Popen(words, stderr=subprocess.DEVNULL, cwd=ROOT))
+        while not place.exists():
+            pass
+        engine = connected(json.loads(place.read_text())["address"])
+        with pytest.raises(EngineLost, match=r"the scheduler is gone \(\w+\)") as lost:
+            computed(
+                settled, tmp_path, engine, tell=lambda progress: progress.done > 10 and started[0].kill()
+            )
+    finally:
+        for process in started:
+            process.kill()
+            process.wait()
+    rows = settled.rows(tmp_path)
+    assert f"{len(rows)} of 40 variants are kept, the same study goes on from there" in lost.value.__notes__
+    assert 10 < len(rows) < 40
+    assert all(row.converged for row in rows.values())
+    assert computed(settled, tmp_path, Serial()).failed == 0

@@ -10,12 +10,14 @@ import flexbearing
 from fem import condense as finite_elements
 from fem.raceway.harmonics import HarmonicCompliance
 from flexbearing.cache import configured, recent
+from flexbearing.case.declarations import toml
 from flexbearing.program.processes import Processes
 from flexbearing.program.threads import cores
 from flexbearing.studies import worker
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.prepare import prepared
 from flexbearing.studies.run import Work, run
+from tests.cold_oil import RIGID, cold_case, settings
 from tests.flexbearing import toy_studies
 from tests.flexbearing.toy_studies import CASE
 
@@ -121,3 +123,20 @@ def test_one_job_is_one_core_however_many_there_are(rings, monkeypatch, tmp_path
     for jobs in (1, None):
         flexbearing.study(file, tmp_path / str(jobs), jobs=jobs)
     assert seen == [1, 4]
+
+
+@pytest.mark.parametrize("alone", [False, True], ids=["side by side", "result files"])
+def test_a_row_alone_says_what_it_says_in_a_batch(alone, tmp_path):
+    """Several equilibria, which are not searched without `search_equilibria`, and pressed ends."""
+    pairs = (each.split("=", 1) for each in (*RIGID, *settings(13)))
+    keys = "\n".join(f'"{key}" = {value if value[0] == "0" else toml(value)}' for key, value in pairs)
+    loads = '"operation.radial_load" = ["7 kN", "9 kN"]\n"bearing.roller.drop" = "0.5 um"\n'
+    several = study(tmp_path, cold_case(tmp_path), f"[over]\n{keys}\n")
+    pressed = study(tmp_path, CASE, f'[over]\n{loads}"operation.misalignment" = "3 arcmin"\n')
+    words = []
+    for settled in (several, pressed):
+        wish = worker.Wish(("life_L10 [h]",), files=tmp_path if alone else None, final=alone)
+        tasks = settled.plan.tasks(lambda variant: True)
+        words += [row.message for task in tasks for row in worker.rows(task, wish)]
+    assert words[0] == "danger: several equilibria are likely; others than the computed one were not searched"
+    assert all(each.startswith("outside validity: error of the peak pressure") for each in words[1:])

@@ -22,7 +22,7 @@ COLUMNS = {  # of the tables, by their names behind that of the study
     "percentiles": {
         "output", "unit", "mean", "deviation", *_P, *(f"{p}_{end}" for p in _P for end in ("low", "high")),
         "linear_mean", "linear_deviation", *(f"linear_{p}" for p in _P), "linear_explains [%]",
-        "rows", "unsolved",
+        "linear_of", "rows", "unsolved",
     },
     "shares": {
         "output", "key", "first", "total", "points", "linear_share", "halved_P10", "halved_P90",
@@ -34,7 +34,7 @@ COLUMNS = {  # of the tables, by their names behind that of the study
 }  # fmt: skip
 MOST_FIGURES = 12  # outputs with figures; the tables have all
 SUBJECTS = "key", "bin"  # of which an output has a row each
-TEXTS = ("output", "unit", "key", "by")  # columns of texts
+TEXTS = ("output", "unit", "key", "by", "linear_of")  # columns of texts
 GREY = "#c0c4cc"
 Row = Mapping[str, Any]
 
@@ -139,7 +139,8 @@ def _percentiles(found: ScatterTables, units: Units) -> Table:
     note = (
         "P10, P50 and P90: 10, 50 and 90 % of the bearings lie below. low and high: between them the "
         "percentile lies with 95 % confidence, for any values of rows without a number. linear: by the "
-        "derivatives where every key has its mean, and how much of the variance of the rows that explains."
+        "derivatives where every key has its mean, of the logarithm of a skewed output, and how much of the "
+        "variance of the rows that explains."
     )
     return Table("Percentiles of the outputs", head, tuple(rows), note)
 

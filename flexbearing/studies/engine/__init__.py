@@ -2,6 +2,6 @@
 
 from flexbearing.program.processes import Done
 from flexbearing.studies.engine.attempts import DIED, Ended, completed, finished
-from flexbearing.studies.engine.engine import Engine
+from flexbearing.studies.engine.engine import Engine, EngineLost
 
-__all__ = ["DIED", "Done", "Ended", "Engine", "completed", "finished"]
+__all__ = ["DIED", "Done", "Ended", "Engine", "EngineLost", "completed", "finished"]

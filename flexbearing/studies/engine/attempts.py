@@ -36,17 +36,17 @@ def finished(
 ) -> Iterator[Ended]:
     """Yield the end of every task.
 
-    When a worker dies, the variants of its task go one by one, so that the deadly one is found; what dies
-    three times is a row that says so.
+    When a worker dies, its task is halved, so that the deadly variant is found; one that died three times, at
+    last by itself, is a row that says so.
     """
     waiting, again, deaths = deque(tasks), deque[Task](), Counter[str]()
     running: set[Task] = set()
 
     def submit() -> None:
         # What waits behind a deadly task dies with it: suspects run with nothing waiting. One worker may be
-        # left for all of them: the last attempt of a variant runs alone.
+        # left for all of them: the last attempts of a variant run alone.
         died = max((deaths[each.identity] for each in _variants([*again, *running])), default=0)
-        most = 1 if died == ATTEMPTS - 1 else engine.workers if died else 2 * engine.workers
+        most = 1 if died >= ATTEMPTS - 1 else engine.workers if died else 2 * engine.workers
         while (again or waiting) and len(running) < most:
             task = again.popleft() if again else waiting.popleft()
             running.add(task)
@@ -93,14 +93,13 @@ def _variants(tasks: Iterable[Task]):
 
 
 def _deaths(task: Task, deaths: Counter[str], again: deque[Task]) -> Iterator[Row]:
-    """Rows of variants that died too often; the others are queued, each alone."""
-    for alone in task.alone:
-        identity = alone.variants[0].identity
-        deaths[identity] += 1
-        if deaths[identity] < ATTEMPTS:
-            again.append(alone)
-        else:
-            yield Row(identity, WORKER_DIED, DIED, 0.0)
+    """The row of a variant that died by itself, and often enough; everything else is queued in halves."""
+    deaths.update(variant.identity for variant in task.variants)
+    first = task.variants[0].identity
+    if len(task.variants) == 1 and deaths[first] >= ATTEMPTS:
+        yield Row(first, WORKER_DIED, DIED, 0.0)
+    else:
+        again.extend(task.halves)
 
 
 def _failed(done: Done) -> Iterator[Row]:

@@ -3,7 +3,12 @@
 from collections.abc import Callable, Iterator
 from typing import Any, Protocol
 
+from flexbearing.program.interpreter import Died
 from flexbearing.program.processes import Done
+
+
+class EngineLost(Died):
+    """What computes the calls of an engine is gone: no call is at fault."""
 
 
 class Engine(Protocol):

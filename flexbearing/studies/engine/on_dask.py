@@ -2,6 +2,7 @@
 
 import logging
 from collections.abc import Callable, Iterator
+from concurrent.futures import CancelledError
 from ipaddress import ip_address
 from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any
@@ -10,6 +11,7 @@ from urllib.parse import urlsplit
 from flexbearing.case.excerpt import excerpt
 from flexbearing.program.processes import Done
 from flexbearing.studies.engine.certificates import Certificates
+from flexbearing.studies.engine.engine import EngineLost
 
 if TYPE_CHECKING:
     from distributed import Client, Future
@@ -34,13 +36,28 @@ class OnDask:
         self._ended: SimpleQueue[Future] = SimpleQueue()
 
     def submit(self, function: Callable[[Any], Any], argument: Any) -> None:
-        """Have a function called by whichever worker is free."""
-        future = self._client.submit(function, argument, pure=False)
+        """Have a function called by whichever worker is free.
+
+        Raises
+        ------
+        EngineLost
+            when the scheduler is gone
+        """
+        try:
+            future = self._client.submit(function, argument, pure=False)
+        except Exception as problem:
+            raise _lost_or(problem) from problem
         self._running[future.key] = argument
         future.add_done_callback(self._ended.put)
 
     def as_completed(self) -> Iterator[Done]:
-        """Yield calls as they end, on whichever worker."""
+        """Yield calls as they end, on whichever worker.
+
+        Raises
+        ------
+        EngineLost
+            when the scheduler is gone
+        """
         while self._running:
             future = self._ended.get()
             yield self._done(self._running.pop(future.key), future)
@@ -53,13 +70,27 @@ class OnDask:
         except KilledWorker:
             return Done(argument, died=True)
         except Exception as problem:  # of one task, which must not end the others
-            return Done(argument, raised=problem)
+            if future.status == "error" and not _is_of_dask(problem):
+                return Done(argument, raised=problem)
+            raise _lost_or(problem) from problem
         finally:
             future.release()
 
     def close(self) -> None:
         """Let go of calls that did not end."""
         self._client.close()
+
+
+def _is_of_dask(problem: Exception) -> bool:
+    """Whether an exception is of the scheduler or its connections, and not of what is computed."""
+    return type(problem).__module__.partition(".")[0] == "distributed"
+
+
+def _lost_or(problem: Exception) -> Exception:
+    """What is raised in place of an exception of Dask; others are faults of this program."""
+    if _is_of_dask(problem) or isinstance(problem, OSError | CancelledError):
+        return EngineLost(f"the scheduler is gone ({type(problem).__name__})")
+    return problem
 
 
 def connected(address: str, certificates: Certificates | None = None) -> OnDask:
@@ -87,6 +118,7 @@ def connected(address: str, certificates: Certificates | None = None) -> OnDask:
         raise NoConnection("certificates are given, or required; the address must begin with tls://")
     with ThreadPoolExecutor(1) as another:  # a notebook has a loop in this thread
         threads = another.submit(asyncio.run, _threads(address, security)).result()
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # a lost scheduler is reported in a sentence
     client = Client(address, timeout=PATIENCE, set_as_default=False, security=security)
     return OnDask(client, max(1, threads))
 

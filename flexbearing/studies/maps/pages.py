@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.findings.running import FILM_RATIO, SHORT_LIFE
+from flexbearing.findings.running import FILM_RATIO, PRESSED_ENDS, SHORT_LIFE
 from flexbearing.findings.strength import CONTACT_PRESSURE, STATIC_SAFETY
 from flexbearing.report.contours import Contours
 from flexbearing.report.html.document import Document
@@ -118,6 +118,12 @@ def _words(found: SolvedMap) -> Iterator[str]:
     unstable = int((~found.solved.stable).sum())
     if unstable:
         yield f"{unstable} unstable equilibria are in the table, marked"
+    pressed = int((found.sliced_peak_error > PRESSED_ENDS.limit).sum())
+    if pressed:
+        yield (
+            f"peak pressures are wrong in {pressed} of {len(found.sliced_peak_error)} states: "
+            f"{PRESSED_ENDS.meaning}; {PRESSED_ENDS.action}"
+        )
     if not found.solved.quiet:
         yield (
             f"the search still found other equilibria in its last rounds, of {found.solved.rounds}: "

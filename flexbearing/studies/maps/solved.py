@@ -42,6 +42,7 @@ class SolvedMap:
     solved: SolvedGrid
     folds: MapFolds
     outputs: dict[str, NDArray]  # (S) by headings, for people; left out are those that the case does not have
+    sliced_peak_error: NDArray  # (S) of the peak pressure of slices [-]
 
     @property
     def points(self) -> int:
@@ -97,9 +98,9 @@ def solved_map(first: Case, axes: Sequence[MapAxis], texts: Sequence[str], repor
             )
         ended = folds(solved)
         report.stage("outputs", None)
-        outputs = _outputs(whole, solved, texts, mapped)
+        outputs, error = _outputs(whole, solved, texts, mapped)
     raceways = "rigid raceways" if whole.points.rigid else "flexible rings"
-    return SolvedMap(first.title, raceways, whole.axes, solved, ended, outputs)
+    return SolvedMap(first.title, raceways, whole.axes, solved, ended, outputs, error)
 
 
 def _require_outputs(texts: Sequence[str]) -> None:
@@ -112,20 +113,20 @@ def _require_outputs(texts: Sequence[str]) -> None:
 
 def _outputs(
     whole: MapGrid, solved: SolvedGrid, texts: Sequence[str], mapped: Callable[..., Iterator[Any]]
-) -> dict[str, NDArray]:
-    """Outputs of all states; those that no state has are left out."""
+) -> tuple[dict[str, NDArray], NDArray]:
+    """Outputs of all states, without those that no state has; errors of the peak pressure of slices."""
     entries = [wanted(LAYOUT, text) for text in texts]
     parts = mapped(partial(_numbers, texts), _rows(whole, solved))
-    columns = [np.concatenate(column) for column in zip(*parts, strict=True)]
+    *columns, error = (np.concatenate(column) for column in zip(*parts, strict=True))
     named = (
         (_heading(entry.name, entry.unit), column) for entry, column in zip(entries, columns, strict=True)
     )
-    return {name: column for name, column in named if not np.isnan(column).all()}
+    return {name: column for name, column in named if not np.isnan(column).all()}, error
 
 
 def _numbers(texts: Sequence[str], rows: SolvedRows) -> list[NDArray]:
-    """Outputs of some states."""
-    return rows.numbers([wanted(LAYOUT, text) for text in texts])
+    """Outputs of some states, and the error of the peak pressure of their slices."""
+    return [*rows.numbers([wanted(LAYOUT, text) for text in texts]), rows.sliced_peak_error]
 
 
 def _heading(name: str, unit: str) -> str:

@@ -59,9 +59,11 @@ class Task:
     levels: Any = None  # that they share; None without accuracy.target
 
     @property
-    def alone(self) -> tuple["Task", ...]:
-        """The same variants, each in a task of its own."""
-        return tuple(replace(self, variants=(variant,)) for variant in self.variants)
+    def halves(self) -> tuple["Task", ...]:
+        """The same variants in two tasks; one variant in one."""
+        middle = (len(self.variants) + 1) // 2
+        parts = self.variants[:middle], self.variants[middle:]
+        return tuple(replace(self, variants=part) for part in parts if part)
 
 
 @dataclass(frozen=True, eq=False)

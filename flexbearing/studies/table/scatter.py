@@ -1,7 +1,7 @@
 """What the rows of a sampled study tell of its outputs: how they scatter, and which keys make them."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from flexbearing.sampling.distribution import weighted_quantile
 from flexbearing.sampling.indices import Indices, sobol_indices
-from flexbearing.sampling.linear import Linear, explained
+from flexbearing.sampling.linear import Linear, explained, is_skewed
 from flexbearing.sampling.quantiles import quantile
 from flexbearing.studies.file import Axis
 from flexbearing.studies.file.sampled import Drawn
@@ -68,7 +68,7 @@ class Scatter:
             )
             for output in self.outputs
         ]
-        return [each for each in found if each.varies]
+        return [each.with_scale() for each in found if each.varies]
 
     @cached_property
     def _bins(self) -> int:
@@ -157,6 +157,18 @@ class _Output:
         """Whether its numbers differ by more than rounding."""
         return len(self.known) > 0 and np.ptp(self.known) > SAME * np.abs(self.known).max()
 
+    def with_scale(self) -> "_Output":
+        """The same, predicted by its logarithm where its numbers are above zero and skewed."""
+        if self.linear is None or self.linear.value <= 0 or not is_skewed(self.known):
+            return self
+        return replace(self, linear=replace(self.linear, logarithmic=True))
+
+    def explained(self, predicted: NDArray) -> float:
+        """Share of the variance that a prediction explains, of logarithms where it is made for them [%]."""
+        if self.linear and self.linear.logarithmic:
+            return 100 * explained(np.log(self.known), np.log(predicted))
+        return 100 * explained(self.known, predicted)
+
     def predicted(self, numbers: NDArray) -> NDArray:
         """The same to first order; of all of them."""
         return self.linear.at(numbers[self.places]) if self.linear else np.full(len(self.places), np.nan)
@@ -172,12 +184,13 @@ class _Output:
             row |= {f"P{percent}": found.value, f"P{percent}_low": low, f"P{percent}_high": high}
         predicted = self.predicted(numbers)
         linear = self.linear
-        row |= {"linear_mean": linear.value, "linear_deviation": linear.deviation} if linear else {
+        row |= {"linear_mean": linear.mean, "linear_deviation": linear.deviation} if linear else {
             "linear_mean": np.nan, "linear_deviation": np.nan
         }  # fmt: skip
         row |= {f"linear_P{percent}": float(np.quantile(predicted, percent / 100)) for percent in PERCENTILES}
         return row | {
-            "linear_explains": 100 * explained(self.known, predicted),
+            "linear_explains": self.explained(predicted),
+            "linear_of": "" if linear is None else "logarithm" if linear.logarithmic else "output",
             "rows": len(self.places),
             "unsolved": unsolved,
         }

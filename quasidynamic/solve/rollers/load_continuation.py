@@ -24,19 +24,23 @@ class Continuation:
     evaluations: int
 
 
-def from_heavier_load(balance: BearingBalance, start: Callable[[BearingBalance], NDArray]) -> Continuation:
+def from_heavier_load(
+    balance: BearingBalance, start: Callable[[BearingBalance], NDArray], most: float = np.inf
+) -> Continuation:
     """Equilibrium of one case, from that of a load many times as large in shrinking steps.
 
     Each step starts from an extrapolation of the last two equilibria over the logarithm of the load,
-    and is halved until Newton's method succeeds.
+    and is halved until Newton's method succeeds; no further load is tried after `most` evaluations.
     """
     evaluations = 0
     for factor in FIRST_LOADS:
         heavy = loaded(balance, factor)
         unknowns, used = _newton(heavy, start(heavy))
         evaluations += used
+        if evaluations >= most:
+            break
         if unknowns is not None:
-            lighter = _down(balance, np.log(factor), unknowns)
+            lighter = _down(balance, np.log(factor), unknowns, most - evaluations)
             evaluations += lighter.evaluations
             if lighter.unknowns is not None:
                 return Continuation(lighter.unknowns, evaluations)
@@ -52,7 +56,7 @@ def loaded(balance: BearingBalance, factor: float) -> BearingBalance:
     )
 
 
-def _down(balance: BearingBalance, log_factor: float, unknowns: NDArray) -> Continuation:
+def _down(balance: BearingBalance, log_factor: float, unknowns: NDArray, most: float) -> Continuation:
     """From the logarithm of a load factor down to zero."""
     step, slope, evaluations = FIRST_STEP, np.zeros_like(unknowns), 0
     for _ in range(MAX_LOADS):
@@ -62,7 +66,7 @@ def _down(balance: BearingBalance, log_factor: float, unknowns: NDArray) -> Cont
         evaluations += used
         if solution is None:
             step /= 2
-            if step < SHORTEST_STEP:
+            if step < SHORTEST_STEP or evaluations >= most:
                 break
             continue
         slope = (solution - unknowns) / (target - log_factor)

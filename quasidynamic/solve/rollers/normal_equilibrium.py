@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import BORDER, TILT_Y, TILT_Z, Unknowns, Y, Z
-from quasidynamic.solve.rollers.pressed_rollers import FilmOf, PressedRollers, PressedState
+from quasidynamic.solve.rollers.pressed_rollers import ContactWork, FilmOf, PressedRollers, PressedState
 
 RIGID_MODES = 2  # in which rollers approach rigid raceways: shift and tilt
 SWEEPS = 3  # of normal forces by friction, and of friction by normal forces
@@ -15,10 +15,11 @@ RING_DIGITS = 1e-7  # of the largest force: unbalanced force on the ring
 HALVINGS = 12  # of a step of the ring
 LONGEST_RING_STEP = 100.0  # lengths of the scales: 2 % of a roller's diameter
 STIFFENING = 1e-2  # of the whole stiffness over the relative imbalance, where no roller resists a direction
+ENDLESS = ContactWork()
 LEAST_STIFFENING = 1e-6  # of the largest force over a length, where no roller touches at all
 
 
-def normal_equilibrium(balance: BearingBalance, scaled: NDArray) -> NDArray:
+def normal_equilibrium(balance: BearingBalance, scaled: NDArray, work: ContactWork = ENDLESS) -> NDArray:
     """Move ring, rollers and films where normal forces balance; cage and spins stay.
 
     The energy of the contacts is convex, and its lowest place is found from anywhere: also where a linear
@@ -31,17 +32,24 @@ def normal_equilibrium(balance: BearingBalance, scaled: NDArray) -> NDArray:
         of one case
     scaled : array (1, N)
         unknowns
+    work : ContactWork, optional
+        evaluations that may be used
 
     Returns
     -------
     array (1, N)
         unknowns, as near as the sweeps came
+
+    Raises
+    ------
+    OutOfWork
+        where they do not suffice
     """
     for _ in range(SWEEPS):
         system, unknowns = balance.evaluate(scaled), balance.unpack(scaled)
         unbalanced = (system.residual * balance.scales.residual)[0]
         force = system.state.contact.force[:, :RIGID_MODES, 0]
-        rollers, free = _pressed(balance, unknowns, force, unbalanced)
+        rollers, free = _pressed(balance, unknowns, force, unbalanced, work)
         before = _place(balance, unknowns)
         outer = np.array([unknowns.approach[0] - unknowns.film[1, 0], unknowns.tilt[0]])
         state = _ring_at_rest(rollers, rollers.at(before, outer[: force.shape[1]]), free)
@@ -52,7 +60,7 @@ def normal_equilibrium(balance: BearingBalance, scaled: NDArray) -> NDArray:
 
 
 def _pressed(
-    balance: BearingBalance, unknowns: Unknowns, force: NDArray, unbalanced: NDArray
+    balance: BearingBalance, unknowns: Unknowns, force: NDArray, unbalanced: NDArray, work: ContactWork
 ) -> tuple[PressedRollers, NDArray]:
     """Rollers under the forces (N) that are not of the contacts, and where the ring is free to go (2, M)."""
     raceways, azimuths = balance.roller.raceways, balance.roller.bearing.azimuths
@@ -62,7 +70,7 @@ def _pressed(
     if force.shape[1] > 1:
         free[:, 1] = balance.points.free_tilt[0, 0]
         load[:, 1] += unbalanced[[TILT_Y, TILT_Z]] / balance.kinematics.half_length
-    film_of = _films(balance, unknowns)
+    film_of = work.counted(_films(balance, unknowns))
     return PressedRollers(
         law=type(raceways.law)(np.reshape(raceways.law.coefficient, (-1, 1)), raceways.law.rounding),
         slices=raceways.slices.with_axial_modes(force.shape[1]),

@@ -24,6 +24,34 @@ LONGEST_STEP = 50.0  # lengths, of a roller in a step
 SINGULAR = 1e-12  # of the product of two stiffnesses: a determinant that is rounding
 
 
+class OutOfWork(Exception):
+    """Rollers do not come to rest within the evaluations of their contacts that they are given."""
+
+
+@dataclass
+class ContactWork:
+    """Evaluations of the contacts of all rollers that are left."""
+
+    left: float = np.inf
+
+    def counted(self, film_of: FilmOf) -> FilmOf:
+        """The films, each evaluation of which counts.
+
+        Raises
+        ------
+        OutOfWork
+            at one too many
+        """
+
+        def counted(load: NDArray, rollers: NDArray) -> tuple[NDArray, NDArray]:
+            self.left -= 1
+            if self.left < 0:
+                raise OutOfWork
+            return film_of(load, rollers)
+
+        return counted
+
+
 class Contacts(NamedTuple):
     """Forces at both raceways of Z rollers, by approaches that count the film as a gap that closes."""
 

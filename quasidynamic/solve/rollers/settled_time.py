@@ -1,5 +1,7 @@
 """Implicit Euler steps of cage and spins of one case, with ring and rollers at rest after every one."""
 
+from contextlib import suppress
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -10,10 +12,12 @@ from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.solve.rollers.load_continuation import Continuation
 from quasidynamic.solve.rollers.newton import newton, norm, step
 from quasidynamic.solve.rollers.normal_equilibrium import normal_equilibrium
+from quasidynamic.solve.rollers.pressed_rollers import ContactWork, OutOfWork
 from quasidynamic.solve.rollers.pseudo_time import LARGEST_RING_STEP, LARGEST_SPEED_CHANGE, scaled_inertia
 from quasidynamic.solve.rollers.step_bounds import bounded
 
 MAX_STEPS = 150  # steps
+MOST_CONTACTS = 10_000  # evaluations of the contacts of all rollers: where a solution is found 2000 sufficed
 FIRST_CHANGE = 0.1  # scaled change of the fastest speed in the first step
 TRY_AFTER = 6  # steps after which Newton's method is tried at any residual
 TRY_BELOW = 1e-2  # of the residual at the last trial: it is tried at once
@@ -37,9 +41,15 @@ def through_settled_time(balance: BearingBalance, start: NDArray) -> Continuatio
     start : array (1, N)
         scaled unknowns to begin with
     """
+    with suppress(OutOfWork):
+        return _settled(balance, start, ContactWork(MOST_CONTACTS))
+    return Continuation(None, MAX_STEPS)
+
+
+def _settled(balance: BearingBalance, start: NDArray, work: ContactWork) -> Continuation:
     speeds = np.append(CAGE, np.arange(balance.layout.size)[balance.layout.field(-1)])
     inertia, evaluations = scaled_inertia(balance)[0, speeds], 0
-    unknowns = normal_equilibrium(balance, start)
+    unknowns = normal_equilibrium(balance, start, work)
     system = balance.evaluate(unknowns)
     time = np.full(len(speeds), FIRST_CHANGE * np.min(inertia / np.abs(system.residual[0, speeds])))
     sizes, moved = [float(norm(system)[0])], np.zeros(len(speeds))
@@ -50,7 +60,7 @@ def through_settled_time(balance: BearingBalance, start: NDArray) -> Continuatio
         change = _step(balance, system, inertia / time)
         trial = unknowns.copy()
         trial[:, speeds] = bounded(balance, unknowns, unknowns + change)[:, speeds]
-        trial = normal_equilibrium(balance, trial)
+        trial = normal_equilibrium(balance, trial, work)
         after, evaluations = balance.evaluate(trial), evaluations + 1
         size = float(norm(after)[0])
         if not size < LARGEST_GROWTH * max(*sizes[-MEMORY:], SMALL_SHARE * sizes[0]):

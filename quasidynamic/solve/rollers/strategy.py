@@ -17,6 +17,7 @@ from quasidynamic.solve.start.lumped import held_back
 
 # Rounds of pseudo-time, each followed by Newton's method: before a heavier load, after it, at restarts.
 ROUNDS = (3, 9, 3)
+MOST_WORK = 4000  # evaluations of a case: the hardest that are solved take 3600, nearly all less than 700
 
 Start = Callable[[BearingBalance], NDArray]
 
@@ -28,7 +29,7 @@ class SolvedCases:
     unknowns: NDArray  # (C, N) scaled
     outcomes: list[SolverOutcome]
     evaluations: NDArray  # (C)
-    budget: int | None = None  # evaluations of a case after which no other way is tried
+    budget: int = MOST_WORK  # evaluations of a case after which no other way is tried
     ends: list[tuple[NDArray, Iterate]] = field(default_factory=list)  # where Newton's method ended for some
 
     @property
@@ -54,7 +55,13 @@ class SolvedCases:
         """Cases that may still be solved."""
         done = (SolverOutcome.CONVERGED, SolverOutcome.UNDETERMINED)
         left = np.array([case for case, outcome in enumerate(self.outcomes) if outcome not in done], int)
-        return left if self.budget is None else left[self.evaluations[left] < self.budget]
+        return left[self.evaluations[left] < self.budget]
+
+    def name_work_limit(self) -> None:
+        """Say of cases that all ways together left unsolved that they took as much work as a case may."""
+        for case in np.flatnonzero(self.evaluations >= MOST_WORK):
+            if self.outcomes[case] not in (SolverOutcome.CONVERGED, SolverOutcome.UNDETERMINED):
+                self.outcomes[case] = SolverOutcome.WORK
 
     def follow(self, iterates: Iterator[Iterate], cases: NDArray) -> None:
         """Store how the solves of some cases end."""
@@ -69,7 +76,7 @@ class SolvedCases:
 
 
 def solve(
-    balance: BearingBalance, start: NDArray, restarts: Sequence[Start], budget: int | None = None
+    balance: BearingBalance, start: NDArray, restarts: Sequence[Start], budget: int = MOST_WORK
 ) -> SolvedCases:
     """Solve all cases, those that one method leaves unsolved by the next one.
 
@@ -82,7 +89,7 @@ def solve(
     restarts : sequence of callables
         starts that cost more, tried one after the other for what is unsolved
     budget : int, optional
-        evaluations of a case after which no other way is tried; by default there is no such number
+        evaluations of a case after which no other way is tried
     """
     outcomes = [
         SolverOutcome.UNDETERMINED if free else SolverOutcome.RUNNING for free in balance.undetermined
@@ -104,14 +111,15 @@ def solve(
             _through_pseudo_time(balance, solved, unknowns, ROUNDS[2])
             continue
         _through_pseudo_time(balance, solved, unknowns, ROUNDS[0])
-        if budget is None:
-            _through_settled_time(balance, solved, (start, slipping))
+        _through_settled_time(balance, solved, (start, slipping))
         for case in solved.unsolved():
-            lighter = from_heavier_load(balance.take(np.array([case])), restart)
+            left = MOST_WORK - int(solved.evaluations[case])
+            lighter = from_heavier_load(balance.take(np.array([case])), restart, left)
             solved.evaluations[case] += lighter.evaluations
             if lighter.unknowns is not None:
                 solved.unknowns[case], solved.outcomes[case] = lighter.unknowns[0], SolverOutcome.CONVERGED
         _through_pseudo_time(balance, solved, unknowns, ROUNDS[1])
+    solved.name_work_limit()
     return solved
 
 
