@@ -21,10 +21,12 @@ def pytest_collection():
 
 
 @pytest.fixture(autouse=True, scope="session")
-def cache_of_the_session(tmp_path_factory):
-    """Rings that other tests condensed may be used again; those of earlier sessions may not."""
+def cache_of_the_session(tmp_path_factory, worker_id):
+    """Rings that other tests condensed, in any worker, may be used again; those of earlier sessions may not."""
+    folder = tmp_path_factory.getbasetemp()
+    folder = folder if worker_id == "master" else folder.parent
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("FLEXBEARING_CACHE", str(tmp_path_factory.mktemp("cache")))
+        patch.setenv("FLEXBEARING_CACHE", str(folder / "cache"))
         yield
 
 

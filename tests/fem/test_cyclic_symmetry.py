@@ -398,11 +398,15 @@ def test_limits_of_the_geometry_can_be_meshed(change):
     assert float(done.stdout.split()[-1]) > 0
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
-    "shape", [{}, SHAPES["both, raceway aside"], SHAPES["collar"]], ids=["plain", "both, aside", "collar"]
+    ("shape", "order"),
+    [
+        pytest.param("three bars", 3, marks=pytest.mark.slow),
+        pytest.param("both, raceway aside", 4, marks=pytest.mark.long),
+        pytest.param("collar", 4, marks=pytest.mark.long),
+    ],
 )
-def test_agrees_with_gaussian_patches_on_the_whole_solid(shape, monkeypatch):
+def test_agrees_with_gaussian_patches_on_the_whole_solid(shape, order, monkeypatch):
     """The whole has coarser elements, which answer less to loads that change along the rollers.
 
     With a collar a load of the third shape is answered by -0.3e-10 m/N with order 3 and by 2.2e-10 with
@@ -411,10 +415,10 @@ def test_agrees_with_gaussian_patches_on_the_whole_solid(shape, monkeypatch):
     """
     monkeypatch.setattr(condensation, "meshed", refined)
     monkeypatch.setattr(half_pitch, "LAYERS", LAYERS)
-    wishes = MeshSize(order=4, size=3e-3, raceway_size=1e-3)
+    wishes = MeshSize(order=order, size=3e-3, raceway_size=1e-3)
     azimuths = 2 * np.pi * np.arange(10) / 10
     patches = Patches(azimuths=tuple(azimuths), length=L, axial_modes=M, width=0.3e-3)
-    part = replace(STUMPS, **shape)
+    part = replace(STUMPS, **SHAPES[shape])
     solid = as_solid(part, patches, wishes)
     ring = by_harmonics(part, L, M, wishes).at(azimuths)
     assert ring.support_stiffness == approx(solid.support_stiffness, rel=4e-3)

@@ -85,11 +85,11 @@ def result_of(content):
 
 
 def places(record, place=()):
-    """Every place within a record, from the whole to each of its values."""
+    """Places within a record, from the whole to its values; of a list, whose items have one form, its ends."""
     yield place
-    items = (
-        record.items() if isinstance(record, dict) else enumerate(record) if isinstance(record, list) else ()
-    )
+    items = record.items() if isinstance(record, dict) else ()
+    if isinstance(record, list):
+        items = {at: record[at] for at in (0, len(record) - 1) if record}.items()
     for key, item in items:
         yield from places(item, (*place, key))
 
