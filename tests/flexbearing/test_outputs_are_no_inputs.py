@@ -176,6 +176,8 @@ def crossed(uses):
 
 
 CROSSED = [each for uses in USES.values() for each in crossed(uses)]
+BY_LINK = [(*each, LINKS["symbolic link"]) for each in CROSSED]
+BY_LINK += [(*next(crossed(uses)), LINKS["hard link"]) for uses in USES.values() if uses]
 
 
 def bytes_in(folder):
@@ -201,8 +203,7 @@ def refused(monkeypatch, capsys):
     return run
 
 
-@pytest.mark.parametrize("link", LINKS.values(), ids=LINKS)
-@pytest.mark.parametrize(("words", "output", "given"), CROSSED)
+@pytest.mark.parametrize(("words", "output", "given", "link"), BY_LINK)
 def test_no_output_leads_to_an_input(folder, tmp_path, monkeypatch, refused, words, output, given, link):
     monkeypatch.chdir(folder)
     if "IDENTITY" in output:
