@@ -170,6 +170,7 @@ ON_LINES = [
 ]  # fmt: skip
 
 
+@pytest.mark.slow
 def test_a_part_whose_levels_cannot_be_computed_is_not_left_rigid(folder, capsys):
     """Its harmonics are too few: the answer was rigid beside an error of 200 %."""
     path = folder / "coarse.h5"

@@ -85,7 +85,7 @@ def result_of(content):
 
 
 def places(record, place=()):
-    """Places within a record, from the whole to its values; of a list, whose items have one form, its ends."""
+    """Places within a record, from the whole to its values; of a list, whose items are alike, both ends."""
     yield place
     items = record.items() if isinstance(record, dict) else ()
     if isinstance(record, list):

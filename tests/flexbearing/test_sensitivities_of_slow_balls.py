@@ -1,5 +1,6 @@
 """Derivatives of slow balls by keys: against cases solved again, identities, both sides, refusals."""
 
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -76,6 +77,7 @@ def test_where_a_diagonal_opens_both_sides_are_given():
     def case(value):
         return api.read_case(SLEWING, [f"{key}={value!r} N m"])
 
+    @cache
     def approach(value):
         distribution = four_point.solved(case(value)).distribution
         assert distribution is not None
