@@ -129,11 +129,11 @@ def test_compliance_is_inverse_to_the_modulus(small):
 
 
 @slow
-def test_symmetry_changes_nothing_but_the_noise_of_the_mesh(cage):
+def test_symmetry_changes_nothing_but_the_noise_of_the_mesh(small):
     """Rollers at odd azimuths have no symmetry: every one is solved, the common ones must agree."""
-    some = as_solid(CAGE, replace(ROLLERS, azimuths=tuple(cage.azimuths[[0, 1, 4, 13]])), COARSE)
-    here = np.ix_([0, 1, 4, 13], range(M), [0, 1, 4, 13], range(M))
-    assert some.absolute == approx(cage.absolute[here], abs=0.01 * cage.absolute.max())
+    some = as_solid(SMALL, replace(SIX, azimuths=tuple(small.azimuths[[0, 1, 3]])), COARSE)
+    here = np.ix_([0, 1, 3], range(M), [0, 1, 3], range(M))
+    assert some.absolute == approx(small.absolute[here], abs=0.01 * small.absolute.max())
 
 
 @pytest.mark.long

@@ -82,7 +82,7 @@ def test_newton_alone_solves_thin_rings_that_are_hardly_held(held, tmp_path):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", range(40, 60, 2))
+@pytest.mark.parametrize("number", range(40, 60, 4))
 def test_random_bearing_ends_with_a_word_and_a_complete_file(number, tmp_path):
     """The designs are those of `benchmarks/random_coupled.py`."""
     chosen = design(14, number)

@@ -146,7 +146,7 @@ def test_largest_load_hardly_changes_with_the_mesh(tmp_path):
     assert loads[1:] == approx([loads[0]] * 3, rel=1e-3)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_full_solids_carry_the_load_alike(tmp_path):
     """Whole solids of moderate fineness and narrow patches, against half a pitch and axial sections."""
     solid = [
