@@ -56,7 +56,7 @@ def same_as_alone(models, compliance, deviation=None):
 def test_loads_and_speeds():
     models = map_of(np.geomspace(5e3, 3e4, 6), np.linspace(1e4, 4e4, 5), axial_modes=3)
     many = same_as_alone(models, raceways(models[0]))
-    assert many.ways[Way.FITTED] > 10
+    assert many.ways[Way.FITTED] > 5
 
 
 @pytest.mark.parametrize(
