@@ -85,6 +85,7 @@ def test_solid_shaft_is_the_limit_of_ever_smaller_bores():
     assert solid == approx(narrow, rel=1e-2)
 
 
+@pytest.mark.slow
 def test_ring_without_ribs_is_a_plain_tube_on_its_shaft():
     nu = replace(SHAFT, rib_diameter=None, track_width=SHAFT.width)
     ring, _ = sections(nu, L)

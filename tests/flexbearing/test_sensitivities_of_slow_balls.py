@@ -71,6 +71,7 @@ def test_displacement_by_load_is_the_compliance():
     assert slope == approx(np.linalg.inv(stiffness)[2, 2], rel=1e-6)
 
 
+@pytest.mark.slow
 def test_where_a_diagonal_opens_both_sides_are_given():
     key, moment = "operation.load.moment_y", 378833.0  # [N m]
 

@@ -166,6 +166,7 @@ def test_a_plan_needs_no_bearing():
     ]
 
 
+@pytest.mark.slow
 def test_a_plan_by_several_processes_is_that_by_one(tmp_path, monkeypatch):
     file = tmp_path / "clearances.toml"
     file.write_text(
