@@ -33,7 +33,7 @@ test-python:
 test-slow: $(READY)
 	$(FAST) $(BIN)/python -m pytest -m slow -n auto --maxprocesses 2 --dist loadscope
 
-# Pages of evidence that take minutes to compute; not in continuous integration.
+# Whole solids and a shipped optimum computed again, which takes minutes; not in continuous integration.
 test-long: $(READY)
 	$(FAST) $(BIN)/python -m pytest -m long -n auto --maxprocesses 2 --dist load
 
@@ -70,7 +70,7 @@ lint: $(READY)
 benchmark: $(READY)
 	$(BIN)/python -m benchmarks.main_job
 
-# Computes all cases of docs/evidence again; `make test-slow` and `make test-long` fail where their numbers moved.
+# Computes all cases of docs/evidence again; `make test` and `make test-slow` fail where their numbers moved.
 evidence: $(READY)
 	$(BIN)/python -m evidence
 

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
-from typing import Literal
 
 from matplotlib.figure import Figure
 
@@ -76,7 +75,7 @@ class Case:
     moves: float = 1e-3  # share of a number by which it may move before the check fails
     draw: Callable[[Findings], Figure] | None = None
     caption: str = ""
-    takes: Literal["", "seconds", "minutes"] = ""  # to compute; above ten seconds, `make test-long` does
+    slow: bool = False  # above half a second to compute: `make test-slow` does; none takes ten seconds
     remarks: str = ""
 
     @property

@@ -12,19 +12,22 @@ settings.load_profile("steady")
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection():
-    """What is collected stays to the end: the garbage collector need not look at it while it grows."""
+    """What is collected stays to the end: the garbage collector need not look at it, now or later."""
     gc.disable()
     try:
         return (yield)
     finally:
+        gc.freeze()
         gc.enable()
 
 
 @pytest.fixture(autouse=True, scope="session")
-def cache_of_the_session(tmp_path_factory):
-    """Rings that other tests condensed may be used again; those of earlier sessions may not."""
+def cache_of_the_session(tmp_path_factory, worker_id):
+    """Rings that tests of any worker condensed may be used again; those of earlier sessions may not."""
+    folder = tmp_path_factory.getbasetemp()
+    folder = folder if worker_id == "master" else folder.parent
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("FLEXBEARING_CACHE", str(tmp_path_factory.mktemp("cache")))
+        patch.setenv("FLEXBEARING_CACHE", str(folder / "cache"))
         yield
 
 

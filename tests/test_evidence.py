@@ -61,11 +61,9 @@ def test_case_names_source_error_and_the_files_it_uses(case, kept):
         assert (root / file).exists(), file
 
 
-MARKS = {"": (), "seconds": pytest.mark.slow, "minutes": pytest.mark.long}
-
-
 @pytest.mark.parametrize(
-    "case", [pytest.param(case, marks=MARKS[case.takes], id=name) for name, case in CASES.items()]
+    "case",
+    [pytest.param(case, marks=[pytest.mark.slow] * case.slow, id=name) for name, case in CASES.items()],
 )
 def test_numbers_are_those_that_are_computed(case, kept):
     assert moved(case, kept[case.name], case.compute()) == []

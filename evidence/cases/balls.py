@@ -406,7 +406,7 @@ CASES: Sequence[Case] = (
         "their pressure is that of an applied offset, 17 % harder to turn in A1 than a real load.",
         draw=draw_heras,
         caption="Ours over the independent program and over the finite elements of the paper.",
-        takes="minutes",
+        slow=True,
     ),
     Case(
         name="heras-stick-areas",
@@ -420,7 +420,7 @@ CASES: Sequence[Case] = (
         compute=heras_stick_areas,
         error="One row of cells is 2.5 to 5 % of a contact.",
         moves=2e-2,
-        takes="minutes",
+        slow=True,
     ),
     Case(
         name="rivera-lines",

@@ -293,7 +293,7 @@ CASES: Sequence[Case] = (
         "softer in tilt than in translation, by a factor of 1.55 for a short roller, 1.45 for l/D 1, 1.34 for a long one (the misfits above: 1/1.55 - 1 = -36 %). Elastic rings are condensed with the half-space under the roller's patch removed, for every "
         "axial shape (`fem/half_space/load_patch.py`), because the contact law has it already: in tilt the law has more of it than was "
         'removed. `bearing.contact = "half_space"` computes the most loaded roller without slices.',
-        takes="minutes",
+        slow=True,
     ),
     Case(
         name="life-of-slices",
@@ -309,7 +309,7 @@ CASES: Sequence[Case] = (
         reason="Life is proportional to the power -4 of line loads, which slices average; at the loaded ends of tilted straight rollers the line load "
         "changes within one slice. Between rigid rings life falls by 1.3 % from 20 to 640 slices, more between flexible ones. Results state this error "
         "(`life_error_percent`), and `accuracy.target` chooses the slices.",
-        takes="minutes",
+        slow=True,
     ),
     Case(
         name="half-space-split",
@@ -322,6 +322,6 @@ CASES: Sequence[Case] = (
         numbers_from="tests/reference/test_resolved_contact.py",
         compute=split_contact,
         error="What the pressure of Hertz leaves of the gap in the resolved contact. Allowed: 0.2 % of the indentation.",
-        takes="seconds",
+        slow=True,
     ),
 )

@@ -389,7 +389,7 @@ CASES: Sequence[Case] = (
         moves=2e-2,
         draw=draw_rates,
         caption="Relative error in the mean over the size of elements; dotted is the order of theory.",
-        takes="seconds",
+        slow=True,
     ),
     Case(
         name="ring-michell",
@@ -401,7 +401,7 @@ CASES: Sequence[Case] = (
         numbers_from="tests/literature/test_rings.py",
         compute=michell,
         error="Order 3 on the same mesh.",
-        takes="seconds",
+        slow=True,
     ),
     Case(
         name="ring-patches",
@@ -413,7 +413,7 @@ CASES: Sequence[Case] = (
         numbers_from="tests/literature/test_rings.py",
         compute=patches,
         error="Order 4 on the same mesh. The motion of a loaded point itself diverges and is not compared.",
-        takes="seconds",
+        slow=True,
     ),
     Case(
         name="ring-pinched",
@@ -426,7 +426,7 @@ CASES: Sequence[Case] = (
         compute=pinched,
         error="A coarser mesh of lower order. The beam program and Roark are good to 0.5 % for this ring. That page prints (4/π - π/4) for the diameter across, "
         "which should be (2/π - 1/2).",
-        takes="seconds",
+        slow=True,
     ),
     Case(
         name="ring-clamped",
@@ -438,7 +438,7 @@ CASES: Sequence[Case] = (
         numbers_from="tests/literature/test_lines_on_rings.py",
         compute=neighbours,
         error="A coarser mesh of lower order. Elements without layers along the clamp are up to 1.4 % too stiff.",
-        takes="seconds",
+        slow=True,
     ),
     Case(
         name="ring-calculix",
@@ -450,7 +450,7 @@ CASES: Sequence[Case] = (
         numbers_from="tests/literature/calculix.py",
         compute=against_calculix,
         error="Both programs on finer and coarser meshes. 0.5 % of the largest is allowed, which is what CalculiX's meshes leave open; misfits are shares of the largest.",
-        takes="minutes",
+        slow=True,
     ),
     Case(
         name="ring-on-springs",
@@ -462,7 +462,7 @@ CASES: Sequence[Case] = (
         numbers_from="tests/literature/test_rings_by_harmonics.py",
         compute=springs,
         error="Beams have no indentation at supports, the solid ring has: 0.7 % of the load is allowed; misfits are shares of the load.",
-        takes="seconds",
+        slow=True,
     ),
     Case(
         name="ring-out-of-plane",
@@ -474,7 +474,7 @@ CASES: Sequence[Case] = (
         numbers_from="tests/literature/test_rings_by_harmonics.py",
         compute=out_of_plane,
         error="Beams differ from solids by 0.015 %.",
-        takes="seconds",
+        slow=True,
     ),
     Case(
         name="curved-beams",
@@ -499,7 +499,7 @@ CASES: Sequence[Case] = (
         error='Order 5 with two layers is the row "solids of order 5".',
         reason="Only the formula for C: bars of 10.25 mm are as thick as a third of their length, so that shear and the ends count. The formula is 29 % "
         "too stiff there; it holds for slender bars only.",
-        takes="minutes",
+        slow=True,
     ),
     Case(
         name="lame",
@@ -523,6 +523,6 @@ CASES: Sequence[Case] = (
         numbers_from="tests/reference/test_plain_ring_on_supports.py",
         compute=planet_rim,
         error="Beams differ from the solid rim by 0.6 % at a wall of 4 % of the radius; the thin rim leaves out shear and extension. 2 % of the largest are allowed; misfits are shares of it.",
-        takes="minutes",
+        slow=True,
     ),
 )

@@ -272,7 +272,7 @@ CASES: Sequence[Case] = (
         error="Loads balance to 1e-9. The printed load changes by 7.9 N per µm of clearance.",
         reason="The stated clearance of 50 µm gives 11 loaded rollers and less load, by the paper's own load law too; its 3537 N and 9 rollers need 75 to "
         "76 µm. Clearance and oil fraction are fitted to that, so those rows are no evidence. The rest is.",
-        takes="seconds",
+        slow=True,
     ),
     Case(
         name="mao-flexible",
@@ -290,7 +290,7 @@ CASES: Sequence[Case] = (
         "slip and stiffness ([the figures](../howto/paper-figures.md)): no assumption met all of them.",
         draw=draw_loads,
         caption="Roller loads between rigid and flexible rings; the printed largest loads are dashed.",
-        takes="seconds",
+        slow=True,
     ),
     Case(
         name="mao-thickness",
@@ -307,7 +307,7 @@ CASES: Sequence[Case] = (
         + "With the tilt free, as in Eq. (3) of the paper, the inner ring follows the cone of the outer one, and the thickness hardly matters. "
         "Bars that thicken with the ring, or bars at both ends, turn the sign of the slope.",
         moves=5e-3,
-        takes="minutes",
+        slow=True,
     ),
     Case(
         name="mao-thickness-held",
@@ -324,7 +324,7 @@ CASES: Sequence[Case] = (
         + "With bars at one end the ring becomes conical under load; where the tilt is held rollers bear on one end, and a thicker ring becomes less conical: life rises with "
         "the thickness.",
         moves=5e-3,
-        takes="seconds",
+        slow=True,
     ),
     Case(
         name="mao-speed",
@@ -338,6 +338,6 @@ CASES: Sequence[Case] = (
         compute=over_speed,
         error="Directions only.",
         moves=5e-3,
-        takes="seconds",
+        slow=True,
     ),
 )

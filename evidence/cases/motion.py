@@ -294,7 +294,7 @@ CASES: Sequence[Case] = (
         numbers_from="tests/balances.py",
         compute=balances,
         error="The tolerance of the solver: 1e-7 of the largest force.",
-        takes="seconds",
+        slow=True,
     ),
     Case(
         name="power",
@@ -347,7 +347,7 @@ CASES: Sequence[Case] = (
         moves=1e-2,
         draw=draw_skidding,
         caption="Cage slip over each range, from its first to its last place.",
-        takes="minutes",
+        slow=True,
     ),
     Case(
         name="skidding-guidance",
@@ -385,7 +385,7 @@ CASES: Sequence[Case] = (
         moves=1e-2,
         draw=draw_gearbox,
         caption="Cage slip over the temperature of the oil.",
-        takes="minutes",
+        slow=True,
     ),
     Case(
         name="time-domain",
@@ -399,6 +399,6 @@ CASES: Sequence[Case] = (
         error="A roller drives the cage only after it has crossed its gap: slip of the snapshot is lower by 0.5 % at 20 µm, 5 % at 100 µm and "
         "18 % at 300 µm.",
         moves=1e-2,
-        takes="minutes",
+        slow=True,
     ),
 )

@@ -182,7 +182,7 @@ CASES: Sequence[Case] = (
         error="Half as many cells each way; the table itself was computed on far fewer elements.",
         draw=draw_kalker,
         caption="Coefficients over the ratio of the axes, ν = 0.25.",
-        takes="minutes",
+        slow=True,
     ),
     Case(
         name="carter",
@@ -229,6 +229,6 @@ CASES: Sequence[Case] = (
         numbers_from="tests/literature/test_interface_compliance.py",
         compute=interface,
         error="Each torque is extrapolated from three grids; the pressure is that of Hertz here (2 %).",
-        takes="minutes",
+        slow=True,
     ),
 )

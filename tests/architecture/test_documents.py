@@ -9,7 +9,8 @@ from pygments.lexers import get_lexer_by_name
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 PACKAGES = ("quasidynamic", "fem", "flexbearing")
-SOURCES = {path.relative_to(ROOT).as_posix() for path in ROOT.glob("*/**/*.py")}
+FOLDERS = (*PACKAGES, "tests", "benchmarks", "evidence", "docs")
+SOURCES = {path.relative_to(ROOT).as_posix() for name in FOLDERS for path in (ROOT / name).rglob("*.py")}
 
 
 @pytest.mark.parametrize("folder", ["howto", "theory", "tutorials"])

@@ -199,6 +199,7 @@ def test_own_terms_depend_little_on_the_numerics(mesh, harmonics, allowed):
     assert np.abs(other - usual).max() < allowed * np.abs(usual).max()
 
 
+@pytest.mark.slow
 def test_length_of_the_line_matters_little_along_the_normals():
     """What a half-space yields more under a shorter line belongs to the contact."""
     axes = along_normals(RING)

@@ -47,7 +47,7 @@ def test_section_moves_and_is_stressed_as_the_whole_solid(loaded):
     assert np.median(np.abs(von_mises(found.stress[some]) / stress - 1)) < 0.03
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_printed_error_holds_on_a_finer_mesh():
     """Two orders more on elements of half the size: within the error, below 5 %, at the same place."""
     clear = clearing(RING, PATCHES, FORCES, 37.5e-3)

@@ -85,6 +85,7 @@ def test_solid_shaft_is_the_limit_of_ever_smaller_bores():
     assert solid == approx(narrow, rel=1e-2)
 
 
+@pytest.mark.slow
 def test_ring_without_ribs_is_a_plain_tube_on_its_shaft():
     nu = replace(SHAFT, rib_diameter=None, track_width=SHAFT.width)
     ring, _ = sections(nu, L)
@@ -224,20 +225,18 @@ def test_own_compliance_does_not_depend_on_mesh_or_harmonics(part):
     assert few.support_stiffness == approx(many.support_stiffness, rel=2e-4)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
-    ("part", "solid"),
+    "part",
     [
-        (RING, MeshSize(order=3, size=4e-3, raceway_size=1e-3)),
-        (replace(RING, offset=-2e-3), MeshSize(order=3, size=4e-3, raceway_size=1e-3)),
-        (SHAFT, MeshSize(order=3, size=4e-3, raceway_size=1e-3)),
+        pytest.param(replace(RING, offset=-2e-3), id="ring, raceway aside", marks=pytest.mark.slow),
+        pytest.param(RING, id="ring", marks=pytest.mark.long),
+        pytest.param(SHAFT, id="shaft", marks=pytest.mark.long),
     ],
-    ids=["ring", "ring, raceway aside", "shaft"],
 )
-def test_tetrahedra_agree(part, solid):
+def test_tetrahedra_agree(part):
     """The same Gaussian on both; its fixed direction costs (width/R)^2, sharp edges 1 % of the stiffness."""
     width, patches = 0.7e-3, Patches(azimuths=tuple(ROLLERS), length=L, axial_modes=3, width=0.7e-3)
-    tetrahedra = as_solid(part, patches, solid)
+    tetrahedra = as_solid(part, patches, MeshSize(order=3, size=4e-3, raceway_size=1e-3))
     raceway = by_harmonics(part, L, 3, MeshSize(order=6, size=3e-3, raceway_size=0.8e-3), 140)
     n = raceway.harmonics
     damped = raceway.response * np.exp(-((n * width / raceway.radius) ** 2))[:, None, None]

@@ -94,6 +94,7 @@ def test_rigid_body_on_a_spring_adds_its_translation_to_a_rigid_seat():
     assert_allclose(found.support_stiffness, 1 / (1 / spring + 1 / known.support_stiffness), rtol=1e-4)
 
 
+@pytest.mark.slow
 def test_turned_body_gives_turned_answers():
     """A body that is stiff on one side: azimuths count from z towards y."""
     places, phi, _ = seat(25, 3)

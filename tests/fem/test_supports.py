@@ -481,7 +481,11 @@ WIDE = 80e-3  # of a band as long as the radius is large
 
 
 @pytest.mark.parametrize(
-    "support", [RigidSeat(), LineSupports(azimuths=(0.0, 2.0, 4.0))], ids=["seat", "lines"]
+    "support",
+    [
+        pytest.param(RigidSeat(), id="seat"),
+        pytest.param(LineSupports(azimuths=(0.0, 2.0, 4.0)), id="lines", marks=pytest.mark.slow),
+    ],
 )
 def test_harmonics_are_added_until_they_are_enough(support):
     """On elements that resolve them: a quarter of a long roller is far too coarse for a thin ring."""

@@ -128,6 +128,7 @@ def test_a_tighter_target_is_never_resolved_coarser(ordered, folder):
     assert tight.flexible["slice_position"].size >= ordered.flexible["slice_position"].size
 
 
+@pytest.mark.slow
 def test_a_part_that_changes_nothing_is_left_rigid_and_told(folder):
     hard = "materials.outer_ring.youngs_modulus=2070e6 GPa"
     result = flexbearing.run(PLAIN, [*RING, hard, "accuracy.target=1 %"], output=folder / "rock.h5")
@@ -170,6 +171,7 @@ ON_LINES = [
 ]  # fmt: skip
 
 
+@pytest.mark.slow
 def test_a_part_whose_levels_cannot_be_computed_is_not_left_rigid(folder, capsys):
     """Its harmonics are too few: the answer was rigid beside an error of 200 %."""
     path = folder / "coarse.h5"

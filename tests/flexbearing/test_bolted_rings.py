@@ -129,6 +129,7 @@ def test_summary_and_page_show_both(run):
     assert numbers["rigid"]["largest_ring_yield_um"] is None
 
 
+@pytest.mark.slow
 def test_pictures_put_rigid_beside_elastic_rings(run, tmp_path):
     from flexbearing.report.roller.deformed import pictures
 

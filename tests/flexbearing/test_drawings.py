@@ -85,6 +85,11 @@ KINDS = {
     "one ball": ("heras2017_a1.toml", []),
     "bolted": ("slewing_bolted.toml", []),
 }
+QUICK = (
+    "squirrel cage", "planet rim", "rigid rings", "fits", "profiled raceways", "free cage", "angular contact",
+    "bolted",
+)  # fmt: skip
+EACH_KIND = [pytest.param(kind, marks=[pytest.mark.slow] * (kind not in QUICK)) for kind in KINDS]
 SIGNS = ("Ø ", "R ", "r ", "2 sides, sum ", "diametral ")
 
 
@@ -124,7 +129,7 @@ def in_si(text):
     return np.radians(float(number)) if name == "deg" else unit(name).to_si(float(number))
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", EACH_KIND)
 def test_dimensions_are_the_values_of_the_case(kind):
     case, sheets = drawn(kind)
     declared = by_path(type(case))
@@ -296,7 +301,7 @@ def test_ball_touches_its_grooves_at_the_contact_angle():
         assert abs(np.linalg.det([along, nearest - centre])) < 0.3  # [mm] aside of the line
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", EACH_KIND)
 def test_labels_do_not_overlap_and_stay_on_the_page(kind):
     for sheet in drawn(kind)[1].values():
         figure = sheet.figure

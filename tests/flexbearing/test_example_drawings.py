@@ -49,6 +49,7 @@ def test_the_case_reference_has_drawings_of_every_kind():
         assert "](../images/drawings/" in chapter, kind
 
 
+@pytest.mark.slow
 def test_what_is_no_example_goes(tmp_path, monkeypatch):
     monkeypatch.setattr("flexbearing.example_drawings.EXAMPLES", EXAMPLES[2:3])
     (tmp_path / "former.svg").write_text("<svg/>")

@@ -89,6 +89,7 @@ def test_a_variant_of_a_plan_takes_some_ten_bytes_a_number(tmp_path):
     assert [each.values for each in made.variants] == [*made.axes[0].rows]
 
 
+@pytest.mark.slow
 def test_drawn_lists_take_four_bytes_a_number(tmp_path, monkeypatch):
     def checked(base, rows):
         return [Variant(v, f"{1:032x}", (), "", (tuple(float(w.split()[0]) for w in v[0]),)) for v in rows]

@@ -44,6 +44,7 @@ CASES = {
 COARSE = (
     "accuracy.mesh_size=8 mm", "accuracy.raceway_mesh_size=3.5 mm", "accuracy.patch_width=1.5 mm",
     "accuracy.slices=8", "accuracy.axial_shapes=2", "accuracy.threads=1", "outputs.stresses=true",
+    "accuracy.element_order=2", "outer.bars=8", "outer.bar_width=10 mm", "inner.kind=rigid",
 )  # fmt: skip
 SLOW = {"squirrel cage": ("mao2016.toml", COARSE)}
 QUICK = ("roller with fits", "fast ball", "slow balls")
@@ -326,6 +327,7 @@ def test_a_figure_of_equal_values_is_left_out_and_a_line_says_so(documents):
     assert "Not drawn: tilt of the rollers [mrad] is 0 everywhere." in told
 
 
+@pytest.mark.slow
 def test_lines_that_cannot_be_told_apart_are_drawn_once_and_the_caption_says_so(results):
     result = api.read(results("roller with fits"))
     near = {
@@ -344,6 +346,7 @@ def test_lines_that_cannot_be_told_apart_are_drawn_once_and_the_caption_says_so(
     assert "Inner and outer load are the same: drawn as one line." in figures["around-inner-load"].caption
 
 
+@pytest.mark.slow
 def test_load_per_length_is_drawn_of_both_raceways_only_where_they_differ(results):
     result = api.read(results("beams of a squirrel cage"))
     names = {figure.name for figure in of_result(result).figures}
@@ -370,6 +373,7 @@ def test_a_bearing_between_rigid_rings_tells_how_far_it_is_from_balance(document
     assert float(found[1]) < 1e-6
 
 
+@pytest.mark.slow
 def test_without_temperatures_no_clearance_is_called_operating():
     result = api.run(CONFIGS / "catalogue" / "nu210.toml")
     sections = {each.name: each for each in of_result(result).sections}

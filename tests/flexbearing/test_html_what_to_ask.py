@@ -209,6 +209,7 @@ def test_a_cage_slip_of_zero_says_which_key_computes_its_range(readers):
     assert words not in told(readers("catalogue"))[ASSUMED]
 
 
+@pytest.mark.slow
 def test_effects_of_inputs_give_a_range_of_zero_slip_and_of_the_stiffness_across(readers):
     found = told(readers("effects"))[ASSUMED]
     low, high = re.search(r"cage slip: ([\d.]+) to ([\d.]+) % with other values", found).groups()

@@ -155,6 +155,7 @@ def parquet(place, **columns):
     return place
 
 
+@pytest.mark.slow
 def test_a_packed_table_is_refused_before_it_is_unpacked(tmp_path):
     zeros = np.zeros(5_000_000)
     with pytest.raises(Unreadable, match=r"has 5000000 rows, .* at most 1000000 rows"):

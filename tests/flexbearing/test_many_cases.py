@@ -84,20 +84,13 @@ def test_every_output_of_many_rigid_cases_is_that_of_single_runs(changes):
     assert sum(not np.isnan(column(found, text)).any() for text in texts) > 30
 
 
-@pytest.mark.parametrize(
-    "life",
-    [
-        {},
-        {
-            "life.capacity": "iso281",
-            "life.lubrication": "a_ISO",
-            "life.cleanliness": "grease, normal cleanliness",
-        },
-    ],
-    ids=["basic", "modified"],
-)
-def test_rollers_on_half_spaces_are_solved_beside_each_other_and_beside_slices(life):
+def test_rollers_on_half_spaces_are_solved_beside_each_other_and_beside_slices():
     """Every output; their most loaded rollers are solved one by one, from states that are not."""
+    life = {
+        "life.capacity": "iso281",
+        "life.lubrication": "a_ISO",
+        "life.cleanliness": "grease, normal cleanliness",
+    }
     both = [
         case
         for contact in ("half_space", "slices")

@@ -99,6 +99,7 @@ def test_points_that_failed_are_marked_and_counted(plane, monkeypatch):
     assert "2 points not converged" in pages.text(plane.found)
 
 
+@pytest.mark.slow
 def test_three_axes_have_a_point_for_each_combination(tmp_path):
     found: Any = mapped(TEXTBOOK, tmp_path, LOADS, SPEEDS, "bearing.clearance=20 um..30 um,2").found
     assert found.shape == (3, 2, 2)

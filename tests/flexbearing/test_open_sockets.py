@@ -57,9 +57,12 @@ def sockets(process):
 @pytest.mark.parametrize(
     "words",
     [
-        ["study", "study.toml", "--jobs", "2"],
+        pytest.param(["study", "study.toml", "--jobs", "2"], marks=pytest.mark.slow),
         ["map", CASE, "--over", "operation.radial_load=2 kN..8 kN,80", "-o", "map.csv"],
-        ["run", CONFIGS / "joshi2015_fourpoint.toml", "--set", "friction.model=kalker"],
+        pytest.param(
+            ["run", CONFIGS / "joshi2015_fourpoint.toml", "--set", "friction.model=kalker"],
+            marks=pytest.mark.slow,
+        ),
     ],
     ids=lambda words: words[0],
 )

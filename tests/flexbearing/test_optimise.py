@@ -155,6 +155,7 @@ def test_second_start_computes_nothing_again(tmp_path):
     assert first.rows > 0
 
 
+@pytest.mark.slow
 def test_torn_journal_is_completed(tmp_path):
     first = found(tmp_path)
     journal = tmp_path / "out" / "hill.journal.jsonl"

@@ -673,7 +673,7 @@ def test_whatever_is_changed_in_a_file_is_seen(good, path, change):
 def test_files_in_memory_are_not_taken_for_each_other(path):
     """The HDF5 library identifies files by name, also those that are in memory alone."""
     stored = hdf5.content(written(path).read_bytes())[0]
-    titles = [f"bearing {number}" for number in range(40)]
+    titles = [f"bearing {number}" for number in range(12)]
     images = [image(replace(stored, attributes={**stored.attributes, "title": title})) for title in titles]
     with ThreadPoolExecutor(4) as pool:
         contents = list(pool.map(hdf5.content, images))
@@ -732,7 +732,7 @@ def test_no_flipped_bit_changes_an_answer(path):
     """Where a bit means nothing the same content is read, everywhere else the file is refused."""
     data = written(path).read_bytes()
     good = hdf5.content(data)[0]
-    places = np.random.default_rng(7).integers(8 * len(data), size=150)
+    places = np.random.default_rng(7).integers(8 * len(data), size=60)
     refused = 0
     for bit in places:
         path.write_bytes(flipped(data, int(bit)))
@@ -745,7 +745,7 @@ def test_no_flipped_bit_changes_an_answer(path):
         again = hdf5.content(path.read_bytes())[0]
         assert again.attributes == good.attributes
         assert all(np.array_equal(again.arrays[name], array) for name, array in good.arrays.items())
-    assert refused > 50
+    assert refused > 20
 
 
 # -- the reference page --------------------------------------------------------------------------

@@ -259,6 +259,7 @@ UNUSABLE = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("given", "why"), UNUSABLE.values(), ids=UNUSABLE)
 def test_load_cases_that_make_no_duty_cycle_are_reported(given, why, written, tmp_path):
     (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(spectrum_of(*given)))
@@ -267,6 +268,7 @@ def test_load_cases_that_make_no_duty_cycle_are_reported(given, why, written, tm
     assert f"no duty cycle of its 2 load cases: {why}" in messages
 
 
+@pytest.mark.slow
 def test_shares_that_do_not_add_up_are_scaled_with_a_message(written, tmp_path):
     (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(spectrum_of(("30", "60"))))
     _, _, messages = written("m.rexs")
@@ -296,6 +298,7 @@ def test_bearings_without_a_case_are_named_beside_those_that_have_one(written, t
     assert "no case for 9: has 2 rows" in messages
 
 
+@pytest.mark.slow
 def test_a_bearing_without_dimensions_takes_them_from_options(written, tmp_path):
     root = spectrum_of()
     (part,) = root.iterfind("components/component[@id='3']")

@@ -146,11 +146,11 @@ def test_largest_load_hardly_changes_with_the_mesh(tmp_path):
     assert loads[1:] == approx([loads[0]] * 3, rel=1e-3)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_full_solids_carry_the_load_alike(tmp_path):
     """Whole solids of moderate fineness and narrow patches, against half a pitch and axial sections."""
     solid = [
-        "accuracy.structure=solid", "accuracy.element_order=4", "accuracy.mesh_size=2.4 mm",
+        "accuracy.structure=solid", "accuracy.element_order=3", "accuracy.mesh_size=2.4 mm",
         "accuracy.raceway_mesh_size=1.7 mm",
     ]  # fmt: skip
     loads = [

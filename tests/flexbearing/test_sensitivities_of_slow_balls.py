@@ -1,5 +1,6 @@
 """Derivatives of slow balls by keys: against cases solved again, identities, both sides, refusals."""
 
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -70,12 +71,14 @@ def test_displacement_by_load_is_the_compliance():
     assert slope == approx(np.linalg.inv(stiffness)[2, 2], rel=1e-6)
 
 
+@pytest.mark.slow
 def test_where_a_diagonal_opens_both_sides_are_given():
     key, moment = "operation.load.moment_y", 378833.0  # [N m]
 
     def case(value):
         return api.read_case(SLEWING, [f"{key}={value!r} N m"])
 
+    @cache
     def approach(value):
         distribution = four_point.solved(case(value)).distribution
         assert distribution is not None

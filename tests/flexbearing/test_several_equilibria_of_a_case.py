@@ -42,6 +42,7 @@ def test_two_answers_half_a_degree_apart_are_both_told_as_one_of_several(cold):
     assert (min(lives), max(lives)) == (approx(2208, rel=0.02), approx(2530, rel=0.02))
 
 
+@pytest.mark.slow
 def test_rollers_that_pass_a_pitch_reach_one_state_from_either_answer(cold):
     """547.6 N and 2249 Mrev at 13 degC in the time domain, see tests/reference/test_moving_rollers.py."""
     passing = cold.attributes["equilibria"]["rigid"]["after_passing_pitches"]

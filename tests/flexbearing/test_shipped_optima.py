@@ -22,7 +22,7 @@ def test_profile_of_a_misaligned_bearing_beats_the_logarithmic_one(tmp_path):
     assert whole.objective > 1.1 * standard.objective
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_cage_of_least_mass_meets_its_constraints_on_a_finer_model(tmp_path):
     """Searched on a beam; stiffness, stress and life as elements of order 4 have them."""
     optimum = optimise(STUDIES / "optimum_cage.toml", tmp_path)

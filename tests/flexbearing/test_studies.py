@@ -311,11 +311,10 @@ def test_a_study_that_goes_on_has_the_numbers_of_one_that_was_not_interrupted(tm
     )
     whole = study(file, tmp_path / "whole", jobs=1)
     lines = (tmp_path / "whole" / f"s{SUFFIX}").read_bytes().splitlines(keepends=True)
-    for part in (5, 17, 30):
-        folder = tmp_path / str(part)
-        folder.mkdir()
-        (folder / f"s{SUFFIX}").write_bytes(b"".join(lines[:part]))
-        again = study(file, folder, jobs=1)
-        for one, other in zip(again.columns, whole.columns, strict=True):
-            if one.name != "seconds":
-                assert str(one.values) == str(other.values)
+    folder = tmp_path / "again"
+    folder.mkdir()
+    (folder / f"s{SUFFIX}").write_bytes(b"".join(lines[:17]))  # in the midst of a task
+    again = study(file, folder, jobs=1)
+    for one, other in zip(again.columns, whole.columns, strict=True):
+        if one.name != "seconds":
+            assert str(one.values) == str(other.values)

@@ -81,6 +81,7 @@ def test_of_many_bad_variants_twenty_are_told_and_all_counted(tmp_path):
     assert "30 of 30 variants cannot be computed" in str(told.value)
 
 
+@pytest.mark.slow
 def test_after_many_bad_variants_the_others_are_not_checked(tmp_path):
     """A variant that is refused takes ten times as long to check as one that is not."""
     settled = toy(tmp_path, '"operation.radial_load" = "-4000 N .. -1 N, 4000"')
@@ -165,6 +166,7 @@ def test_a_plan_needs_no_bearing():
     ]
 
 
+@pytest.mark.slow
 def test_a_plan_by_several_processes_is_that_by_one(tmp_path, monkeypatch):
     file = tmp_path / "clearances.toml"
     file.write_text(

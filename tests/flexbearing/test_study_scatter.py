@@ -105,6 +105,7 @@ def test_linear_prediction_is_that_of_the_derivatives_at_the_means(study):
     assert 60 < table.scatter[0].rows[1]["linear_explains [%]"] < 100  # the largest of several loads bends
 
 
+@pytest.mark.slow
 def test_a_study_that_was_killed_ends_with_the_same_scatter(study):
     folder, settled, _ = study
     (folder / "torn").mkdir()

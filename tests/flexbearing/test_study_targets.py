@@ -110,12 +110,10 @@ def test_levels_are_chosen_once_for_each_ring(chosen, table, tmp_path):
 
 
 @pytest.mark.slow
-def test_a_resumed_study_has_the_same_table(table, tmp_path):
-    file = study(tmp_path, THIN + LOADS + TARGET)
-    flexbearing.study(file, tmp_path, jobs=1)
-    path = tmp_path / f"target{journal.SUFFIX}"
-    lines = path.read_text().splitlines(keepends=True)
-    path.write_text("".join(lines[:4]))
+def test_a_resumed_study_has_the_same_table(table, folder, tmp_path):
+    file, kept = study(tmp_path, THIN + LOADS + TARGET), f"target{journal.SUFFIX}"
+    lines = (folder / kept).read_text().splitlines(keepends=True)
+    (tmp_path / kept).write_text("".join(lines[:4]))
     resumed = flexbearing.study(file, tmp_path, jobs=1)
     assert numbers(resumed) == numbers(table)
 
@@ -247,16 +245,16 @@ def test_what_does_not_vary_is_looked_at_once():
 
 
 @pytest.mark.slow
-def test_a_thickness_study_of_the_paper_keeps_its_errors_below_the_estimates(chosen, tmp_path):
+def test_a_study_of_the_paper_keeps_its_errors_below_the_estimates(chosen, tmp_path):
     """The case fixes 20 slices: life errors are largest at middle loads, where they are looked at too."""
-    over = '"outer.thickness" = ["3 mm", "4 mm"]\n"operation.radial_load" = "5 kN .. 25 kN, 7"\n'
+    over = '"outer.thickness" = "3 mm"\n"operation.radial_load" = "5 kN .. 25 kN, 7"\n'
     collect = 'life = "life_L10 [h]"\nload = "max_roller_load [kN]"\n'
     table = flexbearing.study(
         study(tmp_path, over + '"accuracy.target" = "1 %"\n', "paper", collect, "mao2016.toml"),
         tmp_path,
         jobs=1,
     )
-    assert chosen == [6, 6]
+    assert chosen == [6]
     fine = '"accuracy.slices" = 320\n"accuracy.axial_shapes" = 5\n"accuracy.element_order" = 5\n'
     better = flexbearing.study(
         study(tmp_path, over + fine, "fine", collect, "mao2016.toml"), tmp_path, jobs=1

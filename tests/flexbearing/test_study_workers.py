@@ -107,6 +107,7 @@ def test_a_worker_holds_the_rings_of_few_bearings_however_many_it_meets(rings, m
     assert len(configured().entries()) >= 5
 
 
+@pytest.mark.slow
 def test_one_job_is_one_core_however_many_there_are(rings, monkeypatch, tmp_path):
     """What is given explicitly limits; with nothing given a study in one process may use all cores."""
     monkeypatch.setenv("FLEXBEARING_THREADS", "4")

@@ -99,6 +99,7 @@ def test_what_a_call_raises_is_raised_here():
     assert set(children(os.getpid())) <= set(before)
 
 
+@pytest.mark.slow
 def test_a_worker_that_dies_is_told():
     with pytest.raises(Died, match="worker process ended 3 times"):
         in_two_processes(dead)

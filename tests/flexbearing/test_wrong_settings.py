@@ -91,7 +91,7 @@ def wrong(take, file, tables, places) -> list[str]:
     """What ends otherwise than in a short line; the literals take turns, so that it is soon known."""
     found = []
     for number, place in enumerate(places):
-        turns = 6 if place[-1] in KEYS else 2
+        turns = 12 if place[-1] in KEYS else 4
         for literal in LITERALS[number % turns :: turns]:
             file.write_text(written(changed(tables, place, literal)))
             where = f"{'.'.join(place)} = {literal[:40]}"

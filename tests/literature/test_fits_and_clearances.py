@@ -306,24 +306,34 @@ def diameters(over: float, upto: float) -> list[float]:
     return [over * 1e-3 + LINE, (over + upto) / 2 * 1e-3, upto * 1e-3]
 
 
-@pytest.mark.parametrize(("name", "over", "upto", "limits", "fit"), SHAFT_ROWS)
-def test_shafts_and_their_fits_are_those_printed(name, over, upto, limits, fit):
-    for diameter in diameters(over, upto):
+def by_diameter(rows):
+    """The rows of a table, each at three diameters."""
+    for name, over, upto, limits, fit in rows:
+        yield from ((name, diameter, limits, fit) for diameter in diameters(over, upto))
+
+
+def test_shafts_and_their_fits_are_those_printed():
+    for name, diameter, limits, fit in by_diameter(SHAFT_ROWS):
         band = deviations(name, diameter)
-        assert [band.greatest * 1e6, band.least * 1e6] == approx(limits, rel=0, abs=1e-9)
+        assert [band.greatest * 1e6, band.least * 1e6] == approx(limits, rel=0, abs=1e-9), (name, diameter)
         if fit:
             tight = shaft_interference(name, diameter)
-            assert [-tight.greatest * 1e6, -tight.least * 1e6] == approx(fit, rel=0, abs=1e-9)
+            assert [-tight.greatest * 1e6, -tight.least * 1e6] == approx(fit, rel=0, abs=1e-9), (
+                name,
+                diameter,
+            )
 
 
-@pytest.mark.parametrize(("name", "over", "upto", "limits", "fit"), HOUSING_ROWS)
-def test_housings_and_their_fits_are_those_printed(name, over, upto, limits, fit):
-    for diameter in diameters(over, upto):
+def test_housings_and_their_fits_are_those_printed():
+    for name, diameter, limits, fit in by_diameter(HOUSING_ROWS):
         band = deviations(name, diameter)
-        assert [band.least * 1e6, band.greatest * 1e6] == approx(limits, rel=0, abs=1e-9)
+        assert [band.least * 1e6, band.greatest * 1e6] == approx(limits, rel=0, abs=1e-9), (name, diameter)
         if fit:
             tight = housing_interference(name, diameter)
-            assert [-tight.greatest * 1e6, -tight.least * 1e6] == approx(fit, rel=0, abs=1e-9)
+            assert [-tight.greatest * 1e6, -tight.least * 1e6] == approx(fit, rel=0, abs=1e-9), (
+                name,
+                diameter,
+            )
 
 
 BALL_CLEARANCES = """

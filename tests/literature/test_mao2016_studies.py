@@ -69,6 +69,7 @@ def test_life_falls_with_the_thickness(change):
     assert 0.92 * thin < thick < 0.98 * thin
 
 
+@pytest.mark.slow
 def test_tilt_does_not_matter_with_bars_at_both_ends():
     """A ring that is held alike at both ends does not cone."""
     free, held = (

@@ -173,6 +173,7 @@ def test_friction_rounded_over_a_speed_makes_slow_rollers_slip():
     assert slips[0] > 50 * slips[1]
 
 
+@pytest.mark.slow
 def test_random_slow_bearings_are_solved():
     for seed in range(6):
         model, _ = slow_design(np.random.default_rng([1, seed]))

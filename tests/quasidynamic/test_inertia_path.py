@@ -101,6 +101,7 @@ def test_derivatives_of_the_path():
         assert family.orientation(state, parameter) == sign
 
 
+@pytest.mark.slow
 def test_case_that_stalls_newtons_method_is_solved_along_the_path():
     """Bearing drawn at random: balls jump between lying on the outer race and being wedged."""
     own = replace(

@@ -54,13 +54,16 @@ def same_as_alone(models, compliance, deviation=None):
 
 
 def test_loads_and_speeds():
-    models = map_of(np.geomspace(5e3, 3e4, 8), np.linspace(1e4, 4e4, 6), axial_modes=3)
+    models = map_of(np.geomspace(5e3, 3e4, 6), np.linspace(1e4, 4e4, 5), axial_modes=3)
     many = same_as_alone(models, raceways(models[0]))
-    assert many.ways[Way.FITTED] > 10
+    assert many.ways[Way.FITTED] > 5
 
 
-@pytest.mark.parametrize("modes", [1, 2, 4])
-@pytest.mark.parametrize("races", [(True, False), (False, True)], ids=["inner", "outer"])
+@pytest.mark.parametrize(
+    ("modes", "races"),
+    [(1, (True, False)), (2, (False, True)), (4, (True, False))],
+    ids=["inner", "outer, tilted", "inner, four shapes"],
+)
 def test_one_elastic_raceway(modes, races):
     models = map_of([3e3, 1e4, 2e4], [1e4, 2e4, 3e4, 4e4], axial_modes=modes)
     same_as_alone(models, raceways(models[0], *races))

@@ -71,6 +71,7 @@ def test_two_points_have_a_state_each():
     assert solved.continues.tolist() == [[OUTSIDE, 1], [0, OUTSIDE]]
 
 
+@pytest.mark.slow
 def test_ends_that_are_no_folds_are_not_located(line):
     solved = SolvedGrid.of(over((len(LOADS),), LOADS), line)
     ended = folds(replace(solved, last={}))

@@ -195,6 +195,7 @@ def test_branch_is_the_same_both_ways():
     assert [fold.value for fold in back.folds[::-1]] == approx(there, rel=1e-10, abs=0)
 
 
+@pytest.mark.slow
 def test_only_the_middle_of_the_s_is_unstable():
     found = branch()
     place = [index for index, point in enumerate(found.points) if point.fold]
@@ -296,6 +297,7 @@ def test_speed_has_folds_too():
 # -- a bearing whose traction does not --------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_without_falling_traction_there_is_one_stable_branch():
     found = trace(paper_bearing(), span=(100.0, 20000.0))
     assert found.end is BranchEnd.RANGE_LEFT
@@ -310,6 +312,7 @@ def test_without_falling_traction_there_is_one_stable_branch():
     assert middle.largest_load == approx(plain.loads[0].max(), rel=1e-9, abs=0)
 
 
+@pytest.mark.slow
 def test_corners_of_a_tilted_bearing_are_passed():
     """Edge by edge, tilted rollers come into contact; the ring turns off at each."""
     found = trace(falling(WITHIN, moment=5.0), over="inner_speed", span=(55000 * RPM, 75000 * RPM))
