@@ -18,7 +18,8 @@ import numpy as np
 from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe
-from flexbearing import check, read, run
+from flexbearing import read, run
+from flexbearing.api import check
 from flexbearing.case import BadCase
 
 CASE = "configs/nu209.toml"

@@ -18,7 +18,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from benchmarks.machine import describe
-from flexbearing import check, read, run
+from flexbearing import read, run
+from flexbearing.api import check
 from flexbearing.build import roller_bearing
 from flexbearing.program.threads import linear_algebra_alone
 

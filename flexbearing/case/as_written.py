@@ -62,6 +62,19 @@ def as_written(case: Head, rating: str, keys: tuple[str, ...]) -> tuple[Any, ...
     return _stated(source.text, source.overrides if by_setting else (), type(case), rating, keys)
 
 
+def require_readable(case: Head) -> None:
+    """Refuse a case with a rating whose sizes in the file cannot be read.
+
+    Raises
+    ------
+    BadCase
+        as `as_written`
+    """
+    for rating in RATINGS:
+        if getattr(getattr(case, "life", None), rating.partition(".")[2], None) is not None:
+            as_written(case, rating, (*ROLLER_SIZES, *BALL_SIZES))
+
+
 @lru_cache(maxsize=256)
 def _stated(
     text: str, settings: tuple[str, ...], model: type[Head], rating: str, keys: tuple[str, ...]

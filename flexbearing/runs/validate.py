@@ -2,6 +2,7 @@
 
 import fem
 from flexbearing.case import BadCase, Head
+from flexbearing.case.as_written import require_readable
 from flexbearing.case.family import Family
 from quasidynamic import ImpossiblePart, OutOfRange
 
@@ -14,6 +15,7 @@ def require_possible(case: Head, family: Family) -> None:
     BadCase
         where physics or geometry forbid it
     """
+    require_readable(case)
     try:
         family.build()(case)
     except (ImpossiblePart, OutOfRange, fem.ImpossiblePart) as problem:

@@ -30,7 +30,7 @@ class PressFit:
             )
         if not abs(self.interference) < 0.02 * shaft:
             raise ImpossiblePart(
-                f"interference of a fit = {1e6 * self.interference:.4g} um must stay below 1 % of the "
+                f"interference of a fit = {1e6 * self.interference:.6g} um must stay below 1 % of the "
                 f"diameter, {2e4 * shaft:.4g} um"
             )
 

@@ -255,7 +255,7 @@ def test_tetrahedra_agree(part):
 
 
 def test_more_harmonics_than_the_mesh_holds_are_refused():
-    with pytest.raises(NotSolved, match="raceway_size"):
+    with pytest.raises(NotSolved, match="smaller elements"):
         by_harmonics(RING, L, 3, COARSE, 200)
 
 

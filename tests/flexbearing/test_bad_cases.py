@@ -4,8 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from flexbearing import check
-from flexbearing.api import read_case
+from flexbearing.api import check, read_case
 from flexbearing.case import BadCase
 
 CONFIGS = Path(__file__).parents[2] / "configs"

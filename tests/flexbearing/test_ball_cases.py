@@ -12,7 +12,7 @@ from pytest import approx
 
 import flexbearing
 from flexbearing import explain, read
-from flexbearing.api import read_case
+from flexbearing.api import check, read_case
 from flexbearing.families import FAMILIES
 from flexbearing.quantities.angular_contact import DRY_TORQUE
 from flexbearing.report import text, write_figures
@@ -377,7 +377,7 @@ def test_ring_that_nothing_holds_is_not_solved_and_says_so(tmp_path, name, setti
 def test_load_beyond_small_contacts_is_not_solved():
     """The case is one that `check` accepts: its loads leave the law."""
     settings = ['operation.contact_loads=["1e9 N"]']
-    flexbearing.check(CONFIGS / "joshi2015_fag.toml", settings)
+    check(CONFIGS / "joshi2015_fag.toml", settings)
     result = flexbearing.run(CONFIGS / "joshi2015_fag.toml", settings)
     assert (result.attributes["status"], result.attributes["ending"]) == ("not solved", "outside a law")
     assert "far too high" in result.attributes["message"]

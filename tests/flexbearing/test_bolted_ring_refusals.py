@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from flexbearing import check, explain
-from flexbearing.api import read_case
+from flexbearing import explain
+from flexbearing.api import check, read_case
 from flexbearing.case import BadCase
 
 SLEWING = Path(__file__).parents[2] / "configs" / "slewing_bolted.toml"

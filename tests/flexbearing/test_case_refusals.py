@@ -8,8 +8,8 @@ import pytest
 from pydantic import BaseModel, TypeAdapter, ValidationError, create_model
 from pytest import approx
 
-from flexbearing import check, explain
-from flexbearing.api import read_case
+from flexbearing import explain
+from flexbearing.api import check, read_case
 from flexbearing.case import BadCase
 from flexbearing.case.declarations import declarations
 from flexbearing.case.quantity import Angle, Force, Length, Moment, PerTemperature, Speed, Temperature

@@ -8,8 +8,7 @@ import pytest
 from pytest import approx
 
 import quasidynamic as qd
-from flexbearing import check
-from flexbearing.api import read_case
+from flexbearing.api import check, read_case
 from flexbearing.build import lubrication, roller_bearing, rough_surfaces
 from flexbearing.case import BadCase
 from flexbearing.case.oil import OilName

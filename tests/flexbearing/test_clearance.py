@@ -10,8 +10,7 @@ from hypothesis import given, settings, strategies as st
 from pytest import approx
 
 import flexbearing
-from flexbearing import check
-from flexbearing.api import read_case
+from flexbearing.api import check, read_case
 from flexbearing.build import clearance, expansion, fits, ring_parts, roller_bearing
 from flexbearing.build.growth import expansions, mean_growth
 from flexbearing.case import BadCase
@@ -258,7 +257,7 @@ IMPOSSIBLE = {
         "bearing.fits.cold_clearance=60 mm", "[bearing.fits] cold_clearance", "is the unit right?",
     ),
     "interference in the wrong unit": (
-        "bearing.fits.shaft_interference=15 mm", "fit.interference = 0.015 m", "below 1 % of the diameter",
+        "bearing.fits.shaft_interference=15 mm", "fit = 15000 um", "below 1 % of the diameter",
     ),
 }  # fmt: skip
 

@@ -254,6 +254,7 @@ NOT_BUILT = {  # keys that no model is built from
     "kind": "chooses the case model",
     "bearing.kind": "there is one value",
     "assumed": "for people",
+    "life.required": "judges a life, see test_card and test_findings",
     "calibrated": "for people",
     **{
         f"materials.{part}.name": "for people, see test_materials_by_name"

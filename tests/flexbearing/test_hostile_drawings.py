@@ -11,8 +11,7 @@ from fem.errors import NotSolved
 from fem.parts import step_solid
 from fem.parts.material import ImpossiblePart
 from fem.parts.quoted import MOST
-from flexbearing import check
-from flexbearing.api import read_case
+from flexbearing.api import check, read_case
 from flexbearing.build.ring_parts import outer_part
 from flexbearing.case import BadCase
 from flexbearing.inputs.limits import DRAWING
@@ -51,7 +50,9 @@ def test_a_name_that_no_drawing_can_have_is_refused(name, tmp_path):
 )
 def test_what_does_not_begin_as_step_is_refused_before_meshing(content, tmp_path):
     (tmp_path / "step_ring.step").write_bytes(content)
-    assert refusal(tmp_path) == 'step_ring.step is no STEP file: it does not begin with "ISO-10303-21"'
+    assert (
+        refusal(tmp_path) == '[outer] step_ring.step is no STEP file: it does not begin with "ISO-10303-21"'
+    )
 
 
 def drawn(content, clamps=("foot",)):

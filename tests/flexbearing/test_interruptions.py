@@ -237,7 +237,7 @@ def test_a_library_changes_no_signals_and_no_streams():
     code = (
         "import signal, sys, threading\n"
         "before = [signal.getsignal(n) for n in (2, 15, 1)], sys.stdout, sys.stderr\n"
-        "import flexbearing, flexbearing.__main__ as program\n"
+        "import flexbearing.api, flexbearing.__main__ as program\n"
         f"flexbearing.api.check({str(PAPER)!r}); program.command(['check', {str(PAPER)!r}])\n"
         "from flexbearing.program import signals\n"
         "after = [signal.getsignal(n) for n in (2, 15, 1)], sys.stdout, sys.stderr\n"

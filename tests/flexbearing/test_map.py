@@ -9,7 +9,8 @@ import pytest
 from matplotlib.contour import ContourSet
 from pytest import approx
 
-from flexbearing import __main__ as program, check, run
+from flexbearing import __main__ as program, run
+from flexbearing.api import check
 from flexbearing.build import roller_bearing
 from flexbearing.progress import Logged
 from flexbearing.report.html.map import LIMIT, MapPlane, of_map

@@ -6,8 +6,8 @@ from typing import Any
 import pytest
 from pytest import approx
 
-from flexbearing import api, check
-from flexbearing.api import read_case
+from flexbearing import api
+from flexbearing.api import check, read_case
 from flexbearing.case import BadCase
 from flexbearing.case.explain import explain
 from flexbearing.case.variants import Variants

@@ -581,7 +581,9 @@ def test_pages_that_no_bearing_has_are_told(like, page, message, tmp_path):
         new(tmp_path / "case.toml", like, page)
 
 
-def test_a_case_that_no_run_takes_is_not_written(tmp_path):
-    with pytest.raises(BadCase, match="viscosity ratio"):
-        new(tmp_path / "case.toml", "cylindrical_roller", NU210 | {"speed": "1 rpm"})
-    assert not list(tmp_path.iterdir())
+def test_a_case_without_a_modified_life_is_written(tmp_path):
+    """At 1 rpm the film is too thin for a_ISO; all else is computed."""
+    new(tmp_path / "case.toml", "cylindrical_roller", NU210 | {"speed": "1 rpm"})
+    result = flexbearing.run(tmp_path / "case.toml")
+    assert "no-modified-life" in {note["code"] for note in result.attributes["notes"]}
+    assert result["life_L10 [h]"].number > 0

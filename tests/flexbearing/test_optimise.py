@@ -281,7 +281,7 @@ def test_an_edited_case_of_the_best_is_kept(tmp_path):
 def test_best_case_has_the_rating_of_its_bearing():
     """A rating in a file is that of the bearing in the file."""
     place = CASE.parent / "catalogue" / "nj2210.toml"
-    study = SimpleNamespace(case=place, path=place, text=place.read_text())
+    study = SimpleNamespace(case=place, path=place, text=place.read_text(), settings=())
     settings = {"bearing.roller.length": "8 mm"}
     text = case_text(study, settings, place.parent).decode()
     best = tomllib.loads(text)

@@ -13,6 +13,7 @@ from pytest import approx
 import flexbearing
 from flexbearing import BadCase
 from flexbearing.__main__ import command
+from flexbearing.api import check
 from flexbearing.catalogue.rexs.bearings import bearing as bearing_of
 from flexbearing.catalogue.rexs.file import read
 from flexbearing.exports import rexs
@@ -212,7 +213,7 @@ def test_bearing_comes_back_as_a_case(catalogue, tmp_path, monkeypatch):
 def test_a_changed_bearing_is_exported_with_its_changed_rating(tmp_path):
     _, path = exported(CASE, {"bearing.roller.length": "6 mm"}, tmp_path)
     (attributes,) = of_case(path, BEARING, "components/component")
-    length = flexbearing.check(CASE).bearing.roller.length
+    length = check(CASE).bearing.roller.length
     assert attributes["radial_dynamic_load_rating"] == approx(37.4 * (6e-3 / length) ** (7 / 9), rel=1e-6)
 
 

@@ -86,8 +86,10 @@ def test_the_other_way_to_hold_the_ring_is_shown_and_told_where_it_matters(tmp_p
         assert said["otherwise"]["life_L10_Mrev"] == approx(life, rel=5e-3)
         for place, axis in enumerate("yz"):
             for which, matrix in (("", "radial_stiffness"), ("total_", "total_radial_stiffness")):
-                told = said["otherwise"][f"{which}stiffness_{axis}_N_per_m"]
-                assert told == approx(computed.flexible[matrix][place, place], rel=5e-3)
+                known, key = computed.flexible.get(matrix), f"{which}stiffness_{axis}_N_per_m"
+                assert (key in said["otherwise"]) == (known is not None)
+                if known is not None:
+                    assert said["otherwise"][key] == approx(known[place, place], rel=5e-3)
         summary = computed.summary()["flexible"]
         for name, value in (("peak_pressure_MPa", max(summary["peak_pressure_MPa"].values())),
                             ("nominal_bar_stress_MPa", summary["nominal_bar_stress_MPa"])):  # fmt: skip

@@ -323,7 +323,7 @@ BAD_CALLS = {
     ),
     "bars nearly as thick as the ring": (
         ["run", PAPER, "--set", "outer.bar_thickness=3.5 mm"],
-        "mao2016.toml: bar_thickness",
+        "mao2016.toml: [outer] bar_thickness",
     ),
     "no such format of pictures": (["plot", "nowhere.h5", "--format", "gif"], "it is one of png, svg, pdf"),
     "no such option": (["run", PAPER, "--fast"], "--fast"),

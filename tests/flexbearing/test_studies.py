@@ -213,7 +213,7 @@ def test_the_variant_that_kills_its_worker_is_found_and_the_others_are_computed(
     table = computed(settled, tmp_path, deadly, Mortal())
     assert [row["operation.radial_load [N]"] for row in table.rows if row["status"] == "worker died"] == [7e3]
     assert table.failed == 1
-    assert [len(loads) for loads in attempts] == [5, 1, 1]
+    assert [len(loads) for loads in attempts] == [5, 3, 2, 1]
 
 
 def test_a_worker_that_dies_once_leaves_no_trace(tmp_path):

@@ -9,8 +9,8 @@ from hypothesis import assume, given, settings as examples, strategies as st
 from pydantic import TypeAdapter, ValidationError
 from pytest import approx
 
-from flexbearing import check, units
-from flexbearing.api import read_case
+from flexbearing import units
+from flexbearing.api import check, read_case
 from flexbearing.case import BadCase, quantity
 from flexbearing.case.quantity import (
     Angle,
