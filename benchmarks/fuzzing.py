@@ -117,6 +117,13 @@ class Running:
     def printed(self) -> Path:
         return self.place / "printed"
 
+    @property
+    def processor_time(self) -> float:
+        """Seconds of the command so far."""
+        with suppress(OSError, ValueError):  # its files are being written
+            return processor_time(self.process) - float((self.place / "began").read_text())
+        return 0.0
+
     def text(self) -> str:
         """The beginning of what was printed."""
         with suppress(OSError), self.printed.open("rb") as file:
@@ -186,6 +193,7 @@ class Pool:
         _warn_always()
         _forget_peak()
         began = _processor_time()
+        (place / "began").write_text(str(began))  # what came before made the files
         code = exit_code(words)
         seconds, memory = _processor_time() - began, _peak()
         length = os.fstat(printed).st_size
@@ -213,7 +221,7 @@ class Pool:
 
     def _stopped(self, job: Running) -> Answer | None:
         """Of a process that is ended here, where it takes too long."""
-        used, waited = processor_time(job.process), time.perf_counter() - job.since
+        used, waited = job.processor_time, time.perf_counter() - job.since
         if used < self.limits.seconds and waited < self.limits.patience:
             return None
         large = announced(job.text())
