@@ -8,14 +8,14 @@ from flexbearing.inputs.file import Unreadable
 LONGEST = 60  # characters of a heading in a message
 
 
-def require_different(names: Sequence[str], what: str = "columns") -> None:
-    """Refuse a heading that stands twice, before the cells below are looked at; or the name of another thing.
+def require_different(headings: Sequence[str]) -> None:
+    """Refuse a heading that stands twice, before the cells below are looked at.
 
     Raises
     ------
     Unreadable
         naming the first one
     """
-    twice = next((name for name, count in Counter(names).items() if count > 1), None)
+    twice = next((name for name, count in Counter(headings).items() if count > 1), None)
     if twice is not None:
-        raise Unreadable(f"has several {what} {twice[:LONGEST]!r}; one of them is enough")
+        raise Unreadable(f"has several columns {twice[:LONGEST]!r}; one of them is enough")

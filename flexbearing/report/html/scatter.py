@@ -34,6 +34,7 @@ COLUMNS = {  # of the tables, by their names behind that of the study
 }  # fmt: skip
 MOST_FIGURES = 12  # outputs with figures; the tables have all
 SUBJECTS = "key", "bin"  # of which an output has a row each
+LONGEST = 60  # characters of a name in a message
 TEXTS = ("output", "unit", "key", "by", "linear_of")  # columns of texts
 GREY = "#c0c4cc"
 Row = Mapping[str, Any]
@@ -72,12 +73,15 @@ def _read(file: Path, names: set[str]) -> list[Row]:
     try:
         reader = csv.DictReader(StringIO(table_text(file)), strict=True)
         inputs.require_different(reader.fieldnames or ())
-        rows = [*reader]
-        if any(set(row) != names for row in rows):
-            raise BadResult(f"{file}: has other columns than a table of a sampled study.")
-        subjects = [" ".join(row[name] for name in ("output", *SUBJECTS) if name in row) for row in rows]
-        inputs.require_different(subjects, "rows of")
-        return [{name: _cell(name, cell) for name, cell in row.items()} for row in rows]
+        rows: dict[str, Row] = {}
+        for row in reader:
+            if set(row) != names:
+                raise BadResult(f"{file}: has other columns than a table of a sampled study.")
+            subject = " ".join(row[name] for name in ("output", *SUBJECTS) if name in row)
+            if subject in rows:  # before a long table fills the memory
+                raise inputs.Unreadable(f"has several rows of {subject[:LONGEST]!r}; one of them is enough")
+            rows[subject] = {name: _cell(name, cell) for name, cell in row.items()}
+        return [*rows.values()]
     except inputs.Unreadable as problem:
         raise BadResult(f"{file}: {problem}.") from problem
     except (ValueError, TypeError, csv.Error) as problem:
