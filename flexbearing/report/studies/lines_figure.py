@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from flexbearing.case.excerpt import excerpt
 from flexbearing.report.axes_look import NUMBERS, plain_grid
 from flexbearing.report.picture import titled
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 LABELLED = 16  # lines at most that the legend names
 STYLES = "o-", "s-.", "^:"  # one after the other, each with all colours
 WIDE = 100  # highest over lowest value from which a panel is logarithmic
+LONGEST = 100  # characters of a label: longer ones leave no place for the axes
 LONG = 30  # characters of a label from which the legend has two columns
 COLOURS = 10  # of lines, before they come again
 MARKERS = ("0.2", "D", 6.5), ("0.45", "X", 9.0)  # grey, form and size of printed points, one after the other
@@ -88,7 +90,7 @@ def draw_lines(title: str, label: str, panels: Sequence[Panel]) -> Figure:
 def _draw(axes: Axes, panel: Panel) -> None:
     for number, line in enumerate(panel.lines):
         style = STYLES[number // COLOURS % len(STYLES)] if line.joined else "o"
-        label = line.label or ("flexible" if line.rigid is not None else "")
+        label = excerpt(line.label, LONGEST) or ("flexible" if line.rigid is not None else "")
         (drawn,) = axes.plot(line.x, line.y, style, markersize=3.5, linewidth=1.6, label=label)
         if line.rigid is not None:
             style = "--" if line.joined else "x"
@@ -96,7 +98,7 @@ def _draw(axes: Axes, panel: Panel) -> None:
     if any(line.rigid is not None for line in panel.lines):
         axes.plot([], [], "--", color="0.4", linewidth=1.2, label="rigid raceways")
     _draw_printed(axes, panel.printed)
-    axes.set_ylabel(panel.label.replace("_", " "))
+    axes.set_ylabel(excerpt(panel.label.replace("_", " "), LONGEST))
     if _is_wide(panel) and not panel.linear:
         axes.set_yscale("log")
     if all(_is_geometric(line.x) for line in panel.lines):
@@ -124,7 +126,7 @@ def _draw_printed(axes: Axes, printed: Sequence[Printed]) -> None:
     if shown:
         axes.legend(
             shown,
-            [each.label for each in printed],
+            [excerpt(each.label, LONGEST) for each in printed],
             loc="lower right",
             bbox_to_anchor=(1.0, 1.0),
             ncols=2,
