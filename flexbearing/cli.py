@@ -346,13 +346,20 @@ def _show(result: "Result", terminal: "Console | None", *, everything: bool, not
     """Print the card of a result, below what else of it is wanted."""
     from flexbearing.report import laid_out, text
     from flexbearing.report.sections import noted
+    from flexbearing.results import BadResult
 
+    try:
+        card = result.card.with_hint("see --notes, --all")
+    except BadResult as problem:  # in its case: its numbers are still there
+        _say(f"no card: {problem}")
+        card, everything = None, True
     if everything:
         sys.stdout.write(text(result, terminal, encoding=sys.stdout.encoding) + "\n")
     elif notes:
         sections = noted(all_printable(result.summary()["notes"]))
         sys.stdout.write(laid_out(sections, terminal, encoding=sys.stdout.encoding))
-    card = result.card.with_hint("see --notes, --all")
+    if card is None:
+        return
     sys.stdout.write(card.text(terminal.width) if terminal else card.text())
 
 

@@ -140,7 +140,7 @@ def life_factors(lives: dict[str, Any]) -> Iterator[RenderableType]:
     for place, factor in enumerate(first["factors"]):
         values = [f"{life['factors'][place]['value']:.4g}" for life in lives.values()]
         table.add_row(Text(f"x {factor['name']}"), *values, Text(_notes(lives, place)))
-    if "modified_Mrev" in first:
+    if all("modified_Mrev" in life for life in lives.values()):
         table.add_row("modified life [Mrev]", *(f"{life['modified_Mrev']:,.2f}" for life in lives.values()))
     yield table
 

@@ -36,7 +36,7 @@ def stiffness(reader: Reader) -> Iterator[Item]:
         yield Item("kappa", kappa)
     ratios = [lubrication.film_ratio(reader, race) for race in lubrication.films(reader)]
     if known := [ratio for ratio in ratios if ratio is not None]:
-        yield Item("film ratio", min(known, key=lambda ratio: float(ratio.text)))
+        yield Item("film ratio", min(known, key=lambda ratio: ratio.size))
 
 
 def _clearance(reader: Reader) -> Iterator[Item]:

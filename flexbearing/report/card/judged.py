@@ -69,7 +69,7 @@ def lives(reader: Reader) -> Iterator[Item]:
             yield Item(f"{kind(life)}:", short(number), _range(reader, number))
             yield _required(reader, required)
         elif life.key == "catalogue":
-            below = isinstance(life.hours, Number) and 3600 * _value(number) < (required or 0.0)
+            below = isinstance(life.hours, Number) and 3600 * number.size < (required or 0.0)
             yield Item(f"{kind(life).partition(',')[0]}:", short(number), remark="below it" * below)
 
 
@@ -89,10 +89,6 @@ def _required(reader: Reader, required: float | None) -> Item:
         return Item("no life.required")
     limit = reader.units.number(required, "s", "h", ",.4g", "case/life.required")
     return Item("required", limit, remark=finding_checks.verdict(reader, REQUIRED_LIFE.code) or NOT_CHECKED)
-
-
-def _value(number: Number) -> float:
-    return float(number.text.replace(",", ""))
 
 
 def kind(life: of_report.Life) -> str:

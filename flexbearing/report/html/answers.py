@@ -290,7 +290,7 @@ def _exact(reader: Reader) -> Iterator[str]:
 
 def _percent(error: Number) -> str:
     """An error in percent, without digits that nobody needs."""
-    return f"{error.text} %" if float(error.text) >= _TINY else f"below {_TINY:g} %"
+    return f"{error.text} %" if error.size >= _TINY else f"below {_TINY:g} %"
 
 
 def _clearance(reader: Reader) -> Iterator[str]:
@@ -396,9 +396,7 @@ def _viscosities(reader: Reader) -> Iterator[str]:
     yield (
         _MORE
         if enough_now
-        else f"To improve it: {VISCOSITY_RATIO.action}.".format(
-            share=VISCOSITY_RATIO.limit / float(kappa.text)
-        )
+        else f"To improve it: {VISCOSITY_RATIO.action}.".format(share=VISCOSITY_RATIO.limit / kappa.size)
     )
 
 

@@ -121,7 +121,7 @@ def largest(reader: Reader, count: int) -> list[tuple[str, list[Number]]]:
         others = range(len(found["keys"][place]["others"]))
         ratios = [ratio for number in others
                   if isinstance(ratio := _ratio(reader, place, number, name), Number)]  # fmt: skip
-        rows.append((found["keys"][place]["key"], sorted(ratios, key=lambda ratio: float(ratio.text))))
+        rows.append((found["keys"][place]["key"], sorted(ratios, key=lambda ratio: ratio.size)))
     return rows
 
 

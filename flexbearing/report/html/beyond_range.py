@@ -62,7 +62,7 @@ def with_oil(reader: Reader) -> str:
     if most is None:
         return f", without the influence of the oil ({bound})"
     life = first.hours or first.turns
-    times, unit = float(most.text), "million revolutions" if isinstance(first.hours, str) else "h"
+    times, unit = most.size, "million revolutions" if isinstance(first.hours, str) else "h"
     assert not isinstance(life, str)
     return f", without the influence of the oil; with it at most {rounded(life, times)} {unit} ({bound})"
 

@@ -77,7 +77,10 @@ def blocks(reader: Reader) -> Iterator[Block]:
 def along_diagonal(reader: Reader) -> Number | None:
     """Free way of a ball between four contacts; None for other bearings."""
     declared = next((each for each in outputs(reader.layout) if each.name == DIAGONAL), None)
-    return None if declared is None else reader.scalar(declared)
+    block = reader.blocks.get(reader.last, ())
+    if declared is None or not all(each in block for each in declared.declared.of):
+        return None
+    return reader.scalar(declared)
 
 
 def which(reader: Reader) -> tuple[str, ...]:

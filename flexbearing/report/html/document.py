@@ -13,6 +13,11 @@ class Number:
     of: str  # "summary/flexible/life_L10_Mrev", "rigid/inner_load/3", "attributes/clearance/operating_m"
     stored: str  # its unit at that place
 
+    @property
+    def size(self) -> float:
+        """The number that is printed, for comparisons with others."""
+        return float(self.text.replace(",", "").replace("∞", "inf"))
+
 
 Cell = str | Number
 

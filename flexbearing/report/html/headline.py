@@ -117,7 +117,7 @@ def _life(reader: Reader) -> Iterator[str]:
         words += f" {end}" if (end := beyond_range.of_upper_end(reader)) else ""
         missing = [each for each in beyond_range.left_out(reader) if each != oil]
         words += f" Not in this range: {'; '.join(missing)}." if missing else ""
-    if unit == "h" and float(number.text.replace(",", "")) > LONG:
+    if unit == "h" and number.size > LONG:
         words += f" {_REMAINS}"
     yield words
     rated = next((life.hours for life in lives(reader) if life.key == "catalogue"), None)

@@ -76,7 +76,7 @@ class Reader:
         """
         try:
             case = tomllib.loads(self.result.attributes["case_text"])
-        except tomllib.TOMLDecodeError as problem:
+        except (tomllib.TOMLDecodeError, RecursionError) as problem:
             raise BadResult(f"{self.result.place}: the case in it is no TOML: {problem}") from problem
         texts = {path: toml(value).strip('"') for path, value in flat(case)}
         for setting in self.attributes["case_overrides"]:

@@ -8,7 +8,7 @@ from flexbearing.report.html.reader import Reader
 
 def rounded(number: Number, times: float = 1.0) -> str:
     """A number of a table, or a multiple of it, with three digits for a sentence: 489,719 is 490,000."""
-    value = times * float(number.text.replace(",", ""))
+    value = times * number.size
     return f"{float(f'{value:.3g}'):,.10g}"
 
 
