@@ -17,7 +17,7 @@ from quasidynamic.solve.rollers.pseudo_time import LARGEST_RING_STEP, LARGEST_SP
 from quasidynamic.solve.rollers.step_bounds import bounded
 
 MAX_STEPS = 150  # steps
-MOST_CONTACTS = 10_000  # evaluations of the contacts of all rollers: where a solution is found 2000 sufficed
+MOST_CONTACTS = 30_000  # evaluations of the contacts of all rollers: nearly all solutions take below 2000
 FIRST_CHANGE = 0.1  # scaled change of the fastest speed in the first step
 TRY_AFTER = 6  # steps after which Newton's method is tried at any residual
 TRY_BELOW = 1e-2  # of the residual at the last trial: it is tried at once
