@@ -7,6 +7,8 @@ import logging
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from math import ceil
+from time import process_time
 from typing import TYPE_CHECKING, Any, TypeVar, overload
 
 from fem.parts.bolted_ring import BoltedGrooveRing
@@ -33,6 +35,8 @@ HARMONICS, SMEARED, BEAM, SOLID = Discretisation
 Condensed = TypeVar("Condensed")
 
 COUPLED = 2  # numbers of bars by which harmonics differ that are coupled: with more, loads change by 1e-5
+# [s] of processor time for a drawing, assumed: damaged ones keep the geometry kernel at work without an end
+READING, PER_MEGABYTE = 3.0, 30.0
 
 _log = logging.getLogger(__name__)
 
@@ -79,6 +83,8 @@ def condense(part, discretisation, resolution, report=unheard):
     -----
     Small displacement, perfect bonds, rigid clamps, supports without friction; no load outside the band.
     """
+    if isinstance(part, StepSolid) and discretisation is SOLID:
+        require_drawing(part, resolution.length)
     is_new = resolution.nodes_of is None  # the mesh of moved nodes has been made before, and did no harm
     if discretisation is SOLID or (is_cage_in_space(part, discretisation) and is_new):
         return in_subprocess(condense_in_process, part, discretisation, resolution, report=report)
@@ -170,7 +176,18 @@ def require_drawing(part: Part | StepSolid, length: float) -> None:
 def _open(part: StepSolid, length: float, report: Report) -> None:
     from fem.mesh.step_import import solid
 
+    _limit_processor_time(ceil(READING + PER_MEGABYTE * len(part.drawing) / 1e6))
     solid(part, length)
+
+
+def _limit_processor_time(seconds: int) -> None:
+    """Have this process ended after so much more of it: no signal handler runs within the geometry kernel."""
+    try:
+        from resource import RLIMIT_CPU, setrlimit
+    except ImportError:  # a system without
+        return
+    most = ceil(process_time()) + seconds
+    setrlimit(RLIMIT_CPU, (most, most + 1))  # by its own signal, not by the one that a lack of memory has
 
 
 def condense_in_process(

@@ -152,3 +152,15 @@ def test_a_run_survives_a_damaged_drawing(settings, tmp_path):
     assert ended.returncode in (1, 2), ended.stderr
     assert "Traceback" not in ended.stderr
     assert "drawing" in ended.stderr
+
+
+@pytest.mark.slow
+def test_a_drawing_that_the_kernel_never_finishes_is_given_up(tmp_path):
+    """A word in place of the length of a vector keeps it at work without an end."""
+    line = b"#593 = VECTOR('',#594,"
+    assert line in DRAWN
+    (tmp_path / "step_ring.step").write_bytes(DRAWN.replace(line + b"1.)", line + b"FOOT)"))
+    (tmp_path / "case.toml").write_text(TEXT)
+    part = outer_part(read_case(tmp_path / "case.toml"))
+    with pytest.raises(NotSolved, match="CPU time"):
+        require_drawing(part, 9.6e-3)
