@@ -26,7 +26,7 @@ from quasidynamic.contact.line import (
     reduced_radius,
 )
 from quasidynamic.contact.pressure.roller import RollerOnRaceway
-from quasidynamic.outcome.pressed_ends import LineContacts, is_smooth, number_of_cells
+from quasidynamic.outcome.pressed_ends import LineContacts, in_cells, is_smooth, number_of_cells
 from quasidynamic.outcome.sliced_peak import CELLS, TOLERANCE
 from quasidynamic.parts.profile import Crowned, Logarithmic, Profile, Straight, TangentCrowned
 
@@ -83,10 +83,10 @@ class Drawn:
         slender = half_width(loads.mean(), self.radius, MODULUS) / self.length
         if is_smooth(along, slender):
             return 0.0
-        known = (self.length, self.radius, MODULUS)
+        cells, known = int(number_of_cells(slender)), (self.length, self.radius, MODULUS)
         contact = LineContacts(
-            np.array([self.force]), self.shape(int(number_of_cells(slender)))[None], np.array([np.nan]),
-            *(np.array([each]) for each in known),
+            np.array([self.force]), self.shape(cells)[None], np.array([np.nan]),
+            *(np.array([each]) for each in known), in_cells(loads[None], cells),
         )  # fmt: skip
         return float(contact.peak_error(np.array([along.max()]))[0])
 

@@ -1,7 +1,7 @@
 """How far the peak pressure of slices is off where ends are pressed, by a line of loads on half-spaces."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.polynomial.legendre import legval
@@ -16,10 +16,9 @@ SPREAD = (
     np.exp(-0.5) / 2
 )  # of the half-width: logarithmic mean distance from the middle under Hertz's pressure
 LEAST = 0.5  # of the mean load: a cell with less is as wide as one with it
-ROUNDS = 2  # of loads by widths, and of widths by loads
 SETS = 30  # of cells that touch; rarely more than eight
 END_RISE, FINE = (
-    (1.2, 0.6),
+    (1.2, 0.45),
     256,
 )  # of the pressure of an end to that of a cell there, of so many: `_with_rise`
 LEFT, TURN, BENT = 0.5, 0.15, 0.5  # pressure of slices at an end, and bending along the roller: `is_smooth`
@@ -38,10 +37,17 @@ class LineContacts:
     length: NDArray  # (C) [m]
     radius: NDArray  # (C) reduced radius [m]
     modulus: NDArray  # (C) E' [Pa], see `peak_pressure`
+    sliced: NDArray  # (C, n) loads per length of slices, of which widths are known well [N/m]
 
     def take(self, some: slice) -> "LineContacts":
         """Some of them."""
         return LineContacts(*(getattr(self, name)[some] for name in self.__dataclass_fields__))
+
+    @property
+    def coarse(self) -> "LineContacts":
+        """In half as many cells."""
+        shape, sliced = (each.reshape(len(each), -1, 2).mean(axis=2) for each in (self.shape, self.sliced))
+        return replace(self, shape=shape, sliced=sliced)
 
     @property
     def pressure(self) -> NDArray:
@@ -91,12 +97,14 @@ def line_loads(contacts: LineContacts) -> NDArray:
     Its largest pressure is within 1 % of that of half-spaces where the contact ends before the roller does,
     see `benchmarks/pressed_ends.py`; at a sharp end loads of the last cells grow with the number of cells.
     """
-    loads = np.repeat((contacts.force / contacts.length)[:, None], contacts.shape.shape[1], axis=1)
-    least, touching = LEAST * loads, np.ones(loads.shape, bool)
-    for _ in range(ROUNDS):
-        matrix = _matrix(contacts, np.maximum(loads, least))
-        loads, touching = _touching(matrix, contacts, touching)
-    return loads
+    loads = np.repeat(_loads(contacts.coarse, contacts.coarse.sliced), 2, axis=1)
+    return _loads(contacts, loads)
+
+
+def _loads(contacts: LineContacts, first: NDArray) -> NDArray:
+    """Loads per length (C, n) where contacts are as wide as first ones make them."""
+    least = LEAST * (contacts.force / contacts.length)[:, None]
+    return _touching(_matrix(contacts, np.maximum(first, least)), contacts, first > 0)
 
 
 def _matrix(contacts: LineContacts, carried: NDArray) -> NDArray:
@@ -115,21 +123,25 @@ def _matrix(contacts: LineContacts, carried: NDArray) -> NDArray:
     return matrix
 
 
-def _touching(matrix: NDArray, contacts: LineContacts, touching: NDArray) -> tuple[NDArray, NDArray]:
-    """Loads (C, n) above zero under which cells without load stay apart, and which cells touch."""
+def _touching(matrix: NDArray, contacts: LineContacts, touching: NDArray) -> NDArray:
+    """Loads (C, n) above zero under which cells without load stay apart; cells that may touch at first."""
     further = np.array([contacts.force, np.nan_to_num(contacts.moment)]).T
     right, found = np.concatenate([contacts.shape, further], axis=1), np.zeros(touching.shape)
+    unsettled = np.arange(len(found))
     for _ in range(SETS):
-        known = np.pad(touching, ((0, 0), (0, 2)), constant_values=True)
-        system = matrix * known[:, None] * known[..., None] + np.eye(known.shape[1]) * ~known[..., None]
-        solved = np.linalg.solve(system, (right * known)[..., None])
-        found, overlap = solved[:, :-2, 0], (right[..., None] - matrix @ solved)[:, :-2, 0] > 0
-        pulled = touching & (found < 0)
-        changed = np.where(pulled.any(axis=1, keepdims=True), pulled, ~touching & overlap)
-        if not changed.any():
+        known = np.pad(touching[unsettled], ((0, 0), (0, 2)), constant_values=True)
+        whole, wanted = matrix[unsettled], right[unsettled]
+        system = np.where(known[:, None] & known[..., None], whole, np.eye(known.shape[1]))
+        solved = np.linalg.solve(system, (wanted * known)[..., None])
+        loads, overlap = solved[:, :-2, 0], (wanted[..., None] - whole @ solved)[:, :-2, 0] > 0
+        pulled = known[:, :-2] & (loads < 0)
+        changed = np.where(pulled.any(axis=1, keepdims=True), pulled, ~known[:, :-2] & overlap)
+        found[unsettled] = loads
+        touching[unsettled] ^= changed
+        unsettled = unsettled[changed.any(axis=1)]
+        if not len(unsettled):
             break
-        touching = touching ^ changed
-    return np.maximum(found, 0.0), touching
+    return np.maximum(found, 0.0)
 
 
 def sliced_peak_error(
@@ -182,6 +194,11 @@ def number_of_cells(slender: NDArray) -> NDArray:
         return np.clip(STEP * np.round(1 / slender / STEP), FEWEST, MOST)
 
 
+def in_cells(along: NDArray, count: int) -> NDArray:
+    """Values (C, K) of slices in the middles of n equal cells, (C, n)."""
+    return along[:, (2 * np.arange(count) + 1) * along.shape[1] // (2 * count)]
+
+
 def is_smooth(along: NDArray, slender: NDArray) -> NDArray:
     """Whether pressures (..., K) fall so far, and so evenly, towards both ends that slices have their peak.
 
@@ -225,4 +242,5 @@ def _contacts(
         length=lengths,
         radius=states.contact_radius[case, race],
         modulus=states.contact_modulus[case, race],
+        sliced=in_cells(loads, count),
     )
