@@ -42,13 +42,13 @@ def outer_part(case: Case) -> "fem.SquirrelCage | fem.OuterRing | StepSolid | No
 
 def _outer_part(case: Case) -> "fem.SquirrelCage | fem.OuterRing | StepSolid | None":
     outer: Any = case.outer  # which values are there depends on the kind, checked on reading
+    if outer.kind == "rigid":
+        return None
     hot = hot_over_cold(case, "outer_ring")
     ring: dict[str, Any] = {
         "raceway_diameter": outer_raceway_diameter(case),
         "elastic": _elastic(case, "outer_ring"),
     }
-    if outer.kind == "rigid":
-        return None
     if outer.kind == "step":
         return _drawn(case, **ring, scale=hot)
     if outer.kind in ("ring", "matrix"):

@@ -73,8 +73,8 @@ class Head(Section):
     @property
     def named_files(self) -> tuple[Path, ...]:
         """Files that the case names, whose content is a part of it."""
-        names = (reduce(_part, key.split("."), self) for key in self.file_keys)
-        return next_to(Path(self.source.path), names)
+        names = [name for name in (reduce(_part, key.split("."), self) for key in self.file_keys) if name is not None]
+        return next_to(Path(self.source.path), names) if names else ()
 
     def to_json(self) -> dict[str, Any]:
         """Values in SI units, as JSON can hold them."""
