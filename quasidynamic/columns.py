@@ -6,6 +6,7 @@ Columns broadcast against arrays (..., C, Z) as numbers do: physics written for 
 from collections.abc import Callable, Hashable, Sequence
 from dataclasses import fields, is_dataclass
 from functools import cache, partial
+from types import FunctionType, NoneType
 from typing import Any, TypeVar
 
 import numpy as np
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 
 Part = TypeVar("Part")
 Number = float | NDArray
+OTHERS = frozenset({int, bool, str, NoneType, FunctionType})  # types that hold no number, most of all values
 
 
 def kind_and_numbers(part: Any) -> tuple[Hashable, list[float]]:
@@ -98,7 +100,7 @@ def taken(part: Part, cases: NDArray) -> Part:
         some = number[..., cases, :]
         return some.item() if some.size == 1 else some
 
-    return _changed(part, of_some)
+    return _changed(part, of_some, OTHERS | {float})
 
 
 def _collect(value: Any, kind: list[Hashable], numbers: list[float]) -> None:
@@ -133,14 +135,14 @@ def _add(value: Any, kind: list[Hashable], numbers: list[float]) -> None:
         _collect(value, kind, numbers)
 
 
-def _changed(value: Any, change: Callable[[Number], Number]) -> Any:
-    """The same data with every number and array changed; the same object where none is."""
+def _changed(value: Any, change: Callable[[Number], Number], others: frozenset[type] = OTHERS) -> Any:
+    """The same data with every number and array changed, but those of other types; the same where none is."""
     if isinstance(value, float | np.ndarray):
         return change(value)
     inside = _inside(value)
     if inside is None:
         return value
-    changed = [_changed(each, change) for each in inside]
+    changed = [each if type(each) in others else _changed(each, change, others) for each in inside]
     if all(new is old for new, old in zip(changed, inside, strict=True)):
         return value
     if isinstance(value, tuple):

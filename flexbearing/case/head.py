@@ -73,7 +73,11 @@ class Head(Section):
     @property
     def named_files(self) -> tuple[Path, ...]:
         """Files that the case names, whose content is a part of it."""
-        names = [name for name in (reduce(_part, key.split("."), self) for key in self.file_keys) if name is not None]
+        names = [
+            name
+            for name in (reduce(_part, key.split("."), self) for key in self.file_keys)
+            if name is not None
+        ]
         return next_to(Path(self.source.path), names) if names else ()
 
     def to_json(self) -> dict[str, Any]:
