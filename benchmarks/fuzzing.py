@@ -33,7 +33,7 @@ LARGE = {
 }  # fmt: skip
 ANNOUNCED = re.compile(rf"(?:about|of) (\d+) ({'|'.join(LARGE)})")
 # Words that announce how long is worked whose size no number tells.
-ANNOUNCED_TIME = "variants are checked first, about", "curves of folds through them are followed, up to"
+ANNOUNCED_TIME = ("curves of folds through them are followed, up to",)
 WARNINGS = (
     "Warning:",
     "Traceback",

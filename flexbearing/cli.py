@@ -1,6 +1,7 @@
 """The command line: every command reads its arguments and calls the program."""
 
 import sys
+from contextlib import nullcontext
 from os import environ
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from flexbearing.report.picture import Format
+    from flexbearing.report.studies.pareto_table import Measured
     from flexbearing.results import Result
 
 CONVERGED, NOT_CONVERGED = 0, 1
@@ -95,14 +97,14 @@ def run(  # noqa: PLR0913  # an argument for each option
     strict: Annotated[bool, typer.Option("--strict", help="exit code 1 where a danger is noted")] = False,
 ) -> None:
     """Compute a case and store every iteration; prints its answer in a few lines."""
-    from flexbearing.progress import Logged, OnTerminal
+    from flexbearing.progress import Silent, shown
     from flexbearing.runs.run_case import default_output
 
     console = _terminal()
-    _log(everything=not quiet and console is None)
+    _log(everything=not quiet and not sys.stderr.isatty())
     wanted = api.read_case(case, settings or [])
     place = output or default_output(wanted)
-    with OnTerminal(console) if console and not quiet else Logged() as report:
+    with nullcontext(Silent()) if quiet else shown("run") as report:
         result = api.compute(wanted, output=place, report=report, start=start)
     wrong = _what_went_wrong(result, strict=strict)
     with keeping([place]):
@@ -128,7 +130,10 @@ def life(
     as_json: Annotated[bool, typer.Option("--json", help="one JSON object instead of text")] = False,
 ) -> None:
     """Compare the life of a case with that of a catalogue, and tell what lies between, factor by factor."""
-    found = api.against_catalogue(case, settings or [])
+    from flexbearing.progress import shown
+
+    with shown("life"):
+        found = api.against_catalogue(case, settings or [])
     if as_json:
         import json
 
@@ -254,6 +259,7 @@ def pareto(
     settings: Settings = None,
 ) -> None:
     """Run a case on every level of accuracy; draws time against error and names the cheapest levels."""
+    from flexbearing.progress import shown
     from flexbearing.report.studies.pareto_table import text
     from flexbearing.runs.run_case import stem_of_outputs
     from flexbearing.studies.pareto import NoReference, pareto as study
@@ -264,7 +270,9 @@ def pareto(
         name = stem_of_outputs(case, settings or ()).lstrip(".")
     table, picture = destinations(output, name, inputs)
     try:
-        found = study(case, settings or [], solid=solid, tell=_tell)
+        with shown("pareto") as report:
+            tell = lambda measured: report.line(_line(measured))  # noqa: E731
+            found = study(case, settings or [], solid=solid, tell=tell)
     except NoReference as problem:
         _end(problem)
     store(found, table, picture)
@@ -278,10 +286,10 @@ app.command(name="study")(study)
 app.command(name="optimise")(optimise)
 
 
-def _tell(measured) -> None:
-    """One line for a level that was measured; not into the table that follows."""
+def _line(measured: "Measured") -> str:
+    """One line for a level that was measured."""
     times = ", ".join(f"{seconds:.2f} s {when}" for when, seconds in measured.times.items())
-    sys.stderr.write(f"{measured.name}: {measured.message or times}\n")
+    return f"{measured.name}: {measured.message or times}"
 
 
 cache_app = typer.Typer(help="Condensed rings that are kept on disk.", no_args_is_help=True)
@@ -364,14 +372,14 @@ def _show(result: "Result", terminal: "Console | None", *, everything: bool, not
 
 
 def _log(*, everything: bool) -> None:
-    """Print what the library logs: stages to the output, or only warnings as errors."""
+    """Print what the library logs on the error stream: all of it, or only warnings."""
     import logging
 
     class Shown(logging.Formatter):
         def format(self, record: logging.LogRecord) -> str:
             return printable(super().format(record))
 
-    handler = logging.StreamHandler(sys.stdout) if everything else logging.lastResort
+    handler = logging.StreamHandler(sys.stderr) if everything else logging.lastResort
     assert handler
     handler.setFormatter(Shown("%(message)s"))
     if everything:

@@ -1,8 +1,10 @@
-"""What a person sees while a case runs: stages, iterations, the end."""
+"""What a person sees while a command works: a bar on a terminal, lines elsewhere, never silent for long."""
 
 import logging
+import sys
 from collections.abc import Callable
 from math import inf
+from threading import Event, Thread
 from time import perf_counter
 from typing import TYPE_CHECKING, Protocol, Self
 
@@ -14,7 +16,7 @@ if TYPE_CHECKING:
 
     from flexbearing.coupling import Iteration
 
-EVERY = 10.0  # [s] between the lines of a stage that goes on
+EVERY = 3.0  # [s] between the lines of a stage that goes on
 
 log = logging.getLogger("flexbearing.run")
 
@@ -23,12 +25,27 @@ class Report(Protocol):
     """Listens to a run."""
 
     def stage(self, text: str, fraction: float | None) -> None:
-        """Take note of a stage that begins, or of how much of it is done (0 to 1)."""
+        """Take note of a stage that begins, or of how much of it is done (0 to 1); details follow a colon."""
         ...
 
     def iteration(self, iteration: "Iteration") -> None:
         """Take note of an exchange between bearing and rings."""
         ...
+
+    def line(self, text: str) -> None:
+        """Take note of what is worth a line that stays."""
+        ...
+
+
+def shown(text: str) -> "Lines | OnTerminal":
+    """Progress of a command on the error stream, called so until its first stage."""
+    if not sys.stderr.isatty():
+        return Lines(text)
+    from rich.console import Console
+
+    from flexbearing.program.streams import terminal_errors
+
+    return OnTerminal(Console(file=terminal_errors()), text)
 
 
 class Silent:
@@ -39,6 +56,9 @@ class Silent:
 
     def iteration(self, iteration: "Iteration") -> None:
         """Take no note of an iteration."""
+
+    def line(self, text: str) -> None:
+        """Take no note of it."""
 
 
 def _to_the_log(text: str) -> None:
@@ -72,6 +92,10 @@ class Logged:
         """Log number, largest load change and largest load of an iteration, every `EVERY` seconds."""
         self._detail(line(iteration))
 
+    def line(self, text: str) -> None:
+        """Log a line."""
+        self._tell(text)
+
     def _detail(self, text: str) -> None:
         """Tell what is news after `EVERY` seconds without any; else it is for those who debug."""
         if (now := perf_counter()) - self._told < EVERY:
@@ -90,10 +114,46 @@ def line(iteration: "Iteration") -> str:
     )
 
 
+class Lines(Logged):
+    """Lines on the error stream: what is at work, and since when, wherever `EVERY` seconds had none."""
+
+    def __init__(self, text: str):
+        super().__init__(self._write)
+        self._ended, self._last = Event(), text
+        self._began = self._told = perf_counter()  # what ends sooner needs no line
+
+    def __enter__(self) -> Self:
+        Thread(target=self._repeat, daemon=True).start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._ended.set()
+
+    def stage(self, text: str, fraction: float | None) -> None:
+        """Take note of a stage, for the next line."""
+        if text.partition(":")[0] != self._last.partition(":")[0]:
+            self._began = perf_counter()
+        self._last = text
+        self._detail(text if fraction is None or ":" in text else f"{text}: {100 * fraction:.0f} % done")
+
+    def line(self, text: str) -> None:
+        """Print a line at once."""
+        self._told = perf_counter()
+        self._write(text)
+
+    def _write(self, text: str) -> None:
+        sys.stderr.write(f"{printable(text)}\n")
+        sys.stderr.flush()
+
+    def _repeat(self) -> None:
+        while not self._ended.wait(max(EVERY - (perf_counter() - self._told), EVERY / 30)):
+            self._detail(f"{self._last}, {perf_counter() - self._began:.0f} s")
+
+
 class OnTerminal:
     """Shows the stage at work as a bar with its iteration, on a terminal; nothing of it stays."""
 
-    def __init__(self, console: "Console"):
+    def __init__(self, console: "Console", text: str = ""):
         from rich.progress import (  # only terminals pay for it
             BarColumn,
             Progress,
@@ -108,7 +168,7 @@ class OnTerminal:
         )
         self._bars = Progress(*columns, console=console, transient=True)
         self._task: TaskID | None = None
-        self._text = ""
+        self._text = text
 
     def __enter__(self) -> Self:
         try:
@@ -116,6 +176,8 @@ class OnTerminal:
         except BaseException:  # an interruption: the cursor was hidden
             self._bars.stop()
             raise
+        if self._text:
+            self.stage(self._text, None)
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -124,9 +186,12 @@ class OnTerminal:
 
     def stage(self, text: str, fraction: float | None) -> None:
         """Begin a bar for a new stage, or fill the one at work."""
-        if text != self._text or self._task is None:
+        if text.partition(":")[0] != self._text.partition(":")[0] or self._task is None:
             self._finish()
-            self._task, self._text = self._bars.add_task(printable(text), total=None), text
+            self._task = self._bars.add_task(printable(text), total=None)
+        elif text != self._text:
+            self._bars.update(self._task, description=printable(text))
+        self._text = text
         if fraction is not None:
             self._bars.update(self._task, total=1.0, completed=fraction)
 
@@ -134,6 +199,10 @@ class OnTerminal:
         """Show the iteration at work behind its stage."""
         if self._task is not None:
             self._bars.update(self._task, description=printable(f"{self._text}: {line(iteration)}"))
+
+    def line(self, text: str) -> None:
+        """Print a line that stays, above the bar."""
+        self._bars.console.print(printable(text), markup=False, highlight=False, soft_wrap=True)
 
     def _finish(self) -> None:
         if self._task is not None:

@@ -25,10 +25,10 @@ def goal(
     from flexbearing.families import FAMILIES
     from flexbearing.goal.search import goal as search
     from flexbearing.printable import all_printable, printable
-    from flexbearing.sensitivity.command import listener
+    from flexbearing.progress import shown
 
     wanted = api.read_case(case, settings or [])
-    with listener() as report:
+    with shown("goal") as report:
         found = search(wanted, FAMILIES[wanted.kind], life, report)
     if as_json:
         import json

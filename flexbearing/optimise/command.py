@@ -1,6 +1,7 @@
 """The command `optimise`; what it does not need is not loaded."""
 
 import sys
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Annotated
 
@@ -29,12 +30,15 @@ def optimise(
     from flexbearing.optimise import messages
     from flexbearing.optimise.run import optimise as optimised
     from flexbearing.optimise.search import Found
+    from flexbearing.progress import shown
 
-    def tell(found: Found) -> None:
-        if not quiet:
-            sys.stderr.write(printable(messages.start(found)) + "\n")
+    with nullcontext() if quiet else shown("optimisation") as report:
 
-    optimum = optimised(file, output, jobs=jobs, tell=tell)
+        def tell(found: Found) -> None:
+            if report:
+                report.line(messages.start(found))
+
+        optimum = optimised(file, output, jobs=jobs, tell=tell)
     if not quiet:
         sys.stdout.write(printable(messages.page(optimum, output)) + "\n")
     elif not optimum.converged:

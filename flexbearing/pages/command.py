@@ -33,6 +33,9 @@ def report(
     """Write the report of a result or a study: one HTML file that opens without a network and prints."""
     from flexbearing.pages.make import report as written
     from flexbearing.printable import printable
+    from flexbearing.progress import shown
 
-    for path in written(source, output, against=against, units=units, pdf=pdf):
+    with shown("report"):
+        paths = list(written(source, output, against=against, units=units, pdf=pdf))
+    for path in paths:
         sys.stdout.write(printable(f"report: {path}") + "\n")

@@ -45,6 +45,14 @@ class _Shown(io.TextIOWrapper):
         return len(text)
 
 
+def terminal_errors() -> TextIO:
+    """The error stream for what controls its terminal on purpose."""
+    if not isinstance(sys.stderr, _Shown):
+        return sys.stderr
+    sys.stderr.flush()
+    return _stream(sys.stderr, _Tolerant(2, closed=False), io.TextIOWrapper, line_buffering=True)
+
+
 def prepare() -> None:
     """Make standard streams that never fail, and open closed ones where nothing is read.
 

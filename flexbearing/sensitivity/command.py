@@ -12,7 +12,6 @@ from flexbearing.program.kept import keeping
 if TYPE_CHECKING:
     from flexbearing.case import Head
     from flexbearing.derivatives.table import Sensitivities
-    from flexbearing.progress import Logged, OnTerminal
 
 NOT_CONVERGED = 1
 
@@ -73,32 +72,17 @@ def _differentiated(case: "Head", of: Sequence[str], by: Sequence[str]) -> "Sens
     from flexbearing.case import BadCase
     from flexbearing.outputs import UnknownOutput, WrongUnit
     from flexbearing.printable import printable
+    from flexbearing.progress import shown
     from quasidynamic import NotSolved
 
     try:
-        with listener() as report:
+        with shown("sensitivity") as report:
             return api.sensitivities(case, of, by, report)
     except (UnknownOutput, WrongUnit) as problem:
         raise BadCase(f"--of {problem}") from None
     except NotSolved as problem:
         sys.stderr.write(printable(f"{case.source.path}: not converged: {problem}\n"))
         raise typer.Exit(NOT_CONVERGED) from None
-
-
-def listener() -> "Logged | OnTerminal":
-    """Shows beside the output how far the derivatives are: bars on a terminal, else lines."""
-    from flexbearing.printable import printable
-    from flexbearing.progress import Logged, OnTerminal
-
-    if sys.stderr.isatty():
-        from rich.console import Console
-
-        return OnTerminal(Console(stderr=True))
-
-    def tell(text: str) -> None:
-        sys.stderr.write(printable(text) + "\n")
-
-    return Logged(tell)
 
 
 def _form_of(picture: Path) -> str:

@@ -55,6 +55,7 @@ def study(  # noqa: PLR0913  # an argument for each option
     from flexbearing.case import BadCase
     from flexbearing.case.excerpt import excerpt
     from flexbearing.program.threads import limited_to
+    from flexbearing.progress import shown
     from flexbearing.studies import messages
     from flexbearing.studies.job_array import sbatch
     from flexbearing.studies.plan import Part
@@ -64,8 +65,8 @@ def study(  # noqa: PLR0913  # an argument for each option
     wanted = None if part is None else Part.parsed(part)
     if emit not in (None, "sbatch"):
         raise BadCase(f'--emit {excerpt(emit)}: it must be "sbatch"')
-    with limited_to(jobs):
-        settled = prepared(file, messages.Checking(sys.stderr))
+    with limited_to(jobs), shown("check") as report:
+        settled = prepared(file, messages.Checking(report))
     if check or status:
         _say(messages.status(settled, output) if status else messages.variants(settled))
         raise typer.Exit(BAD_INPUT if settled.plan.problems else CONVERGED)
@@ -74,9 +75,10 @@ def study(  # noqa: PLR0913  # an argument for each option
         _say(sbatch(settled, output, jobs).rstrip())
         raise typer.Exit(CONVERGED)
     settled = settled.of_part(wanted) if wanted else settled
-    with messages.Shown(sys.stderr) as shown:
-        where = Where(jobs, scheduler, slurm, (tls_ca, tls_cert, tls_key))
-        table = compute(settled, output, where, retry_failed=retry_failed, tell=shown)
+    where = Where(jobs, scheduler, slurm, (tls_ca, tls_cert, tls_key))
+    with shown("study") as report:
+        table = compute(settled, output, where, retry_failed=retry_failed, tell=messages.follow(report))
+    sys.stderr.writelines(printable(f"{words}; {messages.ADVICE}\n") for words in table.complaints)
     _say(messages.end(settled, table, output))
     raise typer.Exit(NOT_CONVERGED if table.failed else CONVERGED)
 

@@ -1,16 +1,16 @@
 """What people read of a study: its variants before, its progress, its end."""
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import islice
 from math import isnan
 from pathlib import Path
 from time import perf_counter
-from typing import Any, Self, TextIO
+from typing import Any
 
 from flexbearing.case.problems import MOST
 from flexbearing.files import require_folder_name
-from flexbearing.printable import printable
+from flexbearing.progress import Report
 from flexbearing.studies.settled import Prepared, Progress
 from flexbearing.studies.table import Table, duty
 from flexbearing.studies.table.files import PICTURE, SCATTER_PICTURE
@@ -19,8 +19,6 @@ from flexbearing.studies.where import ALONE, RING, SIDE_BY_SIDE, Cost, expected
 
 LIFE_ERROR = "life error [%]"  # column of duty cycles with a target
 ADVICE = "the next study condenses its rings again, FLEXBEARING_CACHE names another folder"
-PAUSE = 10.0  # [s] between lines that no terminal shows
-FIRST, LONG = 1.0, 5.0  # [s] after which the time of a check is known; that is worth a line
 
 
 def variants(settled: Prepared) -> str:
@@ -183,62 +181,37 @@ def duration(seconds: float) -> str:
 
 
 class Checking:
-    """Says how long the checking of many variants takes, as soon as this is known, and how far it is."""
+    """Says how many variants are checked, and how long the others take once this is known."""
 
-    def __init__(self, stream: TextIO):
-        self._stream, self._next = stream, FIRST
-        self._began, self._before = (
-            0.0,
-            0,
-        )  # when the first ones were checked, which workers have to start for
+    def __init__(self, report: Report):
+        self._report = report
+        self._began, self._before = 0.0, 0  # of the first ones, for which workers start
 
     def __call__(self, checked: int, total: int) -> None:
         """Take note of how many variants are checked."""
         if not self._before:
             self._began, self._before = perf_counter(), checked
             return
-        seconds = perf_counter() - self._began
-        left = seconds / (checked - self._before) * (total - checked)
-        if seconds >= self._next and left > LONG:
-            self._next = seconds + PAUSE
-            self._stream.write(f"{checked} of {total} variants checked, {duration(left)} left\n")
-            self._stream.flush()
+        left = (perf_counter() - self._began) / (checked - self._before) * (total - checked)
+        self._report.stage(f"check: {checked} of {total} variants, {duration(left)} left", checked / total)
 
 
-class Shown:
-    """Shows progress in a line that changes, on a terminal, or in a line now and then; a context manager.
+def follow(report: Report) -> Callable[[Progress], None]:
+    """What shows the progress of a study."""
 
-    What workers complained of is printed at the end.
-    """
-
-    def __init__(self, stream: TextIO):
-        self._stream, self._terminal, self._last = stream, stream.isatty(), perf_counter()
-        self._complaints: tuple[str, ...] = ()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        if self._terminal:
-            self._stream.write("\n")
-        for words in self._complaints:
-            self._stream.write(printable(f"{words}; {ADVICE}") + "\n")
-
-    def __call__(self, progress: Progress) -> None:
-        """Take note of how far a study is."""
-        line, self._complaints = self._line(progress), progress.complaints
-        if self._terminal:
-            self._stream.write(f"\r{line}\x1b[K")
-        elif progress.done == progress.total > progress.begun or perf_counter() - self._last >= PAUSE:
-            self._stream.write(f"{line}\n")
-            self._last = perf_counter()
-        self._stream.flush()
-
-    def _line(self, progress: Progress) -> str:
+    def tell(progress: Progress) -> None:
         condensed, rings = progress.rings
         if condensed < rings:
-            return f"{condensed} of {rings} elastic rings condensed or resolved for the target"
-        left = "" if progress.left is None else f", {duration(progress.left)} left"
-        tasks = f"{progress.repeated} task{'s' if progress.repeated > 1 else ''}"
-        repeated = f", {tasks} repeated because a worker process died" if progress.repeated else ""
-        return f"{progress.done} of {progress.total} variants, {progress.failed} failed{repeated}{left}"
+            words = f"elastic rings: {condensed} of {rings} condensed or resolved for the target"
+            report.stage(words, condensed / rings)
+        else:
+            report.stage(_line(progress), progress.done / progress.total)
+
+    return tell
+
+
+def _line(progress: Progress) -> str:
+    left = "" if progress.left is None else f", {duration(progress.left)} left"
+    tasks = f"{progress.repeated} task{'s' if progress.repeated > 1 else ''}"
+    repeated = f", {tasks} repeated because a worker process died" if progress.repeated else ""
+    return f"study: {progress.done} of {progress.total} variants, {progress.failed} failed{repeated}{left}"

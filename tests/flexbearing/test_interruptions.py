@@ -84,12 +84,16 @@ def started(*words):
     )  # fmt: skip
 
 
-def wait_for(process, words):
-    assert process.stdout
-    for line in process.stdout:
+def wait_for(stream, words):
+    for line in iter(stream.readline, ""):
         if words in line:
             return
-    raise AssertionError(f"{words!r} was never told: {process.stderr.read()}")
+    raise AssertionError(f"{words!r} was never told")
+
+
+def ended(process):
+    """Its last line on the error stream, below those of its progress."""
+    return process.communicate(timeout=120)[1].splitlines(keepends=True)[-1]
 
 
 def wait_for_iterations(folder):
@@ -105,10 +109,10 @@ def wait_for_iterations(folder):
 @EVERY_SIGNAL
 def test_signal_ends_a_run_in_one_line_with_its_exit_code(number, tmp_path):
     process = started("run", PAPER, "-o", tmp_path / "out.h5", *sets(BEAM + NEVER_ENDING))
-    wait_for(process, "bearing and rings coupled")
+    wait_for(process.stderr, "bearing and rings coupled")
     wait_for_iterations(tmp_path)
     process.send_signal(number)
-    _, complaint = process.communicate(timeout=120)
+    complaint = ended(process)
     assert process.returncode == CODES[number]
     (kept,) = tmp_path.iterdir()
     assert re.fullmatch(rf"interrupted: .* \d+ iterations kept in {kept}\n", complaint)
@@ -119,9 +123,9 @@ def test_signal_ends_a_run_in_one_line_with_its_exit_code(number, tmp_path):
 def test_what_the_terminal_sends_to_all_processes_ends_meshing_without_a_trace(tmp_path):
     solid = ["inner.kind=rigid", "accuracy.structure=solid", "accuracy.element_order=2"]
     process = started("run", PAPER, "-o", tmp_path / "out.h5", *sets(solid))
-    wait_for(process, "outer ring")
+    wait_for(process.stderr, "outer ring")
     os.killpg(process.pid, signal.SIGINT)
-    _, complaint = process.communicate(timeout=120)
+    complaint = ended(process)
     assert process.returncode == 130
     (kept,) = tmp_path.iterdir()
     assert complaint == f"interrupted: the state with rigid raceways kept in {kept}\n"
@@ -154,7 +158,7 @@ def test_second_signal_ends_at_once():
     process = subprocess.Popen(
         [sys.executable, "-c", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT
     )
-    wait_for(process, "cleaning up")
+    wait_for(process.stdout, "cleaning up")
     process.send_signal(signal.SIGTERM)
     _, complaint = process.communicate(timeout=120)
     assert (process.returncode, complaint) == (-signal.SIGTERM, "")

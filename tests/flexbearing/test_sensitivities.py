@@ -329,9 +329,7 @@ def test_command_writes_a_table_and_a_picture(tmp_path, capsys):
 
 def test_command_prints_json(capsys):
     assert command("--of", "life", "--by", "bearing.clearance", "--json") == 0
-    said = capsys.readouterr()
-    (found,) = json.loads(said.out)["derivatives"]
-    assert "derivatives by bearing.clearance" in said.err
+    (found,) = json.loads(capsys.readouterr().out)["derivatives"]
     assert (found["output"], found["one_sided"], found["derivative_below"]) == ("life_L10", False, None)
 
 

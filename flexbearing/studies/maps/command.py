@@ -42,17 +42,15 @@ def map_(
 ) -> None:
     """Map a case over one to three keys: every equilibrium of every point, folds, regions of several."""
     from flexbearing.printable import printable
-    from flexbearing.progress import Logged
+    from flexbearing.progress import shown
     from flexbearing.studies.maps.map import MapRequest, map_case
     from quasidynamic import NotSolved
-
-    def tell(words: str) -> None:
-        sys.stderr.write(printable(f"{words}\n"))
 
     try:
         outputs = tuple(of.split(",")) if of else ()
         request = MapRequest(case, tuple(over), outputs, output, tuple(settings or ()), form)
-        found = map_case(request, Logged(tell))
+        with shown("map") as report:
+            found = map_case(request, report)
     except NotSolved as problem:
         sys.stderr.write(printable(f"{case}: not converged: {problem}\n"))
         raise typer.Exit(NOT_CONVERGED) from None

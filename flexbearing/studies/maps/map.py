@@ -93,7 +93,7 @@ def map_case(request: MapRequest, report: Report) -> WrittenMap:
     require_outputs(files.values(), first.input_files)
     points = prod(len(axis.values) for axis in wanted)
     cost = f"about {points * POINT:.2g} s and {points * SIZE:.2g} MB"
-    report.stage(f"{points} points, {cost}; longer where equilibria end", None)
+    report.line(f"{points} points, {cost}; longer where equilibria end")
     found = solved_map(first, wanted, request.of or OUTPUTS, report)
     _write(found, files, Format(form))
     return WrittenMap(found, pages.text(found), not len(found.unsolved), files)

@@ -1,6 +1,5 @@
 """A map that is computed: every state of every point, with its outputs."""
 
-import logging
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -29,7 +28,6 @@ OUTPUTS = (
     "cage_slip [%]", "max_roller_load [N]", "life_L10 [h]", "peak_pressure.inner [MPa]", "static_safety",
     "minimum_lambda.inner", "minimum_film.inner [um]", "driving_torque [N m]",
 )  # fmt: skip
-log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
@@ -92,10 +90,8 @@ def solved_map(first: Case, axes: Sequence[MapAxis], texts: Sequence[str], repor
         solved = solve(whole.points, mapped, lambda stage: report.stage(stage, None))
         report.stage("folds", None)
         if len(axes) > 1 and (ends := len(solved.ends[0])):
-            log.warning(
-                "%d ends of stable states: the curves of folds through them are followed, up to 20 s each",
-                ends,
-            )
+            curves = "the curves of folds through them are followed, up to 20 s each"
+            report.line(f"{ends} ends of stable states: {curves}")
         ended = folds(solved)
         report.stage("outputs", None)
         outputs, error = _outputs(whole, solved, texts, mapped)
