@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import fem
-from fem.parts.volume import volume
 from flexbearing import inputs
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
 from flexbearing.case.excerpt import excerpt
@@ -42,13 +41,13 @@ def outer_part(case: Case) -> "fem.SquirrelCage | fem.OuterRing | StepSolid | No
 
 def _outer_part(case: Case) -> "fem.SquirrelCage | fem.OuterRing | StepSolid | None":
     outer: Any = case.outer  # which values are there depends on the kind, checked on reading
+    if outer.kind == "rigid":
+        return None
     hot = hot_over_cold(case, "outer_ring")
     ring: dict[str, Any] = {
         "raceway_diameter": outer_raceway_diameter(case),
         "elastic": _elastic(case, "outer_ring"),
     }
-    if outer.kind == "rigid":
-        return None
     if outer.kind == "step":
         return _drawn(case, **ring, scale=hot)
     if outer.kind in ("ring", "matrix"):
@@ -71,8 +70,10 @@ def _outer_part(case: Case) -> "fem.SquirrelCage | fem.OuterRing | StepSolid | N
 def outer_mass(case: Case) -> float | None:
     """Mass of what carries the outer raceway [kg]; None of a rigid one, and of a drawn solid."""
     part = outer_part(case)
-    if not isinstance(part, fem.OuterRing | fem.SquirrelCage):
+    if part is None or not isinstance(part, fem.OuterRing | fem.SquirrelCage):
         return None
+    from fem.parts.volume import volume
+
     cold = volume(part) / hot_over_cold(case, "outer_ring") ** 3
     return cold * case.materials.outer_ring.density
 

@@ -4,12 +4,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from fem.condense import condensing, is_cage_in_space
 from flexbearing.build.ring_parts import part_of
-from flexbearing.cache import configured
 from flexbearing.case.roller import Case
 from flexbearing.program.threads import cores
-from flexbearing.rings.resolution import resolved
 
 if TYPE_CHECKING:
     from fem.raceway.harmonics import HarmonicCompliance
@@ -25,6 +22,11 @@ def outer_ring_ahead(case: Case) -> Iterator[Ahead | None]:
     if part is None or chosen_later or cores() == 1:
         yield None
         return
+    # finite elements are not loaded between rigid rings
+    from fem.condense import condensing, is_cage_in_space
+    from flexbearing.cache import configured
+    from flexbearing.rings.resolution import resolved
+
     arguments = resolved(part, case)
     if not is_cage_in_space(*arguments[:2]) or configured().holds(arguments):
         yield None

@@ -12,13 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 import fem
-from fem.parts.step_solid import StepSolid
 from flexbearing.build.ring_parts import NAMES, Race, part_of
 from flexbearing.case.roller import Case
 from flexbearing.coupling import LinearPair
 from flexbearing.coupling.partners import LinearRaceway
 from flexbearing.progress import Report
-from flexbearing.rings.condensed import condensed, named_failures
 
 if TYPE_CHECKING:
     from quasidynamic.outcome.bearing_states import BearingStates
@@ -66,6 +64,10 @@ def _worth(absolute: NDArray, states: "BearingStates", race: int) -> NDArray:
 
 
 def _compliance(case: Case, race: Race, raceway: LinearRaceway, report: Report) -> NDArray | None:
+    # not needed between rigid raceways
+    from fem.parts.step_solid import StepSolid
+    from flexbearing.rings.condensed import condensed, named_failures
+
     part, shapes, azimuths = part_of(case, race), raceway.absolute.shape[1] + MORE, raceway.azimuths
     if part is None or isinstance(part, StepSolid):
         return None

@@ -52,11 +52,11 @@ def estimated(case: Case, states: BearingStates, rings: LinearPair, report: Repo
         return LifeErrors(None)
     errors, problems = np.full(len(sought), np.nan), [""] * len(sought)
     matter = more_shapes_matter(states, rings)
-    for races in np.unique(matter[sought], axis=0):
+    for races in sorted({*map(tuple, matter[sought].tolist())}):
         some = np.flatnonzero(sought & (matter == races).all(axis=1))
         richer: Compliances = (None, None)
         try:
-            richer = with_more_shapes(case, rings, races.tolist(), report)
+            richer = with_more_shapes(case, rings, races, report)
         except PartnerFailed as problem:  # which leaves the error of the slices
             for place in some:
                 problems[place] = str(problem)

@@ -11,8 +11,7 @@ from flexbearing.findings import Judged, declared
 from flexbearing.progress import Report
 from flexbearing.quantities.quantity import row
 from flexbearing.results import Arrays, Recorder
-from flexbearing.runs import fields, judged, notes, roller_findings, sliced_peak
-from flexbearing.runs.part_fields import NoFields
+from flexbearing.runs import judged, notes, roller_findings, sliced_peak
 from flexbearing.runs.several import SeveralEquilibria
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import Equilibrium, RollerBearing
@@ -78,6 +77,9 @@ class Postprocessing:
 
     def _add_stresses(self, block: Arrays) -> None:
         """Stresses come on top of a solution: what keeps them away is a note, and the solution stays."""
+        from flexbearing.runs import fields
+        from flexbearing.runs.part_fields import NoFields
+
         for race in fields.parts(self.case):
             try:
                 record = fields.fields(self.case, race, "flexible", block).record()

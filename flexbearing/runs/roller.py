@@ -5,15 +5,17 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from numpy.typing import NDArray
+
 from flexbearing.build import clearance, roller_bearing
+from flexbearing.build.ring_parts import part_of
 from flexbearing.case.roller import Case
 from flexbearing.coupled.coupled import FROM_INITIAL_STATE, BearingPartner, CoupledBearing, nearest, summary
 from flexbearing.coupled.initial_state import InitialState
 from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.progress import Report
 from flexbearing.results import Recorder
-from flexbearing.rings.condensed import condensed_raceways
-from flexbearing.rings.full_solve import full_fe_raceways
+from flexbearing.rings.raceways import RigidRaceway
 from flexbearing.runs import notes, roller_position, slice_error
 from flexbearing.runs.postprocess import Postprocessing
 from flexbearing.runs.tilt import TiltComparison
@@ -74,9 +76,7 @@ def _resolved(
 ) -> Resolved:
     """At the levels of the case, or at those that its target requires."""
     model = roller_bearing.bearing(case)
-    condensed = partial(condensed_raceways, outer_ahead=ahead)
-    raceways = full_fe_raceways if case.coupling.structure == "full" else condensed
-    usual = Resolved(model, lambda: raceways(case, model.bearing.azimuths, report))
+    usual = Resolved(model, partial(_raceways, case, model.bearing.azimuths, report, ahead))
     if case.accuracy.target is None:
         return usual
     if levels is not None:
@@ -90,6 +90,19 @@ def _resolved(
     except Unusable as problem:
         return _at_shared_levels(case, usual, UsualLevels(str(problem)), postprocessing, report)
     return Resolved(resolution.model, lambda: resolution.rings, resolution.attributes(), resolution.notes)
+
+
+def _raceways(case: Case, azimuths: NDArray, report: Report, ahead: "Ahead | None") -> RacewayPair:
+    """Both raceways; finite elements are loaded for those that deflect."""
+    if part_of(case, "inner") is None and part_of(case, "outer") is None:
+        return RacewayPair(RigidRaceway(azimuths), RigidRaceway(azimuths))
+    if case.coupling.structure == "full":
+        from flexbearing.rings.full_solve import full_fe_raceways
+
+        return full_fe_raceways(case, azimuths, report)
+    from flexbearing.rings.condensed import condensed_raceways
+
+    return condensed_raceways(case, azimuths, report, ahead)
 
 
 def _at_shared_levels(

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.cage.bar_forces import NominalStresses
 from flexbearing.build.ring_parts import outer_mass
 from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
@@ -37,6 +36,7 @@ from quasidynamic.outcome.worst_line_contact import WorstLineContact
 from quasidynamic.several.indicator import each_several_likely
 
 if TYPE_CHECKING:
+    from fem.cage.bar_forces import NominalStresses
     from quasidynamic.outcome.subsurface import Subsurface
     from quasidynamic.outcome.whole_roller import WholeRoller
 
@@ -155,7 +155,7 @@ class SolvedRows:
         return [skew.at(case, state) for case, state in zip(self.cases, self.each, strict=True)]
 
     @cached_property
-    def bars(self) -> NominalStresses | None:
+    def bars(self) -> "NominalStresses | None":
         """Nominal stresses of the bars of squirrel cages; None without bars."""
         return bars.nominal_stresses(self.cases[0], self.end) if self.converged else None
 

@@ -88,7 +88,7 @@ def _ends(state: Equilibrium) -> NDArray:
     """The first and the last roller that carry much, and those beyond them."""
     order, load = in_order(state), state.loads[INNER]
     first, last = np.flatnonzero(load[order] > MUCH * load.max())[[0, -1]]
-    return np.unique(order[[first - 1, first, last, (last + 1) % len(order)]])
+    return np.array(sorted({*order[[first - 1, first, last, (last + 1) % len(order)]].tolist()}))
 
 
 def _shifted_zones(state: Equilibrium, rolling: NDArray) -> list[NDArray]:

@@ -10,7 +10,6 @@ from pytest import approx
 from flexbearing import api
 from flexbearing.case import cage_room
 from flexbearing.findings import DANGER, OUTSIDE, USUAL
-from flexbearing.report import text
 from flexbearing.report.html import METRIC, clearance, life as life_section, stiffness, verdict
 from flexbearing.report.html.against_limits import ranked
 from flexbearing.report.html.check import BUILD, NOT_CHECKED
@@ -19,6 +18,7 @@ from flexbearing.report.html.lives import COMPARED, lives
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.simplifications import simplifications
 from flexbearing.report.html.write import marked
+from flexbearing.report.output import text
 from flexbearing.runs.notes import of_case
 from tests.flexbearing.hostile_cases import CONFIGS
 from tests.flexbearing.html_pages import Numbers, require_equal

@@ -12,7 +12,7 @@ from scipy.optimize import brentq
 import flexbearing
 from flexbearing.api import read_case
 from flexbearing.case import BadCase
-from flexbearing.report import text
+from flexbearing.report.output import text
 from flexbearing.runs import roller_position
 from flexbearing.runs.roller_position import load_half_a_pitch_further
 from tests.flexbearing.noted import codes

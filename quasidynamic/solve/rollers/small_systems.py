@@ -1,5 +1,7 @@
 """Small linear systems side by side: a singular one is not a number and spoils no other."""
 
+from itertools import pairwise
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -10,32 +12,41 @@ def cyclic_tridiagonal(middle: NDArray, before: NDArray, after: NDArray, sides: 
     Not a number for cases whose system is singular, closed or cut open: such as that of rollers which only
     hand on their spin, where the speed of all of them together is undetermined.
     """
-    # costly to import, and checking a case does without
-    from scipy.linalg.lapack import dgtsv  # pyright: ignore[reportAttributeAccessIssue]  # made at import
-
     count, cases, rollers = sides.shape
-    corners = np.zeros((2, cases, rollers))  # the last spin in the first equation, and the reverse
-    corners[0, :, 0], corners[1, :, -1] = before[:, 0], after[:, 0]
-    lower, upper = before.repeat(rollers, axis=1), after.repeat(rollers, axis=1)
-    lower[:, 0] = upper[:, -1] = 0.0
-    columns = np.concatenate([sides, corners]).reshape(count + 2, -1).T
-    bands = lower.ravel()[1:], middle.ravel(), upper.ravel()[:-1]
-    *_, solved, fault = dgtsv(*bands, columns, overwrite_dl=True, overwrite_du=True, overwrite_b=True)
-    if fault:  # of one case; the columns of all are overwritten
-        if cases == 1:
-            return np.full(sides.shape, np.nan)
-        each = (slice(case, case + 1) for case in range(cases))
-        alone = [cyclic_tridiagonal(middle[c], before[c], after[c], sides[:, c]) for c in each]
-        return np.concatenate(alone, axis=1)
-    solved = solved.T.reshape(count + 2, cases, rollers)
+    rows = np.zeros((rollers, count + 5, cases))  # the diagonal, two after it, and the right-hand sides
+    rows[:, 0], rows[:-1, 1], rows[:, 3:-2] = middle.T, after[:, 0], sides.transpose(2, 0, 1)
+    rows[0, -2], rows[-1, -1] = before[:, 0], after[:, 0]  # last spin in the first equation, the reverse
+    solved = _tridiagonal(rows, before[:, 0]).transpose(1, 2, 0)
     opened, (first, last) = solved[:count], solved[count:]
     # Both ends of the chain from each other: s_last = opened_last - first s_last - last s_first, ...
     a, b, c, d = 1 + first[:, -1], last[:, -1], first[:, 0], 1 + last[:, 0]
     end, begin = opened[:, :, -1], opened[:, :, 0]
-    determinant = a * d - b * c
-    determinant[determinant == 0] = np.nan
+    determinant = _nonzero(a * d - b * c)
     end, begin = (d * end - b * begin) / determinant, (a * begin - c * end) / determinant
     return opened - first * end[..., None] - last * begin[..., None]
+
+
+def _tridiagonal(rows: NDArray, lower: NDArray) -> NDArray:
+    """Solve rows (Z, 3 + R, C) with `lower` (C) before the diagonal, in place: (Z, R, C).
+
+    Gauss with the larger of two pivots, as LAPACK's gtsv: loading `scipy.linalg` takes longer than solving.
+    """
+    for row, below in pairwise(rows):
+        under = np.concatenate([lower[None], below[:2], below[3:]])
+        if (larger := np.abs(lower) > np.abs(row[0])).any():
+            row[:], under = np.where(larger, under, row), np.where(larger, row, under)
+        under -= under[0] / _nonzero(row[0]) * row
+        below[:2], below[3:] = under[1:3], under[3:]
+    solved = np.zeros((len(rows) + 2, *rows[0, 3:].shape))
+    for number in reversed(range(len(rows))):
+        diagonal, after, beyond = rows[number, :3]
+        left = rows[number, 3:] - after * solved[number + 1] - beyond * solved[number + 2]
+        solved[number] = left / _nonzero(diagonal)
+    return solved[:-2]
+
+
+def _nonzero(divisor: NDArray) -> NDArray:
+    return np.where(divisor == 0, np.nan, divisor)
 
 
 def dense(matrix: NDArray, side: NDArray) -> NDArray:
