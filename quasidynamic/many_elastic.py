@@ -8,8 +8,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.columns import columns_of
 from quasidynamic.outcome.bearing_states import BearingStates
-from quasidynamic.outcome.equilibria import Batch, Equilibria
-from quasidynamic.outcome.equilibrium import Equilibrium
+from quasidynamic.outcome.equilibrium import Batch, Equilibria, Equilibrium
 from quasidynamic.roller import Compliance, RollerBearing, side_by_side_batches, solve_many
 from quasidynamic.several.indicator import each_several_likely
 from quasidynamic.solve.outcome import SolverOutcome

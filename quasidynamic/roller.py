@@ -17,11 +17,9 @@ from quasidynamic.contact.lubrication import Lubrication
 from quasidynamic.contact.raceways import Raceways
 from quasidynamic.errors import NotSolved
 from quasidynamic.outcome.bearing_states import BearingStates
-from quasidynamic.outcome.equilibria import Batch, Equilibria
-from quasidynamic.outcome.equilibrium import Equilibrium
+from quasidynamic.outcome.equilibrium import Batch, Equilibria, Equilibrium
 from quasidynamic.parts.material import contact_modulus
-from quasidynamic.parts.operation import Operation
-from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
+from quasidynamic.parts.roller_bearing import CylindricalRollerBearing, Operation
 from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.elastic_raceways import iterate
 from quasidynamic.solve.rollers.strategy import MOST_WORK, solve

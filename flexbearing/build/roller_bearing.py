@@ -8,8 +8,8 @@ from flexbearing.build import clearance, profiles
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
 from flexbearing.build.lubrication import lubrication
 from flexbearing.case.roller import Case
-from quasidynamic.parts.flange import Flange
 from quasidynamic.parts.raceway_waves import RacewayWaves
+from quasidynamic.parts.roller_bearing import Flange
 
 
 def bearing(case: Case) -> "qd.RollerBearing":  # in quotes: checking a case loads no solver

@@ -25,8 +25,8 @@ from flexbearing.runs.life_of_state import MREV
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.columns import kind_and_numbers
 from quasidynamic.note import Note, information, outside
+from quasidynamic.outcome.rating_life import BALLS
 from quasidynamic.outcome.rolling_contact import RollingContact
-from quasidynamic.outcome.static_pressure import BALLS
 from quasidynamic.outcome.worst_point_contact import WorstPointContact
 
 

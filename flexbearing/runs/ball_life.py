@@ -38,7 +38,7 @@ from quasidynamic.outcome.life_factors import (
     viscosity_ratio,
 )
 from quasidynamic.outcome.rating_life import BALL_EXPONENT, rating_life, static_safety
-from quasidynamic.parts.ball_row import BallRow
+from quasidynamic.parts.ball import BallRow
 from quasidynamic.parts.material import Material
 
 

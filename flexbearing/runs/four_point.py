@@ -23,7 +23,7 @@ from flexbearing.runs import interface, judged, neglect, shoulders, subsurface
 from quasidynamic import NotSolved, OutOfRange
 from quasidynamic.four_point import FourPointEquilibrium
 from quasidynamic.note import Note, danger, information, outside
-from quasidynamic.outcome.static_pressure import BALLS
+from quasidynamic.outcome.rating_life import BALLS
 from quasidynamic.outcome.worst_point_contact import WorstPointContact
 from quasidynamic.solve.balls.elastic_load_distribution import ElasticBallLoads
 from quasidynamic.solve.balls.load_distribution import BallLoads

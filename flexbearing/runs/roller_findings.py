@@ -15,7 +15,7 @@ from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import CylindricalRollerBearing, Equilibrium, OutOfRange
 from quasidynamic.contact.film.roughness import MIXED_FROM
 from quasidynamic.note import Note
-from quasidynamic.outcome.static_pressure import ROLLERS
+from quasidynamic.outcome.rating_life import ROLLERS
 
 
 def values(rows: SolvedRows) -> dict[str, Any]:

@@ -31,7 +31,7 @@ from quasidynamic import (
     solve_many,
     solve_many_elastic,
 )
-from quasidynamic.outcome.equilibria import Equilibria
+from quasidynamic.outcome.equilibrium import Equilibria
 
 if TYPE_CHECKING:
     from flexbearing.accuracy.shared import Levels

@@ -10,7 +10,7 @@ from flexbearing.findings.running import PRESSED_ENDS
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import Equilibrium, NotSolved, OutOfRange
 from quasidynamic.note import Note, outside
-from quasidynamic.outcome.profile_corner import CORNER_DECADE, corner_rise
+from quasidynamic.outcome.sliced_peak import CORNER_DECADE, corner_rise
 
 if TYPE_CHECKING:
     from quasidynamic.outcome.sliced_peak import SlicedPeak

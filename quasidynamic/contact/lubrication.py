@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from quasidynamic.contact.film import FORMULAS, FilmFormula
 from quasidynamic.contact.traction import Regression4109, RollingShear, TractionLaw, biboulet_houpert
 from quasidynamic.errors import ImpossiblePart, require_positive
-from quasidynamic.parts.lubricant import Lubricant
+from quasidynamic.parts.oil_properties import Lubricant
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -11,7 +11,7 @@ from quasidynamic.contact.film import Film, FilmLaw, starved_film
 from quasidynamic.contact.line import EXPONENT, SMALLEST_LOAD, LoadLaw, Slices
 from quasidynamic.contact.lubrication import Lubrication
 from quasidynamic.contact.traction import RollingShear, TractionLaw
-from quasidynamic.parts.lubricant import Lubricant
+from quasidynamic.parts.oil_properties import Lubricant
 
 
 class RacewayState(NamedTuple):

@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from quasidynamic.many_elastic import solve_many_elastic
 from quasidynamic.maps.points import GridPoints
 from quasidynamic.maps.reached import Mapped, Reached, by_newton, in_batches, of_unknowns
-from quasidynamic.outcome.equilibria import Equilibria
+from quasidynamic.outcome.equilibrium import Equilibria
 from quasidynamic.roller import solve_many
 from quasidynamic.solve.rollers.step_bounds import bounded
 

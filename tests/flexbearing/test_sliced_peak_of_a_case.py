@@ -13,7 +13,7 @@ from flexbearing.runs import roller_findings, sliced_peak
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic.errors import NotSolved
 from quasidynamic.outcome import sliced_peak as check
-from quasidynamic.outcome.profile_corner import corner_rise
+from quasidynamic.outcome.sliced_peak import corner_rise
 
 PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
 HEAVY = ["operation.radial_load=25 kN", "operation.misalignment=8 arcmin"]

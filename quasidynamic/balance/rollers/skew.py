@@ -15,8 +15,7 @@ from quasidynamic.contact.flange import (
     touching_skew,
 )
 from quasidynamic.contact.raceways import Raceways
-from quasidynamic.parts.flange import Flange
-from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
+from quasidynamic.parts.roller_bearing import CylindricalRollerBearing, Flange
 
 
 class RunningRollers(NamedTuple):

@@ -7,9 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.half_space.elastic_pair import ElasticPair
-from quasidynamic.contact.half_space.grid import CellGrid
-from quasidynamic.contact.half_space.influence import influence_lattice
+from quasidynamic.contact.half_space.influence import CellGrid, ElasticPair, influence_lattice
 
 
 @dataclass(frozen=True)
