@@ -17,7 +17,7 @@ from quasidynamic.roller import RollerBearing, solve_many
 from quasidynamic.solve.arclength import BranchEnd, BranchPoint, at_parameter, follow, solved_at
 from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.parametric_balance import ParametricBalance, Tangents, between
-from quasidynamic.solve.rollers.stability import growth_rates
+from quasidynamic.solve.rollers.pseudo_time import growth_rates
 from quasidynamic.solve.start import LumpedRollers, static_unknowns
 
 __all__ = ["PARAMETERS", "Branch", "BranchEnd", "TracedEquilibrium", "equilibria_at", "trace"]

@@ -11,8 +11,8 @@ import fem
 from fem.matrix.stiffness import Stiffness, extremes
 from flexbearing import inputs
 from flexbearing.build import matrix_files
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.roller import Case
+from flexbearing.printable import excerpt
 from quasidynamic.note import Note, information, outside
 
 ON_SEAT = 2e-3  # of the outer radius: how far nodes of the seat may stand from it, on straight elements

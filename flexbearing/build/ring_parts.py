@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any, Literal
 import fem
 from flexbearing import inputs
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.read import LONGEST_NAME
 from flexbearing.case.roller import Case
 from flexbearing.inputs.limits import DRAWING
+from flexbearing.printable import excerpt
 from quasidynamic.note import Note, information
 
 if TYPE_CHECKING:

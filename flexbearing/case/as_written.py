@@ -7,8 +7,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from flexbearing.case.declarations import find
-from flexbearing.case.file_keys import value_at
-from flexbearing.case.head import Head
+from flexbearing.case.head import Head, value_at
 from flexbearing.case.problems import BadCase
 from flexbearing.case.ratings import OF_CATALOGUE
 from flexbearing.case.read import settings_applied

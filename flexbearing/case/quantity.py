@@ -11,7 +11,7 @@ from typing import Annotated, Any, ClassVar
 from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
-from flexbearing.case.excerpt import excerpt
+from flexbearing.printable import excerpt
 from flexbearing.units import BadUnit, Unit, UnknownUnit, spelt_otherwise, unit
 
 LONGEST = 100  # characters of a quantity: a number with all its digits, a unit, and room between them

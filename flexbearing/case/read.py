@@ -10,13 +10,13 @@ from pydantic import ValidationError
 from flexbearing import inputs
 from flexbearing.case.belonging import foreign, without
 from flexbearing.case.declarations import Declaration, find, toml
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.family import Families
 from flexbearing.case.head import Head, Source
-from flexbearing.case.named_materials import values
+from flexbearing.case.materials import values
 from flexbearing.case.problems import BadCase, listed, messages, nearest, quoted, refused, shown
 from flexbearing.case.quantity import Section
 from flexbearing.case.text import LARGEST, Unreadable, setting_value, tables
+from flexbearing.printable import excerpt
 
 Overrides = Sequence[str] | Mapping[str, object]
 LONGEST_NAME = 255  # characters of a file's name or path in a message

@@ -12,9 +12,9 @@ from datetime import date, datetime, time
 from functools import lru_cache
 from typing import Any
 
-from flexbearing.case.excerpt import excerpt
 from flexbearing.inputs import Unreadable
 from flexbearing.inputs.limits import CASE as LARGEST
+from flexbearing.printable import excerpt
 
 DEEPEST = 8  # arrays and tables in each other, and parts of a key; the keys of a case have up to 4
 LARGEST_INTEGER = 2**63  # as TOML says

@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import quasidynamic as qd
-from flexbearing.build.ball_parts import solid
-from flexbearing.build.viscosity import kinematic_viscosity
+from flexbearing.build.ball_fits import kinematic_viscosity, solid
 from flexbearing.case.as_written import BALL_SIZES, as_written
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
 from flexbearing.case.balls.mounting import MountedMaterials

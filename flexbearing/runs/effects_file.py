@@ -8,7 +8,7 @@ from typing import Any
 
 from flexbearing import inputs
 from flexbearing.case import BadCase, Head
-from flexbearing.case.named_files import digests
+from flexbearing.case.head import digests
 from flexbearing.quantities.attributes import EFFECTS
 from flexbearing.quantities.forms import TEXT, Record
 

@@ -7,8 +7,7 @@ import numpy as np
 
 from flexbearing.build import clearance, ring_parts
 from flexbearing.build.lubrication import oil, oil_name
-from flexbearing.case import cage_room
-from flexbearing.case.roller import Case
+from flexbearing.case.roller import Case, roller_case
 from flexbearing.runs import life, several, skew
 from flexbearing.runs.life_of_state import no_life
 from flexbearing.runs.solved_rows import SolvedRows
@@ -44,7 +43,7 @@ def of_case(case: Case) -> tuple[Note, ...]:
 
 def _overlap(case: Case) -> tuple[Note, ...]:
     """Say so when the cage has no room between the rings."""
-    overlap = cage_room.overlap(case)
+    overlap = roller_case.overlap(case)
     if not overlap:
         return ()
     words = (

@@ -16,7 +16,7 @@ from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.progress import Report
 from flexbearing.results import Recorder
 from flexbearing.rings.raceways import RigidRaceway
-from flexbearing.runs import notes, roller_position, slice_error
+from flexbearing.runs import life_error, notes, roller_position
 from flexbearing.runs.postprocess import Postprocessing
 from flexbearing.runs.tilt import TiltComparison
 from quasidynamic import Equilibrium, RollerBearing, SolverOutcome
@@ -216,7 +216,7 @@ def _slice_error(
     case: Case, model: RollerBearing, rings: RacewayPair, end: Equilibrium, postprocessing: Postprocessing
 ) -> dict[str, Any]:
     """Errors by slices for a file; a run in memory, as in a study, spends no time on them."""
-    return slice_error.record(case, model, rings, end) if postprocessing.record.stores else {}
+    return life_error.record(case, model, rings, end) if postprocessing.record.stores else {}
 
 
 def _start(initial: InitialState, attempts: Any, postprocessing: Postprocessing) -> dict[str, Any]:

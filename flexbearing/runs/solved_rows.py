@@ -20,15 +20,15 @@ from flexbearing.outputs.names import BLOCKS
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.quantity import Quantity, taken
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.runs import bars, half_space, several, skew, subsurface
+from flexbearing.runs import half_space, several, skew, subsurface
 from flexbearing.runs.life import LoadedState, edge_stress, modified, static
 from flexbearing.runs.life_error import LifeErrors, estimated
 from flexbearing.runs.life_of_state import MREV, LifeOfState
 from flexbearing.runs.several import SeveralEquilibria
 from quasidynamic import Equilibrium, RollerBearing, SolverOutcome
 from quasidynamic.note import Note
+from quasidynamic.outcome.acting_forces import Losses
 from quasidynamic.outcome.bearing_states import BearingStates
-from quasidynamic.outcome.losses import Losses
 from quasidynamic.outcome.pressed_ends import sliced_peak_error
 from quasidynamic.outcome.rating_life import static_safety
 from quasidynamic.outcome.skew import Skew
@@ -157,7 +157,7 @@ class SolvedRows:
     @cached_property
     def bars(self) -> "NominalStresses | None":
         """Nominal stresses of the bars of squirrel cages; None without bars."""
-        return bars.nominal_stresses(self.cases[0], self.end) if self.converged else None
+        return subsurface.nominal_stresses(self.cases[0], self.end) if self.converged else None
 
     @property
     def bar_azimuths(self) -> NDArray | None:

@@ -9,7 +9,7 @@ from quasidynamic.maps.points import GridPoints
 from quasidynamic.maps.reached import Mapped, Reached, apart, tasks
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.several.indicator import each_several_likely
-from quasidynamic.solve.rollers.stability import growth_rates
+from quasidynamic.solve.rollers.pseudo_time import growth_rates
 
 EVERY = 2  # points along an axis one is examined without asking its neighbours
 NEAR = 0.02  # of the largest load or of pure rolling: states that are alike

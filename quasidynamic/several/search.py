@@ -11,7 +11,7 @@ from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.several.indicator import rigid_balance
 from quasidynamic.several.starts import Patterns, far, near
 from quasidynamic.solve.outcome import SolverOutcome
-from quasidynamic.solve.rollers.stability import growth_rates
+from quasidynamic.solve.rollers.pseudo_time import growth_rates
 from quasidynamic.solve.rollers.static_equilibrium import film_at, frictionless_loads
 from quasidynamic.solve.rollers.strategy import solve_each
 from quasidynamic.solve.start.frictionless import frictionless_ring

@@ -16,8 +16,7 @@ from quasidynamic.parts.material import Material
 from quasidynamic.solve.arclength import LinearisedEquations, follow
 from quasidynamic.solve.balls import ring_on_balls
 from quasidynamic.solve.balls.ball_equilibrium import balanced, force_scales, resolved
-from quasidynamic.solve.balls.bordered_matrix import BorderedMatrix
-from quasidynamic.solve.balls.frozen_solve import frozen_solve
+from quasidynamic.solve.balls.frozen_solve import BorderedMatrix, frozen_solve
 from quasidynamic.solve.balls.inertia_homotopy import InertiaFamily, inertia_homotopy
 from quasidynamic.solve.balls.ring_on_balls import BUDGET, RingSolution, newton, solve, start
 from quasidynamic.solve.balls.ring_on_springs import LONGEST, newton_step

@@ -9,8 +9,7 @@ from pytest import approx
 
 from quasidynamic.contact.half_space import ElasticPair, grid_over
 from quasidynamic.contact.rolling.fastsim import fastsim, fastsim_changes, flexibility
-from quasidynamic.contact.rolling.full_sliding import full_sliding, sliding_changes
-from quasidynamic.contact.rolling.hertz_pressure import hertz_pressure
+from quasidynamic.contact.rolling.full_sliding import full_sliding, hertz_pressure, sliding_changes
 from quasidynamic.contact.rolling.kalker import kalker, kalker_changes
 from quasidynamic.contact.rolling.linear_solve import solved
 from quasidynamic.contact.rolling.rolling_contact import MID_STEP, RollingContacts

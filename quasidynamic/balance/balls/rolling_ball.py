@@ -13,7 +13,7 @@ from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.rigid_slip import CENTRE, sagitta, strip_slip
 from quasidynamic.contact.half_space import ElasticPair, grid_over
 from quasidynamic.contact.pressure import PressedGroove
-from quasidynamic.contact.rolling.hertz_pressure import hertz_pressure
+from quasidynamic.contact.rolling.full_sliding import hertz_pressure
 from quasidynamic.contact.rolling.rolling_contact import ACROSS, ALONG, MID_STEP, Rolled, RollingContacts
 from quasidynamic.motion.ball_slip import INNER, ORBIT, OUTER, TURN, BallContacts, turning_slip_by_motion
 

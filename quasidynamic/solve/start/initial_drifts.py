@@ -11,8 +11,8 @@ from quasidynamic.balance.rollers.rigid_rings import RigidRings
 from quasidynamic.balance.rollers.unknowns import OUTER, Unknowns
 from quasidynamic.contact.line import EXPONENT
 from quasidynamic.errors import NotSolved
-from quasidynamic.solve.rollers.load_distribution import balanced
 from quasidynamic.solve.rollers.static_equilibrium import (
+    balanced,
     film_at,
     frictionless_loads,
     outward_force,
