@@ -109,27 +109,6 @@ def trace(
     equilibria at one load, and jumps from one to another when the load passes a fold. Other
     branches, not connected to this one inside the span, are not found; see `equilibria_at`.
 
-    Parameters
-    ----------
-    model : RollerBearing
-        all else that its operation says is kept
-    over : str
-        "radial_load" or "inner_speed"
-    span : pair of floats
-        [N] or [rad/s], from the first to the second, on a logarithmic scale
-    start : Equilibrium, optional
-        near which the branch begins; without it the one that `model.solve` finds at the first value
-    tangents : callable (forces), optional
-        elastic raceways near roller forces (2, Z, M) [N]: compliances (Z, M, Z, M) [m/N] of inner and outer
-        raceway, None where one is rigid, and outward deviations (2, Z, M) [m] at no load or None; without it
-        raceways are rigid. A `start` between raceways that deflect is needed then
-
-    Returns
-    -------
-    Branch
-        its `end` is "range left" when it went through; `points[-1]` is then at one end of the span,
-        which is that of the start where the branch turns back for good
-
     Raises
     ------
     NotSolved
@@ -165,12 +144,6 @@ def equilibria_at(model: RollerBearing) -> tuple[Equilibrium, ...]:
     Newton's method starts at every slip where the torque of lumped rollers on the cage changes its
     sign; the branches through these solutions are followed over the load, as they may come back to it.
 
-    Returns
-    -------
-    tuple of Equilibrium
-        by growing cage slip; an equilibrium that is on none of these branches and that lumped rollers
-        do not show is not found
-
     Raises
     ------
     NotSolved
@@ -201,19 +174,6 @@ def equilibria_at(model: RollerBearing) -> tuple[Equilibrium, ...]:
 
 def logarithms(model: RollerBearing, over: str, span: tuple[float, float]) -> tuple[float, float]:
     """Logarithms of the sizes of both ends of a span.
-
-    Parameters
-    ----------
-    model : RollerBearing
-        whose load or speed changes
-    over : str
-        "radial_load" or "inner_speed"
-    span : pair of floats
-        [N] or [rad/s]
-
-    Returns
-    -------
-    pair of floats
 
     Raises
     ------

@@ -42,13 +42,7 @@ def solid(material: Elastic) -> qd.Material:
 
 
 def kinematic_viscosity(lubricant: Oil) -> tuple[float, tuple[Note, ...]]:
-    """Viscosity of an oil at its inlet temperature.
-
-    Raises
-    ------
-    OutOfRange
-        where the oil has no viscosity at this temperature
-    """
+    """Viscosity of an oil at its inlet temperature."""
     temperature, sheet = lubricant.inlet_temperature, lubricant.data_sheet
     if lubricant.oil is not None:
         oil = qd.oil_at(lubricant.oil, temperature)

@@ -237,13 +237,7 @@ def _without_effect(case: Case) -> tuple[Note, ...]:
 
 
 def require_shoulder(case: Case) -> None:
-    """Refuse a shoulder of the shaft that does not end on the side of the ring.
-
-    Raises
-    ------
-    ImpossiblePart
-        when it ends below the bore or above the ring
-    """
+    """Refuse a shoulder of the shaft that does not end on the side of the ring."""
     part = inner_part(case)
     if part is not None and case.inner.shoulder_diameter is not None and case.inner.fit != "bonded":
         with _of_table("inner"):

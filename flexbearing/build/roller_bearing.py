@@ -123,15 +123,7 @@ def _cage(case: Case) -> qd.Cage:
 
 
 def build(case: Case) -> None:
-    """Build bearing, flange and rings; nothing that solves is loaded.
-
-    Raises
-    ------
-    ImpossiblePart
-        where a part cannot be
-    OutOfRange
-        where a law does not hold for it
-    """
+    """Build bearing, flange and rings; nothing that solves is loaded."""
     bearing = parts(case)
     operation(case)
     lubrication(case)
@@ -139,15 +131,7 @@ def build(case: Case) -> None:
 
 
 def require_around(case: Case, bearing: CylindricalRollerBearing) -> None:
-    """Build what a bearing is guided by and mounted in.
-
-    Raises
-    ------
-    ImpossiblePart
-        where a part cannot be
-    OutOfRange
-        where a law does not hold for it
-    """
+    """Build what a bearing is guided by and mounted in."""
     if guide := flange(case):
         from quasidynamic.contact.flange import flange_corner
 

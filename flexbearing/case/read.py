@@ -142,13 +142,7 @@ def model_of(raw: Mapping[str, Any], settings: Sequence[str], file: str, familie
 def settings_applied(
     raw: dict[str, Any], settings: Sequence[str], model: type[Head], families: Families = MappingProxyType({})
 ) -> None:
-    """Put settings into the tables of a case file; `families` are those that messages name keys of.
-
-    Raises
-    ------
-    BadCase
-        for a setting that is none
-    """
+    """Put settings into the tables of a case file; `families` are those that messages name keys of."""
     for setting in settings:
         _override(raw, setting, model, families)
 

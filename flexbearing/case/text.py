@@ -36,13 +36,7 @@ _BRACKET = re.compile(r"[\[{\]}]")
 
 
 def tables(text: str, of: str = "case") -> dict[str, Any]:
-    """Tables of the text of a case file.
-
-    Raises
-    ------
-    Unreadable
-        where it is no TOML, is too large or too deep, or holds what no case can have
-    """
+    """Tables of the text of a case file."""
     return deepcopy(_parsed(text, of))  # callers put settings into them
 
 

@@ -57,13 +57,7 @@ class Variants:
         self._each = [attrgetter(key) for key in keys]
 
     def case(self, values: tuple[Any, ...]) -> Head:
-        """Read one case.
-
-        Raises
-        ------
-        BadCase
-            as `flexbearing.case.read`
-        """
+        """Read one case."""
         given = self._given(values)
         near = self._read.get(self._choices(given))
         if near is None:

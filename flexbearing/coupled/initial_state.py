@@ -54,13 +54,7 @@ class InitialState:
     unknowns: Unknowns  # of the flexible end state
 
     def state(self, bearing: Bearing[Equilibrium], rings: Structure, rigid: Equilibrium) -> Equilibrium:
-        """The unknowns in the equations of this case.
-
-        Raises
-        ------
-        PartnerFailed
-            where the rings have no result to these loads
-        """
+        """The unknowns in the equations of this case."""
         no_compliance = np.zeros((rigid.balance.layout.rollers, rigid.axial_modes) * 2)
         start = _put(next(bearing.iterate((no_compliance, no_compliance), rigid, None)), self.unknowns)
         linear = rings.linearised(start.forces)

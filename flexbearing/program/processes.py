@@ -53,13 +53,7 @@ class Processes:
         self._hand_out()
 
     def as_completed(self) -> Iterator[Done]:
-        """Yield calls as they end, also those submitted meanwhile; ends when none is left.
-
-        Raises
-        ------
-        NeverStarted
-            when processes end, again and again, before they take a call
-        """
+        """Yield calls as they end, also those submitted meanwhile; ends when none is left."""
         while self._waiting or self._running:
             ends = [self._end_of_call(self._processes[each]) for each in wait(list(self._processes))]
             self._hand_out()  # whoever looks at an end keeps no process waiting

@@ -77,15 +77,7 @@ class FullSolveRaceway:
 
 
 def full_fe_raceways(case: Case, azimuths: NDArray, report: Report) -> RacewayPair:
-    """Mesh and factor the parts that are not rigid.
-
-    Raises
-    ------
-    BadCase
-        when a part cannot be
-    PartnerFailed
-        when a part has no trustworthy answer
-    """
+    """Mesh and factor the parts that are not rigid."""
     return RacewayPair(_raceway(case, "inner", azimuths, report), _raceway(case, "outer", azimuths, report))
 
 

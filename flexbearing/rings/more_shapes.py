@@ -39,13 +39,7 @@ def more_shapes_matter(states: "BearingStates", rings: LinearPair) -> NDArray:
 def with_more_shapes(
     case: Case, rings: LinearPair, races: Sequence[bool], report: Report
 ) -> tuple[NDArray | None, NDArray | None]:
-    """Compliances of some raceways in more axial shapes.
-
-    Raises
-    ------
-    PartnerFailed
-        when a part has no trustworthy answer
-    """
+    """Compliances of some raceways in more axial shapes."""
     found = [
         _compliance(case, race, raceway, report) if raceway and matter else None
         for race, raceway, matter in zip(NAMES, rings.raceways, races, strict=True)

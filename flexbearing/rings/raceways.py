@@ -69,13 +69,7 @@ class CondensedRaceway:
         return replace(self, compliance=with_axial_modes(self.compliance, count))
 
     def under(self, azimuths: NDArray) -> "CondensedRaceway":
-        """The same raceway under rollers at other azimuths (Z) [rad]; a solid is condensed anew for them.
-
-        Raises
-        ------
-        PartnerFailed
-            when it has no trustworthy answer there
-        """
+        """The same raceway under rollers at other azimuths (Z) [rad]; a solid is condensed anew for them."""
         assert self.at is not None  # of a raceway that was condensed for a case
         modes = self.compliance.absolute.shape[1]
         return replace(self, compliance=self.at(azimuths)).with_axial_modes(modes)

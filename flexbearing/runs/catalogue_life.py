@@ -39,13 +39,7 @@ class Catalogue:
     exponent: float  # of this load in the life
 
     def acting(self, case: Any, read: Callable[[Sequence[str]], Any]) -> list[Influence]:
-        """Influences that a case has anything of, with the settings that change it.
-
-        Raises
-        ------
-        BadCase
-            where the case without them is none
-        """
+        """Influences that a case has anything of, with the settings that change it."""
         influences = self.influences(case)
         bare = read(_written(*(influence.out for influence in influences))).to_json()
         full = case.to_json()

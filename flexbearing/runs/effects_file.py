@@ -39,13 +39,7 @@ def content(case: Head, effects: dict[str, Any]) -> bytes:
 
 
 def attributes(case: Head) -> dict[str, Any]:
-    """Root attributes of a result by the file next to its case.
-
-    Raises
-    ------
-    BadCase
-        where the file is none of effects
-    """
+    """Root attributes of a result by the file next to its case."""
     path = case.source.path
     if not (path and exists(place := name(Path(path)))):  # noqa: PTH110
         return {}

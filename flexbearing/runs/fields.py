@@ -54,11 +54,6 @@ def parts(case: Case) -> dict[Race, Any]:
 def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
     """A part under the roller loads of a state; it is solved for what is asked of it.
 
-    Raises
-    ------
-    NoFields
-        if the part has no solid, or is not bonded to what holds it
-
     Valid
     -----
     Normal loads only: tractions of the rollers, about a hundredth of them, do not load the part.

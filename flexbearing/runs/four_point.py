@@ -169,11 +169,6 @@ def solved(
 
     The part of the balls whose stick and slip is found goes to `progress`. From a solution in full sliding
     that is `near`, one step of Newton's method is made, which is exact to first order.
-
-    Raises
-    ------
-    NotSolved, OutOfRange, ImpossiblePart
-        see `qd.FourPointBallBearing.solve` and `qd.FourPointBallBearing.roll`
     """
     model = bearing(case)
     motion = None if near is None else near.balls.sliding.motion
@@ -201,13 +196,7 @@ def solved(
 
 
 def blocks(case: FourPointCase, report: Report) -> Iterator[tuple[Literal["rigid", "flexible"], Solution]]:
-    """Yield the solution between rigid rings, then that between elastic ones where the case has them.
-
-    Raises
-    ------
-    NotSolved, OutOfRange, ImpossiblePart
-        as `solved`
-    """
+    """Yield the solution between rigid rings, then that between elastic ones where the case has them."""
     progress = partial(report.stage, STICK)
     report.stage("slow balls between rigid rings", None)
     yield "rigid", solved(case, progress=progress)

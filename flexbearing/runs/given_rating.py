@@ -27,13 +27,7 @@ class Rating:
 
     @cached_property
     def value(self) -> float:
-        """The rating [N].
-
-        Raises
-        ------
-        OutOfRange
-            where the formula holds for one of both bearings only, or is needed and holds for none
-        """
+        """The rating [N]."""
         return self.formula(self.bearing) if self.given is None else self.given * self.scale
 
     @property
@@ -85,30 +79,6 @@ def of_oil(
     r"""Both viscosities of ISO 281, their ratio, and a_ISO with clean oil.
 
     .. math:: \kappa = \nu / \nu_1,\quad a_{ISO} \le a_{ISO}(\kappa, C_u / P) \;(e_C = 1)
-
-    Parameters
-    ----------
-    viscosity : float
-        nu, kinematic, at the temperature of the inlets [m2/s], > 0
-    speed : float
-        of one ring against the other [rad/s]
-    pitch_diameter : float
-        D_pw [m], > 0
-    load_ratio : float
-        C_u/P [-], >= 0
-    elements : ModifiedBy
-        constants of rollers or of balls
-
-    Returns
-    -------
-    dict
-        "viscosity" and "reference_viscosity" [m2/s], "viscosity_ratio" [-]; from its least value on
-        "largest_a_ISO" [-], as a_ISO grows with e_C
-
-    Raises
-    ------
-    OutOfRange
-        at rest
 
     Source
     ------

@@ -40,13 +40,7 @@ class LifeOfState:
     def of(
         cls, basic: float, by_loads: Sequence[dict[str, Any]], factors: Sequence[LifeFactor]
     ) -> "LifeOfState":
-        """The life after what changes its loads or capacities, then after factors of different effects.
-
-        Raises
-        ------
-        OutOfRange
-            where two factors account for the same effect
-        """
+        """The life after what changes its loads or capacities, then after factors of different effects."""
         rated = basic * prod(float(factor["value"]) for factor in by_loads)
         life = ModifiedLife(basic=rated, factors=tuple(factors))
         further = ({**asdict(factor), "value": float(factor.value)} for factor in life.factors)

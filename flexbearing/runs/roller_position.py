@@ -25,20 +25,6 @@ def load_half_a_pitch_further(azimuths: NDArray, loads: NDArray, direction: floa
 
     Approaches x between four neighbours by a cubic; f keeps the resultant along the load.
 
-    Parameters
-    ----------
-    azimuths : array (Z)
-        of the rollers, evenly around [rad]
-    loads : array (Z)
-        Q of the inner contacts [N], >= 0
-    direction : float
-        azimuth of the load [rad]
-
-    Returns
-    -------
-    float
-        [N]; NaN where the loads have no resultant along the load
-
     Source
     ------
     Cubic interpolation at the middle of an interval; derived here.

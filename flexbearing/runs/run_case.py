@@ -38,17 +38,7 @@ def run_case(  # noqa: PLR0913  # what a run may be given besides its case
     levels: "Levels | None" = None,
     others: Others = "searched",
 ) -> Result:
-    """Compute a case, and store it where a file is requested; other equilibria are searched, or reported.
-
-    Raises
-    ------
-    BadCase
-        when the case cannot be computed as it stands, or cannot start there
-    BadOutput
-        for an output that cannot be written, that is an input, or that another run is writing
-    NotStored
-        if the result could not be written, as on a full disk
-    """
+    """Compute a case, and store it where a file is requested; other equilibria are searched, or reported."""
     began = perf_counter()
     require_possible(case, family)
     stored = {} if _weighing(case) else effects_file.attributes(case)
@@ -73,13 +63,7 @@ def run_case(  # noqa: PLR0913  # what a run may be given besides its case
 
 
 def compared(case: Head, family: Family) -> Result:
-    """Compute a case whose numbers are compared with those of another: other equilibria are not searched.
-
-    Raises
-    ------
-    BadCase
-        when the case cannot be computed as it stands
-    """
+    """Compute a case whose numbers are compared with those of another: other equilibria are not searched."""
     began = perf_counter()
     require_possible(case, family)
     with family.ahead()(case) if family.ahead else nullcontext() as ahead, linear_algebra_alone():

@@ -36,15 +36,6 @@ def each_examined(points: GridPoints, states: Reached, mapped: Mapped = map) -> 
 
     Every second point along each axis is examined, and every other one whose stability these do not imply;
     see `implied`.
-
-    Parameters
-    ----------
-    points : GridPoints
-        C of them
-    states : Reached
-        one for each, NaN where there is none
-    mapped : callable
-        `map`, or one that shares calls among processes
     """
     every = np.arange(len(points.bearings)).reshape(points.shape)
     first = every[np.ix_(*(_examined_along(count) for count in points.shape))].ravel()
@@ -65,15 +56,6 @@ def implied(points: GridPoints, states: Reached, found: NDArray) -> NDArray:
 
     At none of them several are likely, their growth rates are further below zero than they differ among
     themselves, and the state is as near to them as they are to each other.
-
-    Parameters
-    ----------
-    points : GridPoints
-        C of them
-    states : Reached
-        one for each
-    found : array (C, 2)
-        rate and likelihood, not a number where not examined
     """
     corners = _corners(points.shape)
     rates, likely = found[corners, 0], found[corners, 1]

@@ -20,18 +20,6 @@ def one_state_each(points: GridPoints, mapped: Mapped = map) -> Reached:
 
     Points of the coarsest of nested grids are solved as a run solves them, those of each finer one begin at a
     cubic through the solved ones, and where that fails at the nearest of these.
-
-    Parameters
-    ----------
-    points : GridPoints
-        C of them
-    mapped : callable
-        `map`, or one that shares calls among processes
-
-    Returns
-    -------
-    Reached
-        of all C points
     """
     states, every = _nothing(points), np.arange(len(points.bearings)).reshape(points.shape)
     coarsest, *finer = nested(points.shape)

@@ -122,23 +122,5 @@ def in_batches(
     mapped: Mapped,
     at_once: int = AT_ONCE,
 ) -> Reached:
-    """States from all starts (n, N), some at once; similar ones should stand side by side.
-
-    Parameters
-    ----------
-    balance_of : callable (places)
-        balance of the solves at some places among the n
-    starts : array (n, N)
-        scaled
-    solve : callable
-        `by_newton` or `by_pseudo_time`
-    mapped : callable
-        `map`, or one that shares the calls among processes
-    at_once : int
-        starts of a call
-
-    Returns
-    -------
-    Reached
-    """
+    """States from all starts (n, N), some at once; similar ones should stand side by side."""
     return Reached.joined(mapped(solve, tasks(balance_of, starts, at_once)))

@@ -31,12 +31,6 @@ def search(points: GridPoints, states: States, mapped: Mapped) -> tuple[int, boo
 
     A sheet covers many points as a rule: a few starts at points all over the map find it as surely as many
     starts at one point.
-
-    Returns
-    -------
-    rounds : int
-    quiet : bool
-        whether the last rounds found nothing more; else more states may be found by further rounds
     """
     rng, quiet = np.random.default_rng(SEED), 0
     if not states.doubtful.any() and states.stable_count.max(initial=0) < 2:

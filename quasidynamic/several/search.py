@@ -27,16 +27,6 @@ def other_equilibria(state: Equilibrium) -> tuple[Equilibrium, ...]:
 
     Every one is solved to the tolerance of any other. Raceways keep the shape that they have in the known
     one: those of an elastic pair do not follow the loads.
-
-    Parameters
-    ----------
-    state : Equilibrium
-        a solved one
-
-    Returns
-    -------
-    tuple of Equilibrium
-        by growing largest load; empty where none was found, which is no proof that there is none
     """
     search = _Search(rigid_balance(state), state.axial_modes)
     known = search.at(rigid_balance(state).pack(state.unknowns)[0])
@@ -59,22 +49,7 @@ def _largest_load(state: Equilibrium) -> float:
 def between_elastic_raceways(
     state: Equilibrium, compliance: tuple[NDArray | None, NDArray | None], unloaded: NDArray | None
 ) -> Equilibrium | None:
-    """Equilibrium between elastic raceways near one between raceways of the same shape.
-
-    Parameters
-    ----------
-    state : Equilibrium
-        between raceways of a given shape, as `other_equilibria` finds it
-    compliance : pair of arrays (Z, M, Z, M) or None
-        outward deviation of inner and outer raceway per outward force [m/N]; None is rigid
-    unloaded : array (2, Z, M), optional
-        outward deviation without any roller load [m]
-
-    Returns
-    -------
-    Equilibrium or None
-        None where none was found
-    """
+    """Equilibrium between elastic raceways near one between raceways of the same shape."""
     size = state.balance.layout.rollers * state.balance.roller.axial_modes
     inner, outer = (None if matrix is None else matrix.reshape(size, size) for matrix in compliance)
     balance = replace(state.balance, compliance=(inner, outer), deviation=unloaded)
@@ -124,21 +99,7 @@ class _Search:
 
 
 def started(many: BearingBalance, bases: Unknowns, patterns: Patterns) -> Unknowns:
-    """Unknowns of P cases with given spins and slips; films and the ring's place follow without friction.
-
-    Parameters
-    ----------
-    many : BearingBalance
-        of P cases, between raceways of given shapes
-    bases : Unknowns
-        of P cases, what the patterns do not say
-    patterns : Patterns
-        P of them
-
-    Returns
-    -------
-    Unknowns
-    """
+    """Unknowns of P cases with given spins and slips; films and the ring's place follow without friction."""
     start = bases._replace(
         cage_drift=patterns.cage_drift[:, None],
         spin_drift=(patterns.spin - 1) * many.rolling_spin,

@@ -110,13 +110,7 @@ def outside_diameter(bearing: Bearing, outer: Outer) -> float | None:
 
 
 def bands(bearing: Bearing, inner: Inner, outer: Outer) -> dict[str, Band]:
-    """Bands of a case's clearance before mounting and of its interferences.
-
-    Raises
-    ------
-    PydanticCustomError
-        where a diameter is missing, or none of the printed tables has it
-    """
+    """Bands of a case's clearance before mounting and of its interferences."""
     return {row[0]: tabulated(*row) for row in _read(bearing, inner, outer)}
 
 

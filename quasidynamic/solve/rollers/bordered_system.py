@@ -33,22 +33,6 @@ def solve(balance: BearingBalance, system: Linearisation, right: NDArray, shift:
 
     Every roller is eliminated on its own, then the cyclic chain of spins, then the border: the cost grows
     linearly with the number of rollers. Deviations of elastic raceways are solved densely.
-
-    Parameters
-    ----------
-    balance : BearingBalance
-        scales and compliances
-    system : Linearisation
-        matrix of C cases
-    right : array (C, N, R)
-        right-hand sides, scaled
-    shift : Shift, optional
-        inertia over time step, or stiffness that holds the ring
-
-    Returns
-    -------
-    array (C, N, R)
-        not a number for cases whose matrix is singular
     """
     layout, (cases, _, count) = balance.layout, right.shape
     ring, fields_end = layout.per_roller, layout.fields_end

@@ -51,19 +51,6 @@ def contact_search(
     however far it overshoots; damped steps would be many and small. After a step the rollers are put into
     static equilibrium. Friction is not linear at all: cage and spins stay as they are at the start, and every
     roller that is loaded turns like the most loaded one of the start.
-
-    Parameters
-    ----------
-    balance : BearingBalance
-        of C cases
-    unknowns : array (C, N)
-        start, scaled
-    near : bool
-        whether the start is nearly the solution, such as that of a similar case: then cage and spins
-        move too, the spins by a limited share
-    damped : bool
-        whether steps are halved until forces and deviations are closer to balance: slower, and for very soft
-        raceways, where full steps leap between sets of touching rollers
     """
     cases = np.arange(len(unknowns))
     system = balance.evaluate(unknowns)

@@ -142,30 +142,14 @@ def moved_unknowns(balance: BearingBalance, system: Linearisation, by_parameter:
 
 
 def slice_approaches(balance: BearingBalance, scaled: NDArray) -> NDArray:
-    """Approaches (C, 2, Z, K) [m] of the slices of rollers to both raceways, negative in a gap.
-
-    Parameters
-    ----------
-    balance : BearingBalance
-        of C cases
-    scaled : array (C, N)
-        unknowns
-    """
+    """Approaches (C, 2, Z, K) [m] of the slices of rollers to both raceways, negative in a gap."""
     raceways = balance.roller.raceways
     approach = raceways.slices.spread(balance.approach(balance.unpack(scaled)).swapaxes(0, 1))
     return (approach - raceways.drop).transpose(2, 1, 3, 0)
 
 
 def nearest_switch(approach: NDArray, by_parameter: NDArray) -> NDArray:
-    """Smallest change of each parameter (P) after which some slice opens or closes, linearly, >= 0.
-
-    Parameters
-    ----------
-    approach : array (n)
-        of slices [m]
-    by_parameter : array (P, n)
-        its derivatives
-    """
+    """Smallest change of each parameter (P) after which some slice opens or closes, linearly, >= 0."""
     with np.errstate(divide="ignore", invalid="ignore"):
         change = np.abs(approach / by_parameter)
     return np.where(np.isnan(change), np.inf, change).min(axis=1)

@@ -33,13 +33,6 @@ def through_settled_time(balance: BearingBalance, start: NDArray) -> Continuatio
 
     The normal equilibrium is found anew after every step, from wherever that leads, so that only friction is
     linearised; a speed that turns back, as where traction changes its side, takes shorter steps.
-
-    Parameters
-    ----------
-    balance : BearingBalance
-        of one case between rigid, even raceways
-    start : array (1, N)
-        scaled unknowns to begin with
     """
     with suppress(OutOfWork):
         return _settled(balance, start, ContactWork(MOST_CONTACTS))

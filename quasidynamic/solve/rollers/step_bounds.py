@@ -27,18 +27,6 @@ def bounded(balance: BearingBalance, before: NDArray, after: NDArray) -> NDArray
 
     A roller thrown off the outer raceway, or a film below zero, has no slope that leads back. Spins are
     those of `bounded_spins`.
-
-    Parameters
-    ----------
-    balance : BearingBalance
-        of C cases
-    before, after : array (C, N)
-        unknowns, scaled
-
-    Returns
-    -------
-    array (C, N)
-        `after` with rollers that stay within reach of what they touch
     """
     layout, held = balance.layout, bounded_spins(balance, before, after)
     films = slice(layout.field(-3).start, layout.field(-2).stop)
@@ -59,18 +47,6 @@ def settled(balance: BearingBalance, before: NDArray, after: NDArray) -> NDArray
 
     In a slow bearing weights decide where unloaded rollers are, and they fall from one raceway on the other:
     through a gap without any force that leads a linearised step there.
-
-    Parameters
-    ----------
-    balance : BearingBalance
-        of C cases
-    before, after : array (C, N)
-        unknowns, scaled
-
-    Returns
-    -------
-    array (C, N)
-        `after`, rollers without room to be pressed and out of balance in static equilibrium
     """
     cage_speed = balance.rolling_cage + after[:, CAGE:BORDER] * balance.scales.unknown[:, CAGE:BORDER]
     slow = ~(np.abs(cage_speed) > balance.slow_cage)
@@ -105,18 +81,6 @@ def bounded_spins(balance: BearingBalance, before: NDArray, after: NDArray) -> N
 
     The spin of a roller that hardly anything drives, or whose traction has reached its limit, may be sent
     anywhere, far from where friction has a slope that leads back.
-
-    Parameters
-    ----------
-    balance : BearingBalance
-        of C cases
-    before, after : array (C, N)
-        unknowns, scaled
-
-    Returns
-    -------
-    array (C, N)
-        `after` with spins that changed by `SPIN_CHANGE` at most
     """
     held, spin = after.copy(), balance.layout.field(-1)
     least, most = before[:, spin] - SPIN_CHANGE, before[:, spin] + SPIN_CHANGE
@@ -129,20 +93,6 @@ def shortened(balance: BearingBalance, unknowns: NDArray, change: NDArray) -> ND
 
     A roller that hardly touches, or touches at one end alone, moves nearly without resistance: a linearised
     step sends it anywhere. It need not go further than ring and films do, and half of its approach and tilt.
-
-    Parameters
-    ----------
-    balance : BearingBalance
-        of C cases
-    unknowns : array (C, N)
-        scaled
-    change : array (C, N)
-        a step from there, scaled; shortened before it is damped, or damping would leave such rollers there
-
-    Returns
-    -------
-    array (C, N)
-        `change` with smaller approaches and tilts of such rollers
     """
     layout = balance.layout
     moving = slice(layout.field(0).start, layout.field(-4).stop)

@@ -108,19 +108,7 @@ class SolvedCases:
 def solve(
     balance: BearingBalance, start: NDArray, restarts: Sequence[Start], budget: int = MOST_WORK
 ) -> SolvedCases:
-    """Solve all cases, those that one method leaves unsolved by the next one.
-
-    Parameters
-    ----------
-    balance : BearingBalance
-        C cases
-    start : array (C, N)
-        scaled unknowns to begin with
-    restarts : sequence of callables
-        starts that cost more, tried one after the other for what is unsolved
-    budget : int, optional
-        evaluations of a case after which no other way is tried
-    """
+    """Solve all cases, those that one method leaves unsolved by the next one."""
     outcomes = [
         SolverOutcome.UNDETERMINED if free else SolverOutcome.RUNNING for free in balance.undetermined
     ]
@@ -154,17 +142,7 @@ def solve(
 
 
 def solve_each(balance: BearingBalance, starts: NDArray, rounds: int) -> SolvedCases:
-    """Solve every case from its own start, to wherever that leads.
-
-    Parameters
-    ----------
-    balance : BearingBalance
-        C cases
-    starts : array (C, N)
-        scaled unknowns to begin with
-    rounds : int
-        of pseudo-time, each followed by Newton's method, for what Newton's method leaves unsolved
-    """
+    """Solve every case from its own start, to wherever that leads."""
     solved = SolvedCases(starts.copy(), [SolverOutcome.RUNNING] * len(starts), np.zeros(len(starts), int))
     solved.follow(newton(balance, starts), np.arange(len(starts)))
     _through_pseudo_time(balance, solved, starts.copy(), rounds)

@@ -23,9 +23,6 @@ from quasidynamic.solve.start.frictionless import frictionless_ring, static_unkn
 from quasidynamic.solve.start.lumped import LumpedRollers, held_back
 
 SMALL_SLIP = 0.1  # slip up to which the centrifugal force and the spins of unloaded rollers change little
-HELD_ROUNDS = (
-    2  # of spins by the loads, and of loads by the lift of pocket friction, which goes with the spin
-)
 TRIAL_SLIPS = np.geomspace(1e-5, 0.98, 9)  # slips that are looked at for a start
 MOSTLY = 10.0  # moment over load and length of rollers: below it the load says which rollers touch
 SLIPS = np.array([0.003, 0.01, 0.03, 0.08, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.96, 0.99])
