@@ -64,7 +64,7 @@ if TYPE_CHECKING:
         solve_many as solve_many,
     )
     from quasidynamic.solve.balls.preloaded_place import preloaded_place as preloaded_place
-    from quasidynamic.solve.outcome import SolverOutcome as SolverOutcome
+    from quasidynamic.solve.step_length import SolverOutcome as SolverOutcome
     from quasidynamic.static import static_loads as static_loads
 
 EXPORTS = {
@@ -98,7 +98,7 @@ EXPORTS = {
     "parts.roller_bearing": ("Cage", "CylindricalRollerBearing", "Operation", "Roller"),
     "roller": ("Equilibria", "Equilibrium", "RollerBearing", "solve_many"),
     "solve.balls.preloaded_place": ("preloaded_place",),
-    "solve.outcome": ("SolverOutcome",),
+    "solve.step_length": ("SolverOutcome",),
     "static": ("static_loads",),
 }
 

@@ -19,10 +19,10 @@ from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.equilibrium import Batch, Equilibria, Equilibrium
 from quasidynamic.parts.material import contact_modulus
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing, Operation
-from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.elastic_raceways import iterate
 from quasidynamic.solve.rollers.strategy import MOST_WORK, solve
 from quasidynamic.solve.start import RESTARTS, slipping_start, static_start
+from quasidynamic.solve.step_length import SolverOutcome
 
 __all__ = ["Batch", "Equilibria", "Equilibrium", "RollerBearing", "solve_many"]
 

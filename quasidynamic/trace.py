@@ -15,10 +15,10 @@ from quasidynamic.errors import NotSolved, OutOfRange
 from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.roller import RollerBearing, solve_many
 from quasidynamic.solve.arclength import BranchEnd, BranchPoint, at_parameter, follow, solved_at
-from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.parametric_balance import ParametricBalance, Tangents, between
 from quasidynamic.solve.rollers.pseudo_time import growth_rates
 from quasidynamic.solve.start import LumpedRollers, static_unknowns
+from quasidynamic.solve.step_length import SolverOutcome
 
 __all__ = ["PARAMETERS", "Branch", "BranchEnd", "TracedEquilibrium", "equilibria_at", "trace"]
 

@@ -4,8 +4,7 @@ import quasidynamic as qd
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.mounting import MountedCase, RingElastic
 from flexbearing.case.balls.parts import BallBearing
-from flexbearing.case.materials import Elastic, HeavyElastic
-from flexbearing.case.oil import Oil
+from flexbearing.case.materials import Elastic, HeavyElastic, Oil
 from quasidynamic.clearance import (
     Annulus,
     Mounting,

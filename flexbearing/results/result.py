@@ -14,7 +14,7 @@ from flexbearing.outputs import Outputs, Value
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.quantities.summary import summary
 from flexbearing.results.checks import require_same_names
-from flexbearing.results.scales import ITERATIONS
+from flexbearing.results.content import ITERATIONS
 
 if TYPE_CHECKING:
     from xarray import DataTree

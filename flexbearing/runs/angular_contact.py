@@ -19,7 +19,7 @@ from flexbearing.findings.running import GYROSCOPIC_MOMENT
 from flexbearing.program.workers import shared_map
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import row, taken
-from flexbearing.runs import ball_life, given_rating, judged, roller_findings, shoulders, subsurface
+from flexbearing.runs import ball_life, judged, life_of_state, roller_findings, shoulders, subsurface
 from flexbearing.runs.ball_life import BallLives
 from flexbearing.runs.life_of_state import MREV
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
@@ -268,7 +268,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
         "least_stiffness": judged.least_stiffness(state.stiffness[None, 1:3, 1:3]),
         "rated_viscosity_ratio": ball_life.rated_kappa(case),
         "clearance": judged.clearances(clearance.record(case)) if radial else None,
-        **given_rating.judged([ball_life.ratings(case)]),
+        **life_of_state.judged([ball_life.ratings(case)]),
     }
     if operation.control != "coulomb":  # there balls turn where friction does not hold them
         values |= {"needed_friction": state.needed_friction.max(), "friction": case.friction.coefficient}

@@ -12,8 +12,16 @@ from flexbearing.build.ball_fits import kinematic_viscosity, solid
 from flexbearing.case.as_written import BALL_SIZES, as_written
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
 from flexbearing.case.balls.mounting import MountedMaterials
-from flexbearing.runs.given_rating import LETTERS, Rating
-from flexbearing.runs.life_of_state import MREV, LifeOfState, explained, no_life, of_reliability, why_none
+from flexbearing.runs.life_of_state import (
+    LETTERS,
+    MREV,
+    LifeOfState,
+    Rating,
+    explained,
+    no_life,
+    of_reliability,
+    why_none,
+)
 from quasidynamic import OutOfRange
 from quasidynamic.note import Note
 from quasidynamic.outcome.ball_capacity import (

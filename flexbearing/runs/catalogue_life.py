@@ -8,7 +8,7 @@ from typing import Any
 from flexbearing.case import BadCase
 from flexbearing.findings.running import NO_MODIFIED_LIFE
 from flexbearing.results import Result
-from flexbearing.runs.given_rating import Rating
+from flexbearing.runs.life_of_state import Rating
 
 Settings = Mapping[str, str]  # an empty one takes a key or table out, also one given by settings
 SUMS = "rating"  # of life.loads, the life of a catalogue alone

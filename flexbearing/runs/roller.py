@@ -11,12 +11,12 @@ from flexbearing.build import clearance, roller_bearing
 from flexbearing.build.ring_parts import part_of
 from flexbearing.case.roller import Case
 from flexbearing.coupled.coupled import FROM_INITIAL_STATE, BearingPartner, CoupledBearing, nearest, summary
-from flexbearing.coupled.initial_state import InitialState
+from flexbearing.coupled.states import InitialState
 from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.progress import Report
 from flexbearing.results import Recorder
 from flexbearing.rings.raceways import RigidRaceway
-from flexbearing.runs import life_error, notes, roller_position
+from flexbearing.runs import life_error, notes, passage
 from flexbearing.runs.postprocess import Postprocessing
 from flexbearing.runs.tilt import TiltComparison
 from quasidynamic import Equilibrium, RollerBearing, SolverOutcome
@@ -24,7 +24,7 @@ from quasidynamic.note import Note, graded, information
 
 if TYPE_CHECKING:
     from flexbearing.accuracy.shared import Levels
-    from flexbearing.rings.ahead import Ahead
+    from flexbearing.rings.raceways import Ahead
 
 RIGID = LinearPair(None, None)
 WORK_LIMIT = str(SolverOutcome.WORK)
@@ -203,11 +203,9 @@ def _passage(
     """Other positions of the rollers where the case requires them, or a note where they matter to people."""
     if case.operation.roller_positions is None:
         if postprocessing.record.others != "left out":
-            postprocessing.notes.extend(roller_position.notes(case, model, rings, end))
+            postprocessing.notes.extend(passage.notes(case, model, rings, end))
         return {}
-    from flexbearing.runs.passage import passage
-
-    passed = passage(case, model, rings, end, report)
+    passed = passage.passage(case, model, rings, end, report)
     postprocessing.notes.extend(passed.notes())
     return {"passage": passed.record()}
 

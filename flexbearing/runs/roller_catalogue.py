@@ -10,7 +10,7 @@ from flexbearing.case.roller import Case
 from flexbearing.case.roller.profile import SHAPES
 from flexbearing.runs import life
 from flexbearing.runs.catalogue_life import Catalogue, Influence
-from flexbearing.runs.given_rating import LETTERS, Rating, of_oil
+from flexbearing.runs.life_of_state import LETTERS, Rating, of_oil
 from quasidynamic import CylindricalRollerBearing
 from quasidynamic.outcome.life_factors import ROLLERS, modification_factor
 from quasidynamic.outcome.rating_life import ROLLER_EXPONENT, rating_life, static_safety

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from flexbearing.case.roller import Case
 from flexbearing.findings import declared, evaluate
 from flexbearing.findings.strength import BARS
-from flexbearing.runs import given_rating, judged, life
+from flexbearing.runs import judged, life, life_of_state
 from flexbearing.runs.answer import in_rows
 from flexbearing.runs.life_of_state import MREV
 from flexbearing.runs.solved_rows import SolvedRows
@@ -32,7 +32,7 @@ def values(rows: SolvedRows) -> dict[str, Any]:
         **_stress_of_bars(rows),
         "load": np.hypot(*rows.states.applied_load.T),
         "dynamic_rating": np.array([_dynamic_rating(*of) for of in each]),
-        **given_rating.judged([life.ratings(*of) for of in each]),
+        **life_of_state.judged([life.ratings(*of) for of in each]),
         "viscosity_ratio": np.array(
             [life.kappa(*of) if k else np.nan for of, k in zip(each, turns, strict=True)]
         ),

@@ -30,7 +30,7 @@ def of_rollers(
     """Field below the most pressed slice of both raceways, under the traction of its roller as it slides."""
     if not case.outputs.subsurface_stresses:
         return None
-    from quasidynamic.contact.line.subsurface import line_contact_stress
+    from quasidynamic.contact.line.slices import line_contact_stress
     from quasidynamic.outcome.subsurface import below
 
     stresses = [

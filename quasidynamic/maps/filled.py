@@ -8,7 +8,7 @@ from quasidynamic.maps.points import GridPoints
 from quasidynamic.maps.reached import Mapped, Reached, by_newton, in_batches, of_unknowns
 from quasidynamic.outcome.equilibrium import Equilibria
 from quasidynamic.roller import solve_many
-from quasidynamic.solve.rollers.step_bounds import bounded
+from quasidynamic.solve.rollers.newton import bounded
 
 SPREAD = 2.0  # points that are solved as a run solves them at most, over the root of their number
 FEWEST = 8  # of them at most where that is more

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
-from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.newton import newton
 from quasidynamic.solve.rollers.strategy import solve_each
+from quasidynamic.solve.step_length import SolverOutcome
 
 AT_ONCE = 64  # their slices fit into the processor's cache
 BALANCED = 1e-8  # of the reference force; a step into absurd loads is balanced beside these only

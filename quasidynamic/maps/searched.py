@@ -12,9 +12,8 @@ from quasidynamic.maps.sheets import connect_all
 from quasidynamic.maps.states import States
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.equilibrium import Equilibrium
-from quasidynamic.several.search import started
-from quasidynamic.several.starts import Patterns, far, in_order, near
-from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.several.search import Patterns, far, in_order, near, started
+from quasidynamic.solve.step_length import SolverOutcome
 
 SEED = 20  # of points and patterns at random, the same at every call
 POINTS = 48  # of a round

@@ -13,9 +13,8 @@ from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.roller import RollerState
 from quasidynamic.balance.rollers.unknowns import BORDER, TILT_Z, Unknowns, Y, Z
 from quasidynamic.outcome.bearing_states import BearingStates
-from quasidynamic.solve.outcome import SolverOutcome
-from quasidynamic.solve.rollers.newton import step
-from quasidynamic.solve.rollers.step_bounds import bounded
+from quasidynamic.solve.rollers.newton import bounded, step
+from quasidynamic.solve.step_length import SolverOutcome
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.contact.line import peak_pressure
-from quasidynamic.contact.line.subsurface import orthogonal_shear
+from quasidynamic.contact.line.slices import orthogonal_shear
 from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.outcome.rating_life import LINE, ROLLERS, pressure_safety
 

@@ -1,6 +1,7 @@
 """How long a step towards a minimum is."""
 
 from collections.abc import Callable
+from enum import StrEnum
 from typing import Protocol, TypeVar
 
 import numpy as np
@@ -40,3 +41,15 @@ def before_the_minimum(at: Callable[[NDArray], S], state: S, step: NDArray) -> t
         trial, trials = at(state.place + step * 0.5**trials), trials + 1
         if float((trial.excess * step).sum()) >= uphill or trials == HALVINGS:
             return trial, trials
+
+
+class SolverOutcome(StrEnum):
+    """How the solve of a case ended."""
+
+    RUNNING = ""  # no outcome yet
+    CONVERGED = "converged"
+    UNDETERMINED = "undetermined"  # nothing holds the ring: neither load nor contact
+    STALLED = "stalled"  # no step lowers the residual
+    LIMIT = "iteration limit"
+    WORK = "work limit"  # every way together took as many evaluations as a case may
+    NOT_FINITE = "not finite"

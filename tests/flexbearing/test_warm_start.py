@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 import flexbearing
 from flexbearing.case import BadCase
 from flexbearing.cli import application
-from flexbearing.coupled.initial_state import unknowns
+from flexbearing.coupled.states import unknowns
 from flexbearing.results import BadResult
 from tests.flexbearing.noted import texts
 from tests.flexbearing.resealed import resealed

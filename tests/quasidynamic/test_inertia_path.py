@@ -21,7 +21,7 @@ from quasidynamic.solve.balls.inertia_homotopy import InertiaFamily, inertia_hom
 from quasidynamic.solve.balls.ring_on_balls import BUDGET, RingSolution, newton, solve, start
 from quasidynamic.solve.balls.ring_on_springs import LONGEST, newton_step
 from quasidynamic.solve.corners import followed_through
-from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.step_length import SolverOutcome
 from tests.random_balls import unbalanced
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)

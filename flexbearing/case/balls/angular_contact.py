@@ -33,7 +33,7 @@ from flexbearing.case.balls.parts import (
     require_quarters,
 )
 from flexbearing.case.head import KIND
-from flexbearing.case.oil import Oil
+from flexbearing.case.materials import Oil
 from flexbearing.case.outputs import LifeOutputs
 from flexbearing.case.quantity import (
     Angle,

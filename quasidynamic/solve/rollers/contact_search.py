@@ -8,9 +8,8 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.unknowns import CAGE, INNER, OUTER, TILT_Z, Unknowns
-from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.bordered_system import Shift
-from quasidynamic.solve.rollers.newton import Iterate, norm, step
+from quasidynamic.solve.rollers.newton import Iterate, bounded, bounded_spins, norm, step
 from quasidynamic.solve.rollers.static_equilibrium import (
     film_at,
     frictionless_loads,
@@ -18,7 +17,7 @@ from quasidynamic.solve.rollers.static_equilibrium import (
     static_equilibrium,
     tilts_between_raceways,
 )
-from quasidynamic.solve.rollers.step_bounds import bounded, bounded_spins
+from quasidynamic.solve.step_length import SolverOutcome
 
 MAX_STEPS = 40
 MAX_STEPS_NEAR = 12  # where the start is nearly the solution, or it is not

@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
-from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.contact_search import contact_search
 from quasidynamic.solve.rollers.load_continuation import Continuation
 from quasidynamic.solve.rollers.newton import Iterate, newton
 from quasidynamic.solve.rollers.stiffness_continuation import from_stiffer_raceways
 from quasidynamic.solve.rollers.strategy import SolvedCases, Start, solve, solve_each
+from quasidynamic.solve.step_length import SolverOutcome
 
 BUDGET = 300  # evaluations of the bearing between raceways that keep their shape
 ROUNDS = 3  # of pseudo-time

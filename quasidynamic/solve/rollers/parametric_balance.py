@@ -11,7 +11,7 @@ from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.balance.rollers.unknowns import CAGE, TILT_Z, Unknowns, Y, Z
 from quasidynamic.solve.arclength import LinearisedEquations
 from quasidynamic.solve.rollers import bordered_system
-from quasidynamic.solve.rollers.step_bounds import bounded
+from quasidynamic.solve.rollers.newton import bounded
 
 Compliance = tuple[NDArray | None, NDArray | None]
 # Compliance (Z, M, Z, M) [m/N] of both raceways near roller forces (2, Z, M) [N], and their deviations

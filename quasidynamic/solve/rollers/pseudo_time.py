@@ -8,10 +8,9 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, TILT_Z
-from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers import bordered_system
-from quasidynamic.solve.rollers.newton import Iterate, norm, step
-from quasidynamic.solve.rollers.step_bounds import bounded, shortened
+from quasidynamic.solve.rollers.newton import Iterate, bounded, norm, shortened, step
+from quasidynamic.solve.step_length import SolverOutcome
 
 MAX_EVALUATIONS = 40  # evaluations before Newton's method is tried again
 NEWTON_RESIDUAL = 1e-4  # residual from which it is tried at once

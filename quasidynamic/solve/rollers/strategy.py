@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
-from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.load_continuation import from_heavier_load
 from quasidynamic.solve.rollers.newton import Iterate, newton
 from quasidynamic.solve.rollers.pseudo_time import StepLimits, pseudo_time
 from quasidynamic.solve.rollers.settled_time import through_settled_time
 from quasidynamic.solve.start.lumped import held_back
+from quasidynamic.solve.step_length import SolverOutcome
 
 # Rounds of pseudo-time, each followed by Newton's method: before a heavier load, after it, at restarts.
 ROUNDS = (3, 9, 3)
