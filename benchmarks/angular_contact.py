@@ -24,7 +24,7 @@ from quasidynamic.angular_contact import AngularContactBallBearing as Model
 from quasidynamic.errors import NotSolved
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.parts.ball import Ball, Groove
-from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.step_length import SolverOutcome
 from tests.random_balls import RPM, STEEL, drawn, drawn_sliding, unbalanced
 
 STRAIGHT = (None, None, None, 0.0, 0.0)

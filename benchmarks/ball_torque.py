@@ -8,8 +8,7 @@ from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe, median_seconds
 from quasidynamic.four_point import FourPointBallBearing, RingLoad
-from quasidynamic.parts.ball import Ball, FourPointBearing, Groove
-from quasidynamic.parts.ball_friction import constant_friction
+from quasidynamic.parts.ball import Ball, FourPointBearing, Groove, constant_friction
 from quasidynamic.parts.material import Material
 from quasidynamic.solve.balls.load_distribution import ball_loads
 from quasidynamic.solve.balls.sliding_motion import sliding_motion

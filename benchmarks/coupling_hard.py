@@ -23,7 +23,7 @@ from flexbearing.coupling import RULES, RacewayPair, StoppingCriterion, fixed_po
 from flexbearing.progress import Logged
 from flexbearing.rings.condensed import condensed_raceways
 from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway
-from quasidynamic.balance.rollers.scales import LARGE_DEVIATION
+from quasidynamic.balance.rollers.unknowns import LARGE_DEVIATION
 from quasidynamic.solve.rollers import bordered_system
 
 METHODS = ("newton", *RULES, "relaxed")

@@ -16,8 +16,7 @@ import flexbearing as fb
 from flexbearing.families import FAMILIES
 from flexbearing.goal.answer import Change, Goal
 from flexbearing.goal.levers import Lever, choices, levers
-from flexbearing.runs.answers import answers
-from flexbearing.runs.run_case import reader
+from flexbearing.runs.run_case import answers, reader
 
 WITHIN = 0.02  # of the change, or of the longest life
 POINTS = 61  # from the value of the case to each end

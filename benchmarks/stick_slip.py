@@ -20,8 +20,7 @@ from flexbearing.program.threads import cores, limited_to
 from quasidynamic.contact.ellipse.rigid_slip import Spin
 from quasidynamic.four_point import FourPointBallBearing
 from quasidynamic.outcome.slow_balls import SlidingBalls
-from quasidynamic.parts.ball import Ball, FourPointBearing, Groove
-from quasidynamic.parts.ball_friction import constant_friction
+from quasidynamic.parts.ball import Ball, FourPointBearing, Groove, constant_friction
 from quasidynamic.parts.material import Material
 from quasidynamic.solve.balls.refined_rolling import RefinedRolling, RollingModel
 from tests.literature import test_heras2017 as paper

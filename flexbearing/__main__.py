@@ -42,13 +42,16 @@ def main() -> None:
 
 def command(words: list[str]) -> int:
     """Do what a command line says; no traceback reaches a user who does not require it by --debug."""
+    import gc
     from os import environ
 
+    gc.set_threshold(100_000)  # loading modules leaves nothing to collect
     environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # a search through every installed package
     try:
-        from flexbearing.cli import app
+        from flexbearing.cli import application
 
-        app([word for word in words if word != DEBUG])  # it may also stand behind the command
+        arguments = [word for word in words if word != DEBUG]  # it may also stand behind the command
+        application(arguments[0] if arguments else "")(arguments)
     except SystemExit as end:
         interruption = signals.received()
         if interruption and end.code == SIGNALLED + 2:  # what typer makes of every interruption

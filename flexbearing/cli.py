@@ -2,6 +2,7 @@
 
 import sys
 from contextlib import nullcontext
+from importlib import import_module
 from os import environ
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
@@ -9,18 +10,8 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 import typer
 
 from flexbearing import api
-from flexbearing.catalogue.command import new
-from flexbearing.differences.command import diff
-from flexbearing.exports.command import export
-from flexbearing.exports.draw_command import draw
-from flexbearing.goal.command import goal
-from flexbearing.optimise.command import optimise
-from flexbearing.pages.command import report
 from flexbearing.printable import all_printable, printable
 from flexbearing.program.kept import keeping
-from flexbearing.sensitivity.command import sensitivity
-from flexbearing.studies.command import study
-from flexbearing.studies.maps.command import map_
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -32,12 +23,25 @@ if TYPE_CHECKING:
 CONVERGED, NOT_CONVERGED = 0, 1
 UNMET_TARGET = "unmet-target"  # the one danger that is no success without --strict
 
-app = typer.Typer(
-    help="Rolling bearings with thin, flexible rings.",
-    no_args_is_help=True,
-    rich_markup_mode=None,  # plain help: rich takes longer to load than everything else
-    pretty_exceptions_enable=False,
-)
+COMMANDS = {  # in the order of the help
+    "new": "catalogue.command:new",
+    "check": "cli:check",
+    "run": "cli:run",
+    "life": "cli:life",
+    "summary": "cli:summary",
+    "diff": "differences.command:diff",
+    "report": "pages.command:report",
+    "plot": "cli:plot",
+    "export": "exports.command:export",
+    "draw": "exports.draw_command:draw",
+    "map": "studies.maps.command:map_",
+    "pareto": "cli:pareto",
+    "sensitivity": "sensitivity.command:sensitivity",
+    "goal": "goal.command:goal",
+    "study": "studies.command:study",
+    "optimise": "optimise.command:optimise",
+    "explain": "cli:explain_key",
+}
 
 CaseFile = Annotated[Path, typer.Argument(help="case file (TOML)", metavar="CASE")]
 ResultPath = Annotated[Path, typer.Argument(help="result file (HDF5)", metavar="OUT.h5")]
@@ -61,7 +65,24 @@ def _print_version(wanted: bool) -> None:
         raise typer.Exit
 
 
-@app.callback()
+def application(first: str = "") -> typer.Typer:
+    """The program with all commands, or with the first word alone: declaring all takes as long as a check."""
+    app = typer.Typer(
+        help="Rolling bearings with thin, flexible rings.",
+        no_args_is_help=True,
+        rich_markup_mode=None,  # plain help: rich takes longer to load than everything else
+        pretty_exceptions_enable=False,
+    )
+    app.callback()(options)
+    for name, place in COMMANDS.items():
+        if first == name or first not in COMMANDS:
+            module, _, function = place.partition(":")
+            app.command(name)(getattr(import_module(f"flexbearing.{module}"), function))
+    if first not in COMMANDS:
+        app.add_typer(cache_app, name="cache")
+    return app
+
+
 def options(
     version: Annotated[
         bool,
@@ -72,17 +93,12 @@ def options(
     """Take note of what holds for every command; the program looks for --debug itself."""
 
 
-app.command(name="new")(new)
-
-
-@app.command()
 def check(case: CaseFile, settings: Settings = None) -> None:
     """Check a case for errors, without computing it."""
     title = api.check(case, settings or []).title
     _say(f"{case}: {title}: no errors found")
 
 
-@app.command()
 def run(  # noqa: PLR0913  # an argument for each option
     case: CaseFile,
     output: Annotated[Path | None, typer.Option("-o", "--output", metavar="OUT.h5")] = None,
@@ -123,7 +139,6 @@ def _what_went_wrong(result: "Result", *, strict: bool) -> list[str]:
     return missed if converged else [f"not converged: {result.attributes['message']}", *missed]
 
 
-@app.command()
 def life(
     case: CaseFile,
     settings: Settings = None,
@@ -139,14 +154,13 @@ def life(
 
         sys.stdout.write(json.dumps(all_printable(found), indent=2, allow_nan=False) + "\n")
         return
-    from flexbearing.report import laid_out
     from flexbearing.report.catalogue_life import sections
+    from flexbearing.report.output import laid_out
 
     page = sections(all_printable(found))
     sys.stdout.write(laid_out(page, _terminal(), encoding=sys.stdout.encoding))
 
 
-@app.command()
 def summary(
     result: ResultPath,
     everything: Everything = False,
@@ -164,13 +178,6 @@ def summary(
         _show(found, _terminal(), everything=everything, notes=notes)
 
 
-app.command(name="diff")(diff)
-
-
-app.command(name="report")(report)
-
-
-@app.command()
 def plot(
     result: ResultPath,
     against: Annotated[
@@ -197,7 +204,7 @@ def plot(
 ) -> None:
     """Draw the pictures of a result, with deformed rings where they are flexible."""
     from flexbearing.case import BadCase
-    from flexbearing.report import pictures
+    from flexbearing.report.output import pictures
     from flexbearing.report.picture import FORMATS, Format
     from flexbearing.report.roller import deformed
 
@@ -227,8 +234,8 @@ def plot(
 
 def _plot_against(one: "Result", other: "Result", directory: Path, style: "Format") -> None:
     """Draw contacts of two results side by side, and say what else differs in their cases."""
-    from flexbearing.report import compared_pictures
     from flexbearing.report.balls.side_by_side import notes
+    from flexbearing.report.output import compared_pictures
 
     written: list[Path] = []
     with keeping(written):
@@ -239,14 +246,6 @@ def _plot_against(one: "Result", other: "Result", directory: Path, style: "Forma
             _say(note)
 
 
-app.command(name="export")(export)
-app.command(name="draw")(draw)
-
-
-app.command(name="map")(map_)
-
-
-@app.command()
 def pareto(
     case: CaseFile,
     output: Annotated[
@@ -280,12 +279,6 @@ def pareto(
         _say(f"\n{text(found)}\ntable: {table}\npicture: {picture}")
 
 
-app.command(name="sensitivity")(sensitivity)
-app.command(name="goal")(goal)
-app.command(name="study")(study)
-app.command(name="optimise")(optimise)
-
-
 def _line(measured: "Measured") -> str:
     """One line for a level that was measured."""
     times = ", ".join(f"{seconds:.2f} s {when}" for when, seconds in measured.times.items())
@@ -293,7 +286,6 @@ def _line(measured: "Measured") -> str:
 
 
 cache_app = typer.Typer(help="Condensed rings that are kept on disk.", no_args_is_help=True)
-app.add_typer(cache_app, name="cache")
 
 
 @cache_app.command("list")
@@ -320,7 +312,6 @@ def cache_path() -> None:
     _say(f"{configured().folder or 'nothing is kept'}")
 
 
-@app.command(name="explain")
 def explain_key(key: Annotated[str | None, typer.Argument(metavar="[KEY]")] = None) -> None:
     """Explain a key of the case file: unit, default, allowed values, meaning; or study.KEY, optimise.KEY."""
     first, _, rest = (key or "").partition(".")
@@ -352,8 +343,6 @@ def _say(words: str) -> None:
 
 def _show(result: "Result", terminal: "Console | None", *, everything: bool, notes: bool) -> None:
     """Print the card of a result, below what else of it is wanted."""
-    from flexbearing.report import laid_out, text
-    from flexbearing.report.sections import noted
     from flexbearing.results import BadResult
 
     try:
@@ -362,8 +351,13 @@ def _show(result: "Result", terminal: "Console | None", *, everything: bool, not
         _say(f"no card: {problem}")
         card, everything = None, True
     if everything:
+        from flexbearing.report.output import text
+
         sys.stdout.write(text(result, terminal, encoding=sys.stdout.encoding) + "\n")
     elif notes:
+        from flexbearing.report.output import laid_out
+        from flexbearing.report.sections import noted
+
         sections = noted(all_printable(result.summary()["notes"]))
         sys.stdout.write(laid_out(sections, terminal, encoding=sys.stdout.encoding))
     if card is None:

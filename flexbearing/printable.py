@@ -1,10 +1,14 @@
 """Texts from elsewhere, made fit for a terminal or a picture."""
 
 import re
+from collections.abc import Collection
+from itertools import islice
 from typing import Any
 
 # Control characters but for the end of a line, and marks that turn the direction of what follows.
 _UNFIT = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
+MOST = 8  # texts of a list
+LONGEST = 60  # characters of a value or a key that are quoted
 
 
 def printable(text: str) -> str:
@@ -46,3 +50,23 @@ def all_printable(value: Any) -> Any:
     if isinstance(value, list | tuple):
         return type(value)(all_printable(item) for item in value)
     return value
+
+
+def excerpt(text: str, longest: int = LONGEST) -> str:
+    r"""Quote a text from elsewhere.
+
+    >>> print(excerpt("50 um\n"), excerpt("clearance", 5))
+    50 um\n clear... (9 characters)
+    """
+    beginning = printable(text[:longest]).replace("\n", "\\n").replace("\t", "\\t")
+    return beginning if len(text) <= longest else f"{beginning}... ({len(text)} characters)"
+
+
+def enumerated(texts: Collection[str]) -> str:
+    """Enumerate the first texts, each an excerpt, and say how many more there are.
+
+    >>> enumerated([str(number) for number in range(10)])
+    '0, 1, 2, 3, 4, 5, 6, 7 and 2 more'
+    """
+    left = f" and {len(texts) - MOST} more" if len(texts) > MOST else ""
+    return ", ".join(islice(texts, MOST)) + left

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from quasidynamic.angular_contact import AngularContactBallBearing as AngularContactBallBearing
     from quasidynamic.contact.film.thickness import FORMULAS as FORMULAS
-    from quasidynamic.contact.lubrication import Lubrication as Lubrication
+    from quasidynamic.contact.raceways import Lubrication as Lubrication
     from quasidynamic.contact.traction.adore import AdoreType as AdoreType
     from quasidynamic.contact.traction.measured_curve import FourPointCurve as FourPointCurve
     from quasidynamic.contact.traction.mixed import Mixed as Mixed
@@ -33,16 +33,15 @@ if TYPE_CHECKING:
         AngularContactBearing as AngularContactBearing,
         RingOperation as RingOperation,
     )
-    from quasidynamic.parts.ball import Ball as Ball, FourPointBearing as FourPointBearing, Groove as Groove
-    from quasidynamic.parts.ball_friction import (
+    from quasidynamic.parts.ball import (
+        Ball as Ball,
+        FourPointBearing as FourPointBearing,
         FrictionCurve as FrictionCurve,
+        Groove as Groove,
         constant_friction as constant_friction,
     )
-    from quasidynamic.parts.cage import Cage as Cage
-    from quasidynamic.parts.lubricant import Lubricant as Lubricant
     from quasidynamic.parts.material import Material as Material
-    from quasidynamic.parts.oil_properties import oil_at as oil_at
-    from quasidynamic.parts.operation import Operation as Operation
+    from quasidynamic.parts.oil_properties import Lubricant as Lubricant, oil_at as oil_at
     from quasidynamic.parts.profile import (
         Crowned as Crowned,
         Logarithmic as Logarithmic,
@@ -52,8 +51,12 @@ if TYPE_CHECKING:
         Straight as Straight,
         TangentCrowned as TangentCrowned,
     )
-    from quasidynamic.parts.roller import Roller as Roller
-    from quasidynamic.parts.roller_bearing import CylindricalRollerBearing as CylindricalRollerBearing
+    from quasidynamic.parts.roller_bearing import (
+        Cage as Cage,
+        CylindricalRollerBearing as CylindricalRollerBearing,
+        Operation as Operation,
+        Roller as Roller,
+    )
     from quasidynamic.roller import (
         Equilibria as Equilibria,
         Equilibrium as Equilibrium,
@@ -61,13 +64,13 @@ if TYPE_CHECKING:
         solve_many as solve_many,
     )
     from quasidynamic.solve.balls.preloaded_place import preloaded_place as preloaded_place
-    from quasidynamic.solve.outcome import SolverOutcome as SolverOutcome
+    from quasidynamic.solve.step_length import SolverOutcome as SolverOutcome
     from quasidynamic.static import static_loads as static_loads
 
 EXPORTS = {
     "angular_contact": ("AngularContactBallBearing",),
     "contact.film.thickness": ("FORMULAS",),
-    "contact.lubrication": ("Lubrication",),
+    "contact.raceways": ("Lubrication",),
     "contact.traction.adore": ("AdoreType",),
     "contact.traction.measured_curve": ("FourPointCurve",),
     "contact.traction.mixed": ("Mixed",),
@@ -80,13 +83,9 @@ EXPORTS = {
     "outcome.fast_balls": ("FastRollingBalls",),
     "outcome.slow_balls": ("RollingBalls", "SlidingBalls"),
     "parts.angular_contact_bearing": ("AngularContactBearing", "RingOperation"),
-    "parts.ball": ("Ball", "FourPointBearing", "Groove"),
-    "parts.ball_friction": ("FrictionCurve", "constant_friction"),
-    "parts.cage": ("Cage",),
-    "parts.lubricant": ("Lubricant",),
+    "parts.ball": ("Ball", "FourPointBearing", "FrictionCurve", "Groove", "constant_friction"),
     "parts.material": ("Material",),
-    "parts.oil_properties": ("oil_at",),
-    "parts.operation": ("Operation",),
+    "parts.oil_properties": ("Lubricant", "oil_at"),
     "parts.profile": (
         "Crowned",
         "Logarithmic",
@@ -96,11 +95,10 @@ EXPORTS = {
         "Straight",
         "TangentCrowned",
     ),
-    "parts.roller": ("Roller",),
-    "parts.roller_bearing": ("CylindricalRollerBearing",),
+    "parts.roller_bearing": ("Cage", "CylindricalRollerBearing", "Operation", "Roller"),
     "roller": ("Equilibria", "Equilibrium", "RollerBearing", "solve_many"),
     "solve.balls.preloaded_place": ("preloaded_place",),
-    "solve.outcome": ("SolverOutcome",),
+    "solve.step_length": ("SolverOutcome",),
     "static": ("static_loads",),
 }
 

@@ -23,7 +23,7 @@ from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, Ri
 from quasidynamic.solve.balls.coulomb_control import CoulombControl, StickingContacts
 from quasidynamic.solve.balls.refined_rolling import RefinedRolling, RollingModel, refined_kept_motion
 from quasidynamic.solve.balls.ring_on_balls import SINGULAR, RingSolution, solve
-from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.step_length import SolverOutcome
 
 DIRECTIONS = ("along x", "along y", "along z", "about y", "about z")
 LEAST_SHARE = 1e-3  # of a motion without a force: component that is reported

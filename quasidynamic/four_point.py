@@ -19,8 +19,7 @@ from quasidynamic.motion.ball_slip import SIDE, BallContacts, pressed_height, pr
 from quasidynamic.note import Note, outside
 from quasidynamic.outcome.ball_torque import hysteresis_torque, race_torques
 from quasidynamic.outcome.slow_balls import RollingBalls, SlidingBalls, rolling_balls
-from quasidynamic.parts.ball import FourPointBearing
-from quasidynamic.parts.ball_friction import FrictionCurve
+from quasidynamic.parts.ball import FourPointBearing, FrictionCurve
 from quasidynamic.solve.balls.elastic_load_distribution import (
     ElasticBallLoads,
     elastic_ball_loads,

@@ -8,14 +8,13 @@ from numpy.typing import NDArray
 
 from quasidynamic.columns import columns_of
 from quasidynamic.outcome.bearing_states import BearingStates
-from quasidynamic.outcome.equilibria import Batch, Equilibria
-from quasidynamic.outcome.equilibrium import Equilibrium
+from quasidynamic.outcome.equilibrium import Batch, Equilibria, Equilibrium
 from quasidynamic.roller import Compliance, RollerBearing, side_by_side_batches, solve_many
 from quasidynamic.several.indicator import each_several_likely
-from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.many_elastic import ManyCases, Way, a_few
 from quasidynamic.solve.rollers.parametric_balance import between
 from quasidynamic.solve.rollers.solved_neighbours import coordinates
+from quasidynamic.solve.step_length import SolverOutcome
 
 
 def solve_many_elastic(

@@ -13,19 +13,16 @@ from quasidynamic.balance.rollers.roller import RollerBalance
 from quasidynamic.columns import kind_and_numbers, stacked, with_columns
 from quasidynamic.contact.film import FilmLaw
 from quasidynamic.contact.line import LoadLaw, Slices, gap_rounding, raceway_coefficients, reduced_radius
-from quasidynamic.contact.lubrication import Lubrication
-from quasidynamic.contact.raceways import Raceways
+from quasidynamic.contact.raceways import Lubrication, Raceways
 from quasidynamic.errors import NotSolved
 from quasidynamic.outcome.bearing_states import BearingStates
-from quasidynamic.outcome.equilibria import Batch, Equilibria
-from quasidynamic.outcome.equilibrium import Equilibrium
+from quasidynamic.outcome.equilibrium import Batch, Equilibria, Equilibrium
 from quasidynamic.parts.material import contact_modulus
-from quasidynamic.parts.operation import Operation
-from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
-from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.parts.roller_bearing import CylindricalRollerBearing, Operation
 from quasidynamic.solve.rollers.elastic_raceways import iterate
 from quasidynamic.solve.rollers.strategy import MOST_WORK, solve
 from quasidynamic.solve.start import RESTARTS, slipping_start, static_start
+from quasidynamic.solve.step_length import SolverOutcome
 
 __all__ = ["Batch", "Equilibria", "Equilibrium", "RollerBearing", "solve_many"]
 

@@ -10,7 +10,7 @@ from quasidynamic.balance.rollers.rigid_rings import RigidRings
 from quasidynamic.contact.line.slices import Slices
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
-from quasidynamic.solve.rollers.load_distribution import balanced
+from quasidynamic.solve.rollers.static_equilibrium import balanced
 
 
 @dataclass(frozen=True)

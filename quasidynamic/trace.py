@@ -15,10 +15,10 @@ from quasidynamic.errors import NotSolved, OutOfRange
 from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.roller import RollerBearing, solve_many
 from quasidynamic.solve.arclength import BranchEnd, BranchPoint, at_parameter, follow, solved_at
-from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.parametric_balance import ParametricBalance, Tangents, between
-from quasidynamic.solve.rollers.stability import growth_rates
+from quasidynamic.solve.rollers.pseudo_time import growth_rates
 from quasidynamic.solve.start import LumpedRollers, static_unknowns
+from quasidynamic.solve.step_length import SolverOutcome
 
 __all__ = ["PARAMETERS", "Branch", "BranchEnd", "TracedEquilibrium", "equilibria_at", "trace"]
 
@@ -109,27 +109,6 @@ def trace(
     equilibria at one load, and jumps from one to another when the load passes a fold. Other
     branches, not connected to this one inside the span, are not found; see `equilibria_at`.
 
-    Parameters
-    ----------
-    model : RollerBearing
-        all else that its operation says is kept
-    over : str
-        "radial_load" or "inner_speed"
-    span : pair of floats
-        [N] or [rad/s], from the first to the second, on a logarithmic scale
-    start : Equilibrium, optional
-        near which the branch begins; without it the one that `model.solve` finds at the first value
-    tangents : callable (forces), optional
-        elastic raceways near roller forces (2, Z, M) [N]: compliances (Z, M, Z, M) [m/N] of inner and outer
-        raceway, None where one is rigid, and outward deviations (2, Z, M) [m] at no load or None; without it
-        raceways are rigid. A `start` between raceways that deflect is needed then
-
-    Returns
-    -------
-    Branch
-        its `end` is "range left" when it went through; `points[-1]` is then at one end of the span,
-        which is that of the start where the branch turns back for good
-
     Raises
     ------
     NotSolved
@@ -165,12 +144,6 @@ def equilibria_at(model: RollerBearing) -> tuple[Equilibrium, ...]:
     Newton's method starts at every slip where the torque of lumped rollers on the cage changes its
     sign; the branches through these solutions are followed over the load, as they may come back to it.
 
-    Returns
-    -------
-    tuple of Equilibrium
-        by growing cage slip; an equilibrium that is on none of these branches and that lumped rollers
-        do not show is not found
-
     Raises
     ------
     NotSolved
@@ -201,19 +174,6 @@ def equilibria_at(model: RollerBearing) -> tuple[Equilibrium, ...]:
 
 def logarithms(model: RollerBearing, over: str, span: tuple[float, float]) -> tuple[float, float]:
     """Logarithms of the sizes of both ends of a span.
-
-    Parameters
-    ----------
-    model : RollerBearing
-        whose load or speed changes
-    over : str
-        "radial_load" or "inner_speed"
-    span : pair of floats
-        [N] or [rad/s]
-
-    Returns
-    -------
-    pair of floats
 
     Raises
     ------

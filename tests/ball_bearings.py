@@ -4,8 +4,7 @@ import numpy as np
 
 from quasidynamic.contact.ellipse.rigid_slip import Spin
 from quasidynamic.four_point import FourPointBallBearing
-from quasidynamic.parts.ball import Ball, FourPointBearing, Groove
-from quasidynamic.parts.ball_friction import FrictionCurve, constant_friction
+from quasidynamic.parts.ball import Ball, FourPointBearing, FrictionCurve, Groove, constant_friction
 from quasidynamic.parts.material import Material
 
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.contact.half_space import ElasticPair, grid_over
-from quasidynamic.contact.rolling.hertz_pressure import hertz_pressure
+from quasidynamic.contact.rolling.full_sliding import hertz_pressure
 from quasidynamic.contact.rolling.rolling_contact import MID_STEP, RollingContacts
 
 STEEL = ElasticPair(shear=1 / 80e9, poisson=0.3 / 80e9)

@@ -18,7 +18,7 @@ from quasidynamic import (
 )
 from quasidynamic.outcome.capacity import static_rating
 from quasidynamic.parts.oil_curves import two_point_oil
-from quasidynamic.solve.rollers.stability import growth_rates
+from quasidynamic.solve.rollers.pseudo_time import growth_rates
 from quasidynamic.solve.rollers.static_equilibrium import film_at, frictionless_loads
 from quasidynamic.solve.rollers.strategy import solve_each
 from quasidynamic.solve.start import static_unknowns

@@ -12,7 +12,7 @@ from evidence.drawing import legend_beside, one
 from quasidynamic.contact.ellipse.point_contact import Curvatures, point_contact
 from quasidynamic.contact.ellipse.subsurface import ellipse_stress, orthogonal_shear
 from quasidynamic.contact.line import LoadLaw, half_width, palmgren, peak_pressure
-from quasidynamic.contact.line.subsurface import line_contact_stress
+from quasidynamic.contact.line.slices import line_contact_stress
 from quasidynamic.contact.pressure.roller import RollerOnRaceway
 from quasidynamic.contact.traction.adore import ADORE_OILS
 from quasidynamic.outcome.subsurface import largest_von_mises

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from evidence.case import Case, Findings, Number, estimate, number
 from evidence.drawing import legend_beside, one
-from quasidynamic.contact.rolling.creep_coefficients import creep_coefficients
+from quasidynamic.contact.rolling.kalker import creep_coefficients
 from tests.literature.test_interface_compliance import EACH, TORQUES, rolled
 from tests.literature.test_rolling_contact import (
     CARTER,

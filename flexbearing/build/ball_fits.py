@@ -1,8 +1,10 @@
-"""The fits of a ball bearing: from the cold clearance to that in operation."""
+"""Balls, grooves, oil and fits of a case, as the bearing physics takes them."""
 
+import quasidynamic as qd
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.mounting import MountedCase, RingElastic
-from flexbearing.case.materials import Elastic, HeavyElastic
+from flexbearing.case.balls.parts import BallBearing
+from flexbearing.case.materials import Elastic, HeavyElastic, Oil
 from quasidynamic.clearance import (
     Annulus,
     Mounting,
@@ -11,9 +13,48 @@ from quasidynamic.clearance import (
     PressFit,
     operating_clearance,
 )
+from quasidynamic.note import Note
+from quasidynamic.parts.oil_properties import kinematic_viscosity_at
 
+_UNFELT = 7850.0  # [kg/m3] stands where no inertia is felt: any density gives the same
 UNFELT = 7850.0  # [kg/m3] stands where nothing turns fast: any density gives the same
 ROOM = 293.15  # [K] of every part when a case gives no temperatures; only differences matter
+
+
+def ball(bearing: BallBearing, material: Elastic) -> qd.Ball:
+    """The balls."""
+    return qd.Ball(diameter=bearing.ball.diameter, material=solid(material))
+
+
+def groove(bearing: BallBearing, ring: str, material: Elastic) -> qd.Groove:
+    """Groove of a ring, "inner" or "outer"."""
+    conformity = getattr(bearing, ring).over(bearing.ball.diameter)
+    return qd.Groove(conformity=conformity, material=solid(material))
+
+
+def solid(material: Elastic) -> qd.Material:
+    """The material; rings and slow balls have no density of their own."""
+    density = material.density if isinstance(material, HeavyElastic) else _UNFELT
+    return qd.Material(
+        youngs_modulus=material.youngs_modulus, poisson_ratio=material.poisson_ratio, density=density
+    )
+
+
+def kinematic_viscosity(lubricant: Oil) -> tuple[float, tuple[Note, ...]]:
+    """Viscosity of an oil at its inlet temperature."""
+    temperature, sheet = lubricant.inlet_temperature, lubricant.data_sheet
+    if lubricant.oil is not None:
+        oil = qd.oil_at(lubricant.oil, temperature)
+        return oil.viscosity / oil.density, oil.notes
+    if sheet is not None:
+        cold, hot = (
+            (sheet.cold_temperature, sheet.cold_viscosity),
+            (sheet.hot_temperature, sheet.hot_viscosity),
+        )
+        return kinematic_viscosity_at(sheet.name, (cold, hot), temperature)
+    assert lubricant.viscosity is not None  # checked on reading
+    assert lubricant.density is not None
+    return lubricant.viscosity / lubricant.density, ()
 
 
 def from_fits(case: MountedCase) -> OperatingClearance:

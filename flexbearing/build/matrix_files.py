@@ -2,8 +2,9 @@
 
 import re
 from array import array
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import lru_cache, wraps
+from itertools import chain
 from pathlib import Path
 from typing import TypeVar
 
@@ -13,10 +14,11 @@ from numpy.typing import ArrayLike, NDArray
 from fem import ImpossiblePart
 from fem.matrix.stiffness import Stiffness, symmetric
 from flexbearing import inputs
-from flexbearing.build.nastran_cards import cards
-from flexbearing.case.excerpt import enumerated, excerpt
+from flexbearing.inputs import Unreadable
 from flexbearing.inputs.limits import MATRIX
+from flexbearing.printable import enumerated, excerpt
 
+MOST_FIELDS = 2**22  # of a card; a million numbers in a column of a matrix
 HIGHEST = 10**9  # number of a node
 COMPONENTS = 6
 LONGEST_NAME = 8  # characters of the name of a matrix
@@ -24,6 +26,41 @@ _NODE = re.compile(r"\*NODE\s*(,.*)?", re.I)
 _ANOTHER_SYSTEM = re.compile(r",\s*SYSTEM\s*=\s*[CS]\b", re.I)
 
 Content = TypeVar("Content")
+
+
+def cards(lines: Iterable[str], wanted: str) -> Iterator[list[str]]:
+    """Fields of every card of a name, without the name.
+
+    Raises
+    ------
+    Unreadable
+        for a card with more than `MOST_FIELDS`
+    """
+    fields: list[str] = []
+    for line in chain(lines, [wanted]):
+        text = line.partition("$")[0].rstrip()
+        head = text.split(",", 1)[0][:8].strip().upper() if text else ""
+        if text and fields and (head in ("", "*") or head[0] in "+*"):
+            fields += _fields(text)
+            if len(fields) > MOST_FIELDS:
+                raise Unreadable(f"has a card {wanted} with more than {MOST_FIELDS} fields")
+            continue
+        if fields:
+            yield fields
+        fields = _fields(text) if head.rstrip("*") == wanted and text != wanted else []
+
+
+def _fields(text: str) -> list[str]:
+    """Fields of a line behind its name: four of 16 characters behind a star, else eight of 8."""
+    large = "*" in text.split(",", 1)[0][:8]
+    count = 4 if large else 8
+    if "," in text:
+        words = text.split(",")[1:]
+    else:
+        size = 64 // count
+        fixed = text.expandtabs()
+        words = [fixed[8 + size * k : 8 + size * (k + 1)] for k in range(count)]
+    return [word.strip() for word in [*words, *[""] * count][:count]]
 
 
 def _named(read: Callable[[Path], Content]) -> Callable[[Path], Content]:

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing import inputs
-from flexbearing.case.excerpt import excerpt
 from flexbearing.inputs.limits import POINTS
+from flexbearing.printable import excerpt
 from flexbearing.units import BadUnit, UnknownUnit, unit
 from quasidynamic import ImpossiblePart
 

@@ -20,24 +20,12 @@ OF_ISO = 0.00035  # A over the roller's diameter [-], ISO/TS 16281
 
 
 def of_roller(case: Case) -> qd.Profile:
-    """Profile of the rollers; one for a design load belongs to the inner contact.
-
-    Raises
-    ------
-    ImpossiblePart
-        where its points are none of such a roller
-    """
+    """Profile of the rollers; one for a design load belongs to the inner contact."""
     return _profile(case, case.bearing.roller, "inner", "bearing.roller")
 
 
 def of_raceway(case: Case, race: Race) -> qd.Profile:
-    """Profile of a raceway along the rollers.
-
-    Raises
-    ------
-    ImpossiblePart
-        where its points are none of such a raceway
-    """
+    """Profile of a raceway along the rollers."""
     table = getattr(case.bearing, f"{race}_raceway")
     return qd.Straight() if table is None else _profile(case, table, race, f"bearing.{race}_raceway")
 

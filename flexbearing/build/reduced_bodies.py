@@ -11,8 +11,8 @@ import fem
 from fem.matrix.stiffness import Stiffness, extremes
 from flexbearing import inputs
 from flexbearing.build import matrix_files
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.roller import Case
+from flexbearing.printable import excerpt
 from quasidynamic.note import Note, information, outside
 
 ON_SEAT = 2e-3  # of the outer radius: how far nodes of the seat may stand from it, on straight elements
@@ -21,13 +21,7 @@ HARDLY = 1e-6  # of its entries: what holds a body less may be their rounding
 
 
 def reduced_body(case: Case) -> fem.ReducedBody:
-    """Body of `outer.kind = "matrix"`, condensed to the nodes on the outer surface of the ring.
-
-    Raises
-    ------
-    ImpossiblePart
-        where a file cannot be read, or no nodes are on that surface, or the matrix does not hold them
-    """
+    """Body of `outer.kind = "matrix"`, condensed to the nodes on the outer surface of the ring."""
     frame = _frame(case)
     nodes, places = _seat(case, frame)
     stiffness, _ = _condensed(_stamp(case.matrix_files[0]), nodes)

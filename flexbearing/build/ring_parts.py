@@ -8,13 +8,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import fem
-from fem.parts.volume import volume
 from flexbearing import inputs
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.read import LONGEST_NAME
 from flexbearing.case.roller import Case
 from flexbearing.inputs.limits import DRAWING
+from flexbearing.printable import excerpt
 from quasidynamic.note import Note, information
 
 if TYPE_CHECKING:
@@ -71,8 +70,10 @@ def _outer_part(case: Case) -> "fem.SquirrelCage | fem.OuterRing | StepSolid | N
 def outer_mass(case: Case) -> float | None:
     """Mass of what carries the outer raceway [kg]; None of a rigid one, and of a drawn solid."""
     part = outer_part(case)
-    if not isinstance(part, fem.OuterRing | fem.SquirrelCage):
+    if part is None or not isinstance(part, fem.OuterRing | fem.SquirrelCage):
         return None
+    from fem.parts.volume import volume
+
     cold = volume(part) / hot_over_cold(case, "outer_ring") ** 3
     return cold * case.materials.outer_ring.density
 
@@ -236,13 +237,7 @@ def _without_effect(case: Case) -> tuple[Note, ...]:
 
 
 def require_shoulder(case: Case) -> None:
-    """Refuse a shoulder of the shaft that does not end on the side of the ring.
-
-    Raises
-    ------
-    ImpossiblePart
-        when it ends below the bore or above the ring
-    """
+    """Refuse a shoulder of the shaft that does not end on the side of the ring."""
     part = inner_part(case)
     if part is not None and case.inner.shoulder_diameter is not None and case.inner.fit != "bonded":
         with _of_table("inner"):

@@ -4,12 +4,13 @@ from dataclasses import replace
 from typing import Literal
 
 import quasidynamic as qd
-from flexbearing.build import clearance, profiles
+from flexbearing.build import clearance, profiles, ring_parts
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
 from flexbearing.build.lubrication import lubrication
 from flexbearing.case.roller import Case
-from quasidynamic.parts.flange import Flange
+from quasidynamic import CylindricalRollerBearing
 from quasidynamic.parts.raceway_waves import RacewayWaves
+from quasidynamic.parts.roller_bearing import Flange
 
 
 def bearing(case: Case) -> "qd.RollerBearing":  # in quotes: checking a case loads no solver
@@ -119,3 +120,23 @@ def _cage(case: Case) -> qd.Cage:
         pocket_clearance=cage.pocket_clearance,
         **{name: getattr(cage, name) for name in land if getattr(cage, name) is not None},
     )
+
+
+def build(case: Case) -> None:
+    """Build bearing, flange and rings; nothing that solves is loaded."""
+    bearing = parts(case)
+    operation(case)
+    lubrication(case)
+    require_around(case, bearing)
+
+
+def require_around(case: Case, bearing: CylindricalRollerBearing) -> None:
+    """Build what a bearing is guided by and mounted in."""
+    if guide := flange(case):
+        from quasidynamic.contact.flange import flange_corner
+
+        flange_corner(guide, bearing)
+    ring_parts.outer_part(case)
+    ring_parts.require_shoulder(case)
+    ring_parts.require_held_in_housing(case)
+    ring_parts.require_held_on_lines(case)

@@ -7,8 +7,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from flexbearing.case.declarations import find
-from flexbearing.case.file_keys import value_at
-from flexbearing.case.head import Head
+from flexbearing.case.head import Head, value_at
 from flexbearing.case.problems import BadCase
 from flexbearing.case.ratings import OF_CATALOGUE
 from flexbearing.case.read import settings_applied
@@ -48,11 +47,6 @@ def as_written(case: Head, rating: str, keys: tuple[str, ...]) -> tuple[Any, ...
 
     A rating of the file belongs to the values of the file, one of a setting to those that result from all
     settings. Cases that derivatives make of a case keep its source, and so these values.
-
-    Raises
-    ------
-    BadCase
-        where a setting replaced a value of the file that cannot be read
     """
     source = case.source
     if not source.text:
@@ -63,13 +57,7 @@ def as_written(case: Head, rating: str, keys: tuple[str, ...]) -> tuple[Any, ...
 
 
 def require_readable(case: Head) -> None:
-    """Refuse a case with a rating whose sizes in the file cannot be read.
-
-    Raises
-    ------
-    BadCase
-        as `as_written`
-    """
+    """Refuse a case with a rating whose sizes in the file cannot be read."""
     for rating in RATINGS:
         if getattr(getattr(case, "life", None), rating.partition(".")[2], None) is not None:
             as_written(case, rating, (*ROLLER_SIZES, *BALL_SIZES))

@@ -5,12 +5,12 @@ from difflib import get_close_matches
 
 from flexbearing.case.belonging import belonging
 from flexbearing.case.declarations import Declaration, declarations, declared, find, of_every_case, toml
-from flexbearing.case.excerpt import LONGEST, excerpt
 from flexbearing.case.family import Families
 from flexbearing.case.head import Head
-from flexbearing.case.named_materials import MATERIALS, origin
+from flexbearing.case.materials import MATERIALS, origin
 from flexbearing.case.problems import BadCase
 from flexbearing.case.quantity import Section
+from flexbearing.printable import LONGEST, excerpt
 
 
 def explain(path: str | None, families: Families) -> str:

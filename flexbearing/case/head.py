@@ -1,20 +1,34 @@
 """What every case file begins with, for any bearing."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
-from functools import reduce
+from functools import lru_cache, reduce
+from hashlib import file_digest
 from pathlib import Path
 from typing import Any, ClassVar, Self
 
 from pydantic import PrivateAttr
 
-from flexbearing.case.file_keys import next_to
+from flexbearing import inputs
 from flexbearing.case.quantity import Section, key
 
 KIND = (
     "family of the bearing; it decides which other keys there are. The first line of the file, above every "
     "[section]; without it the case is a roller bearing"
 )
+
+
+def value_at(tables: Any, key: str) -> Any:
+    """What nested tables have at a dotted key; None where it is not given."""
+    for name in key.split("."):
+        tables = tables.get(name) if isinstance(tables, Mapping) else None
+    return tables
+
+
+def next_to(case: Path, names: Iterable[Any]) -> tuple[Path, ...]:
+    """Files with some names next to a case; what is no name is left out."""
+    return tuple(case.parent / name for name in names if isinstance(name, str))
 
 
 @dataclass(frozen=True)
@@ -88,3 +102,20 @@ class Head(Section):
 def _part(section: Any, name: str) -> Any:
     """A key of a table; None where the case has no such table."""
     return getattr(section, name, None)
+
+
+def digests(case: Head) -> str:
+    """Digests of all of them, one after the other; that there is none is reported when the part is made."""
+    return "".join(map(_digest, case.named_files))
+
+
+def _digest(path: Path) -> str:
+    with suppress(inputs.Unreadable):
+        return _content(inputs.stamp(path))
+    return ""
+
+
+@lru_cache(maxsize=64)
+def _content(stamp: inputs.Stamp) -> str:
+    with inputs.opened(stamp.path) as file:
+        return file_digest(file, "sha256").hexdigest()

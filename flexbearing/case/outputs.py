@@ -1,7 +1,22 @@
-"""The section [outputs] of every bearing that has a rating life."""
+"""The section [outputs], of every kind of bearing, of those with a rating life, of roller bearings."""
 
-from flexbearing.case.contact_outputs import ContactOutputs
-from flexbearing.case.quantity import key
+from flexbearing.case.quantity import Section, key
+
+
+class ContactOutputs(Section):
+    """What is computed beside the solution."""
+
+    subsurface_stresses: bool = key(
+        "whether the von Mises and the orthogonal shear stress below the most pressed contact of each "
+        "raceway are stored, as a field in the plane of rolling with the largest value and its depth",
+        False,
+    )
+    assumed_effects: bool = key(
+        "whether the lives and main outputs are stored with other values of every assumed or fitted key, "
+        "at the ends of the tolerance classes, and of rollers with the other rules of the life, such as the "
+        "edge stress, and the other way to hold the inner ring: some two further solutions for each key",
+        False,
+    )
 
 
 class LifeOutputs(ContactOutputs):
@@ -10,5 +25,15 @@ class LifeOutputs(ContactOutputs):
     catalogue_life: bool = key(
         "whether the way from the life of a catalogue to that of the case is stored, as `flexbearing life` "
         "prints it: a further solution for each of its lines",
+        False,
+    )
+
+
+class Outputs(LifeOutputs):
+    """What is computed beside the solution."""
+
+    stresses: bool = key(
+        "whether the largest stresses of the flexible parts at the end state, and the stiffness of their "
+        "supports, are stored: a full solid for each part costs seconds",
         False,
     )

@@ -7,11 +7,10 @@ from typing import Any, TypeVar
 from pydantic import ValidationError
 
 from flexbearing.case.declarations import Declaration, by_path, find, kinds_with, toml
-from flexbearing.case.excerpt import LONGEST, excerpt
 from flexbearing.case.family import Families
 from flexbearing.case.missing import LACKING, of_every_layer
 from flexbearing.case.quantity import Section
-from flexbearing.printable import printable
+from flexbearing.printable import LONGEST, excerpt, printable
 
 MOST = 20  # problems that are reported
 MOST_PLACES = 3  # of one name

@@ -11,7 +11,7 @@ from typing import Annotated, Any, ClassVar
 from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
-from flexbearing.case.excerpt import excerpt
+from flexbearing.printable import excerpt
 from flexbearing.units import BadUnit, Unit, UnknownUnit, spelt_otherwise, unit
 
 LONGEST = 100  # characters of a quantity: a number with all its digits, a unit, and room between them
@@ -33,7 +33,7 @@ class Kind:
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         """Let pydantic convert before it checks the limits of a key."""
-        return core_schema.no_info_before_validator_function(self.to_si, handler(source))
+        return core_schema.no_info_before_validator_function(self.to_si, core_schema.float_schema())
 
     def to_si(self, value: object) -> float:
         """Convert "5 mm" to 0.005; a value that is not such a text is refused with a reason."""

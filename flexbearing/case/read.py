@@ -10,13 +10,13 @@ from pydantic import ValidationError
 from flexbearing import inputs
 from flexbearing.case.belonging import foreign, without
 from flexbearing.case.declarations import Declaration, find, toml
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.family import Families
 from flexbearing.case.head import Head, Source
-from flexbearing.case.named_materials import values
+from flexbearing.case.materials import values
 from flexbearing.case.problems import BadCase, listed, messages, nearest, quoted, refused, shown
 from flexbearing.case.quantity import Section
 from flexbearing.case.text import LARGEST, Unreadable, setting_value, tables
+from flexbearing.printable import excerpt
 
 Overrides = Sequence[str] | Mapping[str, object]
 LONGEST_NAME = 255  # characters of a file's name or path in a message
@@ -142,13 +142,7 @@ def model_of(raw: Mapping[str, Any], settings: Sequence[str], file: str, familie
 def settings_applied(
     raw: dict[str, Any], settings: Sequence[str], model: type[Head], families: Families = MappingProxyType({})
 ) -> None:
-    """Put settings into the tables of a case file; `families` are those that messages name keys of.
-
-    Raises
-    ------
-    BadCase
-        for a setting that is none
-    """
+    """Put settings into the tables of a case file; `families` are those that messages name keys of."""
     for setting in settings:
         _override(raw, setting, model, families)
 

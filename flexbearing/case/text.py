@@ -12,9 +12,9 @@ from datetime import date, datetime, time
 from functools import lru_cache
 from typing import Any
 
-from flexbearing.case.excerpt import excerpt
 from flexbearing.inputs import Unreadable
 from flexbearing.inputs.limits import CASE as LARGEST
+from flexbearing.printable import excerpt
 
 DEEPEST = 8  # arrays and tables in each other, and parts of a key; the keys of a case have up to 4
 LARGEST_INTEGER = 2**63  # as TOML says
@@ -36,13 +36,7 @@ _BRACKET = re.compile(r"[\[{\]}]")
 
 
 def tables(text: str, of: str = "case") -> dict[str, Any]:
-    """Tables of the text of a case file.
-
-    Raises
-    ------
-    Unreadable
-        where it is no TOML, is too large or too deep, or holds what no case can have
-    """
+    """Tables of the text of a case file."""
     return deepcopy(_parsed(text, of))  # callers put settings into them
 
 

@@ -154,13 +154,7 @@ def initial_clearance(
     bore: float,
     of: Literal["cylindrical rollers", "deep groove balls"] = "cylindrical rollers",
 ) -> Band:
-    """Radial internal clearance of a bearing before mounting, as a change of diameter.
-
-    Raises
-    ------
-    Untabulated
-        for bores whose clearance was not found printed
-    """
+    """Radial internal clearance of a bearing before mounting, as a change of diameter."""
     size = _size(bore, LARGEST["shaft"])
     steps, clearances = _CLEARANCES_OF[of]
     least, greatest = clearances[name][bisect_left(steps, size)]
@@ -171,23 +165,6 @@ def shaft_interference(name: ShaftClass, bore: float) -> Band:
     r"""Interference of a shaft and a bearing of the Normal tolerance class, negative is a loose fit.
 
     .. math:: ei - 0 \le \Delta \le es + t_{\Delta dmp}
-
-    Parameters
-    ----------
-    name : str
-        tolerance class of the shaft
-    bore : float
-        of the bearing [m]
-
-    Returns
-    -------
-    Band
-        diametral [m]
-
-    Raises
-    ------
-    Untabulated
-        for sizes whose deviations were not found printed
     """
     size = _size(bore, LARGEST["shaft"], PRINTED_OVER.get(name, SMALLEST))
     lower, upper = _deviations(name, size)
@@ -198,23 +175,6 @@ def housing_interference(name: HousingClass, outside: float) -> Band:
     r"""Interference of a bearing of the Normal tolerance class and its housing, negative is a loose fit.
 
     .. math:: -t_{\Delta Dmp} - ES \le \Delta \le 0 - EI
-
-    Parameters
-    ----------
-    name : str
-        tolerance class of the housing
-    outside : float
-        diameter of the bearing [m]
-
-    Returns
-    -------
-    Band
-        diametral [m]
-
-    Raises
-    ------
-    Untabulated
-        for sizes whose deviations were not found printed
     """
     size = _size(outside, LARGEST["housing"])
     lower, upper = _deviations(name, size)
@@ -222,13 +182,7 @@ def housing_interference(name: HousingClass, outside: float) -> Band:
 
 
 def deviations(name: ShaftClass | HousingClass, diameter: float) -> Band:
-    """Limit deviations of a shaft or a housing bore from the nominal diameter.
-
-    Raises
-    ------
-    Untabulated
-        for sizes whose deviations were not found printed
-    """
+    """Limit deviations of a shaft or a housing bore from the nominal diameter."""
     largest = LARGEST["shaft" if name in get_args(ShaftClass) else "housing"]
     lower, upper = _deviations(name, _size(diameter, largest, PRINTED_OVER.get(name, SMALLEST)))
     return Band(lower * UM, upper * UM)

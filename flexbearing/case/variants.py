@@ -9,13 +9,13 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from flexbearing.case.declarations import by_path, find
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.family import Families
 from flexbearing.case.head import Head, Source
 from flexbearing.case.problems import BadCase
 from flexbearing.case.quantity import Section
 from flexbearing.case.read import LONGEST_NAME, with_settings, written
 from flexbearing.case.text import Unreadable, tables
+from flexbearing.printable import excerpt
 
 MOST_KINDS = 1000  # variants by choices such as outer.kind that are kept
 Table = TypeVar("Table", bound=Section)
@@ -57,13 +57,7 @@ class Variants:
         self._each = [attrgetter(key) for key in keys]
 
     def case(self, values: tuple[Any, ...]) -> Head:
-        """Read one case.
-
-        Raises
-        ------
-        BadCase
-            as `flexbearing.case.read`
-        """
+        """Read one case."""
         given = self._given(values)
         near = self._read.get(self._choices(given))
         if near is None:

@@ -18,7 +18,7 @@ from quasidynamic.outcome.ball_capacity import (
     ball_fatigue_load_limit,
     ball_static_rating,
 )
-from quasidynamic.parts.ball_row import BallRow
+from quasidynamic.parts.ball import BallRow
 from quasidynamic.parts.material import Material
 
 # Rules of thumb, assumed. Balls over half the difference of the diameters: Harris' 209 and 218 have 0.64, the

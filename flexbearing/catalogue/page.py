@@ -11,10 +11,10 @@ from pydantic_core import PydanticCustomError
 from flexbearing import inputs
 from flexbearing.case import BadCase, quantity
 from flexbearing.case.declarations import find
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.quantity import Kind
 from flexbearing.catalogue.entries import ENTRIES, LIKES, Entry, Like
 from flexbearing.catalogue.raceways import raceways
+from flexbearing.printable import excerpt
 
 ELEMENTS = 3, 1000  # how many rollers or balls a case may have
 

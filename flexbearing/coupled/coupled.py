@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from flexbearing.case.roller import Case
 from flexbearing.case.roller.numerics import Coupling
 from flexbearing.coupled import states
-from flexbearing.coupled.initial_state import InitialState
+from flexbearing.coupled.states import InitialState
 from flexbearing.coupling import (
     RULES,
     Iteration,

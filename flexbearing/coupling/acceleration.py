@@ -26,18 +26,6 @@ def relaxed(history: CouplingHistory, relaxation: float = FIRST_STEP) -> NDArray
     r"""A constant fraction of the residual.
 
     .. math:: x_{k+1} = x_k + \omega\, r_k
-
-    Parameters
-    ----------
-    history : CouplingHistory
-        at least one iteration
-    relaxation : float
-        omega in (0, 1]; above 2/(1 + rho), with rho the spectral radius of the iteration, it diverges
-
-    Returns
-    -------
-    array (N)
-        deviations to try next
     """
     return history.deviations[-1] + relaxation * history.residuals[-1]
 
@@ -46,16 +34,6 @@ def aitken(history: CouplingHistory) -> NDArray:
     r"""A fraction that follows from the last two residuals.
 
     .. math:: \omega_k = -\omega_{k-1} \frac{r_{k-1} \cdot (r_k - r_{k-1})}{|r_k - r_{k-1}|^2}
-
-    Parameters
-    ----------
-    history : CouplingHistory
-        at least one iteration
-
-    Returns
-    -------
-    array (N)
-        deviations to try next
 
     Source
     ------
@@ -81,18 +59,6 @@ def anderson(history: CouplingHistory, depth: int = 12) -> NDArray:
     with differences X of the deviations and V of the residuals as columns, newest first; columns that are
     nearly combinations of newer ones are left out.
 
-    Parameters
-    ----------
-    history : CouplingHistory
-        at least one iteration
-    depth : int
-        how many differences are kept
-
-    Returns
-    -------
-    array (N)
-        deviations to try next
-
     Source
     ------
     Anderson, J. ACM 12 (1965); with all differences it is the interface quasi-Newton method of Degroote,
@@ -117,16 +83,6 @@ def least_squares(history: CouplingHistory) -> NDArray:
 
     Where the compliance of the structure is not known, G is 1, and all differences count: with so rough a
     G what is left of the residual must be small.
-
-    Parameters
-    ----------
-    history : CouplingHistory
-        at least one iteration
-
-    Returns
-    -------
-    array (N)
-        deviations to try next
 
     Source
     ------
@@ -154,20 +110,6 @@ def change_per_residual(compliance: Compliance, stiffness: NDArray, size: int) -
 
     Every roller is a spring over its length between raceways held fixed; it follows the outer deviation less
     the inner one and pushes the raceways apart, s = -1 of the inner and 1 of the outer one.
-
-    Parameters
-    ----------
-    compliance : pair of arrays (Z, M, Z, M) or None
-        C, outward deviation of the inner and the outer raceway per outward force [m/N]
-    stiffness : array (Z)
-        k of the rollers [N/m]
-    size : int
-        2 Z M
-
-    Returns
-    -------
-    array (2 Z M, 2 Z M)
-        G [-]
 
     Source
     ------

@@ -11,9 +11,8 @@ from flexbearing.derivatives.keys import keys_of
 from flexbearing.derivatives.table import Chosen, OutputValue, Sensitivities
 from flexbearing.outputs import wanted
 from flexbearing.progress import Report
-from flexbearing.runs.answers import answers
 from flexbearing.runs.plausible import graded
-from flexbearing.runs.run_case import reader
+from flexbearing.runs.run_case import answers, reader
 
 COLLECTIVE = "all", "life"  # what a family has its own names for
 

@@ -23,7 +23,7 @@ from quasidynamic import AngularContactBallBearing, NotSolved, RingOperation
 from quasidynamic.balance.balls.angular_contact import AngularBalance
 from quasidynamic.solve.balls.implicit_derivative import Places, moved_places
 from quasidynamic.solve.balls.ring_on_balls import RingSolution, newton, solve
-from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.step_length import SolverOutcome
 
 DEFAULT = ("life", "contact_load_range.inner.largest", "peak_pressure.inner", "stiffness_zz")
 ALL, LIFE = "all", "life"

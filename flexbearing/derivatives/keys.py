@@ -6,11 +6,11 @@ from typing import Any, TypeVar
 
 from flexbearing.case import BadCase, Head
 from flexbearing.case.declarations import Declaration, declared, find
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.key_ranges import range_of
 from flexbearing.case.problems import nearest
 from flexbearing.case.quantity import Section
 from flexbearing.case.text import setting_value, tables
+from flexbearing.printable import excerpt
 
 NUMERICS = ("coupling.", "accuracy.", "outputs.", "life.required")  # how it is computed or judged, not what
 # Small against the nanometres by which a slice is pressed that just carries load: of a clearance of 60 um and

@@ -15,13 +15,13 @@ from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.roller import side_by_side_batches
-from quasidynamic.solve.rollers.implicit_derivative import (
+from quasidynamic.solve.rollers.parametric_balance import (
+    between,
     moved_unknowns,
     nearest_switch,
     residuals,
     slice_approaches,
 )
-from quasidynamic.solve.rollers.parametric_balance import between
 
 AT_ONCE = 64  # variants whose slices fit into the processor's cache
 

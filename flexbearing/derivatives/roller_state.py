@@ -17,9 +17,9 @@ from flexbearing.rings.condensed import condensed_raceways
 from quasidynamic import Equilibrium, NotSolved, RollerBearing
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import Unknowns
-from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.newton import newton
 from quasidynamic.solve.rollers.parametric_balance import between
+from quasidynamic.solve.step_length import SolverOutcome
 
 APART_FROM_RINGS = (  # keys and tables that no ring knows
     "lubricant.", "life.", "bearing.cage.", "bearing.roughness.", "bearing.roller.drop",

@@ -25,6 +25,6 @@ def diff(
         return
     from flexbearing.differences.page import sections
     from flexbearing.printable import printable
-    from flexbearing.report import laid_out
+    from flexbearing.report.output import laid_out
 
     sys.stdout.write(printable(laid_out(sections(found), encoding=sys.stdout.encoding)))

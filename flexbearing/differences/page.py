@@ -7,9 +7,9 @@ from typing import Any
 from rich.console import RenderableType
 from rich.text import Text
 
-from flexbearing.case.excerpt import excerpt
 from flexbearing.differences.compared import Compared, Differing
 from flexbearing.findings import of_code
+from flexbearing.printable import excerpt
 from flexbearing.report.sections import right_aligned
 
 

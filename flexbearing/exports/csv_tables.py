@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.files import as_csv, require_folder, require_outputs, write
-from flexbearing.quantities.axes import Axis
-from flexbearing.quantities.layout import Layout
+from flexbearing.quantities.layout import Axis, Layout
 from flexbearing.quantities.quantity import Quantity
 from flexbearing.results import BadResult, Result
 

@@ -23,7 +23,7 @@ def export(
         if a file cannot be written
     """
     from flexbearing.printable import all_printable
-    from flexbearing.report import laid_out
+    from flexbearing.report.output import laid_out
     from flexbearing.report.sections import held, stresses
     from flexbearing.runs import stored_fields as compute
 

@@ -6,9 +6,9 @@ from typing import Any
 from rich.console import RenderableType
 from rich.text import Text
 
-from flexbearing.case.excerpt import excerpt
 from flexbearing.goal.change import Change, Changed
 from flexbearing.goal.target import Target
+from flexbearing.printable import excerpt
 from flexbearing.report.output import laid_out
 from flexbearing.report.sections import right_aligned
 

@@ -5,8 +5,8 @@ from math import inf, isfinite, log, nan
 
 from flexbearing import inputs
 from flexbearing.case import BadCase
-from flexbearing.case.excerpt import excerpt
 from flexbearing.outputs import AbsentOutput, UnknownOutput, Value, WrongUnit
+from flexbearing.printable import excerpt
 from flexbearing.quantities.effects import LIVES
 from flexbearing.results import Result
 

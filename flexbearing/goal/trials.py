@@ -10,8 +10,7 @@ from flexbearing.goal.approach import Track, look, reach
 from flexbearing.goal.levers import Move
 from flexbearing.goal.target import Target
 from flexbearing.progress import Report
-from flexbearing.runs.answers import answers
-from flexbearing.runs.run_case import reader
+from flexbearing.runs.run_case import answers, reader
 
 Settings = tuple[str, ...]
 USUAL = 12  # trials of a move

@@ -11,10 +11,8 @@ from pydantic import ValidationError
 
 from flexbearing import inputs
 from flexbearing.case.as_written import rated_apart
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.family import Families
-from flexbearing.case.file_keys import next_to, value_at
-from flexbearing.case.head import Head, Source as CaseSource
+from flexbearing.case.head import Head, Source as CaseSource, next_to, value_at
 from flexbearing.case.problems import BadCase, messages
 from flexbearing.case.read import LONGEST_NAME, with_settings
 from flexbearing.case.text import tables
@@ -22,6 +20,7 @@ from flexbearing.optimise.goals import Bound, Goal, Measure
 from flexbearing.optimise.schema import DUTY_LIFE, OptimisationFile, Search
 from flexbearing.optimise.variables import Variable, variables
 from flexbearing.outputs import UnknownOutput, WrongUnit, wanted
+from flexbearing.printable import excerpt
 from flexbearing.studies.file import Study
 from flexbearing.studies.file.read import Source, declared, flat_tables, study_of
 from flexbearing.studies.file.schema import StudyFile

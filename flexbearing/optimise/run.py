@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from flexbearing.build.clearance import ROLLERS
 from flexbearing.cache import configured
 from flexbearing.case import BadCase, Head
-from flexbearing.case.file_keys import value_at
+from flexbearing.case.head import value_at
 from flexbearing.case.text import tables
 from flexbearing.families import FAMILIES
 from flexbearing.files import require_folder, require_outputs, write

@@ -9,7 +9,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from flexbearing.case.declarations import Declaration, toml
-from flexbearing.case.excerpt import excerpt
+from flexbearing.printable import excerpt
 from flexbearing.studies.file.values import BadValues, ends, in_si_units
 
 BOUNDS = 'bounds are "FROM .. TO", such as "0.5 um .. 20 um", or "log 1 kN .. 10 kN"'

@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 
 from flexbearing.outputs.value import Conversion, Value, WrongUnit, conversion, quoted
 from flexbearing.quantities import Quantity, SummaryValue
-from flexbearing.quantities.axes import FIXED
-from flexbearing.quantities.layout import Layout
+from flexbearing.quantities.layout import FIXED, Layout
 from flexbearing.quantities.quantity import unchanged, with_defaults
 
 Block = Mapping[str, NDArray]  # the arrays of an end state, in SI units

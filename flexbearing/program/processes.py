@@ -1,14 +1,19 @@
 """Calls that worker processes answer as they become free, each at the end of a pipe of its own."""
 
+import ctypes
+import sys
 from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cache
 from multiprocessing.connection import wait
 from typing import Any
 
 from flexbearing.program.interpreter import Died, Interpreter, NeverStarted
 
 STARTS = 5  # of each process that end before it takes a call, until no more are tried
+KEPT, AS_ONE = 2**26, 2**24  # bytes that stay when they are freed, and of an array that is given back alone
+_TRIM_THRESHOLD, _MMAP_THRESHOLD = -1, -3  # of malloc.h
 
 
 @dataclass(frozen=True)
@@ -48,13 +53,7 @@ class Processes:
         self._hand_out()
 
     def as_completed(self) -> Iterator[Done]:
-        """Yield calls as they end, also those submitted meanwhile; ends when none is left.
-
-        Raises
-        ------
-        NeverStarted
-            when processes end, again and again, before they take a call
-        """
+        """Yield calls as they end, also those submitted meanwhile; ends when none is left."""
         while self._waiting or self._running:
             ends = [self._end_of_call(self._processes[each]) for each in wait(list(self._processes))]
             self._hand_out()  # whoever looks at an end keeps no process waiting
@@ -109,3 +108,14 @@ class Processes:
         if process in self._free:
             self._free.remove(process)
         process.end()
+
+
+@cache
+def keep_freed() -> bool:
+    """Let this process keep some freed memory from now on."""
+    if not sys.platform.startswith("linux"):
+        return False
+    mallopt = getattr(ctypes.CDLL(None), "mallopt", None)
+    if mallopt is None:  # another C library
+        return False
+    return all([mallopt(_TRIM_THRESHOLD, KEPT), mallopt(_MMAP_THRESHOLD, AS_ONE)])

@@ -16,7 +16,7 @@ from typing import Any
 
 from flexbearing import inputs
 from flexbearing.case import BadCase
-from flexbearing.case.excerpt import excerpt
+from flexbearing.printable import excerpt
 
 VARIABLES = "SLURM_CPUS_PER_TASK", "FLEXBEARING_THREADS"  # of the environment, the first that is set counts
 MOST = 4096  # cores of a machine

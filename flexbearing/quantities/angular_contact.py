@@ -8,10 +8,9 @@ from dataclasses import replace
 import numpy as np
 
 from flexbearing.quantities.attributes import HEAD
-from flexbearing.quantities.axes import Axis
 from flexbearing.quantities.ball_clearance import CLEARANCE_ATTRIBUTE
 from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, static_safety, subsurface, worst_contact
-from flexbearing.quantities.layout import Layout
+from flexbearing.quantities.layout import Axis, Layout
 from flexbearing.quantities.life_records import CATALOGUE_ATTRIBUTE, LIFE_ATTRIBUTE
 from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
 from flexbearing.quantities.reductions import (

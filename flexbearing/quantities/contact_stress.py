@@ -1,6 +1,6 @@
 """Output quantities of the most pressed contact of each raceway, alike for rollers and balls."""
 
-from flexbearing.quantities.axes import Axis
+from flexbearing.quantities.layout import Axis
 from flexbearing.quantities.quantity import Quantity, SummaryValue
 from flexbearing.quantities.reductions import RACES
 from flexbearing.quantities.units import MPA, UM

@@ -6,10 +6,9 @@ The page of a result shows its rows in the order of declaration, those of two ra
 import numpy as np
 
 from flexbearing.quantities.attributes import HEAD
-from flexbearing.quantities.axes import Axis
 from flexbearing.quantities.ball_clearance import CLEARANCE_ATTRIBUTE
 from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, subsurface, worst_contact
-from flexbearing.quantities.layout import Layout
+from flexbearing.quantities.layout import Axis, Layout
 from flexbearing.quantities.quantity import Quantity, SummaryValue
 from flexbearing.quantities.reductions import (
     ABOUT_YZ,

@@ -5,9 +5,8 @@ The page of a result shows its rows in the order of declaration.
 
 from flexbearing.quantities import roller_records as records
 from flexbearing.quantities.attributes import HEAD, Attribute
-from flexbearing.quantities.axes import Axis
 from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, static_safety, subsurface, worst_contact
-from flexbearing.quantities.layout import Layout
+from flexbearing.quantities.layout import Axis, Layout
 from flexbearing.quantities.life_records import CATALOGUE_ATTRIBUTE, LIFE_ATTRIBUTE
 from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
 from flexbearing.quantities.reductions import (

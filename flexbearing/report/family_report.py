@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from flexbearing.report.plots import Plots
@@ -33,16 +32,17 @@ class Elements:
 
 @dataclass(frozen=True)
 class FamilyReport:
-    """Page and pictures of a result; its summary follows from the quantities of its family."""
+    """Page and pictures of a result, as an `Entry` each: the card of a result loads neither."""
 
-    page: Callable[[dict[str, Any]], Iterator[RenderableType]]  # of the summary
-    pictures: Callable[[Result], Mapping[str, Figure | str]]  # by names of files; or why one would be empty
+    page: Callable[[], Callable[[dict[str, Any]], Iterator[RenderableType]]]  # of the summary
+    # by names of files; or why one would be empty
+    pictures: Callable[[], Callable[[Result], Mapping[str, Figure | str]]]
     elements: Elements | None = None  # rolling elements that a report shows one by one
     deformed: bool = False  # whether deformed rings can be drawn
-    balls: Callable[[Result], tuple[DrawnBall, ...]] | None = None  # whose cells a result holds
+    balls: Callable[[], Callable[[Result], tuple[DrawnBall, ...]]] | None = None  # whose cells a result holds
     short: Mapping[str, str] = field(default_factory=dict)  # names of pictures in notebooks to those of files
-    drawings: Callable[[Words], Iterator[Drawing]] | None = None  # to scale, of a case
+    drawings: Callable[[], Callable[[Words], Iterator[Drawing]]] | None = None  # to scale, of a case
 
     def plots(self, result: Result) -> Plots:
         """Pictures of a result as functions."""
-        return Plots(partial(self.pictures, result), self.short)
+        return Plots(lambda: self.pictures()(result), self.short)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 def text(result: Result, console: Console | None = None, encoding: str = "utf-8") -> str:
     """Lay the summary out as text."""
-    return laid_out(result.family.report().page(all_printable(result.summary())), console, encoding)
+    return laid_out(result.family.report().page()(all_printable(result.summary())), console, encoding)
 
 
 def laid_out(
@@ -49,7 +49,7 @@ def pictures(result: Result, directory: str | Path, form: Format = PNG) -> Itera
     NotStored
         if there is no room for a picture
     """
-    figures = result.family.report().pictures(result)
+    figures = result.family.report().pictures()(result)
     named = {f"{result.stem}_{name}": figure for name, figure in figures.items()}
     yield from (LeftOut(name, reason) for name, reason in named.items() if isinstance(reason, str))
     drawn = {name: figure for name, figure in named.items() if not isinstance(figure, str)}

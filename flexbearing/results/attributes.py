@@ -6,7 +6,7 @@ import subprocess
 from collections.abc import Callable, Mapping, Sequence
 from datetime import UTC, datetime
 from functools import lru_cache
-from importlib.metadata import PackageNotFoundError, distribution, version
+from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 from platform import machine, node, platform, python_version
 from typing import Any
@@ -36,9 +36,10 @@ def stamp() -> dict[str, Any]:
 @lru_cache
 def _version(package: str) -> str:
     try:
-        return version(package)
+        about = distribution(package).read_text("METADATA") or ""
     except PackageNotFoundError:
         return "not installed"
+    return about.partition("\nVersion: ")[2].partition("\n")[0]  # to read all of it as a message takes longer
 
 
 @lru_cache

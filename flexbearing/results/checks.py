@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 
 from flexbearing.quantities import Quantity
-from flexbearing.quantities.axes import FIXED
-from flexbearing.quantities.layout import Layout
+from flexbearing.quantities.layout import FIXED, Layout
 
 Sizes = Mapping[str, int]  # symbol of an axis to its size
 

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexbearing.quantities.axes import ITERATION
-from flexbearing.quantities.layout import Layout
-from flexbearing.results.scales import Groups, named_axes, scales
+from flexbearing.quantities.layout import ITERATION, Layout
+from flexbearing.results.content import Groups, named_axes, scales
 
 if TYPE_CHECKING:
     from xarray import Dataset, DataTree

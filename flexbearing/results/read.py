@@ -18,8 +18,7 @@ from flexbearing.files.whole import UNFINISHED
 from flexbearing.inputs.limits import CASE as LARGEST
 from flexbearing.quantities import Quantity
 from flexbearing.quantities.attributes import FORMAT, OLDER
-from flexbearing.quantities.axes import ITERATION
-from flexbearing.quantities.layout import Layout
+from flexbearing.quantities.layout import ITERATION, Layout
 from flexbearing.results import hdf5
 from flexbearing.results.attributes import decoded
 from flexbearing.results.checks import (
@@ -30,9 +29,8 @@ from flexbearing.results.checks import (
     require_same_names,
     require_true_ending,
 )
-from flexbearing.results.content import MEANINGS, Content, digest
+from flexbearing.results.content import ITERATIONS, MEANINGS, Content, Groups, digest, named_axes, scales
 from flexbearing.results.result import NOTHING, Arrays, Result
-from flexbearing.results.scales import ITERATIONS, Groups, named_axes, scales
 
 INPUT = ".toml"  # ending of the files that results are computed from
 

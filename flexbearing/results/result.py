@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexbearing.case.family import Family
-from flexbearing.case.file_keys import next_to, value_at
+from flexbearing.case.head import next_to, value_at
 from flexbearing.outputs import Outputs, Value
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.quantities.summary import summary
 from flexbearing.results.checks import require_same_names
-from flexbearing.results.scales import ITERATIONS
+from flexbearing.results.content import ITERATIONS
 
 if TYPE_CHECKING:
     from xarray import DataTree

@@ -18,11 +18,10 @@ from flexbearing.quantities.layout import Layout
 from flexbearing.results import hdf5
 from flexbearing.results.attributes import encoded
 from flexbearing.results.checks import NotInLayout
-from flexbearing.results.content import MEANINGS, Content
+from flexbearing.results.content import ITERATIONS, MEANINGS, Content, meanings, named_axes, scales
 from flexbearing.results.image import image
 from flexbearing.results.record import Others, Record
 from flexbearing.results.result import Result
-from flexbearing.results.scales import ITERATIONS, meanings, named_axes, scales
 
 CASE = ".toml"
 LATEST = 0.5  # [s] that anything finished stays in memory only

@@ -20,15 +20,7 @@ USUAL = 5, 0.5, 0.5  # order; elements over the ball diameter; elements on the l
 
 
 def compliance(case: FourPointCase, report: Report) -> NDArray:
-    """How both rings together let the groove centres of the diagonals come closer.
-
-    Raises
-    ------
-    BadCase
-        when a ring cannot be
-    fem.errors.NotSolved
-        when the finite elements find no trustworthy answer
-    """
+    """How both rings together let the groove centres of the diagonals come closer."""
     total = np.zeros((case.balls, 2, 2, 2, 2))
     sides: tuple[tuple[Literal["outer", "inner"], slice], ...] = (
         ("outer", slice(None)),

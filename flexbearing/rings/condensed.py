@@ -52,15 +52,7 @@ def condensed_raceways(
 def raceway(
     case: Case, race: Race, azimuths: NDArray, report: Report, ahead: Ahead = None
 ) -> RigidRaceway | CondensedRaceway | RacewayInFit | SupportedRaceway:
-    """What carries one raceway: rigid, condensed, a ring in its fit or one on its supports.
-
-    Raises
-    ------
-    BadCase
-        when the part cannot be
-    PartnerFailed
-        when the part has no trustworthy answer
-    """
+    """What carries one raceway: rigid, condensed, a ring in its fit or one on its supports."""
     part = part_of(case, race)
     if part is None:
         return RigidRaceway(azimuths)
@@ -105,15 +97,7 @@ def is_linear(case: Case) -> bool:
 def linear_raceways(
     cases: Mapping[Race, Sequence[Case | None]], azimuths: NDArray, axial_modes: int, report: Report
 ) -> list[LinearPair]:
-    """Raceways of cases that share their parts, `accuracy` and rollers, and answer linearly.
-
-    Raises
-    ------
-    BadCase
-        when a part cannot be
-    PartnerFailed
-        when a part has no trustworthy answer
-    """
+    """Raceways of cases that share their parts, `accuracy` and rollers, and answer linearly."""
     inner, outer = (_linear_raceways(cases[race], race, azimuths, axial_modes, report) for race in RACES)
     return [LinearPair(*pair) for pair in zip(inner, outer, strict=True)]
 

@@ -51,11 +51,6 @@ class RacewayInFit:
 
         The mean expansion of the raceway belongs to the operating clearance; its variation along the
         rollers is part of the deviation.
-
-        Raises
-        ------
-        PartnerFailed
-            when contact in the fit is not found
         """
         from fem.joint.loaded_fit import loaded
 
@@ -95,15 +90,7 @@ def is_in_fit(case: Case, race: Race) -> bool:
 
 
 def inner_ring_in_fit(case: Case, part: fem.RingOnShaft, azimuths: NDArray) -> RacewayInFit:
-    """Put the inner ring of a case on its shaft, hot and turning, before rollers load it.
-
-    Raises
-    ------
-    ImpossiblePart
-        if the fit cannot be
-    NotSolved
-        if contact is not found
-    """
+    """Put the inner ring of a case on its shaft, hot and turning, before rollers load it."""
     from fem.joint.fitted_ring import FittedRing
     from fem.joint.preloaded_fit import Fit, fitted
 
@@ -123,15 +110,7 @@ def inner_ring_in_fit(case: Case, part: fem.RingOnShaft, azimuths: NDArray) -> R
 
 
 def outer_ring_in_housing(case: Case, part: fem.OuterRing, azimuths: NDArray) -> RacewayInFit:
-    """Put the outer ring of a case in its housing, hot and turning, before rollers load it.
-
-    Raises
-    ------
-    ImpossiblePart
-        if the fit cannot be
-    NotSolved
-        if contact is not found
-    """
+    """Put the outer ring of a case in its housing, hot and turning, before rollers load it."""
     from fem.joint.fitted_ring import HousedRing
     from fem.joint.preloaded_fit import Fit, fitted
 

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from fem.condense import require_drawing
 from fem.errors import NotSolved
 from flexbearing.build.expansion import roller_length
-from flexbearing.build.mesh_sizes import IN_SPACE, mesh_size
 from flexbearing.build.ring_parts import NAMES, Race, part_of
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed, Raceway, RacewayPair
@@ -21,7 +20,7 @@ from flexbearing.program.threads import of_solids
 from flexbearing.progress import Report
 from flexbearing.rings.condensed import named_failures
 from flexbearing.rings.raceways import RigidRaceway, compliance_figures
-from flexbearing.rings.resolution import patches
+from flexbearing.rings.resolution import IN_SPACE, mesh_size, patches
 
 if TYPE_CHECKING:
     from fem.raceway.compliance import RacewayCompliance
@@ -78,15 +77,7 @@ class FullSolveRaceway:
 
 
 def full_fe_raceways(case: Case, azimuths: NDArray, report: Report) -> RacewayPair:
-    """Mesh and factor the parts that are not rigid.
-
-    Raises
-    ------
-    BadCase
-        when a part cannot be
-    PartnerFailed
-        when a part has no trustworthy answer
-    """
+    """Mesh and factor the parts that are not rigid."""
     return RacewayPair(_raceway(case, "inner", azimuths, report), _raceway(case, "outer", azimuths, report))
 
 

@@ -12,13 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 import fem
-from fem.parts.step_solid import StepSolid
 from flexbearing.build.ring_parts import NAMES, Race, part_of
 from flexbearing.case.roller import Case
 from flexbearing.coupling import LinearPair
 from flexbearing.coupling.partners import LinearRaceway
 from flexbearing.progress import Report
-from flexbearing.rings.condensed import condensed, named_failures
 
 if TYPE_CHECKING:
     from quasidynamic.outcome.bearing_states import BearingStates
@@ -41,13 +39,7 @@ def more_shapes_matter(states: "BearingStates", rings: LinearPair) -> NDArray:
 def with_more_shapes(
     case: Case, rings: LinearPair, races: Sequence[bool], report: Report
 ) -> tuple[NDArray | None, NDArray | None]:
-    """Compliances of some raceways in more axial shapes.
-
-    Raises
-    ------
-    PartnerFailed
-        when a part has no trustworthy answer
-    """
+    """Compliances of some raceways in more axial shapes."""
     found = [
         _compliance(case, race, raceway, report) if raceway and matter else None
         for race, raceway, matter in zip(NAMES, rings.raceways, races, strict=True)
@@ -66,6 +58,10 @@ def _worth(absolute: NDArray, states: "BearingStates", race: int) -> NDArray:
 
 
 def _compliance(case: Case, race: Race, raceway: LinearRaceway, report: Report) -> NDArray | None:
+    # not needed between rigid raceways
+    from fem.parts.step_solid import StepSolid
+    from flexbearing.rings.condensed import condensed, named_failures
+
     part, shapes, azimuths = part_of(case, race), raceway.absolute.shape[1] + MORE, raceway.azimuths
     if part is None or isinstance(part, StepSolid):
         return None

@@ -1,16 +1,23 @@
 """Raceways that answer roller forces at once: rigid, or condensed to their stiffness at the rollers."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.build.ring_parts import part_of
+from flexbearing.case.roller import Case
 from flexbearing.coupling.raceway_pair import linear_answer
+from flexbearing.program.threads import cores
 
 if TYPE_CHECKING:
     from fem.raceway.compliance import RacewayCompliance
+    from fem.raceway.harmonics import HarmonicCompliance
+
+Ahead = Callable[[], "HarmonicCompliance"]
 
 
 @dataclass(frozen=True)
@@ -69,13 +76,7 @@ class CondensedRaceway:
         return replace(self, compliance=with_axial_modes(self.compliance, count))
 
     def under(self, azimuths: NDArray) -> "CondensedRaceway":
-        """The same raceway under rollers at other azimuths (Z) [rad]; a solid is condensed anew for them.
-
-        Raises
-        ------
-        PartnerFailed
-            when it has no trustworthy answer there
-        """
+        """The same raceway under rollers at other azimuths (Z) [rad]; a solid is condensed anew for them."""
         assert self.at is not None  # of a raceway that was condensed for a case
         modes = self.compliance.absolute.shape[1]
         return replace(self, compliance=self.at(azimuths)).with_axial_modes(modes)
@@ -102,3 +103,24 @@ def compliance_figures(compliance: "RacewayCompliance") -> dict[str, object]:
         "support_stiffness_error_N_per_m": known_error,
         "seconds": compliance.seconds,
     }
+
+
+@contextmanager
+def outer_ring_ahead(case: Case) -> Iterator[Ahead | None]:
+    """Begin with the outer ring of a case in a process of its own."""
+    part = part_of(case, "outer")
+    chosen_later = case.accuracy.target is not None or case.coupling.structure == "full"
+    if part is None or chosen_later or cores() == 1:
+        yield None
+        return
+    # finite elements are not loaded between rigid rings
+    from fem.condense import condensing, is_cage_in_space
+    from flexbearing.cache import configured
+    from flexbearing.rings.resolution import resolved
+
+    arguments = resolved(part, case)
+    if not is_cage_in_space(*arguments[:2]) or configured().holds(arguments):
+        yield None
+        return
+    with condensing(*arguments) as answer:
+        yield answer

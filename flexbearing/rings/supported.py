@@ -52,13 +52,7 @@ class SupportedRaceway:
         return linear_answer(self.linearised(outward), outward)
 
     def linearised(self, outward: NDArray) -> "RacewayCompliance":
-        """The raceway near outward forces (Z, M) [N], exact as long as the supports touch where they do.
-
-        Raises
-        ------
-        PartnerFailed
-            when the supports cannot hold the ring
-        """
+        """The raceway near outward forces (Z, M) [N], exact as long as the supports touch where they do."""
         self.last = outward
         with self._named_failure():
             return self.ring.near(outward)

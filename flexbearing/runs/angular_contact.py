@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 import quasidynamic as qd
 from flexbearing.build import clearance
-from flexbearing.build.ball_parts import ball, groove
+from flexbearing.build.ball_fits import ball, groove
 from flexbearing.case import BadCase, Head
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
 from flexbearing.findings import Judged, declared, evaluate
@@ -19,14 +19,14 @@ from flexbearing.findings.running import GYROSCOPIC_MOMENT
 from flexbearing.program.workers import shared_map
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import row, taken
-from flexbearing.runs import ball_life, given_rating, interface, judged, neglect, shoulders, subsurface
+from flexbearing.runs import ball_life, judged, life_of_state, roller_findings, shoulders, subsurface
 from flexbearing.runs.ball_life import BallLives
 from flexbearing.runs.life_of_state import MREV
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.columns import kind_and_numbers
 from quasidynamic.note import Note, information, outside
-from quasidynamic.outcome.rolling_contact import RollingContact
-from quasidynamic.outcome.static_pressure import BALLS
+from quasidynamic.outcome.angular_contact_state import RollingContact
+from quasidynamic.outcome.rating_life import BALLS
 from quasidynamic.outcome.worst_point_contact import WorstPointContact
 
 
@@ -261,14 +261,14 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
     radial = not isinstance(case.bearing, AngularBearing)  # not adjusted axially
     values = {
         **judged.pressures(state.peak_pressures.max(axis=1), BALLS),
-        **neglect.of_fast_balls(solution),
+        **roller_findings.of_fast_balls(solution),
         **_places(case, state),
         "static_safety": solution.static_safety,
         "viscosity_ratio": ball_life.kappa(case) if speed and not ball_life.unviscous(case) else None,
         "least_stiffness": judged.least_stiffness(state.stiffness[None, 1:3, 1:3]),
         "rated_viscosity_ratio": ball_life.rated_kappa(case),
         "clearance": judged.clearances(clearance.record(case)) if radial else None,
-        **given_rating.judged([ball_life.ratings(case)]),
+        **life_of_state.judged([ball_life.ratings(case)]),
     }
     if operation.control != "coulomb":  # there balls turn where friction does not hold them
         values |= {"needed_friction": state.needed_friction.max(), "friction": case.friction.coefficient}
@@ -331,7 +331,7 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
         + _lineless(solution)
         + (*held, *_lying(case, state))
         + _stick(case, solution)
-        + interface.unrolled(solution.unrolled)
+        + shoulders.unrolled(solution.unrolled)
         + subsurface.notes(case, solution.worst)
         + ball_life.notes(case)
     )
@@ -366,7 +366,7 @@ def _stick(case: FastCase, solution: Solution) -> tuple[Note, ...]:
             f"{rolling.grid_error.sum():.2g} N m of finer ones; "
             f"{100 * (rolling.friction_torque / torque - 1):+.1f} % against {balance} with the same "
             f'friction.spin = "{case.friction.spin}", of {torque:.5g} N m'
-            f"{interface.by_springs(case.friction.model, rolling.stick_share)}",
+            f"{shoulders.by_springs(case.friction.model, rolling.stick_share)}",
         ),
         information(
             "kept-motion",
@@ -376,7 +376,7 @@ def _stick(case: FastCase, solution: Solution) -> tuple[Note, ...]:
             f"{np.abs(rolling.unbalanced_force).max():.1%} and one in its section plane of up to "
             f"{rolling.unbalanced_section_force.max():.1%} of the most that friction can hold",
         ),
-        *interface.compliant(case.friction.interface_compliance),
+        *shoulders.compliant(case.friction.interface_compliance),
     )
 
 

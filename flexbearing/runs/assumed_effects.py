@@ -18,13 +18,7 @@ UNCHANGED = 5e-3  # relative change of the life that is left out where changes a
 def assumed_effects(
     case: Any, read: Callable[[Sequence[str]], Any], solved: Callable[[Any], Result], report: Report
 ) -> dict[str, Any]:
-    """Solve a case with other values of each assumed or calibrated key, one at a time.
-
-    Raises
-    ------
-    BadCase
-        where the case itself has no solution
-    """
+    """Solve a case with other values of each assumed or calibrated key, one at a time."""
     report.stage(STAGE, None)
     of = measured(solved(_alone(read(()))))
     keys = list(plausible(case))

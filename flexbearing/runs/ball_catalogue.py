@@ -3,14 +3,13 @@
 from collections.abc import Callable
 from typing import Any
 
-from flexbearing.build.viscosity import kinematic_viscosity
+from flexbearing.build.ball_fits import kinematic_viscosity
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.deep_groove import DeepGrooveBearing
 from flexbearing.runs import ball_life
 from flexbearing.runs.catalogue_life import Catalogue, Influence
-from flexbearing.runs.given_rating import LETTERS
-from flexbearing.runs.oil_rating import of_oil
+from flexbearing.runs.life_of_state import LETTERS, of_oil
 from quasidynamic import OutOfRange
 from quasidynamic.outcome.life_factors import BALLS, modification_factor
 from quasidynamic.outcome.rating_life import BALL_EXPONENT, rating_life, static_safety

@@ -8,13 +8,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 import quasidynamic as qd
-from flexbearing.build.ball_parts import solid
-from flexbearing.build.viscosity import kinematic_viscosity
+from flexbearing.build.ball_fits import kinematic_viscosity, solid
 from flexbearing.case.as_written import BALL_SIZES, as_written
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
 from flexbearing.case.balls.mounting import MountedMaterials
-from flexbearing.runs.given_rating import LETTERS, Rating
-from flexbearing.runs.life_of_state import MREV, LifeOfState, explained, no_life, of_reliability, why_none
+from flexbearing.runs.life_of_state import (
+    LETTERS,
+    MREV,
+    LifeOfState,
+    Rating,
+    explained,
+    no_life,
+    of_reliability,
+    why_none,
+)
 from quasidynamic import OutOfRange
 from quasidynamic.note import Note
 from quasidynamic.outcome.ball_capacity import (
@@ -38,7 +45,7 @@ from quasidynamic.outcome.life_factors import (
     viscosity_ratio,
 )
 from quasidynamic.outcome.rating_life import BALL_EXPONENT, rating_life, static_safety
-from quasidynamic.parts.ball_row import BallRow
+from quasidynamic.parts.ball import BallRow
 from quasidynamic.parts.material import Material
 
 

@@ -8,7 +8,7 @@ from typing import Any
 from flexbearing.case import BadCase
 from flexbearing.findings.running import NO_MODIFIED_LIFE
 from flexbearing.results import Result
-from flexbearing.runs.given_rating import Rating
+from flexbearing.runs.life_of_state import Rating
 
 Settings = Mapping[str, str]  # an empty one takes a key or table out, also one given by settings
 SUMS = "rating"  # of life.loads, the life of a catalogue alone
@@ -39,13 +39,7 @@ class Catalogue:
     exponent: float  # of this load in the life
 
     def acting(self, case: Any, read: Callable[[Sequence[str]], Any]) -> list[Influence]:
-        """Influences that a case has anything of, with the settings that change it.
-
-        Raises
-        ------
-        BadCase
-            where the case without them is none
-        """
+        """Influences that a case has anything of, with the settings that change it."""
         influences = self.influences(case)
         bare = read(_written(*(influence.out for influence in influences))).to_json()
         full = case.to_json()

@@ -8,7 +8,7 @@ from typing import Any
 
 from flexbearing import inputs
 from flexbearing.case import BadCase, Head
-from flexbearing.case.named_files import digests
+from flexbearing.case.head import digests
 from flexbearing.quantities.attributes import EFFECTS
 from flexbearing.quantities.forms import TEXT, Record
 
@@ -39,13 +39,7 @@ def content(case: Head, effects: dict[str, Any]) -> bytes:
 
 
 def attributes(case: Head) -> dict[str, Any]:
-    """Root attributes of a result by the file next to its case.
-
-    Raises
-    ------
-    BadCase
-        where the file is none of effects
-    """
+    """Root attributes of a result by the file next to its case."""
     path = case.source.path
     if not (path and exists(place := name(Path(path)))):  # noqa: PTH110
         return {}

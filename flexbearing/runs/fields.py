@@ -11,10 +11,9 @@ from numpy.typing import NDArray
 import fem
 from fem.parts.surroundings import Surroundings
 from flexbearing.build import expansion, ring_parts, roller_bearing
-from flexbearing.build.mesh_sizes import IN_SPACE, mesh_size
 from flexbearing.case.roller import Case
 from flexbearing.program.threads import of_solids
-from flexbearing.rings.resolution import patches
+from flexbearing.rings.resolution import IN_SPACE, mesh_size, patches
 from flexbearing.runs.part_fields import MEGA, NAMES, NoFields, PartFields, Race, Sizes
 from quasidynamic.contact.line import Slices
 
@@ -54,11 +53,6 @@ def parts(case: Case) -> dict[Race, Any]:
 
 def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
     """A part under the roller loads of a state; it is solved for what is asked of it.
-
-    Raises
-    ------
-    NoFields
-        if the part has no solid, or is not bonded to what holds it
 
     Valid
     -----

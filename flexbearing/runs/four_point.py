@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 import quasidynamic as qd
 from fem.errors import NotSolved as RingNotSolved
 from flexbearing.build import clearance
-from flexbearing.build.ball_parts import ball, groove
+from flexbearing.build.ball_fits import ball, groove
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.findings import Judged, declared, evaluate
 from flexbearing.program.workers import shared_map
@@ -19,11 +19,11 @@ from flexbearing.progress import Report
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import row, taken
 from flexbearing.rings import bolted
-from flexbearing.runs import interface, judged, neglect, shoulders, subsurface
+from flexbearing.runs import judged, roller_findings, shoulders, subsurface
 from quasidynamic import NotSolved, OutOfRange
 from quasidynamic.four_point import FourPointEquilibrium
 from quasidynamic.note import Note, danger, information, outside
-from quasidynamic.outcome.static_pressure import BALLS
+from quasidynamic.outcome.rating_life import BALLS
 from quasidynamic.outcome.worst_point_contact import WorstPointContact
 from quasidynamic.solve.balls.elastic_load_distribution import ElasticBallLoads
 from quasidynamic.solve.balls.load_distribution import BallLoads
@@ -169,11 +169,6 @@ def solved(
 
     The part of the balls whose stick and slip is found goes to `progress`. From a solution in full sliding
     that is `near`, one step of Newton's method is made, which is exact to first order.
-
-    Raises
-    ------
-    NotSolved, OutOfRange, ImpossiblePart
-        see `qd.FourPointBallBearing.solve` and `qd.FourPointBallBearing.roll`
     """
     model = bearing(case)
     motion = None if near is None else near.balls.sliding.motion
@@ -201,13 +196,7 @@ def solved(
 
 
 def blocks(case: FourPointCase, report: Report) -> Iterator[tuple[Literal["rigid", "flexible"], Solution]]:
-    """Yield the solution between rigid rings, then that between elastic ones where the case has them.
-
-    Raises
-    ------
-    NotSolved, OutOfRange, ImpossiblePart
-        as `solved`
-    """
+    """Yield the solution between rigid rings, then that between elastic ones where the case has them."""
     progress = partial(report.stage, STICK)
     report.stage("slow balls between rigid rings", None)
     yield "rigid", solved(case, progress=progress)
@@ -299,7 +288,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
     largest = solution.balls.peak_pressure.max(axis=(0, 1))
     values = {
         **judged.pressures(largest, BALLS),
-        **neglect.of_slow_balls(solution),
+        **roller_findings.of_slow_balls(solution),
         "contact_height": _heights(solution),
     }
     if solution.distribution is not None:
@@ -318,7 +307,7 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
                 "contact loads are given: every ball carries them, at the contact angle without load",
             ),
         )
-    lines += _on_shoulders(case, balls) + interface.unrolled(solution.unrolled)
+    lines += _on_shoulders(case, balls) + shoulders.unrolled(solution.unrolled)
     lines += subsurface.notes(case, solution.worst)
     idle = int((~balls.sliding.driven).sum())
     if idle:
@@ -349,10 +338,10 @@ def _stick(solution: Solution, balls: qd.RollingBalls) -> tuple[Note, ...]:
             f"torque: {friction.model} on {along} by {across} cells a contact, within "
             f"{balls.grid_error.sum():.2g} N m of finer ones; {100 * share:+.1f} % against full sliding with "
             f"{same}, of {solution.full_sliding_torque:.5g} N m"
-            f"{interface.by_springs(friction.model, balls.stick_share)}",
+            f"{shoulders.by_springs(friction.model, balls.stick_share)}",
         ),
     )
-    lines += (*interface.compliant(friction.interface_compliance),)
+    lines += (*shoulders.compliant(friction.interface_compliance),)
     return lines + (_computed(friction.contact_pressure, balls) if computed else ())
 
 

@@ -4,21 +4,25 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from flexbearing.build import clearance, ring_parts
 from flexbearing.build.lubrication import oil, oil_name
-from flexbearing.case import cage_room
-from flexbearing.case.roller import Case
+from flexbearing.case.roller import Case, roller_case
+from flexbearing.findings.running import PRESSED_ENDS
 from flexbearing.runs import life, several, skew
 from flexbearing.runs.life_of_state import no_life
 from flexbearing.runs.solved_rows import SolvedRows
-from quasidynamic import CylindricalRollerBearing, Equilibrium
+from quasidynamic import CylindricalRollerBearing, Equilibrium, NotSolved, OutOfRange
 from quasidynamic.note import Note, danger, information, outside
+from quasidynamic.outcome.sliced_peak import CORNER_DECADE, SlicedPeak, corner_rise, sliced_peak
 from quasidynamic.outcome.validity import validity
 
 LARGE_SHARE = 0.5  # of the losses: worth a word (assumed)
 UNBALANCED = 0.05  # of the load: more is no rounding of tooth forces (assumed)
 ALONE = 0.01  # of the largest line force: below it the other lines only keep the ring from rolling away
+MILLIMETRE, GIGAPASCAL = 1e-3, 1e9
+RACEWAYS = ("inner", "outer")
 
 
 def of_case(case: Case) -> tuple[Note, ...]:
@@ -44,7 +48,7 @@ def of_case(case: Case) -> tuple[Note, ...]:
 
 def _overlap(case: Case) -> tuple[Note, ...]:
     """Say so when the cage has no room between the rings."""
-    overlap = cage_room.overlap(case)
+    overlap = roller_case.overlap(case)
     if not overlap:
         return ()
     words = (
@@ -152,3 +156,61 @@ def _information(case: Case, state: Equilibrium) -> Iterator[Note]:
             "which grows "
             f"with lubricant.oil_fraction = {case.lubricant.oil_fraction:g}{how}",
         )
+
+
+def of_sliced_peak(rows: SolvedRows) -> tuple[Note, ...]:
+    """What must be said of the peak pressure of a solved state besides the finding on pressed ends."""
+    (case,), (state,), found = rows.cases, rows.each, []
+    rise = corner_rise(state)
+    if rise > CORNER_DECADE:
+        found.append(_corner(rise))
+    if case.bearing.contact == "slices" and rows.sliced_peak_error[0] <= PRESSED_ENDS.limit:
+        found += _checked(state, None if rows.edge_stress is None else rows.edge_stress[0])
+    return tuple(found)
+
+
+def _checked(state: Equilibrium, edge_stress: NDArray | None) -> list[Note]:
+    """What the whole contact says of the largest slice."""
+    try:
+        return list(_of_slices(state, sliced_peak(state, edge_stress)))
+    except (NotSolved, OutOfRange) as problem:
+        return [outside("sliced-peak", f"peak pressure of slices: it could not be checked: {problem}")]
+
+
+def _corner(rise: float) -> Note:
+    return outside(
+        "profile-corner",
+        "peak pressure: circular ends meet a straight middle with a corner, where pressure has a weak peak "
+        f"without bound: cells ten times finer raise it by {rise:.0%} of the largest; profile = "
+        '"tangent_crowned" has no corner',
+    )
+
+
+def _told(state: Equilibrium, peak: SlicedPeak) -> tuple[str, str]:
+    """Pressure of the slices and the contact they belong to."""
+    azimuth = np.degrees(state.balance.roller.bearing.azimuths[peak.roller])
+    contact = f"the roller at {azimuth:.4g} deg on the {RACEWAYS[peak.race]} raceway"
+    return f"peak pressure: {peak.pressure / GIGAPASCAL:.3g} GPa of the slices", contact
+
+
+def _of_slices(state: Equilibrium, peak: SlicedPeak) -> Iterator[Note]:
+    if peak.holds:
+        return
+    sliced, contact = _told(state, peak)
+    if peak.at_end:
+        yield outside(
+            "sharp-roller-end",
+            f"{sliced} leave out that {contact} touches up to an end, where a sharp end has pressure without "
+            "bound; a profile that keeps the ends apart, or the shape of the end as a part of the profile, "
+            "has a peak",
+        )
+        return
+    instead = " instead of life.edge_stress, which is meant for the life" if peak.edge_stress else ""
+    place = peak.whole.positions[peak.whole.largest_along.argmax()]
+    yield outside(
+        "sliced-peak",
+        f"{sliced} is {abs(peak.error):.0%} {'below' if peak.error < 0 else 'above'} the "
+        f"{peak.whole.peak_pressure / GIGAPASCAL:.3g} GPa that {contact} has as a whole, "
+        f"{abs(place) / MILLIMETRE:.3g} mm from its middle: slices neglect their neighbours and the "
+        f'ends; bearing.contact = "half_space"{instead}',
+    )

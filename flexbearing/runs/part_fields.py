@@ -98,13 +98,7 @@ class PartFields:
         return self.solid.of_order(neighbour(self.sizes.solid.order))
 
     def support(self) -> dict[str, float]:
-        """Stiffness of the support against tilt and along the axis, with estimated errors.
-
-        Raises
-        ------
-        NoFields
-            if it could not be solved
-        """
+        """Stiffness of the support against tilt and along the axis, with estimated errors."""
         from fem.solid.support_stiffness import support_stiffness
 
         with self._solving():
@@ -117,13 +111,7 @@ class PartFields:
         }
 
     def record(self) -> dict[str, Any]:
-        """Largest values with their errors and units, as JSON can hold them.
-
-        Raises
-        ------
-        NoFields
-            if something could not be solved
-        """
+        """Largest values with their errors and units, as JSON can hold them."""
         began = perf_counter()
         bodies = {name: _body_record(most) for name, most in self.extremes.items()}
         steady = self.surroundings.speed or any(self.surroundings.thermal_strains.values())

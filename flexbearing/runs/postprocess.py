@@ -11,8 +11,7 @@ from flexbearing.findings import Judged, declared
 from flexbearing.progress import Report
 from flexbearing.quantities.quantity import row
 from flexbearing.results import Arrays, Recorder
-from flexbearing.runs import fields, judged, notes, roller_findings, sliced_peak
-from flexbearing.runs.part_fields import NoFields
+from flexbearing.runs import judged, notes, roller_findings
 from flexbearing.runs.several import SeveralEquilibria
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import Equilibrium, RollerBearing
@@ -78,6 +77,9 @@ class Postprocessing:
 
     def _add_stresses(self, block: Arrays) -> None:
         """Stresses come on top of a solution: what keeps them away is a note, and the solution stays."""
+        from flexbearing.runs import fields
+        from flexbearing.runs.part_fields import NoFields
+
         for race in fields.parts(self.case):
             try:
                 record = fields.fields(self.case, race, "flexible", block).record()
@@ -112,7 +114,7 @@ class Postprocessing:
         every_note += solutions[-1] if solutions else ()
         every_note += self._notes_on_several()
         if self.solved:  # once, of the answer
-            every_note += sliced_peak.notes(list(self.solved.values())[-1])
+            every_note += notes.of_sliced_peak(list(self.solved.values())[-1])
         stresses = {"stresses": self.stresses} if self.case.outputs.stresses else {}
         records = {name: found.record() for name, found in self.several.items() if found and found.others}
         return {

@@ -5,16 +5,18 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from numpy.typing import NDArray
+
 from flexbearing.build import clearance, roller_bearing
+from flexbearing.build.ring_parts import part_of
 from flexbearing.case.roller import Case
 from flexbearing.coupled.coupled import FROM_INITIAL_STATE, BearingPartner, CoupledBearing, nearest, summary
-from flexbearing.coupled.initial_state import InitialState
+from flexbearing.coupled.states import InitialState
 from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.progress import Report
 from flexbearing.results import Recorder
-from flexbearing.rings.condensed import condensed_raceways
-from flexbearing.rings.full_solve import full_fe_raceways
-from flexbearing.runs import notes, roller_position, slice_error
+from flexbearing.rings.raceways import RigidRaceway
+from flexbearing.runs import life_error, notes, passage
 from flexbearing.runs.postprocess import Postprocessing
 from flexbearing.runs.tilt import TiltComparison
 from quasidynamic import Equilibrium, RollerBearing, SolverOutcome
@@ -22,7 +24,7 @@ from quasidynamic.note import Note, graded, information
 
 if TYPE_CHECKING:
     from flexbearing.accuracy.shared import Levels
-    from flexbearing.rings.ahead import Ahead
+    from flexbearing.rings.raceways import Ahead
 
 RIGID = LinearPair(None, None)
 WORK_LIMIT = str(SolverOutcome.WORK)
@@ -74,9 +76,7 @@ def _resolved(
 ) -> Resolved:
     """At the levels of the case, or at those that its target requires."""
     model = roller_bearing.bearing(case)
-    condensed = partial(condensed_raceways, outer_ahead=ahead)
-    raceways = full_fe_raceways if case.coupling.structure == "full" else condensed
-    usual = Resolved(model, lambda: raceways(case, model.bearing.azimuths, report))
+    usual = Resolved(model, partial(_raceways, case, model.bearing.azimuths, report, ahead))
     if case.accuracy.target is None:
         return usual
     if levels is not None:
@@ -90,6 +90,19 @@ def _resolved(
     except Unusable as problem:
         return _at_shared_levels(case, usual, UsualLevels(str(problem)), postprocessing, report)
     return Resolved(resolution.model, lambda: resolution.rings, resolution.attributes(), resolution.notes)
+
+
+def _raceways(case: Case, azimuths: NDArray, report: Report, ahead: "Ahead | None") -> RacewayPair:
+    """Both raceways; finite elements are loaded for those that deflect."""
+    if part_of(case, "inner") is None and part_of(case, "outer") is None:
+        return RacewayPair(RigidRaceway(azimuths), RigidRaceway(azimuths))
+    if case.coupling.structure == "full":
+        from flexbearing.rings.full_solve import full_fe_raceways
+
+        return full_fe_raceways(case, azimuths, report)
+    from flexbearing.rings.condensed import condensed_raceways
+
+    return condensed_raceways(case, azimuths, report, ahead)
 
 
 def _at_shared_levels(
@@ -190,11 +203,9 @@ def _passage(
     """Other positions of the rollers where the case requires them, or a note where they matter to people."""
     if case.operation.roller_positions is None:
         if postprocessing.record.others != "left out":
-            postprocessing.notes.extend(roller_position.notes(case, model, rings, end))
+            postprocessing.notes.extend(passage.notes(case, model, rings, end))
         return {}
-    from flexbearing.runs.passage import passage
-
-    passed = passage(case, model, rings, end, report)
+    passed = passage.passage(case, model, rings, end, report)
     postprocessing.notes.extend(passed.notes())
     return {"passage": passed.record()}
 
@@ -203,7 +214,7 @@ def _slice_error(
     case: Case, model: RollerBearing, rings: RacewayPair, end: Equilibrium, postprocessing: Postprocessing
 ) -> dict[str, Any]:
     """Errors by slices for a file; a run in memory, as in a study, spends no time on them."""
-    return slice_error.record(case, model, rings, end) if postprocessing.record.stores else {}
+    return life_error.record(case, model, rings, end) if postprocessing.record.stores else {}
 
 
 def _start(initial: InitialState, attempts: Any, postprocessing: Postprocessing) -> dict[str, Any]:

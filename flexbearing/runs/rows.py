@@ -31,11 +31,6 @@ def answers(
     Cases that differ in numbers only, between rigid rings or between the same elastic ones, are solved side
     by side, and their outputs are arrays. What needs a run of its own has one, and its answer says why, see
     `solved_side_by_side`. Nothing is computed but what is wanted, and what dangers need.
-
-    Raises
-    ------
-    UnknownOutput, WrongUnit
-        for texts that name no output
     """
     outputs = {text: wanted(LAYOUT, text) for text in texts}
     blocks = {output.block for output in outputs.values()}

@@ -11,20 +11,22 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 from flexbearing.case import BadCase, Head
-from flexbearing.case.contact_outputs import ContactOutputs
 from flexbearing.case.family import Family
-from flexbearing.case.outputs import LifeOutputs
+from flexbearing.case.outputs import ContactOutputs, LifeOutputs
 from flexbearing.files import BadOutput
+from flexbearing.outputs import wanted
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
 from flexbearing.results import Others, Record, Result, ResultFile, case_file
 from flexbearing.runs import effects_file
+from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer
 from flexbearing.runs.validate import require_possible
 
 if TYPE_CHECKING:
     from flexbearing.accuracy.shared import Levels
 
 LONGEST = 80  # characters of the settings in the name of a result
+AT_ONCE = 64  # cases
 
 
 def run_case(  # noqa: PLR0913  # what a run may be given besides its case
@@ -36,17 +38,7 @@ def run_case(  # noqa: PLR0913  # what a run may be given besides its case
     levels: "Levels | None" = None,
     others: Others = "searched",
 ) -> Result:
-    """Compute a case, and store it where a file is requested; other equilibria are searched, or reported.
-
-    Raises
-    ------
-    BadCase
-        when the case cannot be computed as it stands, or cannot start there
-    BadOutput
-        for an output that cannot be written, that is an input, or that another run is writing
-    NotStored
-        if the result could not be written, as on a full disk
-    """
+    """Compute a case, and store it where a file is requested; other equilibria are searched, or reported."""
     began = perf_counter()
     require_possible(case, family)
     stored = {} if _weighing(case) else effects_file.attributes(case)
@@ -71,13 +63,7 @@ def run_case(  # noqa: PLR0913  # what a run may be given besides its case
 
 
 def compared(case: Head, family: Family) -> Result:
-    """Compute a case whose numbers are compared with those of another: other equilibria are not searched.
-
-    Raises
-    ------
-    BadCase
-        when the case cannot be computed as it stands
-    """
+    """Compute a case whose numbers are compared with those of another: other equilibria are not searched."""
     began = perf_counter()
     require_possible(case, family)
     with family.ahead()(case) if family.ahead else nullcontext() as ahead, linear_algebra_alone():
@@ -214,3 +200,44 @@ def _head(case: Head) -> dict[str, object]:
 def _storable(name: str) -> str:
     """The name of a file; bytes in it that are no text are written as their codes."""
     return name.encode(errors="surrogateescape").decode(errors="backslashreplace")
+
+
+def answers(cases: Sequence[Any], texts: Sequence[str], family: Family) -> list[Answer]:
+    """An answer for each case; one that cannot be computed says why."""
+    found = [_refused(case, family) for case in cases]
+    possible = [place for place, answer in enumerate(found) if answer is None]
+    for first in range(0, len(possible), AT_ONCE):
+        places = possible[first : first + AT_ONCE]
+        some = [cases[place] for place in places]
+        alone = partial(_alone, some, texts, family)
+        solved = family.rows()(some, texts, alone) if family.rows else map(alone, range(len(some)))
+        for place, answer in zip(places, solved, strict=True):
+            found[place] = answer
+    return [answer for answer in found if answer is not None]
+
+
+def _refused(case: Any, family: Family) -> Answer | None:
+    """Why a case cannot be computed; None where it can."""
+    try:
+        require_possible(case, family)
+    except BadCase as problem:
+        return Answer(BAD_INPUT, _first_line(problem, case), {})
+    return None
+
+
+def _alone(cases: Sequence[Any], texts: Sequence[str], family: Family, place: int) -> Answer:
+    """The answer of a run."""
+    try:
+        result = compared(cases[place], family)
+    except BadCase as problem:
+        return Answer(BAD_INPUT, _first_line(problem, cases[place]), {})
+    blocks = {"rigid": result.rigid, "flexible": result.flexible}
+    numbers = {text: wanted(family.layout(), text).number(blocks) for text in texts}
+    status = str(result.attributes["status"])
+    solved = status == CONVERGED
+    return Answer(status, str(result.attributes["message"]), numbers if solved else {})
+
+
+def _first_line(problem: BadCase, case: Any) -> str:
+    """What is wrong, without the name of the file."""
+    return str(problem).splitlines()[0].removeprefix(f"{case.source.path}: ")

@@ -20,7 +20,6 @@ from flexbearing.case.roller import Case
 from flexbearing.coupling import LinearPair, PartnerFailed
 from flexbearing.progress import Logged
 from flexbearing.rings.condensed import RACES, is_linear, linear_raceways
-from flexbearing.runs import validate_roller
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import (
     ImpossiblePart,
@@ -31,7 +30,7 @@ from quasidynamic import (
     solve_many,
     solve_many_elastic,
 )
-from quasidynamic.outcome.equilibria import Equilibria
+from quasidynamic.outcome.equilibrium import Equilibria
 
 if TYPE_CHECKING:
     from flexbearing.accuracy.shared import Levels
@@ -112,7 +111,7 @@ def _resolved(place: int, case: Case, levels: "Levels | None") -> _Resolved | Le
         model = roller_bearing.bearing(case)
         if chosen is not None:
             model = model_at(model, case, ladders(case), chosen)
-        validate_roller.require_around(case, model.bearing)
+        roller_bearing.require_around(case, model.bearing)
     except (ImpossiblePart, OutOfRange) as problem:
         return LeftOut(place, str(problem))
     return _Resolved(place, case, chosen, model)

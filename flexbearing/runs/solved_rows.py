@@ -9,27 +9,25 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.cage.bar_forces import NominalStresses
+from flexbearing.build.lubrication import roughness
 from flexbearing.build.ring_parts import outer_mass
-from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
-from flexbearing.coupled.initial_state import flat
-from flexbearing.coupled.states import EndStates
+from flexbearing.coupled.states import EndStates, flat
 from flexbearing.coupling import LinearPair
 from flexbearing.outputs import Wanted
 from flexbearing.outputs.names import BLOCKS
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.quantity import Quantity, taken
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.runs import bars, half_space, several, skew, subsurface
+from flexbearing.runs import half_space, several, skew, subsurface
 from flexbearing.runs.life import LoadedState, edge_stress, modified, static
 from flexbearing.runs.life_error import LifeErrors, estimated
 from flexbearing.runs.life_of_state import MREV, LifeOfState
 from flexbearing.runs.several import SeveralEquilibria
 from quasidynamic import Equilibrium, RollerBearing, SolverOutcome
 from quasidynamic.note import Note
+from quasidynamic.outcome.acting_forces import Losses
 from quasidynamic.outcome.bearing_states import BearingStates
-from quasidynamic.outcome.losses import Losses
 from quasidynamic.outcome.pressed_ends import sliced_peak_error
 from quasidynamic.outcome.rating_life import static_safety
 from quasidynamic.outcome.skew import Skew
@@ -37,6 +35,7 @@ from quasidynamic.outcome.worst_line_contact import WorstLineContact
 from quasidynamic.several.indicator import each_several_likely
 
 if TYPE_CHECKING:
+    from fem.cage.bar_forces import NominalStresses
     from quasidynamic.outcome.subsurface import Subsurface
     from quasidynamic.outcome.whole_roller import WholeRoller
 
@@ -155,9 +154,9 @@ class SolvedRows:
         return [skew.at(case, state) for case, state in zip(self.cases, self.each, strict=True)]
 
     @cached_property
-    def bars(self) -> NominalStresses | None:
+    def bars(self) -> "NominalStresses | None":
         """Nominal stresses of the bars of squirrel cages; None without bars."""
-        return bars.nominal_stresses(self.cases[0], self.end) if self.converged else None
+        return subsurface.nominal_stresses(self.cases[0], self.end) if self.converged else None
 
     @property
     def bar_azimuths(self) -> NDArray | None:

@@ -69,17 +69,7 @@ def state_of(result: Result, name: str) -> Arrays:
 
 
 def of_result(result: Result, state: str = "flexible", race: Race | None = None) -> list[PartFields]:
-    """Fields of the flexible parts of a result.
-
-    Raises
-    ------
-    BadCase
-        if no such part is flexible
-    BadResult
-        if there is no such state
-    NoFields
-        if a part has no solid, or it could not be solved
-    """
+    """Fields of the flexible parts of a result."""
     case, values = case_of(result), state_of(result, state)
     return [fields.fields(case, name, state, values) for name in _races(result, case, race)]
 
@@ -87,15 +77,7 @@ def of_result(result: Result, state: str = "flexible", race: Race | None = None)
 def destinations(
     result: Result, directory: Path, state: str = "flexible", race: Race | None = None
 ) -> dict[Race, Path]:
-    """Settle where the fields go, named after result, part and state, before anything is computed.
-
-    Raises
-    ------
-    BadCase, BadResult, NoFields
-        as `of_result`
-    BadOutput
-        if a file cannot be written
-    """
+    """Settle where the fields go, named after result, part and state, before anything is computed."""
     case = case_of(result)
     state_of(result, state)
     races, folder = _races(result, case, race), require_folder(directory)
@@ -124,15 +106,7 @@ def _races(result: Result, case: Case, race: Race | None) -> list[Race]:
 
 
 def write(part: PartFields, path: Path) -> None:
-    """Write fields for ParaView.
-
-    Raises
-    ------
-    NoFields
-        if the solid could not be solved
-    NotStored
-        if there is no room for the file
-    """
+    """Write fields for ParaView."""
     from fem.solid.vtu import vtu
 
     store(path.resolve(), vtu(part.loaded.displacement, part.part.materials))

@@ -1,16 +1,20 @@
-"""Stresses below the most pressed contacts of a case, where it requires them."""
+"""Stresses below the surfaces of rolling contacts, and of the bars of a squirrel cage."""
 
 from functools import partial
 from typing import TYPE_CHECKING
 
 from numpy.typing import NDArray
 
+from flexbearing.build import ring_parts
+from flexbearing.case.roller import Case
+from flexbearing.coupled.states import EndStates
+from flexbearing.coupling.raceway_pair import OUTWARD
 from quasidynamic.note import Note, outside
 
-if TYPE_CHECKING:  # balls load no rollers, and these no balls
+if TYPE_CHECKING:
+    from fem.cage.bar_forces import NominalStresses
     from flexbearing.case.balls.angular_contact import FastCase
     from flexbearing.case.balls.four_point import FourPointCase
-    from flexbearing.case.roller import Case
     from quasidynamic import CylindricalRollerBearing
     from quasidynamic.outcome.subsurface import Subsurface
     from quasidynamic.outcome.worst_point_contact import WorstPointContact
@@ -26,7 +30,7 @@ def of_rollers(
     """Field below the most pressed slice of both raceways, under the traction of its roller as it slides."""
     if not case.outputs.subsurface_stresses:
         return None
-    from quasidynamic.contact.line.subsurface import line_contact_stress
+    from quasidynamic.contact.line.slices import line_contact_stress
     from quasidynamic.outcome.subsurface import below
 
     stresses = [
@@ -64,3 +68,19 @@ def notes(case: "FastCase | FourPointCase", worst: "WorstPointContact") -> tuple
 
 def _too_long(worst: "WorstPointContact") -> bool:
     return bool((worst.axis_ratio > 1.0).any())
+
+
+def nominal_stresses(case: Case, end: EndStates) -> "NominalStresses | None":
+    """Section forces and nominal stresses of the bars, without a solve."""
+    if end.rings.outer is None:
+        return None
+    import fem
+    from fem.cage import bar_forces
+    from fem.raceway.bar_response import BarResponse
+
+    response = end.rings.outer.bar_response
+    part = ring_parts.outer_part(case) if isinstance(response, BarResponse) else None
+    if not isinstance(response, BarResponse) or not isinstance(part, fem.SquirrelCage):
+        return None
+    states, azimuths = end.states, end.states.balance.roller.bearing.azimuths
+    return bar_forces.nominal_stresses(part, response, azimuths, OUTWARD[1] * states.forces[..., 1, :, :])

@@ -60,7 +60,7 @@ def sensitivity(
         return
     _write(found, picture, table, form)
     with keeping([picture, table]):
-        from flexbearing.report import laid_out
+        from flexbearing.report.output import laid_out
         from flexbearing.sensitivity.page import sections
 
         sys.stdout.write(printable(laid_out(sections(found), encoding=sys.stdout.encoding)))

@@ -53,7 +53,7 @@ def study(  # noqa: PLR0913  # an argument for each option
 ) -> None:
     """Compute the variants of a case into one table; a second start goes on where the first one ended."""
     from flexbearing.case import BadCase
-    from flexbearing.case.excerpt import excerpt
+    from flexbearing.printable import excerpt
     from flexbearing.program.threads import limited_to
     from flexbearing.progress import shown
     from flexbearing.studies import messages

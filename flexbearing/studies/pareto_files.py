@@ -4,8 +4,8 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
-from flexbearing.case.excerpt import excerpt
 from flexbearing.files import BadOutput, require_folder, require_outputs, write
+from flexbearing.printable import excerpt
 from flexbearing.report.studies.pareto_table import Study, table
 
 _PLAIN = re.compile(r"[^./\\\x00-\x1f\x7f][^/\\\x00-\x1f\x7f]*")

@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 from flexbearing.accuracy.levels import SLICES, mesh_levels
 from flexbearing.build.ring_parts import part_of
+from flexbearing.case.ratings import FEWEST_SLICES
 from flexbearing.case.roller import Case
-from flexbearing.case.roller.life import FEWEST_SLICES
 from flexbearing.case.roller.numerics import AXIAL_MODES
 
 METHODS = ("newton", "iqn-ils", "anderson", "aitken", "relaxed")

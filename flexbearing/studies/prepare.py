@@ -8,11 +8,11 @@ from pathlib import Path
 
 from flexbearing.cache import Cache, configured
 from flexbearing.case import BadCase, Head
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.roller import Case
 from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
 from flexbearing.files import require_folder_name
+from flexbearing.printable import excerpt
 from flexbearing.program.threads import limited_to
 from flexbearing.program.workers import shared_map
 from flexbearing.studies.file import Study, read

@@ -7,7 +7,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from flexbearing.case import BadCase
-from flexbearing.case.excerpt import excerpt
+from flexbearing.printable import excerpt
 from flexbearing.program.processes import Processes
 from flexbearing.program.threads import cores, processes
 from flexbearing.studies.engine import Engine

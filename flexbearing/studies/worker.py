@@ -15,12 +15,12 @@ from flexbearing.build.ring_parts import Race, part_of
 from flexbearing.cache import complaints
 from flexbearing.cache.store import VARIABLE
 from flexbearing.case import BadCase, Head
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, NotStored
-from flexbearing.program.memory import keep_freed
+from flexbearing.printable import excerpt
+from flexbearing.program.processes import keep_freed
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged
 from flexbearing.results import store

@@ -6,8 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.errors import ImpossiblePart
-from quasidynamic.parts.flange import Flange
-from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
+from quasidynamic.parts.roller_bearing import CylindricalRollerBearing, Flange
 
 
 class FlangeCorner(NamedTuple):

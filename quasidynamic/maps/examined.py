@@ -9,7 +9,7 @@ from quasidynamic.maps.points import GridPoints
 from quasidynamic.maps.reached import Mapped, Reached, apart, tasks
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.several.indicator import each_several_likely
-from quasidynamic.solve.rollers.stability import growth_rates
+from quasidynamic.solve.rollers.pseudo_time import growth_rates
 
 EVERY = 2  # points along an axis one is examined without asking its neighbours
 NEAR = 0.02  # of the largest load or of pure rolling: states that are alike
@@ -36,15 +36,6 @@ def each_examined(points: GridPoints, states: Reached, mapped: Mapped = map) -> 
 
     Every second point along each axis is examined, and every other one whose stability these do not imply;
     see `implied`.
-
-    Parameters
-    ----------
-    points : GridPoints
-        C of them
-    states : Reached
-        one for each, NaN where there is none
-    mapped : callable
-        `map`, or one that shares calls among processes
     """
     every = np.arange(len(points.bearings)).reshape(points.shape)
     first = every[np.ix_(*(_examined_along(count) for count in points.shape))].ravel()
@@ -65,15 +56,6 @@ def implied(points: GridPoints, states: Reached, found: NDArray) -> NDArray:
 
     At none of them several are likely, their growth rates are further below zero than they differ among
     themselves, and the state is as near to them as they are to each other.
-
-    Parameters
-    ----------
-    points : GridPoints
-        C of them
-    states : Reached
-        one for each
-    found : array (C, 2)
-        rate and likelihood, not a number where not examined
     """
     corners = _corners(points.shape)
     rates, likely = found[corners, 0], found[corners, 1]

@@ -6,9 +6,9 @@ from numpy.typing import NDArray
 from quasidynamic.many_elastic import solve_many_elastic
 from quasidynamic.maps.points import GridPoints
 from quasidynamic.maps.reached import Mapped, Reached, by_newton, in_batches, of_unknowns
-from quasidynamic.outcome.equilibria import Equilibria
+from quasidynamic.outcome.equilibrium import Equilibria
 from quasidynamic.roller import solve_many
-from quasidynamic.solve.rollers.step_bounds import bounded
+from quasidynamic.solve.rollers.newton import bounded
 
 SPREAD = 2.0  # points that are solved as a run solves them at most, over the root of their number
 FEWEST = 8  # of them at most where that is more
@@ -20,18 +20,6 @@ def one_state_each(points: GridPoints, mapped: Mapped = map) -> Reached:
 
     Points of the coarsest of nested grids are solved as a run solves them, those of each finer one begin at a
     cubic through the solved ones, and where that fails at the nearest of these.
-
-    Parameters
-    ----------
-    points : GridPoints
-        C of them
-    mapped : callable
-        `map`, or one that shares calls among processes
-
-    Returns
-    -------
-    Reached
-        of all C points
     """
     states, every = _nothing(points), np.arange(len(points.bearings)).reshape(points.shape)
     coarsest, *finer = nested(points.shape)

@@ -128,16 +128,6 @@ class MapFolds:
 def folds(solved: SolvedGrid) -> MapFolds:
     """Solve for the folds at which stable states end, and follow the curves through them.
 
-    Parameters
-    ----------
-    solved : SolvedGrid
-        with n ends
-
-    Returns
-    -------
-    MapFolds
-        places of ends that are no folds, or were not found as such, are those to which states were followed
-
     Valid
     -----
     Between points of the grid as `GridPoints.within` has them. Curves through ends of the map alone: those

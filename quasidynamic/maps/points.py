@@ -38,17 +38,6 @@ class GridPoints:
     ) -> "GridPoints":
         """Points of bearings that differ in numbers only.
 
-        Parameters
-        ----------
-        shape : tuple of int
-            points along each axis
-        bearings : sequence of RollerBearing
-            one for each point
-        compliance : pair of arrays (Z, M, Z, M) or None
-            outward deviation of inner and outer raceway per outward force [m/N]; None is rigid
-        deviation : array (C, 2, Z, M), optional
-            outward deviations that are there without any roller load [m]
-
         Raises
         ------
         OutOfRange

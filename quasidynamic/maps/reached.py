@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
-from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.newton import newton
 from quasidynamic.solve.rollers.strategy import solve_each
+from quasidynamic.solve.step_length import SolverOutcome
 
 AT_ONCE = 64  # their slices fit into the processor's cache
 BALANCED = 1e-8  # of the reference force; a step into absurd loads is balanced beside these only
@@ -122,23 +122,5 @@ def in_batches(
     mapped: Mapped,
     at_once: int = AT_ONCE,
 ) -> Reached:
-    """States from all starts (n, N), some at once; similar ones should stand side by side.
-
-    Parameters
-    ----------
-    balance_of : callable (places)
-        balance of the solves at some places among the n
-    starts : array (n, N)
-        scaled
-    solve : callable
-        `by_newton` or `by_pseudo_time`
-    mapped : callable
-        `map`, or one that shares the calls among processes
-    at_once : int
-        starts of a call
-
-    Returns
-    -------
-    Reached
-    """
+    """States from all starts (n, N), some at once; similar ones should stand side by side."""
     return Reached.joined(mapped(solve, tasks(balance_of, starts, at_once)))

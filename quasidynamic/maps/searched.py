@@ -12,9 +12,8 @@ from quasidynamic.maps.sheets import connect_all
 from quasidynamic.maps.states import States
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.equilibrium import Equilibrium
-from quasidynamic.several.search import started
-from quasidynamic.several.starts import Patterns, far, in_order, near
-from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.several.search import Patterns, far, in_order, near, started
+from quasidynamic.solve.step_length import SolverOutcome
 
 SEED = 20  # of points and patterns at random, the same at every call
 POINTS = 48  # of a round
@@ -31,12 +30,6 @@ def search(points: GridPoints, states: States, mapped: Mapped) -> tuple[int, boo
 
     A sheet covers many points as a rule: a few starts at points all over the map find it as surely as many
     starts at one point.
-
-    Returns
-    -------
-    rounds : int
-    quiet : bool
-        whether the last rounds found nothing more; else more states may be found by further rounds
     """
     rng, quiet = np.random.default_rng(SEED), 0
     if not states.doubtful.any() and states.stable_count.max(initial=0) < 2:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from quasidynamic.maps.points import GridPoints
 from quasidynamic.maps.reached import Mapped, Reached, apart, by_newton, in_batches
 from quasidynamic.maps.states import ENDS, SAME, UNKNOWN, States
-from quasidynamic.solve.rollers.step_bounds import bounded
+from quasidynamic.solve.rollers.newton import bounded
 
 NEAR = 0.02  # of the largest load or of pure rolling: states of neighbouring points that are alike
 STEEPER = 2.0  # than both next changes along a line of the grid: such a change is followed

@@ -38,13 +38,7 @@ class States:
         return len(self.point)
 
     def add(self, points: NDArray, found: Reached) -> NDArray:
-        """Add stable states (n) that are not known yet, and those that did not converge not at all.
-
-        Returns
-        -------
-        array (n)
-            which state each one is; -1 where it is none
-        """
+        """Add stable states (n) that are not known yet, and those that did not converge not at all."""
         names = np.array([self.known(point, found, n) for n, point in enumerate(points)], int)
         unknown = np.flatnonzero((names < 0) & found.converged)
         each = examined(self._points, points[unknown], found.take(unknown))

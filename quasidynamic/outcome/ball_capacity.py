@@ -7,7 +7,7 @@ import numpy as np
 from quasidynamic.contact.ellipse.point_contact import INNER, OUTER, point_contact, race_curvatures
 from quasidynamic.errors import OutOfRange
 from quasidynamic.outcome.capacity import MILLIMETRE
-from quasidynamic.parts.ball_row import BallRow
+from quasidynamic.parts.ball import BallRow
 from quasidynamic.parts.material import Material, contact_modulus
 
 BALL_MATERIAL_FACTOR = 1.3  # b_m of radial and angular-contact ball bearings without filling slots

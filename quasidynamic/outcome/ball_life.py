@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.outcome.ball_capacity import ball_raceway_capacity
 from quasidynamic.outcome.raceway_damage import POINT, raceway_damage
-from quasidynamic.parts.ball_row import BallRow
+from quasidynamic.parts.ball import BallRow
 
 
 def ball_raceway_lives(

@@ -12,9 +12,8 @@ from quasidynamic.balance.rollers.roller import RollerState
 from quasidynamic.balance.rollers.unknowns import CAGE, INNER, OUTER, TILT_Z, Unknowns
 from quasidynamic.contact.cage import displacement_in_pocket, land_torque
 from quasidynamic.contact.line import Slices, palmgren, peak_pressure
-from quasidynamic.outcome.acting_forces import ActingForces
+from quasidynamic.outcome.acting_forces import ActingForces, Losses
 from quasidynamic.outcome.life import basic_life, raceway_lives, turning_share
-from quasidynamic.outcome.losses import Losses
 from quasidynamic.outcome.ring_stiffness import (
     LoadChange,
     Tangent,

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quasidynamic.parts.operation import GRAVITY
+from quasidynamic.parts.roller_bearing import GRAVITY
 
 
 def inertia_shares(

@@ -6,9 +6,9 @@ import numpy as np
 
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.equilibrium import Equilibrium
-from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers import bordered_system
-from quasidynamic.solve.rollers.step_bounds import bounded
+from quasidynamic.solve.rollers.newton import bounded
+from quasidynamic.solve.step_length import SolverOutcome
 
 MOST_STEPS = 8  # two where the same rollers stay loaded
 SMALL = 1e-3  # residual, of the reference force: loads within about as much

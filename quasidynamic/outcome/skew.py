@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.skew import AxialTraction, RunningRollers, SkewBalance, SkewMoments
 from quasidynamic.contact.flange import flange_forces, flange_push
 from quasidynamic.contact.raceways import Raceways
-from quasidynamic.parts.flange import Flange
-from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
+from quasidynamic.parts.roller_bearing import CylindricalRollerBearing, Flange
 from quasidynamic.solve.rollers.skew_equilibrium import skew_equilibrium
 
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from quasidynamic.contact.ellipse.full_sliding import Ellipse, sliding_friction, slip_field
 from quasidynamic.contact.ellipse.rigid_slip import Spin
 from quasidynamic.contact.half_space import grid_over
-from quasidynamic.contact.rolling.hertz_pressure import hertz_pressure
+from quasidynamic.contact.rolling.full_sliding import hertz_pressure
 from quasidynamic.motion.ball_slip import DIAGONAL, BallContacts, slip_by_motion, slip_of
 from quasidynamic.note import Note
 from quasidynamic.outcome.ball_torque import RaceTorques, hysteresis_torque, torques_by_slip

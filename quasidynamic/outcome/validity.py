@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from quasidynamic.contact.cage import land_notes
 from quasidynamic.contact.cage.couette import couette_factor
 from quasidynamic.contact.drag import drag_notes
-from quasidynamic.contact.film.starvation import meniscus_factor
+from quasidynamic.contact.film.thickness import meniscus_factor
 from quasidynamic.contact.line import half_width
 from quasidynamic.contact.traction.adore import AdoreType
 from quasidynamic.contact.traction.asperity_friction import Carter, RoundedCoulomb, full_slip_creep

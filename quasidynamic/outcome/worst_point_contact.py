@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.contact.ellipse.subsurface import orthogonal_shear
-from quasidynamic.outcome.static_pressure import BALLS, POINT, pressure_safety
+from quasidynamic.outcome.rating_life import BALLS, POINT, pressure_safety
 
 
 @dataclass(frozen=True)

@@ -2,12 +2,44 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import cos, pi
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.errors import ImpossiblePart, require_positive
 from quasidynamic.parts.material import Material, contact_modulus
+
+
+@dataclass(frozen=True, kw_only=True)
+class FrictionCurve:
+    """Coulomb coefficients at some peak pressures, straight lines between them."""
+
+    pressures: tuple[float, ...]  # [Pa] peak Hertz pressure, growing
+    coefficients: tuple[float, ...]  # [-]
+
+    def __post_init__(self):
+        if not self.pressures or len(self.pressures) != len(self.coefficients):
+            raise ImpossiblePart("friction: as many coefficients as pressures are needed, one at least")
+        if not np.all(np.diff((0.0, *self.pressures)) > 0.0):
+            raise ImpossiblePart(f"friction.pressures = {self.pressures} must be above zero and grow")
+        if not all(0.0 < coefficient < float("inf") for coefficient in self.coefficients):
+            raise ImpossiblePart(f"friction.coefficients = {self.coefficients} must be above zero")
+
+    def at(self, pressure: NDArray) -> NDArray:
+        """Coefficient [-] at a peak pressure [Pa]; outside the range that of its end, see `outside`."""
+        return np.interp(pressure, self.pressures, self.coefficients)
+
+    def outside(self, pressure: NDArray) -> NDArray:
+        """Where a peak pressure [Pa] lies outside the measured range; nowhere for a single coefficient."""
+        if len(self.pressures) == 1:
+            return np.zeros(np.shape(pressure), bool)
+        return (pressure < self.pressures[0]) | (pressure > self.pressures[-1])
+
+
+def constant_friction(coefficient: float) -> FrictionCurve:
+    """One coefficient [-] at any pressure."""
+    return FrictionCurve(pressures=(1.0,), coefficients=(coefficient,))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -94,3 +126,29 @@ class FourPointBearing:
     def azimuths(self) -> NDArray:
         """Ball azimuths from z towards y (Z) [rad]."""
         return 2 * np.pi * np.arange(self.balls) / self.balls
+
+
+@dataclass(frozen=True, kw_only=True)
+class BallRow:
+    """One row of balls with its nominal geometry."""
+
+    balls: int
+    ball_diameter: float  # [m]
+    pitch_diameter: float  # [m] of the ball centres
+    contact_angle: float  # [rad] nominal: without clearance and load
+    inner_conformity: float  # [-] groove radius over ball diameter
+    outer_conformity: float  # [-]
+
+    def __post_init__(self):
+        for name in ("balls", "ball_diameter", "pitch_diameter"):
+            require_positive(f"ball row: {name}", getattr(self, name))
+        if not 0.0 <= self.contact_angle < pi / 2:
+            raise ImpossiblePart(f"ball row: contact_angle = {self.contact_angle!r} rad must be in [0, pi/2)")
+        for name in ("inner_conformity", "outer_conformity"):
+            if not getattr(self, name) > 0.5:
+                raise ImpossiblePart(f"ball row: {name} = {getattr(self, name)!r} must be above 0.5")
+
+    @property
+    def diameter_ratio(self) -> float:
+        """D cos(alpha) over the pitch diameter, gamma [-]."""
+        return self.ball_diameter * cos(self.contact_angle) / self.pitch_diameter

@@ -1,11 +1,11 @@
 """The properties of an oil at a temperature."""
 
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 from math import inf, log
 
-from quasidynamic.errors import OutOfRange
+from quasidynamic.errors import OutOfRange, require_positive
 from quasidynamic.note import Note, outside
-from quasidynamic.parts.lubricant import Lubricant
 from quasidynamic.parts.oil_curves import (
     OILS,
     USABLE_ABOVE,
@@ -21,6 +21,24 @@ ZERO_CELSIUS = 273.15  # [K]
 THICKEST, STIFFEST = 1e4, 1e-4  # [Pa s], [1/Pa] beyond any oil
 
 __all__ = ["OILS", "Oil", "kinematic_viscosity_at", "oil_at", "two_point_oil", "walther_viscosity"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Lubricant:
+    """An oil at its inlet temperature."""
+
+    temperature: float  # [K] at the inlet
+    viscosity: float  # [Pa s] dynamic, at ambient pressure
+    pressure_viscosity: float  # [1/Pa] alpha
+    temperature_viscosity: float  # [1/K] beta = -d ln(viscosity)/dT
+    conductivity: float  # [W/(m K)]
+    density: float  # [kg/m3]
+    # what a user must know, such as an extrapolation
+    notes: tuple[Note, ...] = field(default=(), compare=False)
+
+    def __post_init__(self):
+        for name in ("temperature", "viscosity", "pressure_viscosity", "conductivity", "density"):
+            require_positive(f"lubricant.{name}", getattr(self, name))
 
 
 def oil_at(oil: str | Oil, temperature: float) -> Lubricant:

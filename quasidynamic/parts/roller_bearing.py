@@ -1,20 +1,109 @@
-"""A cylindrical roller bearing put together."""
+"""A cylindrical roller bearing: rollers, cage, flange, raceways, and how it is driven and loaded."""
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import pi
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.errors import ImpossiblePart, require_positive
-from quasidynamic.parts.cage import Cage
 from quasidynamic.parts.material import Material
 from quasidynamic.parts.profile import STRAIGHT, PointsProfile, Profile, Straight
 from quasidynamic.parts.raceway_waves import RacewayWaves
-from quasidynamic.parts.roller import Roller
 
+SLENDEREST = 50  # length over diameter of a roller, or diameter over length
 UNLIKE = 1e-3  # [-] most deviation of a diameter: masses and contacts are those of the nominal (assumed)
+GRAVITY = 9.81  # [m/s2]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Flange:
+    """Flanges at both ends of the rollers, on one ring: flat, square to the axis, alike."""
+
+    ring: Literal["inner", "outer"]
+    clearance: float  # [m] axial, of a straight roller, both ends together
+    height: float  # [m] above the raceway
+    roller_chamfer: float  # [m] radial, of the roller's end
+    stiffness: float  # [N/m] of a roller's corner against a flange
+    friction: float  # [-] Coulomb, of the roller's corner on the flange
+
+    def __post_init__(self):
+        for name in ("clearance", "height", "stiffness"):
+            require_positive(f"flange.{name}", getattr(self, name))
+        for name in ("roller_chamfer", "friction"):
+            if not 0.0 <= getattr(self, name) < float("inf"):
+                raise ImpossiblePart(f"flange.{name} = {getattr(self, name)!r} must be finite and >= 0")
+        if self.height <= self.roller_chamfer:
+            raise ImpossiblePart(
+                f"flange.height = {1e3 * self.height:.4g} mm must be above the chamfer of the roller, "
+                f"{1e3 * self.roller_chamfer:.4g} mm, or the end of the roller touches nothing"
+            )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cage:
+    """A cage that spaces the rollers and is guided by the land of a ring or by the rollers."""
+
+    guidance: Literal["outer", "inner", "rollers"]
+    pocket_friction: float  # [-] Coulomb coefficient between roller and pocket
+    thickness: float  # [m] radial; the part of a roller that it shields from the oil-air mixture
+    mass: float = 0.0  # [kg] above zero where the centre is free; else only its inertia in settling
+    land_diameter: float = 0.0  # [m] unused when the rollers guide
+    land_width: float = 0.0  # [m] total over both lands
+    land_clearance: float = 0.0  # [m] diametral
+    land_flow: Literal["laminar", "vortices"] = "laminar"  # of the oil that fills the land
+    free: bool = False  # whether the cage finds its centre in the land by itself
+    unbalance: float = 0.0  # [m] distance of the mass centre from the cage's axis
+    unbalance_azimuth: float = 0.0  # [rad] where the mass centre is at this moment
+    pocket_clearance: float | None = None  # [m] from a centred roller to either wall
+
+    def __post_init__(self):
+        if self.pocket_friction < 0 or self.thickness < 0:
+            raise ImpossiblePart("cage.pocket_friction and cage.thickness must not be negative")
+        if self.mass < 0 or self.unbalance < 0:
+            raise ImpossiblePart("cage.mass and cage.unbalance must not be negative")
+        if self.pocket_clearance is not None:
+            require_positive("cage.pocket_clearance", self.pocket_clearance)
+        if self.free and self.guidance == "rollers":
+            raise ImpossiblePart("a cage with a free centre needs a land that carries it")
+        if self.free:
+            require_positive("cage.mass", self.mass)
+        if self.guidance != "rollers":
+            for name in ("land_diameter", "land_width", "land_clearance"):
+                require_positive(f"cage.{name}", getattr(self, name))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Roller:
+    """A cylindrical roller."""
+
+    diameter: float  # [m]
+    length: float  # [m] effective, without end chamfers
+    material: Material
+    profile: Profile = STRAIGHT
+
+    def __post_init__(self):
+        for name in ("diameter", "length"):
+            require_positive(f"roller.{name}", getattr(self, name))
+        if not 1 / SLENDEREST <= self.length / self.diameter <= SLENDEREST:
+            raise ImpossiblePart(
+                f"roller.length = {1e3 * self.length:.6g} mm with roller.diameter = "
+                f"{1e3 * self.diameter:.6g} mm: "
+                f"neither a roller nor a needle; allowed is a length of 1/{SLENDEREST} to {SLENDEREST} "
+                "diameters"
+            )
+
+    @cached_property
+    def mass(self) -> float:
+        """Mass of the full cylinder [kg]."""
+        return self.material.density * pi / 4 * self.diameter**2 * self.length
+
+    @cached_property
+    def inertia(self) -> float:
+        """Moment of inertia about the roller's own axis [kg m2]."""
+        return self.mass * self.diameter**2 / 8
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -149,3 +238,42 @@ class CylindricalRollerBearing:
         """
         raceway = (self.inner_profile, self.outer_profile)[race]
         return self.roller.profile.drop(position, length) + raceway.drop(position, length)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Operation:
+    """Load and speed."""
+
+    radial_load: float  # [N] on the inner ring, >= 0
+    inner_speed: float  # [rad/s]
+    outer_speed: float = 0.0  # [rad/s]
+    load_direction: float = 0.0  # [rad] azimuth the load points to
+    moment: float = 0.0  # [N m] on the inner ring, tilts it in the plane of the load
+    misalignment: float = 0.0  # [rad] slope of a ring that may not tilt freely, in the plane of the load
+    free_tilt: bool = False  # whether the inner ring may tilt against the outer one
+    gravity: float = GRAVITY  # [m/s2] across the axis: 0 where the shaft stands upright
+    gravity_direction: float = 0.0  # [rad] azimuth that weights point to
+
+    def __post_init__(self):
+        if self.inner_speed == self.outer_speed:
+            raise ImpossiblePart(f"both rings turn at {self.inner_speed} rad/s: nothing rolls")
+        if self.radial_load < 0:
+            raise ImpossiblePart(f"radial_load = {self.radial_load} N: turn load_direction instead")
+        if self.gravity < 0:
+            raise ImpossiblePart(f"gravity = {self.gravity} m/s2: turn gravity_direction instead")
+        if self.moment and not self.free_tilt:
+            raise ImpossiblePart(f"moment = {self.moment} N m acts on a ring that may not tilt")
+        if self.misalignment and self.free_tilt:
+            raise ImpossiblePart(
+                f"misalignment = {self.misalignment} rad is given to a ring that tilts freely"
+            )
+
+    @property
+    def direction(self) -> float:
+        """Sense in which the rollers spin: +1 when the inner ring turns ahead of the outer one."""
+        return 1.0 if self.inner_speed > self.outer_speed else -1.0
+
+    @property
+    def tilts(self) -> bool:
+        """Whether the rings stand at an angle to each other between raceways of no shape of their own."""
+        return bool(np.any(self.moment) or np.any(self.misalignment))

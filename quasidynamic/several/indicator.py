@@ -19,32 +19,12 @@ SLIPS = np.concatenate([np.geomspace(1e-5, 0.05, 16), np.linspace(0.08, 0.98, 12
 
 
 def several_likely(state: Equilibrium) -> bool:
-    """Whether an equilibrium may be one of several; see `each_several_likely`.
-
-    Parameters
-    ----------
-    state : Equilibrium
-        a solved one, between rigid or elastic raceways
-
-    Returns
-    -------
-    bool
-    """
+    """Whether an equilibrium may be one of several; see `each_several_likely`."""
     return bool(each_several_likely(state.cases)[0])
 
 
 def each_several_likely(states: BearingStates) -> NDArray:
     """Whether each equilibrium may be one of several: an indicator, to be confirmed by solving.
-
-    Parameters
-    ----------
-    states : BearingStates
-        C solved ones, between rigid or elastic raceways
-
-    Returns
-    -------
-    array (C)
-        of bool
 
     Valid
     -----

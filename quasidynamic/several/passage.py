@@ -9,8 +9,8 @@ from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.solve.rollers import bordered_system
+from quasidynamic.solve.rollers.newton import bounded
 from quasidynamic.solve.rollers.pseudo_time import scaled_inertia
-from quasidynamic.solve.rollers.step_bounds import bounded
 
 STEPS = 16  # in which rollers move on by a pitch; 80 change the largest load of cold oil by 1e-4
 HALVINGS = 6  # of such a step, where it is not solved

@@ -112,17 +112,6 @@ def fold_near(equations: PlaneEquations, state: NDArray, place: NDArray, across:
     """The fold at which solutions end on a line through a place; None where none is found.
 
     Solutions are followed along their own length until the place moves back.
-
-    Parameters
-    ----------
-    equations : PlaneEquations
-        that the state solves
-    state : array (N)
-        a solution before the fold
-    place : array (2)
-        where it is
-    across : array (2)
-        unit vector of the line, towards the fold
     """
     frame = Frame.along_solutions(equations, state, place, across)
     step, length = FIRST_STEP / 10, 0.0

@@ -1,6 +1,7 @@
 """How long a step towards a minimum is."""
 
 from collections.abc import Callable
+from enum import StrEnum
 from typing import Protocol, TypeVar
 
 import numpy as np
@@ -11,13 +12,7 @@ SHARES = (0.1, 0.7)  # of the step that went too far: least and most of what is 
 
 
 def shortened(before: NDArray, after: NDArray) -> NDArray:
-    """Part (n) of a step that went too far to try next: where the slope along it would vanish if straight.
-
-    Parameters
-    ----------
-    before, after : array (n)
-        slope along the step at its start, below zero, and at its end; half a step where neither is passed
-    """
+    """Part (n) of a step that went too far to try next: where the slope along it would vanish if straight."""
     straight = before / np.where(after > before, before - after, -1.0)
     return np.clip(np.where(after > 0.0, straight, 0.5), *SHARES)
 
@@ -40,24 +35,21 @@ S = TypeVar("S", bound=RingState)
 
 
 def before_the_minimum(at: Callable[[NDArray], S], state: S, step: NDArray) -> tuple[S, int]:
-    """State after a step on a convex energy, halved while it runs far past the lowest energy on its way.
-
-    Parameters
-    ----------
-    at : callable
-        the state at a place
-    state : RingState
-        where the step begins
-    step : array
-        change of the place, along which the energy falls at first
-
-    Returns
-    -------
-    pair
-        the new state, and the number of evaluations
-    """
+    """State after a step on a convex energy, halved while it runs far past the lowest energy on its way."""
     uphill, trials = -0.5 * float((state.excess * step).sum()), 0
     while True:
         trial, trials = at(state.place + step * 0.5**trials), trials + 1
         if float((trial.excess * step).sum()) >= uphill or trials == HALVINGS:
             return trial, trials
+
+
+class SolverOutcome(StrEnum):
+    """How the solve of a case ended."""
+
+    RUNNING = ""  # no outcome yet
+    CONVERGED = "converged"
+    UNDETERMINED = "undetermined"  # nothing holds the ring: neither load nor contact
+    STALLED = "stalled"  # no step lowers the residual
+    LIMIT = "iteration limit"
+    WORK = "work limit"  # every way together took as many evaluations as a case may
+    NOT_FINITE = "not finite"

@@ -14,7 +14,7 @@ from flexbearing.accuracy.trials import with_accuracy
 from flexbearing.api import read_case
 from flexbearing.case import BadCase
 from flexbearing.progress import Logged
-from flexbearing.report import text
+from flexbearing.report.output import text
 from flexbearing.rings import condensed
 from flexbearing.rings.raceways import CondensedRaceway
 from tests.flexbearing.noted import texts

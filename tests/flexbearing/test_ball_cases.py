@@ -15,7 +15,7 @@ from flexbearing import explain, read
 from flexbearing.api import check, read_case
 from flexbearing.families import FAMILIES
 from flexbearing.quantities.angular_contact import DRY_TORQUE
-from flexbearing.report import text, write_figures
+from flexbearing.report.output import text, write_figures
 from flexbearing.runs import angular_contact
 from tests.flexbearing.noted import codes, texts
 

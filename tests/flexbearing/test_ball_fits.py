@@ -11,7 +11,7 @@ from flexbearing.api import read_case
 from flexbearing.build import clearance
 from flexbearing.case import BadCase
 from flexbearing.case.read import written
-from flexbearing.report import text
+from flexbearing.report.output import text
 from flexbearing.runs import angular_contact, four_point
 from tests.flexbearing.noted import texts
 

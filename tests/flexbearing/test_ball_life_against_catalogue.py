@@ -11,8 +11,8 @@ from flexbearing import read, run
 from flexbearing.api import against_catalogue, read_case
 from flexbearing.case import BadCase
 from flexbearing.case.read import written
-from flexbearing.report import laid_out, text
 from flexbearing.report.catalogue_life import sections
+from flexbearing.report.output import laid_out, text
 from flexbearing.runs import ball_life
 from tests.flexbearing.noted import texts
 

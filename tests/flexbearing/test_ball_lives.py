@@ -9,7 +9,7 @@ from pytest import approx
 from flexbearing import run
 from flexbearing.api import check, read_case
 from flexbearing.case import BadCase
-from flexbearing.report import text
+from flexbearing.report.output import text
 from flexbearing.runs import ball_life
 from flexbearing.runs.ball import angular_answers
 from quasidynamic.outcome.ball_capacity import ball_dynamic_rating, ball_fatigue_load_limit

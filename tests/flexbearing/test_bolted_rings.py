@@ -10,7 +10,7 @@ from pytest import approx
 import flexbearing
 from fem.errors import NotSolved
 from flexbearing.families import FAMILIES
-from flexbearing.report import text
+from flexbearing.report.output import text
 from flexbearing.results import NotInLayout, ResultFile
 from flexbearing.rings import bolted
 from tests.flexbearing.noted import texts

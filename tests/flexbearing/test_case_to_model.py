@@ -9,9 +9,9 @@ from pytest import approx
 
 import quasidynamic as qd
 from flexbearing.api import check, read_case
-from flexbearing.build import lubrication, roller_bearing, rough_surfaces
+from flexbearing.build import lubrication, roller_bearing
 from flexbearing.case import BadCase
-from flexbearing.case.oil import OilName
+from flexbearing.case.materials import OilName
 from flexbearing.case.ratings import CleanlinessName
 from flexbearing.case.roller.lubricant import (
     AdoreOilName,
@@ -66,7 +66,7 @@ def law(settings, file=PLAIN) -> Any:
         (RollingName, ROLLING_LAWS),
         (CleanlinessName, CLEANLINESS),
         (TractionName, lubrication._FLUIDS),
-        (ShareName, rough_surfaces.SHARES),
+        (ShareName, lubrication.SHARES),
     ],
     ids=["oils", "adore oils", "films", "rolling", "cleanliness", "tractions", "shares"],
 )

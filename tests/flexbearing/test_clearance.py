@@ -17,7 +17,7 @@ from flexbearing.case import BadCase
 from flexbearing.case.read import understood
 from flexbearing.case.tolerances import ClearanceClass, HousingClass, ShaftClass
 from flexbearing.families import FAMILIES
-from flexbearing.report import text
+from flexbearing.report.output import text
 from flexbearing.rings.fits import inner_ring_in_fit, outer_ring_in_housing
 from flexbearing.runs import notes
 from quasidynamic.clearance import Annulus, FitConditions, PressFit, operating_clearance

@@ -9,8 +9,8 @@ from pytest import approx
 
 import flexbearing
 from flexbearing.api import read_case
-from flexbearing.report import text, write_figures
 from flexbearing.report.balls import angular_contact_figures, four_point_figures
+from flexbearing.report.output import text, write_figures
 from flexbearing.report.roller.figures import pictures
 from flexbearing.runs.rows import answers
 from quasidynamic.contact.line import reduced_radius

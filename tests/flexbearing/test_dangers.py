@@ -12,7 +12,7 @@ import flexbearing
 from flexbearing.api import read_case
 from flexbearing.findings.declared import DECLARED
 from flexbearing.quantities.attributes import GRADES as STORED
-from flexbearing.report import text
+from flexbearing.report.output import text
 from flexbearing.runs import judged
 from flexbearing.runs.notes import of_case
 from quasidynamic.note import GRADES, Note, danger, graded, information, outside

@@ -11,7 +11,7 @@ import flexbearing
 from flexbearing.api import read_case
 from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
-from flexbearing.report import text
+from flexbearing.report.output import text
 from tests.flexbearing.noted import texts
 from tests.literature.test_sjovall import radial_integral
 

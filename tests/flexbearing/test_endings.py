@@ -12,9 +12,9 @@ from flexbearing.coupling import PartnerFailed
 from flexbearing.rings import condensed
 from flexbearing.rings.raceways import CondensedRaceway
 from quasidynamic import NotSolved, RollerBearing, roller
-from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers import settled_time, strategy
 from quasidynamic.solve.start import static_start
+from quasidynamic.solve.step_length import SolverOutcome
 from tests.bearings import paper_bearing
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"

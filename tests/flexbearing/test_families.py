@@ -18,10 +18,10 @@ from flexbearing.families import FAMILIES
 from flexbearing.quantities import Quantity, SummaryValue
 from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.units import MPA
-from flexbearing.report import text, write_figures
 from flexbearing.report.card import of_result as card_of
 from flexbearing.report.family_report import FamilyReport
 from flexbearing.report.html import html, of_result
+from flexbearing.report.output import text, write_figures
 from quasidynamic import ImpossiblePart
 
 
@@ -81,7 +81,8 @@ TOY = Family(
         blocks=("rigid",),
     ),
     report=lambda: FamilyReport(
-        lambda numbers: iter([Text(f"{numbers['rigid']['pressure_MPa']:g} MPa")]), lambda result: {}
+        lambda: lambda numbers: iter([Text(f"{numbers['rigid']['pressure_MPa']:g} MPa")]),
+        lambda: lambda result: {},
     ),
     card=lambda: card_of,
 )

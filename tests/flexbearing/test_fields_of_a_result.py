@@ -19,8 +19,8 @@ from fem.solid.support_stiffness import support_stiffness
 from flexbearing.api import read_case
 from flexbearing.build.expansion import roller_length
 from flexbearing.case import BadCase
-from flexbearing.cli import app
-from flexbearing.report import text
+from flexbearing.cli import application
+from flexbearing.report.output import text
 from flexbearing.report.roller.deformed import pictures
 from flexbearing.results import BadResult
 from flexbearing.runs import fields, stored_fields
@@ -227,7 +227,7 @@ def test_export_to_vtu_writes_what_paraview_opens(result, outer, tmp_path, monke
     monkeypatch.setattr(fields, "fields", lambda case, race, state, values: outer)  # solved before
     monkeypatch.setattr(PartFields, "record", lambda self: stored)
     done = CliRunner().invoke(
-        app, ["export", str(result.path), "--to", "vtu", "--part", "outer", "-o", str(tmp_path)]
+        application(), ["export", str(result.path), "--to", "vtu", "--part", "outer", "-o", str(tmp_path)]
     )
     assert done.exit_code == 0, done.output
     assert "outer: bars" in done.output
@@ -250,7 +250,7 @@ def test_part_without_a_solid_is_said(unstressed, monkeypatch, tmp_path):
     with pytest.raises(NoFields, match=r'outer ring: outer.support = "foundation" has no solid'):
         stored_fields.of_result(unstressed)
     assert "has no solid" in str(next(pictures(unstressed, tmp_path)))
-    failed = CliRunner().invoke(app, ["export", str(unstressed.path), "--to", "vtu"])
+    failed = CliRunner().invoke(application(), ["export", str(unstressed.path), "--to", "vtu"])
     assert failed.exit_code == 1
 
 

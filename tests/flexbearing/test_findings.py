@@ -15,7 +15,7 @@ from flexbearing.report.html import METRIC, against_limits, finding_checks
 from flexbearing.report.html.reader import Reader
 from flexbearing.runs import fields, judged
 from quasidynamic.contact.film.roughness import FULL_FILM_FROM, MIXED_FROM
-from quasidynamic.outcome import static_pressure
+from quasidynamic.outcome import rating_life
 from tests.flexbearing.hostile_cases import CONFIGS
 
 # kind of case with a value of the finding: keys that it needs
@@ -61,7 +61,7 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
     ("raceway-slope", USUAL, ""): np.radians(4 / 60),
     ("pressed-end", OUTSIDE, ""): 0.09,
 }
-BASES = {"static_pressure": static_pressure.ROLLERS, "dynamic_rating": 7e4, "static_rating": 6e4,
+BASES = {"static_pressure": rating_life.ROLLERS, "dynamic_rating": 7e4, "static_rating": 6e4,
          "yield_stress": 9e8, "friction": 0.1, "mixed_film_ratio": MIXED_FROM,
          "required_life": 7.2e7}  # fmt: skip
 CASES = [
@@ -91,7 +91,7 @@ def test_declared_limits_are_those_of_their_sources():
     found = {(each.code, each.grade, each.times): each.limit for each in declared.DECLARED}
     light = [each.limit for each in (declared.LIGHT_LOAD_OF_ROLLERS, declared.LIGHT_LOAD_OF_BALLS)]
     assert light == [0.02, 0.01]
-    pressures = (static_pressure.ROLLERS, static_pressure.BALLS, static_pressure.SELF_ALIGNING_BALLS)
+    pressures = (rating_life.ROLLERS, rating_life.BALLS, rating_life.SELF_ALIGNING_BALLS)
     assert pressures == (4.0e9, 4.2e9, 4.6e9)  # ISO 76
     assert (MIXED_FROM, FULL_FILM) == (1.0, FULL_FILM_FROM)
     assert {key: limit for key, limit in found.items() if key[0] != "light-load"} == LIMITS

@@ -17,7 +17,7 @@ from rich.console import Console
 import flexbearing
 from flexbearing import __main__ as program
 from flexbearing.progress import OnTerminal
-from flexbearing.report import text, write_figures
+from flexbearing.report.output import text, write_figures
 from flexbearing.report.picture import picture_bytes, titled
 from flexbearing.report.roller.deformed_figure import deformed
 from flexbearing.report.studies.branch_figure import draw_branch

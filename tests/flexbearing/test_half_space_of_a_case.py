@@ -12,7 +12,7 @@ from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.coupling import LinearPair
-from flexbearing.report import text, write_figures
+from flexbearing.report.output import text, write_figures
 from flexbearing.report.roller.figures import pictures
 from flexbearing.runs import half_space, roller_findings
 from flexbearing.runs.solved_rows import SolvedRows

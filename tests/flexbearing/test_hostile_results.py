@@ -121,7 +121,7 @@ def test_hostile_result_is_refused_in_a_sentence_or_read_as_it_is(name, hostile,
 @pytest.mark.filterwarnings("ignore::RuntimeWarning", "ignore::UserWarning")
 @pytest.mark.parametrize("name", sampled(DRAWN, 24))
 def test_pictures_of_any_numbers_can_be_drawn(name, hostile, tmp_path):
-    from flexbearing.report import pictures
+    from flexbearing.report.output import pictures
 
     assert len(list(pictures(flexbearing.read(hostile(name)), tmp_path / "pictures"))) >= 3
 

@@ -8,9 +8,8 @@ import pytest
 from pytest import approx
 
 from flexbearing import api
-from flexbearing.case import cage_room
+from flexbearing.case.roller import roller_case
 from flexbearing.findings import DANGER, OUTSIDE, USUAL
-from flexbearing.report import text
 from flexbearing.report.html import METRIC, clearance, life as life_section, stiffness, verdict
 from flexbearing.report.html.against_limits import ranked
 from flexbearing.report.html.check import BUILD, NOT_CHECKED
@@ -19,6 +18,7 @@ from flexbearing.report.html.lives import COMPARED, lives
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.simplifications import simplifications
 from flexbearing.report.html.write import marked
+from flexbearing.report.output import text
 from flexbearing.runs.notes import of_case
 from tests.flexbearing.hostile_cases import CONFIGS
 from tests.flexbearing.html_pages import Numbers, require_equal
@@ -275,11 +275,11 @@ def test_the_terminal_shows_the_reference_life(readers):
 def test_a_cage_within_the_ribs_cannot_be_built_which_is_no_limit_of_damage(readers):
     paper = CONFIGS / "mao2016.toml"
     case = api.read_case(paper)
-    assert cage_room.overlap(case) == "cage inside Ø 69.2 mm, inner ribs Ø 69.6 mm"
+    assert roller_case.overlap(case) == "cage inside Ø 69.2 mm, inner ribs Ø 69.6 mm"
     (note,) = [each for each in of_case(case) if each.code == "overlapping-dimensions"]
     assert (note.grade, "cannot be built" in note.text) == ("outside validity", True)
     for free in ("bearing.cage.thickness=2.2 mm", "inner.track_width=9 mm", "inner.kind=rigid"):
-        assert cage_room.overlap(api.read_case(paper, [free])) == ""
+        assert roller_case.overlap(api.read_case(paper, [free])) == ""
     result = readers("plain").result
     noted = replace(result, attributes={**result.attributes, "notes": [note.record()]})
     assumed = {**noted.attributes, "assumed": ["bearing.cage.thickness"]}

@@ -11,7 +11,7 @@ import flexbearing
 from flexbearing.families import FAMILIES
 from flexbearing.quantities.attributes import Attribute
 from flexbearing.quantities.forms import COUNT, FLAG, NUMBER, TEXT, Each, ListOf, Record, Such
-from flexbearing.report import text
+from flexbearing.report.output import text
 from flexbearing.results import BadResult, NotInLayout, hdf5
 from flexbearing.results.attributes import checked, decoded
 from flexbearing.results.read import of_content

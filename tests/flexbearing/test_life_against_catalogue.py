@@ -15,7 +15,7 @@ from flexbearing import read, run
 from flexbearing.api import against_catalogue, read_case
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
-from flexbearing.report import text
+from flexbearing.report.output import text
 from quasidynamic.outcome.capacity import STRESS_REDUCTION, dynamic_rating
 
 CONFIGS = Path(__file__).parents[2] / "configs"

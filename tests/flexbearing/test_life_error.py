@@ -6,7 +6,7 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing.report import text
+from flexbearing.report.output import text
 from tests.flexbearing.noted import codes
 
 PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"

@@ -13,7 +13,7 @@ from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.coupling import LinearPair
 from flexbearing.derivatives.rollers import sensitivities
-from flexbearing.report import text
+from flexbearing.report.output import text
 from flexbearing.runs import life
 from flexbearing.runs.rows import answers
 from flexbearing.runs.solved_rows import SolvedRows

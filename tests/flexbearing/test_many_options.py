@@ -11,7 +11,7 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing.report import text
+from flexbearing.report.output import text
 
 ROOT = Path(__file__).parents[2]
 FITS = ROOT / "configs" / "nu209_fits.toml"

@@ -7,7 +7,7 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from flexbearing.report import text
+from flexbearing.report.output import text
 from tests.flexbearing.hostile_cases import CONFIGS
 from tests.flexbearing.noted import codes
 

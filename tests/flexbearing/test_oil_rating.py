@@ -6,7 +6,7 @@ from pytest import approx
 
 from flexbearing import api
 from flexbearing.families import FAMILIES
-from flexbearing.runs.oil_rating import of_oil
+from flexbearing.runs.life_of_state import of_oil
 from quasidynamic.outcome.life_factors import CLEANLINESS, ROLLERS
 from tests.flexbearing.hostile_cases import CONFIGS
 

@@ -11,9 +11,9 @@ import flexbearing
 from flexbearing.case import BadCase
 from flexbearing.findings import evaluate
 from flexbearing.findings.running import LEAST_STIFFNESS
-from flexbearing.report import text
 from flexbearing.report.html import METRIC, stiffness
 from flexbearing.report.html.reader import Reader
+from flexbearing.report.output import text
 from flexbearing.runs import judged
 from tests.flexbearing.noted import codes
 

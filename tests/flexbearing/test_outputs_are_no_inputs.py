@@ -11,7 +11,7 @@ import typer.main
 
 import flexbearing
 from flexbearing import __main__ as program
-from flexbearing.cli import app
+from flexbearing.cli import application
 from flexbearing.studies.plan.task import file_name
 from flexbearing.studies.prepare import prepared
 from tests.flexbearing.test_bearing_for_ross import table
@@ -133,7 +133,7 @@ def commands(group, above="") -> Iterator[tuple[str, typer.main.TyperCommand]]:
 
 
 def test_every_command_is_here_and_those_with_outputs_have_uses():
-    registered = dict(commands(typer.main.get_command(app)))
+    registered = dict(commands(typer.main.get_command(application())))
     assert registered.keys() == USES.keys()
     for name, each in registered.items():
         if "output" in {option.name for option in each.params}:

@@ -5,7 +5,7 @@ import pytest
 from pytest import approx
 
 from flexbearing.outputs import outputs
-from flexbearing.quantities.axes import FIXED
+from flexbearing.quantities.layout import FIXED
 from flexbearing.quantities.reductions import loaded_arc, loaded_rollers
 from flexbearing.quantities.roller import LAYOUT
 

@@ -17,7 +17,7 @@ from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, NotStored
 from flexbearing.files.whole import host
 from flexbearing.quantities.attributes import FORMAT
-from flexbearing.quantities.axes import FIXED
+from flexbearing.quantities.layout import FIXED
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.reference import page
 from flexbearing.results import BadResult, NotInLayout, ResultFile, hdf5, write

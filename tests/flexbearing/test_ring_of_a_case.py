@@ -14,7 +14,7 @@ from flexbearing.build.roller_bearing import bearing
 from flexbearing.case import BadCase
 from flexbearing.case.read import understood
 from flexbearing.families import FAMILIES
-from flexbearing.report import text
+from flexbearing.report.output import text
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
 RIGID = ["inner.kind=rigid", "outer.kind=rigid", "accuracy.slices=8", "accuracy.axial_shapes=2"]

@@ -12,9 +12,9 @@ from scipy.optimize import brentq
 import flexbearing
 from flexbearing.api import read_case
 from flexbearing.case import BadCase
-from flexbearing.report import text
-from flexbearing.runs import roller_position
-from flexbearing.runs.roller_position import load_half_a_pitch_further
+from flexbearing.report.output import text
+from flexbearing.runs import passage
+from flexbearing.runs.passage import load_half_a_pitch_further
 from tests.flexbearing.noted import codes
 
 CASE = Path(__file__).parents[2] / "configs" / "nu209.toml"
@@ -193,10 +193,10 @@ def test_cage_with_a_bar_at_every_roller_is_solved_half_a_pitch_further(monkeypa
     """Half a pitch leads every roller from a bar to the middle of a bay, and no load shows it."""
     state: Any = SimpleNamespace(loads=np.ones((2, 30)), life=1.0)
     there: Any = SimpleNamespace(loads=1.1 * np.ones((2, 30)), life=0.7)
-    monkeypatch.setattr(roller_position, "_half_a_pitch_further", lambda *_: there)
-    monkeypatch.setattr(roller_position, "_stiffnesses", lambda each, _: f"{each.life:g} and 2")
+    monkeypatch.setattr(passage, "_half_a_pitch_further", lambda *_: there)
+    monkeypatch.setattr(passage, "_stiffnesses", lambda each, _: f"{each.life:g} and 2")
     rings: Any = SimpleNamespace(solved_in_full=False)
-    (note,) = roller_position.notes(read_case(PAPER, ["outer.bars=30"]), None, rings, state)  # pyright: ignore
+    (note,) = passage.notes(read_case(PAPER, ["outer.bars=30"]), None, rings, state)  # pyright: ignore
     assert "1.1 N instead of 1 N (+10.0%), the basic life L10 0.7 Mrev instead of 1 Mrev" in note.text
     assert "the radial stiffness along y and z 0.7 and 2 instead of 1 and 2 kN/mm" in note.text
 
@@ -211,8 +211,8 @@ def test_position_that_cannot_be_solved_is_told_without_a_number(settings, monke
     balance = SimpleNamespace(roller=SimpleNamespace(bearing=bearing))
     state: Any = SimpleNamespace(loads=loads, life=1.0, balance=balance)
     rings: Any = SimpleNamespace(solved_in_full=False)
-    monkeypatch.setattr(roller_position, "_half_a_pitch_further", lambda *_: None)
-    (note,) = roller_position.notes(read_case(CASE, settings), None, rings, state)  # pyright: ignore
+    monkeypatch.setattr(passage, "_half_a_pitch_further", lambda *_: None)
+    (note,) = passage.notes(read_case(CASE, settings), None, rings, state)  # pyright: ignore
     assert "is not solved here" in note.text
 
 

@@ -11,7 +11,7 @@ import flexbearing
 from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
-from flexbearing.report import text
+from flexbearing.report.output import text
 from flexbearing.runs import skew
 
 PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"

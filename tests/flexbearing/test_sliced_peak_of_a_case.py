@@ -9,11 +9,11 @@ import flexbearing
 from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from flexbearing.coupling import LinearPair
-from flexbearing.runs import roller_findings, sliced_peak
+from flexbearing.runs import notes, roller_findings
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic.errors import NotSolved
 from quasidynamic.outcome import sliced_peak as check
-from quasidynamic.outcome.profile_corner import corner_rise
+from quasidynamic.outcome.sliced_peak import corner_rise
 
 PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
 HEAVY = ["operation.radial_load=25 kN", "operation.misalignment=8 arcmin"]
@@ -32,7 +32,7 @@ def solved(settings):
     case = read_case(PLAIN, settings)
     model = roller_bearing.bearing(case)
     rows = SolvedRows.of(case, model, model.solve(), LinearPair(None, None))
-    return rows, sliced_peak.notes(rows)
+    return rows, notes.of_sliced_peak(rows)
 
 
 def told(settings):

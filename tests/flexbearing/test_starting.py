@@ -70,7 +70,7 @@ def test_rigid_run_loads_no_finite_elements_and_no_balls(tmp_path):
 
 
 def test_outer_ring_begins_before_anything_that_solves_is_loaded():
-    code = "import flexbearing.rings.ahead, json, sys; sys.stderr.write(json.dumps(sorted(sys.modules)))"
+    code = "import flexbearing.rings.raceways, json, sys; sys.stderr.write(json.dumps(sorted(sys.modules)))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=True)
     wanted = (*HEAVY, *SOLVING, "flexbearing.coupling", "flexbearing.coupled", "flexbearing.results", "scipy")
     assert among(json.loads(done.stderr), wanted) == []

@@ -12,7 +12,7 @@ from flexbearing.progress import Logged
 from flexbearing.rings.condensed import condensed_raceways
 from flexbearing.runs.several import between_flexible_raceways
 from quasidynamic import NotSolved, RollerBearing
-from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.step_length import SolverOutcome
 from tests.cold_oil import cold_case, settings
 from tests.two_methods import AGAIN, SAME, difference, iterated, solved_again
 

@@ -11,8 +11,8 @@ from typer.testing import CliRunner
 
 import flexbearing
 from flexbearing.case import BadCase
-from flexbearing.cli import app
-from flexbearing.coupled.initial_state import unknowns
+from flexbearing.cli import application
+from flexbearing.coupled.states import unknowns
 from flexbearing.results import BadResult
 from tests.flexbearing.noted import texts
 from tests.flexbearing.resealed import resealed
@@ -171,5 +171,5 @@ def test_only_converged_runs_of_rollers_are_starts(other, tmp_path):
 def test_command_line_takes_a_start(other, tmp_path):
     words = ["run", str(PAPER), "-o", str(tmp_path / "out.h5"), "--start", str(other.path), "--quiet"]
     settings = [word for setting in HERE for word in ("--set", setting)]
-    assert CliRunner().invoke(app, [*words, *settings]).exit_code == 0
+    assert CliRunner().invoke(application(), [*words, *settings]).exit_code == 0
     assert flexbearing.read(tmp_path / "out.h5").attributes["started_from"] == str(other.path)

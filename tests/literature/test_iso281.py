@@ -17,7 +17,7 @@ from quasidynamic.outcome.ball_capacity import (
 from quasidynamic.outcome.ball_equivalent_load import ball_dynamic_load
 from quasidynamic.outcome.capacity import geometry_factor
 from quasidynamic.outcome.life_factors import BALLS, ROLLERS, modification_factor, reliability_factor
-from quasidynamic.parts.ball_row import BallRow
+from quasidynamic.parts.ball import BallRow
 from tests.literature.worked_example import WorkedExample
 
 # f_c for gamma = 0.01, 0.02, ...

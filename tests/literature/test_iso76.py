@@ -10,7 +10,7 @@ from pytest import approx
 from quasidynamic import OutOfRange
 from quasidynamic.outcome.ball_capacity import ball_static_rating, static_factor
 from quasidynamic.outcome.ball_equivalent_load import ball_static_load
-from quasidynamic.parts.ball_row import BallRow
+from quasidynamic.parts.ball import BallRow
 from tests.literature.worked_example import WorkedExample
 
 # table 1, f_0 of radial and angular-contact ball bearings for gamma = 0.00, 0.01, ...

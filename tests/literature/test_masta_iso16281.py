@@ -13,8 +13,7 @@ from quasidynamic.outcome.ball_life import ball_reference_life
 from quasidynamic.outcome.life import reference_load
 from quasidynamic.outcome.rating_life import BALL_EXPONENT
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
-from quasidynamic.parts.ball import Ball, Groove
-from quasidynamic.parts.ball_row import BallRow
+from quasidynamic.parts.ball import Ball, BallRow, Groove
 from quasidynamic.parts.material import Material
 
 STEEL = Material(youngs_modulus=210e9, poisson_ratio=0.3, density=7850.0)

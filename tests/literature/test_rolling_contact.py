@@ -5,9 +5,8 @@ import pytest
 from pytest import approx
 
 from quasidynamic.contact.half_space import CellGrid, ElasticPair, grid_over
-from quasidynamic.contact.rolling.creep_coefficients import creep_coefficients
-from quasidynamic.contact.rolling.hertz_pressure import hertz_pressure
-from quasidynamic.contact.rolling.kalker import kalker
+from quasidynamic.contact.rolling.full_sliding import hertz_pressure
+from quasidynamic.contact.rolling.kalker import creep_coefficients, kalker
 from quasidynamic.contact.rolling.rolling_contact import MID_STEP, RollingContacts
 from quasidynamic.contact.rolling.transient import RollingSteps
 

@@ -13,7 +13,7 @@ import pytest
 from pytest import approx
 
 from quasidynamic.contact.ellipse.subsurface import ellipse_stress, orthogonal_shear
-from quasidynamic.contact.line.subsurface import line_contact_stress
+from quasidynamic.contact.line.slices import line_contact_stress
 from quasidynamic.outcome.subsurface import largest_von_mises
 
 DEPTH = np.linspace(0.3, 1.0, 14001)

@@ -14,7 +14,7 @@ from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
-from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.step_length import SolverOutcome
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
 BEARING = AngularContactBearing(

@@ -11,7 +11,7 @@ from quasidynamic.contact.line import half_width, peak_pressure, reduced_radius
 from quasidynamic.contact.line.load_law import LoadLaw, iso16281, palmgren, smooth_positive
 from quasidynamic.contact.traction import Regression4109, biboulet_houpert
 from quasidynamic.contact.traction.rheology import Eyring
-from quasidynamic.parts.lubricant import Lubricant
+from quasidynamic.parts.oil_properties import Lubricant
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7850)
 OIL = oil_at("MIL-PRF-23699", 493.15)

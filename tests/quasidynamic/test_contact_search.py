@@ -5,8 +5,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from quasidynamic.solve.outcome import SolverOutcome
-from quasidynamic.solve.rollers.step_bounds import SPIN_CHANGE
+from quasidynamic.solve.rollers.newton import SPIN_CHANGE
+from quasidynamic.solve.step_length import SolverOutcome
 from tests.bearings import RPM, paper_bearing
 
 RADIUS, WIDTH, MODULUS = 39.3e-3, 5e-3, 203e9

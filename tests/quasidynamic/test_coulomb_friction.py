@@ -5,7 +5,7 @@ import pytest
 from hypothesis import example, given, settings, strategies as st
 from pytest import approx
 
-from quasidynamic.balance.balls.driving_load import driving_load
+from quasidynamic.balance.balls.sliding_balls import driving_load
 from quasidynamic.contact.ellipse.full_sliding import Ellipse, sliding_friction
 from quasidynamic.contact.ellipse.general_sliding import EllipsePoints, sliding_ellipse, strip_points
 from quasidynamic.contact.ellipse.rigid_slip import rigid_slip, sagitta

@@ -12,7 +12,7 @@ from quasidynamic.balance.balls.angular_contact import race_contacts
 from quasidynamic.contact.ellipse.point_contact import in_series
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.solve.balls.preloaded_place import preloaded_place
-from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.step_length import SolverOutcome
 from tests.deep_groove import LEVEL, deep_groove, solved
 from tests.random_balls import drawn_deep_groove, unbalanced
 

@@ -17,11 +17,9 @@ from quasidynamic.contact.drag.orbit_drag import (
     mixture_density,
     orbit_drag_force,
 )
-from quasidynamic.parts.cage import Cage
-from quasidynamic.parts.lubricant import Lubricant
 from quasidynamic.parts.material import Material
-from quasidynamic.parts.roller import Roller
-from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
+from quasidynamic.parts.oil_properties import Lubricant
+from quasidynamic.parts.roller_bearing import Cage, CylindricalRollerBearing, Roller
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7850)
 ROLLER = Roller(diameter=5e-3, length=5e-3, material=STEEL)

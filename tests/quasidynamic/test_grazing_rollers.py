@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from quasidynamic import SolverOutcome, solve_many
-from quasidynamic.solve.rollers.step_bounds import shortened
+from quasidynamic.solve.rollers.newton import shortened
 from tests.bearings import paper_bearing
 from tests.random_rollers import imbalance, wide_design
 from tests.thick_films import design

@@ -16,13 +16,12 @@ from quasidynamic.parts.material import Material
 from quasidynamic.solve.arclength import LinearisedEquations, follow
 from quasidynamic.solve.balls import ring_on_balls
 from quasidynamic.solve.balls.ball_equilibrium import balanced, force_scales, resolved
-from quasidynamic.solve.balls.bordered_matrix import BorderedMatrix
-from quasidynamic.solve.balls.frozen_solve import frozen_solve
+from quasidynamic.solve.balls.frozen_solve import BorderedMatrix, frozen_solve
 from quasidynamic.solve.balls.inertia_homotopy import InertiaFamily, inertia_homotopy
 from quasidynamic.solve.balls.ring_on_balls import BUDGET, RingSolution, newton, solve, start
 from quasidynamic.solve.balls.ring_on_springs import LONGEST, newton_step
 from quasidynamic.solve.corners import followed_through
-from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.step_length import SolverOutcome
 from tests.random_balls import unbalanced
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)

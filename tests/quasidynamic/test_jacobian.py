@@ -7,7 +7,7 @@ import pytest
 from pytest import approx
 
 from quasidynamic.columns import side_by_side
-from quasidynamic.solve.rollers import bordered_system, small_systems
+from quasidynamic.solve.rollers import bordered_system, elastic_system
 from quasidynamic.solve.start import static_start
 from tests.bearings import eyring, paper_bearing
 
@@ -145,7 +145,7 @@ def rings(own):
 
 def test_ring_of_spins_is_solved_case_by_case():
     given, matrix = rings([-3.0, -2.0, -4.0, -2.0, -3.0])
-    assert np.einsum("cij,rcj->rci", matrix, small_systems.cyclic_tridiagonal(*given)) == approx(
+    assert np.einsum("cij,rcj->rci", matrix, elastic_system.cyclic_tridiagonal(*given)) == approx(
         given[-1], rel=0, abs=1e-13
     )
 
@@ -156,7 +156,7 @@ def test_ring_of_spins_is_solved_case_by_case():
 def test_singular_ring_of_spins_is_no_number_and_spoils_no_other(own):
     """The first only hands on its spin, so that it solves to any; warnings are errors here."""
     given, matrix = rings(own)
-    found = small_systems.cyclic_tridiagonal(*given)
+    found = elastic_system.cyclic_tridiagonal(*given)
     assert np.isnan(found[:, 1]).all()
     kept = [0, 2]
     back = np.einsum("cij,rcj->rci", matrix[kept], found[:, kept])

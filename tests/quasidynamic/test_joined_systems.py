@@ -5,7 +5,7 @@ import pytest
 from pytest import approx
 
 from quasidynamic import solve_many
-from quasidynamic.solve.rollers.joined import NotAlike, overlaid
+from quasidynamic.solve.rollers.strategy import NotAlike, overlaid
 from tests.bearings import RPM, paper_bearing
 
 

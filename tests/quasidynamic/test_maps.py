@@ -16,7 +16,7 @@ from quasidynamic.maps.reached import Reached
 from quasidynamic.maps.sheets import FINEST, connect_all
 from quasidynamic.maps.states import OUTSIDE, States
 from quasidynamic.outcome.equilibrium import Equilibrium
-from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.step_length import SolverOutcome
 from quasidynamic.trace import trace
 from tests import thick_films
 from tests.bearings import RPM

@@ -12,7 +12,7 @@ from quasidynamic.contact.traction.asperity_friction import Carter, RoundedCoulo
 from quasidynamic.contact.traction.mixed import FILM_SHARE_1_8, ZHOU_HOEPRICH, ErrorFunctionShare, Mixed
 from quasidynamic.contact.traction.rheology import BairWiner
 from quasidynamic.errors import ImpossiblePart
-from quasidynamic.parts.lubricant import Lubricant
+from quasidynamic.parts.oil_properties import Lubricant
 
 OIL = Lubricant(
     temperature=493.15, viscosity=1.137e-3, pressure_viscosity=8.751e-9, temperature_viscosity=0.00726,

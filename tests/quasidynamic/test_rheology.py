@@ -13,7 +13,7 @@ from quasidynamic.contact.traction.adore import ADORE_OILS, AdoreType
 from quasidynamic.contact.traction.rheology import BairWiner, Eyring
 from quasidynamic.contact.traction.thermal_shear import WallProperties, roelands
 from quasidynamic.errors import ImpossiblePart
-from quasidynamic.parts.lubricant import Lubricant
+from quasidynamic.parts.oil_properties import Lubricant
 
 
 def ester(temperature, viscosity, pressure_viscosity, thinning=0.00726, conductivity=0.1205):

@@ -14,7 +14,7 @@ from quasidynamic.contact.traction.inlet_shear import (
     dowson_higginson,
     goksem_hargreaves,
 )
-from quasidynamic.parts.lubricant import Lubricant
+from quasidynamic.parts.oil_properties import Lubricant
 
 # MIL-PRF-23699 at 220 degC and a 5 mm roller at 38 000 rpm, inner and outer raceway
 OIL = Lubricant(

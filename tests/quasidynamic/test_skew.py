@@ -20,7 +20,7 @@ from quasidynamic.contact.flange import (
     touching_skew,
 )
 from quasidynamic.outcome.skew import skewed
-from quasidynamic.parts.flange import Flange
+from quasidynamic.parts.roller_bearing import Flange
 from tests.bearings import paper_bearing
 
 FLANGE = Flange(

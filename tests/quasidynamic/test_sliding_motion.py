@@ -23,7 +23,7 @@ from quasidynamic.motion.ball_slip import (
     slip_of,
 )
 from quasidynamic.outcome.ball_torque import race_torques
-from quasidynamic.parts.ball_friction import FrictionCurve
+from quasidynamic.parts.ball import FrictionCurve
 from quasidynamic.solve.balls.sliding_motion import sliding_motion
 from tests.ball_bearings import one_ball, slow_bearing
 

@@ -6,7 +6,7 @@ from hypothesis import given, strategies as st
 from pytest import approx
 
 from quasidynamic.contact.film import Film
-from quasidynamic.contact.film.starvation import (
+from quasidynamic.contact.film.thickness import (
     FIT_ENDS,
     meniscus_factor,
     starved_film,

@@ -9,11 +9,10 @@ from pytest import approx
 
 from quasidynamic.contact.half_space import ElasticPair, grid_over
 from quasidynamic.contact.rolling.fastsim import fastsim, fastsim_changes, flexibility
-from quasidynamic.contact.rolling.full_sliding import full_sliding, sliding_changes
-from quasidynamic.contact.rolling.hertz_pressure import hertz_pressure
+from quasidynamic.contact.rolling.full_sliding import full_sliding, hertz_pressure, sliding_changes
 from quasidynamic.contact.rolling.kalker import kalker, kalker_changes
-from quasidynamic.contact.rolling.linear_solve import solved
 from quasidynamic.contact.rolling.rolling_contact import MID_STEP, RollingContacts
+from quasidynamic.contact.rolling.stick_slip import solved
 from quasidynamic.contact.rolling.transient import RollingSteps
 from quasidynamic.errors import ImpossiblePart, NotSolved, OutOfRange
 from tests.random_contacts import STEEL, drawn
@@ -213,7 +212,7 @@ def test_linear_solve_meets_a_direct_one_also_after_a_new_start(monkeypatch):
     matrix = np.eye(30) + 0.3 * np.random.default_rng(3).normal(size=(30, 30)) / np.sqrt(30)
     right = np.random.default_rng(4).normal(size=(2, 5, 3))
     for basis in (80, 8):
-        monkeypatch.setattr("quasidynamic.contact.rolling.linear_solve.BASIS", basis)
+        monkeypatch.setattr("quasidynamic.contact.rolling.stick_slip.BASIS", basis)
         found = solved(lambda change: (matrix @ change.ravel()).reshape(right.shape), right, 1e-9)
         assert found.ravel() == approx(np.linalg.solve(matrix, right.ravel()), abs=1e-8)
 

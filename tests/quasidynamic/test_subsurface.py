@@ -8,8 +8,8 @@ from pytest import approx
 
 from quasidynamic.contact.ellipse import subsurface as ellipse
 from quasidynamic.contact.ellipse.subsurface import ellipse_stress
-from quasidynamic.contact.line import subsurface as line
-from quasidynamic.contact.line.subsurface import line_contact_stress
+from quasidynamic.contact.line import slices as line
+from quasidynamic.contact.line.slices import line_contact_stress
 from quasidynamic.contact.section_stress import SectionStress
 from quasidynamic.errors import OutOfRange
 from quasidynamic.outcome.subsurface import below, largest_von_mises

@@ -15,7 +15,7 @@ from quasidynamic.balance.rollers.unknowns import CAGE
 from quasidynamic.solve import arclength
 from quasidynamic.solve.arclength import BranchEnd, LinearisedEquations, follow
 from quasidynamic.solve.rollers import bordered_system
-from quasidynamic.solve.rollers.step_bounds import bounded
+from quasidynamic.solve.rollers.newton import bounded
 from quasidynamic.trace import equilibria_at, trace
 from tests.bearings import RPM, paper_bearing
 

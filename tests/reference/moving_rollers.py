@@ -12,8 +12,8 @@ from dataclasses import replace
 import numpy as np
 
 from quasidynamic.solve.rollers import bordered_system
+from quasidynamic.solve.rollers.newton import bounded
 from quasidynamic.solve.rollers.pseudo_time import scaled_inertia
-from quasidynamic.solve.rollers.step_bounds import bounded
 
 EVALUATIONS = 60  # of Newton's method in a step
 BALANCED = 1e-9  # residual

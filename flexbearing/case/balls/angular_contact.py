@@ -6,7 +6,6 @@ from typing import Literal, Self
 from pydantic import model_validator
 
 from flexbearing.case.balls.fits import FITTED
-from flexbearing.case.balls.life import BallLife
 from flexbearing.case.balls.mounting import (
     FastMaterials,
     MountedBearing,
@@ -16,8 +15,13 @@ from flexbearing.case.balls.mounting import (
 )
 from flexbearing.case.balls.parts import (
     CELLS,
+    DISPLACEMENT,
     INTERFACE,
+    LOAD,
     MODEL,
+    NO_CLASSES,
+    ONE_FRICTION,
+    PLACES,
     RIGHT_ANGLE,
     SPIN,
     STICKING,
@@ -28,9 +32,8 @@ from flexbearing.case.balls.parts import (
     Whole,
     require_quarters,
 )
-from flexbearing.case.balls.renamed import DISPLACEMENT, LOAD, NO_CLASSES, ONE_FRICTION, PLACES
 from flexbearing.case.head import KIND
-from flexbearing.case.oil import Oil
+from flexbearing.case.materials import Oil
 from flexbearing.case.outputs import LifeOutputs
 from flexbearing.case.quantity import (
     Angle,
@@ -43,6 +46,7 @@ from flexbearing.case.quantity import (
     key,
     needed,
 )
+from flexbearing.case.ratings import BallLife
 
 PLANE = "about the point of the bearing axis in the plane of the inner groove centres"
 DIRECTIONS = {  # name of a load, and of the displacement that may be held instead

@@ -6,7 +6,7 @@ from typing import ClassVar, Literal, NamedTuple, Self
 from pydantic import field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
-from flexbearing.case.balls.renamed import AXES_CHANGED
+from flexbearing.case.balls.parts import AXES_CHANGED
 from flexbearing.case.quantity import Angle, Foundation, Length, Section, impossible, key, require
 
 _BOLTED = {"kind": ("bolted",)}

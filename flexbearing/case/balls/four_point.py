@@ -8,9 +8,12 @@ from pydantic import model_validator
 from flexbearing.case.balls import bolted_rings
 from flexbearing.case.balls.mounting import MountedBearing, MountedCase, MountedMaterials
 from flexbearing.case.balls.parts import (
+    AS_CLEARANCE,
     CELLS,
     INTERFACE,
+    LOAD,
     MODEL,
+    NO_CLASSES,
     RIGHT_ANGLE,
     SPIN,
     STICKING,
@@ -22,9 +25,8 @@ from flexbearing.case.balls.parts import (
     Whole,
     require_quarters,
 )
-from flexbearing.case.balls.renamed import AS_CLEARANCE, LOAD, NO_CLASSES
-from flexbearing.case.contact_outputs import ContactOutputs
 from flexbearing.case.head import KIND
+from flexbearing.case.outputs import ContactOutputs
 from flexbearing.case.quantity import (
     Angle,
     Force,

@@ -4,7 +4,7 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
-from flexbearing.case.oil import Oil, ViscositySheet
+from flexbearing.case.materials import Oil, ViscositySheet
 from flexbearing.case.quantity import (
     Conductivity,
     Density,

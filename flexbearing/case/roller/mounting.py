@@ -1,10 +1,28 @@
-"""What fits and clearances of the rings ask of the other sections."""
+"""What one section of a roller case asks of the others: fits, classes of tolerances, structures."""
+
+from collections.abc import Callable, Iterator
 
 from flexbearing.case.quantity import impossible, in_mm, needed
 from flexbearing.case.roller.bearing import Bearing
 from flexbearing.case.roller.fits import Fits
+from flexbearing.case.roller.numerics import Accuracy
 from flexbearing.case.roller.rings import Inner, Outer
 from flexbearing.case.roller.surroundings import Materials, Temperatures
+from flexbearing.case.tolerances import (
+    CLEARANCE,
+    HOUSING,
+    SHAFT,
+    Band,
+    housing_interference,
+    initial_clearance,
+    shaft_interference,
+    tabulated,
+)
+
+_Read = tuple[str, str, Callable[[float], Band], float | None, str]  # key, class, table, diameter, its key
+CHOICE = 'for coupling.structure = "full"'
+SUPPORTS = {"beam": ("side", "foundation"), "solid": ("side", "seat", "housing")}  # others know all
+WITHOUT_MATRIX = ("beam", "solid")
 
 
 def require_mounting(
@@ -75,3 +93,75 @@ def _require_outside(bearing: Bearing, fits: Fits, outer: Outer) -> None:
     if fits.housing and (fits.housing.diameter or 0.0) <= fits.outer_diameter:
         allowed = f"above {in_mm(fits.outer_diameter)}, bearing.fits.outer_diameter"
         raise impossible("bearing.fits.housing.diameter", allowed)
+
+
+def bore_diameter(bearing: Bearing, inner: Inner) -> float | None:
+    """Nominal bore of the inner ring [m]; None where the case does not give it."""
+    if inner.kind != "rigid":
+        return inner.bore
+    return bearing.fits.bore if bearing.fits else None
+
+
+def outside_diameter(bearing: Bearing, outer: Outer) -> float | None:
+    """Nominal outside diameter of the outer ring [m]; None where the case does not give it."""
+    if outer.kind == "rigid":
+        return bearing.fits.outer_diameter if bearing.fits else None
+    return bearing.outer_raceway_diameter + 2 * (outer.thickness or 0.0)
+
+
+def bands(bearing: Bearing, inner: Inner, outer: Outer) -> dict[str, Band]:
+    """Bands of a case's clearance before mounting and of its interferences."""
+    return {row[0]: tabulated(*row) for row in _read(bearing, inner, outer)}
+
+
+def _read(bearing: Bearing, inner: Inner, outer: Outer) -> Iterator[_Read]:
+    """The classes that are given."""
+    fits, bore = bearing.fits, bore_diameter(bearing, inner)
+    of_bore = "bearing.fits.bore" if inner.kind == "rigid" else "inner.bore"
+    if (clearance := bearing.clearance_class) is not None:
+        yield CLEARANCE, clearance, lambda size: initial_clearance(clearance, size), bore, of_bore
+    if fits and (shaft := fits.shaft) is not None:
+        yield SHAFT, shaft, lambda size: shaft_interference(shaft, size), bore, of_bore
+    if fits and fits.housing and (housing := fits.housing.tolerance_class) is not None:
+        outside = outside_diameter(bearing, outer)
+        owner = "bearing.fits.outer_diameter"
+        yield HOUSING, housing, lambda size: housing_interference(housing, size), outside, owner
+
+
+def require_known(accuracy: Accuracy, inner: Inner, outer: Outer, *, lifts_off: bool) -> None:
+    """Raise where a flexible part is none that the structure of the case knows."""
+    structure = accuracy.structure
+    choice = f'for accuracy.structure = "{structure}"'
+    known = SUPPORTS.get(structure)
+    if known and outer.kind == "ring" and not lifts_off and outer.support not in known:
+        raise impossible("outer.support", f"{_or(known)} {choice}")
+    if outer.kind == "matrix" and structure in WITHOUT_MATRIX:
+        raise impossible("accuracy.structure", '"harmonics" or "smeared" for outer.kind = "matrix"')
+    if structure != "beam":
+        return
+    if outer.kind == "squirrel_cage" and outer.collar_length:
+        raise impossible(
+            "outer.collar_length", f"left out {choice}: a collar makes it no beam of one section"
+        )
+    if inner.kind == "ring_on_shaft" and inner.fit == "bonded" and inner.shaft_thickness is None:
+        raise impossible("inner.shaft_thickness", f"given {choice}: a solid shaft is no curved beam")
+
+
+def require_solids(accuracy: Accuracy, inner: Inner, outer: Outer, *, lifts_off: bool) -> None:
+    """Raise unless every flexible part is a linear solid, resolved as the case says."""
+    if accuracy.structure != "solid" and "structure" in accuracy.model_fields_set:
+        raise impossible("accuracy.structure", f'"solid" or left out {CHOICE}, which uses the whole solids')
+    if accuracy.target is not None:
+        raise impossible("accuracy.target", f"left out {CHOICE}: levels are chosen among condensed rings")
+    if inner.kind != "rigid" and inner.fit != "bonded":
+        raise impossible("inner.fit", f'"bonded" {CHOICE}: only a bonded ring has a solid')
+    if outer.kind == "ring" and outer.support not in SUPPORTS["solid"]:
+        raise impossible("outer.support", f"{_or(SUPPORTS['solid'])} {CHOICE}: others have no solid")
+    if outer.kind == "matrix":
+        raise impossible("outer.kind", f"another one {CHOICE}: a matrix has no solid")
+    if lifts_off:
+        raise impossible("bearing.fits.housing", f"left out {CHOICE}: only a bonded ring has a solid")
+
+
+def _or(names: tuple[str, ...]) -> str:
+    return " or ".join(f'"{name}"' for name in names)

@@ -2,23 +2,21 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Literal, Self
+from typing import Any, Literal, Self
 
 from pydantic import model_validator
 from pydantic_core import PydanticCustomError
 
 from flexbearing.case.head import KIND, Head
+from flexbearing.case.outputs import Outputs
 from flexbearing.case.quantity import impossible, in_mm, key, needed
-from flexbearing.case.roller.bands import bands
+from flexbearing.case.ratings import FEWEST_SLICES, Life
 from flexbearing.case.roller.bearing import Bearing
-from flexbearing.case.roller.life import FEWEST_SLICES, Life
 from flexbearing.case.roller.lubricant import Lubricant
-from flexbearing.case.roller.mounting import require_mounting
+from flexbearing.case.roller.mounting import bands, require_known, require_mounting, require_solids
 from flexbearing.case.roller.numerics import Accuracy, Coupling
-from flexbearing.case.roller.outputs import Outputs
 from flexbearing.case.roller.profile import Generatrix
 from flexbearing.case.roller.rings import Inner, Outer
-from flexbearing.case.roller.structures import require_known, require_solids
 from flexbearing.case.roller.surroundings import Materials, Operation
 from flexbearing.case.tolerances import CLEARANCE, HOUSING, SHAFT, Band, Place
 
@@ -26,6 +24,7 @@ FORMER = {  # keys of older versions, and what has taken their place
     "inner.interference": "bearing.fits.shaft_interference, and that of the housing is "
     "bearing.fits.housing.interference",
 }
+_MILLIMETRES = 1e3
 
 
 class Case(Head):
@@ -229,3 +228,29 @@ def _at(section: str, check: Callable[[], None]) -> None:
     except PydanticCustomError as problem:
         context = problem.context or {}
         raise impossible(f"{section}.{context['names'][0]}", context["allowed"]) from None
+
+
+def cage_radii(case: Any) -> tuple[float, float]:
+    """Inside and outside radius of the cage [m]: at its land, or about the pitch circle."""
+    bearing: Any = case.bearing
+    cage: Any = bearing.cage
+    if cage.guidance == "outer":
+        high = (cage.land_diameter - cage.land_clearance) / 2
+        return high - cage.thickness, high
+    if cage.guidance == "inner":
+        low = (cage.land_diameter + cage.land_clearance) / 2
+        return low, low + cage.thickness
+    pitch = (bearing.outer_raceway_diameter - bearing.roller.diameter) / 2
+    return pitch - cage.thickness / 2, pitch + cage.thickness / 2
+
+
+def overlap(case: Any) -> str:
+    """Where the cage lies within the ribs of the inner ring, in words; empty where it does not."""
+    ring: Any = case.inner
+    if ring.kind == "rigid" or not ring.ribbed or not case.bearing.cage.thickness:
+        return ""
+    inside, rib = cage_radii(case)[0], ring.bore / 2 + ring.thickness
+    end = case.bearing.roller.length / 2 + (case.bearing.cage.land_width or 0.0) / 2
+    if inside >= rib or end <= ring.track_width / 2:
+        return ""
+    return f"cage inside Ø {2 * _MILLIMETRES * inside:.6g} mm, inner ribs Ø {2 * _MILLIMETRES * rib:.6g} mm"

@@ -4,11 +4,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from flexbearing.case import BadCase
-from flexbearing.case.excerpt import excerpt
 from flexbearing.catalogue.entries import ENTRIES, LIKES
 from flexbearing.catalogue.page import names
 from flexbearing.catalogue.rexs.operation import CASING, Point, heaviest, points
 from flexbearing.catalogue.rexs.parts import Model, Part
+from flexbearing.printable import excerpt
 
 KINDS = ("rolling_bearing_with_detailed_geometry", "rolling_bearing_with_catalog_geometry")
 OTHERS = ("concept_bearing", "slide_bearing", "hydrodynamic_radial_plain_bearing")  # without rollers or balls

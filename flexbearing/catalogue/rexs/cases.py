@@ -7,7 +7,6 @@ from itertools import accumulate
 from pathlib import Path
 
 from flexbearing.case import BadCase
-from flexbearing.case.excerpt import enumerated, excerpt
 from flexbearing.case.read import LONGEST_NAME
 from flexbearing.catalogue.entries import ENTRIES, LIKES, MODELS
 from flexbearing.catalogue.new import new
@@ -25,6 +24,7 @@ from flexbearing.catalogue.rexs.file import read
 from flexbearing.catalogue.rexs.missing import filled
 from flexbearing.catalogue.rexs.parts import Model, Part
 from flexbearing.files import BadOutput, require_outputs
+from flexbearing.printable import enumerated, excerpt
 
 MOST = 100  # bearings of a model whose cases are written at once
 LONGEST = 500  # characters of the names of what is not used

@@ -7,12 +7,12 @@ from xml.etree import ElementTree
 
 from flexbearing import inputs
 from flexbearing.case import BadCase
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.read import LONGEST_NAME
 from flexbearing.catalogue.rexs import json_form
 from flexbearing.catalogue.rexs.parts import Model, Part, Roles, Value
 from flexbearing.inputs.archive import BEGINNING
 from flexbearing.inputs.limits import REXS
+from flexbearing.printable import excerpt
 
 ENCODINGS = (b"utf-8", b"utf-16", b"us-ascii", b"iso-8859-1", b"windows-1252")
 ENDINGS = (".rexs", ".rexsj", ".rexs.xml", ".rexs.json")  # of a model in an archive

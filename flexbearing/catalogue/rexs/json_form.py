@@ -6,7 +6,7 @@ from typing import Any
 from xml.etree.ElementTree import Element, SubElement
 
 from flexbearing.case import BadCase
-from flexbearing.case.excerpt import excerpt
+from flexbearing.printable import excerpt
 
 
 def root(content: bytes) -> Element:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 from flexbearing import inputs
 from flexbearing.case import BadCase
-from flexbearing.case.excerpt import excerpt
+from flexbearing.printable import excerpt
 
 UNITS = {"": "none", "\N{DEGREE SIGN}": "deg", "\N{DEGREE SIGN}C": "C"}  # other spellings of files
 Roles = Mapping[str, str]  # role to number of a component

@@ -1,8 +1,6 @@
 """How results of a fast angular-contact ball bearing are shown."""
 
-from flexbearing.report.balls.angular_contact_figures import balls, pictures
-from flexbearing.report.balls.angular_contact_page import page
-from flexbearing.report.drawing.of_case import of_fast_balls
+from flexbearing.case.family import Entry
 from flexbearing.report.family_report import Elements, FamilyReport
 
 ELEMENTS = Elements(
@@ -22,5 +20,10 @@ ELEMENTS = Elements(
     },
 )
 REPORT = FamilyReport(
-    page, pictures, elements=ELEMENTS, balls=balls, short={"loads": "ball_loads"}, drawings=of_fast_balls
+    page=Entry("flexbearing.report.balls.angular_contact_page:page"),
+    pictures=Entry("flexbearing.report.balls.angular_contact_figures:pictures"),
+    elements=ELEMENTS,
+    balls=Entry("flexbearing.report.balls.angular_contact_figures:balls"),
+    short={"loads": "ball_loads"},
+    drawings=Entry("flexbearing.report.drawing.of_case:of_fast_balls"),
 )

@@ -1,8 +1,6 @@
 """How results of a slow ball bearing are shown."""
 
-from flexbearing.report.balls.four_point_figures import balls, pictures
-from flexbearing.report.balls.four_point_page import page
-from flexbearing.report.drawing.of_case import of_slow_balls
+from flexbearing.case.family import Entry
 from flexbearing.report.family_report import Elements, FamilyReport
 
 ELEMENTS = Elements(
@@ -21,5 +19,10 @@ ELEMENTS = Elements(
     },
 )
 REPORT = FamilyReport(
-    page, pictures, elements=ELEMENTS, balls=balls, short={"loads": "ball_loads"}, drawings=of_slow_balls
+    page=Entry("flexbearing.report.balls.four_point_page:page"),
+    pictures=Entry("flexbearing.report.balls.four_point_figures:pictures"),
+    elements=ELEMENTS,
+    balls=Entry("flexbearing.report.balls.four_point_figures:balls"),
+    short={"loads": "ball_loads"},
+    drawings=Entry("flexbearing.report.drawing.of_case:of_slow_balls"),
 )

@@ -88,7 +88,7 @@ def _balls(result: Result) -> dict[int, DrawnBall]:
     cells = result.family.report().balls
     if cells is None:
         raise BadResult(f"{result.place}: contacts are compared of ball bearings; it is of a {result.kind}.")
-    return {ball.number: ball for ball in cells(result)}
+    return {ball.number: ball for ball in cells()(result)}
 
 
 def _shown(value: Any) -> str:

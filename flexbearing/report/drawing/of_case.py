@@ -26,7 +26,7 @@ def drawings(family: Family, case: Any, *, values: bool = True, resized: bool = 
     """
     draw, profiles_of = family.report().drawings, family.profiles
     if draw is not None:
-        yield from draw(Words(case, values, profiles_of() if profiles_of else None, resized))
+        yield from draw()(Words(case, values, profiles_of() if profiles_of else None, resized))
 
 
 def of_rollers(words: Words) -> Iterator[Drawing]:

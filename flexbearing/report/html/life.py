@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 
 from flexbearing.quantities.reductions import RACES
-from flexbearing.report.catalogue_life import is_stated
 from flexbearing.report.html import oil, ratings
 from flexbearing.report.html.document import Block, Cell, Items, Table, Words
 from flexbearing.report.html.lives import lives
@@ -268,6 +267,8 @@ def _left_out(reader: Reader) -> Iterator[Block]:
 
 def _catalogue(reader: Reader, found: dict[str, Any]) -> Iterator[Block]:
     """Every life from the catalogue's to that of the case."""
+    from flexbearing.report.catalogue_life import is_stated  # brings rich
+
     stages: list[tuple[Cell, ...]] = []
     for place, stage in enumerate(found["stages"]):
         why = stage["meaning"] if is_stated(stage) else ""

@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 
 from flexbearing import inputs
-from flexbearing.case.excerpt import excerpt
 from flexbearing.files import as_csv
 from flexbearing.inputs.limits import TABLE
+from flexbearing.printable import excerpt
 
 MOST_ROWS, MOST_CELLS = 1_000_000, 20_000_000  # numbers and texts, those of lists among them
 DIGEST, NO_DIGEST = "sha256", "0" * 64  # in the metadata: of the bytes of the file, with zeros in its place

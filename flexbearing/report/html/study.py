@@ -4,8 +4,7 @@ from collections.abc import Iterator
 from itertools import islice
 from math import isnan
 
-from flexbearing.case.excerpt import excerpt
-from flexbearing.printable import printable
+from flexbearing.printable import excerpt, printable
 from flexbearing.report.html.document import Block, Cell, Document, Figure, Items, Section, Table, Words
 from flexbearing.report.html.figures import COLOURS
 from flexbearing.report.html.scatter import ScatterTables, scatter_blocks

@@ -1,9 +1,7 @@
 """How results of a cylindrical roller bearing are shown."""
 
-from flexbearing.report.drawing.of_case import of_rollers
+from flexbearing.case.family import Entry
 from flexbearing.report.family_report import Elements, FamilyReport
-from flexbearing.report.roller.figures import pictures
-from flexbearing.report.roller.page import page
 
 ELEMENTS = Elements(
     word="roller",
@@ -39,4 +37,11 @@ ELEMENTS = Elements(
     },
 )
 SHORT = {"loads": "roller_loads", "pressure": "pressure_along", "deviation": "raceway_deviation"}
-REPORT = FamilyReport(page, pictures, elements=ELEMENTS, deformed=True, short=SHORT, drawings=of_rollers)
+REPORT = FamilyReport(
+    page=Entry("flexbearing.report.roller.page:page"),
+    pictures=Entry("flexbearing.report.roller.figures:pictures"),
+    elements=ELEMENTS,
+    deformed=True,
+    short=SHORT,
+    drawings=Entry("flexbearing.report.drawing.of_case:of_rollers"),
+)

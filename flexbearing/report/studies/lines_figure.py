@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexbearing.case.excerpt import excerpt
+from flexbearing.printable import excerpt
 from flexbearing.report.axes_look import NUMBERS, plain_grid
 from flexbearing.report.picture import titled
 

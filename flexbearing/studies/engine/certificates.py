@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 from flexbearing import inputs
 from flexbearing.case import BadCase
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.read import LONGEST_NAME
+from flexbearing.printable import excerpt
 
 if TYPE_CHECKING:
     from distributed.security import Security

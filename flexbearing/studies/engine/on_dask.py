@@ -8,7 +8,7 @@ from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any
 from urllib.parse import urlsplit
 
-from flexbearing.case.excerpt import excerpt
+from flexbearing.printable import excerpt
 from flexbearing.program.processes import Done
 from flexbearing.studies.engine.certificates import Certificates
 from flexbearing.studies.engine.engine import EngineLost

@@ -11,13 +11,12 @@ from pydantic import ValidationError
 
 from flexbearing import inputs
 from flexbearing.case.declarations import Declaration, find
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.family import Families
-from flexbearing.case.file_keys import next_to, value_at
-from flexbearing.case.head import Head
+from flexbearing.case.head import Head, next_to, value_at
 from flexbearing.case.problems import BadCase, messages, nearest
 from flexbearing.case.read import LONGEST_NAME, model_of, written
 from flexbearing.case.text import LARGEST, Unreadable, tables
+from flexbearing.printable import excerpt
 from flexbearing.studies.file.axes import Axis, axes, require_crossable
 from flexbearing.studies.file.sampled import Drawn, sampled
 from flexbearing.studies.file.schema import Over, PlotTable, StudyFile

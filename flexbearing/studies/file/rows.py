@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from flexbearing import inputs
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.text import Unreadable, setting_value
 from flexbearing.inputs.limits import VARIANTS
+from flexbearing.printable import excerpt
 from flexbearing.studies.file.values import MOST, BadValues
 
 HEADING = re.compile(r"\s*(?P<name>[^\[\]]*?)\s*(?:\[(?P<unit>[^\[\]]*)\])?\s*")

@@ -9,8 +9,8 @@ from typing import Any
 
 from flexbearing import inputs
 from flexbearing.case.declarations import Declaration, toml
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.quantity import Kind
+from flexbearing.printable import excerpt
 from flexbearing.sampling.design import POWERS_OF_2, Design
 from flexbearing.sampling.distribution import Distribution, lognormal, normal, truncated_normal, uniform
 from flexbearing.sampling.points import Points

@@ -5,11 +5,11 @@ from pathlib import Path
 from pydantic import ValidationError
 
 from flexbearing import inputs
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.problems import BadCase, messages
 from flexbearing.case.quantity import Section, key
 from flexbearing.case.read import LONGEST_NAME
 from flexbearing.case.text import LARGEST, Unreadable, tables
+from flexbearing.printable import excerpt
 
 
 class SlurmProfile(Section):

@@ -8,7 +8,7 @@ from typing import Any
 
 from flexbearing import inputs
 from flexbearing.case.declarations import Declaration, toml
-from flexbearing.case.excerpt import excerpt
+from flexbearing.printable import excerpt
 from flexbearing.studies.file.axes import Axis, columns_of, together
 from flexbearing.studies.file.rows import rows
 from flexbearing.studies.file.schema import Duty

@@ -11,8 +11,8 @@ from pydantic_core import PydanticCustomError
 
 from flexbearing import inputs
 from flexbearing.case.declarations import Declaration, toml
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.quantity import LONGEST, Kind
+from flexbearing.printable import excerpt
 from flexbearing.studies.file.columns import Written
 
 MOST = 1_000_000  # variants of a study

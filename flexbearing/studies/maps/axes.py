@@ -9,9 +9,9 @@ import numpy as np
 
 from flexbearing.case import BadCase, Head
 from flexbearing.case.declarations import Declaration, find
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.problems import nearest
 from flexbearing.families import FAMILIES
+from flexbearing.printable import excerpt
 from flexbearing.studies.file.values import BadValues, values
 from flexbearing.studies.table.keys import in_table
 

@@ -12,11 +12,11 @@ import numpy as np
 from flexbearing.api import check, read_case
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase, Head
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.roller import Case
 from flexbearing.coupled.coupled import BearingPartner, equilibrium
 from flexbearing.coupling import PartnerFailed, RacewayPair
 from flexbearing.coupling.partners import Compliance
+from flexbearing.printable import excerpt
 from flexbearing.program.processes import Processes
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged

@@ -22,7 +22,6 @@ from flexbearing.coupling import LinearPair, PartnerFailed
 from flexbearing.families import FAMILIES
 from flexbearing.progress import Report
 from flexbearing.rings.condensed import RACES, is_linear, linear_raceways
-from flexbearing.runs import validate_roller
 from flexbearing.studies.maps.axes import MapAxis, with_numbers
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange, RollerBearing
 from quasidynamic.maps.points import GridPoints
@@ -61,7 +60,7 @@ def grid(first: Case, axes: Sequence[MapAxis], report: Report) -> MapGrid:
     try:
         models = [roller_bearing.bearing(case) for case in some]
         for case, model in zip(some, models, strict=True):
-            validate_roller.require_around(case, model.bearing)
+            roller_bearing.require_around(case, model.bearing)
         rings = _rings(some, models, report)
         bearings = [
             replace(models[which], operation=roller_bearing.operation(case))

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 from flexbearing.api import check
 from flexbearing.case import BadCase
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.roller import Case
 from flexbearing.files import require_outputs, write
+from flexbearing.printable import excerpt
 from flexbearing.progress import Report
 from flexbearing.report.picture import FORMATS, Format, picture_bytes
 from flexbearing.runs.run_case import stem_of_outputs

@@ -20,7 +20,7 @@ from flexbearing.studies.table import Table
 from flexbearing.studies.table.column import Column
 from quasidynamic.contact.film.roughness import MIXED_FROM
 from quasidynamic.maps.sheets import FINEST
-from quasidynamic.outcome.static_pressure import ROLLERS
+from quasidynamic.outcome.rating_life import ROLLERS
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -3,7 +3,7 @@
 from hashlib import sha256
 
 from flexbearing.case import Head
-from flexbearing.case.named_files import digests
+from flexbearing.case.head import digests
 from flexbearing.quantities.attributes import FORMAT
 
 LENGTH = 32  # characters that are kept, 128 bits

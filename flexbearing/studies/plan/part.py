@@ -4,7 +4,7 @@ import re
 from dataclasses import dataclass
 
 from flexbearing.case import BadCase
-from flexbearing.case.excerpt import excerpt
+from flexbearing.printable import excerpt
 from flexbearing.studies.plan.task import Task, Variant
 
 MOST = 100_000  # parts

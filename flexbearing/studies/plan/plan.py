@@ -9,8 +9,8 @@ from typing import Any
 
 from flexbearing.case import BadCase
 from flexbearing.case.declarations import toml
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.problems import MOST
+from flexbearing.printable import excerpt
 from flexbearing.studies.file import Axis, Study
 from flexbearing.studies.file.columns import Crossed
 from flexbearing.studies.plan.checked import CheckedVariants

@@ -2,9 +2,9 @@
 
 from flexbearing.case import BadCase
 from flexbearing.case.declarations import by_path
-from flexbearing.case.excerpt import excerpt
 from flexbearing.case.family import Families
 from flexbearing.outputs import UnknownOutput, WrongUnit, wanted
+from flexbearing.printable import excerpt
 from flexbearing.studies.file import Study
 from flexbearing.studies.file.values import BadValues
 from flexbearing.studies.table.collected import Collected, of_output, of_text

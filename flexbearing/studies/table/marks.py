@@ -8,8 +8,8 @@ from pydantic_core import PydanticCustomError
 
 from flexbearing import inputs
 from flexbearing.case.declarations import Declaration
-from flexbearing.case.excerpt import excerpt
 from flexbearing.outputs.value import conversion
+from flexbearing.printable import excerpt
 from flexbearing.studies.file.schema import MarkTable
 from flexbearing.studies.file.values import BadValues
 from flexbearing.studies.table.collected import Collected

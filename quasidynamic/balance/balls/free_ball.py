@@ -140,21 +140,7 @@ def free_balls(
 
 
 def motion_by_slip(centre: NDArray, ball_radius: NDArray) -> NDArray:
-    """Motion by unknowns that no rounding spoils.
-
-    Parameters
-    ----------
-    centre : array (N, 2, 3)
-        slip in the middle of two contacts, by ring speed and ball speeds in axial and radial direction [m]
-    ball_radius : array (N)
-        D/2 [m]
-
-    Returns
-    -------
-    array (N, 4, 4)
-        motion by slip in both middles, by the spin with neither and by the speed of the surface from turning
-        about the rolling direction
-    """
+    """Motion by unknowns that no rounding spoils."""
     turned = np.swapaxes(centre, -1, -2)
     spinning = np.cross(centre[:, INNER], centre[:, OUTER])
     motion = np.zeros((len(centre), 4, 4))

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.half_space import CellGrid, grid_over
 from quasidynamic.contact.pressure import PressedGroove
-from quasidynamic.contact.rolling.hertz_pressure import hertz_pressure
+from quasidynamic.contact.rolling.full_sliding import hertz_pressure
 from quasidynamic.motion.ball_slip import DIAGONAL
 
 

@@ -54,17 +54,7 @@ class RaceControl(Protocol):
         ...
 
     def kinematics(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> BallKinematics:
-        """Motion of balls and what it asks of the races.
-
-        Parameters
-        ----------
-        contacts : LoadedContacts
-            of C cases, Z balls
-        speeds : array (2, C, 1)
-            of the inner and of the outer ring [rad/s]
-        centrifugal : array (C, 1)
-            F_c of balls on the outer race alone [N]
-        """
+        """Motion of balls and what it asks of the races."""
         ...
 
 

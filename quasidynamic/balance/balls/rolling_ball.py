@@ -13,7 +13,7 @@ from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.rigid_slip import CENTRE, sagitta, strip_slip
 from quasidynamic.contact.half_space import ElasticPair, grid_over
 from quasidynamic.contact.pressure import PressedGroove
-from quasidynamic.contact.rolling.hertz_pressure import hertz_pressure
+from quasidynamic.contact.rolling.full_sliding import hertz_pressure
 from quasidynamic.contact.rolling.rolling_contact import ACROSS, ALONG, MID_STEP, Rolled, RollingContacts
 from quasidynamic.motion.ball_slip import INNER, ORBIT, OUTER, TURN, BallContacts, turning_slip_by_motion
 
@@ -143,26 +143,7 @@ def rolling_balls(
     pairs: tuple[ElasticPair, ElasticPair],
     cells: tuple[int, int],
 ) -> RollingBall:
-    """Several balls of one diagonal on Hertz ellipses, inner then outer contact of each.
-
-    Parameters
-    ----------
-    balls : BallContacts
-        (N, 1, 2)
-    ellipse : Ellipse
-        (N, 2)
-    unknowns : array (N, 4, 4)
-        motion by the unknowns
-    pairs : pair of ElasticPair
-        ball and inner, ball and outer race
-    cells : pair of int
-        along and across the rolling direction, over each ellipse
-
-    Returns
-    -------
-    RollingBall
-        of 2 N contacts; motions are (2 N, 4)
-    """
+    """Several balls of one diagonal on Hertz ellipses, inner then outer contact of each."""
     count = len(balls.ball_radius)
     along, across, surface, traction, height = (
         values.reshape(2 * count)
@@ -199,27 +180,7 @@ def rolling_ball(
     cells: tuple[int, int],
     grooves: tuple[PressedGroove, ...] = (),
 ) -> RollingBall:
-    """One ball, pressed as by Hertz or into grooves.
-
-    Parameters
-    ----------
-    ball : BallContacts
-        of this ball alone (1, G, 2)
-    ellipse : Ellipse
-        (1, G, 2)
-    load : array (1, G, 2)
-        [N]; contacts without are left out
-    pairs : pair of ElasticPair
-        ball and inner, ball and outer race
-    cells : pair of int
-        along and across the rolling direction, over each contact
-    grooves : tuple of PressedGroove, optional
-        of the contacts with a load, whose pressure is computed; that of Hertz without them
-
-    Returns
-    -------
-    RollingBall
-    """
+    """One ball, pressed as by Hertz or into grooves."""
     by_motion = turning_slip_by_motion(ball)[0]
     diagonal, race = np.nonzero(load[0] > 0.0)
     loaded = (0, diagonal, race)

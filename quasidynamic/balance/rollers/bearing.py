@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.cage import FloatingCage, floating_cage
-from quasidynamic.balance.rollers.kinematics import ApproachKinematics
+from quasidynamic.balance.rollers.kinematics import ApproachKinematics, SpinTransport, spin_transport
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.balance.rollers.roller import (
     POCKET_STANDSTILL,
@@ -19,15 +19,15 @@ from quasidynamic.balance.rollers.roller import (
     RollerInputs,
     RollerState,
 )
-from quasidynamic.balance.rollers.scales import ANGLE, Scales
-from quasidynamic.balance.rollers.spin_transport import SpinTransport, spin_transport
 from quasidynamic.balance.rollers.unknowns import (
+    ANGLE,
     BORDER,
     CAGE,
     OUTER,
     OUTWARD,
     TILT_Y,
     TILT_Z,
+    Scales,
     UnknownLayout,
     Unknowns,
     Y,

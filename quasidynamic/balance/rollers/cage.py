@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.columns import stacked
 from quasidynamic.contact.cage import land_offset, land_torque
-from quasidynamic.parts.cage import Cage
-from quasidynamic.parts.lubricant import Lubricant
+from quasidynamic.parts.oil_properties import Lubricant
+from quasidynamic.parts.roller_bearing import Cage
 
 CREEP = 1e-3  # of the speed difference of the rings: below it the land is taken to turn that fast
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.parts.operation import Operation
+from quasidynamic.parts.roller_bearing import Operation
 
 
 @dataclass(frozen=True, kw_only=True)

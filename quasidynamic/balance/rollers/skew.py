@@ -15,8 +15,7 @@ from quasidynamic.contact.flange import (
     touching_skew,
 )
 from quasidynamic.contact.raceways import Raceways
-from quasidynamic.parts.flange import Flange
-from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
+from quasidynamic.parts.roller_bearing import CylindricalRollerBearing, Flange
 
 
 class RunningRollers(NamedTuple):
@@ -172,20 +171,7 @@ class SkewBalance:
         return self.flange.friction * self.bearing.roller.length / 2 * direction
 
     def residual(self, skew: NDArray, beyond: NDArray) -> tuple[NDArray, NDArray, NDArray]:
-        """Unbalanced moment (Z) towards more skew, its slope and the sum of the sizes of its parts.
-
-        Parameters
-        ----------
-        skew : array (Z)
-            psi in the sense of M_T [rad], >= 0
-        beyond : array (Z)
-            psi - psi_0 [rad], with digits of its own
-
-        Returns
-        -------
-        tuple of array (Z)
-            [N m], [N m/rad], [N m]
-        """
+        """Unbalanced moment (Z) towards more skew, its slope and the sum of the sizes of its parts."""
         axial, lever = self.axial_traction(skew), self.corner.lever
         thrust, by_skew = axial.thrust, axial.by_skew.sum(axis=0)
         couple = corner_couple(skew, beyond, thrust, self.flange, lever)

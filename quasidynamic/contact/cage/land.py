@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from quasidynamic.contact.cage.couette import couette_factor
 from quasidynamic.note import Note, outside
-from quasidynamic.parts.cage import Cage
-from quasidynamic.parts.lubricant import Lubricant
+from quasidynamic.parts.oil_properties import Lubricant
+from quasidynamic.parts.roller_bearing import Cage
 
 ECCENTRICITY_LIMIT = 0.995  # beyond it the film functions go on along their tangent, see `land_notes`
 OFFSET_ITERATIONS = 60  # Newton's method on a convex function from above: a light land takes about twenty

@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from quasidynamic.contact.cage import couette_factor
 from quasidynamic.contact.drag.orbit_drag import mixture_density
-from quasidynamic.parts.lubricant import Lubricant
-from quasidynamic.parts.roller import Roller
+from quasidynamic.parts.oil_properties import Lubricant
+from quasidynamic.parts.roller_bearing import Roller
 
 DISC_SHARPNESS = 8  # of the smooth maximum of laminar and turbulent disc friction
 

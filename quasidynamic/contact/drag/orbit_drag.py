@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.note import Note, outside
-from quasidynamic.parts.lubricant import Lubricant
+from quasidynamic.parts.oil_properties import Lubricant
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 AIR_DENSITY = 1.2  # [kg/m3]

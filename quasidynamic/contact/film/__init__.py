@@ -4,8 +4,7 @@ What the film does to the sliding surfaces is traction and stands next door.
 """
 
 from quasidynamic.contact.film.roughness import composite_roughness, lambda_ratio, regime
-from quasidynamic.contact.film.starvation import starved_film
-from quasidynamic.contact.film.thickness import FORMULAS, Film, FilmFormula, FilmLaw
+from quasidynamic.contact.film.thickness import FORMULAS, Film, FilmFormula, FilmLaw, starved_film
 
 __all__ = [
     "FORMULAS",

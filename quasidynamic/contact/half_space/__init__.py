@@ -4,9 +4,16 @@ Closed formulas and sums; which tractions act, normal or tangential, is decided 
 """
 
 from quasidynamic.contact.half_space.convolution import Convolution, convolution
-from quasidynamic.contact.half_space.elastic_pair import ElasticPair, elastic_pair
-from quasidynamic.contact.half_space.grid import CellGrid, grid_over
-from quasidynamic.contact.half_space.influence import X, Y, Z, influence_number
+from quasidynamic.contact.half_space.influence import (
+    CellGrid,
+    ElasticPair,
+    X,
+    Y,
+    Z,
+    elastic_pair,
+    grid_over,
+    influence_number,
+)
 
 __all__ = [
     "CellGrid",

@@ -2,14 +2,12 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import fft
 
-from quasidynamic.contact.half_space.elastic_pair import ElasticPair
-from quasidynamic.contact.half_space.grid import CellGrid
-from quasidynamic.contact.half_space.influence import influence_lattice
+from quasidynamic.contact.half_space.influence import CellGrid, ElasticPair, influence_lattice
 
 
 @dataclass(frozen=True)
@@ -26,13 +24,13 @@ class Convolution:
         """
         single = tractions.dtype == np.float32
         shape, spectrum = tractions.shape[-2:], self._single_spectrum if single else self.spectrum
-        waves = np.asarray(fft.rfft(tractions, self.padded[1], axis=-1))
-        waves = np.asarray(fft.fft(waves, self.padded[0], axis=-2))
+        fft = _single_precision() if single else np.fft
+        waves = fft.fft(fft.rfft(tractions, self.padded[1], axis=-1), self.padded[0], axis=-2)
         moved = spectrum[:, 0] * waves[..., None, 0, :, :]
         for number in range(1, waves.shape[-3]):
             moved += spectrum[:, number] * waves[..., None, number, :, :]
-        columns = np.asarray(fft.ifft(moved, axis=-2, overwrite_x=True))[..., : shape[0], :]
-        return np.asarray(fft.irfft(columns, self.padded[1], axis=-1))[..., : shape[1]]
+        columns = fft.ifft(moved, axis=-2)[..., : shape[0], :]
+        return fft.irfft(columns, self.padded[1], axis=-1)[..., : shape[1]]
 
     @cached_property
     def _single_spectrum(self) -> NDArray:
@@ -87,10 +85,18 @@ def convolution(
         for j, traction in enumerate(tractions):
             lattice = influence_lattice(pair, displacement, traction, edges[0], edges[1])
             numbers[i, j, first[:, None], second] = lattice
-    return Convolution(np.asarray(fft.rfft2(numbers)), padded)
+    return Convolution(np.fft.rfft2(numbers), padded)
+
+
+def _single_precision() -> Any:
+    from scipy import fft  # twice as fast as NumPy's there, and costly to import
+
+    return fft
 
 
 def _padded(cells: int) -> int:
-    """Cells of a transform that is fast, at least twice those of the grid less one."""
-    length = fft.next_fast_len(2 * cells - 1, real=True)
-    return int(length)  # pyright: ignore[reportArgumentType]
+    """Cells of a transform that is fast, of factors 2, 3 and 5: at least twice those of the grid less one."""
+    length = 2 * cells - 1
+    while 60 ** length.bit_length() % length:
+        length += 1
+    return length

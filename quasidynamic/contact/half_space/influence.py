@@ -1,13 +1,118 @@
-"""Displacement of half-spaces under an even traction on one rectangle."""
+"""Elastic half-spaces on a grid of cells: displacements at the cells by tractions that are even over one."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quasidynamic.contact.half_space.elastic_pair import ElasticPair
+from quasidynamic.errors import ImpossiblePart, require_positive
+from quasidynamic.parts.material import Material
 
 X, Y, Z = 0, 1, 2  # directions; z normal, into the body on which tractions are counted
+
+
+@dataclass(frozen=True)
+class CellGrid:
+    """Rectangular cells of one size, symmetric about the origin."""
+
+    spacing: tuple[float, float]  # [m] sides of a cell along x and y
+    shape: tuple[int, int]  # cells along x and y
+
+    def __post_init__(self):
+        for side in self.spacing:
+            require_positive("grid.spacing", side)
+        if min(self.shape) < 1:
+            raise ImpossiblePart(f"grid.shape = {self.shape} must be at least one cell in each direction")
+
+    @property
+    def cell_area(self) -> float:
+        """Area of one cell [m2]."""
+        return self.spacing[0] * self.spacing[1]
+
+    @property
+    def centres(self) -> tuple[NDArray, NDArray]:
+        """Centres of the cells, x (nx, 1) and y (1, ny) [m]."""
+        x, y = (
+            side * (np.arange(cells) - (cells - 1) / 2)
+            for side, cells in zip(self.spacing, self.shape, strict=True)
+        )
+        return x[:, None], y[None, :]
+
+
+def grid_over(half_lengths: tuple[float, float], shape: tuple[int, int]) -> CellGrid:
+    """Grid whose cells cover a rectangle of two half lengths [m] about the origin exactly.
+
+    Parameters
+    ----------
+    half_lengths : pair of float
+        of the rectangle along x and y [m]
+    shape : pair of int
+        cells along x and y
+
+    Returns
+    -------
+    CellGrid
+
+    Source
+    ------
+    Geometry.
+    """
+    spacing = (2 * half_lengths[0] / shape[0], 2 * half_lengths[1] / shape[1])
+    return CellGrid(spacing, shape)
+
+
+@dataclass(frozen=True)
+class ElasticPair:
+    r"""Constants of the relative displacement of two half-spaces under opposite tractions.
+
+    .. math:: \frac{1}{G} = \frac12\left(\frac{1}{G_1} + \frac{1}{G_2}\right),\quad
+              \frac{\nu}{G} = \frac12\left(\frac{\nu_1}{G_1} + \frac{\nu_2}{G_2}\right),\quad
+              \frac{K}{G} = \frac14\left(\frac{1-2\nu_1}{G_1} - \frac{1-2\nu_2}{G_2}\right)
+
+    Source
+    ------
+    Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990), Eq. (1.44).
+    """
+
+    shear: float  # [1/Pa] 1/G
+    poisson: float  # [1/Pa] nu/G
+    coupling: float = 0.0  # [1/Pa] K/G between pressure and tangential displacement, zero for equal bodies
+
+    def __post_init__(self):
+        require_positive("elastic_pair.shear", self.shear)
+
+    @property
+    def plane_compliance(self) -> float:
+        """1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 [1/Pa]."""
+        return self.shear - self.poisson
+
+
+def elastic_pair(first: Material, second: Material) -> ElasticPair:
+    r"""Pair of two materials.
+
+    .. math:: G = E / [2 (1 + \nu)]
+
+    Parameters
+    ----------
+    first, second : Material
+        the body on which tractions are counted, and the other one [Pa]
+
+    Returns
+    -------
+    ElasticPair
+        [1/Pa]
+
+    Source
+    ------
+    Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990), sec. 1.6.
+    """
+    one, two = (2 * (1 + body.poisson_ratio) / body.youngs_modulus for body in (first, second))
+    return ElasticPair(
+        shear=(one + two) / 2,
+        poisson=(first.poisson_ratio * one + second.poisson_ratio * two) / 2,
+        coupling=((1 - 2 * first.poisson_ratio) * one - (1 - 2 * second.poisson_ratio) * two) / 4,
+    )
 
 
 def influence_number(

@@ -4,14 +4,17 @@ No film and no friction; a profile itself is data, in `parts`.
 """
 
 from quasidynamic.contact.line.design_profile import fujiwara_kawase, johns_gohar, lundberg
-from quasidynamic.contact.line.hertz import SMALLEST_LOAD, half_width, peak_pressure, reduced_radius
 from quasidynamic.contact.line.load_law import (
     EXPONENT,
+    SMALLEST_LOAD,
     LoadLaw,
     gap_rounding,
+    half_width,
     iso16281,
     palmgren,
+    peak_pressure,
     raceway_coefficients,
+    reduced_radius,
 )
 from quasidynamic.contact.line.slices import Slices
 

@@ -2,7 +2,7 @@
 
 from math import log, pi
 
-from quasidynamic.contact.line.hertz import half_width
+from quasidynamic.contact.line.load_law import half_width
 from quasidynamic.errors import require_positive
 from quasidynamic.parts.profile import Logarithmic, LogarithmicCrown
 

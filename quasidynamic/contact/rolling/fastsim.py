@@ -5,7 +5,7 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.rolling.creep_coefficients import creep_coefficients
+from quasidynamic.contact.rolling.kalker import creep_coefficients
 from quasidynamic.contact.rolling.rolling_contact import ACROSS, ALONG, Rolled, RollingContacts, RollingLaw
 
 TORQUE_EXCESS = 0.01, 0.2  # of the torque of `kalker`, without and over the share that sticks; calibrated

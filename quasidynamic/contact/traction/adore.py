@@ -9,7 +9,7 @@ from quasidynamic.contact.line import SMALLEST_LOAD
 from quasidynamic.contact.traction.film_strip import ShearStress, film_traction, limited_stress, loaded_strip
 from quasidynamic.contact.traction.traction_law import Traction
 from quasidynamic.note import Note, outside
-from quasidynamic.parts.lubricant import Lubricant
+from quasidynamic.parts.oil_properties import Lubricant
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.parts.lubricant import Lubricant
+from quasidynamic.parts.oil_properties import Lubricant
 
 LOAD_ROUNDING = 1e-3  # of M: the rigid-isoviscous branch begins like sqrt(M), infinitely steep
 RIGID = 1.4 / 0.985  # F / (l E' R U2^0.75 sqrt M) of a rigid contact with constant viscosity

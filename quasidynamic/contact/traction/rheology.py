@@ -18,7 +18,7 @@ from quasidynamic.contact.traction.thermal_shear import (
     thermal_thinning,
 )
 from quasidynamic.contact.traction.traction_law import Traction
-from quasidynamic.parts.lubricant import Lubricant
+from quasidynamic.parts.oil_properties import Lubricant
 
 
 @dataclass(frozen=True, kw_only=True)

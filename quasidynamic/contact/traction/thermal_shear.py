@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.contact.traction.film_strip import LoadedStrip, ShearStress
 from quasidynamic.errors import NotSolved, require_positive
-from quasidynamic.parts.lubricant import Lubricant
+from quasidynamic.parts.oil_properties import Lubricant
 
 
 @dataclass(frozen=True, kw_only=True)

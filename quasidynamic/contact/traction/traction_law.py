@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.contact.line import SMALLEST_LOAD
-from quasidynamic.parts.lubricant import Lubricant
+from quasidynamic.parts.oil_properties import Lubricant
 
 Law = TypeVar("Law")
 

@@ -7,7 +7,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.driving_load import driving_load
 from quasidynamic.balance.balls.free_ball import FreeBalls, free_balls
 from quasidynamic.balance.balls.light_ball import RELEASE
 from quasidynamic.balance.balls.race_control import (
@@ -17,6 +16,7 @@ from quasidynamic.balance.balls.race_control import (
     RaceControl,
 )
 from quasidynamic.balance.balls.rolling_ball import RollingBall, rolling_balls
+from quasidynamic.balance.balls.sliding_balls import driving_load
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.point_contact import PointContact
 from quasidynamic.contact.ellipse.rigid_slip import Spin
@@ -33,7 +33,7 @@ from quasidynamic.motion.ball_slip import (
     pressed_radius,
 )
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing
-from quasidynamic.solve.balls.free_ball_motion import FreeBallMotion, free_ball_motion
+from quasidynamic.solve.balls.free_ball_search import FreeBallMotion, free_ball_motion
 from quasidynamic.solve.balls.sticking_ball_motion import sticking_ball_motion
 
 RELEASED = (RELEASE, RELEASE / 8)  # of F_c: least driving load of the inner, of the outer race

@@ -5,8 +5,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.elastic_rings import ElasticRings, ElasticRingState, dense_compliance
-from quasidynamic.balance.balls.rigid_rings import RigidRings, ring_levers
+from quasidynamic.balance.balls.elastic_rings import (
+    ElasticRings,
+    ElasticRingState,
+    RigidRings,
+    dense_compliance,
+    ring_levers,
+)
 from quasidynamic.errors import NotSolved
 from quasidynamic.parts.ball import FourPointBearing
 from quasidynamic.solve.balls.load_distribution import (

@@ -10,8 +10,7 @@ from quasidynamic.balance.balls.angular_contact import AngularBalance
 from quasidynamic.balance.balls.ball_position import Vectors
 from quasidynamic.solve.arclength import LinearisedEquations
 from quasidynamic.solve.balls.ball_equilibrium import force_scales
-from quasidynamic.solve.balls.bordered_matrix import BorderedMatrix
-from quasidynamic.solve.balls.frozen_solve import frozen_solve
+from quasidynamic.solve.balls.frozen_solve import BorderedMatrix, frozen_solve
 from quasidynamic.solve.balls.ring_on_springs import first_place
 from quasidynamic.solve.corners import followed_through
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.rigid_rings import RigidRings, RigidRingState, ring_levers
+from quasidynamic.balance.balls.elastic_rings import RigidRings, RigidRingState, ring_levers
 from quasidynamic.errors import NotSolved
 from quasidynamic.parts.ball import FourPointBearing
 from quasidynamic.solve.step_length import before_the_minimum

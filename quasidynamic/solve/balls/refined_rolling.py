@@ -75,21 +75,6 @@ def refined_rolling(
     The coarsest grid takes the motion of half the cells: where friction is in balance the torque hardly
     changes with the motion, and few cells may have no balance.
 
-    Parameters
-    ----------
-    ball_on : callable
-        the ball on a number of cells along and across the rolling direction
-    model : {"full_sliding", "fastsim", "kalker"}
-        friction of the contacts
-    cells : pair of int
-        of the finest grid, multiples of four
-    motion : array (4)
-        of full sliding, to start from: outer ring, ball axial, radial, about the rolling direction
-
-    Returns
-    -------
-    RefinedRolling
-
     Raises
     ------
     OutOfRange
@@ -116,17 +101,6 @@ def refined_kept_motion(
     motion: NDArray,
 ) -> RefinedRolling:
     """Ball with stick and slip that moves as is given, on the same grids.
-
-    Parameters
-    ----------
-    ball_on, model, cells
-        as for `refined_rolling`
-    motion : array (4)
-        outer ring, ball axial, radial, about the rolling direction
-
-    Returns
-    -------
-    RefinedRolling
 
     Raises
     ------

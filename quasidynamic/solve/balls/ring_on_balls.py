@@ -17,7 +17,7 @@ from quasidynamic.solve.balls.ball_equilibrium import (
 from quasidynamic.solve.balls.frozen_solve import frozen_solve
 from quasidynamic.solve.balls.inertia_homotopy import inertia_homotopy
 from quasidynamic.solve.balls.ring_on_springs import first_place, newton_step
-from quasidynamic.solve.outcome import SolverOutcome
+from quasidynamic.solve.step_length import SolverOutcome
 
 TOLERANCE = 1e-11  # of the largest force: unbalanced force on the ring
 LIMIT = 60  # Newton steps of the ring, rarely more than ten

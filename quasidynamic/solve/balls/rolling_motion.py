@@ -127,22 +127,6 @@ def kept_motion(
 ) -> RollingMotion:
     """Friction of a ball that moves as is given, in balance or not.
 
-    Parameters
-    ----------
-    ball : RollingBall
-        one ball
-    law : RollingLaw
-        friction of the contacts
-    motion : array (4)
-        see `RollingMotion`
-    start : array (C, 2, nx, ny), optional
-        tractions [Pa] to start from
-
-    Returns
-    -------
-    RollingMotion
-        `imbalance` says what is left
-
     Raises
     ------
     NotSolved

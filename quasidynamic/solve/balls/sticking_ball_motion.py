@@ -12,7 +12,7 @@ from quasidynamic.contact.ellipse.rigid_slip import ACROSS
 from quasidynamic.contact.rolling.fastsim import FASTSIM
 from quasidynamic.contact.rolling.rolling_contact import Rolled
 from quasidynamic.motion.ball_slip import INNER, OUTER
-from quasidynamic.solve.balls.free_ball_motion import FreeBallMotion
+from quasidynamic.solve.balls.free_ball_search import FreeBallMotion
 
 TOLERANCE = 1e-10  # of the largest friction: moments left
 UNSOLVED = 1e-8  # of these: more is no balance

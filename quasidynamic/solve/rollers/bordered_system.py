@@ -6,10 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
-from quasidynamic.balance.rollers.scales import LARGE_DEVIATION
-from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, TILT_Y, TILT_Z, Y, Z
-from quasidynamic.solve.rollers import small_systems
-from quasidynamic.solve.rollers.elastic_system import between_elastic_raceways, deflections, felt_of
+from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, LARGE_DEVIATION, TILT_Y, TILT_Z, Y, Z
+from quasidynamic.solve.rollers.elastic_system import (
+    between_elastic_raceways,
+    cyclic_tridiagonal,
+    deflections,
+    dense,
+    felt_of,
+)
 
 
 class Shift(NamedTuple):
@@ -29,22 +33,6 @@ def solve(balance: BearingBalance, system: Linearisation, right: NDArray, shift:
 
     Every roller is eliminated on its own, then the cyclic chain of spins, then the border: the cost grows
     linearly with the number of rollers. Deviations of elastic raceways are solved densely.
-
-    Parameters
-    ----------
-    balance : BearingBalance
-        scales and compliances
-    system : Linearisation
-        matrix of C cases
-    right : array (C, N, R)
-        right-hand sides, scaled
-    shift : Shift, optional
-        inertia over time step, or stiffness that holds the ring
-
-    Returns
-    -------
-    array (C, N, R)
-        not a number for cases whose matrix is singular
     """
     layout, (cases, _, count) = balance.layout, right.shape
     ring, fields_end = layout.per_roller, layout.fields_end
@@ -127,10 +115,10 @@ def substitute(table: NDArray, unknowns: NDArray, pivots: int) -> None:
 def _with_rigid_raceways(system, table, border, right) -> tuple[NDArray, NDArray]:
     """Border (5, R, C) and spins (R, C, Z), with the spins as a cyclic tridiagonal system."""
     # The spins are linear in the border unknowns and in the right-hand sides.
-    spins = small_systems.cyclic_tridiagonal(table[0, 0], system.before, system.after, table[0, 1:])
+    spins = cyclic_tridiagonal(table[0, 0], system.before, system.after, table[0, 1:])
     by_border, by_right = spins[:BORDER], spins[BORDER:]
     reduced = (table[1:, 1:] - table[1:, :1] * spins).sum(-1)
     reduced = reduced.transpose(2, 0, 1)
-    of_border = small_systems.dense(border + reduced[..., :BORDER], right[:, :BORDER] + reduced[..., BORDER:])
+    of_border = dense(border + reduced[..., :BORDER], right[:, :BORDER] + reduced[..., BORDER:])
     of_border = of_border.transpose(1, 2, 0)
     return of_border, by_right - np.einsum("brc,bcz->rcz", of_border, by_border)

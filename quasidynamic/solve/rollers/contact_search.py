@@ -8,9 +8,8 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.unknowns import CAGE, INNER, OUTER, TILT_Z, Unknowns
-from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.bordered_system import Shift
-from quasidynamic.solve.rollers.newton import Iterate, norm, step
+from quasidynamic.solve.rollers.newton import Iterate, bounded, bounded_spins, norm, step
 from quasidynamic.solve.rollers.static_equilibrium import (
     film_at,
     frictionless_loads,
@@ -18,7 +17,7 @@ from quasidynamic.solve.rollers.static_equilibrium import (
     static_equilibrium,
     tilts_between_raceways,
 )
-from quasidynamic.solve.rollers.step_bounds import bounded, bounded_spins
+from quasidynamic.solve.step_length import SolverOutcome
 
 MAX_STEPS = 40
 MAX_STEPS_NEAR = 12  # where the start is nearly the solution, or it is not
@@ -51,19 +50,6 @@ def contact_search(
     however far it overshoots; damped steps would be many and small. After a step the rollers are put into
     static equilibrium. Friction is not linear at all: cage and spins stay as they are at the start, and every
     roller that is loaded turns like the most loaded one of the start.
-
-    Parameters
-    ----------
-    balance : BearingBalance
-        of C cases
-    unknowns : array (C, N)
-        start, scaled
-    near : bool
-        whether the start is nearly the solution, such as that of a similar case: then cage and spins
-        move too, the spins by a limited share
-    damped : bool
-        whether steps are halved until forces and deviations are closer to balance: slower, and for very soft
-        raceways, where full steps leap between sets of touching rollers
     """
     cases = np.arange(len(unknowns))
     system = balance.evaluate(unknowns)

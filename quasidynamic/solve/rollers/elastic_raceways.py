@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
-from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.contact_search import contact_search
 from quasidynamic.solve.rollers.load_continuation import Continuation
 from quasidynamic.solve.rollers.newton import Iterate, newton
 from quasidynamic.solve.rollers.stiffness_continuation import from_stiffer_raceways
 from quasidynamic.solve.rollers.strategy import SolvedCases, Start, solve, solve_each
+from quasidynamic.solve.step_length import SolverOutcome
 
 BUDGET = 300  # evaluations of the bearing between raceways that keep their shape
 ROUNDS = 3  # of pseudo-time
@@ -29,22 +29,6 @@ def iterate(
     Newton's method begins where full steps found which rollers touch. Where it fails it begins where damped
     steps found them, then after some pseudo-time of cage and spins, then with the bearing solved between
     raceways of that shape, and at last where nearly rigid raceways lead to that grow softer step by step.
-
-    Parameters
-    ----------
-    balance : BearingBalance
-        of one case
-    unknowns : array (1, N)
-        start, scaled
-    near : bool
-        whether the start is nearly the solution
-    restarts : sequence of callables
-        starts of the bearing between raceways of a given shape
-
-    Yields
-    ------
-    Iterate
-        the first is the start, the last says how the solve ended
     """
     end = yield from _by_searches(balance, unknowns, near, restarts)
     if _failed(end):

@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
-from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.newton import newton
+from quasidynamic.solve.step_length import SolverOutcome
 
 FIRST_LOADS = (8.0, 64.0, 512.0, 4096.0)  # loads to begin from, over the load that is requested
 FIRST_STEP = 0.7  # of the logarithm of the load

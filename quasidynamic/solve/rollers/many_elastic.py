@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
-from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers.contact_search import contact_search
 from quasidynamic.solve.rollers.newton import newton
 from quasidynamic.solve.rollers.solved_neighbours import local_fit, spread_out
 from quasidynamic.solve.rollers.strategy import SolvedCases
+from quasidynamic.solve.step_length import SolverOutcome
 
 CASES_AT_ONCE = 64  # their slices fit into the processor's cache
 FIRST = 8  # cases that are solved by contact searches, or the root of their number

@@ -26,20 +26,6 @@ def normal_equilibrium(balance: BearingBalance, scaled: NDArray, work: ContactWo
     step would send rollers through the bearing, such as with films far thicker than the approaches or a ring
     that friction pushes to the next roller. Friction follows in a few sweeps. Between rigid, even raceways.
 
-    Parameters
-    ----------
-    balance : BearingBalance
-        of one case
-    scaled : array (1, N)
-        unknowns
-    work : ContactWork, optional
-        evaluations that may be used
-
-    Returns
-    -------
-    array (1, N)
-        unknowns, as near as the sweeps came
-
     Raises
     ------
     OutOfWork

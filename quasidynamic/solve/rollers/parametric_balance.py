@@ -6,12 +6,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
-from quasidynamic.balance.rollers.unknowns import CAGE, TILT_Z, Y, Z
+from quasidynamic.balance.rollers.unknowns import CAGE, TILT_Z, Unknowns, Y, Z
 from quasidynamic.solve.arclength import LinearisedEquations
 from quasidynamic.solve.rollers import bordered_system
-from quasidynamic.solve.rollers.step_bounds import bounded
+from quasidynamic.solve.rollers.newton import bounded
 
 Compliance = tuple[NDArray | None, NDArray | None]
 # Compliance (Z, M, Z, M) [m/N] of both raceways near roller forces (2, Z, M) [N], and their deviations
@@ -99,3 +99,57 @@ class ParametricBalance:
     def bounded(self, before: NDArray, after: NDArray) -> NDArray:
         """Keep films and approaches of a step positive."""
         return bounded(self.balance, before[None], after[None])[0]
+
+
+def residuals(balance: BearingBalance, unknowns: Unknowns) -> NDArray:
+    """Residuals (C, N) in SI units of C cases at the same unknowns of one case.
+
+    Scales depend on load and speed: only in SI units do residuals of different cases compare.
+    """
+    scaled = balance.layout.joined(unknowns) / balance.scales.unknown
+    return balance.evaluate(scaled).residual * balance.scales.residual
+
+
+def moved_unknowns(balance: BearingBalance, system: Linearisation, by_parameter: NDArray) -> NDArray:
+    r"""Derivatives of the unknowns of an equilibrium by P parameters.
+
+    .. math:: \frac{dx}{dp} = -J^{-1} \frac{\partial F}{\partial p}
+
+    Parameters
+    ----------
+    balance : BearingBalance
+        of one case
+    system : Linearisation
+        its derivatives J at the equilibrium
+    by_parameter : array (N, P)
+        derivatives of the residuals at fixed unknowns, both in SI units
+
+    Returns
+    -------
+    array (N, P)
+        in SI units; not a number where the matrix is singular, as on a fold
+
+    Source
+    ------
+    The implicit function theorem; one elimination serves all parameters.
+
+    Valid
+    -----
+    On the side of a contact switch on which the derivatives J were taken.
+    """
+    right = -by_parameter / balance.scales.residual[0][:, None]
+    return bordered_system.solve(balance, system, right[None])[0] * balance.scales.unknown[0][:, None]
+
+
+def slice_approaches(balance: BearingBalance, scaled: NDArray) -> NDArray:
+    """Approaches (C, 2, Z, K) [m] of the slices of rollers to both raceways, negative in a gap."""
+    raceways = balance.roller.raceways
+    approach = raceways.slices.spread(balance.approach(balance.unpack(scaled)).swapaxes(0, 1))
+    return (approach - raceways.drop).transpose(2, 1, 3, 0)
+
+
+def nearest_switch(approach: NDArray, by_parameter: NDArray) -> NDArray:
+    """Smallest change of each parameter (P) after which some slice opens or closes, linearly, >= 0."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        change = np.abs(approach / by_parameter)
+    return np.where(np.isnan(change), np.inf, change).min(axis=1)

@@ -7,14 +7,13 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.unknowns import CAGE
-from quasidynamic.solve.outcome import SolverOutcome
 from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.solve.rollers.load_continuation import Continuation
-from quasidynamic.solve.rollers.newton import newton, norm, step
+from quasidynamic.solve.rollers.newton import bounded, newton, norm, step
 from quasidynamic.solve.rollers.normal_equilibrium import normal_equilibrium
 from quasidynamic.solve.rollers.pressed_rollers import ContactWork, OutOfWork
 from quasidynamic.solve.rollers.pseudo_time import LARGEST_RING_STEP, LARGEST_SPEED_CHANGE, scaled_inertia
-from quasidynamic.solve.rollers.step_bounds import bounded
+from quasidynamic.solve.step_length import SolverOutcome
 
 MAX_STEPS = 150  # steps
 MOST_CONTACTS = 30_000  # evaluations of the contacts of all rollers: nearly all solutions take below 2000
@@ -33,13 +32,6 @@ def through_settled_time(balance: BearingBalance, start: NDArray) -> Continuatio
 
     The normal equilibrium is found anew after every step, from wherever that leads, so that only friction is
     linearised; a speed that turns back, as where traction changes its side, takes shorter steps.
-
-    Parameters
-    ----------
-    balance : BearingBalance
-        of one case between rigid, even raceways
-    start : array (1, N)
-        scaled unknowns to begin with
     """
     with suppress(OutOfWork):
         return _settled(balance, start, ContactWork(MOST_CONTACTS))

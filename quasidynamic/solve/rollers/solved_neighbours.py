@@ -33,13 +33,6 @@ def coordinates(numbers: NDArray, arrays: NDArray | None = None) -> NDArray:
 
     They are the largest principal components of what differs: numbers that follow from one another, such as
     the properties of an oil from its temperature, share one.
-
-    Parameters
-    ----------
-    numbers : array (C, n)
-        what may differ; logarithms are taken of those that are all positive
-    arrays : array (C, ...), optional
-        what may differ besides, by its largest principal components
     """
     scales = [np.log(column) if column.min() > 0 else column for column in numbers.T]
     if arrays is not None:

@@ -23,15 +23,6 @@ def from_stiffer_raceways(balance: BearingBalance, unknowns: NDArray, solve: Sol
 
     Rollers touch one after the other as raceways grow softer, where one step to the soft ones leaps between
     sets of rollers that touch.
-
-    Parameters
-    ----------
-    balance : BearingBalance
-        of one case
-    unknowns : array (1, N)
-        start between rigid raceways, scaled
-    solve : callable
-        of a balance, its start and whether every way shall be tried
     """
     reached, step, evaluations = np.log(STIFFEST) - FIRST_STEP, FIRST_STEP, 0
     while evaluations < MAX_EVALUATIONS:

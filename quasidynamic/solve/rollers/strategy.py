@@ -2,24 +2,54 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
-from quasidynamic.solve.outcome import SolverOutcome
-from quasidynamic.solve.rollers.joined import NotAlike, overlaid
 from quasidynamic.solve.rollers.load_continuation import from_heavier_load
 from quasidynamic.solve.rollers.newton import Iterate, newton
 from quasidynamic.solve.rollers.pseudo_time import StepLimits, pseudo_time
 from quasidynamic.solve.rollers.settled_time import through_settled_time
 from quasidynamic.solve.start.lumped import held_back
+from quasidynamic.solve.step_length import SolverOutcome
 
 # Rounds of pseudo-time, each followed by Newton's method: before a heavier load, after it, at restarts.
 ROUNDS = (3, 9, 3)
 MOST_WORK = 4000  # evaluations of a case: the hardest that are solved take 3600, nearly all less than 700
 
 Start = Callable[[BearingBalance], NDArray]
+
+
+class NotAlike(ValueError):
+    """Arrays that cannot be joined, as only one of them depends on the case."""
+
+
+def overlaid(under: Any, over: Any, cases: NDArray) -> Any:
+    """Nested named tuples of arrays of many cases, those of some cases taken from others.
+
+    The axis of the cases is that along which both differ in length; arrays of one shape are those of every
+    case.
+
+    >>> overlaid(np.zeros((2, 3)), np.ones((2, 1)), np.array([2])).tolist()
+    [[0.0, 0.0, 1.0], [0.0, 0.0, 1.0]]
+
+    Raises
+    ------
+    NotAlike
+        where there is no such axis
+    """
+    if isinstance(under, tuple):
+        return type(under)(*(overlaid(*pair, cases) for pair in zip(under, over, strict=True)))
+    if under.shape == over.shape:
+        return under
+    axes = np.flatnonzero(np.not_equal(under.shape, over.shape)) if under.ndim == over.ndim else ()
+    if len(axes) != 1 or over.shape[axes[0]] != len(cases):
+        raise NotAlike(f"shapes {under.shape} and {over.shape}")
+    joined = under.copy()
+    joined[(*[slice(None)] * axes[0], cases)] = over
+    return joined
 
 
 @dataclass
@@ -78,19 +108,7 @@ class SolvedCases:
 def solve(
     balance: BearingBalance, start: NDArray, restarts: Sequence[Start], budget: int = MOST_WORK
 ) -> SolvedCases:
-    """Solve all cases, those that one method leaves unsolved by the next one.
-
-    Parameters
-    ----------
-    balance : BearingBalance
-        C cases
-    start : array (C, N)
-        scaled unknowns to begin with
-    restarts : sequence of callables
-        starts that cost more, tried one after the other for what is unsolved
-    budget : int, optional
-        evaluations of a case after which no other way is tried
-    """
+    """Solve all cases, those that one method leaves unsolved by the next one."""
     outcomes = [
         SolverOutcome.UNDETERMINED if free else SolverOutcome.RUNNING for free in balance.undetermined
     ]
@@ -124,17 +142,7 @@ def solve(
 
 
 def solve_each(balance: BearingBalance, starts: NDArray, rounds: int) -> SolvedCases:
-    """Solve every case from its own start, to wherever that leads.
-
-    Parameters
-    ----------
-    balance : BearingBalance
-        C cases
-    starts : array (C, N)
-        scaled unknowns to begin with
-    rounds : int
-        of pseudo-time, each followed by Newton's method, for what Newton's method leaves unsolved
-    """
+    """Solve every case from its own start, to wherever that leads."""
     solved = SolvedCases(starts.copy(), [SolverOutcome.RUNNING] * len(starts), np.zeros(len(starts), int))
     solved.follow(newton(balance, starts), np.arange(len(starts)))
     _through_pseudo_time(balance, solved, starts.copy(), rounds)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.unknowns import Unknowns
-from quasidynamic.solve.rollers.small_systems import cyclic_tridiagonal
+from quasidynamic.solve.rollers.elastic_system import cyclic_tridiagonal
 from quasidynamic.solve.rollers.static_equilibrium import frictionless_loads
 from quasidynamic.solve.start.lumped import LumpedRollers
 

@@ -1,23 +1,33 @@
 """Drifts of cage and spins from pure rolling at which friction about balances, under static loads."""
 
+from dataclasses import replace
+from functools import partial
+
 import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
-from quasidynamic.balance.rollers.unknowns import Unknowns
+from quasidynamic.balance.rollers.rigid_rings import RigidRings
+from quasidynamic.balance.rollers.unknowns import OUTER, Unknowns
+from quasidynamic.contact.line import EXPONENT
+from quasidynamic.errors import NotSolved
 from quasidynamic.solve.rollers.static_equilibrium import (
+    balanced,
+    film_at,
     frictionless_loads,
+    outward_force,
+    static_equilibrium,
 )
 from quasidynamic.solve.start.friction import balanced_drifts
-from quasidynamic.solve.start.frictionless import static_unknowns
+from quasidynamic.solve.start.frictionless import frictionless_ring, static_unknowns
 from quasidynamic.solve.start.lumped import LumpedRollers, held_back
-from quasidynamic.solve.start.tilted import tilted_by_moments
 
 SMALL_SLIP = 0.1  # slip up to which the centrifugal force and the spins of unloaded rollers change little
-HELD_ROUNDS = (
-    2  # of spins by the loads, and of loads by the lift of pocket friction, which goes with the spin
-)
 TRIAL_SLIPS = np.geomspace(1e-5, 0.98, 9)  # slips that are looked at for a start
+MOSTLY = 10.0  # moment over load and length of rollers: below it the load says which rollers touch
+SLIPS = np.array([0.003, 0.01, 0.03, 0.08, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.96, 0.99])
+SMALLEST_SLIP = 1e-10
+SLIP_HALVINGS = 12  # of the logarithm between two of `SLIPS`
 
 
 def static_start(balance: BearingBalance) -> NDArray:
@@ -72,3 +82,94 @@ def _sign_change(places: NDArray, values: NDArray) -> NDArray:
     rise = after - before
     weight = np.where((before < 0) & (after > 0), -before / np.where(rise > 0, rise, 1.0), 1.0)
     return places[first] + weight * (places[last] - places[first])
+
+
+def tilted_by_moments(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
+    """Put rings that a moment alone tilts, or mostly, where frictionless rollers carry it.
+
+    Newton's method would have to find out first which rollers touch, from where none does.
+    """
+    points, length = balance.points, balance.roller.bearing.roller.length
+    by_moment = (points.free_tilt & (points.moment > MOSTLY * points.load * length))[:, 0]
+    if not by_moment.any() or balance.layout.elastic_raceways or balance.deviation is not None:
+        return unknowns
+    cases = np.flatnonzero(by_moment)
+    return unknowns.with_cases(cases, _tilted(balance.take(cases), unknowns.take(cases)))
+
+
+def _tilted(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
+    """Rings of all cases where frictionless rollers carry load and moment, rollers pressed by both askew."""
+    ring = unknowns.ring.copy()
+    for case in range(len(balance.points)):
+        one = np.array([case])
+        ring[:, case, 0] = _ring(balance.take(one), unknowns.take(one))
+    placed = unknowns._replace(ring=ring)
+    straight = static_equilibrium(balance, placed, uneven=True)
+    load = frictionless_loads(balance, straight, uneven=True).min(0)
+    half = balance.approach(placed)[:, 1].sum(0) / 2
+    tilt = np.where(load > np.abs(outward_force(balance, placed)), half, placed.tilt)
+    return static_equilibrium(balance, placed._replace(tilt=tilt), uneven=True)
+
+
+def _ring(balance: BearingBalance, unknowns: Unknowns) -> np.ndarray:
+    """Displacement y, z and slopes dz/dx, dy/dx of the ring (4) of one case, or as they were."""
+    points, raceways, half = balance.points, balance.roller.raceways, balance.kinematics.half_length
+    pressed = raceways.softness[OUTER, 0, 0] * np.abs(outward_force(balance, unknowns)).mean() ** (
+        1 / EXPONENT
+    )
+    forces = [points.load_y, points.load_z], [points.moment_y / half, points.moment_z / half]
+    load = np.array(forces)[:, :, 0, 0].T
+    slices = replace(raceways.slices, axial_modes=2)
+    rings = RigidRings.of(balance.roller.bearing, slices, load)
+    try:
+        state, _ = balanced(rings.with_gap(pressed - unknowns.film.sum(0).mean()))
+    except NotSolved:
+        return unknowns.ring[:, 0, 0]
+    place, slope = state.place.T
+    return np.concatenate([place, slope[::-1] / half])
+
+
+def slipping_start(balance: BearingBalance, logit_offset: float = 0.0) -> NDArray:
+    """Scaled unknowns (C, N) with the cage slip at which lumped rollers drive the cage just enough.
+
+    For light loads at high speed, where the slip is not small, and for a ring that friction pushes
+    aside. Rollers have one slice; the spins follow from the tractions at each slip, the slip from
+    the torque on the cage, the place of the ring from the loads with their friction.
+
+    `logit_offset` moves the slip away from that, by so much on the scale of ln(slip / (1 - slip)).
+    """
+    slip = driven_slip(balance)
+    return _start_at(balance, slip / (slip + (1 - slip) * np.exp(-logit_offset)))
+
+
+RESTARTS = tuple(partial(slipping_start, logit_offset=logit_offset) for logit_offset in (1.5, -1.5, 4.0))
+
+
+def driven_slip(balance: BearingBalance) -> NDArray:
+    """Least slip (C) at which lumped rollers drive the cage against its resistance."""
+    cases = len(balance.points)
+    case = np.tile(np.arange(cases), len(SLIPS))
+    lumped, slips = LumpedRollers(balance.take(case)), np.repeat(SLIPS, cases)
+    drives = (lumped.at(slips)[2] > 0).reshape(len(SLIPS), cases)
+    # The least slip at which the rollers drive the cage, and the one before it, where it lags.
+    least = np.where(drives.any(0), drives.argmax(0), len(SLIPS) - 1)
+    low, high = np.where(least > 0, SLIPS[least - 1], SMALLEST_SLIP), TRIAL_SLIPS[least]
+    lumped = LumpedRollers(balance)
+    for _ in range(SLIP_HALVINGS):
+        middle = np.sqrt(low * high)
+        drives = lumped.at(middle)[2] > 0
+        low, high = np.where(drives, low, middle), np.where(drives, middle, high)
+    return np.sqrt(low * high)
+
+
+def _start_at(balance: BearingBalance, slip: NDArray) -> NDArray:
+    """Scaled unknowns (C, N) of lumped rollers at a slip (C), the ring where they hold the load."""
+    points = balance.points
+    drift, friction, _ = LumpedRollers(balance).at(slip)
+    turned = np.arctan2(points.load_y, points.load_z) - friction[:, None]
+    cage_drift = -balance.rolling_cage * slip[:, None]
+    unknowns = static_unknowns(balance, cage_drift)._replace(spin_drift=drift)
+    unknowns = unknowns._replace(film=film_at(balance, unknowns, frictionless_loads(balance, unknowns)))
+    load = points.load * np.sin(turned), points.load * np.cos(turned)
+    resting = static_equilibrium(balance, frictionless_ring(balance, unknowns, np.array(load)[..., 0]))
+    return balance.pack(held_back(balance, tilted_by_moments(balance, resting)))
