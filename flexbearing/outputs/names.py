@@ -134,10 +134,10 @@ class Wanted:
 
 
 @lru_cache(maxsize=8)
-def _by_name(quantities: tuple[Quantity, ...]) -> dict[str, Output]:
-    axes = {entry.name: entry.shape for entry in quantities}
+def _by_name(layout: Layout) -> dict[str, Output]:
+    axes = {entry.name: entry.shape for entry in layout.quantities}
     found: dict[str, Output] = {}
-    for quantity in quantities:
+    for quantity in layout.quantities:
         for entry in with_defaults([quantity]):
             for output in _scalars(quantity, entry, axes):
                 found[output.name] = output
@@ -146,7 +146,7 @@ def _by_name(quantities: tuple[Quantity, ...]) -> dict[str, Output]:
 
 def outputs(layout: Layout) -> tuple[Output, ...]:
     """List every scalar output of a kind of bearing."""
-    return tuple(_by_name(layout.quantities).values())
+    return tuple(_by_name(layout).values())
 
 
 def of_rollers(layout: Layout) -> Mapping[str, Quantity]:
@@ -176,7 +176,7 @@ def wanted(layout: Layout, text: str) -> Wanted:
     WrongUnit
         for a unit that cannot be read or is of another kind, with those that are allowed
     """
-    known = _by_name(layout.quantities)
+    known = _by_name(layout)
     parts = _WANTED.fullmatch(text)
     name = parts["name"] if parts else text[:100]  # the nearest name takes time with its length
     output = known.get(name) or _of_roller(layout, name)

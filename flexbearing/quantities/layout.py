@@ -10,7 +10,7 @@ from flexbearing.quantities.forms import TEXT, Anything, Record
 from flexbearing.quantities.quantity import Quantity, SummaryValue, with_defaults
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)  # to hash all quantities takes as long as to find one
 class Layout:
     """Quantities, blocks and root attributes of one family of bearings."""
 
