@@ -351,20 +351,19 @@ def test_no_extension_line_crosses_the_text_of_a_length():
 
 
 def test_drawings_are_the_same_on_every_run():
-    case, sheets = drawn("bolted")
+    case, sheets = drawn("rigid rings")
     assert [sheet.svg for sheet in api.drawings(case)] == [sheet.svg for sheet in sheets.values()]
     assert "date" not in sheets["section"].svg
 
 
-@pytest.mark.parametrize(("case", "loaded"), [("nu209.toml", ["quasidynamic"]), ("6209.toml", [])])
-def test_drawings_load_no_finite_elements_and_the_bearing_model_for_profiles_alone(case, loaded):
-    program = (
-        "import sys; from flexbearing import api\n"
+def test_drawings_load_no_finite_elements_and_the_bearing_model_for_profiles_alone():
+    program = "import sys; from flexbearing import api\n" + "".join(
         f"api.drawings(api.read_case({str(CONFIGS / case)!r}))\n"
-        "print([name for name in ('ngsolve', 'netgen', 'quasidynamic', 'fem') if name in sys.modules])"
+        "print([name for name in ('ngsolve', 'netgen', 'quasidynamic', 'fem') if name in sys.modules])\n"
+        for case in ("6209.toml", "nu209.toml")
     )
     ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
-    assert ended.stdout.strip() == str(loaded)
+    assert ended.stdout.splitlines() == ["[]", "['quasidynamic']"]
 
 
 @pytest.mark.parametrize(("form", "beginning"), [("svg", b"<svg"), ("png", b"\x89PNG"), ("pdf", b"%PDF")])

@@ -49,6 +49,13 @@ def unweighed(monkeypatch):
 
 
 @pytest.fixture
+def few_weighed(monkeypatch):
+    """Lives are compared for three of the assumed keys only."""
+    every = assumed_effects.plausible
+    monkeypatch.setattr(assumed_effects, "plausible", lambda case: list(every(case))[:3])
+
+
+@pytest.fixture
 def write(tmp_path, unweighed):
     def written(like="cylindrical_roller", **options):
         file = tmp_path / "case.toml"
@@ -429,7 +436,7 @@ def test_questions_are_asked_until_they_are_answered(monkeypatch, capsys):
     assert pages.called("clearance") not in dict(asked)  # there is a class
 
 
-def test_one_command_leads_from_the_page_to_a_result(tmp_path, monkeypatch, capsys):
+def test_one_command_leads_from_the_page_to_a_result(tmp_path, monkeypatch, capsys, few_weighed):
     monkeypatch.chdir(tmp_path)
     options = [word for name, text in NU210.items() for word in (pages.ENTRIES[name].option, text)]
     assert program.command(["new", "nu210.toml", *options, "--run"]) == 0
@@ -581,10 +588,8 @@ def test_pages_that_no_bearing_has_are_told(like, page, message, tmp_path):
         new(tmp_path / "case.toml", like, page)
 
 
-def test_a_case_without_a_modified_life_is_written(tmp_path, monkeypatch):
+def test_a_case_without_a_modified_life_is_written(tmp_path, few_weighed):
     """At 10 rpm the film is too thin for a_ISO; all else is computed."""
-    every = assumed_effects.plausible
-    monkeypatch.setattr(assumed_effects, "plausible", lambda case: list(every(case))[:3])
     new(tmp_path / "case.toml", "cylindrical_roller", NU210 | {"speed": "10 rpm"})
     result = flexbearing.run(tmp_path / "case.toml")
     assert "no-modified-life" in {note["code"] for note in result.attributes["notes"]}
