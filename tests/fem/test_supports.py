@@ -499,7 +499,7 @@ def test_harmonics_are_added_until_they_are_enough(support):
 
     last, compliance = own()
     assert last > 12
-    _, exact = own(4 * last, replace(coarse, raceway_size=20e-3 * 12 / (4 * last)))
+    _, exact = own(2 * last, replace(coarse, raceway_size=20e-3 * 12 / (2 * last)))
     half_space = indentation_harmonics(np.arange(-last, last + 1), 80e-3, WIDE, M, STEEL).sum(axis=0).max()
     assert compliance == approx(exact, rel=0, abs=TRUNCATED * (np.abs(exact).max() + half_space))
     with pytest.raises(TooFewHarmonics, match="take more harmonics"):
