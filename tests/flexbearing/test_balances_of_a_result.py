@@ -60,6 +60,7 @@ def guidance(result):
     return result.attributes["case_si"]["bearing"]["cage"]["guidance"]
 
 
+@pytest.mark.sampled(2)
 def test_every_balance_closes_with_the_forces_of_the_file(result):
     assert largest_imbalance(result.rigid, guidance(result)) < 1e-10
 
@@ -81,6 +82,7 @@ def test_moments_of_the_loads_are_those_of_the_stored_slices(result):
         assert block[f"{side}_load_moment"] == approx(moment, rel=0, abs=1e-10 * size)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", sorted(set(FORCES) - {"applied_load", "inner_load"}))
 def test_a_force_that_is_left_out_opens_a_balance(name):
     """None of the stored forces is there for show."""

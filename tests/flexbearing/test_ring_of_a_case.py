@@ -35,6 +35,7 @@ def test_ring_tilts_freely_where_the_case_says_so(settings, free):
     assert bearing(read_case(PAPER, settings)).operation.free_tilt is free
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("direction", [0.0, 30.0], ids=["along z", "aside"])
 def test_a_moment_tilts_the_ring_until_the_rollers_hold_it(direction):
     """The ring moment of the result is the applied one, in the plane of the load."""
@@ -103,6 +104,7 @@ def test_the_other_way_to_hold_the_ring_is_shown_and_told_where_it_matters(metho
     assert runs["free"].attributes["tilt"]["otherwise"]["ring_moment_Nm"] == approx(moment, rel=1e-2)
 
 
+@pytest.mark.slow
 def test_tilt_that_changes_nothing_is_not_told():
     """A ring held all around deflects alike at both roller ends."""
     seat = ["outer.kind=ring", "outer.support=foundation", "outer.foundation_radial=500 N/mm^3"]
@@ -133,6 +135,7 @@ def test_thickness_over_ribs_is_needed_by_a_ring_with_ribs():
         understood(left_out, PAPER, (), FAMILIES)
 
 
+@pytest.mark.slow
 def test_nu_ring_on_a_solid_shaft_runs_and_says_that_its_thickness_is_not_used():
     """A bore that a mesh can hold makes hardly a difference; ribs made the ring stiffer."""
     solid = flexbearing.run(PAPER, [*NU_RING, "inner.shaft_thickness=29.8 mm"])

@@ -47,6 +47,7 @@ def test_a_million_jobs_are_a_process_on_each_core(tmp_path, monkeypatch, caplog
     assert caplog.messages == ["--jobs 1000000: only 3 compute, one on each core that this program may use"]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("first", "over"),
     [

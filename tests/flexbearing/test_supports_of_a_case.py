@@ -60,6 +60,7 @@ def with_support(name):
     return [*RING, f"outer.support={name}", *SUPPORTS[name]]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", SUPPORTS)
 def test_every_support_is_computed(name):
     result = flexbearing.run(PAPER, with_support(name))
@@ -239,6 +240,7 @@ def test_shaft_that_is_warmer_at_one_end_tapers_the_raceway(tapered):
     assert second - first == approx(taper, rel=0.05)
 
 
+@pytest.mark.slow
 def test_mean_expansion_is_no_deviation(tapered):
     """It belongs to the operating clearance."""
     even, _ = tapered
@@ -291,6 +293,7 @@ def test_temperatures_along_the_axis_that_nothing_follows_are_refused(settings, 
         read_case(PAPER, settings)
 
 
+@pytest.mark.slow
 def test_temperatures_that_end_inside_the_shaft_are_refused(tmp_path):
     short = ['operation.temperatures.shaft_along.at=["-10 mm", "10 mm"]', along("shaft", 225, 235)[1]]
     with pytest.raises(BadCase, match="covers the body"):
@@ -374,6 +377,7 @@ def test_cold_seat_narrows_a_computed_clearance():
     assert cold - even == approx(-2 * 17.5e-6, rel=0.03)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("fitted", [False, True], ids=["stated clearance", "from fits"])
 def test_bonded_ring_has_its_growth_along_the_roller_and_no_mean(fitted):
     """The mean belongs to the operating clearance, the shape to the raceway, as in a fit that may open."""

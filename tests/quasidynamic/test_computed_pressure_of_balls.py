@@ -41,6 +41,7 @@ def test_pressure_along_the_normals_balances_the_loads(pressure):
     assert along_normal(balls) == approx(np.repeat(loads, 2), rel=1e-4)
 
 
+@pytest.mark.sampled(3)
 @COMPUTED
 @pytest.mark.parametrize(("model", "apart"), [("full_sliding", 2e-3), ("kalker", 2e-3), ("fastsim", 1e-2)])
 def test_small_patches_are_those_of_hertz(pressure, model, apart):

@@ -173,6 +173,7 @@ def test_contact_angle_zero_is_the_limit_of_small_ones():
 # -- preload --------------------------------------------------------------------------------------
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("clearance", [15e-6, 0.0, -15e-6])
 @pytest.mark.parametrize("angle", [0.0, 25.0])
 def test_preload_holds_the_ring_where_its_force_does_at_rest(angle, clearance):

@@ -81,6 +81,7 @@ def differenced(state):
     return np.array(columns).T
 
 
+@pytest.mark.sampled(3)
 def test_solve_inverts_the_difference_jacobian(state, differenced):
     """The matrix is never written down: its inverse times the differenced one must be the unit matrix."""
     balance, unknowns = state

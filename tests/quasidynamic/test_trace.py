@@ -229,6 +229,7 @@ def test_either_way_of_searching_finds_all_three(monkeypatch, name, without):
     assert slips == approx([one.cage_slip for one in three()], rel=1e-7, abs=0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("load", [1500.0, 8000.0], ids=["below", "above"])
 def test_one_equilibrium_outside_the_folds(load):
     (only,) = equilibria_at(falling(load))

@@ -124,6 +124,7 @@ def test_edge_peak_of_half_spaces_is_that_of_the_plain_solution(profile, pressur
     assert sums == approx(carried, rel=0, abs=3e-3 * force_of(pressure))
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("tilt", [0, 4])
 def test_a_sharp_end_has_no_peak_in_either_solution(tilt):
     coarse, fine = (plain("straight", 1.5, tilt, cells=(12, n)) for n in (48, 96))
@@ -145,6 +146,7 @@ def verdict(profile, pressure, tilt):
     return SlicedPeak(0, 0, sliced(profile, pressure, tilt), whole(profile, pressure, tilt, CELLS))
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("profile", "pressure", "tilt", "holds"),
     [
@@ -183,6 +185,7 @@ def test_no_claimed_peak_is_off_by_more_than_five_percent(profile, pressure):
             assert fine.peak_pressure == approx(known.peak, rel=CLAIMED)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     "profile", [Logarithmic(amplitude=1.75e-6), Crowned(straight_length=0.0, crown_radius=0.25)]
 )
