@@ -19,6 +19,7 @@ def pytest_collection():
         return (yield)
     finally:
         gc.freeze()
+        gc.set_threshold(100_000, 20, 20)  # what tests make is short-lived
         gc.enable()
 
 
@@ -40,6 +41,13 @@ def one_process_for_all_cores():
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("FLEXBEARING_THREADS", "1")
         yield
+
+
+@pytest.fixture
+def two_cores(monkeypatch):
+    """For tests of worker processes."""
+    monkeypatch.delenv("SLURM_CPUS_PER_TASK", raising=False)
+    monkeypatch.setenv("FLEXBEARING_THREADS", "2")
 
 
 @pytest.fixture(autouse=True, scope="session")

@@ -67,7 +67,7 @@ def test_stick_and_slip_never_turn_harder_than_full_sliding(seed):
     check_bound(seed)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @settings(max_examples=1000, deadline=None)
 @given(seed=st.integers(0, 2**31))
 def test_a_thousand_balls_never_turn_harder_than_full_sliding(seed):

@@ -171,9 +171,14 @@ def test_slices_claim_no_peak_of_a_contact_that_reaches_an_end(profile, pressure
     assert (abs(judged.error) < CLAIMED) == (profile == "crowned")  # whose cells do not show the end yet
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("profile", PROFILES)
-@pytest.mark.parametrize("pressure", [0.8, 1.2, 1.8, 2.5, 3.2])
+@pytest.mark.parametrize(
+    "pressure",
+    [
+        *(pytest.param(p, marks=pytest.mark.slow) for p in (1.2, 2.5)),
+        *(pytest.param(p, marks=pytest.mark.long) for p in (0.8, 1.8, 3.2)),
+    ],
+)
 def test_no_claimed_peak_is_off_by_more_than_five_percent(profile, pressure):
     for tilt in (0, 1, 2, 3, 4, 6):
         known = plain(profile, pressure, tilt, cells=(14, 88))
