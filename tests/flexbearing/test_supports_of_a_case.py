@@ -30,7 +30,13 @@ from flexbearing.runs.part_fields import NoFields
 from tests.flexbearing.noted import codes
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
-RING = ["inner.kind=rigid", "outer.kind=ring", "accuracy.element_order=3"]
+RING = [
+    "inner.kind=rigid",
+    "outer.kind=ring",
+    "accuracy.element_order=3",
+    "accuracy.slices=8",
+    "accuracy.axial_shapes=2",
+]
 HOUSED = [
     *RING, "outer.support=housing", "outer.housing_thickness=10 mm", "outer.housing_width=12 mm",
     "operation.temperatures.housing=218 degC", "accuracy.slices=8", "accuracy.axial_shapes=2",
