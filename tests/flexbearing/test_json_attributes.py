@@ -123,13 +123,8 @@ ROLLER = [name for name, entry in FAMILIES["cylindrical_roller"].layout().attrib
           if entry.kind in ("json", "records")]  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        name if not place % 6 else pytest.param(name, marks=pytest.mark.slow)
-        for place, name in enumerate(name for name in ROLLER if name != "case_si")
-    ],
-)
+@pytest.mark.sampled(6)
+@pytest.mark.parametrize("name", [name for name in ROLLER if name != "case_si"])
 def test_no_record_of_another_form_reaches_the_report(good, name):
     """Every value of every record, taken away or replaced: refused with its name, or harmless.
 
