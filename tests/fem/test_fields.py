@@ -72,6 +72,7 @@ def pressed(tube):
     return tube.under(forces)
 
 
+@pytest.mark.slow
 def test_bars_carry_the_load(pulled):
     """Shears of all bars add up to the load, their axial forces with their moments to its lever."""
     bars = bars_of(pulled)

@@ -59,6 +59,7 @@ def test_without_a_target_nothing_is_chosen_or_estimated(folder):
     assert "+-" not in text(result)
 
 
+@pytest.mark.slow
 def test_true_errors_are_below_the_estimates(ordered, folder):
     fine = flexbearing.run(PLAIN, [*RING, *FINE], output=folder / "fine.h5")
     estimate = ordered.attributes["error_estimate"]

@@ -100,7 +100,7 @@ def test_corpus_has_its_size():
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")  # of numbers beyond all bounds
-@pytest.mark.sampled(20)
+@pytest.mark.sampled(40)
 @pytest.mark.parametrize("name", CORPUS)
 def test_hostile_result_is_refused_in_a_sentence_or_read_as_it_is(name, hostile, capsys):
     path = hostile(name)

@@ -70,6 +70,7 @@ FLEXIBLE = [*BEAM, "operation.radial_load=8 kN"]
 HELD = [*FLEXIBLE, "operation.tilt=fixed"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", ["newton", pytest.param("iqn-ils", marks=pytest.mark.slow)])
 def test_the_other_way_to_hold_the_ring_is_shown_and_told_where_it_matters(method):
     """What a run says of the other choice is what a run with that choice computes."""

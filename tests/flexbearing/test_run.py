@@ -2,8 +2,6 @@
 
 import json
 import logging
-import subprocess
-import sys
 from itertools import count
 from pathlib import Path
 from types import SimpleNamespace
@@ -33,11 +31,6 @@ def rigid(tmp_path_factory):
 @pytest.fixture(scope="module")
 def flexible(tmp_path_factory):
     return flexbearing.run(PAPER, COARSE, output=tmp_path_factory.mktemp("run") / "flexible.h5")
-
-
-def command(*words):
-    program = [sys.executable, "-m", "flexbearing"]
-    return subprocess.run([*program, *map(str, words)], capture_output=True, text=True, cwd=ROOT, check=False)
 
 
 def test_rigid_parts_are_not_computed(rigid):
@@ -287,10 +280,10 @@ def test_run_prints_and_ends_with_zero(tmp_path, capsys):
     assert len(list(tmp_path.glob("*.svg"))) == 3
 
 
-def test_quiet_run_says_nothing(tmp_path):
+def test_quiet_run_says_nothing(tmp_path, capfd):
     settings = [word for setting in RIGID for word in ("--set", setting)]
-    found = command("run", PAPER, "-o", tmp_path / "out.h5", "--quiet", *settings)
-    assert (found.returncode, found.stdout, found.stderr) == (0, "", "")
+    assert in_this_process(["run", str(PAPER), "-o", str(tmp_path / "out.h5"), "--quiet", *settings]) == 0
+    assert capfd.readouterr() == ("", "")
 
 
 BAD_CALLS = {
