@@ -140,7 +140,7 @@ def test_peak_pressure_and_reach_of_hertz_stay_exact():
     assert balls.reach.tolist() == sliding.ellipse.across.tolist()
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @COMPUTED
 def test_the_error_told_holds_for_nearly_all_random_balls(pressure):
     """In 95 of 100, against the limit of four times as many cells in each direction."""
