@@ -1,6 +1,7 @@
 """Settings for all tests."""
 
 import gc
+from collections import Counter
 
 import pytest
 from hypothesis import settings
@@ -18,7 +19,35 @@ def pytest_collection():
         return (yield)
     finally:
         gc.freeze()
+        gc.set_threshold(100_000, 20, 20)  # what tests make is short-lived
         gc.enable()
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items):
+    """Of the parameters of a test that is `sampled(n)` every n-th is fast, those between them are slow."""
+    counts = Counter()
+    for item in items:
+        if marker := item.get_closest_marker("sampled"):
+            place = counts[item.fspath, item.originalname]
+            counts[item.fspath, item.originalname] += 1
+            if place % marker.args[0]:
+                item.add_marker(pytest.mark.slow)
+
+
+@pytest.fixture(autouse=True, scope="session")
+def one_process_for_all_cores():
+    """Tests share the cores already; those of worker processes say how many they want."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("FLEXBEARING_THREADS", "1")
+        yield
+
+
+@pytest.fixture
+def two_cores(monkeypatch):
+    """For tests of worker processes."""
+    monkeypatch.delenv("SLURM_CPUS_PER_TASK", raising=False)
+    monkeypatch.setenv("FLEXBEARING_THREADS", "2")
 
 
 @pytest.fixture(autouse=True, scope="session")

@@ -14,6 +14,7 @@ from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 from flexbearing.printable import excerpt
 from flexbearing.units import BadUnit, Unit, UnknownUnit, spelt_otherwise, unit
 
+MOST_WORDS = 6  # of a unit for which another spelling is sought
 LONGEST = 100  # characters of a quantity: a number with all its digits, a unit, and room between them
 _NUMBER_UNIT = re.compile(r"\s*([+-]?(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(\S.*?)?\s*")
 _THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}")  # or a decimal comma
@@ -82,8 +83,10 @@ class Kind:
 
     def _proposal(self, text: str) -> str:
         """A unit of this kind that differs in capitals, or in a force for a mass, as a question."""
-        own = unit(self.unit).powers
-        words = (text.replace(word, other) for word in _WORD.findall(text) for other in spelt_otherwise(word))
+        own, found = unit(self.unit).powers, _WORD.findall(text)
+        if len(found) > MOST_WORDS:
+            return ""
+        words = (text.replace(word, other) for word in found for other in spelt_otherwise(word))
         for proposed in (*words, _KILOGRAM.sub("kgf", text)):
             with suppress(UnknownUnit, BadUnit):
                 if unit(proposed).powers == own:

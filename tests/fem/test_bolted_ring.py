@@ -57,6 +57,7 @@ def along_normals(ring):
     return axes
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("ring", [RING, INNER], ids=["outer", "inner"])
 def test_work_is_the_same_in_either_order_of_loading(ring):
     row = yields(ring)
@@ -78,6 +79,7 @@ def test_ring_with_the_indentation_of_its_contacts_yields_to_every_force():
     assert -half_space(patch, STEEL)[0, 0] < lowest < 0
 
 
+@pytest.mark.slow
 def test_neighbours_feel_the_whole_ring():
     """Nothing is left out between balls: there the harmonics themselves have a sum if they fade out."""
     body = body_of(RING, LENGTH, FAIR)
@@ -93,6 +95,7 @@ def test_arch_next_to_the_bolted_face_is_the_stiffer_one():
     assert row[0, 0] < row[2, 2]
 
 
+@pytest.mark.slow
 def test_compliance_falls_with_stiffness():
     hard = replace(RING, elastic=replace(STEEL, youngs_modulus=420e9))
     assert 2 * yields(hard) == approx(yields(), rel=1e-6, abs=1e-9 * np.abs(yields()).max())

@@ -247,6 +247,7 @@ def test_slender_bars_under_a_rigid_ring():
     assert support / 1e3 == approx(11083, rel=0.005)
 
 
+@pytest.mark.slow
 def test_support_and_own_compliance_of_the_main_case():
     """Order 5 with two layers, 107 000 unknowns of half a pitch: 154.00 kN/mm and 4.513e-8 m/N."""
     ring = by_harmonics(CAGE, L, M, USUAL).at(ROLLERS)
@@ -333,6 +334,7 @@ def test_impossible_feet_of_bars_are_named(change, name):
         replace(CAGE, **change)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("fillet", [0.0, 0.3e-3])
 @pytest.mark.parametrize("shape", shaped(list(SHAPES)[2:]))
 def test_half_pitches_make_the_whole_body(shape, fillet):

@@ -72,6 +72,7 @@ def pressed(tube):
     return tube.under(forces)
 
 
+@pytest.mark.slow
 def test_bars_carry_the_load(pulled):
     """Shears of all bars add up to the load, their axial forces with their moments to its lever."""
     bars = bars_of(pulled)
@@ -273,6 +274,7 @@ def test_vtu_cells_fill_the_solid_and_are_of_one_type(pulled):
     assert np.abs(volume).sum() == approx(ngs.Integrate(ngs.CF(1), pulled.mesh), rel=0.01)
 
 
+@pytest.mark.slow
 def test_invariants_in_the_vtu_are_those_of_its_stress(pulled):
     """Every von Mises stress is positive and that of the tensor beside it; principal ones are in order."""
     _, fields = vtu_arrays(vtu(pulled.displacement, BARS.materials))

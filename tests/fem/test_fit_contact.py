@@ -257,7 +257,7 @@ def test_any_fit_obeys_contact_and_friction(interference, total, friction, half,
     obeys_contact_and_friction(interference, total, friction, half, shoulder, seed)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @settings(max_examples=200)
 @ANY_FIT
 def test_many_fits_obey_contact_and_friction(interference, total, friction, half, shoulder, seed):

@@ -89,6 +89,7 @@ def test_contact_that_never_opens_is_linear(bodies):
     assert found.deviation == approx(np.tensordot(fit.closed.at(ROLLERS).absolute, F, 2), rel=1e-9, abs=1e-15)
 
 
+@pytest.mark.slow
 def test_ring_in_a_very_wide_bore_rests_on_one_line():
     """The rim of a planet gear under the same rollers and one force, at any place and of any tilt."""
     even = loads(200.0, half=1.2) * [1, 0, 0]

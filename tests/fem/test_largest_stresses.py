@@ -31,6 +31,7 @@ def loaded():
     return loaded_section(RING, PATCHES, FORCES, SIZE)
 
 
+@pytest.mark.slow
 def test_section_moves_and_is_stressed_as_the_whole_solid(loaded):
     """Fourier series on the axial section against tetrahedra, away from patches and clamp."""
     solid = factored(RING, PATCHES, MeshSize(order=3, size=4e-3, raceway_size=3e-3), 1).under(FORCES)

@@ -141,6 +141,7 @@ def test_faces_that_would_come_apart_are_refused():
             move_nodes(mesh, before, after)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("order", [1, 2])
 def test_known_fields_of_a_cage_give_its_own_answers(order):
     """At nodes that stay; elements of order 1 have fewer unknowns on the raceway than there are loads."""

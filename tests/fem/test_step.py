@@ -99,6 +99,7 @@ def test_mesh_has_the_band_and_the_clamp():
     assert ends == approx(WIDTH / 2 * np.pi * ((R + THICKNESS) ** 2 - R**2), rel=1e-3)
 
 
+@pytest.mark.slow
 def test_drawn_ring_answers_as_the_one_built_in():
     """Other meshes of the same solid, no symmetry used: below 1 % apart, 10 % with quadratic elements."""
     ring = OuterRing(

@@ -49,6 +49,7 @@ def error(found, true):
     return np.abs(deviation(found) - deviation(true)).max() / np.abs(deviation(true)).max()
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("part", "size", "allowed"),
     [
@@ -214,6 +215,7 @@ def test_beam_on_a_foundation_takes_each_spring_where_it_belongs():
     assert np.diag(held[0])[:3] == approx(np.array([1e9, 2e9, 5e9]) * area, rel=1e-9)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("pushing", [False, True])
 def test_beam_on_stiff_springs_takes_as_many_harmonics_as_it_needs(pushing):
     """5 to 7 % of its own compliance lay beyond the usual ones, which was refused."""

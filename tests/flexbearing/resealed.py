@@ -15,12 +15,13 @@ def digest(path):
         for name, value in file.attrs.items():
             if name != "digest":
                 head["attributes"][name] = plain(value)
+        scales = {file[name].id: name for name in file if isinstance(file[name], h5py.Dataset)}
         for place, dataset in datasets(file):
             arrays[place] = dataset[()]
             head["shapes"][place] = list(dataset.shape)
             head["units"][place] = plain(dataset.attrs.get("units", ""))
             if not dataset.is_scale:
-                head["axes"][place] = [axis[0].name[1:] for axis in dataset.dims if len(axis)]
+                head["axes"][place] = [scales[axis[0].id] for axis in dataset.dims if len(axis)]
     text = json.dumps(head, sort_keys=True, separators=(",", ":"))
     data = b"".join(np.asarray(arrays[name], "<f8").tobytes() for name in sorted(arrays))
     return hashlib.sha256(text.encode() + data).hexdigest()

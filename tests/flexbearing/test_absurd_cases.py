@@ -81,10 +81,10 @@ def test_oil_that_is_nearly_solid_in_a_trial_state_raises_no_warning(tmp_path):
     assert result.attributes["status"] in ("converged", "not solved")
 
 
-def test_contact_as_wide_as_the_ball_has_no_rolling_lines(tmp_path):
+def test_contact_as_wide_as_the_ball_has_no_rolling_lines():
     result = flexbearing.run(CONFIGS / "rivera2021_7008.toml", [
         "operation.load.radial_z=3 MN"
-    ], output=tmp_path / "wide.h5")  # fmt: skip
+    ])  # fmt: skip
     assert result.attributes["status"] == "converged"
     assert any("the load is far too high" in note for note in texts(result))
 
@@ -106,16 +106,16 @@ def test_ring_whose_fit_needs_more_harmonics_is_solved(tmp_path):
 
 
 @pytest.mark.parametrize("key", ["mesh_size", "raceway_mesh_size"])
-def test_mesh_of_far_too_many_elements_is_refused_before_it_is_made(key, tmp_path):
+def test_mesh_of_far_too_many_elements_is_refused_before_it_is_made(key):
     settings = ["inner.kind=rigid", "outer.kind=ring", f"accuracy.{key}=1 um"]
-    result = flexbearing.run(PAPER, settings, output=tmp_path / "fine.h5")
+    result = flexbearing.run(PAPER, settings)
     assert result.attributes["status"] == "not solved"
     assert "unknowns on the axial section; allowed are" in result.attributes["message"]
 
 
-def test_solid_of_far_too_many_elements_is_refused_before_it_is_made(tmp_path):
+def test_solid_of_far_too_many_elements_is_refused_before_it_is_made():
     settings = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=solid", "accuracy.mesh_size=50 um"]
-    result = flexbearing.run(PAPER, settings, output=tmp_path / "fine.h5")
+    result = flexbearing.run(PAPER, settings)
     assert result.attributes["status"] == "not solved"
     assert "unknowns in the solid; allowed are" in result.attributes["message"]
 

@@ -59,6 +59,7 @@ def test_without_a_target_nothing_is_chosen_or_estimated(folder):
     assert "+-" not in text(result)
 
 
+@pytest.mark.slow
 def test_true_errors_are_below_the_estimates(ordered, folder):
     fine = flexbearing.run(PLAIN, [*RING, *FINE], output=folder / "fine.h5")
     estimate = ordered.attributes["error_estimate"]
@@ -92,6 +93,7 @@ def test_summary_shows_values_with_their_errors(ordered):
     assert f"{float(f'{error:.2g}'):,.10g}" in row.split()
 
 
+@pytest.mark.slow
 def test_what_the_case_gives_stays_and_is_estimated(folder):
     given = ["accuracy.slices=12", "accuracy.axial_shapes=3", "accuracy.element_order=3"]
     result = flexbearing.run(PLAIN, [*RING, *given, "accuracy.target=0.01 %"], output=folder / "fixed.h5")

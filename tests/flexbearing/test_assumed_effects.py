@@ -50,6 +50,7 @@ def test_each_value_is_that_of_the_case_with_its_settings(weighed):
             assert other["values"]["max_roller_load"] == approx(again.rigid["inner_load"].max(), rel=1e-12)
 
 
+@pytest.mark.slow
 def test_tolerance_classes_are_tried_at_both_ends():
     case = CONFIGS / "catalogue" / "nu210.toml"
     settings = {"assumed": [], "outputs.assumed_effects": True}
@@ -65,6 +66,7 @@ def test_tolerance_classes_are_tried_at_both_ends():
     assert "tightest, clearance 8.9 µm" in html(of_result(result)).partition('id="clearance"')[2]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("units", [METRIC, IMPERIAL], ids=lambda units: units.name)
 def test_numbers_of_the_page_are_those_of_the_file_and_the_largest_effect_is_first(weighed, units):
     document = of_result(api.read(weighed), units)
@@ -81,6 +83,7 @@ def test_numbers_of_the_page_are_those_of_the_file_and_the_largest_effect_is_fir
     assert "assumed-effects" in {figure.name for figure in document.figures}
 
 
+@pytest.mark.slow
 def test_all_changes_at_once_are_solved_together(weighed):
     found = api.read(weighed).attributes["assumed_effects"]
     shorter, longer = found["together"]

@@ -475,6 +475,7 @@ def test_friction_decides_what_balls_do(run):
     assert "ball_yaw" not in run(RIVERA).rigid
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("control", ["outer", "inner", "equal", "coulomb"])
 def test_every_control_has_one_friction_torque_by_one_coefficient(run, control):
     """The heat over the speed; the sum of Eq. (24) is another number, by the same coefficient."""
@@ -523,6 +524,7 @@ def test_balls_that_friction_hardly_holds_are_told(run):
     assert not any(note.startswith("gyroscopic") for note in texts(run(RIVERA, *COULOMB)))
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("model", ["kalker", "fastsim"])
 def test_a_case_with_stick_and_slip_stores_cells_and_their_error(run, model):
     """B1 with the load that meets the printed torque of full sliding: 2.76 N m of 3.08."""

@@ -65,6 +65,7 @@ def compared(request):
     return case, settings, against_catalogue(case, settings)
 
 
+@pytest.mark.sampled(2)
 def test_first_life_is_that_of_the_catalogue(compared):
     case, settings, found = compared
     wanted = read_case(case, settings)
@@ -78,6 +79,7 @@ def test_first_life_is_that_of_the_catalogue(compared):
     )
 
 
+@pytest.mark.sampled(2)
 def test_last_life_is_that_of_the_case_and_nothing_is_left_over(compared):
     case, settings, found = compared
     first, *others = found["stages"]
@@ -96,6 +98,7 @@ def test_neighbours_differ_in_what_the_second_is_named_after(compared):
         assert after["left_out_by"]
 
 
+@pytest.mark.sampled(2)
 def test_every_life_can_be_had_with_its_settings(compared):
     case, settings, found = compared
     given = written(settings)

@@ -22,8 +22,8 @@ FREE = [
 ]
 
 
-def test_free_cage_reaches_the_summary(tmp_path):
-    result = flexbearing.run(PAPER, RIGID + FREE, output=tmp_path / "r.h5")
+def test_free_cage_reaches_the_summary():
+    result = flexbearing.run(PAPER, RIGID + FREE)
     block = result.summary()["rigid"]
     assert block["cage_offset_um"] == approx(200, rel=0.01)  # pressed through nearly all of its clearance
     values = result.rigid
@@ -60,18 +60,14 @@ def test_cages_that_make_no_sense(settings, told):
 
 
 @pytest.mark.slow
-def test_several_equilibria_by_a_falling_traction_curve_are_told(tmp_path):
-    result = flexbearing.run(
-        PAPER, [*RIGID, *FALLING, "operation.radial_load=2870 N"], output=tmp_path / "r.h5"
-    )
+def test_several_equilibria_by_a_falling_traction_curve_are_told():
+    result = flexbearing.run(PAPER, [*RIGID, *FALLING, "operation.radial_load=2870 N"])
     (note,) = [note for note in result.attributes["notes"] if note["code"] == "several-equilibria"]
     assert note["grade"] == "danger"
     found = result.attributes["equilibria"]["rigid"]
     slips = sorted(state["slip_percent"] for state in (found["computed"], *found["others"]))
     assert slips[0] == approx(0.3262, rel=1e-3, abs=0)
     assert slips[-1] > 30  # [%]
-    alone = flexbearing.run(
-        PAPER, [*RIGID, *FALLING, "operation.radial_load=20 kN"], output=tmp_path / "s.h5"
-    )
+    alone = flexbearing.run(PAPER, [*RIGID, *FALLING, "operation.radial_load=20 kN"])
     assert "equilibria" not in alone.attributes
     assert not any("several equilibria" in text for text in texts(alone))

@@ -15,6 +15,9 @@ from flexbearing.report.html.reader import Reader
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 KINDS = ["catalogue/nu210", "mao2016", "planet", "catalogue/6208", "joshi2015_qj309"]
+EACH_KIND = pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=[pytest.mark.slow] * (name == "mao2016")) for name in KINDS]
+)
 FIRST, INPUTS = ("verdict",), ("computed", "inputs")  # sections of the report
 
 
@@ -56,7 +59,7 @@ def printed(item):
     return re.findall(r"\d[\d,.]*\d|\d", words.replace("..", " "))
 
 
-@pytest.mark.parametrize("name", KINDS)
+@EACH_KIND
 def test_a_card_has_few_lines_and_words(name, results, capsys):
     assert command(["summary", str(results(name).path)]) == 0
     card = capsys.readouterr().out
@@ -67,7 +70,7 @@ def test_a_card_has_few_lines_and_words(name, results, capsys):
     assert card.splitlines()[0] == results(name).attributes["title"]
 
 
-@pytest.mark.parametrize("name", KINDS)
+@EACH_KIND
 def test_numbers_are_those_of_the_first_page(name, results):
     result = results(name)
     pools = {"": numbers_in(result, INPUTS)}
@@ -77,13 +80,14 @@ def test_numbers_are_those_of_the_first_page(name, results):
             assert set(printed(item)) <= pools.get(line.subject, first), item.words
 
 
-@pytest.mark.parametrize("name", KINDS)
+@EACH_KIND
 def test_verdict_is_that_of_the_report(name, results):
     lines = {line.subject: line.items for line in results(name).card.lines}
     said = headline.judged(Reader(results(name), METRIC))
     assert said.startswith(lines["usable"][0].label)
 
 
+@pytest.mark.slow
 def test_rigid_rings_are_compared_where_rings_are_elastic(results):
     known = {name: {line.subject: line.items for line in results(name).card.lines} for name in KINDS}
     assert [name for name in KINDS if "rigid" in known[name]] == ["mao2016", "planet"]

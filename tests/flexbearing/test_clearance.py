@@ -156,15 +156,13 @@ def test_housing_is_part_of_the_fit():
     assert outer.interference == approx(-10e-6)
 
 
-def test_preload_is_a_result_and_said_so(tmp_path):
+def test_preload_is_a_result_and_said_so():
     case = read_case(FITS, PRELOAD)
     assert clearance.operating(case) < 0.0
     (note,) = clearance.notes(case)
     assert "the bearing is preloaded" in note.text
     assert note in notes.of_case(case)
-    result = flexbearing.run(
-        FITS, [f"{key}={value}" for key, value in PRELOAD.items()], output=tmp_path / "out.h5"
-    )
+    result = flexbearing.run(FITS, [f"{key}={value}" for key, value in PRELOAD.items()])
     assert result.attributes["status"] == "converged"
     assert "preloaded" in result.attributes["clearance"]["verdict"]
     assert "inner fit" in text(result)

@@ -86,8 +86,7 @@ KINDS = {
     "bolted": ("slewing_bolted.toml", []),
 }
 QUICK = (
-    "squirrel cage", "planet rim", "rigid rings", "fits", "profiled raceways", "free cage", "angular contact",
-    "bolted",
+    "squirrel cage", "planet rim", "profiled raceways", "angular contact", "bolted",
 )  # fmt: skip
 EACH_KIND = [pytest.param(kind, marks=[pytest.mark.slow] * (kind not in QUICK)) for kind in KINDS]
 SIGNS = ("Ø ", "R ", "r ", "2 sides, sum ", "diametral ")
@@ -265,6 +264,7 @@ def test_clearances_of_the_cage_are_magnified_and_said_to_be():
     assert "bearing.cage.land_clearance = diametral 0.3 mm" in written
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("kind", ["squirrel cage", "bolted", "planet rim", "fits"])
 def test_leaders_do_not_cross(kind):
     for sheet in drawn(kind)[1].values():
@@ -351,22 +351,22 @@ def test_no_extension_line_crosses_the_text_of_a_length():
 
 
 def test_drawings_are_the_same_on_every_run():
-    case, sheets = drawn("bolted")
+    case, sheets = drawn("rigid rings")
     assert [sheet.svg for sheet in api.drawings(case)] == [sheet.svg for sheet in sheets.values()]
     assert "date" not in sheets["section"].svg
 
 
-@pytest.mark.parametrize(("case", "loaded"), [("nu209.toml", ["quasidynamic"]), ("6209.toml", [])])
-def test_drawings_load_no_finite_elements_and_the_bearing_model_for_profiles_alone(case, loaded):
-    program = (
-        "import sys; from flexbearing import api\n"
+def test_drawings_load_no_finite_elements_and_the_bearing_model_for_profiles_alone():
+    program = "import sys; from flexbearing import api\n" + "".join(
         f"api.drawings(api.read_case({str(CONFIGS / case)!r}))\n"
-        "print([name for name in ('ngsolve', 'netgen', 'quasidynamic', 'fem') if name in sys.modules])"
+        "print([name for name in ('ngsolve', 'netgen', 'quasidynamic', 'fem') if name in sys.modules])\n"
+        for case in ("6209.toml", "nu209.toml")
     )
     ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
-    assert ended.stdout.strip() == str(loaded)
+    assert ended.stdout.splitlines() == ["[]", "['quasidynamic']"]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("form", "beginning"), [("svg", b"<svg"), ("png", b"\x89PNG"), ("pdf", b"%PDF")])
 def test_command_writes_files(tmp_path, capsys, form, beginning):
     assert command(["draw", str(CONFIGS / "6209.toml"), "-o", str(tmp_path), "--format", form]) == 0

@@ -24,6 +24,7 @@ DRAWN = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("example", DRAWN)
 def test_a_drawing_is_up_to_date(example):
     """Where not: `python -m flexbearing.example_drawings configs docs/images/drawings`."""

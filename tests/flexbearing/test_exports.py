@@ -96,6 +96,7 @@ def test_netcdf_comes_back_with_its_axes_and_units(result, tmp_path):
             assert found.attrs["units"] == result.family.layout()[name].unit
 
 
+@pytest.mark.sampled(2)
 def test_netcdf_is_read_by_its_own_library(result, tmp_path):
     netcdf4 = pytest.importorskip("netCDF4")
     assert command(["export", str(result.path), "--to", "netcdf", "-o", str(tmp_path)]) == 0
@@ -106,6 +107,7 @@ def test_netcdf_is_read_by_its_own_library(result, tmp_path):
         assert_allclose(azimuths[:], result.rigid[f"{element}_azimuth"], rtol=0, atol=0)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("form", ["csv", pytest.param("netcdf", marks=pytest.mark.slow)])
 def test_export_without_fields_loads_no_finite_elements(result, form, tmp_path):
     modules = loaded("export", result.path, "--to", form, "-o", tmp_path)

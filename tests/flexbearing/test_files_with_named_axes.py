@@ -22,6 +22,7 @@ def stored(request, tmp_path):
         yield result, tree
 
 
+@pytest.mark.sampled(2)
 def test_every_dimension_has_a_name(stored):
     _, tree = stored
     names = {str(name) for group in tree.subtree for name in group.dims}
@@ -29,6 +30,7 @@ def test_every_dimension_has_a_name(stored):
     assert not any(name.startswith("phony") for name in names)
 
 
+@pytest.mark.sampled(2)
 def test_every_dataset_is_there_with_its_unit(stored):
     result, tree = stored
     layout = result.family.layout()

@@ -1,5 +1,6 @@
 """Findings: every limit is declared once, and note, check and report follow it."""
 
+import re
 from dataclasses import replace
 from functools import cache
 
@@ -14,6 +15,7 @@ from flexbearing.findings.running import FULL_FILM
 from flexbearing.report.html import METRIC, against_limits, finding_checks
 from flexbearing.report.html.reader import Reader
 from flexbearing.runs import fields, judged
+from flexbearing.units import unit
 from quasidynamic.contact.film.roughness import FULL_FILM_FROM, MIXED_FROM
 from quasidynamic.outcome import rating_life
 from tests.flexbearing.hostile_cases import CONFIGS
@@ -128,6 +130,11 @@ def test_note_check_and_report_follow_each_limit(monkeypatch, number, table, cas
         assert [each["note"] for each in seen] == [[], []]
 
 
+def _shown(number, finding):
+    """A number in the unit that people see it in."""
+    return unit(finding.shown or finding.unit or "1").of_si(number)
+
+
 def _views(result, finding, place):
     """What note, check and the limits on the page say of it."""
     reader = Reader(result, METRIC)
@@ -141,6 +148,11 @@ def _views(result, finding, place):
     assert [check.limit] == [
         row[3] for row in next(against_limits.blocks(reader)).rows if row[0] == check.what
     ]
+    stored = [each for each in result.attributes["findings"]
+              if (each["code"], each["place"]) == (finding.code, place)]  # fmt: skip
+    for name, text in (("limit", check.limit), ("value", check.value.text)):
+        printed = float(re.search(r"-?\d[\d.,]*(e[+-]?\d+)?", text)[0].replace(",", ""))
+        assert any(printed == approx(_shown(each[name], finding), rel=1e-3, abs=1e-3) for each in stored)
     notes = [
         (note["grade"], note["text"]) for note in result.attributes["notes"] if note["code"] == finding.code
     ]

@@ -87,6 +87,7 @@ def test_speed_is_written_in_the_unit_people_use(command, tmp_path):
     assert "fold" not in said
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("over", "words"),
     [

@@ -10,6 +10,7 @@ from pytest import approx
 import flexbearing as fb
 from flexbearing import __main__ as program
 from flexbearing.goal.approach import Track, reach
+from flexbearing.goal.target import target
 
 TEXTBOOK = Path(__file__).parents[2] / "configs" / "nu209.toml"
 
@@ -56,11 +57,12 @@ def test_a_pair_needs_fewer_steps_than_either_alone(goal):
 
 
 def test_a_shorter_life_and_a_life_in_hours_are_goals_too():
-    hours = 0.5 * fb.run(TEXTBOOK)["life_L10 [h]"].number
-    for wanted in ("x0.5", f"{hours!r} h"):
-        found = fb.Case(TEXTBOOK).goal(wanted)
-        assert found.target.wanted == approx(hours)
-        assert found["operation.radial_load"].life == approx(hours, rel=1e-3)
+    before = fb.run(TEXTBOOK)
+    hours = 0.5 * before["life_L10 [h]"].number
+    found = fb.Case(TEXTBOOK).goal("x0.5")
+    assert found["operation.radial_load"].life == approx(hours, rel=1e-3)
+    for wanted in (found.target, target(before, f"{hours!r} h"), target(before, f"{60 * hours!r} min")):
+        assert wanted.wanted == approx(hours)
 
 
 @pytest.mark.parametrize("life", ["2", "x", "x-1", "20000", "20000 mm", "x2 h", "long"])
@@ -69,10 +71,13 @@ def test_a_text_that_is_no_life_is_refused(life, capsys):
     assert len(capsys.readouterr().err.strip().splitlines()) == 1
 
 
-def test_the_command_prints_changes_or_json(capsys):
-    assert program.command(["goal", str(TEXTBOOK), "--life", "x1.2", "--json"]) == 0
+def test_the_command_prints_changes_or_json(goal, capsys, monkeypatch):
+    lives = []
+    monkeypatch.setattr("flexbearing.goal.search.goal", lambda *given: lives.append(given[2]) or goal)
+    assert program.command(["goal", str(TEXTBOOK), "--life", "x2", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
-    assert found["wanted"] == approx(1.2 * found["before"])
+    assert lives == ["x2"]
+    assert found["wanted"] == approx(2 * found["before"])
     assert any(each["reaches"] for each in found["changes"])
 
 

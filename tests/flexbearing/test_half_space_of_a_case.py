@@ -106,6 +106,7 @@ def most_loaded(settings):
     return whole, told[1:]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("tilt", [[], TILTED], ids=["aligned", "tilted"])
 def test_largest_pressure_in_the_cells_at_a_sharp_end_is_called_no_number(tilt):
     whole, (note,) = most_loaded([*tilt, "bearing.roller.profile=straight"])

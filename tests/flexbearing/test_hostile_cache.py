@@ -378,6 +378,7 @@ def _header(path):
     return data[40 : 40 + int.from_bytes(data[32:40], "little")]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     "run", ["ring", *(pytest.param(run, marks=pytest.mark.slow) for run in ("solid", "groove", "springs"))]
 )

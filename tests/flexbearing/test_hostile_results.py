@@ -55,12 +55,6 @@ BOUNDED = [
 ]  # fmt: skip
 
 
-def sampled(names, every):
-    """All names; those between every so many are left to the slow tests."""
-    slow = pytest.mark.slow
-    return [name if not place % every else pytest.param(name, marks=slow) for place, name in enumerate(names)]
-
-
 @pytest.fixture(scope="module")
 def good(tmp_path_factory):
     path = tmp_path_factory.mktemp("good") / "good.h5"
@@ -106,7 +100,8 @@ def test_corpus_has_its_size():
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")  # of numbers beyond all bounds
-@pytest.mark.parametrize("name", sampled(CORPUS, 20))
+@pytest.mark.sampled(40)
+@pytest.mark.parametrize("name", CORPUS)
 def test_hostile_result_is_refused_in_a_sentence_or_read_as_it_is(name, hostile, capsys):
     path = hostile(name)
     if READ.fullmatch(name):
@@ -119,7 +114,7 @@ def test_hostile_result_is_refused_in_a_sentence_or_read_as_it_is(name, hostile,
 
 @pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::RuntimeWarning", "ignore::UserWarning")
-@pytest.mark.parametrize("name", sampled(DRAWN, 24))
+@pytest.mark.parametrize("name", DRAWN)
 def test_pictures_of_any_numbers_can_be_drawn(name, hostile, tmp_path):
     from flexbearing.report.output import pictures
 
@@ -128,7 +123,7 @@ def test_pictures_of_any_numbers_can_be_drawn(name, hostile, tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")
-@pytest.mark.parametrize("name", sampled(STARTED, 3))
+@pytest.mark.parametrize("name", STARTED)
 def test_start_from_any_numbers_ends_with_an_answer_or_is_refused(name, hostile, capsys, tmp_path):
     settings = [word for setting in RING for word in ("--set", setting)]
     path, out = hostile(name), tmp_path / "out.h5"
@@ -139,7 +134,8 @@ def test_start_from_any_numbers_ends_with_an_answer_or_is_refused(name, hostile,
     assert err.count("\n") == (not numbers_alone)
 
 
-@pytest.mark.parametrize("name", sampled(WITH_FIELDS, 3))
+@pytest.mark.sampled(3)
+@pytest.mark.parametrize("name", WITH_FIELDS)
 def test_fields_of_another_case_than_that_of_the_arrays_are_refused(name, hostile, capsys, tmp_path):
     path = hostile(name)
     assert str(path) in refused(["export", path, "--to", "vtu", "-o", tmp_path / "fields"], capsys)
@@ -175,7 +171,8 @@ print(code, int(status.partition("VmHWM:")[2].split()[0]) // 1000)
 
 
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="the system tells no peak of memory")
-@pytest.mark.parametrize("name", sampled(BOUNDED, 5))
+@pytest.mark.sampled(5)
+@pytest.mark.parametrize("name", BOUNDED)
 def test_no_file_takes_more_memory_than_it_has_bytes(name, hostile):
     """Two times 90 MB of notes are in the largest; the program itself takes about 100 MB."""
     path = hostile(name)

@@ -133,6 +133,7 @@ READERS = {
 }  # fmt: skip
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("no_file", NO_FILES)
 @pytest.mark.parametrize(("suffix", "words"), READERS.values(), ids=READERS)
 def test_what_is_no_plain_file_is_refused_at_once(suffix, words, no_file, tmp_path, monkeypatch, capsys):

@@ -13,6 +13,8 @@ from flexbearing.program import interpreter
 from flexbearing.program.interpreter import Died, Interpreter, NeverStarted
 from tests.fem.processes import Lost
 
+pytestmark = pytest.mark.usefixtures("two_cores")
+
 ROOT = Path(__file__).parents[2]
 CALLER = """
 import sys

@@ -210,6 +210,7 @@ OUTSIDE = {  # a law, and what the case keeps
 }  # fmt: skip
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("settings", "reason", "lives"), OUTSIDE.values(), ids=OUTSIDE)
 def test_a_law_that_does_not_hold_takes_the_modified_life_alone(settings, reason, lives):
     result = run(PLAIN, settings)

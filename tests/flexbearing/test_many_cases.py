@@ -76,6 +76,7 @@ def assert_equal(found, cases, texts, others="searched"):
         assert column(found, text) == approx(of_each, rel=1e-9, abs=least, nan_ok=True), text
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("changes", KINDS.values(), ids=KINDS)
 def test_every_output_of_many_rigid_cases_is_that_of_single_runs(changes):
     cases, texts = variants(CONFIGS / "nu209.toml", changes), [*EVERY, "rigid.life_L10 [h]"]
@@ -84,6 +85,7 @@ def test_every_output_of_many_rigid_cases_is_that_of_single_runs(changes):
     assert sum(not np.isnan(column(found, text)).any() for text in texts) > 30
 
 
+@pytest.mark.slow
 def test_rollers_on_half_spaces_are_solved_beside_each_other_and_beside_slices():
     """Every output; their most loaded rollers are solved one by one, from states that are not."""
     life = {
@@ -103,6 +105,7 @@ def test_rollers_on_half_spaces_are_solved_beside_each_other_and_beside_slices()
     assert_equal(answers(both, EVERY, refused), both, EVERY)
 
 
+@pytest.mark.slow
 def test_cases_of_other_kinds_keep_their_places():
     cases = [case for changes in KINDS.values() for case in variants(CONFIGS / "nu209.toml", changes)][::-1]
     texts = ["max_roller_load", "rigid.skew.max_skew", "modified_life", "minimum_lambda.outer"]

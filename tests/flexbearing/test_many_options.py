@@ -114,8 +114,8 @@ def test_everything_is_in_the_text(run):
     assert max(map(len, text(run).splitlines())) <= 80
 
 
-def test_case_without_these_options_has_none_of_their_results(tmp_path):
-    plain = flexbearing.run(ROOT / "configs" / "nu209.toml", output=tmp_path / "plain.h5")
+def test_case_without_these_options_has_none_of_their_results():
+    plain = flexbearing.run(ROOT / "configs" / "nu209.toml")
     assert not {"inner_film_ratio", "outer_film_ratio", "modified_life"} & plain.rigid.keys()
     assert plain.attributes["life"] == plain.attributes["regimes"] == {}
     assert plain.summary()["rigid"]["lambda_ratios"] is None

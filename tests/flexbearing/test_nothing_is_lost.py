@@ -18,6 +18,8 @@ from flexbearing.api import compute, read_case
 from flexbearing.files import BadOutput
 from flexbearing.runs.run_case import default_output
 
+pytestmark = pytest.mark.usefixtures("two_cores")
+
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
 BALLS = PAPER.with_name("joshi2015_fag.toml")
 RIGID = ["outer.kind=rigid", "inner.kind=rigid"]

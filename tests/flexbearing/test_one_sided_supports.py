@@ -143,6 +143,7 @@ def test_lines_that_leave_the_ring_unheld_are_refused(settings, told, run):
         run(*settings)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     "settings",
     [
@@ -197,6 +198,7 @@ def test_stiffness_of_a_ring_that_lifts_off_is_that_of_differences(supports, run
 PARTS = {"stiffness", "radial_stiffness", "support_stiffness", "support_stiffness_ratio"}
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("support", "springs"),
     [(LINES, False), (["outer.support=side"], True), (["outer.support=seat"], True)],

@@ -54,6 +54,7 @@ def sockets(process):
             yield target.removeprefix("socket:[").removesuffix("]")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "words",
     [

@@ -326,7 +326,7 @@ def test_command_tells_the_answer(tmp_path, capsys):
     assert "best_optimum.toml" in told
 
 
-def test_workers_verify_a_design_while_others_find_its_slopes(tmp_path, monkeypatch):
+def test_workers_verify_a_design_while_others_find_its_slopes(tmp_path, monkeypatch, two_cores):
     """The same optimum and rows as with one process, each once; what may be the last is verified early."""
     monkeypatch.setattr(run, "_engine", lambda processes, base: nullcontext(lambda tasks: Serial()))
     more = '[search]\nstarts = 1\nverified = true\n[[verify]]\n"accuracy.slices" = 40'

@@ -204,6 +204,7 @@ def refused(monkeypatch, capsys):
     return run
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("words", "output", "given", "link"), BY_LINK)
 def test_no_output_leads_to_an_input(folder, tmp_path, monkeypatch, refused, words, output, given, link):
     monkeypatch.chdir(folder)
@@ -225,6 +226,7 @@ def may_have_its_name(words, output, given):
     return named and Path(given).stem not in output and "/" not in output
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("words", "output", "given"), [each for each in CROSSED if may_have_its_name(*each)])
 def test_no_output_has_the_name_of_an_input(folder, tmp_path, monkeypatch, refused, words, output, given):
     here = shutil.copytree(folder, tmp_path / "here")

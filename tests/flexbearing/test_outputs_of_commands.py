@@ -102,6 +102,7 @@ IMPOSSIBLE = {
 }
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("where", IMPOSSIBLE.values(), ids=IMPOSSIBLE.keys())
 @pytest.mark.usefixtures("nothing_computed")
 def test_impossible_folder_is_refused_before_anything_is_computed(command, result, tmp_path, where):

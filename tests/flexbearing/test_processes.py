@@ -12,6 +12,8 @@ from flexbearing.program.processes import STARTS, Processes
 from tests.flexbearing.test_interpreter import await_gone, both, with_a_child
 from tests.flexbearing.toy_studies import own_process
 
+pytestmark = pytest.mark.usefixtures("two_cores")
+
 
 def second(folder):
     """The process; after another one has begun a call, too."""

@@ -647,6 +647,7 @@ def exchanged_axes(file):
     dataset.dims[0].attach_scale(file["slice"])
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     "change",
     [
@@ -701,6 +702,7 @@ def lose(*names):
     return change
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("change", "words"),
     [

@@ -34,6 +34,7 @@ def written(tmp_path, monkeypatch, capsys):
         return code, cases, capsys.readouterr().err
 
     monkeypatch.setattr(api, "compute", never)
+    monkeypatch.setattr("flexbearing.runs.run_case.effects", never)
     monkeypatch.chdir(tmp_path)
     return of
 

@@ -35,23 +35,24 @@ def test_ring_tilts_freely_where_the_case_says_so(settings, free):
     assert bearing(read_case(PAPER, settings)).operation.free_tilt is free
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("direction", [0.0, 30.0], ids=["along z", "aside"])
-def test_a_moment_tilts_the_ring_until_the_rollers_hold_it(tmp_path, direction):
+def test_a_moment_tilts_the_ring_until_the_rollers_hold_it(direction):
     """The ring moment of the result is the applied one, in the plane of the load."""
     settings = ["operation.moment=30 N m", f"operation.load_direction={direction} deg"]
-    rigid = flexbearing.run(PAPER, [*RIGID, *settings], output=tmp_path / "tilted.h5").rigid
+    rigid = flexbearing.run(PAPER, [*RIGID, *settings]).rigid
     plane = np.radians(direction)
     in_plane = np.array([np.cos(plane), np.sin(plane)])
     assert rigid["ring_moment"] == approx(30.0 * in_plane, rel=0, abs=1e-6)
     assert in_plane @ rigid["ring_tilt"] > 1e-4
 
 
-def test_total_stiffness_is_the_slope_of_load_over_displacement_from_base_to_shaft(tmp_path):
+def test_total_stiffness_is_the_slope_of_load_over_displacement_from_base_to_shaft():
     """Supports deflect with the raceways: their translation adds to the displacement between the raceways."""
 
     def run(load):
         settings = [*BEAM, f"operation.radial_load={load} N", "coupling.tolerance=1e-10"]
-        block = flexbearing.run(PAPER, settings, output=tmp_path / f"{load}.h5").flexible
+        block = flexbearing.run(PAPER, settings).flexible
         inner, outer = block["support_translation"]
         direction = np.array([np.sin(block["load_direction"]), np.cos(block["load_direction"])])
         return block, direction @ (block["ring_displacement"] + outer - inner)
@@ -69,13 +70,12 @@ FLEXIBLE = [*BEAM, "operation.radial_load=8 kN"]
 HELD = [*FLEXIBLE, "operation.tilt=fixed"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", ["newton", pytest.param("iqn-ils", marks=pytest.mark.slow)])
-def test_the_other_way_to_hold_the_ring_is_shown_and_told_where_it_matters(tmp_path, method):
+def test_the_other_way_to_hold_the_ring_is_shown_and_told_where_it_matters(method):
     """What a run says of the other choice is what a run with that choice computes."""
     runs = {
-        settings[-1].rpartition("=")[2]: flexbearing.run(
-            PAPER, [*settings, f"coupling.method={method}"], output=tmp_path / "r.h5"
-        )
+        settings[-1].rpartition("=")[2]: flexbearing.run(PAPER, [*settings, f"coupling.method={method}"])
         for settings in ([*FLEXIBLE, "operation.tilt=free"], HELD)
     }
     for choice, other in (("free", "fixed"), ("fixed", "free")):
@@ -105,16 +105,17 @@ def test_the_other_way_to_hold_the_ring_is_shown_and_told_where_it_matters(tmp_p
     assert runs["free"].attributes["tilt"]["otherwise"]["ring_moment_Nm"] == approx(moment, rel=1e-2)
 
 
-def test_tilt_that_changes_nothing_is_not_told(tmp_path):
+@pytest.mark.slow
+def test_tilt_that_changes_nothing_is_not_told():
     """A ring held all around deflects alike at both roller ends."""
     seat = ["outer.kind=ring", "outer.support=foundation", "outer.foundation_radial=500 N/mm^3"]
-    result = flexbearing.run(PAPER, [*FLEXIBLE, *seat], output=tmp_path / "r.h5")
+    result = flexbearing.run(PAPER, [*FLEXIBLE, *seat])
     assert result.attributes["tilt"]["otherwise"]["inner_ring"] == "fixed"
     assert not [note for note in result.attributes["notes"] if note["code"] == "tilt"]
 
 
-def test_rigid_rings_say_nothing_of_the_other_choice(tmp_path):
-    result = flexbearing.run(PAPER, RIGID, output=tmp_path / "r.h5")
+def test_rigid_rings_say_nothing_of_the_other_choice():
+    result = flexbearing.run(PAPER, RIGID)
     assert result.attributes["tilt"] == {"inner_ring": "free"}
 
 
@@ -135,10 +136,11 @@ def test_thickness_over_ribs_is_needed_by_a_ring_with_ribs():
         understood(left_out, PAPER, (), FAMILIES)
 
 
-def test_nu_ring_on_a_solid_shaft_runs_and_says_that_its_thickness_is_not_used(tmp_path):
+@pytest.mark.slow
+def test_nu_ring_on_a_solid_shaft_runs_and_says_that_its_thickness_is_not_used():
     """A bore that a mesh can hold makes hardly a difference; ribs made the ring stiffer."""
-    solid = flexbearing.run(PAPER, [*NU_RING, "inner.shaft_thickness=29.8 mm"], output=tmp_path / "s.h5")
-    hollow = flexbearing.run(PAPER, [*NU_RING, "inner.shaft_thickness=27 mm"], output=tmp_path / "h.h5")
+    solid = flexbearing.run(PAPER, [*NU_RING, "inner.shaft_thickness=29.8 mm"])
+    hollow = flexbearing.run(PAPER, [*NU_RING, "inner.shaft_thickness=27 mm"])
     assert solid.attributes["status"] == hollow.attributes["status"] == "converged"
     assert solid.flexible["inner_load"] == approx(hollow.flexible["inner_load"], rel=0, abs=5.0)
     (note,) = [note for note in solid.attributes["notes"] if note["code"] == "inner-thickness"]

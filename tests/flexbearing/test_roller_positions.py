@@ -134,9 +134,9 @@ def test_one_position_alone_has_no_passage(tmp_path):
 
 
 @pytest.mark.parametrize(("file", "settings"), POSITIONS.values(), ids=POSITIONS.keys())
-def test_half_a_pitch_is_foreseen_from_the_loads_of_one_position(file, settings, tmp_path):
+def test_half_a_pitch_is_foreseen_from_the_loads_of_one_position(file, settings):
     case = [*QUICK, *settings, "operation.roller_positions=2"]
-    result = flexbearing.run(file, case, output=tmp_path / "r.h5")
+    result = flexbearing.run(file, case)
     loads, azimuths = result.flexible["inner_load"], result.flexible["roller_azimuth"]
     foreseen = load_half_a_pitch_further(azimuths, loads, 0.0)
     _, moved = result.attributes["passage"]["values"]["max_roller_load_N"]
@@ -162,19 +162,19 @@ def test_half_a_pitch_between_rigid_rings_is_foreseen_from_the_loads(rollers, ga
 
 
 @pytest.mark.slow
-def test_roller_under_a_bar_or_between_two_is_told(tmp_path):
+def test_roller_under_a_bar_or_between_two_is_told():
     """Seven bars: 3054 N under a bar, 2795 N with the rollers half a pitch further."""
     bars = [*QUICK, "outer.bars=7"]
-    alone = flexbearing.run(PAPER, bars, output=tmp_path / "r.h5")
+    alone = flexbearing.run(PAPER, bars)
     (note,) = [note["text"] for note in alone.attributes["notes"] if note["code"] == "roller-position"]
     assert "half a pitch further the largest roller load is" in note
     assert "operation.roller_positions" in note
     assert note in text(alone).replace("\n  ", " ")
-    passed = flexbearing.run(PAPER, [*bars, "operation.roller_positions=2"], output=tmp_path / "p.h5")
+    passed = flexbearing.run(PAPER, [*bars, "operation.roller_positions=2"])
     under, between = passed.attributes["passage"]["values"]["max_roller_load_N"]
     assert under > 1.07 * between
     assert f"{between:,.4g} N instead of {under:,.4g} N" in note
-    assert "roller-position" not in codes(flexbearing.run(PAPER, QUICK, output=tmp_path / "m.h5"))
+    assert "roller-position" not in codes(flexbearing.run(PAPER, QUICK))
 
 
 def test_rigid_rings_of_few_rollers_are_told_too(tmp_path):

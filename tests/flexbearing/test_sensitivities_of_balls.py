@@ -37,6 +37,7 @@ def solved_again(path, key, value, unit, settings=()):
     return (numbers[1] - numbers[0]) / (2 * STEP * value)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("path", OWN, ids=lambda path: path.stem)
 def test_derivatives_are_those_of_cases_solved_again(path):
     keys = KEYS | OWN[path]

@@ -43,6 +43,7 @@ def assert_are_those_of_cases_solved_again(path, found):
         assert np.abs(slopes - again) / np.maximum(np.abs(again), floor) == approx(0.0, abs=1e-5), key.path
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("path", OWN, ids=lambda path: path.stem)
 def test_derivatives_are_those_of_cases_solved_again(path):
     outputs, keys = OWN[path]

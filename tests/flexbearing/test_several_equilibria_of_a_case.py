@@ -75,8 +75,8 @@ def test_spread_and_passing_state_stand_in_note_page_and_json(cold, capsys):
     assert f"{passing['largest_inner_load_N']:.1f}" in page
 
 
-def test_a_bearing_with_thin_films_is_told_nothing(tmp_path):
-    result = flexbearing.run(PAPER, RIGID, output=tmp_path / "r.h5")
+def test_a_bearing_with_thin_films_is_told_nothing():
+    result = flexbearing.run(PAPER, RIGID)
     assert "equilibria" not in result.attributes
     assert "several equilibria" not in " ".join(note["text"] for note in result.attributes["notes"])
 

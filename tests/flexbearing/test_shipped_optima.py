@@ -7,6 +7,8 @@ import pytest
 from flexbearing.optimise.run import optimise
 from flexbearing.optimise.search import FEASIBLE
 
+pytestmark = pytest.mark.usefixtures("two_cores")
+
 STUDIES = Path(__file__).parents[2] / "configs" / "studies"
 
 

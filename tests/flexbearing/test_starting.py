@@ -56,6 +56,7 @@ def test_checking_rollers_loads_no_balls_no_solver_and_no_files():
     assert among(modules, NOT_OF_THIS_CASE) == []
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", ["harris218", "joshi2015_fourpoint"])
 def test_checking_balls_loads_no_rollers_and_no_files(name):
     modules = loaded("check", f"configs/{name}.toml")
@@ -86,6 +87,7 @@ def test_version_is_told_and_nothing_else():
     assert (done.returncode, done.stdout.split()[0], done.stderr) == (0, "flexbearing", "")
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("words", [["--debug", "check", "none.toml"], ["check", "none.toml", "--debug"]])
 def test_debug_shows_the_traceback_and_keeps_message_and_exit_code(words):
     plain, done = command("check", "none.toml"), command(*words)

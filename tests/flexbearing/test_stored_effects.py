@@ -52,6 +52,7 @@ def test_ranges_of_other_loads_are_left_out_and_the_page_says_so():
     assert STALE in assumed_effects.how(Reader(result, METRIC)).paragraphs[0]
 
 
+@pytest.mark.slow
 def test_ranges_computed_at_another_load_are_those_of_that_load():
     fresh = api.run(NU210, [HEAVY, "outputs.assumed_effects=true"])
     assert life(fresh) == approx((0.48, 2.84), rel=0.01)

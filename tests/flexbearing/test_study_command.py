@@ -12,6 +12,8 @@ from flexbearing.results import BadResult, store
 from quasidynamic import OutOfRange
 from tests.flexbearing.toy_studies import CASE
 
+pytestmark = pytest.mark.usefixtures("two_cores")
+
 ROOT = Path(__file__).parents[2]
 LOADS = (
     '[over]\n"operation.radial_load" = ["2 kN", "4 kN"]\n"operation.inner_speed" = ["3000 rpm", "5000 rpm"]\n'

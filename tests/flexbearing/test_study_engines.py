@@ -23,6 +23,8 @@ from flexbearing.studies.where import Where, expected
 from tests.flexbearing import toy_studies
 from tests.flexbearing.toy_studies import cubes, no_ring, toy
 
+pytestmark = pytest.mark.usefixtures("two_cores")
+
 ROOT = Path(__file__).parents[2]
 FORTY = '"operation.radial_load" = "2 kN .. 41 kN, 40"'
 
@@ -47,6 +49,7 @@ def test_a_million_jobs_are_a_process_on_each_core(tmp_path, monkeypatch, caplog
     assert caplog.messages == ["--jobs 1000000: only 3 compute, one on each core that this program may use"]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("first", "over"),
     [

@@ -24,6 +24,8 @@ from flexbearing import __main__ as program
 from tests.fem.processes import aborting
 from tests.flexbearing.toy_studies import CASE
 
+pytestmark = pytest.mark.usefixtures("two_cores")
+
 ROOT = Path(__file__).parents[2]
 COMMAND = [sys.executable, "-m", "flexbearing", "study"]
 PROGRESS = re.compile(r"(check|study|elastic rings)(: \d+ of \d+ .*|, \d+ s)")

@@ -18,6 +18,8 @@ from flexbearing.studies.plan.task import Base, Variant
 from flexbearing.studies.prepare import prepared
 from tests.flexbearing.toy_studies import CASE, toy
 
+pytestmark = pytest.mark.usefixtures("two_cores")
+
 CONFIGS = Path(__file__).parents[2] / "configs"
 
 

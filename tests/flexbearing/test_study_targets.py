@@ -13,6 +13,8 @@ from flexbearing.studies.plan.corners import extremes
 from flexbearing.studies.prepare import prepared
 from flexbearing.studies.table import journal
 
+pytestmark = pytest.mark.usefixtures("two_cores")
+
 CONFIGS = Path(__file__).parents[2] / "configs"
 RING = """
 "outer.kind" = "ring"

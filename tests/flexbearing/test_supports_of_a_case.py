@@ -30,7 +30,13 @@ from flexbearing.runs.part_fields import NoFields
 from tests.flexbearing.noted import codes
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
-RING = ["inner.kind=rigid", "outer.kind=ring", "accuracy.element_order=3"]
+RING = [
+    "inner.kind=rigid",
+    "outer.kind=ring",
+    "accuracy.element_order=3",
+    "accuracy.slices=8",
+    "accuracy.axial_shapes=2",
+]
 HOUSED = [
     *RING, "outer.support=housing", "outer.housing_thickness=10 mm", "outer.housing_width=12 mm",
     "operation.temperatures.housing=218 degC", "accuracy.slices=8", "accuracy.axial_shapes=2",
@@ -60,26 +66,27 @@ def with_support(name):
     return [*RING, f"outer.support={name}", *SUPPORTS[name]]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", SUPPORTS)
-def test_every_support_is_computed(name, tmp_path):
-    result = flexbearing.run(PAPER, with_support(name), output=tmp_path / "r.h5")
+def test_every_support_is_computed(name):
+    result = flexbearing.run(PAPER, with_support(name))
     assert result.attributes["status"] == "converged"
     assert np.abs(result.flexible["outer_deviation"]).max() > 1e-7
     carried = result.flexible["inner_load"] @ np.cos(result.flexible["roller_azimuth"])
     assert carried == approx(result.rigid["inner_load"] @ np.cos(result.rigid["roller_azimuth"]), rel=0.01)
 
 
-def test_tooth_forces_bend_a_planet_before_rollers_do(tmp_path):
+def test_tooth_forces_bend_a_planet_before_rollers_do():
     """The rim ovalises: it opens between the teeth, which spreads the load over more rollers."""
-    result = flexbearing.run(PAPER, with_support("planet"), output=tmp_path / "r.h5")
+    result = flexbearing.run(PAPER, with_support("planet"))
     assert (result.flexible["inner_load"] > 1).sum() > (result.rigid["inner_load"] > 1).sum()
     assert result.attributes["structure"]["outer"]["support_stiffness_N_per_m"] is None
 
 
-def test_teeth_act_at_the_pitch_circle_or_the_result_says_that_they_do_not(tmp_path):
+def test_teeth_act_at_the_pitch_circle_or_the_result_says_that_they_do_not():
     """At 60 mm, 18.9 mm outside of the rim, their couples open the load zone further."""
     on_rim, at_pitch = (
-        flexbearing.run(PAPER, [*with_support("planet"), *radius], output=tmp_path / f"{len(radius)}.h5")
+        flexbearing.run(PAPER, [*with_support("planet"), *radius])
         for radius in ([], ["outer.tooth_radius=60 mm"])
     )
     assert "tooth-forces-at-rim" in codes(on_rim)
@@ -239,6 +246,7 @@ def test_shaft_that_is_warmer_at_one_end_tapers_the_raceway(tapered):
     assert second - first == approx(taper, rel=0.05)
 
 
+@pytest.mark.slow
 def test_mean_expansion_is_no_deviation(tapered):
     """It belongs to the operating clearance."""
     even, _ = tapered
@@ -291,6 +299,7 @@ def test_temperatures_along_the_axis_that_nothing_follows_are_refused(settings, 
         read_case(PAPER, settings)
 
 
+@pytest.mark.slow
 def test_temperatures_that_end_inside_the_shaft_are_refused(tmp_path):
     short = ['operation.temperatures.shaft_along.at=["-10 mm", "10 mm"]', along("shaft", 225, 235)[1]]
     with pytest.raises(BadCase, match="covers the body"):
@@ -298,12 +307,10 @@ def test_temperatures_that_end_inside_the_shaft_are_refused(tmp_path):
 
 
 @pytest.mark.slow
-def test_inner_ring_in_its_fit_deflects_more_than_a_bonded_one(tmp_path):
+def test_inner_ring_in_its_fit_deflects_more_than_a_bonded_one():
     loads = {}
     for fit in ("bonded", "friction", "frictionless"):
-        result = flexbearing.run(
-            PAPER, ["outer.kind=rigid", f"inner.fit={fit}"], output=tmp_path / f"{fit}.h5"
-        )
+        result = flexbearing.run(PAPER, ["outer.kind=rigid", f"inner.fit={fit}"])
         assert result.attributes["status"] == "converged"
         loads[fit] = result.flexible
     stiffness = {fit: float(block["total_stiffness"]) for fit, block in loads.items()}
@@ -311,7 +318,6 @@ def test_inner_ring_in_its_fit_deflects_more_than_a_bonded_one(tmp_path):
     stuck = flexbearing.run(
         PAPER, ["outer.kind=rigid", "inner.fit=friction", "inner.fit_friction=10",
          "bearing.fits.shaft_interference=40 um"],
-        output=tmp_path / "stuck.h5",
     )  # fmt: skip
     assert stuck.flexible["total_stiffness"] == approx(stiffness["bonded"], rel=0.02)
     told = stuck.attributes["structure"]["inner"]["fit"]
@@ -323,23 +329,22 @@ COLD_SEAT = ["operation.temperatures.outer_seat=168 degC"]  # 50 K below the rin
 
 
 @pytest.mark.slow
-def test_cold_flange_seat_cones_the_raceway_and_takes_an_eighth_of_the_life(tmp_path):
+def test_cold_flange_seat_cones_the_raceway_and_takes_an_eighth_of_the_life():
     held = ["operation.tilt=fixed"]
-    usual = flexbearing.run(PAPER, held, output=tmp_path / "usual.h5").flexible
-    cold = flexbearing.run(PAPER, [*held, *COLD_SEAT], output=tmp_path / "cold.h5").flexible
+    usual = flexbearing.run(PAPER, held).flexible
+    cold = flexbearing.run(PAPER, [*held, *COLD_SEAT]).flexible
     assert cold["life_L10"] / usual["life_L10"] == approx(0.878, abs=0.01)
     away = np.argmin(cold["inner_load"])  # where no load bends the ring
     coned = (cold["outer_deviation"] - usual["outer_deviation"])[away]
     assert coned[-1] - coned[0] == approx(-4.7e-6, abs=0.4e-6)  # between the outer slices
 
 
-def test_seat_as_warm_as_the_ring_changes_nothing(tmp_path):
+def test_seat_as_warm_as_the_ring_changes_nothing():
     beam = ["accuracy.structure=beam", "inner.kind=rigid", "outer.kind=ring", "accuracy.slices=8"]
     seats = ["218 degC", "168 degC"]
-    plain = flexbearing.run(PAPER, beam, output=tmp_path / "p.h5").flexible
+    plain = flexbearing.run(PAPER, beam).flexible
     even, cold = (
-        flexbearing.run(PAPER, [*beam, f"operation.temperatures.outer_seat={seat}"], output=tmp_path / "r.h5")
-        for seat in seats
+        flexbearing.run(PAPER, [*beam, f"operation.temperatures.outer_seat={seat}"]) for seat in seats
     )
     assert (even.flexible["inner_load"] == plain["inner_load"]).all()
     moved = cold.flexible["outer_deviation"] - plain["outer_deviation"]
@@ -378,6 +383,7 @@ def test_cold_seat_narrows_a_computed_clearance():
     assert cold - even == approx(-2 * 17.5e-6, rel=0.03)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("fitted", [False, True], ids=["stated clearance", "from fits"])
 def test_bonded_ring_has_its_growth_along_the_roller_and_no_mean(fitted):
     """The mean belongs to the operating clearance, the shape to the raceway, as in a fit that may open."""

@@ -17,6 +17,8 @@ from flexbearing.studies.plan import Row
 from flexbearing.studies.run import Work
 from tests.flexbearing.toy_studies import CASE, no_ring
 
+pytestmark = pytest.mark.usefixtures("two_cores")
+
 LIFE, SLIP = "life_L10 [Mrev]", "cage_slip [%]"
 CHEAP, USUAL, FINE = 10, 20, 40  # slices
 FILE = f"""

@@ -44,6 +44,7 @@ def in_file(text, key):
     return found
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("context", CONTEXTS)
 def test_a_variant_equals_the_case_read_with_settings(context):
     """By every key of every kind of case, beginning at the value of the file where it has one."""

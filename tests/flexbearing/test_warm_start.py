@@ -66,18 +66,18 @@ def test_warm_start_ends_where_a_cold_one_does_and_sooner(other, cold, tmp_path)
 
 
 @pytest.mark.parametrize("support", [["accuracy.structure=beam"], PLANET], ids=["beam", "planet"])
-def test_case_that_starts_from_itself_is_there_at_once(support, tmp_path):
+def test_case_that_starts_from_itself_is_there_at_once(support):
     """What bends a planet without any roller is not counted twice."""
     settings = [*RING, "accuracy.element_order=2", *support]
-    first = flexbearing.run(PAPER, settings, output=tmp_path / "first.h5")
-    again = flexbearing.run(PAPER, settings, output=tmp_path / "again.h5", start=first)
+    first = flexbearing.run(PAPER, settings)
+    again = flexbearing.run(PAPER, settings, start=first)
     assert again.attributes["iterations"] == 1
     assert again.history("residual")[0] < 1e-9
 
 
-def test_alternated_state_is_a_start_too(other, tmp_path):
-    alternated = flexbearing.run(PAPER, [*NEAR, "coupling.method=iqn-ils"], output=tmp_path / "other.h5")
-    again = flexbearing.run(PAPER, NEAR, output=tmp_path / "again.h5", start=alternated)
+def test_alternated_state_is_a_start_too(other):
+    alternated = flexbearing.run(PAPER, [*NEAR, "coupling.method=iqn-ils"])
+    again = flexbearing.run(PAPER, NEAR, start=alternated)
     assert again.attributes["iterations"] <= 2
     largest = np.abs(other.flexible["unknowns"]).max()
     assert alternated.flexible["unknowns"] == approx(other.flexible["unknowns"], rel=0, abs=1e-6 * largest)

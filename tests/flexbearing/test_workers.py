@@ -19,6 +19,8 @@ from quasidynamic.parts.material import Material
 from tests.ball_bearings import slow_bearing
 from tests.flexbearing.test_interruptions import started, wait_for
 
+pytestmark = pytest.mark.usefixtures("two_cores")
+
 JOSHI = Path(__file__).parents[2] / "configs" / "joshi2015_fourpoint.toml"
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
 NUMBERS = range(2 * FEWEST)
@@ -50,12 +52,6 @@ def dead_once(number, place):
 def in_two_processes(function):
     with shared_map() as mapped:
         return list(mapped(function, NUMBERS))
-
-
-@pytest.fixture(autouse=True)
-def two_cores(monkeypatch):
-    monkeypatch.delenv("SLURM_CPUS_PER_TASK", raising=False)
-    monkeypatch.setenv("FLEXBEARING_THREADS", "2")
 
 
 def children(process):

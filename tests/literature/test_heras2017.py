@@ -138,6 +138,7 @@ STICK_SLIP = {  # torque with the loads above [N m], half-spaces on 80 by 160 ce
 }
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", CASES)
 def test_torque_with_stick_and_slip_is_that_of_an_independent_program(name):
     """Which rolls on the ball radius instead of the height of the pressed surface: 0.1 to 0.4 % less."""

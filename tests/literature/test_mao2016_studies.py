@@ -46,6 +46,7 @@ def test_life_rises_with_the_thickness_where_the_tilt_is_held():
     assert (thin, thick) == (approx(1.06, abs=0.03), approx(1.36, abs=0.03))
 
 
+@pytest.mark.slow
 def test_life_hardly_depends_on_the_thickness_where_the_tilt_is_free():
     """2.36 and 2.37 on half a pitch, 2.41 and 2.42 with an elastic inner ring; independent programs: 2.38."""
     thin, thick = ratios({"operation.tilt": "free"})

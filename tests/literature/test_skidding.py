@@ -39,6 +39,7 @@ def slips(key, values, **others):
 LIGHT = {"operation.radial_load": "500 N"}
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("key", "values", "others"),
     [

@@ -247,6 +247,7 @@ def test_friction_torque_is_in_proportion_to_the_coefficient_and_none_without(co
     assert solved(control=control, friction=0.1, outer_speed=1000.0).friction_torque == 0.0
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("thrust", [0.0, 100.0])
 def test_forces_beyond_all_numbers_are_told_without_a_share_of_them(thrust):
     operation = RingOperation(

@@ -102,6 +102,7 @@ def assert_same(of_all, of_each):
         assert found == approx(expected, rel=0, abs=1e-11 * size, nan_ok=True)
 
 
+@pytest.mark.sampled(2)
 def test_every_quantity_of_many_states_is_that_of_each_alone(cases):
     states, many = cases
     for name in QUANTITIES:
@@ -170,6 +171,7 @@ def test_cage_is_in_balance_at_several_slips_between_the_folds_alone():
     assert cage_balances_often(together(states, loads)).tolist() == [False, True, False]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", [*BEARINGS, "tilting, known pockets"])
 def test_states_of_bearings_that_differ_in_every_number(name):
     model = paper_bearing(

@@ -41,6 +41,7 @@ def test_pressure_along_the_normals_balances_the_loads(pressure):
     assert along_normal(balls) == approx(np.repeat(loads, 2), rel=1e-4)
 
 
+@pytest.mark.sampled(3)
 @COMPUTED
 @pytest.mark.parametrize(("model", "apart"), [("full_sliding", 2e-3), ("kalker", 2e-3), ("fastsim", 1e-2)])
 def test_small_patches_are_those_of_hertz(pressure, model, apart):
@@ -139,7 +140,7 @@ def test_peak_pressure_and_reach_of_hertz_stay_exact():
     assert balls.reach.tolist() == sliding.ellipse.across.tolist()
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @COMPUTED
 def test_the_error_told_holds_for_nearly_all_random_balls(pressure):
     """In 95 of 100, against the limit of four times as many cells in each direction."""

@@ -170,6 +170,7 @@ def test_gap_that_is_not_finite_is_refused():
         )
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("seed", range(40))
 def test_random_ellipses_are_solved(seed):
     rng = np.random.default_rng(seed)

@@ -82,6 +82,7 @@ def friction_on_ball(contacts, found, friction, speeds, points=500):
     return total, moment, heat, ball
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("outer_speed", [0.0, -400.0])
 @pytest.mark.parametrize("friction", [0.02, 0.08])
 def test_friction_turns_the_spin_with_the_orbit_and_drives_nothing_along_it(friction, outer_speed):
@@ -100,6 +101,7 @@ def test_friction_turns_the_spin_with_the_orbit_and_drives_nothing_along_it(fric
     assert control.heat(contacts, speeds, np.full((1, 1), 300.0))[0, 0] == approx(heat, rel=2e-4)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     "where",
     [(0.6, 0.5, 3600.0, 3300.0), (0.7, 0.3, 75.0, 830.0), (1.35, 0.2, 450.0, 1160.0), (0.4, 0.1, 0.0, 400.0)],
@@ -270,6 +272,7 @@ def test_coulomb_control_needs_a_coefficient_of_friction():
         AngularContactBallBearing(bearing=BEARING, control="coulomb", friction=-0.1)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("seed", [3, 12, 25])
 def test_semi_axes_of_the_loaded_angle_hardly_change_the_friction_of_free_balls(seed):
     """The motion is found with those of the angle without load, an error that the documents state."""
@@ -304,6 +307,7 @@ PLACES = {  # contact angles [rad], approaches [m]
 }
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("where", PLACES.values(), ids=PLACES.keys())
 def test_derivatives_by_the_places_of_ball_and_groove(where):
     own = AngularBalance(
@@ -329,6 +333,7 @@ def test_derivatives_by_the_places_of_ball_and_groove(where):
             assert np.abs(by[k] - slope).max() <= 2e-5 * np.abs(here.by_ball).max()
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("seed", [502, 668])
 def test_what_the_search_of_friction_leaves_does_not_stall_the_ring(seed):
     """Both found no balance to 1e-11 of the largest force, nor did the balls to 1e-12."""

@@ -72,6 +72,7 @@ def test_slip_at_points_is_that_of_rigid_bodies_or_of_the_spin_in_the_centre(spi
     assert found.T == approx(np.array(slips_at(own, x, y, spin)), rel=1e-12)
 
 
+@pytest.mark.sampled(3)
 @spins
 @pytest.mark.parametrize(
     "own",

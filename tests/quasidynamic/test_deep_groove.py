@@ -173,6 +173,7 @@ def test_contact_angle_zero_is_the_limit_of_small_ones():
 # -- preload --------------------------------------------------------------------------------------
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("clearance", [15e-6, 0.0, -15e-6])
 @pytest.mark.parametrize("angle", [0.0, 25.0])
 def test_preload_holds_the_ring_where_its_force_does_at_rest(angle, clearance):
@@ -222,7 +223,7 @@ def test_any_deep_groove_bearing_is_solved_or_refused_by_name(seed):
     assert unbalanced(state) < 1e-8
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_thousand_random_bearings_are_solved():
     outcomes = {}
     for seed in range(1000):

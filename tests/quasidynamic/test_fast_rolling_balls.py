@@ -51,6 +51,7 @@ def contact_heat(balls, ball, race):
     return -power.sum() * area
 
 
+@pytest.mark.sampled(2)
 @CONTROLS
 @SPINS
 def test_full_sliding_on_the_grid_has_the_torque_of_the_strips(control, spin):
@@ -72,6 +73,7 @@ def test_heat_is_the_power_of_the_cells_and_that_of_the_torque(model, tolerance)
     assert balls.friction_heat.sum() == approx(balls.friction_torque * (FAST + 100.0), rel=1e-12)
 
 
+@pytest.mark.sampled(4)
 @CONTROLS
 @SPINS
 @STICKING
@@ -93,6 +95,7 @@ def force_along_orbit(balls, ball):
     )
 
 
+@pytest.mark.sampled(3)
 @CONTROLS
 @pytest.mark.parametrize("speed", [FAST, -FAST])
 def test_force_along_the_orbit_that_stick_leaves_is_that_of_the_cells(control, speed):
@@ -134,6 +137,7 @@ def test_friction_of_the_kept_motion_holds_the_gyroscopic_moment():
         assert abs(moment[TURN]) == approx(abs(balls.state.gyroscopic_moment[number]), rel=0.02)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("control", ["outer", "coulomb"])
 def test_rings_that_turn_backwards_mirror_the_fields(control):
     ahead, back = (rolled(control=control, speed=speed) for speed in (FAST, -FAST))

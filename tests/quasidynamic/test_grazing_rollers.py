@@ -10,6 +10,7 @@ from tests.random_rollers import imbalance, wide_design
 from tests.thick_films import design
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("number", [30, 45, 57])
 def test_bearing_with_thick_oil_is_solved_though_a_roller_hardly_touches(number):
     """Tilted rollers touch at one end (30 and 45), or the last loaded roller just loses contact (57)."""

@@ -62,6 +62,7 @@ def on_path(own):
     return places
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("control", ["outer", "inner"])
 @pytest.mark.parametrize("load", LOADS.values(), ids=LOADS.keys())
 def test_path_of_growing_inertia_ends_in_balance(load, control):

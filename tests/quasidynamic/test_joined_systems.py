@@ -18,13 +18,13 @@ def leaves(part, path=""):
         yield from leaves(inside, f"{path}.{name}")
 
 
-@pytest.mark.parametrize("varied", ["load", "speed", "clearance", "oil_fraction"])
-def test_a_batch_knows_its_last_residuals_and_derivatives(varied):
+def test_a_batch_knows_its_last_residuals_and_derivatives():
     """Cases that leave Newton's method at different iterates."""
     usual = {"load": 9000.0, "speed": 12_000 * RPM, "clearance": 40e-6, "oil_fraction": 0.2}
     bearings = [
-        paper_bearing(**usual | {varied: usual[varied] * factor}) for factor in np.geomspace(0.3, 3.0, 12)
-    ]
+        paper_bearing(**usual | {name: value * factor})
+        for name, value in usual.items() for factor in (0.3, 0.7, 3.0)
+    ]  # fmt: skip
     known = 0
     for batch in solve_many(bearings).batches:
         states = batch.states

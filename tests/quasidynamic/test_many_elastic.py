@@ -59,6 +59,7 @@ def test_loads_and_speeds():
     assert many.ways[Way.FITTED] > 5
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("modes", "races"),
     [(1, (True, False)), (2, (False, True)), (4, (True, False))],

@@ -52,11 +52,13 @@ def exact():
     return sorted(fold.value for fold in trace(falling(SPAN[0]), span=SPAN).folds)
 
 
+@pytest.mark.slow
 def test_both_stable_states_are_at_every_load_between_the_folds(line, exact):
     between = (exact[0] < LOADS) & (exact[1] > LOADS)
     assert (line.stable_count == np.where(between, 2, 1)).all()
 
 
+@pytest.mark.slow
 def test_sheets_end_at_the_folds_of_the_branch(line, exact):
     ended = folds(SolvedGrid.of(over((len(LOADS),), LOADS), line))
     assert ended.located.all()

@@ -63,6 +63,7 @@ def test_thick_film_is_the_fluid_and_no_film_is_boundary_friction():
     assert law(*point, thin).force == approx(0.1 * 1e5, rel=1e-6)
 
 
+@pytest.mark.sampled(2)
 @every_friction
 @every_share
 @given(load=loads, slide=slides, speed=speeds, film=films)
@@ -88,6 +89,7 @@ def away_from_full_slip(load, slide, speed, share):
     return abs(abs(slide) / speed - full_slip) > 0.05 * full_slip
 
 
+@pytest.mark.sampled(2)
 @every_friction
 @every_share
 @given(load=loads, slide=slides, speed=speeds, film=films)

@@ -124,6 +124,7 @@ def test_adore_oil_far_above_its_range_says_so():
     assert RHEOLOGY.notes([300.0, 425.0], [0.7e9, 2e9]) == ()
 
 
+@pytest.mark.sampled(2)
 @every_law
 @given(load=loads, slide=slides, speed=speeds, film=films)
 def test_traction_is_odd_and_below_the_limiting_stress(law, load, slide, speed, film):
@@ -135,6 +136,7 @@ def test_traction_is_odd_and_below_the_limiting_stress(law, load, slide, speed, 
     assert abs(forward.force) <= 0.05 * load * (1 + 1e-12)
 
 
+@pytest.mark.sampled(2)
 @every_law
 @given(load=loads, slide=slides, speed=speeds, film=films)
 def test_every_derivative_is_the_slope_of_the_force(law, load, slide, speed, film):

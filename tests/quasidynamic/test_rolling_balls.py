@@ -67,7 +67,7 @@ def test_stick_and_slip_never_turn_harder_than_full_sliding(seed):
     check_bound(seed)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @settings(max_examples=1000, deadline=None)
 @given(seed=st.integers(0, 2**31))
 def test_a_thousand_balls_never_turn_harder_than_full_sliding(seed):
@@ -116,7 +116,7 @@ def test_the_error_told_is_that_of_the_grid(model):
     assert abs(ball.torque - finer.extrapolated_torque) <= ball.grid_error
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_error_told_holds_for_nearly_all_random_balls():
     """Against the limit of four times as many cells in each direction, and without telling far too much."""
     told_over_true = []

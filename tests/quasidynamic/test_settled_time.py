@@ -26,6 +26,7 @@ def balance_of(model):
     return model.balance()
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     "number",
     [

@@ -126,6 +126,7 @@ def differing(name, index, factor):
     return with_numbers(bearing(name), numbers)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", FEW)
 def test_bearings_may_differ_in_one_number_alone(name):
     """Some of all; that all may differ at once is asked below."""
@@ -137,6 +138,7 @@ def test_bearings_may_differ_in_one_number_alone(name):
         same(there, solve_many([other])[0])
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     "name",
     [pytest.param(name, marks=pytest.mark.slow) if name.endswith("slow") else name for name in BEARINGS],
@@ -152,6 +154,7 @@ def test_bearings_may_differ_in_all_numbers(name):
         same(state, solve_many([model])[0])
 
 
+@pytest.mark.slow
 def test_a_solve_does_not_depend_on_what_stands_beside_it():
     """Slow and fast, light and heavy, tilted by load or by moment alone: as many evaluations as alone."""
     points = ((3, 3e3), (7, 3e3), (450, 0.0), (450, 1.0), (450, 3e3), (1e3, 0.0), (13e3, 1.0), (3e4, 30.0))

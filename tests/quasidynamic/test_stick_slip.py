@@ -60,7 +60,7 @@ def test_traction_keeps_its_limit_and_opposes_slip_and_heats_less_than_full_slid
     check_coulomb(seed)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @settings(max_examples=1000, deadline=None)
 @given(seed=st.integers(0, 2**31))
 def test_a_thousand_contacts_heat_less_than_full_sliding(seed):

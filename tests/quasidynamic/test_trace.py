@@ -204,6 +204,7 @@ def test_only_the_middle_of_the_s_is_unstable():
     assert (found.stable == expected).all()
 
 
+@pytest.mark.slow
 def test_three_equilibria_between_the_folds():
     slips = [one.cage_slip for one in three()]
     assert slips == approx([0.00264, 0.0159, 0.341], rel=0.01, abs=0)
@@ -229,6 +230,7 @@ def test_either_way_of_searching_finds_all_three(monkeypatch, name, without):
     assert slips == approx([one.cage_slip for one in three()], rel=1e-7, abs=0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("load", [1500.0, 8000.0], ids=["below", "above"])
 def test_one_equilibrium_outside_the_folds(load):
     (only,) = equilibria_at(falling(load))
@@ -256,6 +258,7 @@ def growth(one):
     return replace(nearest, equilibrium=one).growth
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("which", range(3), ids=["rolling", "middle", "slipping"])
 def test_disturbance_grows_or_decays_at_the_rate_of_the_eigenvalue(which):
     one = three()[which]
@@ -268,12 +271,14 @@ def test_disturbance_grows_or_decays_at_the_rate_of_the_eigenvalue(which):
     assert (rate < 0) == (which != 1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("slowed", "where"), [(-1e-4, 0), (1e-4, 2)], ids=["faster", "slower"])
 def test_bearing_leaves_the_unstable_equilibrium_for_a_stable_one(slowed, where):
     slips = after_a_while(three()[1], slowed, [5e-5] * 80 + [1e-3] * 80)
     assert slips[-1] == approx(three()[where].cage_slip, rel=1e-2, abs=0)
 
 
+@pytest.mark.slow
 def test_branch_comes_back_to_the_load_where_it_began():
     found = trace(falling(WITHIN), span=(WITHIN, 6000.0), start=three()[2])
     assert found.end is BranchEnd.RANGE_LEFT

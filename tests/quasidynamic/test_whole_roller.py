@@ -50,6 +50,7 @@ def test_crowned_all_along_is_an_ellipse_of_hertz():
     assert pressed.at_ends == (False, False)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("profile", "tilt", "order"),
     [("straight", 0, 1), ("straight", 4, 1), ("crowned", 0, 2), ("crowned", 4, 2), ("logarithmic", 4, 2)],
@@ -131,6 +132,7 @@ def test_slices_share_cells_where_counts_do_not_divide():
     )
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("seed", range(30))
 def test_random_rollers_are_solved(seed):
     rng = np.random.default_rng(seed)

@@ -32,6 +32,7 @@ def plain():
     return PlainRing(INSIDE + THICKNESS / 2, THICKNESS, WIDTH, STEEL.youngs_modulus, STEEL.poisson_ratio)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("lines", LINES.values(), ids=LINES.keys())
 def test_ring_on_lines_that_only_push_is_the_plain_one(plain, lines):
     azimuths = np.radians(lines)

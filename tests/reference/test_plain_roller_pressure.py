@@ -124,6 +124,7 @@ def test_edge_peak_of_half_spaces_is_that_of_the_plain_solution(profile, pressur
     assert sums == approx(carried, rel=0, abs=3e-3 * force_of(pressure))
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("tilt", [0, 4])
 def test_a_sharp_end_has_no_peak_in_either_solution(tilt):
     coarse, fine = (plain("straight", 1.5, tilt, cells=(12, n)) for n in (48, 96))
@@ -145,6 +146,7 @@ def verdict(profile, pressure, tilt):
     return SlicedPeak(0, 0, sliced(profile, pressure, tilt), whole(profile, pressure, tilt, CELLS))
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("profile", "pressure", "tilt", "holds"),
     [
@@ -169,9 +171,14 @@ def test_slices_claim_no_peak_of_a_contact_that_reaches_an_end(profile, pressure
     assert (abs(judged.error) < CLAIMED) == (profile == "crowned")  # whose cells do not show the end yet
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("profile", PROFILES)
-@pytest.mark.parametrize("pressure", [0.8, 1.2, 1.8, 2.5, 3.2])
+@pytest.mark.parametrize(
+    "pressure",
+    [
+        *(pytest.param(p, marks=pytest.mark.slow) for p in (1.2, 2.5)),
+        *(pytest.param(p, marks=pytest.mark.long) for p in (0.8, 1.8, 3.2)),
+    ],
+)
 def test_no_claimed_peak_is_off_by_more_than_five_percent(profile, pressure):
     for tilt in (0, 1, 2, 3, 4, 6):
         known = plain(profile, pressure, tilt, cells=(14, 88))
@@ -183,6 +190,7 @@ def test_no_claimed_peak_is_off_by_more_than_five_percent(profile, pressure):
             assert fine.peak_pressure == approx(known.peak, rel=CLAIMED)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     "profile", [Logarithmic(amplitude=1.75e-6), Crowned(straight_length=0.0, crown_radius=0.25)]
 )

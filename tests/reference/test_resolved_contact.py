@@ -186,6 +186,7 @@ def test_pressure_of_hertz_closes_the_gap(name):
     assert np.ptp(resolved(name)) < 2e-3 * contact_law(5.0)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("length", [5.0, pytest.param(20.0, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("name", RINGS)
 def test_split_gives_the_resolved_approach(name, length):
