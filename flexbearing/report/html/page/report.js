@@ -13,7 +13,12 @@
       layout[name] = { automargin: true, gridcolor: "#dfe3e8", zerolinecolor: "#8a939d", ...layout[name] };
     return Plotly.newPlot(`figure-${figure.name}`, figure.traces, layout, config);
   };
-  for (const figure of figures) await draw(figure);
+  const folded = (figure) => document.getElementById(`figure-${figure.name}`).closest("details:not([open])");
+  for (const figure of figures) if (!folded(figure)) await draw(figure);
+  for (const details of document.querySelectorAll("details"))
+    details.addEventListener("toggle", () => figures
+      .filter((figure) => details.contains(document.getElementById(`figure-${figure.name}`)))
+      .forEach(draw), { once: true });
 
   for (const table of document.querySelectorAll("table.sortable"))
     table.querySelectorAll("thead button").forEach((button, column) => button.addEventListener("click", () => {
@@ -41,7 +46,7 @@
     });
     document.querySelector("header").append(button);
   }
-  const fit = () => document.querySelectorAll(".plot").forEach((plot) => Plotly.Plots.resize(plot));
+  const fit = () => document.querySelectorAll(".plot.js-plotly-plot").forEach((plot) => Plotly.Plots.resize(plot));
   window.addEventListener("beforeprint", fit);
   document.body.dataset.ready = "1";
 })();
