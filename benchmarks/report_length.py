@@ -1,4 +1,4 @@
-"""How long reports are: words, A4 pages, screens, characters of the longest line of text, place of the first diagram.
+"""How long reports are: words, A4 pages, screens, where the first diagram begins, graphics.
 
 python -m benchmarks.report_length results/mao2016_report.html results/thickness_report.html
 

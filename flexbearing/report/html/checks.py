@@ -11,7 +11,7 @@ from flexbearing.findings.running import CLEARANCE, REQUIRED_LIFE, SHORT_LIFE
 from flexbearing.report.html.document import Cell, Number
 from flexbearing.report.html.lives import lives
 from flexbearing.report.html.reader import Reader, once
-from flexbearing.report.html.units import printed
+from flexbearing.report.html.units import printed, units_in_words
 
 BUILD = "build"  # grade of dimensions that overlap
 BROKEN = {
@@ -129,7 +129,8 @@ def _life(reader: Reader) -> Iterator[Check]:
     life = next((each for each in lives(reader) if each.chosen), None)
     if life is None:
         return
-    required = next((each for each in ranked(reader) if each.code == REQUIRED_LIFE.code), Check(""))
+    none = Check("", limit="not given", source=REQUIRED_LIFE.source)
+    required = next((each for each in ranked(reader) if each.code == REQUIRED_LIFE.code), none)
     yield replace(required, what=life.name, value=life.hours or life.turns, code=REQUIRED_LIFE.code)
 
 
@@ -182,4 +183,7 @@ def _noted(reader: Reader) -> Iterator[Check]:
     for code, (what, limit, grade, broken) in NOTED.items():
         if code in reader.codes:
             verdict = BROKEN[grade, AT_MOST] if broken else NOT_CHECKED
-            yield Check(what, "", limit, verdict=verdict, grade=grade, code=code)
+            note = next(each["text"] for each in reader.attributes["notes"] if each["code"] == code)
+            yield Check(
+                what, "", limit, verdict=verdict, grade=grade, code=code, meaning=units_in_words(note)
+            )

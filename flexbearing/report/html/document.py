@@ -66,10 +66,11 @@ class Document:
     @property
     def figures(self) -> list[Figure]:
         """Every figure."""
-        return [each for part in self.parts.values() for each in _figures(part)]
+        return _figures(self.parts)
 
 
 def _figures(part: Any) -> list[Figure]:
     if isinstance(part, Figure):
         return [part]
-    return [figure for each in part for figure in _figures(each)] if isinstance(part, list | tuple) else []
+    each = part.values() if isinstance(part, Mapping) else part if isinstance(part, list | tuple) else ()
+    return [figure for item in each for figure in _figures(item)]

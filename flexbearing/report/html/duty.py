@@ -7,7 +7,7 @@ from flexbearing.report.html.document import Cell, Figure, Number, Table
 from flexbearing.report.html.effects import name
 from flexbearing.report.html.figures import BLUE
 from flexbearing.report.html.table import ENDS, SHARES, StudyTable, words
-from flexbearing.report.html.units import Units, printed
+from flexbearing.report.html.units import Units, printed, with_unit
 
 DAMAGE, REQUIRED, LIFE = "damage_share", "required_life", "life"
 MOST = 40  # rows that a figure shows, those with the largest share
@@ -67,8 +67,10 @@ def _row_table(table: StudyTable, ordered: list[int], units: Units) -> Table:
     keys = table.axes[:_KEYS]
     columns = [*(column.name for column in keys), *SHARES, DAMAGE]
     known = [column for each in columns if (column := table.column(each))]
-    head = [f"{name(column.name) if column in keys else words(column.name)} [{printed(units.of(column.unit))}]"
-            for column in known]  # fmt: skip
+    head = [
+        with_unit(name(column.name) if column in keys else words(column.name), units.of(column.unit))
+        for column in known
+    ]
     return Table(("row", *head), tuple((str(row + 1), *_cells(table, known, row, units)) for row in ordered))
 
 

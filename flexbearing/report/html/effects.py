@@ -212,7 +212,7 @@ def figure(reader: Reader) -> Figure | None:
     axis = {"type": "log", "tickvals": _TICKS} if max(ratios) > _WIDE * min(ratios) else {}
     label = heading(reader, output).partition(" [")[0]
     layout = {
-        "xaxis": {"title": {"text": f"{label} over that of this case"}, **axis},
+        "xaxis": {"title": {"text": "over that of this case"}, **axis},
         "yaxis": {"autorange": "reversed", "type": "category"},
         "shapes": [{"type": "line", "xref": "x", "yref": "paper", "x0": 1, "x1": 1, "y0": 0, "y1": 1,
                     "line": {"color": "#4a535d", "width": 1, "dash": "dot"}}],

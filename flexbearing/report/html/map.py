@@ -36,7 +36,7 @@ def of_map(
         (printable(plane.name), [*_figures(plane, number)], *_lines(plane))
         for number, plane in enumerate(planes)
     ]
-    parts = {"words": words, "danger": danger, "planes": shown, "figures": [each[1] for each in shown]}
+    parts = {"words": words, "danger": danger, "planes": shown}
     return Document("map.html.j2", f"Map: {printable(title)}", parts, table)
 
 

@@ -139,7 +139,7 @@ def _notes(reader: Reader) -> tuple[list[str], list[tuple[str, str]]]:
     notes = [
         (note["grade"], units_in_words(note["text"]))
         for grade in GRADES for note in reader.attributes["notes"]
-        if note["grade"] == grade and (note["code"] not in judged or "overlap" in note["code"])
+        if note["grade"] == grade and note["code"] not in judged
     ]  # fmt: skip
     unknown = bool(reader.attributes["assumed"] or reader.attributes["calibrated"])
     grave = [text for grade, text in notes if grade != GRADES[-1]][: CAVEATS - unknown]

@@ -1,5 +1,6 @@
 """The report of a study: outputs over what was varied, duty cycles, every row."""
 
+import re
 from collections.abc import Iterator, Sequence
 from itertools import islice
 from math import isnan
@@ -22,6 +23,10 @@ FIGURES = 12  # that are shown; others on request
 LONGEST = 40  # characters of a list that a cell shows
 SHORT = 4  # lines that a legend names within a figure of usual height
 CONVERGED, RATED, IDLE = "converged", "rated", "no damage"  # status of rows with an answer
+_NOTES = re.compile(r"; (?=(?:danger|outside validity|information): )")  # between notes of a row
+_FINDING = re.compile(
+    r"(?P<what>[^:]+: [^:]+: )(?P<value>[\d.,]*\d)(?P<limit>(?: \S+)?, at (?:most|least) .*)", re.S
+)
 _STYLES = ("solid", "dash", "dot")
 
 
@@ -79,15 +84,31 @@ def _endings(table: StudyTable) -> dict[str, Any]:
     answered = (CONVERGED, RATED, IDLE)
     failed = [(row, f"{status}: {message}") for row, status, message in ends
               if status not in (*answered, NOT_COMPUTED)]  # fmt: skip
-    noted = [(row, message) for row, status, message in ends if message and status in (CONVERGED, RATED)]
+    noted = [(row, note) for row, status, message in ends if message and status in (CONVERGED, RATED)
+             for note in _NOTES.split(message)]  # fmt: skip
     idle = sum(status == IDLE for _, status, _ in ends)
     return {
         "converged": len(table) - len(failed) - table.to_come - idle,
         "idle": idle,
         "to_come": table.to_come,
         "failed": [*_by_message(failed)],
-        "noted": [*_by_message(noted)],
+        "noted": [*_by_message(_ranges(noted))],
     }
+
+
+def _ranges(rows: list[tuple[int, str]]) -> list[tuple[int, str]]:
+    """Findings of several rows with the range of their values, so that each is said once."""
+    sizes: dict[tuple[str, ...], list[str]] = {}
+    for _, note in rows:
+        if found := _FINDING.fullmatch(note):
+            sizes.setdefault(found.group("what", "limit"), []).append(found["value"])
+    ends = {key: sorted(values, key=lambda text: float(text.replace(",", "")))[:: max(1, len(values) - 1)]
+            for key, values in sizes.items()}  # fmt: skip
+    return [
+        (row, note if (found := _FINDING.fullmatch(note)) is None else
+         f"{found['what']}{' to '.join(dict.fromkeys(ends[found.group('what', 'limit')]))}{found['limit']}")
+        for row, note in rows
+    ]  # fmt: skip
 
 
 def _by_message(rows: list[tuple[int, str]]) -> Iterator[str]:

@@ -9,7 +9,10 @@ from flexbearing.report.html.units import NOTHING, printed
 from flexbearing.report.rows import of_supports
 
 SUBJECTS = {  # name in the template: beginnings of keys of the summary
-    "loads": ("max_roller", "max_outer_load", "loaded_", "balls", "contact_load", "contact_angle"),
+    "loads": (
+        "max_roller", "max_outer_load", "loaded_rollers", "loaded_arc", "balls", "contact_load",
+        "contact_angle",
+    ),
     "pressures": ("peak_pressure_MPa", "minimum_film", "minimum_lambda"),
     "stiffnesses": (
         "stiffness", "total_stiffness", "support_stiffness", "displacement", "ring_", "radial_clearance",
