@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from flexbearing.report.html.check import BUILD
 from pytest import approx
 
 from flexbearing import api
@@ -24,7 +25,6 @@ from flexbearing.report.html import (
     stiffness,
     verdict,
 )
-from flexbearing.report.html.check import BUILD
 from flexbearing.report.html.document import Items, Number, Table, Words
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import METRIC

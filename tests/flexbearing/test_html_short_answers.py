@@ -5,6 +5,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from flexbearing.report.html.check import Check
 from pytest import approx
 
 from flexbearing import api
@@ -22,7 +23,6 @@ from flexbearing.report.html import (
     oil,
     ratings,
 )
-from flexbearing.report.html.check import Check
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.reader import Reader
 from tests.flexbearing.hostile_cases import CONFIGS

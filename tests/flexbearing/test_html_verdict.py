@@ -5,6 +5,9 @@ from functools import cache
 from itertools import pairwise
 
 import pytest
+from flexbearing.report.html.against_limits import ranked
+from flexbearing.report.html.check import BUILD, NOT_CHECKED
+from flexbearing.report.html.simplifications import simplifications
 from pytest import approx
 
 from flexbearing import api
@@ -12,12 +15,9 @@ from flexbearing.case import cage_room
 from flexbearing.findings import DANGER, OUTSIDE, USUAL
 from flexbearing.report import text
 from flexbearing.report.html import METRIC, clearance, life as life_section, stiffness, verdict
-from flexbearing.report.html.against_limits import ranked
-from flexbearing.report.html.check import BUILD, NOT_CHECKED
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.lives import COMPARED, lives
 from flexbearing.report.html.reader import Reader
-from flexbearing.report.html.simplifications import simplifications
 from flexbearing.report.html.write import marked
 from flexbearing.runs.notes import of_case
 from tests.flexbearing.hostile_cases import CONFIGS

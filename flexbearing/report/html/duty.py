@@ -82,7 +82,8 @@ def _cells(table: StudyTable, columns: list[Any], row: int, units: Units) -> Ite
 def _figure(table: StudyTable, ordered: list[int]) -> Figure:
     """Damage share of each row as a bar."""
     shares = table.column(DAMAGE)
-    assert shares is not None and shares.numbers is not None
+    assert shares is not None
+    assert shares.numbers is not None
     trace = {
         "type": "bar", "x": [f"row {row + 1}" for row in ordered],
         "y": [float(f"{shares.numbers[row]:.6g}") for row in ordered],

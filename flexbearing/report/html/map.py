@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.printable import printable
-from flexbearing.report.contours import Contours
 from flexbearing.report.html.document import Document, Figure
+from flexbearing.report.studies.map_figure import Contours
 
 LEVEL = {"color": "#fff", "width": 1.0}
 LIMIT = {"color": "#D55E00", "width": 2.0}

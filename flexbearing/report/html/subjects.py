@@ -10,7 +10,7 @@ from flexbearing.report.rows import of_supports
 
 SUBJECTS = {  # name in the template: beginnings of keys of the summary
     "loads": (
-        "max_roller", "max_outer_load", "loaded_rollers", "loaded_arc", "balls", "contact_load",
+        "max_roller", "max_outer_load", "loaded_rollers", "loaded_arc", "balls_on", "contact_load",
         "contact_angle",
     ),
     "pressures": ("peak_pressure_MPa", "minimum_film", "minimum_lambda"),
