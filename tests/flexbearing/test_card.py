@@ -14,6 +14,7 @@ from flexbearing.report.html.document import Number
 from flexbearing.report.html.reader import Reader
 
 CONFIGS = Path(__file__).parents[2] / "configs"
+APART = ("drawings", "case", "origin")  # parts of the report
 KINDS = ["catalogue/nu210", "mao2016", "planet", "catalogue/6208", "joshi2015_qj309"]
 
 
@@ -37,7 +38,14 @@ def numbers_in(result):
     shown = {
         name: part for name, part in document.parts.items() if name not in ("drawings", "case", "origin")
     }
-    return set(re.findall(r"\d[\d,.]*\d|\d", " ".join(texts(shown))))
+    return set(sizes(" ".join(texts(shown))))
+
+
+def sizes(words):
+    """Numbers in words; those of versions and dates are none."""
+    return [
+        float(text.replace(",", "")) for text in re.findall(r"\d[\d,.]*\d|\d", words) if text.count(".") < 2
+    ]
 
 
 def texts(value):
@@ -57,7 +65,7 @@ def printed(item):
     values = [item.value] if isinstance(item.value, Number) else []
     words = " ".join([*(each.text for each in (*values, *(item.ends or ()))), item.remark])
     words += item.label if " by " in item.label else ""  # factors of an input
-    return re.findall(r"\d[\d,.]*\d|\d", words.replace("..", " "))
+    return sizes(words.replace("..", " "))
 
 
 @pytest.mark.parametrize("name", KINDS)

@@ -122,7 +122,7 @@ def _of_solution(reader: Reader) -> dict[str, Any]:
 
 
 def _checked(found: tuple[checks.Check, ...]) -> Table:
-    """Results against their limits; what follows where a limit is not kept stands below its name."""
+    """Results against their limits; what follows where a limit is not kept is below its name."""
     rows: list[tuple[Cell, ...]] = []
     for check in found:
         why = "; ".join(filter(None, (check.meaning, check.action)))
