@@ -229,7 +229,7 @@ def draw(rows: list[Row]) -> None:
     """A tornado for each bearing and output, numbers that matter most on top."""
     from matplotlib.figure import Figure
 
-    from flexbearing.report.axes_look import plain_grid
+    from flexbearing.report.picture import plain_grid
 
     found = effects(rows)
     counts = [len(some) for _, some in found.values()]

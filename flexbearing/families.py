@@ -32,7 +32,7 @@ _FOUR_POINT = Family(
     solve=Entry("flexbearing.runs.ball:solve_four_point"),
     rows=Entry("flexbearing.runs.ball:four_point_answers"),
     layout=Entry("flexbearing.quantities.four_point:LAYOUT"),
-    report=Entry("flexbearing.report.balls.four_point_report:REPORT"),
+    report=Entry("flexbearing.report.balls.reports:FOUR_POINT"),
     card=_CARD,
     sensitivities=Entry("flexbearing.derivatives.slow_balls:sensitivities"),
 )
@@ -44,7 +44,7 @@ _ANGULAR = Family(
     solve=Entry("flexbearing.runs.ball:solve_angular"),
     rows=Entry("flexbearing.runs.ball:angular_answers"),
     layout=Entry("flexbearing.quantities.angular_contact:LAYOUT"),
-    report=Entry("flexbearing.report.balls.angular_contact_report:REPORT"),
+    report=Entry("flexbearing.report.balls.reports:ANGULAR_CONTACT"),
     card=_CARD,
     catalogue=Entry("flexbearing.runs.ball_catalogue:CATALOGUE"),
     sensitivities=Entry("flexbearing.derivatives.balls:sensitivities"),

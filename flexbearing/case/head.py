@@ -40,6 +40,17 @@ class Source:
     overrides: tuple[str, ...]  # "key=value" settings on top of it
 
 
+class ReportHead(Section):
+    """Who and what the first page of a report names; all of it may be left out."""
+
+    project: str | None = key("project or machine", None, example="Gearbox G12")
+    part: str | None = key("number or name of the part", None, example="Planet bearing, item 31")
+    revision: str | None = key("revision of the computation", None, example="B")
+    date: str | None = key("date on the report, as text", None, example="2026-03-14")
+    author: str | None = key("who computed it", None, example="A. Bauer")
+    checker: str | None = key("who checked it", None, example="C. Dietz")
+
+
 class Head(Section):
     """Keys of every case."""
 
@@ -59,6 +70,7 @@ class Head(Section):
         {},
         example={"bearing.clearance": "measured deflection"},
     )
+    report: ReportHead = key("names on the first page of a report; no result depends on them", {})
 
     _source: Source = PrivateAttr(default=Source("", "", ()))
     _nodes_of: Any = PrivateAttr(default=None)

@@ -1,12 +1,12 @@
-"""The section of a report that compares two results."""
+"""The part of a report that compares two results."""
 
-from collections.abc import Iterator
 from math import isnan
+from typing import Any
 
 from flexbearing.case.declarations import by_path
 from flexbearing.case.differing import differing
-from flexbearing.differences.compared import Compared, Differing, compared
-from flexbearing.report.html.document import Block, Cell, Figure, Number, Section, Table, Words
+from flexbearing.differences.compared import Differing, compared
+from flexbearing.report.html.document import Cell, Figure, Number, Table
 from flexbearing.report.html.figures import COLOURS, around
 from flexbearing.report.html.inputs import row_of_key
 from flexbearing.report.html.reader import Reader
@@ -14,8 +14,8 @@ from flexbearing.report.html.units import NOTHING, Units, printed
 from flexbearing.results import Result
 
 
-def section(one: Result, other: Result, units: Units) -> Section:
-    """Compare two results in a section of a report.
+def parts(one: Result, other: Result, units: Units) -> dict[str, Any]:
+    """Parts of the report that compare two results.
 
     Raises
     ------
@@ -24,31 +24,21 @@ def section(one: Result, other: Result, units: Units) -> Section:
     """
     found = compared(one, other)
     readers = Reader(one, units), Reader(other, units)
-    return Section("against", f"Against {other.stem}", tuple(_blocks(found, *readers)))
-
-
-def _blocks(found: Compared, one: Reader, other: Reader) -> Iterator[Block]:
-    yield Words((f"A is {found.one}, B is {found.other}: {other.attributes['title']}.",))
-    yield from _keys(one, other)
-    yield from _loads(one, other)
-    if found.outputs:
-        head = ("output", "A", "B", "unit", "B - A [%]", "error of both")
-        rows = tuple(_row(each, one.units) for each in found.outputs)
-        yield Table(
-            "Outputs that differ by more than their estimated errors", head, rows, _NOTE, sortable=True
-        )
-    else:
-        yield Words(("No output differs by more than its estimated error.",))
-    if found.within_error:
-        names = ", ".join(each.name for each in found.within_error)
-        yield Words((f"Within the estimated errors of both: {names}.",))
+    head = ("output", "A", "B", "unit", "B - A [%]", "error of both")
+    return {
+        "one": str(found.one),
+        "other": str(found.other),
+        "title": readers[1].attributes["title"],
+        "keys": _keys(*readers),
+        "figure": _loads(*readers),
+        "outputs": Table(head, tuple(_row(each, units) for each in found.outputs), sortable=True),
+    }
 
 
 _STIFF = {"N/m": "kN/mm"}  # outputs in SI, as people read them
-_NOTE = "Without an estimated error every difference beyond rounding is shown."
 
 
-def _keys(one: Reader, other: Reader) -> Iterator[Block]:
+def _keys(one: Reader, other: Reader) -> Table:
     """Keys of the cases that differ."""
     known = by_path(one.result.family.case())
     rows: list[tuple[Cell, ...]] = []
@@ -58,17 +48,14 @@ def _keys(one: Reader, other: Reader) -> Iterator[Block]:
             for reader, value, place in zip((one, other), values, ("case", "other/case"), strict=True)
         ]
         rows.append((key, both[0][1], both[0][2], both[1][1], both[1][2]))
-    if rows:
-        yield Table("Keys of the cases that differ", ("key", "A", "unit of A", "B", "unit of B"), tuple(rows))
-    else:
-        yield Words(("The cases have the same keys and values.",))
+    return Table(("key", "A", "unit of A", "B", "unit of B"), tuple(rows))
 
 
-def _loads(one: Reader, other: Reader) -> Iterator[Figure]:
+def _loads(one: Reader, other: Reader) -> Figure | None:
     """The first figure of the rolling elements, of the last end states of both."""
     elements = one.result.family.report().elements
     if elements is None or not (one.last and other.last):
-        return
+        return None
     title, names = next(iter(elements.figures.items()))
     both = [around(reader, title, names, elements.azimuth) for reader in (one, other)]
     traces = []
@@ -83,13 +70,9 @@ def _loads(one: Reader, other: Reader) -> Iterator[Figure]:
                 traces.append(
                     {**trace, **kept, "line": {**colour, "dash": dash}, "marker": marker, "meta": meta}
                 )
-    if both[0] is not None:
-        yield Figure(
-            "against-loads",
-            f"{title.capitalize()} of A and B, last end states.",
-            tuple(traces),
-            both[0].layout,
-        )
+    if both[0] is None:
+        return None
+    return Figure("against-loads", f"{title} of A and B, last end states", tuple(traces), both[0].layout)
 
 
 def _row(each: Differing, units: Units) -> tuple[Cell, ...]:

@@ -8,7 +8,7 @@ from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, require_outputs, write
 from flexbearing.inputs import is_folder, is_plain
-from flexbearing.pages.against import section
+from flexbearing.pages.against import parts
 from flexbearing.pages.chromium import chromium, pdf_bytes
 from flexbearing.pages.study_table import table_file, tables_of
 from flexbearing.report.html import SYSTEMS, Units, html, of_result, of_study
@@ -79,7 +79,7 @@ def _of_result(sources: Iterable[Path | Result], units: Units, outputs: Iterable
     """Report of a result, perhaps against another; no output may be a file that they were computed from."""
     result, *others = (each if isinstance(each, Result) else api.read(each) for each in sources)
     require_outputs(outputs, [file for each in (result, *others) for file in each.files])
-    return of_result(result, units, tuple(section(result, other, units) for other in others))
+    return of_result(result, units, parts(result, others[0], units) if others else None)
 
 
 def _of_study(place: Path, units: Units) -> Document:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from flexbearing.report.plots import Plots
+from flexbearing.outputs import AbsentOutput
 from flexbearing.results import Result
 
 if TYPE_CHECKING:
@@ -16,6 +16,30 @@ if TYPE_CHECKING:
     from flexbearing.report.balls.contact_fields import DrawnBall
     from flexbearing.report.drawing import Drawing
     from flexbearing.report.drawing.words import Words
+
+
+@dataclass(frozen=True)
+class Plots:
+    """Pictures as functions without arguments; `dir` names them."""
+
+    pictures: Callable[[], Mapping[str, Figure | str]]  # by names of files; or why one would be empty
+    short: Mapping[str, str]  # names to those of files
+
+    def __dir__(self) -> list[str]:
+        return sorted({*self.short, *self.pictures()})
+
+    def __getattr__(self, name: str) -> Callable[[], Figure]:
+        if name.startswith("_"):
+            raise AttributeError(name)
+
+        def plot() -> Figure:
+            drawn = self.pictures()
+            figure = drawn.get(self.short.get(name, name), "is no picture of this result")
+            if isinstance(figure, str):
+                raise AbsentOutput(f"plot.{name}: {figure}; there are {', '.join(dir(self))}.")
+            return figure
+
+        return plot
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Files of pictures: their format, their headings, drawn as they are written."""
+"""Files of pictures: their format, headings, look of axes, drawn as they are written."""
 
 from __future__ import annotations
 
@@ -13,8 +13,10 @@ from typing import TYPE_CHECKING
 from flexbearing.printable import printable
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from matplotlib.transforms import Bbox
+
 
 LINES = 4  # of a title, at most
 FORMATS = ("png", "svg", "pdf")
@@ -82,3 +84,28 @@ def _without_heading(figure: Figure) -> Bbox | None:
     heading.set_text("")
     heading.set_in_layout(False)
     return Bbox([[0, 0], [figure.get_figwidth(), below]]) if figure.get_layout_engine() is None else None
+
+
+NUMBERS = "{x:,.10g}"  # of ticks, with separated thousands as in tables
+
+
+def plain(axes: Axes) -> None:
+    """Draw a light grid below everything, no frame above and to the right, thousands separated."""
+    plain_grid(axes)
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_formatter(NUMBERS)
+
+
+def plain_grid(axes: Axes) -> None:
+    """Draw a light grid below everything, no frame above and to the right."""
+    axes.set_axisbelow(True)
+    axes.grid(color="0.88", linewidth=0.6)
+    axes.spines[["top", "right"]].set_visible(False)
+
+
+def require_span(axes: Axes, span: float) -> None:
+    """Widen the y axis, so that rounding errors of a constant do not fill it."""
+    low, high = axes.get_ylim()
+    if high - low < span:
+        middle = (low + high) / 2
+        axes.set_ylim(middle - span / 2, middle + span / 2)

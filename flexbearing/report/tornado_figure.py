@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from flexbearing.derivatives.table import Chosen, OutputValue, Slope
-from flexbearing.report.axes_look import plain_grid
-from flexbearing.report.picture import set_heading
+from flexbearing.report.picture import plain_grid, set_heading
 from flexbearing.report.roller.figures import BLUE, ORANGE
 
 if TYPE_CHECKING:

@@ -17,7 +17,7 @@ LARGEST = 10_000_000  # bytes
 LEFT_OUT = "effects of assumed inputs were computed for other inputs and are left out"
 _FORM = Record({"case": TEXT, "effects": EFFECTS})
 _DIGITS = 6  # of stored numbers
-_NO_INPUTS = {"title", "outputs"}  # of a case: no effect depends on them
+_NO_INPUTS = {"title", "outputs", "report"}  # of a case: no effect depends on them
 
 
 def name(case_file: Path) -> Path:

@@ -1,7 +1,6 @@
 """Pages of reports, parsed, and the numbers that a result file has at the places they name."""
 
 import json
-from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -12,52 +11,58 @@ from pytest import approx
 from flexbearing import api
 from flexbearing.case import understood
 from flexbearing.outputs import AbsentOutput
-from flexbearing.report.html.reader import Reader
-from flexbearing.runs import effects_file
 from flexbearing.units import unit
+
+ALONE = ("meta", "br", "img", "input", "link")  # elements without an end
 
 
 class Page(HTMLParser):
-    """Cells with numbers, figures, and everything that is shown as text."""
+    """Cells with numbers, figures, and everything that is shown as text; what is folded apart."""
 
     def __init__(self, html):
         super().__init__()
-        self.cells, self.text, self.scripts, self.tags = [], [], {}, []
-        self._cell, self._script = None, None
+        self.cells, self.shown_cells, self.text, self.shown, self.scripts, self.tags = [], [], [], [], {}, []
+        self._cell, self._script, self._open = None, None, []
         self.feed(html)
 
     def handle_starttag(self, tag, attributes):
         given = dict(attributes)
         self.tags.append((tag, given))
-        if tag == "td" and given.get("class") == "number":
+        if given.get("class") == "number":
             self._cell = given
         if tag in ("script", "style"):
             self._script = given.get("id", "")
+        if tag not in ALONE:
+            self._open.append((tag, given))
 
     def handle_data(self, data):
         if self._script is not None:
             self.scripts[self._script] = self.scripts.get(self._script, "") + data
-        elif self._cell is not None:
+            return
+        inside = [tag for tag, _ in self._open]
+        folded = "details" in inside and "summary" not in inside
+        if self._cell is not None:
             self.cells.append((self._cell, data))
-        self.text.append("" if self._script is not None else data)
+            self.shown_cells += [] if folded else [(self._cell, data)]
+        self.text.append(data)
+        self.shown += [] if folded or "svg" in inside else [data]
 
     def handle_endtag(self, tag):
-        if tag == "td":
+        if tag in ("td", "span"):
             self._cell = None
         if tag in ("script", "style"):
             self._script = None
+        while self._open and tag not in ALONE and self._open.pop()[0] != tag:
+            pass
 
     @property
     def figures(self):
         return json.loads(self.scripts["figures"])
 
-
-def with_effects(reader):
-    """A reader of the same result with the effects beside its case, computed with other rings."""
-    case = Path(reader.result.attributes["case_file"])
-    known = json.loads(effects_file.name(case).read_text())["effects"]
-    attributes = {**reader.result.attributes, "assumed_effects": known}
-    return Reader(replace(reader.result, attributes=attributes), reader.units)
+    @property
+    def words(self):
+        """Words that are shown before anything is opened."""
+        return [word for word in " ".join(self.shown).split() if any(map(str.isalnum, word))]
 
 
 class Numbers:
@@ -85,20 +90,8 @@ class Numbers:
             return followed(self.ratings, rest.split("/"))
         derived = {
             "ratio": self.ratio,
-            "percent": self.percent,
-            "support_error": self.support_error,
             "with_supports_error": self.with_supports_error,
-            "combined": self.combined,
-            "warmth": self.warmth,
-            "ratings_at": self.ratings_at,
-            "own_life_at": self.own_life_at,
-            "part": self.part,
-            "series": self.series,
             "torque_error": self.torque_error,
-            "viscosity_ratio": self.viscosity_ratio,
-            "oil": self.oil,
-            "speed_factor": self.speed_factor,
-            "times": self.times,
         }
         if kind in derived:
             return derived[kind](rest)
@@ -110,13 +103,6 @@ class Numbers:
         """A number over another one."""
         value, base = (self(each) for each in rest.split(":"))
         return value / base
-
-    def percent(self, rest):
-        """An error of the summary over its value."""
-        block, *names = rest.split("/")
-        half = len(names) // 2
-        error, value = (followed(self.summary[block], each) for each in (names[:half], names[half:]))
-        return 100 * error / value
 
     def support_error(self, part):
         figures = self.stored("attributes/structure")[part]
@@ -131,84 +117,6 @@ class Numbers:
                 error += self.support_error(part) * whole / figures["support_stiffness_N_per_m"]
         return error
 
-    def warmth(self, path):
-        """Temperature difference whose expansion over the pitch diameter is a clearance."""
-        case = json.loads(self.file.attrs["case_si"])
-        pitch = case["bearing"]["outer_raceway_diameter"] - case["bearing"]["roller"]["diameter"]
-        expansion = case["materials"]["inner_ring"]["expansion"] * pitch
-        return np.floor(self.stored(f"attributes/{path}") / expansion)
-
-    def oil(self, rest):
-        """What ISO 281 says of the oil at the load that has a life."""
-        name, path = rest.split("/", 1)
-        return self.result.family.catalogue().oil(self.case(), float(self(path)))[name]
-
-    def speed_factor(self, block):
-        """Revolutions a minute times the pitch diameter in millimetres."""
-        bearing = json.loads(self.file.attrs["case_si"])["bearing"]
-        pitch = bearing.get("pitch_diameter") or (
-            bearing["outer_raceway_diameter"] - bearing["roller"]["diameter"]
-        )
-        return abs(in_unit(float(self.file[f"{block}/relative_speed"][()]), "rad/s", "rpm")) * 1e3 * pitch
-
-    def times(self, rest):
-        """One number times another."""
-        one, other = rest.split("|")
-        return self(one) * self(other)
-
-    def combined(self, rest):
-        """Least or most of a result by all inputs together over that of the case."""
-        how, side, word = rest.split("/")
-        sign = 1 if int(side) else -1
-        solved = self.together(word, sign)
-        if how == "worst" and solved is not None:
-            return np.exp(sign * solved)
-        ends = [max(values, key=lambda each: sign * each[0]) for values in self.changes(word).values()]
-        sizes = np.array([(sign * whole, sign * factors) for whole, factors in ends if sign * whole > 0])
-        sizes = sizes.reshape(-1, 2)
-        total = np.sum if how == "worst" else np.linalg.norm
-        by_factors = np.maximum(sizes[:, 1], 0.0)
-        room = self.room(sign) if word == "life" else np.inf
-        kept = min(1.0, room / total(by_factors)) if by_factors.any() else 1.0
-        reached = total(np.maximum(sizes[:, 0] - (1 - kept) * by_factors, 0.0))
-        return np.exp(sign * min(reached, np.inf if solved is None else solved))
-
-    def room(self, sign):
-        """How far the a_ISO of the result may shrink to 0.1, or grow to 50, as a logarithm."""
-        states = json.loads(self.file.attrs.get("life", "{}")) or {}
-        block = "flexible" if "flexible" in states else "rigid"
-        for factor in states.get(block, {}).get("factors", ()):
-            if factor["name"] in ("a_ISO", "film"):
-                least, most = (0.1, 50.0) if factor["name"] == "a_ISO" else (0.19, 3.03)
-                return np.log(most / factor["value"] if sign > 0 else factor["value"] / least)
-        return np.inf
-
-    def together(self, word, sign):
-        """The life with all changes at once, as a logarithm in one direction; None where not solved."""
-        found = self.result.attributes.get("assumed_effects") or {}
-        cases = found.get("together", ())
-        name = next((name for name in ("modified_life", "life_L10") if name in found.get("of", {})), "")
-        if word != "life" or not cases or any(name not in each["values"] for each in cases):
-            return None
-        return max(0.0, *(sign * np.log(each["values"][name] / found["of"][name]) for each in cases))
-
-    def changes(self, word):
-        """Changes of a result by each key, and the part that the factors of a life have, as logarithms."""
-        about, collected = self.result.attributes, {}
-        if "assumed_effects" not in about:
-            return collected
-        found = about["assumed_effects"]
-        names = {label: name for name, label in self.result.family.layout().weighed}
-        lives = (name for name in ("modified_life", "life_L10") if name in found["of"])
-        name = next(lives) if word == "life" else names[word]
-        for key in (key for key in found["keys"] if key.get("role") != "comparison"):
-            for values in (other["values"] for other in key["others"] if name in other["values"]):
-                whole = np.log(values[name] / found["of"][name])
-                basic = np.log(values["life_L10"] / found["of"]["life_L10"]) if "life_L10" in values else 0.0
-                part = whole - basic if name == "modified_life" else 0.0
-                collected.setdefault(key["key"].replace("drop", "profile"), []).append((whole, part))
-        return collected
-
     def stored(self, place):
         """What the file or its summary has at a place."""
         kind, _, rest = place.partition("/")
@@ -221,31 +129,6 @@ class Numbers:
             return followed(json.loads(self.file.attrs["case_si"]), rest.split("."))
         return self.array(place)
 
-    def ratings_at(self, rest):
-        """A rating of the case with oil of another temperature."""
-        kelvin, name = rest.split("/")
-        life = json.loads(self.file.attrs["case_si"])["life"]
-        oil = ("life.lubrication=a_ISO", "life.cleanliness=oil, in-line filter, -/13/10")
-        settings = () if life.get("lubrication") == "a_ISO" else oil
-        return self.rated(f"lubricant.inlet_temperature={float(kelvin) - 273.15:.8g} degC", *settings)[name]
-
-    def own_life_at(self, kelvin):
-        """Life of the case with the a_ISO of another temperature, at the load that has its reference life."""
-        block = "flexible" if "flexible" in json.loads(self.file.attrs["life"]) else "rigid"
-        life = json.loads(self.file.attrs["life"])[block]
-        reference = float(self.file[f"{block}/reference_life"][()]) / 1e6
-        load = self.ratings["ratings_N"]["C_r"] / reference ** (3 / 10)
-        oil = f"lubricant.inlet_temperature={float(kelvin) - 273.15:.8g} degC"
-        a_iso = self.rated(oil, f"operation.radial_load={load:.12g} N")["a_ISO"]
-        (used,) = (factor["value"] for factor in life["factors"] if factor["name"] == "a_ISO")
-        hours = self.ratings["life_h"] / self.ratings["life_Mrev"]
-        return life["modified_Mrev"] * hours * a_iso / used
-
-    def part(self, rest):
-        """A number over another one that is no output."""
-        of, path = rest.split("/", 1)
-        return self(path) / float(of)
-
     def torque_error(self, rest):
         """Of the grid, and the power that no cause of heat explains."""
         block, path = rest.split("/", 1)
@@ -253,18 +136,6 @@ class Numbers:
             float(self.file[f"{block}/{name}"][()]) for name in ("driving_power", "loss_transport")
         )
         return 100 * (self.stored(f"attributes/{path}") + abs(left) / power)
-
-    def series(self, rest):
-        """The bearing along an axis (y, z), one after the other with the support of a ring."""
-        block, row, part = rest.split("/")
-        support = self.stored("attributes/structure")[part]["support_stiffness_N_per_m"]
-        alone = self.file[f"{block}/radial_stiffness"][int(row), int(row)]
-        return alone * support / (alone + support)
-
-    def viscosity_ratio(self, _):
-        """Viscosity ratio of a case whose life does not use it."""
-        cleanliness = "life.cleanliness=oil, no or off-line filter, -/13/10"
-        return self.rated("life.lubrication=a_ISO", cleanliness)["viscosity_ratio"]
 
     @property
     def ratings(self):

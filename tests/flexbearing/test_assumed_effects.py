@@ -9,9 +9,8 @@ from pytest import approx
 
 from flexbearing import api
 from flexbearing.case.read import written
-from flexbearing.pages.make import report
 from flexbearing.quantities.effects import about
-from flexbearing.report.html import IMPERIAL, METRIC, assumed_effects, combined, html, of_result, verdict
+from flexbearing.report.html import IMPERIAL, METRIC, effects, html, of_result
 from flexbearing.report.html.reader import Reader
 from flexbearing.runs.plausible import plausible
 from quasidynamic.outcome import life_factors
@@ -63,7 +62,7 @@ def test_tolerance_classes_are_tried_at_both_ends():
         loosest["rigid.modified_life"].to("Mrev").number, rel=1e-12
     )
     assert tight["values"]["modified_life"] > result.attributes["assumed_effects"]["of"]["modified_life"]
-    assert "tightest, clearance 8.9 µm" in html(of_result(result)).partition('id="clearance"')[2]
+    assert "tightest, clearance 8.9 µm" in html(of_result(result)).partition('id="full"')[2]
 
 
 @pytest.mark.sampled(2)
@@ -71,15 +70,13 @@ def test_tolerance_classes_are_tried_at_both_ends():
 def test_numbers_of_the_page_are_those_of_the_file_and_the_largest_effect_is_first(weighed, units):
     document = of_result(api.read(weighed), units)
     require_equal(Page(html(document)).cells, Numbers(weighed))
-    (inputs,) = [section for section in document.sections if section.name == "inputs"]
-    (table,) = [block for block in inputs.blocks if block.kind == "table" and "toleranced" in block.caption]
-    ratios = [float(row[3].text) for row in table.rows[1:]]
-    effects = {}
-    for row, ratio in zip(table.rows[1:], ratios, strict=True):
-        effects[row[0]] = max(effects.get(row[0], 1), ratio, 1 / ratio)
-    asked = [key for key in effects if key in (*FEW["assumed"], *FEW["calibrated"])]
+    rows = [row for row in document.parts["effects_table"].rows if not isinstance(row[3], str)]
+    largest = {}
+    for row, ratio in zip(rows, (row[3].size for row in rows), strict=True):
+        largest[row[0]] = max(largest.get(row[0], 1), ratio, 1 / ratio)
+    asked = [key for key in largest if key in (*FEW["assumed"], *FEW["calibrated"])]
     assert asked == ["bearing.clearance", "lubricant.traction", "bearing.cage.pocket_friction"]
-    assert all(first >= second for first, second in pairwise(effects.values()))
+    assert all(first >= second for first, second in pairwise(largest.values()))
     assert "assumed-effects" in {figure.name for figure in document.figures}
 
 
@@ -101,10 +98,9 @@ def test_all_changes_at_once_are_solved_together(weighed):
 
 def test_loads_are_compared_and_in_no_range(weighed):
     reader = Reader(api.read(weighed), METRIC)
-    assert assumed_effects.keys(reader, "comparison") == ["operation.radial_load"]
-    assert "operation.radial_load" not in combined.changes(reader, combined.LIFE)
-    (table,) = [block for block in verdict.blocks(reader) if getattr(block, "caption", "") == "Main results"]
-    assert "Choices of the case count as inputs here" in table.note
+    keys = reader.attributes["assumed_effects"]["keys"]
+    assert [each["key"] for each in keys if each["role"] == "comparison"] == ["operation.radial_load"]
+    assert "operation.radial_load" not in effects.changes(reader)
 
 
 def test_the_range_of_a_modified_life_keeps_a_iso_within_its_limits(tmp_path):
@@ -117,13 +113,13 @@ def test_the_range_of_a_modified_life_keeps_a_iso_within_its_limits(tmp_path):
     (factor,) = [
         each["value"] for each in reader.attributes["life"]["rigid"]["factors"] if each["name"] == "a_ISO"
     ]
-    of_oil = {key: changes for key, changes in combined.changes(reader, combined.LIFE).items()
+    of_oil = {key: changes for key, changes in effects.changes(reader).items()
               if key in settings["assumed"]}  # fmt: skip
-    unbound, bound = (combined.span_of(of_oil, room) for room in ((inf, inf), combined._room(reader)))
+    unbound, bound = (effects.span_of(of_oil, room) for room in ((inf, inf), effects._room(reader)))
     assert unbound.squares[1] * factor > 50
     assert bound.squares[1] * factor == approx(50, rel=0.03)  # the basic life grows by 2 % in colder oil
     assert bound.squares[0] == unbound.squares[0]
-    of_all = combined.of(reader, combined.LIFE)
+    of_all = effects.span(reader)
     solved = reader.attributes["assumed_effects"]["together"][1]["values"]["modified_life"]
     assert of_all.worst[1] == approx(solved / reader.attributes["assumed_effects"]["of"]["modified_life"])
 
@@ -135,17 +131,10 @@ def test_drop_and_profile_of_rollers_count_once():
 
 
 def test_limits_of_factors_are_those_of_their_rules():
-    assert combined._LIMITS["a_ISO"][1] == life_factors.LARGEST_MODIFICATION
+    assert effects._LIMITS["a_ISO"][1] == life_factors.LARGEST_MODIFICATION
     least = life_factors.modification_factor(1.0, 0.0).value
-    assert combined._LIMITS["a_ISO"][0] == approx(float(least))
-    assert combined._LIMITS["film"] == (min(life_factors.FILM_FACTORS), max(life_factors.FILM_FACTORS))
-
-
-def test_a_page_without_effects_names_the_command_that_computes_them(tmp_path):
-    api.run(CASE, FEW, output=tmp_path / "plain.h5")
-    (page,) = report(tmp_path / "plain.h5")
-    said = "flexbearing run nu209.toml --set outputs.assumed_effects=true"
-    assert said in "".join(Page(page.read_text("utf-8")).text)
+    assert effects._LIMITS["a_ISO"][0] == approx(float(least))
+    assert effects._LIMITS["film"] == (min(life_factors.FILM_FACTORS), max(life_factors.FILM_FACTORS))
 
 
 def test_what_cannot_be_computed_is_told_on_the_page(weighed):
@@ -154,8 +143,8 @@ def test_what_cannot_be_computed_is_told_on_the_page(weighed):
     row = {"words": "mirror", "settings": [], "values": {}, "problem": "not converged: 40 iterations"}
     keys = [{**found["keys"][0], "others": [row]}]
     attributes = {**result.attributes, "assumed_effects": {**found, "keys": keys}}
-    told = "bearing.clearance = mirror: not converged: 40 iterations"
-    assert told in html(of_result(replace(result, attributes=attributes)))
+    (row,) = of_result(replace(result, attributes=attributes)).parts["effects_table"].rows
+    assert (row[0], row[1], row[-1]) == ("bearing.clearance", "mirror", "not converged: 40 iterations")
 
 
 @pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)

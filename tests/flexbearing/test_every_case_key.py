@@ -257,6 +257,10 @@ NOT_BUILT = {  # keys that no model is built from
     "life.required": "judges a life, see test_card and test_findings",
     "calibrated": "for people",
     **{
+        f"report.{name}": "for people, see test_html_report"
+        for name in ("project", "part", "revision", "date", "author", "checker")
+    },
+    **{
         f"materials.{part}.name": "for people, see test_materials_by_name"
         for part in ("roller", "inner_ring", "outer_ring", "shaft", "housing", "ball")
     },

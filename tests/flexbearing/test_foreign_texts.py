@@ -19,8 +19,8 @@ from flexbearing import __main__ as program
 from flexbearing.progress import OnTerminal
 from flexbearing.report.output import text, write_figures
 from flexbearing.report.picture import picture_bytes, titled
-from flexbearing.report.roller.deformed_figure import deformed
-from flexbearing.report.studies.branch_figure import draw_branch
+from flexbearing.report.roller.deformed import deformed
+from flexbearing.report.studies.map_figure import draw_branch
 from flexbearing.report.studies.pareto_figure import draw_pareto
 from flexbearing.report.studies.pareto_table import Measured, Study
 

@@ -34,6 +34,7 @@ name = "cycle"
 time = ["20 %", "80 %"]
 "operation.radial_load" = ["5 kN", "12 kN"]
 "operation.inner_speed" = ["4000 rpm", "2000 rpm"]
+required_life = "5000 h"
 """
 
 
@@ -55,6 +56,9 @@ class Rows:
         }
 
     def __call__(self, place):
+        if place.startswith("ratio/"):
+            value, base = map(self, place.removeprefix("ratio/").split(":"))
+            return value / base
         table, row, heading = place.split("/", 2)
         text = self.rows[table][int(row)][heading]
         return float(text) if text else None
@@ -96,7 +100,7 @@ def test_figures_of_a_study_have_a_line_for_each_value_of_the_other_key(tables, 
     (written,) = report(tables / "sweep", tmp_path / "sweep.html")
     rows = Rows(rows=tables / "sweep" / "sweep.csv")
     figures = [figure for figure in Page(written.read_text("utf-8")).figures]
-    assert len(figures) == 2 * 2  # each output over each key
+    assert len(figures) == 2  # each output over the first key
     first = figures[0]
     assert [trace["name"] for trace in first["traces"]] == ["radial load 5000 N", "radial load 10000 N"]
     for figure in figures:
@@ -138,6 +142,48 @@ def test_lives_under_a_duty_cycle_stand_above_its_rows(tables, tmp_path):
     page = Page(written.read_text("utf-8"))
     require_equal(page.cells, Rows(rows=folder / "cycle.csv", duty=folder / "cycle_duty.csv"))
     assert any(given["data-of"] == "duty/0/life [h]" for given, _ in page.cells)
+
+
+def test_a_duty_cycle_has_its_worst_row_and_its_life_over_the_required_one(tables, tmp_path):
+    folder = tables / "cycle"
+    (written,) = report(folder / "cycle.csv", tmp_path / "cycle.html")
+    page, numbers = (
+        Page(written.read_text("utf-8")),
+        Rows(rows=folder / "cycle.csv", duty=folder / "cycle_duty.csv"),
+    )
+    (figure,) = page.figures  # keys that change together are no axes
+    (bars,) = figure["traces"]
+    stored = [numbers(f"rows/{row - 1}/damage_share [%]") for row in bars["customdata"]]
+    assert bars["y"] == approx(stored, rel=1e-5)
+    assert bars["y"] == sorted(bars["y"], reverse=True)
+    shown = {given["data-of"]: text for given, text in page.shown_cells}
+    ratio = numbers("duty/0/life [h]") / numbers("duty/0/required_life [h]")
+    assert numbers("duty/0/required_life [h]") == approx(5000, rel=1e-12)
+    (over,) = [float(text) for place, text in shown.items() if place.startswith("ratio/")]
+    assert over == approx(ratio, rel=5e-3)
+    assert f"Row {bars['customdata'][0]} is the worst" in "".join(page.shown)
+
+
+def test_notes_of_rows_stand_once_with_the_range_of_their_values():
+    from flexbearing.report.html import study
+
+    rows = [(1, "danger: life: 0.29 h, at least 1 h (an hour): it fails"), (2, "information: seen"),
+            (3, "danger: life: 0.3 h, at least 1 h (an hour): it fails")]  # fmt: skip
+    assert list(study._by_message(study._ranges(rows))) == [
+        "rows 1, 3: danger: life: 0.29 to 0.3 h, at least 1 h (an hour): it fails",
+        "row 2: information: seen",
+    ]
+
+
+def test_of_many_outputs_twelve_are_shown(tables, tmp_path, monkeypatch):
+    from flexbearing.report.html import study
+
+    monkeypatch.setattr(study, "FIGURES", 1)
+    (written,) = report(tables / "sweep", tmp_path / "sweep.html")
+    text = written.read_text("utf-8")
+    assert (
+        text.index('id="figure-over-0"') < text.index("1 further outputs") < text.index('id="figure-over-1"')
+    )
 
 
 def test_the_page_hands_out_the_table_itself(tables, tmp_path):

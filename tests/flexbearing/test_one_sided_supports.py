@@ -11,7 +11,7 @@ import flexbearing
 from flexbearing.case import BadCase
 from flexbearing.findings import evaluate
 from flexbearing.findings.running import LEAST_STIFFNESS
-from flexbearing.report.html import METRIC, stiffness
+from flexbearing.report.html import METRIC, subjects
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.output import text
 from flexbearing.runs import judged
@@ -221,9 +221,9 @@ def test_a_stiffness_that_is_none_in_series_stays_out_of_table_page_and_export(r
     result = run(*LINES)
     (row,) = [line for line in text(result).splitlines() if line.startswith(" stiffness of the bearing")]
     assert row.split()[-2:] == ["-", "-"]
-    page = "".join(str(block) for block in stiffness.blocks(Reader(result, METRIC)))
-    assert stiffness.NOT_IN_SERIES in page
-    assert "bearing alone" not in page
+    rows = {row[0]: row for row in subjects.tables(Reader(result, METRIC))["stiffnesses"].rows}
+    assert rows["stiffness with supports"][2].size > 0
+    assert rows["stiffness of the bearing"][2].text == "–"
 
 
 def test_a_tangent_that_is_not_positive_is_a_finding():

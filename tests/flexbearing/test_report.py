@@ -9,9 +9,8 @@ import pytest
 
 from flexbearing.families import FAMILIES
 from flexbearing.quantities.reductions import loaded_arc, loaded_rollers
-from flexbearing.report.axes_look import require_span
 from flexbearing.report.output import pictures, text, write_figures
-from flexbearing.report.picture import Format, LeftOut, picture_bytes
+from flexbearing.report.picture import Format, LeftOut, picture_bytes, require_span
 from flexbearing.report.roller.figures import convergence, deviations, polar_loads
 from flexbearing.report.roller.pressure_figures import pressure_along
 from flexbearing.results import Result

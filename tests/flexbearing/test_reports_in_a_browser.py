@@ -87,13 +87,13 @@ def test_figures_are_drawn_and_the_console_is_silent(opened, name, width):
     page, said = opened(name, width)
     assert said == []
     drawn = page.evaluate(
-        """[...document.querySelectorAll(".plot")].map((plot) => {
+        """[...document.querySelectorAll(".js-plotly-plot")].map((plot) => {
             const size = plot.querySelector(".main-svg").getBoundingClientRect();
             return [plot.id, size.width, size.height,
                     plot.querySelectorAll(".scatterlayer path, .barlayer path, .heatmaplayer image").length];
         })"""
     )
-    assert len(drawn) >= 3
+    assert len(drawn) >= (1 if name == "duty cycle" else 2)
     assert [name for name, wide, high, marks in drawn if wide < 200 or high < 200 or not marks] == []
     assert page.evaluate("document.documentElement.scrollWidth") <= width
 
@@ -119,6 +119,7 @@ def test_a_point_tells_its_value_under_the_pointer(opened):
 
 def test_a_heading_sorts_its_table_up_and_down(opened):
     page, _ = opened("study")
+    page.locator("details", has_text="Every row").locator("summary").click()
     table = page.locator("table.sortable")
     heading = table.locator("thead th", has_text="life")
     column = heading.evaluate("cell => cell.cellIndex")
@@ -149,4 +150,33 @@ def test_a_report_is_printed_to_pdf(written, tmp_path, name):
     assert (page.suffix, printed.suffix) == (".html", ".pdf")
     data = printed.read_bytes()
     assert data.startswith(b"%PDF")
-    assert data.count(b"/Type /Page\n") >= 3
+    assert data.count(b"/Type /Page\n") <= 8
+
+
+@pytest.mark.parametrize(("width", "height"), [(1400, 900), (420, 800)])
+@pytest.mark.parametrize("name", PAGES)
+def test_the_first_diagram_is_on_the_first_screen(opened, name, width, height):
+    page, _ = opened(name, width)
+    box = page.locator("figure").first.bounding_box()
+    assert box["y"] + 0.8 * box["height"] < height
+
+
+def test_a_figure_that_is_opened_is_drawn(opened):
+    page, said = opened("squirrel cage")
+    page.locator("summary", has_text="Convergence").click()
+    page.wait_for_selector("#figure-convergence .main-svg", timeout=5000)
+    assert said == []
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_no_line_of_text_is_longer_than_100_characters(opened, name):
+    page, _ = opened(name, 1400)
+    longest = page.evaluate(
+        """Math.max(0, ...[...document.querySelectorAll("p, li, figcaption")].map((each) => {
+            const range = document.createRange();
+            range.selectNodeContents(each);
+            const lines = new Set([...range.getClientRects()].map((box) => Math.round(box.bottom / 8))).size;
+            return each.textContent.trim().length / Math.max(1, lines);
+        }))"""
+    )
+    assert longest <= 100

@@ -10,7 +10,7 @@ from pytest import approx
 
 from flexbearing import BadCase, api
 from flexbearing.__main__ import command
-from flexbearing.report.html import METRIC, assumed_effects, combined
+from flexbearing.report.html import METRIC, effects, of_result
 from flexbearing.report.html.reader import Reader
 from flexbearing.runs import effects_file
 from tests.flexbearing.hostile_cases import CONFIGS
@@ -18,12 +18,11 @@ from tests.flexbearing.hostile_cases import CONFIGS
 NU210 = CONFIGS / "catalogue" / "nu210.toml"
 SHIPPED = sorted(CONFIGS.rglob(f"*{effects_file.ENDING}"))
 HEAVY = "operation.radial_load=30 kN"
-STALE = "Effects of assumed inputs were computed for other inputs and are left out."
 
 
 def life(result):
     """Span of the life by inputs; None where it is not known."""
-    span = combined.of(Reader(result, METRIC), combined.LIFE)
+    span = effects.span(Reader(result, METRIC))
     return None if span is None else span.squares
 
 
@@ -49,7 +48,7 @@ def test_ranges_of_other_loads_are_left_out_and_the_page_says_so():
     assert result.attributes["effects_left_out"] == effects_file.LEFT_OUT
     assert "assumed_effects" not in result.attributes
     assert life(result) is None
-    assert STALE in assumed_effects.how(Reader(result, METRIC)).paragraphs[0]
+    assert of_result(result).parts["stale"] == effects_file.LEFT_OUT
 
 
 @pytest.mark.slow

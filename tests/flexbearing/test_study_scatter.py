@@ -133,13 +133,13 @@ def test_the_report_shows_the_scatter_with_the_numbers_of_its_tables(study, tmp_
     page = Page(written.read_text("utf-8"))
     tables = {name: rows((folder / "whole" / f"scatter_{name}.csv").read_text("utf-8")) for name in TABLES}
     cells = [(given["data-of"], text) for given, text in page.cells if given["data-of"].startswith(TABLES)]
-    assert len(cells) == 3 * 16 + 12 * 10
+    assert len(cells) == 3 * 16 + 12 * 10 + 3
     for place, text in cells:
         name, row, heading = place.split("/")
         stored = tables[name][int(row)][heading]
         if stored:
             assert float(text.replace(",", "")) == approx(float(stored), rel=1e-3)
-    assert sum("Histogram" in text for text in page.text) == 3
+    assert sum("lines at P10" in text for text in page.text) == 3
     assert not any(
         "roller_diameters" in str(figure["layout"]) for figure in page.figures
     )  # a list is no axis

@@ -10,9 +10,8 @@ import numpy as np
 
 from flexbearing.printable import printable
 from flexbearing.quantities.reductions import RACES
-from flexbearing.report.axes_look import NUMBERS
 from flexbearing.report.balls.contact_fields import DrawnBall, DrawnContact, Place, friction_of
-from flexbearing.report.picture import titled
+from flexbearing.report.picture import NUMBERS, titled
 from flexbearing.results import Result
 
 if TYPE_CHECKING:

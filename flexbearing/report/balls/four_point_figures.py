@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexbearing.quantities.reductions import RACES, loaded
-from flexbearing.report.axes_look import require_span
 from flexbearing.report.balls.contact_fields import DrawnBall, drawn_contact, require_cells, torque_words
 from flexbearing.report.balls.contact_sheet import ball_sheet
 from flexbearing.report.balls.panels import STYLES, around, close_ring, stacked
+from flexbearing.report.picture import require_span
 from flexbearing.report.subsurface_figure import subsurface
 from flexbearing.results import Result
 

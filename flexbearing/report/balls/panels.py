@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from flexbearing.report.axes_look import plain
-from flexbearing.report.picture import set_heading
+from flexbearing.report.picture import plain, set_heading
 from flexbearing.report.roller.figures import BLUE, ORANGE
 from flexbearing.results import Result
 

@@ -5,12 +5,11 @@ from collections.abc import Iterator
 from flexbearing.findings.strength import CONTACT_PRESSURE
 from flexbearing.outputs import outputs
 from flexbearing.report.card.card import Item
-from flexbearing.report.card.judged import kind, short
-from flexbearing.report.html import against_limits, clearance, lubrication, stiffness as supports
-from flexbearing.report.html.check import used
+from flexbearing.report.card.judged import kind
+from flexbearing.report.html import checks, clearance, ratings, stiffness as supports
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.elements import most_loaded
-from flexbearing.report.html.lives import lives
+from flexbearing.report.html.lives import lives, rounded
 from flexbearing.report.html.reader import Reader
 
 
@@ -20,23 +19,25 @@ def loads(reader: Reader) -> Iterator[Item]:
     if most is not None:
         yield Item(f"largest {most.word}", most.load, remark=f"{most.carrying}/{most.count} loaded")
     pressures = [
-        check for check in against_limits.ranked(reader)
+        check for check in checks.ranked(reader)
         if check.what.lower().startswith(CONTACT_PRESSURE.label) and isinstance(check.value, Number)
     ]  # fmt: skip
     if pressures:
         worst = max(pressures, key=lambda check: check.used)
-        yield Item("peak pressure", worst.value, remark=used(worst))
+        yield Item("peak pressure", worst.value, remark=checks.used(worst))
 
 
 def stiffness(reader: Reader) -> Iterator[Item]:
     """Clearance, radial stiffness, viscosity ratio and film ratio, as far as the result has them."""
     yield from _clearance(reader)
     yield from _stiffness(reader)
-    if (kappa := lubrication.viscosity_ratio(reader)) is not None:
+    if (kappa := ratings.viscosity_ratio(reader)) is not None:
         yield Item("kappa", kappa)
-    ratios = [lubrication.film_ratio(reader, race) for race in lubrication.films(reader)]
-    if known := [ratio for ratio in ratios if ratio is not None]:
-        yield Item("film ratio", min(known, key=lambda ratio: ratio.size))
+    ratios = reader.summary[reader.last].get("minimum_lambda") or {}
+    if known := {race: ratio for race, ratio in ratios.items() if ratio is not None}:
+        race = min(known, key=known.__getitem__)
+        path = f"summary/{reader.last}/minimum_lambda/{race}"
+        yield Item("film ratio", reader.units.number(known[race], "", "", ".2f", path))
 
 
 def _clearance(reader: Reader) -> Iterator[Item]:
@@ -77,4 +78,4 @@ def rigid(reader: Reader) -> Iterator[Item]:
     for life in (life for life in lives(reader) if life.chosen):
         unit = life.hours.unit if isinstance(life.hours, Number) else life.turns.unit
         number = reader.output(life.output, unit, ",.4g", first)
-        yield Item(f"{kind(life)}:", short(number))
+        yield Item(f"{kind(life)}:", rounded(number))

@@ -5,7 +5,7 @@ from typing import Any
 
 from flexbearing.quantities.effects import LIVES
 from flexbearing.report.card.card import Item
-from flexbearing.report.html import assumed_effects, assumptions
+from flexbearing.report.html import effects
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.inputs import origin
 from flexbearing.report.html.reader import Reader, flat
@@ -59,9 +59,9 @@ def _oil(reader: Reader) -> Iterator[Item]:
 def uncertain(reader: Reader) -> Iterator[Item]:
     """Inputs that are not known and move the life most; without their effects, how many there are."""
     if reader.attributes.get("assumed_effects"):
-        moved = "life" if assumed_effects.ranked_by(reader) in LIVES else "result"
-        for place, (key, ratios) in enumerate(assumed_effects.largest(reader, _MOST)):
-            words = f"x{_span(ratios)} by {assumptions.name(key)}"
+        moved = "life" if effects.ranked_by(reader) in LIVES else "result"
+        for place, (key, ratios) in enumerate(effects.largest(reader, _MOST)):
+            words = f"x{_span(ratios)} by {effects.name(key)}"
             yield Item(words if place else f"{moved} {words}")
         return
     counts = {word: len(reader.attributes[name]) for word, name in _COUNTED.items()}

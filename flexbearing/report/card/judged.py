@@ -1,17 +1,16 @@
 """Whether a bearing can be used, and how long."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from textwrap import shorten
 
 from flexbearing.findings import DANGER, NOT_CHECKED
 from flexbearing.findings.running import REQUIRED_LIFE
 from flexbearing.report.card.card import Item
-from flexbearing.report.html import against_limits, combined, finding_checks, headline, lives as of_report
-from flexbearing.report.html.check import Check, one, used
+from flexbearing.report.html import effects, lives as of_report
+from flexbearing.report.html.checks import Check, judged, ranked, used, verdict
 from flexbearing.report.html.document import Number
+from flexbearing.report.html.lives import rounded
 from flexbearing.report.html.reader import Reader
-from flexbearing.report.html.sentences import rounded
 
 _LONGEST = 160  # characters of a danger
 _MOST = 3  # limits of damage that are named
@@ -20,8 +19,8 @@ _AUTHORS = ", Lundberg and Palmgren"  # of a life, which its kind names
 
 def usable(reader: Reader) -> Iterator[Item]:
     """The verdict of the report, then the limits that are not kept, or the nearest one."""
-    checks = against_limits.ranked(reader)
-    yield Item(headline.judged(reader).partition(":")[0].rstrip("."))
+    checks = ranked(reader)
+    yield Item(judged(reader).partition(":")[0].rstrip("."))
     broken = [check for check in checks if check.broken]
     yield from _missed(broken) if broken else _nearest(checks)
     for check in checks:
@@ -47,9 +46,9 @@ def _missed(broken: Sequence[Check]) -> Iterator[Item]:
         if check.what.lower() == REQUIRED_LIFE.label:  # its numbers are those of the life
             yield Item("required life not reached")
         elif isinstance(check.value, str):
-            yield Item(lower(one(check)))
+            yield Item(lower(f"{check.what} (required: {check.limit})"))
         else:
-            yield Item(lower(check.what), check.value, remark=check.limit.partition(" (")[0])
+            yield Item(lower(check.what), check.value, remark=check.limit)
     if others := len(broken) - len(shown):
         yield Item(f"{others} more unmet")
 
@@ -66,21 +65,16 @@ def lives(reader: Reader) -> Iterator[Item]:
     for life in of_report.lives(reader):
         number = life.hours if isinstance(life.hours, Number) else life.turns
         if life.chosen:
-            yield Item(f"{kind(life)}:", short(number), _range(reader, number))
+            yield Item(f"{kind(life)}:", rounded(number), _range(reader, number))
             yield _required(reader, required)
         elif life.key == "catalogue":
             below = isinstance(life.hours, Number) and 3600 * number.size < (required or 0.0)
-            yield Item(f"{kind(life).partition(',')[0]}:", short(number), remark="below it" * below)
+            yield Item(f"{kind(life).partition(',')[0]}:", rounded(number), remark="below it" * below)
 
 
 def _range(reader: Reader, number: Number) -> tuple[Number, Number] | None:
-    span = combined.of(reader, combined.LIFE)
-    return None if span is None else (short(number, span.squares[0]), short(number, span.squares[1]))
-
-
-def short(number: Number, times: float = 1.0) -> Number:
-    """A life with the digits that a sentence of the report gives it."""
-    return replace(number, text=rounded(number, times)) if number.text[-1:].isdigit() else number
+    span = effects.span(reader)
+    return None if span is None else (rounded(number, span.squares[0]), rounded(number, span.squares[1]))
 
 
 def _required(reader: Reader, required: float | None) -> Item:
@@ -88,7 +82,7 @@ def _required(reader: Reader, required: float | None) -> Item:
     if required is None:
         return Item("no life.required")
     limit = reader.units.number(required, "s", "h", ",.4g", "case/life.required")
-    return Item("required", limit, remark=finding_checks.verdict(reader, REQUIRED_LIFE.code) or NOT_CHECKED)
+    return Item("required", limit, remark=verdict(reader, REQUIRED_LIFE.code) or NOT_CHECKED)
 
 
 def kind(life: of_report.Life) -> str:

@@ -8,7 +8,7 @@ from flexbearing.report.card.bearing import loads, rigid, stiffness
 from flexbearing.report.card.card import Card, Item, Line
 from flexbearing.report.card.case import computed, uncertain
 from flexbearing.report.card.judged import dangers, lives, usable
-from flexbearing.report.html import verdict
+from flexbearing.report.html import origin
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import METRIC
 from flexbearing.results import Result
@@ -29,7 +29,7 @@ def of_result(result: Result) -> Card:
     return Card(
         reader.attributes["title"] or result.stem,
         tuple(Line(label, items) for label, items in lines if items),
-        "" if solved else shorten(verdict.ending(reader.attributes), _LONGEST, placeholder=" ..."),
+        "" if solved else shorten(origin.ending(reader), _LONGEST, placeholder=" ..."),
     )
 
 

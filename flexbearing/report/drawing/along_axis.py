@@ -4,9 +4,18 @@ from typing import Any
 
 import numpy as np
 
-from flexbearing.report.drawing.parts import AXES, ELEMENT, INNER, LOAD, OUTER, SCHEMATIC, SHAFT, TURNING
 from flexbearing.report.drawing.sheet import Drawing, Sheet
-from flexbearing.report.drawing.words import Words
+from flexbearing.report.drawing.words import (
+    AXES,
+    ELEMENT,
+    INNER,
+    LOAD,
+    OUTER,
+    SCHEMATIC,
+    SHAFT,
+    TURNING,
+    Words,
+)
 
 MOST_NUMBERS = 30  # of rolling elements that are written
 NOTES = (

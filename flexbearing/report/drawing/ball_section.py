@@ -6,9 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.report.drawing.parts import ELEMENT, HOUSING, INNER, LOAD, OUTER, SCHEMATIC, SHAFT
 from flexbearing.report.drawing.sheet import Drawing, Sheet
-from flexbearing.report.drawing.words import Words
+from flexbearing.report.drawing.words import ELEMENT, HOUSING, INNER, LOAD, OUTER, SCHEMATIC, SHAFT, Words
 
 WIDTH, WALL = 0.62, 0.2  # over the ball's diameter: half width, wall under the groove of undescribed rings
 DEPTH = 0.75  # of the groove over the ball's radius where no shoulder is given

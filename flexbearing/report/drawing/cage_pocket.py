@@ -6,9 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.report.drawing.along_axis import place
-from flexbearing.report.drawing.parts import AXES, CAGE, ELEMENT, INNER, OUTER
 from flexbearing.report.drawing.sheet import Drawing, Sheet
-from flexbearing.report.drawing.words import Words
+from flexbearing.report.drawing.words import AXES, CAGE, ELEMENT, INNER, OUTER, Words
 
 POCKET, LAND = 0.09, 0.09  # clearances as drawn, over the roller's diameter
 WALL, SEEN = 0.4, 0.85  # of rings over the roller's diameter; pitches to either side

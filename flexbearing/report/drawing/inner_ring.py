@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from flexbearing.report.drawing.parts import INNER, LOAD, RIGID_WALL, RIGID_WIDTH, SCHEMATIC, SHAFT
 from flexbearing.report.drawing.sheet import Sheet
+from flexbearing.report.drawing.words import INNER, LOAD, RIGID_WALL, RIGID_WIDTH, SCHEMATIC, SHAFT
 
 
 def inner_ring(sheet: Sheet, case: Any, raceway: float) -> None:

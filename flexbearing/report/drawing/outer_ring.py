@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from flexbearing.report.drawing.parts import HOUSING, OUTER, RIGID_WALL, RIGID_WIDTH, SCHEMATIC
 from flexbearing.report.drawing.sheet import Sheet
+from flexbearing.report.drawing.words import HOUSING, OUTER, RIGID_WALL, RIGID_WIDTH, SCHEMATIC
 
 
 def outer_ring(sheet: Sheet, case: Any) -> None:

@@ -7,9 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.report.drawing.parts import AXES, ELEMENT, INNER, OUTER
 from flexbearing.report.drawing.sheet import Drawing, Sheet
-from flexbearing.report.drawing.words import Words
+from flexbearing.report.drawing.words import AXES, ELEMENT, INNER, OUTER, Words
 
 BODY = {"bearing.roller": ELEMENT, "bearing.inner_raceway": INNER, "bearing.outer_raceway": OUTER}
 TALL, GAP, SOLID = 0.3, 0.16, 0.06  # of a drop, between profiles, below the drop, over the roller's length

@@ -5,9 +5,8 @@ from typing import Any
 from flexbearing.case.roller.roller_case import cage_radii, overlap
 from flexbearing.report.drawing.inner_ring import inner_ring
 from flexbearing.report.drawing.outer_ring import outer_ring
-from flexbearing.report.drawing.parts import CAGE, ELEMENT, SCHEMATIC
 from flexbearing.report.drawing.sheet import Drawing, Sheet
-from flexbearing.report.drawing.words import Words
+from flexbearing.report.drawing.words import CAGE, ELEMENT, SCHEMATIC, Words
 
 
 def section(words: Words) -> Drawing:

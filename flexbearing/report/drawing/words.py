@@ -1,4 +1,4 @@
-"""Keys of a case with their values, as a drawing writes them."""
+"""Keys of a case with their values, and colours of parts, as drawings have them."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -9,6 +9,11 @@ from typing import Any
 from numpy.typing import NDArray
 
 from flexbearing.case.declarations import Declaration, by_path
+
+OUTER, INNER, ELEMENT, SHAFT, HOUSING, CAGE = "#c9d9ea", "#d5e6cf", "#f4f1e6", "#eadfcb", "#e3e3e3", "#f3d9b1"
+AXES, LOAD, TURNING = "#0b5394", "#a61c00", "#38761d"  # lines: axes, loads, sense of rotation
+SCHEMATIC: dict[str, Any] = {"ls": (0, (4, 2)), "lw": 0.6, "ec": "0.35"}
+RIGID_WIDTH, RIGID_WALL = 1.6, 0.5  # of a ring that the case does not describe, over roller length, diameter
 
 ASSUMED, CALIBRATED = "*", "†"
 MARKS = {ASSUMED: "assumed", CALIBRATED: "fitted"}

@@ -1,5 +1,6 @@
-"""What a report holds, apart from how a page shows it."""
+"""What a report hands over to its template: numbers, tables, figures, drawings."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
@@ -24,16 +25,12 @@ Cell = str | Number
 
 @dataclass(frozen=True)
 class Table:
-    """A table; the first cell of every row names it."""
+    """A table; the first cell of every row names it. Its caption is in the template."""
 
     kind: ClassVar = "table"
-    caption: str
     head: tuple[str, ...]
     rows: tuple[tuple[Cell, ...], ...]
-    note: str = ""
     sortable: bool = False
-    folded: bool = False  # shown when the caption is clicked
-    name: str = ""  # of its element, for links
 
 
 @dataclass(frozen=True)
@@ -42,7 +39,7 @@ class Figure:
 
     kind: ClassVar = "figure"
     name: str  # of its element
-    caption: str  # what is drawn, and what it says
+    title: str  # what is drawn
     traces: tuple[dict[str, Any], ...]
     layout: dict[str, Any] = field(default_factory=dict)
     tall: bool = False  # room for a long legend
@@ -53,62 +50,27 @@ class Drawing:
     """A drawing as SVG of the program itself, put into the page as it is."""
 
     kind: ClassVar = "drawing"
-    caption: str
+    title: str
     svg: str
 
 
 @dataclass(frozen=True)
-class Words:
-    """Paragraphs."""
-
-    kind: ClassVar = "words"
-    paragraphs: tuple[str, ...]
-    grade: str = ""  # "danger", "good"
-
-
-@dataclass(frozen=True)
-class Items:
-    """A list with a title."""
-
-    kind: ClassVar = "items"
-    title: str
-    items: tuple[str, ...]
-    grade: str = ""
-    link: tuple[str, str] | None = None  # below the list: to where on the page, and its words
-    name: str = ""  # of its element, for links
-
-
-@dataclass(frozen=True)
-class Verbatim:
-    """A text letter by letter."""
-
-    kind: ClassVar = "verbatim"
-    title: str
-    text: str
-
-
-Block = Table | Figure | Drawing | Words | Items | Verbatim
-
-
-@dataclass(frozen=True)
-class Section:
-    """A section with its blocks; one without blocks is left out."""
-
-    name: str
-    title: str
-    blocks: tuple[Block, ...]
-
-
-@dataclass(frozen=True)
 class Document:
-    """A whole report."""
+    """A whole report: a template of the folder `page`, and the parts that it arranges."""
 
+    template: str
     title: str
-    subtitle: str
-    sections: tuple[Section, ...]
+    parts: Mapping[str, Any]  # tables, figures, numbers and texts by name, or lists of them; empty: left out
     download: tuple[str, str] | None = None  # name and text of a table to be saved
 
     @property
     def figures(self) -> list[Figure]:
-        """Every figure in the order of the page."""
-        return [block for section in self.sections for block in section.blocks if isinstance(block, Figure)]
+        """Every figure."""
+        return _figures(self.parts)
+
+
+def _figures(part: Any) -> list[Figure]:
+    if isinstance(part, Figure):
+        return [part]
+    each = part.values() if isinstance(part, Mapping) else part if isinstance(part, list | tuple) else ()
+    return [figure for item in each for figure in _figures(item)]

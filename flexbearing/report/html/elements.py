@@ -1,17 +1,16 @@
 """Rolling elements one by one, and their figures over the azimuth."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from flexbearing.report.family_report import Elements
-from flexbearing.report.html.document import Block, Cell, Number, Table, Words
-from flexbearing.report.html.figures import along_rollers, around, same_map, shows_nothing
+from flexbearing.report.html.document import Cell, Figure, Number, Table
+from flexbearing.report.html.figures import along_rollers, around, same_map, shows_something
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import NOTHING, with_unit
 
-_SIGNED = {  # whose sign is reported below the table, with their headings
+_HEADINGS = {  # other than the name
     "roller_slip": "roller slip", "roller_tilt": "roller tilt", "cage_force": "pocket force",
     "roller_skew": "roller skew",
 }  # fmt: skip
@@ -53,41 +52,25 @@ def most_loaded(reader: Reader, block: str) -> MostLoaded | None:
     )
 
 
-def blocks(reader: Reader, elements: Elements | None) -> Iterator[Block]:
-    """Figures of loads and motion, then a table with a row for each rolling element."""
-    if elements is None:
-        return
-    yield from figures(reader, elements.figures, elements.azimuth)
-    if reader.last:
-        yield _table(reader, elements)
+def maps(reader: Reader, elements: Elements) -> list[Figure]:
+    """Maps of what varies along the rollers, one of each that the eye can distinguish."""
+    drawn: list[Figure] = []
+    known = [name for name in elements.maps if name in reader.blocks.get(reader.last, {})]
+    for name in known:
+        if not same_map(reader, known[0], name):
+            drawn.append(along_rollers(reader, name, *elements.maps[name], known))
+    return drawn
 
 
-def contacts(reader: Reader, elements: Elements | None) -> Iterator[Block]:
-    """Figures of the contacts: pressures, films, loads along rollers."""
-    if elements is None:
-        return
-    for name, (title, unit) in elements.maps.items():
-        alike = [each for each in elements.maps if each.partition("_")[2] == name.partition("_")[2]]
-        if words := same_map(reader, alike[0], name, unit):
-            yield Words((f"Not drawn: {title[0].lower()}{title[1:]}; {words}",))
-        elif figure := along_rollers(reader, name, title, unit, alike):
-            yield figure
-    yield from figures(reader, elements.contact_figures, elements.azimuth)
+def figures(reader: Reader, wanted: dict[str, tuple[str, ...]], azimuth: str) -> list[Figure]:
+    """Figures over the azimuth that the result has and that show something."""
+    if not reader.last or reader.blocks[reader.last][azimuth].size == 1:
+        return []
+    found = (around(reader, title, names, azimuth) for title, names in wanted.items())
+    return [figure for figure in found if figure and shows_something(figure)]
 
 
-def figures(reader: Reader, wanted: dict[str, tuple[str, ...]], azimuth: str) -> Iterator[Block]:
-    """Figures over the azimuth that the result has and that show something, or why they are left out."""
-    found = [figure for title, names in wanted.items() if (figure := around(reader, title, names, azimuth))]
-    if found and reader.blocks[reader.last][azimuth].size == 1:
-        titles = ", ".join(figure.layout["yaxis"]["title"]["text"] for figure in found)
-        yield Words((f"Not drawn over the azimuth, of a single rolling element: {titles}.",))
-        return
-    for figure in found:
-        same = shows_nothing(figure)
-        yield Words((same,)) if same else figure
-
-
-def _table(reader: Reader, elements: Elements) -> Table:
+def table(reader: Reader, elements: Elements) -> Table:
     """A row for each rolling element of the last end state."""
     block = reader.blocks[reader.last]
     columns = [(name, index) for name in elements.columns if name in block for index in _places(reader, name)]
@@ -104,16 +87,11 @@ def _table(reader: Reader, elements: Elements) -> Table:
             unloaded = "film" in name and not cell.text.strip("0.")
             cells.append(replace(cell, text=NOTHING) if unloaded else cell)
         rows.append((str(number + 1), *cells))
-    signed = [name for name in dict(columns) if name in _SIGNED]
-    signs = [f"{_words_of(name).capitalize()}: {reader.layout[name].meaning}." for name in signed]
-    films = ["A contact without load has no film: –."] if any("film" in name for name, _ in columns) else []
-    return Table(
-        f"Every {elements.word}, {reader.state}", tuple(head), tuple(rows), " ".join([*signs, *films]), True
-    )
+    return Table(tuple(head), tuple(rows), sortable=True)
 
 
 def _words_of(name: str) -> str:
-    return _SIGNED.get(name) or name.replace("_", " ")
+    return _HEADINGS.get(name) or name.replace("_", " ")
 
 
 def _digits(reader: Reader, name: str) -> str:

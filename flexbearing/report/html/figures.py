@@ -13,10 +13,6 @@ from flexbearing.report.html.units import printed, with_unit
 BLUE, ORANGE, GREEN, PURPLE = "#0072B2", "#D55E00", "#007a5a", "#8a3f7c"
 LOAD = "#a61c00"  # as in drawings
 COLOURS = (BLUE, ORANGE, GREEN, PURPLE)
-_UNLOADED = (
-    " Rollers without load may slip: no traction drives them, and no contact is pressed. Slip under load "
-    "counts; the cage slip is in the verdict."
-)
 SHORT = 6  # lines that a legend names within a figure of usual height
 MARKED = 60  # places of a line that are marked at most
 SAME = 5e-3  # of the largest value: lines, or maps, that differ by less are drawn as one
@@ -34,31 +30,23 @@ def around(reader: Reader, title: str, names: tuple[str, ...], azimuth: str) -> 
     ]
     if not traces:
         return None
-    traces, merged = _drawn_once(traces)
+    traces = _drawn_once(traces)
     for number, name in enumerate(dict.fromkeys(trace["legendgroup"] for trace in traces)):
         for trace in traces:
             if trace["legendgroup"] == name:
                 trace["line"]["color"] = trace["marker"]["color"] = COLOURS[number % len(COLOURS)]
     unit = reader.units.of(reader.layout[names[0]].unit_for_people.name)
-    same = "".join(
-        f" {words.capitalize()} {_differing(largest, printed(unit))}: drawn as one line."
-        for words, largest in merged
-    )
     layout = {
         "xaxis": {"title": {"text": "azimuth [°]"}, "dtick": 60, "range": [-185, 185]},
         "yaxis": {"title": {"text": with_unit(title, unit)}, "rangemode": "tozero"},
         **_load_mark(reader),
     }
     name = f"around-{names[0]}".replace("_", "-")
-    caption = (
-        f"{title.capitalize()} over the azimuth, 0° on the z axis, 90° on the y axis.{_marked(reader)}{same}"
-        f"{_UNLOADED if names[0] == 'roller_slip' else ''}"
-    )
-    return Figure(name, caption, tuple(traces), layout, tall=len(traces) > SHORT)
+    return Figure(name, title, tuple(traces), layout, tall=len(traces) > SHORT)
 
 
-def _drawn_once(traces: list[dict[str, Any]]) -> tuple[list[dict[str, Any]], list[tuple[str, float]]]:
-    """Traces without those that coincide with an earlier one; the words and the difference of such pairs.
+def _drawn_once(traces: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Traces without those that coincide with an earlier one, which has the names of both.
 
     A line is left out only where it coincides in every end state, so that all end states have the same lines.
     """
@@ -66,36 +54,28 @@ def _drawn_once(traces: list[dict[str, Any]]) -> tuple[list[dict[str, Any]], lis
     for trace in traces:
         groups.setdefault(trace["legendgroup"], []).append(trace)
     kept: dict[str, list[dict[str, Any]]] = {}
-    merged = []
     for name, group in groups.items():
-        apart = {other: _apart(group, groups[other]) for other in kept}
-        twin = next((other for other, difference in apart.items() if difference is not None), None)
+        twin = next((other for other in kept if _alike(group, groups[other])), None)
         if twin is None:
             kept[name] = group
             continue
-        words = _both(twin, name)
-        merged.append((words, apart[twin]))
         for trace in kept[twin]:
-            trace["name"] = trace["name"].replace(twin, words, 1)
-    return [trace for group in kept.values() for trace in group], merged
+            trace["name"] = trace["name"].replace(twin, _both(twin, name), 1)
+    return [trace for group in kept.values() for trace in group]
 
 
-def _differing(largest: float, unit: str) -> str:
-    return f"differ by at most {largest:.3g} {unit}".rstrip() if largest else "are the same"
-
-
-def _apart(one: list[dict[str, Any]], other: list[dict[str, Any]]) -> float | None:
-    """Largest difference of lines that coincide in every end state; None where they can be distinguished."""
+def _alike(one: list[dict[str, Any]], other: list[dict[str, Any]]) -> bool:
+    """Whether lines coincide in every end state."""
     if len(one) != len(other):
-        return None
+        return False
     pairs = [
         np.array([first["y"], second["y"]], dtype=float) for first, second in zip(one, other, strict=True)
     ]
     if any((np.isnan(first) != np.isnan(second)).any() for first, second in pairs):
-        return None
+        return False
     largest = max(np.nanmax(np.abs(pair), initial=0.0) for pair in pairs)
     difference = max(np.nanmax(np.abs(first - second), initial=0.0) for first, second in pairs)
-    return float(difference) if difference < SAME * largest else None
+    return bool(difference < SAME * largest)
 
 
 def _both(one: str, other: str) -> str:
@@ -106,14 +86,9 @@ def _both(one: str, other: str) -> str:
     return f"{one} and {second[-1]}" if first[:-1] == second[:-1] else f"{one} and {other}"
 
 
-def shows_nothing(figure: Figure) -> str:
-    """Say why a figure over the azimuth is left out: all its values are the same; empty where they differ."""
-    values = {value for trace in figure.traces for value in trace["y"]}
-    if len(values) > 1:
-        return ""
-    value = next(iter(values), None)
-    title = figure.layout["yaxis"]["title"]["text"]
-    return f"Not drawn: {title} is {'nowhere a number' if value is None else f'{value:g} everywhere'}."
+def shows_something(figure: Figure) -> bool:
+    """Whether a figure over the azimuth has different values."""
+    return len({value for trace in figure.traces for value in trace["y"]}) > 1
 
 
 def _load_azimuth(reader: Reader) -> float | None:
@@ -138,11 +113,6 @@ def _load_mark(reader: Reader) -> dict[str, Any]:
     word = {"x": azimuth, "y": 0.01, "xref": "x", "yref": "paper", "xanchor": "left", "yanchor": "bottom"}
     paper = {"text": "load", "showarrow": False, "font": {"color": LOAD}, "bgcolor": "rgba(255,255,255,0.75)"}
     return {"shapes": [shape | {"line": line}], "annotations": [word | paper]}
-
-
-def _marked(reader: Reader) -> str:
-    azimuth = _load_azimuth(reader)
-    return "" if azimuth is None else f" Dashed red: direction of the load on the inner ring, {azimuth:.4g}°."
 
 
 def _lines(reader: Reader, block: str, name: str, around: str) -> Iterator[tuple[str, tuple[Any, ...]]]:
@@ -186,16 +156,14 @@ def _line(
     }
 
 
-def along_rollers(reader: Reader, name: str, title: str, people: str, alike: list[str]) -> Figure | None:
-    """Draw a quantity of every slice of every roller as a map, in a unit of the metric page."""
+def along_rollers(reader: Reader, name: str, title: str, people: str, alike: list[str]) -> Figure:
+    """Draw a quantity of every slice of every roller as a map, on one scale with others of its unit."""
     block = reader.last
-    if name not in reader.blocks.get(block, {}):
-        return None
     values, unit, of = reader.drawn(block, name, people=people)
     along, length, _ = reader.drawn(block, "slice_position")
     degrees = (np.degrees(reader.blocks[block]["roller_azimuth"]) + 180 + 1e-9) % 360 - 180 - 1e-9
     order = np.argsort(degrees, kind="stable")
-    together = [reader.drawn(block, each, people=people)[0] for each in alike if each in reader.blocks[block]]
+    together = [reader.drawn(block, each, people=people)[0] for each in alike]
     largest = max(
         (value for each in together for row in each for value in row if value is not None), default=0.0
     )
@@ -223,48 +191,14 @@ def along_rollers(reader: Reader, name: str, title: str, people: str, alike: lis
         "yaxis": {"title": {"text": with_unit("along the roller, +x up", length)}},
         **_load_mark(reader),
     }
-    scale = " The raceways share one colour scale." if len(together) > 1 else ""
-    caption = (
-        f"{title}, {block} end state, over the azimuth and the position along the roller from its middle, "
-        f"positive towards the +x end.{_marked(reader)}{scale}"
-    )
-    return Figure(f"map-{name}".replace("_", "-"), caption, (trace,), layout)
+    return Figure(f"map-{name}".replace("_", "-"), title, (trace,), layout)
 
 
-def same_map(reader: Reader, one: str, other: str, people: str) -> str:
-    """Say by how much two maps differ that look the same; empty for the same one, and where they differ."""
-    block = reader.blocks.get(reader.last, {})
-    if one == other or not {one, other} <= set(block):
-        return ""
+def same_map(reader: Reader, one: str, other: str) -> bool:
+    """Whether two maps look the same."""
+    block = reader.blocks[reader.last]
     difference, largest = np.abs(block[one] - block[other]).max(), np.abs(block[one]).max()
-    if not difference < SAME * largest:
-        return ""
-    stored = reader.layout[one].unit
-    number = reader.units.number(float(difference), stored, people, ".3g", "")
-    return f"it differs by at most {number.text} {printed(number.unit)} from that of the other raceway."
-
-
-def bars(name: str, caption: str, label: str, series: dict[str, dict[str, float]]) -> Figure:
-    """Draw numbers by name, a group of bars for each series."""
-    traces = tuple(
-        {
-            "type": "bar",
-            "orientation": "h",
-            "name": words,
-            "y": list(values),
-            "x": plain(np.array(list(values.values()))),
-            "marker": {"color": colour},
-            "hovertemplate": "%{y}: %{x}<extra>" + words + "</extra>",
-        }
-        for (words, values), colour in zip(series.items(), COLOURS, strict=False)
-    )
-    layout = {
-        "barmode": "group",
-        "xaxis": {"title": {"text": label}},
-        "yaxis": {"autorange": "reversed"},
-        "margin": {"l": 150, "r": 20, "t": 12, "b": 52},
-    }
-    return Figure(name, caption, traces, layout)
+    return one != other and bool(difference < SAME * largest)
 
 
 def convergence(reader: Reader) -> Figure | None:
@@ -288,8 +222,7 @@ def convergence(reader: Reader) -> Figure | None:
         "xaxis": {"title": {"text": "iteration"}, "dtick": max(1, len(reader.result.iterations) // 10)},
         "yaxis": {"title": {"text": "relative size"}, "type": "log", "exponentformat": "power"},
     }
-    caption = "Convergence of the coupling of bearing and rings. A value of exactly zero has no point."
-    return Figure("convergence", caption, tuple(traces), layout)
+    return Figure("convergence", "convergence", tuple(traces), layout)
 
 
 def deformed(reader: Reader) -> Figure | None:
@@ -329,14 +262,8 @@ def deformed(reader: Reader) -> Figure | None:
         },
         "annotations": _load_arrow(reader, float(block["balance_radii"][0]) * _of_metres(reader)),
     }
-    found = ", ".join(_largest(reader, azimuth, name, values) for name, values in middle.items())
-    caption = (
-        f"Deviation of the raceways from circles at mid-roller, magnified {magnification:,.0f} times, "
-        "positive outward, without rigid translation and local indentation of the contacts. The radii are "
-        "true, so the gap between the lines is not the clearance. Seen along +x as "
-        f"in the drawings, azimuth 0° (z) down, 90° (y) to the right. Largest: {found}."
-    )
-    return Figure("deformed", caption, tuple(traces), layout)
+    title = f"deviation from circles at mid-roller, magnified {magnification:,.0f} times"
+    return Figure("deformed", title, tuple(traces), layout)
 
 
 def _load_arrow(reader: Reader, radius: float) -> list[dict[str, Any]]:
@@ -355,14 +282,6 @@ def _load_arrow(reader: Reader, radius: float) -> list[dict[str, Any]]:
     }
     style = {"text": "load", "font": {"color": LOAD}, "arrowcolor": LOAD, "arrowwidth": 2, "arrowhead": 2}
     return [tip | style | {"showarrow": True}]
-
-
-def _largest(reader: Reader, azimuth: np.ndarray, name: str, values: np.ndarray) -> str:
-    """The largest deviation of a raceway at mid-roller, with its sign and azimuth."""
-    place = int(np.abs(values).argmax())
-    degrees = 180 - (180 - np.degrees(azimuth[place])) % 360
-    number = reader.units.number(float(values[place]), "m", "um", "+.1f", "")
-    return f"{name.split('_')[0]} {number.text} {printed(number.unit)} at {degrees:.0f}°"
 
 
 def _at_mid_roller(values: np.ndarray, along: np.ndarray) -> np.ndarray:

@@ -1,53 +1,91 @@
-"""Inputs of a case with units, each marked as given, chosen, assumed, fitted or default."""
+"""Inputs of a case with units, each marked as given, assumed, fitted, default or setting."""
 
+import re
 from collections.abc import Iterator
 from typing import Any
 
 from flexbearing.case.belonging import foreign
 from flexbearing.case.declarations import Declaration, by_path, toml
-from flexbearing.report.html import assumed_effects, assumptions
-from flexbearing.report.html.document import Block, Cell, Items, Table
+from flexbearing.report.html import ratings
+from flexbearing.report.html.document import Cell, Table
 from flexbearing.report.html.reader import Reader, flat
 from flexbearing.report.html.units import printed, units_in_words
 
 SETTINGS = ("coupling.", "accuracy.", "outputs.")
-HEAD = ("title", "assumed", "calibrated", "kind")
+HEAD = ("title", "assumed", "calibrated", "kind", "report")
+DATA = {  # keys of the data block on the first page, with their words
+    "bearing.rollers": "rollers", "bearing.balls": "balls", "bearing.roller.diameter": "roller diameter",
+    "bearing.roller.length": "roller length", "bearing.ball.diameter": "ball diameter",
+    "bearing.pitch_diameter": "pitch diameter", "bearing.outer_raceway_diameter": "outer raceway diameter",
+    "bearing.contact_angle": "contact angle", "bearing.fits.bore": "bore", "inner.bore": "bore",
+    "bearing.fits.outer_diameter": "outside diameter", "bearing.clearance_class": "clearance class",
+    "bearing.fits.shaft": "shaft fit", "bearing.fits.shaft_interference": "interference on the shaft",
+    "bearing.fits.housing.tolerance_class": "housing fit",
+    "bearing.fits.housing.interference": "interference in the housing",
+    "operation.radial_load": "radial load", "operation.moment": "moment",
+    "operation.load.axial": "axial load", "operation.load.radial_y": "radial load along y",
+    "operation.load.radial_z": "radial load along z", "operation.load.moment_y": "moment about y",
+    "operation.load.moment_z": "moment about z", "operation.preload.force": "preload",
+    "operation.speed": "speed", "operation.inner_speed": "speed of the inner ring",
+    "operation.outer_speed": "speed of the outer ring", "lubricant.oil": "oil",
+    "lubricant.inlet_temperature": "oil temperature", "operation.temperatures.shaft": "shaft temperature",
+    "operation.temperatures.inner_ring": "inner ring temperature",
+    "operation.temperatures.outer_ring": "outer ring temperature",
+    "operation.temperatures.housing": "housing temperature",
+}  # fmt: skip
+_FIRST_WORDS = re.compile(r"[^;:(]{3,60}?(?=[;:(,]| that | which |$)")  # of a meaning
 
 
-def blocks(reader: Reader) -> Iterator[Block]:
-    """Keys that the case gives, what fitted ones were fitted to, then the defaults."""
-    keys = by_path(reader.result.family.case())
-    texts = reader.written
-    unused = foreign(reader.attributes["case_si"], reader.result.family.case())
-    given, defaults = [], []
-    for path, value in flat(reader.attributes["case_si"]):
-        if path.split(".")[0] not in HEAD and value is not None:
-            text = next((texts[name] for name in _upwards(path) if name in texts), None)
-            row, mark = row_of_key(reader, keys.get(path), path, value), origin(reader, path)
-            if text is None and set(_upwards(path)) & set(unused):
-                continue
-            if text is None:
-                defaults.append((*row[:3], "default" if mark == "given" else mark, row[3]))
-            else:
-                given.append((*row[:3], text, mark, row[3]))
-    head = ("key", "value", "unit", "as given", "origin", "meaning")
-    yield Table("What the case gives", head, tuple(given))
-    yield from assumed_effects.blocks(reader)
-    if reader.attributes["calibrated"]:
-        yield Items("Fitted, so no validation", fitted_inputs(reader))
-    if defaults:
-        caption = f"Defaults that this kind of case uses: {len(defaults)}"
-        yield Table(caption, (*head[:3], *head[4:]), tuple(defaults), folded=True)
+def data(reader: Reader) -> Table:
+    """The data block of the first page: bearing, ratings with their source, fits, load, speed, oil."""
+    known = dict(flat(reader.attributes["case_si"]))
+    declared = by_path(reader.result.family.case())
+    rows: list[tuple[Cell, ...]] = [("kind", reader.attributes["kind"].replace("_", " "), "", "given")]
+    rated = ratings.rows(reader)
+    for path, words in DATA.items():
+        if path.startswith("operation.") and rated:
+            rows, rated = [*rows, *rated], []
+        if (value := known.get(path)) not in (None, 0.0) and path in reader.written:
+            _, number, unit, _ = row_of_key(reader, declared.get(path), path, value)
+            rows.append((words, number, unit, origin(reader, path)))
+    return Table(("data", "value", "unit", "origin"), tuple(rows + rated))
 
 
-def fitted_inputs(reader: Reader) -> tuple[str, ...]:
-    """Fitted inputs: value, and what it was fitted to."""
-    return tuple(
-        units_in_words(
-            f"{assumptions.named(key)} = {reader.written.get(key, 'given as a table')}, fitted to {words}"
-        )
-        for key, words in reader.attributes["calibrated"].items()
+def tables(reader: Reader) -> tuple[Table, Table]:
+    """Further keys that the case gives, and its defaults."""
+    family, si = reader.result.family, reader.attributes["case_si"]
+    keys, unused, texts = by_path(family.case()), foreign(si, family.case()), reader.written
+    rated = ratings.found(reader)
+    shown = {*DATA, *(ratings.KEYS.values() if not isinstance(rated, str) else ())}
+    given: list[tuple[Cell, ...]] = []
+    defaults: list[tuple[Cell, ...]] = []
+    for path, value in flat(si):
+        written = any(name in texts for name in _upwards(path))
+        if path.split(".")[0] in HEAD or value is None or (written and path in shown):
+            continue
+        if not written and set(_upwards(path)) & set(unused):
+            continue
+        key, number, unit, meaning = row_of_key(reader, keys.get(path), path, value)
+        mark = origin(reader, path)
+        if written:
+            given.append((key, _short(meaning), number, unit, mark))
+        else:
+            defaults.append((key, number, unit, "default" if mark == "given" else mark, meaning))
+    return (
+        Table(("key", "meaning", "value", "unit", "origin"), tuple(given)),
+        Table(("key", "value", "unit", "origin", "meaning"), tuple(defaults)),
     )
+
+
+def _short(meaning: str) -> str:
+    """The first words of a meaning, as the reference has it whole."""
+    found = _FIRST_WORDS.match(meaning)
+    return found[0].strip() if found else ""
+
+
+def fitted(reader: Reader) -> list[tuple[str, str]]:
+    """Fitted keys, each with what it was fitted to."""
+    return [(key, units_in_words(words)) for key, words in reader.attributes["calibrated"].items()]
 
 
 def origin(reader: Reader, path: str) -> str:
@@ -63,15 +101,15 @@ def origin(reader: Reader, path: str) -> str:
     return "assumed" if above & set(reader.attributes["assumed"]) else "given"
 
 
-def _upwards(path: str) -> list[str]:
+def _upwards(path: str) -> Iterator[str]:
     """A key and the tables above it, the innermost first."""
     words = path.split(".")
-    return [".".join(words[:count]) for count in range(len(words), 0, -1)]
+    return (".".join(words[:count]) for count in range(len(words), 0, -1))
 
 
 def row_of_key(
     reader: Reader, declared: Declaration | None, path: str, value: Any, place: str = "case"
-) -> tuple[Cell, ...]:
+) -> tuple[str, Cell, str, str]:
     """A key with its value in the units of the report, the unit, and its meaning."""
     meaning = declared.meaning if declared else ""
     kind = declared.kind if declared else None
@@ -83,6 +121,5 @@ def row_of_key(
         texts = (f"{number.text} {printed(number.unit)}".strip() for number in numbers)
         return path, ", ".join(texts), "", meaning
     if isinstance(value, int | float) and not isinstance(value, bool):
-        number = reader.units.number(value, "", "", ",.6g", f"{place}/{path}")
-        return path, number, "", meaning
+        return path, reader.units.number(value, "", "", ",.6g", f"{place}/{path}"), "", meaning
     return path, toml(value).strip('"'), "", meaning

@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.printable import printable
-from flexbearing.report.contours import Contours
-from flexbearing.report.html.document import Block, Document, Figure, Section, Words
+from flexbearing.report.html.document import Document, Figure
+from flexbearing.report.studies.map_figure import Contours
 
 LEVEL = {"color": "#fff", "width": 1.0}
 LIMIT = {"color": "#D55E00", "width": 2.0}
@@ -32,14 +32,15 @@ def of_map(
     title: str, words: Sequence[str], planes: Sequence[MapPlane], danger: bool, table: tuple[str, str]
 ) -> Document:
     """Collect the report of a map."""
-    sections = [Section("found", "What was found", (Words(tuple(words), "danger" if danger else "good"),))]
-    for number, plane in enumerate(planes):
-        heading = printable(plane.name) or "Outputs"
-        sections.append(Section(f"plane-{number}", heading, tuple(_figures(plane, number))))
-    return Document(f"Map: {printable(title)}", "all equilibria that were found", tuple(sections), table)
+    shown = [
+        (printable(plane.name), [*_figures(plane, number)], *_lines(plane))
+        for number, plane in enumerate(planes)
+    ]
+    parts = {"words": words, "danger": danger, "planes": shown}
+    return Document("map.html.j2", f"Map: {printable(title)}", parts, table)
 
 
-def _figures(plane: MapPlane, number: int) -> Iterator[Block]:
+def _figures(plane: MapPlane, number: int) -> Iterator[Figure]:
     layout = {
         axis: {"title": {"text": label}, "type": "log" if log else "linear"}
         for axis, label, log in zip(("xaxis", "yaxis"), plane.labels, plane.logarithmic, strict=True)
@@ -50,8 +51,7 @@ def _figures(plane: MapPlane, number: int) -> Iterator[Block]:
             "colorbar": {"title": {"text": heading, "side": "right"}}, "colorscale": "Viridis",
             "hovertemplate": f"%{{x}}, %{{y}}: %{{z}}<extra>{heading}</extra>", "meta": heading,
         }, *_contours(plane, heading), *_folds(plane)]  # fmt: skip
-        caption = f"{heading}: of several stable states the largest value.{_lines(plane, heading)}"
-        yield Figure(f"map-{number}-{place}", caption, tuple(traces), layout | {"showlegend": False})
+        yield Figure(f"map-{number}-{place}", heading, tuple(traces), layout | {"showlegend": False})
 
 
 def _rows(values: NDArray) -> list[list[float | None]]:
@@ -74,15 +74,12 @@ def _contours(plane: MapPlane, heading: str) -> Iterator[dict]:
             }  # fmt: skip
 
 
-def _lines(plane: MapPlane, heading: str) -> str:
-    """What the lines of a figure are."""
-    contours = plane.contours.get(heading, Contours()).within(plane.fields[heading])
-    each = {
-        " Black lines are folds.": len(plane.folds),
-        " Orange lines are limits.": len(contours.limits),
-        " White lines are levels.": len(contours.levels),
-    }
-    return "".join(words for words, count in each.items() if count)
+def _lines(plane: MapPlane) -> tuple[bool, bool, bool]:
+    """Whether there are folds, limits and levels."""
+    drawn = [
+        plane.contours.get(heading, Contours()).within(values) for heading, values in plane.fields.items()
+    ]
+    return bool(len(plane.folds)), any(each.limits for each in drawn), any(each.levels for each in drawn)
 
 
 def _folds(plane: MapPlane) -> Iterator[dict]:

@@ -3,8 +3,7 @@
 from collections.abc import Iterator
 
 from flexbearing.quantities import SummaryValue
-from flexbearing.report.html import shaft_tilt
-from flexbearing.report.html.document import Block, Cell, Table, Words
+from flexbearing.report.html.document import Cell, Table
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import printed, with_unit
 from flexbearing.report.rows import unit_of
@@ -21,9 +20,6 @@ _TILT = (
     ("max_roller_load_N", "N", "N", ",.1f"),
     ("life_L10_Mrev", "Mrev", "Mrev", ",.4g"),
     ("ring_moment_Nm", "N m", "N m", ".3g"),
-)
-
-_FURTHER = (
     ("peak_pressure_MPa", "MPa", "MPa", ",.4g"),
     ("nominal_bar_stress_MPa", "MPa", "MPa", ",.4g"),
     *(
@@ -45,67 +41,46 @@ _WORDS = {
 }  # fmt: skip
 
 
-def blocks(reader: Reader) -> Iterator[Block]:
-    """What the run found besides its answer; nothing where it looked for nothing."""
-    yield from _tilt(reader)
-    yield from _equilibria(reader)
-    yield from _passage(reader)
-
-
-def _tilt(reader: Reader) -> Iterator[Block]:
-    """How the shaft holds the inner ring, and what the other way gives."""
-    held = reader.attributes.get("tilt")
-    if not held:
-        return
-    words = {"fixed": "The shaft holds the tilt of the inner ring", "free": "The inner ring is free to tilt"}
-    choice = held["inner_ring"]
-    sentences = (
-        f'{words.get(choice, "The inner ring")} (operation.tilt = "{choice}")',
-        shaft_tilt.clamps(reader),
+def held(reader: Reader) -> Table | None:
+    """What the other way to hold the inner ring gives; None where it was not estimated."""
+    other = (reader.attributes.get("tilt") or {}).get("otherwise")
+    if not other:
+        return None
+    known = [form for form in _TILT if form[0] in other]
+    rows = tuple(
+        (_words(name), number, printed(number.unit))
+        for name, *form in known
+        for number in (reader.of_attribute(f"tilt/otherwise/{name}", *form),)
     )
-    yield Words((" ".join(f"{sentence}." for sentence in sentences if sentence),))
-    if other := held.get("otherwise"):
-        known = [form for form in (*_TILT, *_FURTHER) if form[0] in other]
-        head = [with_unit(_words(name), reader.units.of(unit)) for name, _, unit, _ in known]
-        cells = (reader.of_attribute(f"tilt/otherwise/{name}", *form) for name, *form in known)
-        caption = "The other way to hold the ring, estimated by Newton steps"
-        yield Table(caption, ("operation.tilt", *head), ((other["inner_ring"], *cells),))
+    return Table(("quantity", "value", "unit"), rows)
 
 
-def _equilibria(reader: Reader) -> Iterator[Block]:
-    """Equilibria beside the computed one."""
+def equilibria(reader: Reader) -> Table | None:
+    """Equilibria beside the computed one; None where none were found."""
+    rows: list[tuple[Cell, ...]] = []
     for block, found in (reader.attributes.get("equilibria") or {}).items():
         at = f"equilibria/{block}"
         paths = {"computed": f"{at}/computed"}
         paths |= {f"other {number + 1}": f"{at}/others/{number}" for number in range(len(found["others"]))}
         if "after_passing_pitches" in found:
             paths["after passing pitches"] = f"{at}/after_passing_pitches"
-        head = [with_unit(_words(name), reader.units.of(unit)) for name, _, unit, _ in _FIGURES]
-        rows = tuple(
-            (words, *(reader.of_attribute(f"{path}/{name}", *form) for name, *form in _FIGURES))
-            for words, path in paths.items()
-        )
-        yield Table(f"Several equilibria, between {found['raceways']}", ("equilibrium", *head), rows)
+        for words, path in paths.items():
+            cells = (reader.of_attribute(f"{path}/{name}", *form) for name, *form in _FIGURES)
+            rows.append((f"{words}, {block}", *cells))
+    head = [with_unit(_words(name), reader.units.of(unit)) for name, _, unit, _ in _FIGURES]
+    return Table(("equilibrium", *head), tuple(rows)) if rows else None
 
 
-def _passage(reader: Reader) -> Iterator[Block]:
-    """Smallest and largest of every number over a pitch of the rollers."""
+def passage(reader: Reader) -> Table | None:
+    """Smallest and largest of every number over a pitch of the rollers; None for one position."""
     passed = reader.attributes.get("passage")
     if not passed:
-        return
+        return None
     rows = [row for entry in reader.layout.summary if entry.label for row in _range(reader, entry)]
-    caption = f"Rollers passing a pitch: {len(passed['azimuth_deg'])} positions"
-    head = ("quantity", "smallest", "at [°]", "largest", "at [°]", "unit")
-    failed = sum(status != "converged" for status in passed["status"])
-    note = f"{failed} positions were not solved." if failed else ""
-    yield Table(caption, head, tuple(rows), note)
     if passed["mean_life_Mrev"] is not None:
         life = reader.of_attribute("passage/mean_life_Mrev", "Mrev", "Mrev", ",.4g")
-        yield Table(
-            "Life by equal damage of all positions",
-            ("life", "10⁶ revolutions"),
-            (("basic life L10, Lundberg and Palmgren", life),),
-        )
+        rows.append(("basic life L10 by equal damage of all positions", life, "", life, "", "Mrev"))
+    return Table(("quantity", "smallest", "at [°]", "largest", "at [°]", "unit"), tuple(rows))
 
 
 def _range(reader: Reader, entry: SummaryValue) -> Iterator[tuple[Cell, ...]]:

@@ -13,7 +13,6 @@ from flexbearing.case import understood
 from flexbearing.case.declarations import toml
 from flexbearing.printable import all_printable
 from flexbearing.quantities import SummaryValue
-from flexbearing.quantities.attributes import GRADES
 from flexbearing.quantities.layout import Layout
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.units import Units, converted, units_in_words
@@ -27,7 +26,6 @@ _LABELS = {  # of labels that do not name a method or a part, by whether the bea
 }
 P = ParamSpec("P")
 T = TypeVar("T")
-OUTSIDE = GRADES[1]  # notes on laws outside the range of their source
 
 
 @dataclass(frozen=True)
@@ -122,10 +120,10 @@ class Reader:
             about["case_text"], file, [*about["case_overrides"], *settings], {family.kind: family}
         )
 
-    @property
-    def state(self) -> str:
-        """The end state that answers the case, in words."""
-        return {"rigid": "rigid raceways", "flexible": "flexible raceways"}.get(self.last, self.last)
+    @cached_property
+    def findings(self) -> tuple[dict[str, Any], ...]:
+        """Its findings."""
+        return tuple(self.attributes.get("findings") or ())
 
     @property
     def clearance_words(self) -> str:
@@ -141,19 +139,9 @@ class Reader:
 
     def notes(self, grade: str) -> tuple[str, ...]:
         """Texts of the notes of a grade."""
-        notes = self.attributes["notes"]
         return tuple(
-            units_in_words(note["text"]) + self._sized(note) for note in notes if note["grade"] == grade
+            units_in_words(note["text"]) for note in self.attributes["notes"] if note["grade"] == grade
         )
-
-    def _sized(self, note: dict[str, Any]) -> str:
-        """How much hangs on a note about the friction of the cage land; empty for others."""
-        block = self.blocks.get(self.last, {})
-        if note["code"] != "land-flow" or not float(block.get("driving_power", 0.0)):
-            return ""
-        share = 100 * float(block["loss_land"]) / float(block["driving_power"])
-        taken = f"here the land takes {share:.2g} % of the driving power"
-        return f"; {taken}, torque lacks about that times the factor"
 
     def error_path(self, name: str) -> str:
         """Path among the attributes of an estimated error: by the target, else by slices; empty: none."""

@@ -1,32 +1,33 @@
-"""The report of a result: its sections in their order."""
+"""The report of a result: findings, tables and figures for the template, which has the words."""
 
-from collections.abc import Iterator
-from itertools import chain
+from typing import Any
 
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.report.html import (
+    checks,
     clearance,
+    effects,
     elements,
-    heat,
     inputs,
-    life,
-    lubrication,
-    numbers,
+    lives,
     origin,
     others,
+    ratings,
     rings,
     stiffness,
-    verdict,
+    subjects,
 )
-from flexbearing.report.html.document import Block, Document, Items, Section, Table, Words
-from flexbearing.report.html.figures import convergence
+from flexbearing.report.html.document import Cell, Document, Figure, Number, Table
+from flexbearing.report.html.figures import around, convergence, deformed
 from flexbearing.report.html.reader import Reader
-from flexbearing.report.html.simplifications import simplifications
-from flexbearing.report.html.units import METRIC, Units
+from flexbearing.report.html.units import METRIC, Units, printed, units_in_words
 from flexbearing.results import Result
 
+CAVEATS = 3  # on the first page
+SIGNED = ("project", "part", "revision", "date", "author", "checker")
 
-def of_result(result: Result, units: Units = METRIC, further: tuple[Section, ...] = ()) -> Document:
+
+def of_result(result: Result, units: Units = METRIC, against: dict[str, Any] | None = None) -> Document:
     """Collect the report of a result.
 
     Raises
@@ -34,67 +35,136 @@ def of_result(result: Result, units: Units = METRIC, further: tuple[Section, ...
     BadResult
         where the case in the result cannot be read
     """
-    reader, shown = Reader(result, units), result.family.report().elements
-    sections = {
-        "verdict": ("Verdict", verdict.blocks(reader)),
-        "computed": ("What was computed", origin.computed(reader)),
-        "inputs": ("Inputs", inputs.blocks(reader)),
-        "life": ("Life", life.blocks(reader)),
-        "stiffness": ("Stiffness", stiffness.blocks(reader)),
-        "numbers": (
-            "Rigid against flexible" if len(reader.blocks) > 1 else "All numbers",
-            numbers.blocks(reader),
-        ),
-        "others": ("Other states of this case", others.blocks(reader)),
-        "elements": (f"{shown.word.capitalize()}s" if shown else "", elements.blocks(reader, shown)),
-        "contacts": (
-            "Contacts: loads, pressures, films",
-            chain(lubrication.blocks(reader) if reader.last else (), elements.contacts(reader, shown)),
-        ),
-        "heat": ("Heat by cause", heat.blocks(reader)),
-        "clearance": ("Clearance", clearance.blocks(reader)),
-        "rings": ("Rings: deformation and stresses", rings.blocks(reader)),
-        "convergence": ("Convergence", _convergence(reader)),
-        "limits": ("Limits of the model that this case touches", _limits(reader)),
-        "origin": ("Origin", origin.blocks(reader)),
+    reader = Reader(result, units)
+    solved = bool(reader.blocks)
+    parts = {
+        **_of_case(reader),
+        **(_of_solution(reader) if solved else {}),
+        "against": against,
+        "solved": solved,
     }
-    first, *rest = [Section(name, title, tuple(blocks)) for name, (title, blocks) in sections.items()]
-    complete = (first, *further, *rest)
     title = reader.attributes["title"] or result.stem
-    kept = tuple(section for section in complete if section.blocks)
-    return Document(f"Bearing report: {title}", origin.line(reader), kept)
+    return Document("result.html.j2", title, parts)
 
 
-def _convergence(reader: Reader) -> Iterator[Block]:
-    if figure := convergence(reader):
-        yield figure
-    attempts = reader.attributes.get("attempts") or {}
-    rows = [
-        (name, str(each["iterations"]), each["status"], each["message"]) for name, each in attempts.items()
-    ]
-    if rows:
-        yield Table(
-            "Methods of the coupling, in the order they were tried",
-            ("method", "iterations", "status", "message"),
-            tuple(rows),
-        )
-    else:
-        yield Words((f"Nothing was iterated between bearing and rings: {reader.attributes['message']}.",))
-    choices = reader.attributes.get("choices") or {}
-    if choices:
-        levels = [(name, choice["level"], "the case" if choice["fixed"] else "accuracy.target")
-                  for name, choice in choices.items()]  # fmt: skip
-        yield Table("Levels of accuracy", ("choice", "level", "set by"), tuple(levels))
+def _of_case(reader: Reader) -> dict[str, Any]:
+    """What does not need a solution: who signs, inputs, notes, origin."""
+    about = reader.attributes
+    given = about["case_si"].get("report") or {}
+    further, defaults = inputs.tables(reader)
+    drawings, not_drawn = origin.drawings(reader)
+    caveats, notes = _notes(reader)
+    return {
+        "metric": reader.units is METRIC,
+        "kind": about["kind"].replace("_", " "),
+        "created": about["created"].partition("T")[0],
+        "version": about["versions"].get("flexbearing", ""),
+        "converged": about["status"] == "converged",
+        "ending": origin.ending(reader),
+        "signed": [(name, given.get(name) or "") for name in SIGNED],
+        "data": inputs.data(reader),
+        "inputs": further,
+        "defaults": defaults,
+        "fitted": inputs.fitted(reader),
+        "drawings": drawings,
+        "not_drawn": not_drawn,
+        "caveats": caveats,
+        "notes": notes,
+        "counts": [len(about[mark]) for mark in ("assumed", "calibrated")],
+        "stale": about.get("effects_left_out") or "",
+        "command": origin.command(reader),
+        "origin": origin.origin(reader),
+        "attempts": origin.attempts(reader),
+        "levels": origin.levels(reader),
+        "overrides": about["case_overrides"],
+        "case": about["case_text"],
+    }
 
 
-def _limits(reader: Reader) -> Iterator[Block]:
-    """Notes by grade."""
-    for grade in GRADES:
-        notes = reader.notes(grade)
-        if notes:
-            yield Items(grade.capitalize(), notes, "danger" if grade == GRADES[0] else "")
-    if not reader.attributes["notes"]:
-        yield Words(("No law was used outside the range of its source, as far as the program checks.",))
-    if left_out := simplifications(reader):
-        head = ("left out", "who checks it, with what")
-        yield Table("What the model leaves out in this case", head, left_out)
+def _of_solution(reader: Reader) -> dict[str, Any]:
+    """Results by subject."""
+    shown = reader.result.family.report().elements
+    first, further = checks.first_and_further(reader)
+    known = bool(reader.attributes.get("assumed_effects"))
+    loads = elements.figures(reader, shown.figures, shown.azimuth) if shown else []
+    rated = ratings.found(reader)
+    return {
+        "judged": checks.judged(reader),
+        "checks": _checked(first),
+        "further_checks": _checked(further) if further else None,
+        "load": loads[0] if loads else None,
+        "motion": loads[1:],
+        "contacts": _contacts(reader),
+        "elements": elements.table(reader, shown) if shown else None,
+        "element": shown.word if shown else "",
+        "lives": lives.table(reader),
+        "no_life": rated if isinstance(rated, str) and not lives.lives(reader) else "",
+        "factors": lives.factors(reader),
+        "stages": lives.stages(reader),
+        "effects": effects.figure(reader) if known else None,
+        "effects_table": effects.table(reader) if known else None,
+        "range": _range(reader),
+        "subjects": subjects.tables(reader),
+        "supports": stiffness.supports(reader),
+        "matrix": stiffness.matrix(reader),
+        "matrix_units": [printed(unit) for unit in stiffness.units(reader)],
+        "steps": clearance.steps(reader),
+        "tolerances": clearance.tolerances(reader),
+        "deformed": deformed(reader),
+        "bars": _bars(reader),
+        "stresses": rings.stresses(reader),
+        "translations": rings.translations(reader),
+        "held": others.held(reader),
+        "equilibria": others.equilibria(reader),
+        "passage": others.passage(reader),
+        "convergence": convergence(reader),
+    }
+
+
+def _checked(found: tuple[checks.Check, ...]) -> Table:
+    """Results against their limits; what follows where a limit is not kept is below its name."""
+    rows: list[tuple[Cell, ...]] = []
+    for check in found:
+        why = "; ".join(filter(None, (check.meaning, check.action)))
+        unit = "" if isinstance(check.value, str) else printed(check.value.unit)
+        what = "\n".join(filter(None, (check.what, why)))
+        rows.append((what, check.value, unit, check.limit, check.source, check.share, check.verdict))
+    head = ("result", "value", "unit", "limit", "source", "of the limit [%]", "verdict")
+    return Table(head, tuple(rows))
+
+
+def _notes(reader: Reader) -> tuple[list[str], list[tuple[str, str]]]:
+    """Notes that no finding is judged by: the gravest for the first page, the others with their grades."""
+    judged = {record["code"] for record in reader.findings} | set(checks.NOTED)
+    notes = [
+        (note["grade"], units_in_words(note["text"]))
+        for grade in GRADES for note in reader.attributes["notes"]
+        if note["grade"] == grade and note["code"] not in judged
+    ]  # fmt: skip
+    unknown = bool(reader.attributes["assumed"] or reader.attributes["calibrated"])
+    grave = [text for grade, text in notes if grade != GRADES[-1]][: CAVEATS - unknown]
+    return grave, [note for note in notes if note[1] not in grave]
+
+
+def _range(reader: Reader) -> tuple[Number, Number, str] | None:
+    """The life by all inputs that are not known, and the one that moves it most."""
+    span, life = effects.span(reader), next((each for each in lives.lives(reader) if each.chosen), None)
+    if span is None or life is None:
+        return None
+    number = life.hours if isinstance(life.hours, Number) else life.turns
+    low, high = (lives.rounded(number, times) for times in span.squares)
+    return low, high, effects.name(span.most)
+
+
+def _contacts(reader: Reader) -> list[Figure]:
+    shown = reader.result.family.report().elements
+    if shown is None:
+        return []
+    return [*elements.maps(reader, shown), *elements.figures(reader, shown.contact_figures, shown.azimuth)]
+
+
+def _bars(reader: Reader) -> Figure | None:
+    """Axial force of the bars of a squirrel cage."""
+    if "bar_azimuth" not in reader.blocks.get("flexible", {}):
+        return None
+    return around(reader, "axial force of the bars", ("bar_axial_force",), "bar_azimuth")

@@ -1,7 +1,7 @@
 """How the outputs of a sampled study scatter, and which keys cause it, as a section of its report."""
 
 import csv
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from io import StringIO
 from math import isnan, nan
@@ -11,7 +11,7 @@ from typing import Any
 from flexbearing import inputs
 from flexbearing.inputs import is_plain
 from flexbearing.printable import printable
-from flexbearing.report.html.document import Block, Cell, Figure, Items, Number, Table
+from flexbearing.report.html.document import Cell, Figure, Number, Table
 from flexbearing.report.html.figures import COLOURS
 from flexbearing.report.html.table import table_text
 from flexbearing.report.html.units import NOTHING, Units, converted, with_unit
@@ -94,31 +94,36 @@ def _cell(name: str, text: str) -> Any:
     return float(text) if text else nan
 
 
-def scatter_blocks(found: ScatterTables, units: Units) -> Iterator[Block]:
-    """Collect the section."""
-    if first := tuple(_first_to_tighten(found)):
-        yield Items("Which tolerance to tighten first", first)
-    yield _percentiles(found, units)
-    yield _causes(found, units)
+def scatter_parts(found: ScatterTables, units: Units) -> dict[str, Any]:
+    """Parts of the report: which key to tighten, percentiles, causes, two figures for each output."""
+    figures: list[Figure] = []
     for number, output in enumerate(found.outputs[:MOST_FIGURES]):
-        of_output = [
+        bins, shares = (
             [row for row in rows if row["output"] == output["output"]] for rows in (found.bins, found.shares)
+        )
+        figures += [
+            _histogram(output, bins, units, f"scatter-{number}"),
+            _shares(output, shares, f"shares-{number}"),
         ]
-        yield _histogram(output, of_output[0], units, f"scatter-{number}")
-        yield _shares(output, of_output[1], f"shares-{number}")
+    return {
+        "tighten": _tighten(found),
+        "percentiles": _percentiles(found, units),
+        "causes": _causes(found, units),
+        "figures": figures,
+    }
 
 
-def _first_to_tighten(found: ScatterTables) -> Iterator[str]:
-    """One sentence for each output: which key, and what it gives."""
-    for output in found.outputs[:MOST_FIGURES]:
-        keys = [row for row in found.shares if row["output"] == output["output"]]
-        known = [row for row in keys if not isnan(row["narrower [%]"])]
+def _tighten(found: ScatterTables) -> Table:
+    """For each output the key to tighten first, and how much closer P10 and P90 come."""
+    rows: list[tuple[Cell, ...]] = []
+    for output in found.outputs:
+        known = [(row, place) for place, row in enumerate(found.shares)
+                 if row["output"] == output["output"] and not isnan(row["narrower [%]"])]  # fmt: skip
         if known:
-            first = max(known, key=lambda row: row["narrower [%]"])
-            yield (
-                f"{_words(output)}: tighten `{first['key']}` first. Half its scatter brings P10 and P90 "
-                f"closer to each other by {first['narrower [%]']:.2g} %."
-            )
+            first, place = max(known, key=lambda each: each[0]["narrower [%]"])
+            closer = _plain(first["narrower [%]"], "%", f"shares/{place}/narrower [%]")
+            rows.append((_words(output), printable(first["key"]), closer))
+    return Table(("output", "key", "P10 and P90 closer by [%]"), tuple(rows))
 
 
 def _percentiles(found: ScatterTables, units: Units) -> Table:
@@ -140,13 +145,7 @@ def _percentiles(found: ScatterTables, units: Units) -> Table:
         "rows",
         "without a number",
     )
-    note = (
-        "P10, P50 and P90: 10, 50 and 90 % of the bearings lie below. low and high: between them the "
-        "percentile lies with 95 % confidence, for any values of rows without a number. linear: by the "
-        "derivatives where every key has its mean, of the logarithm of a skewed output, and how much of the "
-        "variance of the rows that explains."
-    )
-    return Table("Percentiles of the outputs", head, tuple(rows), note)
+    return Table(head, tuple(rows))
 
 
 def _causes(found: ScatterTables, units: Units) -> Table:
@@ -166,13 +165,7 @@ def _causes(found: ScatterTables, units: Units) -> Table:
         "output", "key", *(name.replace("_", " ") for name in plain), "P10, half the scatter",
         "P90, half the scatter", "closer by [%]", "known by",
     )  # fmt: skip
-    note = (
-        "first, total: Sobol indices, the shares of the variance that are due to the key alone and with its "
-        'interactions, with intervals of 95 % confidence; only of studies with method = "sobol_indices". '
-        "closer by: how much closer P10 and P90 are when the key scatters half as much; known by the rows "
-        "themselves, weighted, or by the linear prediction."
-    )
-    return Table("Which key causes the scatter", head, tuple(rows), note, sortable=True)
+    return Table(head, tuple(rows), sortable=True)
 
 
 def _plain(value: float, unit: str, of: str) -> Number:
@@ -212,9 +205,8 @@ def _histogram(output: Row, bins: Sequence[Row], units: Units, name: str) -> Fig
         "yaxis": {"title": {"text": "rows"}},
         "shapes": lines,
         "bargap": 0,
-        "legend": {"orientation": "h", "y": 1.02, "yanchor": "bottom", "x": 0},
     }
-    return Figure(name, f"Histogram of {_words(output)}; lines at P10, P50 and P90.", tuple(traces), layout)
+    return Figure(name, f"{_words(output)}; lines at P10, P50 and P90", tuple(traces), layout)
 
 
 def _shares(output: Row, keys: Sequence[Row], name: str) -> Figure:
@@ -245,9 +237,8 @@ def _shares(output: Row, keys: Sequence[Row], name: str) -> Figure:
     layout = {
         "xaxis": {"title": {"text": "share of the variance [%]"}},
         "yaxis": {"automargin": True},
-        "legend": {"orientation": "h", "y": 1.02, "yanchor": "bottom", "x": 0},
     }
-    return Figure(name, f"Which keys cause the scatter of {_words(output)}.", tuple(traces), layout)
+    return Figure(name, f"shares of the keys in the scatter of {_words(output)}", tuple(traces), layout)
 
 
 def _shown(value: float, stored: str, shown: str) -> float:

@@ -1,23 +1,31 @@
 """The report of a study: outputs over what was varied, duty cycles, every row."""
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Sequence
 from itertools import islice
 from math import isnan
+from typing import Any
 
 from flexbearing.printable import excerpt, printable
-from flexbearing.report.html.document import Block, Cell, Document, Figure, Items, Section, Table, Words
+from flexbearing.report.html.document import Cell, Document, Figure, Table
+from flexbearing.report.html.duty import duty_parts
+from flexbearing.report.html.effects import name
 from flexbearing.report.html.figures import COLOURS
-from flexbearing.report.html.scatter import ScatterTables, scatter_blocks
-from flexbearing.report.html.table import NOT_COMPUTED, StudyColumn, StudyTable
-from flexbearing.report.html.units import METRIC, NOTHING, Units, converted, printed, with_unit
+from flexbearing.report.html.scatter import ScatterTables, scatter_parts
+from flexbearing.report.html.table import NOT_COMPUTED, StudyColumn, StudyTable, words
+from flexbearing.report.html.units import METRIC, Units, converted, printed, with_unit
 
 LINES = 12  # of a figure at most; more are points
 MOST_ROWS = 2000  # of a table that a browser still shows at once
 MOST_MESSAGES = 50  # of rows, and rows of each
+FIGURES = 12  # that are shown; others on request
 LONGEST = 40  # characters of a list that a cell shows
 SHORT = 4  # lines that a legend names within a figure of usual height
-CONVERGED, RATED = "converged", "rated"  # by its ratings alone
-ANSWERED = CONVERGED, RATED, "no damage"  # of a row that is idle
+CONVERGED, RATED, IDLE = "converged", "rated", "no damage"  # status of rows with an answer
+_NOTES = re.compile(r"; (?=(?:danger|outside validity|information): )")  # between notes of a row
+_FINDING = re.compile(
+    r"(?P<what>[^:]+: [^:]+: )(?P<value>[\d.,]*\d)(?P<limit>(?: \S+)?, at (?:most|least) .*)", re.S
+)
 _STYLES = ("solid", "dash", "dot")
 
 
@@ -29,61 +37,77 @@ def of_study(
 ) -> Document:
     """Collect the report of a study."""
     shown, scatter = table.first(MOST_ROWS), None if table.to_come else scatter
-    sections = [
-        ("verdict", "Verdict", tuple(_verdict(table))),
-        ("duty", "Life under the duty cycle", tuple(_cycles(cycles, units)) if cycles else ()),
-        ("scatter", "Scatter of the outputs", tuple(scatter_blocks(scatter, units)) if scatter else ()),
-        ("varied", "What was varied", tuple(_varied(table, units))),
-        *((f"over-{number}", f"Over {axis.heading}", tuple(_over(shown, axis, units, number)))
-          for number, axis in enumerate(shown.axes)),
-        ("rows", "Every row", tuple(_every_row(table, shown, units))),
-    ]  # fmt: skip
-    kept = tuple(Section(name, title, blocks) for name, title, blocks in sections if blocks)
-    subtitle = f"{len(table)} variants, from {table.place.name}"
-    return Document(
-        f"Study: {printable(table.name)}", subtitle, kept, (f"{table.place.stem}.csv", table.text)
-    )
+    drawn = _drawn(shown, cycles, scatter, units)
+    parts = {
+        **_endings(table),
+        "count": len(table),
+        "file": table.place.name,
+        "shown": len(shown),
+        "varied": _varied(table, units),
+        "figures": drawn[:FIGURES],
+        "further_figures": drawn[FIGURES:],
+        "duty": duty_parts(shown, cycles.first(MOST_ROWS), units) if cycles else None,
+        "cycles": _rows(cycles.first(MOST_ROWS), units, "duty") if cycles and len(cycles) > 1 else None,
+        "cycles_count": len(cycles) if cycles else 0,
+        "scatter": scatter_parts(scatter, units) if scatter else None,
+        "rows": _rows(shown, units, "rows"),
+    }
+    download = f"{table.place.stem}.csv", table.text
+    return Document("study.html.j2", f"Study: {printable(table.name)}", parts, download)
 
 
-def _every_row(table: StudyTable, shown: StudyTable, units: Units) -> Iterator[Block]:
-    """The rows; of a large table the first ones."""
-    if len(shown) < len(table):
-        words = (
-            f"The first {len(shown)} of {len(table)} rows are shown, here and in the figures over the keys"
-        )
-        yield Words((f"{words}; the table that this page hands out has all.",))
-    yield _rows(shown, units, "rows")
+def _drawn(
+    table: StudyTable, cycles: StudyTable | None, scatter: ScatterTables | None, units: Units
+) -> list[Figure]:
+    """A figure for each output over the first key; of duty cycles for each life; none of a sample.
+
+    The rows of a duty cycle change together: their keys are no axes.
+    """
+    drawn = table if cycles is None else cycles.first(MOST_ROWS)
+    if scatter is not None or not drawn.axes:
+        return []
+    axis = drawn.axes[0]
+    families = _families(drawn, axis, units)
+    outputs = [output for output in drawn.outputs if len(output.distinct) > 1]
+    return [_figure(drawn, axis, output, families, units, f"over-{place}")
+            for place, output in enumerate(outputs)]  # fmt: skip
 
 
-def _verdict(table: StudyTable) -> Iterator[Block]:
+def _endings(table: StudyTable) -> dict[str, Any]:
     """How many rows have a result, and why others have none; dangers of those that do."""
     columns = {column.name: column.texts for column in table.columns}
     ends = [
-        (status, printable(message))
-        for status, message in zip(columns["status"], columns["message"], strict=True)
+        (row, status, printable(message))
+        for row, (status, message) in enumerate(zip(columns["status"], columns["message"], strict=True), 1)
     ]
-    failed = [
-        (row, f"{status}: {message}")
-        for row, (status, message) in enumerate(ends, 1)
-        if status not in (*ANSWERED, NOT_COMPUTED)
-    ]
-    noted = [
-        (row, message)
-        for row, (status, message) in enumerate(ends, 1)
-        if message and status in (CONVERGED, RATED)
-    ]
-    idle = sum(status == "no damage" for status, _ in ends)
-    converged = len(table) - len(failed) - table.to_come - idle
-    words = f"{converged} of {len(table)} variants converged{f', {idle} are idle' if idle else ''}."
-    partial = (
-        f"The table is partial: {table.to_come} are not computed; the same study started again adds them."
-    )
-    yield Words(
-        (words, *([partial] if table.to_come else [])), "danger" if failed or table.to_come else "good"
-    )
-    for title, rows in (("Rows without a result", failed), ("Noted", noted)):
-        if rows:
-            yield Items(title, tuple(_by_message(rows)), "danger")
+    answered = (CONVERGED, RATED, IDLE)
+    failed = [(row, f"{status}: {message}") for row, status, message in ends
+              if status not in (*answered, NOT_COMPUTED)]  # fmt: skip
+    noted = [(row, note) for row, status, message in ends if message and status in (CONVERGED, RATED)
+             for note in _NOTES.split(message)]  # fmt: skip
+    idle = sum(status == IDLE for _, status, _ in ends)
+    return {
+        "converged": len(table) - len(failed) - table.to_come - idle,
+        "idle": idle,
+        "to_come": table.to_come,
+        "failed": [*_by_message(failed)],
+        "noted": [*_by_message(_ranges(noted))],
+    }
+
+
+def _ranges(rows: list[tuple[int, str]]) -> list[tuple[int, str]]:
+    """Findings of several rows with the range of their values, so that each is said once."""
+    sizes: dict[tuple[str, ...], list[str]] = {}
+    for _, note in rows:
+        if found := _FINDING.fullmatch(note):
+            sizes.setdefault(found.group("what", "limit"), []).append(found["value"])
+    ends = {key: sorted(values, key=lambda text: float(text.replace(",", "")))[:: max(1, len(values) - 1)]
+            for key, values in sizes.items()}  # fmt: skip
+    return [
+        (row, note if (found := _FINDING.fullmatch(note)) is None else
+         f"{found['what']}{' to '.join(dict.fromkeys(ends[found.group('what', 'limit')]))}{found['limit']}")
+        for row, note in rows
+    ]  # fmt: skip
 
 
 def _by_message(rows: list[tuple[int, str]]) -> Iterator[str]:
@@ -99,28 +123,15 @@ def _by_message(rows: list[tuple[int, str]]) -> Iterator[str]:
         yield f"{len(alike) - MOST_MESSAGES} further messages, in the table"
 
 
-def _cycles(cycles: StudyTable, units: Units) -> Iterator[Block]:
-    """Lives of the cycles, each a row."""
-    rule = "the sum over its rows of the share of the revolutions over the life"
-    yield Words((f"Damage adds up by the rule of Palmgren and Miner: 1/L of a cycle is {rule}.",))
-    shown = cycles.first(MOST_ROWS)
-    if len(shown) < len(cycles):
-        yield Words((f"The first {len(shown)} duty cycles are shown; the table has all.",))
-    yield _rows(shown, units, "duty")
-
-
-def _varied(table: StudyTable, units: Units) -> Iterator[Block]:
-    """Every key with its values, or their range."""
+def _varied(table: StudyTable, units: Units) -> Table:
+    """Every key with its values."""
     rows: list[tuple[Cell, ...]] = []
     for column in (column for column in table.columns if column.varied):
         values = column.distinct
         shown = ", ".join(_text(column, text, units) for text in values[:LINES])
         more = f" and {len(values) - LINES} more" if len(values) > LINES else ""
-        rows.append((column.name, shown + more, printed(units.of(column.unit)), str(len(values))))
-    if rows:
-        yield Table("Keys of the case", ("key", "values", "unit", "how many"), tuple(rows))
-    else:
-        yield Words(("No column of the table is a key of a case.",))
+        rows.append((column.name, name(column.name), shown + more, printed(units.of(column.unit))))
+    return Table(("key", "meaning", "values", "unit"), tuple(rows))
 
 
 def _text(column: StudyColumn, text: str, units: Units) -> str:
@@ -129,18 +140,10 @@ def _text(column: StudyColumn, text: str, units: Units) -> str:
     return units.number(float(text) if text else None, column.unit, column.unit, ".5g", "").text
 
 
-def _over(table: StudyTable, axis: StudyColumn, units: Units, number: int) -> Iterator[Figure]:
-    """A figure for every output that changes, over one key."""
-    families = _families(table, axis, units)
-    for place, output in enumerate(table.outputs):
-        if len(output.distinct) > 1:
-            yield _figure(table, axis, output, families, units, f"over-{number}-{place}")
-
-
 def _families(table: StudyTable, axis: StudyColumn, units: Units) -> dict[str, list[int]]:
     """Rows of each line: those that have all other keys in common; one of all, where there are too many.
 
-    A key that changes with the axis, such as the speed of the rows of a duty cycle, parts no lines.
+    A key that changes with the axis parts no lines.
     """
     others = [
         column
@@ -155,9 +158,9 @@ def _families(table: StudyTable, axis: StudyColumn, units: Units) -> dict[str, l
 
 
 def _named(column: StudyColumn, row: int, units: Units) -> str:
-    """A key with its value, in few words: "radial load 5000 N"."""
-    name = column.name.rpartition(".")[2].replace("_", " ")
-    return f"{name} {_text(column, column.texts[row], units)} {printed(units.of(column.unit))}".strip()
+    """A key in words with its value: "radial load 5000 N"."""
+    value = f"{_text(column, column.texts[row], units)} {printed(units.of(column.unit))}"
+    return f"{name(column.name)} {value}".strip()
 
 
 def _figure(
@@ -166,7 +169,7 @@ def _figure(
     output: StudyColumn,
     families: dict[str, list[int]],
     units: Units,
-    name: str,
+    element: str,
 ) -> Figure:
     """An output over a key, a line for each family; points where families are too many."""
     joined = len(families) > 1 or len(table.axes) == 1
@@ -185,14 +188,13 @@ def _figure(
             "hovertemplate": f"row %{{customdata}}<br>%{{x}}: %{{y}}<extra>{shown}</extra>",
             "meta": output.heading,
         })  # fmt: skip
-    words = output.name.replace("_", " ")
     layout = {
-        "xaxis": {"title": {"text": with_unit(axis.name, units.of(axis.unit))}},
-        "yaxis": {"title": {"text": with_unit(words, units.of(output.unit))}},
+        "xaxis": {"title": {"text": with_unit(name(axis.name), units.of(axis.unit))}},
+        "yaxis": {"title": {"text": with_unit(words(output.name), units.of(output.unit))}},
         "showlegend": len(families) > 1,
-        "legend": {"orientation": "h", "y": 1.02, "yanchor": "bottom", "x": 0, "font": {"size": 11}},
     }
-    return Figure(name, f"{words} over {axis.name}.", tuple(traces), layout, tall=len(families) > SHORT)
+    title = f"{words(output.name)} over {name(axis.name)}"
+    return Figure(element, title, tuple(traces), layout, tall=len(families) > SHORT)
 
 
 def _value(column: StudyColumn, row: int, units: Units) -> float | str | None:
@@ -211,21 +213,14 @@ def _rows(table: StudyTable, units: Units, place: str) -> Table:
         "row",
         *(with_unit(column.name.replace("_", " "), units.of(column.unit)) for column in table.columns),
     )
-    rows = tuple(
-        (str(row + 1), *(_cell(column, row, units, place) for column in table.columns))
-        for row in range(len(table))
-    )
-    return Table(
-        f"Table {printable(table.name)}",
-        head,
-        rows,
-        f"{NOTHING}: no number. A click on a heading sorts.",
-        sortable=True,
-    )
+    rows = tuple((str(row + 1), *_cells(table.columns, row, units, place)) for row in range(len(table)))
+    return Table(head, rows, sortable=True)
 
 
-def _cell(column: StudyColumn, row: int, units: Units, place: str) -> Cell:
-    if column.numbers is None:
-        return _text(column, column.texts[row], units)
-    value = column.numbers[row] if column.texts[row] else None
-    return units.number(value, column.unit, column.unit, ",.5g", f"{place}/{row}/{column.heading}")
+def _cells(columns: Sequence[StudyColumn], row: int, units: Units, place: str) -> Iterator[Cell]:
+    for column in columns:
+        if column.numbers is None:
+            yield _text(column, column.texts[row], units)
+        else:
+            value = column.numbers[row] if column.texts[row] else None
+            yield units.number(value, column.unit, column.unit, ",.5g", f"{place}/{row}/{column.heading}")

@@ -26,6 +26,17 @@ AT_ONCE = 10_000  # rows
 _HEADING = re.compile(r"(?P<name>.*?)(?: \[(?P<unit>[^]]*)\])?")
 
 
+def words(name: str) -> str:
+    """Name of an output in words.
+
+    >>> words("flexible.max_roller_load"), words("raceway_life.inner")
+    ('max roller load, flexible', 'raceway life, inner')
+    """
+    block, point, rest = name.partition(".")
+    behind = f"{rest}.{block}" if point and block in ("rigid", "flexible") else name
+    return ", ".join(behind.replace("_", " ").split("."))
+
+
 @dataclass(frozen=True)
 class StudyColumn:
     """A column of a table."""

@@ -17,19 +17,21 @@ PLOTLY = "plotly-cartesian-4.1.1.min.js"  # scatter, bars, heatmaps; its licence
 
 def html(document: Document) -> str:
     """Lay a report out as a page."""
-    from jinja2 import Environment, StrictUndefined
+    from jinja2 import Environment, FunctionLoader, StrictUndefined
 
     page = files("flexbearing.report.html") / "page"
     environment = Environment(
-        autoescape=True, undefined=StrictUndefined, trim_blocks=False, lstrip_blocks=True
+        autoescape=True,
+        undefined=StrictUndefined,
+        lstrip_blocks=True,
+        loader=FunctionLoader(lambda name: (page / name).read_text("utf-8")),
     )
     figures = [
         {"name": each.name, "traces": plain(each.traces), "layout": plain(each.layout)}
         for each in document.figures
     ]
     environment.filters["marked"] = marked
-    template = environment.from_string((page / "report.html.j2").read_text("utf-8"))
-    return template.render(
+    return environment.get_template(document.template).render(
         document=document,
         figures=in_script(figures),
         download=in_script(dict(zip(("name", "text"), document.download or ("", ""), strict=True))),

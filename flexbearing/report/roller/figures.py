@@ -9,10 +9,8 @@ import numpy as np
 
 from flexbearing.quantities.reductions import loaded
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.report.axes_look import NUMBERS, plain
-from flexbearing.report.picture import set_heading
-from flexbearing.report.roller.pressure_figures import pressure_along, pressure_map
-from flexbearing.report.roller.whole_roller_figure import whole_roller
+from flexbearing.report.picture import NUMBERS, plain, set_heading
+from flexbearing.report.roller.pressure_figures import pressure_along, pressure_map, whole_roller
 from flexbearing.report.subsurface_figure import subsurface
 from flexbearing.results import Result
 

@@ -1,6 +1,7 @@
 """The summary of a roller bearing, laid out as a page."""
 
 from collections.abc import Iterator
+from math import hypot
 from typing import Any
 
 from rich import box
@@ -11,7 +12,6 @@ from rich.text import Text
 from flexbearing.quantities import SummaryValue
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.report.catalogue_life import against_catalogue
-from flexbearing.report.passage import passage
 from flexbearing.report.rows import label, of_supports, rows, shown, unit_of, value
 from flexbearing.report.sections import (
     clearance_steps,
@@ -20,16 +20,17 @@ from flexbearing.report.sections import (
     equilibria,
     held,
     life_factors,
+    listed,
     matrices,
     opening,
     ordered_levels,
     regimes,
+    right_aligned,
     skew,
     stresses,
     tilt,
     tolerances,
 )
-from flexbearing.report.supports import supports
 
 
 def ending(numbers: dict[str, Any]) -> str:
@@ -113,3 +114,82 @@ def _change(before: float | None, after: float | None) -> str:
     if before is None or after is None or before == 0:
         return "-"
     return f"{100 * (after - before) / abs(before):+.1f}"
+
+
+def passage(passed: dict[str, Any] | None) -> Iterator[RenderableType]:
+    """Smallest and largest of every number that changes over a pitch; nothing for one position."""
+    if not passed:
+        return
+    azimuths, life = passed["azimuth_deg"], passed["mean_life_Mrev"]
+    yield Text(f"rollers passing a pitch: {len(azimuths)} positions", style="bold")
+    table = right_aligned("", "smallest", "at [deg]", "largest", "at [deg]")
+    for entry in rows(LAYOUT):
+        for part in entry.parts or ("",):
+            column = passed["values"].get(f"{entry.key}.{part}" if part else entry.key, [])
+            scale = unit_of(entry).scale if entry.in_si else 1.0
+            known = [(scale * number, place) for number, place in zip(column, azimuths, strict=False)
+                     if number is not None]  # fmt: skip
+            if known:
+                (least, at_least), (most, at_most) = _end(entry, *min(known)), _end(entry, *max(known))
+                if least != most:
+                    table.add_row(Text(label(entry, part)), least, at_least, most, at_most)
+    yield table
+    failed = sum(status != "converged" for status in passed["status"])
+    yield Text(
+        ("" if life is None else f"life by equal damage of all positions: {life:,.4g} Mrev")
+        + (f"; {failed} positions were not solved" if failed else "")
+    )
+    yield Text("")
+
+
+def _end(entry: SummaryValue, number: float, place: float) -> tuple[str, str]:
+    """A number with its azimuth."""
+    whole = entry.digits.endswith("d")
+    return shown(entry, int(number) if whole else number), f"{place:.4g}"
+
+
+SHEARED = 1e-4  # of the rollers' force: what radial springs leave to tangential ones
+
+
+def supports(structure: dict[str, Any] | None) -> Iterator[RenderableType]:
+    """Forces of lines or pressure of a foundation; nothing for a ring that is held otherwise."""
+    outer = (structure or {}).get("outer", {})
+    if "lines" in outer:
+        yield from _lines(outer["lines"])
+    if "foundation" in outer:
+        yield from listed("foundation of the outer ring", _foundation(outer["foundation"]))
+
+
+def _lines(lines: dict[str, Any]) -> Iterator[RenderableType]:
+    can = "push and pull" if lines["pull"] else "push only"
+    yield Text(f"lines that hold the outer ring: they {can}", style="bold")
+    table = right_aligned("line [deg]", "force [N]")
+    table.add_column("")
+    for place, azimuth in enumerate(lines["azimuth_deg"]):
+        force, carries = lines["force_N"][place], lines["carries"][place]
+        state = ("pushes" if force > 0 else "pulls") if carries else "lifted off"
+        table.add_row(f"{azimuth:.1f}", f"{force:,.1f}", state)
+    yield table
+    yield from listed("together", [_balance(lines)])
+
+
+def _foundation(springs: dict[str, Any]) -> list[str]:
+    can = "push and pull" if springs["pull"] else "push only"
+    arcs = ", ".join(f"{begin:.0f} to {end % 360:.0f} deg" for begin, end in springs["touching_deg"])
+    least = springs["least_pressure_MPa"]
+    return [
+        f"springs {can}; largest pressure {springs['largest_pressure_MPa']:.3g} MPa at "
+        f"{springs['azimuth_deg']:.0f} deg, x = {springs['x_mm']:.1f} mm",
+        f"pushes at azimuths {arcs or 'none'}; {100 * springs['open_share']:.0f} % of the surface "
+        + (f"is pulled, by up to {-least:.3g} MPa" if least < 0 else "is lifted off"),
+        _balance(springs),
+    ]
+
+
+def _balance(held: dict[str, Any]) -> str:
+    (y, z), (along_y, along_z) = held["resultant_N"], held["rollers_N"]
+    rest = hypot(along_y - y, along_z - z) > SHEARED * hypot(along_y, along_z)
+    return (
+        f"radial forces hold ({y:,.1f}, {z:,.1f}) N along (y, z) of ({along_y:,.1f}, {along_z:,.1f}) N "
+        "of the rollers" + (", tangential springs the rest" if rest else "")
+    )

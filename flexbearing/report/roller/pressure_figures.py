@@ -1,4 +1,4 @@
-"""Pictures of the contact pressure along the rollers."""
+"""Pictures of the contact pressure along the rollers, by slices and on half-spaces."""
 
 from __future__ import annotations
 
@@ -9,8 +9,7 @@ import numpy as np
 
 from flexbearing.quantities.reductions import RACES, loaded
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.report.axes_look import NUMBERS, plain
-from flexbearing.report.picture import set_heading
+from flexbearing.report.picture import NUMBERS, plain, set_heading
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -18,6 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Block = Mapping[str, NDArray]
+
 
 MARGIN = 0.04  # of the length, drawn beyond the edges of the rollers
 ASIDE = 1.5  # pitches, drawn beyond the loaded rollers
@@ -123,3 +123,45 @@ def _draw_edges(axes: Axes, borders: NDArray) -> None:
         axes.axvline(edge, color="0.3", linestyle="--", linewidth=0.9)
     aside = MARGIN * (borders[-1] - borders[0])
     axes.set_xlim(borders[0] - aside, borders[-1] + aside)
+
+
+BLUE, ORANGE = "#0072B2", "#D55E00"
+
+
+def whole_roller(values: Mapping[str, np.ndarray], title: str) -> Figure:
+    """Draw pressure and load per length of the roller at both raceways."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(9.0, 5.6), layout="constrained")
+    set_heading(figure, title, "Most loaded roller: pressure on half-spaces, load along the roller", 90)
+    rows: Any = figure.subplots(2, 2, sharex=True)
+    for race, name in enumerate(RACES):
+        _draw_pressure(figure, rows[race][0], values, race)
+        _draw_load(rows[race][1], values, race)
+        rows[race][0].set_ylabel(f"{name}: across [mm]")
+        rows[race][1].set_ylabel("load per length [kN/m]")
+    for axes in rows[1]:
+        axes.set_xlabel("along the roller [mm]")
+    rows[0][1].legend(frameon=False)
+    return figure
+
+
+def _draw_pressure(figure: Figure, axes: Axes, values: Mapping[str, np.ndarray], race: int) -> None:
+    along, across, pressure = (
+        LAYOUT[f"whole_roller_{name}"].for_people(values[f"whole_roller_{name}"])
+        for name in ("position", "across", "pressure")
+    )
+    shown = np.ma.masked_equal(pressure[race], 0.0)
+    mesh = axes.pcolormesh(along, across[race], shown, cmap="viridis", rasterized=True)
+    figure.colorbar(mesh, ax=axes, label="pressure [MPa]", format=NUMBERS)
+
+
+def _draw_load(axes: Axes, values: Mapping[str, np.ndarray], race: int) -> None:
+    place = LAYOUT["slice_position"].for_people(values["slice_position"])
+    sliced = values[f"{RACES[race]}_slice_load"][int(values["whole_roller"])]
+    whole = values["whole_roller_line_load"][race]
+    along = LAYOUT["whole_roller_position"].for_people(values["whole_roller_position"])
+    axes.step(place, sliced / 1e3, where="mid", color=BLUE, linewidth=1.2, label="slices")
+    axes.plot(along, whole / 1e3, color=ORANGE, linewidth=1.2, label="half-spaces")
+    plain(axes)
+    axes.set_ylim(bottom=0)

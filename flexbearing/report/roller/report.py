@@ -32,8 +32,6 @@ ELEMENTS = Elements(
     maps={
         "inner_pressure": ("Contact pressure at the inner raceway", "MPa"),
         "outer_pressure": ("Contact pressure at the outer raceway", "MPa"),
-        "inner_slice_load": ("Load per length of the inner contacts", "kN/m"),
-        "outer_slice_load": ("Load per length of the outer contacts", "kN/m"),
     },
 )
 SHORT = {"loads": "roller_loads", "pressure": "pressure_along", "deviation": "raceway_deviation"}

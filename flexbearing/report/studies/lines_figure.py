@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexbearing.printable import excerpt
-from flexbearing.report.axes_look import NUMBERS, plain_grid
-from flexbearing.report.picture import titled
+from flexbearing.report.picture import NUMBERS, plain_grid, titled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -6,8 +6,7 @@ from string import ascii_lowercase
 from textwrap import fill
 from typing import TYPE_CHECKING
 
-from flexbearing.report.axes_look import plain_grid
-from flexbearing.report.picture import titled
+from flexbearing.report.picture import plain_grid, titled
 from flexbearing.report.roller.figures import BLUE, ORANGE
 from flexbearing.report.studies.pareto_table import SMALLEST, TARGETS, TIMES, Study, cheapest, front, percent
 

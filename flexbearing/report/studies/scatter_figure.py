@@ -6,8 +6,7 @@ from collections.abc import Mapping, Sequence
 from math import isnan
 from typing import TYPE_CHECKING, Any
 
-from flexbearing.report.axes_look import plain_grid
-from flexbearing.report.picture import titled
+from flexbearing.report.picture import plain_grid, titled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from flexbearing.findings.running import FILM_RATIO, PRESSED_ENDS, SHORT_LIFE
 from flexbearing.findings.strength import CONTACT_PRESSURE, STATIC_SAFETY
-from flexbearing.report.contours import Contours
 from flexbearing.report.html.document import Document
 from flexbearing.report.html.map import MapPlane, of_map
+from flexbearing.report.studies.map_figure import Contours
 from flexbearing.studies.file import Axis
 from flexbearing.studies.maps.axes import MapAxis
 from flexbearing.studies.maps.solved import SolvedMap

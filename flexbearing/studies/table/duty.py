@@ -44,12 +44,13 @@ class Catalogued:
     reliability: float = 1.0  # factor a_1 of the reliability that is required [-]
 
     def columns(self, revolutions: NDArray, speed: NDArray) -> Iterator[Column]:
-        """Mean equivalent load and, where a life is required, the dynamic rating for it."""
+        """Mean equivalent load and, where a life is required, that life and the dynamic rating for it."""
         mean = mean_load(revolutions, self.loads, self.exponent)
         yield _column("mean_load", "N", mean)
         if self.life is not None:
             turns = self.life * speed / (2 * pi) / MREV / self.reliability
             yield _column("required_rating", "N", required_rating(mean, turns, self.exponent))
+            yield _column("required_life", "h", np.full(mean.shape, self.life / HOUR))
 
 
 @dataclass(frozen=True)

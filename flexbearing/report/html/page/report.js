@@ -2,7 +2,7 @@
 (async () => {
   const figures = JSON.parse(document.getElementById("figures").textContent);
   const common = {
-    font: { family: "Liberation Sans, Arial, Helvetica, sans-serif", size: 13, color: "#1b1f24" },
+    font: { family: "Liberation Sans, Arial, Helvetica, sans-serif", size: 12, color: "#1b1f24" },
     margin: { l: 70, r: 20, t: 12, b: 52 }, paper_bgcolor: "#fff", plot_bgcolor: "#fff", hovermode: "closest",
     legend: { orientation: "h", y: 1.02, yanchor: "bottom", x: 0 },
   };
@@ -13,7 +13,12 @@
       layout[name] = { automargin: true, gridcolor: "#dfe3e8", zerolinecolor: "#8a939d", ...layout[name] };
     return Plotly.newPlot(`figure-${figure.name}`, figure.traces, layout, config);
   };
-  for (const figure of figures) await draw(figure);
+  const folded = (figure) => document.getElementById(`figure-${figure.name}`).closest("details:not([open])");
+  for (const figure of figures) if (!folded(figure)) await draw(figure);
+  for (const details of document.querySelectorAll("details"))
+    details.addEventListener("toggle", () => figures
+      .filter((figure) => details.contains(document.getElementById(`figure-${figure.name}`)))
+      .forEach(draw), { once: true });
 
   for (const table of document.querySelectorAll("table.sortable"))
     table.querySelectorAll("thead button").forEach((button, column) => button.addEventListener("click", () => {
@@ -41,7 +46,10 @@
     });
     document.querySelector("header").append(button);
   }
-  const fit = () => document.querySelectorAll(".plot").forEach((plot) => Plotly.Plots.resize(plot));
-  window.addEventListener("beforeprint", fit);
+  const paper = { width: 330 };  // half of an A4 page
+  const fit = (size) => document.querySelectorAll(".js-plotly-plot").forEach((plot) => Plotly.relayout(plot,
+    size ? { ...size, height: plot.classList.contains("tall") ? 340 : 250 } : { width: null, height: null, autosize: true }));
+  window.addEventListener("beforeprint", () => fit(paper));
+  window.addEventListener("afterprint", () => fit());
   document.body.dataset.ready = "1";
 })();

@@ -1,0 +1,301 @@
+"""What other values of assumed or fitted inputs, and the ends of tolerances, make of a result."""
+
+from dataclasses import dataclass
+from math import exp, hypot, inf, log
+from typing import Any
+
+from flexbearing.outputs import Output, outputs
+from flexbearing.quantities import SummaryValue
+from flexbearing.quantities.effects import COMPARISON, LIVES, about
+from flexbearing.report.html.document import Cell, Figure, Number, Table
+from flexbearing.report.html.figures import BLUE
+from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.units import NOTHING, units_in_words, with_unit
+from flexbearing.report.rows import unit_of
+
+SMALLEST = 5e-3  # relative change that is drawn
+_NAMES = {
+    "bearing.fits.at": "tolerances of clearance and fits",  # stands for all classes of clearance and fits
+    "bearing.rollers": "number of rollers",
+    "bearing.balls": "number of balls",
+    "bearing.first_roller_azimuth": "azimuth of the first roller",
+    "outer.bars": "number of bars",
+    "operation.temperatures.reference": "reference temperature",
+    "operation.tilt": "free or held tilt",
+    "operation.misalignment": "misalignment of the inner ring",
+    "operation.radial_load": "radial load",
+    "operation.axial_load": "axial load",
+    "life.edge_stress": "edge stress",
+    "life.capacity": "rule of the load capacity",
+    "lubricant.inlet_temperature": "oil temperature at the inlets",
+    "life.cleanliness": "cleanliness of the oil",
+}
+_TABLES = ("bearing", "outer", "inner", "lubricant", "operation")  # that a key is clear without
+_OF_RINGS = {
+    f"{race}.{size}" for race in ("inner", "outer") for size in ("width", "thickness", "bore", "kind")
+}
+_STIFFNESSES = {"total_stiffness": "stiffness", "total_stiffness_yy": "stiffness along y"}
+_WIDE = 1.5  # ratio of the ends of an axis from which it is logarithmic
+_TICKS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5, 7, 10, 20, 50, 100]
+_TALL = 8  # keys that a figure of usual height has room for
+_LIMITS = {  # of factors of a life that a rule bounds
+    "a_ISO": (0.1, 50.0),  # ISO 281
+    "film": (0.19, 3.03),  # STLE
+}
+
+
+@dataclass(frozen=True)
+class Change:
+    """A result with another value of an input over that of the case, as logarithms."""
+
+    whole: float
+    factors: float = 0.0  # the part that the factors of the life have in it
+
+
+@dataclass(frozen=True)
+class Span:
+    """Least and greatest of the life over that of the case, and the input that moves it most."""
+
+    squares: tuple[float, float]
+    worst: tuple[float, float]
+    most: str  # key
+
+
+def name(key: str) -> str:
+    """A key in plain words.
+
+    >>> name("materials.inner_ring"), name("outer.width"), name("friction.coefficient")
+    ('material of the inner ring', 'width of the outer ring', 'friction coefficient')
+    """
+    if key in _NAMES:
+        return _NAMES[key]
+    table, *rest = key.split(".")
+    words = " ".join(rest[-2:]).replace("_", " ")
+    if key.startswith("materials.") and len(rest) == 1:
+        return f"material of the {words}"
+    if key in _OF_RINGS:
+        return f"{words} of the {table} ring"
+    return words if table in _TABLES or len(rest) > 1 else f"{table} {words}"
+
+
+def ranked(reader: Reader) -> list[int]:
+    """Places of the keys among the effects, the largest effect first."""
+    found, output = reader.attributes["assumed_effects"], ranked_by(reader)
+    return sorted(range(len(found["keys"])), key=lambda place: -_effect(found, place, output))
+
+
+def largest(reader: Reader, count: int) -> list[tuple[str, list[Number]]]:
+    """Keys with the largest effects, no comparisons, each with results over that of the case, growing."""
+    found, output = reader.attributes["assumed_effects"], ranked_by(reader)
+    chosen = [
+        place for place in ranked(reader)
+        if found["keys"][place].get("role") != COMPARISON and _effect(found, place, output) > SMALLEST
+    ]  # fmt: skip
+    rows = []
+    for place in chosen[:count]:
+        others = range(len(found["keys"][place]["others"]))
+        ratios = [ratio for number in others
+                  if isinstance(ratio := _ratio(reader, place, number, output), Number)]  # fmt: skip
+        rows.append((found["keys"][place]["key"], sorted(ratios, key=lambda ratio: ratio.size)))
+    return rows
+
+
+def ranked_by(reader: Reader) -> str:
+    """Name of the output that effects are ranked by: a life, else the first that there is."""
+    of = reader.attributes["assumed_effects"]["of"]
+    return next((each for each in (*LIVES, *of) if each in of), "")
+
+
+def _base(reader: Reader, output: str) -> float | None:
+    """An output of the case, for ratios to it; None where it is not known or zero to the printed digit."""
+    value = reader.attributes["assumed_effects"]["of"].get(output)
+    return None if value is None or _output(reader, output).rounds_to_zero(value) else value
+
+
+def _effect(found: dict[str, Any], place: int, output: str) -> float:
+    """Largest change of an output with other values of a key, as the size of its logarithm."""
+    base = found["of"].get(output)
+    values = (other["values"].get(output) for other in found["keys"][place]["others"])
+    ratios = [value / base for value in values if base and value is not None]
+    return max((abs(log(ratio)) for ratio in ratios if ratio > 0), default=0.0)
+
+
+def _output(reader: Reader, output: str) -> Output:
+    return next(each for each in outputs(reader.layout) if each.name == output)
+
+
+def heading(reader: Reader, output: str) -> str:
+    """Label of an output with its unit, lives in millions of revolutions."""
+    declared = _output(reader, output).declared
+    part = output.partition(".")[2].split(".")[0]
+    label = ", ".join(filter(None, [_STIFFNESSES.get(output) or reader.label(declared).strip(), part]))
+    unit = reader.units.of(_unit(declared))
+    return f"{label} [10⁶ revolutions]" if unit == "Mrev" else with_unit(label, unit)
+
+
+def _unit(declared: SummaryValue) -> str:
+    """Unit on the metric page."""
+    unit = unit_of(declared).name
+    return "kN/mm" if unit == "N/m" else unit
+
+
+def _at(place: int, number: int, output: str) -> str:
+    return f"assumed_effects/keys/{place}/others/{number}/values/{output}"
+
+
+def _value(reader: Reader, place: int, number: int, output: str) -> Cell:
+    other = reader.attributes["assumed_effects"]["keys"][place]["others"][number]
+    if output not in other["values"]:
+        return NOTHING
+    declared = _output(reader, output).declared
+    stored = reader.layout[declared.of[0]].unit if declared.in_si else unit_of(declared).name
+    digits = ",.4g" if output in LIVES or output in _STIFFNESSES else declared.digits or ".4g"
+    return reader.of_attribute(_at(place, number, output), stored, _unit(declared), digits)
+
+
+def _ratio(reader: Reader, place: int, number: int, output: str) -> Cell:
+    """An output over that of the case."""
+    found, of_case = reader.attributes["assumed_effects"], _base(reader, output)
+    value = found["keys"][place]["others"][number]["values"].get(output)
+    if of_case is None or value is None:
+        return NOTHING
+    of = f"ratio/attributes/{_at(place, number, output)}:attributes/assumed_effects/of/{output}"
+    return reader.units.number(value / of_case, "", "", ".3g", of)
+
+
+def table(reader: Reader) -> Table:
+    """A row for each other value, the largest effect first."""
+    found, output = reader.attributes["assumed_effects"], ranked_by(reader)
+    shown = [each for each in found["of"] if each == output or each not in LIVES]
+    rows: list[tuple[Cell, ...]] = []
+    for place in ranked(reader):
+        key = found["keys"][place]
+        for number, other in enumerate(key["others"]):
+            words = units_in_words(other["words"])
+            if other["values"]:
+                first, *further = (_value(reader, place, number, each) for each in shown)
+                ratio = _ratio(reader, place, number, output)
+                rows.append((key["key"], words, first, ratio, *further, units_in_words(key["source"])))
+            else:
+                empty = [NOTHING] * (len(shown) + 1)
+                rows.append((key["key"], words, *empty, units_in_words(other["problem"])))
+    label, *others = (heading(reader, each) for each in shown)
+    return Table(("key", "with", label, "times", *others, "range from"), tuple(rows))
+
+
+def figure(reader: Reader) -> Figure | None:
+    """Range of the output with other values of each key, over that of the case; None without an effect."""
+    found, output = reader.attributes["assumed_effects"], ranked_by(reader)
+    keys = [place for place in ranked(reader) if _effect(found, place, output) >= SMALLEST]
+    if not keys:
+        return None
+    x: list[float | None] = []
+    y: list[str | None] = []
+    lines: list[str] = []
+    base = found["of"][output]
+    for place in keys:
+        key = found["keys"][place]
+        values = [(o["values"][output] / base, o["words"]) for o in key["others"] if output in o["values"]]
+        for ratio, words in sorted([(1.0, "this case"), *values]):
+            x.append(float(f"{ratio:.6g}"))
+            y.append(name(key["key"]))
+            lines.append(units_in_words(words))
+        x.append(None)
+        y.append(None)
+        lines.append("")
+    trace = {
+        "type": "scatter", "mode": "lines+markers", "x": x, "y": y, "text": lines, "line": {"color": BLUE},
+        "marker": {"size": 8}, "hovertemplate": "%{y}<br>%{text}: %{x} times<extra></extra>",
+        "connectgaps": False,
+    }  # fmt: skip
+    ratios = [ratio for ratio in x if ratio is not None]
+    axis = {"type": "log", "tickvals": _TICKS} if max(ratios) > _WIDE * min(ratios) else {}
+    label = heading(reader, output).partition(" [")[0]
+    layout = {
+        "xaxis": {"title": {"text": "over that of this case"}, **axis},
+        "yaxis": {"autorange": "reversed", "type": "category"},
+        "shapes": [{"type": "line", "xref": "x", "yref": "paper", "x0": 1, "x1": 1, "y0": 0, "y1": 1,
+                    "line": {"color": "#4a535d", "width": 1, "dash": "dot"}}],
+    }  # fmt: skip
+    return Figure("assumed-effects", label, (trace,), layout, tall=len(keys) > _TALL)
+
+
+def span(reader: Reader) -> Span | None:
+    """Span of the life by all inputs together; None where no effect on it is known."""
+    found = span_of(changes(reader), _room(reader))
+    solved = _at_once(reader)
+    if found is None or solved is None:
+        return found
+    low, high = found.squares
+    return Span((max(low, solved[0]), min(high, solved[1])), solved, found.most)
+
+
+def changes(reader: Reader) -> dict[str, list[Change]]:
+    """Changes of the life by each input, those of one thing together."""
+    found = reader.attributes.get("assumed_effects")
+    collected: dict[str, list[Change]] = {}
+    if not found or (output := ranked_by(reader)) not in LIVES or _base(reader, output) is None:
+        return {}
+    for key in (key for key in found["keys"] if key.get("role") != COMPARISON):
+        for values in (other["values"] for other in key["others"]):
+            if values.get(output, 0.0) > 0:
+                collected.setdefault(about(key["key"]), []).append(_change(values, found["of"], output))
+    return collected
+
+
+def _change(values: dict[str, float], base: dict[str, float], output: str) -> Change:
+    """A change with the part of the factors of a modified life, which its basic life does not have."""
+    modified, basic = LIVES
+    whole = log(values[output] / base[output])
+    both = output == modified and all(each.get(basic, 0.0) > 0 for each in (values, base))
+    return Change(whole, whole - log(values[basic] / base[basic]) if both else 0.0)
+
+
+def span_of(changes: dict[str, list[Change]], room: tuple[float, float] = (inf, inf)) -> Span | None:
+    """Combine changes by single inputs; None without any.
+
+    >>> halved_and_doubled = {"a": [Change(log(0.5)), Change(log(2.0))], "b": [Change(log(2.0))]}
+    >>> [round(each, 9) for each in span_of(halved_and_doubled).worst]
+    [0.5, 4.0]
+    >>> round(span_of({"a": [Change(2.0, 2.0)], "b": [Change(2.0, 2.0)]}, (inf, 2.0)).worst[1] / exp(2.0), 9)
+    1.0
+    """
+    if not any(changes.values()):
+        return None
+    ends = {key: [_end(values, sign) for sign in (-1, 1)] for key, values in changes.items() if values}
+    squares, worst = [], []
+    for side, sign in enumerate((-1, 1)):
+        of_side = [pair[side] for pair in ends.values()]
+        for results, total in ((squares, hypot), (worst, lambda *sizes: sum(sizes))):
+            reached = total(*(max(0.0, sign * each.factors) for each in of_side))
+            excess = max(0.0, 1 - room[side] / reached) if reached else 0.0
+            sizes = (sign * each.whole - excess * max(0.0, sign * each.factors) for each in of_side)
+            results.append(exp(sign * total(*(max(0.0, size) for size in sizes))))
+    most = max(ends, key=lambda key: max(abs(each.whole) for each in ends[key]))
+    return Span((squares[0], squares[1]), (worst[0], worst[1]), most)
+
+
+def _end(values: list[Change], sign: int) -> Change:
+    """The largest change in one direction; none where all go the other way."""
+    return max([Change(0.0), *values], key=lambda each: sign * each.whole)
+
+
+def _room(reader: Reader) -> tuple[float, float]:
+    """Logarithms by which a factor of the life that a rule bounds may shrink and grow."""
+    factors = ((reader.attributes.get("life") or {}).get(reader.last) or {}).get("factors", ())
+    bounded = next(((each["name"], each["value"]) for each in factors if each["name"] in _LIMITS), None)
+    if bounded is None:
+        return inf, inf
+    least, most = _LIMITS[bounded[0]]
+    return max(0.0, log(bounded[1] / least)), max(0.0, log(most / bounded[1]))
+
+
+def _at_once(reader: Reader) -> tuple[float, float] | None:
+    """The life with all changes at once over that of the case; None where it was not solved."""
+    found = reader.attributes.get("assumed_effects") or {}
+    output = ranked_by(reader) if found else ""
+    lives = [each["values"][output] for each in found.get("together", ()) if output in each["values"]]
+    if not lives or len(lives) < len(found["together"]):
+        return None
+    ratios = (1.0, *(life / found["of"][output] for life in lives))
+    return min(ratios), max(ratios)
