@@ -1,8 +1,6 @@
 """How results of ball bearings are shown: slow ones in four points, fast ones in two."""
 
-from flexbearing.report.balls import angular_contact_figures, four_point_figures
-from flexbearing.report.balls.page import of_fast, of_slow
-from flexbearing.report.drawing.of_case import of_fast_balls, of_slow_balls
+from flexbearing.case.family import Entry
 from flexbearing.report.family_report import Elements, FamilyReport
 
 _CONTACTS = {
@@ -32,18 +30,18 @@ _OF_FAST = Elements(
 )
 _SHORT = {"loads": "ball_loads"}
 FOUR_POINT = FamilyReport(
-    of_slow,
-    four_point_figures.pictures,
+    page=Entry("flexbearing.report.balls.page:of_slow"),
+    pictures=Entry("flexbearing.report.balls.four_point_figures:pictures"),
     elements=_OF_SLOW,
-    balls=four_point_figures.balls,
+    balls=Entry("flexbearing.report.balls.four_point_figures:balls"),
     short=_SHORT,
-    drawings=of_slow_balls,
+    drawings=Entry("flexbearing.report.drawing.of_case:of_slow_balls"),
 )
 ANGULAR_CONTACT = FamilyReport(
-    of_fast,
-    angular_contact_figures.pictures,
+    page=Entry("flexbearing.report.balls.page:of_fast"),
+    pictures=Entry("flexbearing.report.balls.angular_contact_figures:pictures"),
     elements=_OF_FAST,
-    balls=angular_contact_figures.balls,
+    balls=Entry("flexbearing.report.balls.angular_contact_figures:balls"),
     short=_SHORT,
-    drawings=of_fast_balls,
+    drawings=Entry("flexbearing.report.drawing.of_case:of_fast_balls"),
 )
