@@ -12,7 +12,7 @@ def reference_page() -> str:
         [
             "# Keys of an optimisation file",
             "",
-            "Printed by `python -m flexbearing.reference optimise`; [how to use them](../howto/optimise.md).",
+            "[How to use them](../howto/optimise.md).",
             "",
             "In `[set]`, `[vary]`, `[over]`, `[duty]` and `[[verify]]` every other name is a dotted key of "
             "the case; `[over]` and `[duty]` are those [of a study](study.md).",
