@@ -262,7 +262,7 @@ def test_misfits_that_a_report_quotes_are_those_of_the_evidence_pages(balls, pag
     lower = {18.0: "largest load, inner raceway", 16.0: "cage slip"} if not balls else {}
     assert {*pages.values(), *lower} == quoted
     for misfit, quantity in lower.items():
-        assert re.search(rf"\| {quantity} .*\| -{misfit:g} \|", _evidence("mao-flexible"))
+        assert re.search(rf"\|{quantity}\|.*\|\*\*-{misfit:g}\*\*\|", _evidence("mao-flexible"))
     for page, most in pages.items():
         misfit = float(re.search(r"Largest misfit[^:]*: [+-]?([\d.]+) %", _evidence(page))[1])
         assert misfit <= most
