@@ -114,8 +114,8 @@ def page(case: Case, findings: Findings) -> str:
 HEAD = """<!-- written by python -m evidence; do not edit -->
 # Evidence
 
-Each case has a page: what is known, from where, what was run, the misfit and our own error. `python -m evidence` it;
-`--check` fails when a number moved. Nothing is tuned to a source.
+Each case has a page: what is known, from where, what was run, the misfit and our own error.
+`python -m evidence` computes it, `--check` fails when a number moved. Nothing is tuned to a source.
 
 |verdict|meaning|
 |---|---|
@@ -125,12 +125,12 @@ Each case has a page: what is known, from where, what was run, the misfit and ou
 |differs, reason not known|the same without a reason|
 
 Allowed are the printed digits of the source, the scatter of its formulas, programs or measurements, or the
-error of our own grid. The tables show the number that the verdict follows from: the largest misfit outside its
+error of our own grid. The tables show the number that decides the verdict: the largest misfit outside its
 allowance, or of all where all are within.
 
 **"Agrees" does not mean "measured".** Most cases compare with standards, closed forms or other programs.
-The only measured numbers are friction torques of slow ball bearings, which are not met. Skidding is compared with
-directions of published trends, without numbers; one is not met. No bearing with flexible rings was measured.
+The only measured numbers are friction torques of slow ball bearings, which are not met. Skidding is compared
+with directions of published trends, without numbers; one is not met. No bearing with flexible rings was measured.
 """
 
 HEADING = "|case|verdict|misfit [%]|allowed [%]|"
