@@ -97,11 +97,7 @@ def _level(cells: dict[str, str]) -> Measured:
 def page_tables(folder: Path = IMAGES) -> dict[str, str]:
     """Every table of the page by its name."""
     studies = {name: stored(folder / f"pareto_{name}.csv") for name in BEARINGS}
-    found = {"cheapest": _cheapest(studies), "targets": _targets(studies)}
-    for name, study in studies.items():
-        found[f"{name} command"] = f"```sh\n{BEARINGS[name].command(name)}\n```"
-        found[name] = _levels(study)
-    return found
+    return {"cheapest": _cheapest(studies), "targets": _targets(studies)}
 
 
 def _cheapest(studies: dict[str, Study]) -> str:

@@ -37,20 +37,6 @@ def is_rounded(cell, value, digits=3):
     return float(cell) == approx(value, rel=0.51 * 10 ** (1 - digits), abs=1e-12)
 
 
-@pytest.mark.parametrize("name", BEARINGS.values())
-def test_levels_of_a_bearing_stand_on_the_page_as_they_were_measured(name):
-    rows = {row["level"]: row for row in stored(f"pareto_{name}") if row["cold_s"] and not row["message"]}
-    shown = [cells for cells in tables("speed-against-error")[name] if cells[0] in rows]
-    assert sorted(cells[0] for cells in shown) == sorted(rows)
-    outputs = [key for key in next(iter(rows.values())) if key.startswith("error_")]
-    for level, cold, cached, *errors in shown:
-        row = rows[level]
-        assert is_rounded(cold, float(row["cold_s"]))
-        assert is_rounded(cached, float(row["cached_s"]))
-        for cell, output in zip(errors, outputs, strict=True):
-            assert is_rounded(cell, 100 * float(row[output])), (level, output)
-
-
 def test_fastest_level_of_a_bearing_is_numerical_and_keeps_its_bound():
     table = tables("speed-against-error")["cheapest"][2:]
     assert len(table) == 2 * len(BEARINGS)
