@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from evidence.case import Case, Findings, Number
 from evidence.verdict import differs, verdict
 
-MOST_ROWS = 12  # of a page: the numbers that take most of what is allowed
+MOST_ROWS = 8  # of a page: the numbers that take most of what is allowed
 
 
 def _shown(value: float, digits: int = 6) -> str:
@@ -83,7 +83,7 @@ def page(case: Case, findings: Findings) -> str:
     """The page of a case."""
     files = ", ".join(f"`{file}`" for file in case.case_files)
     lines = [
-        f"<!-- written by python -m evidence {case.name}; do not edit -->",
+        f"<!-- written by python -m evidence -->",
         f"# {case.title}",
         "",
         f"**Verdict: {verdict(case, findings)}.**{_misfit(findings)}",
