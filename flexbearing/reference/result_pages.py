@@ -88,15 +88,15 @@ def result_pages(families: Families) -> dict[str, str]:
     """Pages that document every dataset and root attribute, by path."""
     shown = [(family, *_KINDS[kind]) for kind, family in families.items() if kind in _KINDS]
     links = "\n".join(f"| [{title}](result/{name}.md) | `{family.kind}` |" for family, name, title in shown)
-    first = [
-        _BEGINNING.format(kinds=links),
-        *_attribute_table(COMMON),
-        *_toctree([*(name for _, name, _ in shown), "json"]),
-    ]
+    layouts = [family.layout() for family, _, _ in shown]
+    common = _common(layouts)
+    first = [_BEGINNING.format(kinds=links), *_attribute_table(COMMON)]
+    first += ["## Datasets of every kind", "", "[Symbols](../theory/symbols.md).", ""]
+    first += [*_datasets(common, "In blocks"), *_toctree([*(name for _, name, _ in shown), "json"])]
     return {
         "results.md": "\n".join(first),
-        **{f"result/{name}.md": _page(family, title) for family, name, title in shown},
-        "result/json.md": _forms(family.layout() for family, _, _ in shown),
+        **{f"result/{name}.md": _page(family, title, common) for family, name, title in shown},
+        "result/json.md": _forms(layouts),
     }
 
 
@@ -104,8 +104,20 @@ def _toctree(names: Sequence[str]) -> list[str]:
     return ["```{toctree}", ":hidden:", "", *(f"result/{name}" for name in names), "```", ""]
 
 
-def _page(family: Family, title: str) -> str:
+def _common(layouts: Sequence[Layout]) -> list[Quantity]:
+    """Quantities that every kind of bearing has alike."""
+    first, *others = ({_seen(entry): entry for entry in layout.quantities} for layout in layouts)
+    return [entry for seen, entry in first.items() if all(seen in other for other in others)]
+
+
+def _seen(entry: Quantity) -> tuple[str, ...]:
+    """What a page shows of a quantity."""
+    return entry.name, entry.symbol, entry.axes, entry.unit, entry.place, entry.meaning
+
+
+def _page(family: Family, title: str, common: Sequence[Quantity]) -> str:
     layout: Layout = family.layout()
+    elsewhere = set(map(_seen, common))
     lines = [
         f"# {title}",
         "",
@@ -117,10 +129,16 @@ def _page(family: Family, title: str) -> str:
         "",
     ]
     lines += table(("name", "unit", "what it is"), _outputs(outputs(layout)))
-    lines += ["## Datasets", "", "Symbols are those of the [theory](../../theory/symbols.md).", ""]
+    lines += [
+        "## Datasets",
+        "",
+        "[Datasets of every kind](../results.md#datasets-of-every-kind) are not repeated.",
+        "",
+    ]
     lines += folded("Axes", table(("symbol", "dimension", "entries", "coordinate"), _axes(layout)))
     for place, words in _PLACES.items():
-        lines += _datasets([entry for entry in layout.quantities if entry.place == place], words)
+        own = [entry for entry in layout.quantities if entry.place == place and _seen(entry) not in elsewhere]
+        lines += _datasets(own, words)
     if layout.further_attributes:
         lines += ["## Root attributes", "", *_attribute_table(layout.further_attributes)]
     return "\n".join(lines).rstrip() + "\n"

@@ -12,6 +12,8 @@ GENERATED = (
     "docs/evidence/",
     "docs/reference/case",
     "docs/reference/result",
+    "docs/reference/study.md",
+    "docs/reference/optimise.md",
 )
 FENCE = re.compile(r"^```(\w*)[^\n]*\n(.*?)^```", re.M | re.S)
 FIGURE = re.compile(r"\d\.\d|\d %|\d (?:m?s|h|N|kN|GiB|MB)\b")
