@@ -87,7 +87,7 @@ def _level(cells: dict[str, str]) -> Measured:
         settings=(),
         times=numbers("{}_s", iter(TIMES)),
         errors=numbers("error_{}", iter(OUTPUTS)),
-        told=numbers("told_{}", iter(TOLD)),
+        estimated=numbers("told_{}", iter(TOLD)),
         message=cells["message"],
         physics=cells["kind"] == "physics",
         picked=cells["picked"],
@@ -113,14 +113,13 @@ def _cheapest(studies: dict[str, Study]) -> str:
 
 def _targets(studies: dict[str, Study]) -> str:
     lines = [
-        "| bearing | target | cold [s] | cached [s] | chooses | estimated, true error of loads [%] "
-        "| of life [%] |"
+        "| bearing | target | cold [s] | cached [s] | estimated, true error of loads [%] | of life [%] |"
     ]
-    lines.append("|---|---|---:|---:|---|---|---|")
+    lines.append("|---|---|---:|---:|---|---|")
     for name, study in studies.items():
         for level in study.numerical:
             if level.picked:
-                target, *cells = picked_row(level).strip("| ").split(" | ")
+                target, _, *cells = picked_row(level).strip("| ").split(" | ")
                 times = [f"{level.times[when]:.2g}" for when in TIMES]
                 lines.append("| " + " | ".join([BEARINGS[name].title, target, *times, *cells]) + " |")
     return "\n".join(lines)

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from evidence.case import Case, Findings, Number
 from evidence.verdict import differs, verdict
 
-MOST_ROWS = 8  # of a page: the numbers that take most of what is allowed
+MOST_ROWS = 6  # of a page: the numbers that take most of what is allowed
 
 
 def _shown(value: float, digits: int = 6) -> str:
@@ -74,19 +74,17 @@ def _misfit(findings: Findings) -> str:
     most = _deciding(findings)
     if most is None:
         return ""
-    allowed = f"allowed are {_allowance(most)} %" if most.allowed else "equality is required"
-    kind = "Largest misfit" if most.within else "Largest misfit that is not allowed"
-    return f" {kind}: {_percent(most.misfit)} % ({most.name}; {allowed})."
+    allowed = f"allowed {_allowance(most)} %" if most.allowed else "equality is required"
+    return f" Largest misfit: {_percent(most.misfit)} % ({most.name}; {allowed})."
 
 
 def page(case: Case, findings: Findings) -> str:
     """The page of a case."""
     files = ", ".join(f"`{file}`" for file in case.case_files)
     lines = [
-        f"<!-- written by python -m evidence -->",
         f"# {case.title}",
         "",
-        f"**Verdict: {verdict(case, findings)}.**{_misfit(findings)}",
+        f"**Verdict: {verdict(case, findings)}** (`python -m evidence {case.name}`).{_misfit(findings)}",
         "",
         f"**Known:** {case.known} Source: {case.source} Printed numbers: `{case.numbers_from}`.",
         "",
@@ -99,7 +97,6 @@ def page(case: Case, findings: Findings) -> str:
     if findings.errors:
         lines += ["|estimate|value|unit|", "|---|---|---|"]
         lines += [_cells(e.name, _shown(e.value, 2), e.unit) for e in findings.errors] + [""]
-    lines += [f"`python -m evidence {case.name}` computes it; `--check` allows {100 * case.moves:g} %.", ""]
     if case.reason:
         lines += ["## Why it differs", "", case.reason, ""]
     elif differs(verdict(case, findings)):
@@ -115,7 +112,7 @@ HEAD = """<!-- written by python -m evidence; do not edit -->
 # Evidence
 
 Each case has a page: what is known, from where, what was run, the misfit and our own error.
-`python -m evidence` computes it, `--check` fails when a number moved. Nothing is tuned to a source.
+`python -m evidence` computes all, `--check` fails when a number moved. Nothing is tuned to a source.
 
 |verdict|meaning|
 |---|---|
@@ -129,8 +126,9 @@ error of our own grid. The tables show the number that decides the verdict: the 
 allowance, or of all where all are within.
 
 **"Agrees" does not mean "measured".** Most cases compare with standards, closed forms or other programs.
-The only measured numbers are friction torques of slow ball bearings, which are not met. Skidding is compared
-with directions of published trends, without numbers; one is not met. No bearing with flexible rings was measured.
+The only measured numbers are friction torques of slow ball bearings, which are not met. Skidding is
+compared with directions of published trends, without numbers; one is not met. No bearing with flexible
+rings was measured.
 """
 
 HEADING = "|case|verdict|misfit [%]|allowed [%]|"
