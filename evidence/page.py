@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from evidence.case import Case, Findings, Number
 from evidence.verdict import differs, verdict
 
-MOST_ROWS = 6  # of a page: the numbers that take most of what is allowed
+MOST_ROWS = 5  # of a page: the numbers that take most of what is allowed
 
 
 def _shown(value: float, digits: int = 6) -> str:

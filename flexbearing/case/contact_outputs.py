@@ -13,7 +13,7 @@ class ContactOutputs(Section):
     )
     assumed_effects: bool = key(
         "whether lives and main outputs are stored with other values of every assumed or fitted key, at the "
-        "ends of the tolerance classes, and with other rules of the life and the other tilt: some two further "
-        "solutions for each key",
+        "ends of the tolerance classes, and with other rules of the life and the other tilt: some two "
+        "further solutions for each key",
         False,
     )

@@ -81,6 +81,8 @@ _PLACES = {
     "block": "In blocks",
 }
 _ABSENT = "; absent "
+_DIRECTIONS = ("_yy", "_yz", "_zy", "_zz")  # of outputs, entries of one matrix
+_ALONG = {"race": "inner, outer", "transverse": "y, z", "bar_end": "ring, flange"}
 _FEW = 2  # rows that share a condition and yet stand with it, not under it
 
 
@@ -150,22 +152,26 @@ def _outputs(found: Iterable[Output]) -> list[tuple[str, str, str]]:
     first: dict[str, Output] = {}
     for output in found:
         name, _, part = output.name.partition(".")
-        if output.name.startswith(("power_loss.", "skew.")) or not part:
+        if output.name.startswith(("power_loss.", "skew.")):
             name, part = output.name, ""
+        elif name.endswith(_DIRECTIONS):
+            name, part = f"{name[:-3]}, entries", name
         parts.setdefault(name, []).append(part)
         first.setdefault(name, output)
     return [(_named(name, rest), first[name].unit, _label(first[name])) for name, rest in parts.items()]
 
 
 def _named(name: str, parts: Sequence[str]) -> str:
+    if parts[0].endswith(_DIRECTIONS):
+        return ", ".join(f"`{part}`" for part in parts)
     rest = [f"`.{part}`" for part in parts if part]
     return " ".join([f"`{name}`", ", ".join(rest)]).strip()
 
 
 def _label(output: Output) -> str:
     """Few words; those of the dataset where there are none."""
-    dataset = output.declared.of[0]
-    return output.declared.label.strip() or f"dataset `{dataset}`"
+    words = output.declared.label.strip() or f"dataset `{output.declared.of[0]}`"
+    return "" if words == output.name.partition(".")[0].replace("_", " ") else words
 
 
 def _axes(layout: Layout) -> list[tuple[str, ...]]:
@@ -206,11 +212,19 @@ def _dataset_table(entries: Sequence[Quantity], *, short: bool = False) -> list[
                 ", ".join(filter(None, (each.symbol for each in those))),
                 " × ".join(those[0].shape),
                 unit,
-                those[0].meaning.partition(_ABSENT)[0] if short else those[0].meaning,
+                _meaning(those[0], short=short),
             )
             for (_, _, unit, _), those in rows.items()
         ],
     )
+
+
+def _meaning(entry: Quantity, *, short: bool) -> str:
+    """What a dataset is, without the names along an axis that the table of axes has."""
+    meaning = entry.meaning.partition(_ABSENT)[0] if short else entry.meaning
+    for axis, names in _ALONG.items():
+        meaning = meaning.replace(f" ({names})", "") if axis in entry.shape else meaning
+    return meaning
 
 
 def _attribute_table(attributes: tuple[Attribute, ...]) -> list[str]:

@@ -169,6 +169,8 @@ def _ranges(group: Sequence[Table]) -> list[str]:
 
 
 def _short(between: str) -> str:
-    """A range without what says nothing: "at least 0", "0.1 to 10000 mm"."""
-    text = re.sub(r"(above|at least) 0 \S.*?(?= and |$)", r"\1 0", between.strip(", "))
+    """A range as "0.1 to 10000 mm"; empty where it only says that a value is not negative."""
+    text = re.sub(r"(above|at least) 0(?: \S.*?)?(?= and |$)", r"\1 0", between.strip(", "))
+    if text in ("above 0", "at least 0"):
+        return ""
     return re.sub(r"at least (\S+)(?: (\S.*))? and at most (\S+)(?: \2)?", r"\1 to \3 \2", text).strip()
