@@ -76,9 +76,7 @@ evidence: $(READY)
 
 docs: $(READY)
 	$(BIN)/python -m flexbearing.example_drawings configs docs/images/drawings
-	$(BIN)/python -m flexbearing.reference case > docs/reference/case.md
-	$(BIN)/python -m flexbearing.reference results > docs/reference/results.md
-	$(BIN)/python -m flexbearing.reference study > docs/reference/study.md
+	$(BIN)/python -m flexbearing.reference docs/reference
 	$(BIN)/python -m sphinx -W --keep-going -q -j 2 docs docs/_build/html
 
 $(READY): pyproject.toml requirements.lock

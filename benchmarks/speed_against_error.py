@@ -87,7 +87,7 @@ def _level(cells: dict[str, str]) -> Measured:
         settings=(),
         times=numbers("{}_s", iter(TIMES)),
         errors=numbers("error_{}", iter(OUTPUTS)),
-        told=numbers("told_{}", iter(TOLD)),
+        estimated=numbers("told_{}", iter(TOLD)),
         message=cells["message"],
         physics=cells["kind"] == "physics",
         picked=cells["picked"],
@@ -97,11 +97,7 @@ def _level(cells: dict[str, str]) -> Measured:
 def page_tables(folder: Path = IMAGES) -> dict[str, str]:
     """Every table of the page by its name."""
     studies = {name: stored(folder / f"pareto_{name}.csv") for name in BEARINGS}
-    found = {"cheapest": _cheapest(studies), "targets": _targets(studies)}
-    for name, study in studies.items():
-        found[f"{name} command"] = f"```sh\n{BEARINGS[name].command(name)}\n```"
-        found[name] = _levels(study)
-    return found
+    return {"cheapest": _cheapest(studies), "targets": _targets(studies)}
 
 
 def _cheapest(studies: dict[str, Study]) -> str:
@@ -117,14 +113,13 @@ def _cheapest(studies: dict[str, Study]) -> str:
 
 def _targets(studies: dict[str, Study]) -> str:
     lines = [
-        "| bearing | target | cold [s] | cached [s] | chooses | estimated, true error of loads [%] "
-        "| of life [%] |"
+        "| bearing | target | cold [s] | cached [s] | estimated, true error of loads [%] | of life [%] |"
     ]
-    lines.append("|---|---|---:|---:|---|---|---|")
+    lines.append("|---|---|---:|---:|---|---|")
     for name, study in studies.items():
         for level in study.numerical:
             if level.picked:
-                target, *cells = picked_row(level).strip("| ").split(" | ")
+                target, _, *cells = picked_row(level).strip("| ").split(" | ")
                 times = [f"{level.times[when]:.2g}" for when in TIMES]
                 lines.append("| " + " | ".join([BEARINGS[name].title, target, *times, *cells]) + " |")
     return "\n".join(lines)

@@ -207,13 +207,18 @@ def tables(rows: list[Row]) -> dict[str, str]:
     lines.append("|---|---|---|---|---|---|")
     for title, (base, some) in effects(rows).items():
         lines.append(f"| **{title}** | as it stands | 1 | {_percent(100 * base.slip)} | 1 | 1 |")
-        for one in some:
+        for one in (one for one in some if _matters(one, 100 * base.slip)):
             cells = [
                 ", ".join(one.values), _pair(one.life), ", ".join(map(_percent, one.slip)),
                 _pair(one.stiffness), _pair(one.torque),
             ]  # fmt: skip
             lines.append(f"| {one.number} | " + " | ".join(cells) + " |")
     return {"sensitivity": "\n".join(lines)}
+
+
+def _matters(one: Effect, slip: float) -> bool:
+    """Whether an output changes by more than the least that a panel of the picture shows."""
+    return any(abs(change) > LEAST[name] for name in OUTPUTS for change in _changes(one, name, slip))
 
 
 def _pair(values: tuple[float, float]) -> str:

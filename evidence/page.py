@@ -6,6 +6,8 @@ from collections.abc import Mapping, Sequence
 from evidence.case import Case, Findings, Number
 from evidence.verdict import differs, verdict
 
+MOST_ROWS = 5  # of a page: the numbers that take most of what is allowed
+
 
 def _shown(value: float, digits: int = 6) -> str:
     return f"{value:.{digits}g}".replace("e-0", "e-").replace("e+0", "e")
@@ -21,34 +23,34 @@ def _percent(share: float) -> str:
 def _row(number: Number) -> str:
     ours = _shown(number.ours, 6 if number.known else 1)
     allowed = "±" + _shown(number.allowed, 2) if number.allowed else "exact"
-    mark = "yes" if number.within else f"{_percent(number.misfit)} %"
-    cells = (
-        number.name,
-        number.unit or "-",
-        _shown(number.known),
-        ours,
-        _percent(number.misfit),
-        allowed,
-        mark,
-    )
-    return "| " + " | ".join(cells) + " |"
+    misfit = _percent(number.misfit) if number.within else f"**{_percent(number.misfit)}**"
+    return _cells(number.name, number.unit, _shown(number.known), ours, misfit, allowed)
 
 
-def _beside(findings: Findings) -> list[str]:
+def _cells(*cells: str) -> str:
+    return f"|{'|'.join(cells)}|"
+
+
+def _exhaustion(number: Number) -> float:
+    """How much of what is allowed a misfit takes."""
+    off = abs(number.ours - number.known)
+    return off / number.allowed if number.allowed else float("inf") if off else 0.0
+
+
+def _beside(case: Case, findings: Findings) -> list[str]:
     lines = []
-    if findings.numbers:
-        lines += [
-            "| quantity | unit | known | ours | misfit [%] | allowed | within it |",
-            "|---|---|---|---|---|---|---|",
-            *(_row(number) for number in findings.numbers),
-            "",
-        ]
+    shown = sorted(findings.numbers, key=_exhaustion, reverse=True)[:MOST_ROWS]
+    if shown:
+        lines += ["|quantity|unit|known|ours|misfit [%]|allowed|", "|---|---|---|---|---|---|"]
+        lines += [*(_row(number) for number in findings.numbers if number in shown), ""]
+    if rest := len(findings.numbers) - len(shown):
+        lines += [f"{rest} more take less of what is allowed: `docs/evidence/numbers/{case.name}.json`.", ""]
     if findings.trends:
-        lines += ["| the source says | ours | unit | holds |", "|---|---|---|---|"]
+        lines += ["|the source says|ours|unit|holds|", "|---|---|---|---|"]
         for trend in findings.trends:
             values = (f"{place}: {_shown(v, 4)}" for place, v in zip(trend.places, trend.ours, strict=True))
             holds = "yes" if trend.holds else "**no**"
-            lines.append(f"| {trend.statement} | {'; '.join(values)} | {trend.unit or '-'} | {holds} |")
+            lines.append(_cells(trend.statement, "; ".join(values), trend.unit, holds))
         lines.append("")
     return lines
 
@@ -72,52 +74,35 @@ def _misfit(findings: Findings) -> str:
     most = _deciding(findings)
     if most is None:
         return ""
-    allowed = f"allowed are {_allowance(most)} %" if most.allowed else "equality is required"
-    kind = "Largest misfit" if most.within else "Largest misfit that is not allowed"
-    return f" {kind}: {_percent(most.misfit)} % ({most.name}; {allowed})."
+    allowed = f"allowed {_allowance(most)} %" if most.allowed else "equality is required"
+    return f" Largest misfit: {_percent(most.misfit)} % ({most.name}; {allowed})."
 
 
 def page(case: Case, findings: Findings) -> str:
     """The page of a case."""
     files = ", ".join(f"`{file}`" for file in case.case_files)
     lines = [
-        f"<!-- written by python -m evidence {case.name}; do not edit -->",
         f"# {case.title}",
         "",
-        f"**Verdict: {verdict(case, findings)}.**{_misfit(findings)}",
+        f"**Verdict: {verdict(case, findings)}** (`python -m evidence {case.name}`).{_misfit(findings)}",
         "",
-        "## What is known",
+        f"**Known:** {case.known} Source: {case.source} Printed numbers: `{case.numbers_from}`.",
         "",
-        case.known,
+        f"**Run:** {case.run}" + (f" Case files: {files}." if files else ""),
         "",
-        f"Source: {case.source} Printed numbers: `{case.numbers_from}`.",
-        "",
-        "## What was run",
-        "",
-        case.run,
-        "",
-        f"Computed by `{case.module}`: `python -m evidence {case.name}`."
-        + (f" Case files: {files}." if files else ""),
-        "",
-        "## Side by side",
-        "",
-        *_beside(findings),
-        f"The check fails when a number of ours moves by more than {100 * case.moves:g} %.",
-        "",
-        "## Error estimate",
-        "",
-        case.error,
+        *_beside(case, findings),
+        f"**Our error:** {case.error}",
         "",
     ]
     if findings.errors:
-        lines += ["| estimate | value | unit |", "|---|---|---|"]
-        lines += [f"| {e.name} | {_shown(e.value, 2)} | {e.unit or '-'} |" for e in findings.errors] + [""]
+        lines += ["|estimate|value|unit|", "|---|---|---|"]
+        lines += [_cells(e.name, _shown(e.value, 2), e.unit) for e in findings.errors] + [""]
     if case.reason:
         lines += ["## Why it differs", "", case.reason, ""]
     elif differs(verdict(case, findings)):
         lines += ["## Why it differs", "", "The reason is not known.", ""]
     if case.remarks:
-        lines += ["## Remarks", "", case.remarks, ""]
+        lines += [case.remarks, ""]
     if case.draw:
         lines += [f"![{case.title}](figures/{case.name}.png)", "", case.caption, ""]
     return "\n".join(lines).rstrip() + "\n"
@@ -126,35 +111,27 @@ def page(case: Case, findings: Findings) -> str:
 HEAD = """<!-- written by python -m evidence; do not edit -->
 # Evidence
 
-One page for each case: what is known and from where, what was run, both side by side, the misfit, an
-estimate of our own error, and a verdict. `python -m evidence` computes all of it,
-`python -m evidence --check` computes it again and fails when a number moved by more than its
-page allows. Nothing is tuned to a source.
+Each case has a page: what is known, from where, what was run, the misfit and our own error.
+`python -m evidence` computes all, `--check` fails when a number moved. Nothing is tuned to a source.
 
-| verdict | meaning |
+|verdict|meaning|
 |---|---|
-| agrees | every number is within what is allowed for it; every statement holds |
-| agrees within x % | some misfits are not allowed, none is above x % (0.1, 0.2, 0.5, 1, 2 or 5) |
-| differs, reason known | one above 5 %, or a statement that does not hold; the page gives the reason |
-| differs, reason not known | the same, and the reason is not known |
+|agrees|every number is within what is allowed for it; every statement holds|
+|agrees within x %|some misfits (bold on the page) are not allowed, none is above x %|
+|differs, reason known|one above 5 %, or a statement that does not hold; the page gives the reason|
+|differs, reason not known|the same without a reason|
 
-Every number has an allowed misfit: the printed digits of the source, the scatter of the programs, fits or
-measurements behind it, or for closed forms the error of our own grid, and no more than the tests of the
-same number allow. **Judge a misfit by the allowance beside it**: some percent agree with an empirical
-formula that scatters by more; a tenth of a percent does not agree with a table that is printed more
-exactly. The last two columns below show one number of each case, the one that its verdict follows from: the
-number with the largest misfit among those outside their allowance, or, where all are within, the one with the
-largest misfit of all. A misfit is a share of the known number, or where the page says so of the largest one.
-`-` marks cases of statements alone. A verdict is computed by `evidence/verdict.py`, by
-one rule for all pages; the reason of a difference is written by its author.
+Allowed are the printed digits of the source, the scatter of its formulas, programs or measurements, or the
+error of our own grid. The tables show the number that decides the verdict: the largest misfit outside its
+allowance, or of all where all are within.
 
-**"Agrees" does not mean "measured".** Most cases compare with formulas of standards, closed forms or other
-programs. The only measured numbers are friction torques of slow ball bearings, which are not met. Skidding is
-compared with the direction of trends that publications report, known from abstracts or from memory, without
-numbers; one of them is not met. Nothing measured is here of a bearing with flexible rings.
+**"Agrees" does not mean "measured".** Most cases compare with standards, closed forms or other programs.
+The only measured numbers are friction torques of slow ball bearings, which are not met. Skidding is
+compared with directions of published trends, without numbers; one is not met. No bearing with flexible
+rings was measured.
 """
 
-HEADING = "| case | verdict | misfit behind the verdict [%] | allowed for it [%] |"
+HEADING = "|case|verdict|misfit [%]|allowed [%]|"
 
 TOCTREE = """```{toctree}
 :hidden:
@@ -176,8 +153,8 @@ def index(cases: Sequence[Case], findings: Mapping[str, Findings]) -> str:
         lines += [f"## {subject}", "", HEADING, "|---|---|---|---|"]
         for case in (case for case in cases if case.subject == subject):
             most = _deciding(findings[case.name])
-            misfit = f"{_percent(abs(most.misfit)).lstrip('+')} | {_allowance(most)}" if most else "- | -"
+            misfit = f"{_percent(abs(most.misfit)).lstrip('+')}|{_allowance(most)}" if most else "|"
             bold = "**" if differs(verdicts[case.name]) else ""
-            lines.append(f"| [{case.title}]({case.name}.md) | {bold}{verdicts[case.name]}{bold} | {misfit} |")
+            lines.append(f"|[{case.title}]({case.name}.md)|{bold}{verdicts[case.name]}{bold}|{misfit}|")
         lines.append("")
     return "\n".join([*lines, TOCTREE])

@@ -19,7 +19,7 @@ _PLANET = (
     'outer.tooth_azimuths=["90 deg", "270 deg"]', 'outer.tooth_radial=["-2 kN", "-2 kN"]',
     'outer.tooth_tangential=["2.225 kN", "-2.225 kN"]', "outer.tooth_radius=46 mm",
 )  # fmt: skip
-_ROLLERS, _CIRCLES = "cylindrical_roller", ("bearing.roller.drop=", "bearing.roller.straight_length=5 mm")
+_CIRCLES = ("bearing.roller.drop=", "bearing.roller.straight_length=5 mm")
 _DESIGN = ("bearing.roller.drop=", "bearing.roller.design_load=4 kN")
 
 
@@ -32,29 +32,30 @@ class Example:
     case: str  # file among the shipped ones
     sheet: str  # name of the drawing
     settings: tuple[str, ...] = ()
-    kind: str = ""  # family at whose keys the reference page has it; no family: another page has it
+    page: str = ""  # of the keys of a case that shows it; empty: another page does
 
 
 EXAMPLES = (
     Example("roller-bearing", "Roller bearing with fits, shaft and housing", "nu209_fits.toml", "section",
-            kind=_ROLLERS),
+            page="roller-bearing"),
     Example("roller-bearing-axis", "Axes, azimuth, sense of rotation and load direction", "mao2016.toml",
-            "along-axis", kind=_ROLLERS),
-    Example("roller-profile", "Roller profile, the drop magnified", "nu209.toml", "profile", kind=_ROLLERS),
+            "along-axis", page="roller-bearing"),
+    Example("roller-profile", "Roller profile, the drop magnified", "nu209.toml", "profile",
+            page="roller-bearing"),
     Example("cage", "Cage, its pockets and its land, not to scale", "mao2016.toml", "cage",
-            ("bearing.cage.pocket_clearance=0.1 mm",), _ROLLERS),
+            ("bearing.cage.pocket_clearance=0.1 mm",), page="roller-bearing"),
     Example("squirrel-cage", "Squirrel cage, and ring on a hollow shaft", "mao2016.toml", "section",
-            kind=_ROLLERS),
-    Example("squirrel-cage-bars", "Bars of the squirrel cage", "mao2016.toml", "bars", kind=_ROLLERS),
+            page="rings"),
+    Example("squirrel-cage-bars", "Bars of the squirrel cage", "mao2016.toml", "bars", page="rings"),
     Example("ring-on-shaft", "Ring on shaft with its track between ribs, and a shoulder",
-            "nu209.toml", "section", _ON_SHAFT, _ROLLERS),
+            "nu209.toml", "section", _ON_SHAFT, page="rings"),
     Example("elastic-ring", "Elastic outer ring on a foundation of springs", "nu209.toml", "section",
-            (*_RING, "outer.support=foundation", "outer.foundation_radial=300 N/mm^3"), _ROLLERS),
+            (*_RING, "outer.support=foundation", "outer.foundation_radial=300 N/mm^3"), page="rings"),
     Example("housing", "Elastic outer ring in its housing", "nu209.toml", "section",
             (*_RING, "outer.support=housing", "outer.housing_thickness=8 mm", "outer.housing_width=24 mm",
-             "outer.housing_clearance=10 um"), _ROLLERS),
+             "outer.housing_clearance=10 um"), page="rings"),
     Example("planet-rim", "Rim of a planet gear with its tooth forces", "nu209.toml", "along-axis",
-            (*_RING, "outer.support=planet", *_PLANET), _ROLLERS),
+            (*_RING, "outer.support=planet", *_PLANET), page="rings"),
     Example("profile-crowned", "crowned", "nu209.toml", "profile",
             ("bearing.roller.profile=crowned", *_CIRCLES, "bearing.roller.crown_radius=1 m")),
     Example("profile-tangent-crowned", "tangent_crowned", "nu209.toml", "profile",
@@ -73,17 +74,17 @@ EXAMPLES = (
              'bearing.roller.point_positions=["0 mm", "3 mm", "4.8005 mm"]',
              'bearing.roller.point_drops=["0 um", "1.5 um", "12 um"]')),
     Example("four-point", "Ball of a four-point bearing", "joshi2015_qj309.toml", "section",
-            kind="four_point_ball"),
+            page="ball-bearing"),
     Example("four-point-axis", "Axes, azimuth, sense of rotation, load and moments", "slewing_bolted.toml",
-            "along-axis", kind="four_point_ball"),
+            "along-axis", page="ball-bearing"),
     Example("bolted-ring", "Ball of a four-point bearing between bolted rings",
-            "slewing_bolted.toml", "section", kind="four_point_ball"),
+            "slewing_bolted.toml", "section", page="rings"),
     Example("angular-contact", "Ball of an angular-contact bearing with fits",
-            "catalogue/7208.toml", "section", kind="angular_contact_ball"),
+            "catalogue/7208.toml", "section", page="ball-bearing"),
     Example("angular-contact-axis", "Axes, azimuth and sense of rotation", "harris218.toml", "along-axis",
-            kind="angular_contact_ball"),
+            page="ball-bearing"),
     Example("deep-groove", "Ball of a deep groove bearing under light thrust", "6209.toml", "section",
-            kind="deep_groove_ball"),
+            page="ball-bearing"),
 )  # fmt: skip
 
 
@@ -95,15 +96,16 @@ def drawn(example: Example, configs: Path) -> str:
     return next(sheet.svg for sheet in sheets if sheet.name == example.sheet)
 
 
-def pictures(kind: str) -> Iterator[str]:
-    """Lines of Markdown of the reference page with the examples of a kind."""
+def pictures(page: str) -> Iterator[str]:
+    """Lines of Markdown with the examples of a page of keys."""
     for example in EXAMPLES:
-        if example.kind == kind:
-            settings = ", ".join(f"`{setting}`" for setting in example.settings)
-            yield f"{example.text}: `configs/{example.case}`{' with ' if settings else ''}{settings}."
-            yield ""
-            yield f"![{example.text}](../images/drawings/{example.name}.svg)"
-            yield ""
+        if example.page == page:
+            yield from (
+                f"{example.text}:",
+                "",
+                f"![{example.text}](../../images/drawings/{example.name}.svg)",
+                "",
+            )
 
 
 def main(configs: Path, folder: Path) -> None:

@@ -303,8 +303,7 @@ CASES: Sequence[Case] = (
         numbers_from="tests/literature/test_mao2016.py",
         compute=over_thickness_free,
         error="Elements of one order more change ratios of lives by 0.003 at most.",
-        reason=LEFT_OUT
-        + "With the tilt free, as in Eq. (3) of the paper, the inner ring follows the cone of the outer one, and the thickness hardly matters. "
+        reason="[What the paper leaves out](mao-flexible.md). With the tilt free, as in Eq. (3) of the paper, the inner ring follows the cone of the outer one, and the thickness hardly matters. "
         "Bars that thicken with the ring, or bars at both ends, turn the sign of the slope.",
         moves=5e-3,
         slow=True,
@@ -320,8 +319,7 @@ CASES: Sequence[Case] = (
         numbers_from="tests/literature/test_mao2016.py",
         compute=over_thickness_held,
         error="As with the tilt free.",
-        reason=LEFT_OUT
-        + "With bars at one end the ring becomes conical under load; where the tilt is held rollers bear on one end, and a thicker ring becomes less conical: life rises with "
+        reason="[What the paper leaves out](mao-flexible.md). With bars at one end the ring becomes conical under load; where the tilt is held rollers bear on one end, and a thicker ring becomes less conical: life rises with "
         "the thickness.",
         moves=5e-3,
         slow=True,

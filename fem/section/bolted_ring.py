@@ -50,7 +50,7 @@ class GrooveCompliance:
     Source
     ------
     The groove centre that follows its elastic arc is that of Daidie, Chaib and Ghosn (2008), J. Mech.
-    Des. 130, 082601; the half-space is left out as docs/decisions/0001 says.
+    Des. 130, 082601; the half-space is left out as docs/theory/rings.md says.
 
     Valid
     -----

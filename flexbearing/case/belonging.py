@@ -30,6 +30,13 @@ def belonging(item: Declaration) -> str:
     )
 
 
+def chosen(item: Declaration) -> str:
+    """The same with the names of keys of the same table alone, `kind = "ring"`."""
+    return ", or ".join(
+        " with ".join(_named(key, values) for key, values in choices.items()) for choices in item.only
+    )
+
+
 def _named(key: str, values: tuple) -> str:
     return f"a given {key}" if values == GIVEN else f"{key} = {' or '.join(map(toml, values))}"
 

@@ -90,7 +90,7 @@ class Declaration:
             return " or ".join([*map(toml, self.choices), "a table"])
         if self.choices:
             return " or ".join(toml(choice) for choice in self.choices)
-        return f"{self._what}{self._range}"
+        return f"{self._what}{self.range}"
 
     @property
     def brief(self) -> str:
@@ -152,7 +152,8 @@ class Declaration:
         return "of texts" if str in _parts(self.field.annotation) else "of numbers"
 
     @property
-    def _range(self) -> str:
+    def range(self) -> str:
+        """Between which limits a value must be, after a comma; empty without limits."""
         found = [
             f"{word} {self._limit(getattr(limit, name))}"
             for limit in [*self.field.metadata, *_parts(self.field.annotation)]

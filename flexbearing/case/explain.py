@@ -1,13 +1,12 @@
 """Keys of the case file, explained from their declarations."""
 
-from collections.abc import Mapping, Sequence
 from difflib import get_close_matches
 
 from flexbearing.case.belonging import belonging
 from flexbearing.case.declarations import Declaration, declarations, declared, find, of_every_case, toml
 from flexbearing.case.family import Families
 from flexbearing.case.head import Head
-from flexbearing.case.materials import MATERIALS, origin
+from flexbearing.case.materials import origin
 from flexbearing.case.problems import BadCase
 from flexbearing.case.quantity import Section
 from flexbearing.printable import LONGEST, excerpt
@@ -56,70 +55,7 @@ def explain_file(path: str | None, model: type[Section]) -> str:
 def table_of_keys(model: type[Section]) -> list[str]:
     """Keys of a file as lines of a table in Markdown."""
     rows = [row for item in declared(model) for row in _rows(item)]
-    return ["| key | allowed | default | meaning |", "|---|---|---|---|", *rows]
-
-
-def reference_page(families: Families, pictures: Mapping[str, Sequence[str]]) -> str:
-    """Reference page of the case file, in Markdown, with lines of pictures by kind."""
-    lines = [
-        "# Keys of a case file",
-        "",
-        "Printed by `python -m flexbearing.reference case`; its drawings by "
-        "`python -m flexbearing.example_drawings configs docs/images/drawings`. "
-        "`flexbearing draw CASE` draws any other case, with `--keys` without values.",
-        "",
-        "In all drawings x runs along the axis of the bearing. Seen along +x, z points down and y to the "
-        "right; azimuth φ runs from z (0°) towards y (90°), which is left-handed about +x. Positive speeds "
-        "turn that way ([axes and signs](axes.md)). In a drawing `*` marks an assumed value, `†` a "
-        "calibrated one.",
-        "",
-        *_limits(),
-        *_sizes(families),
-    ]
-    for title, items in _chapters(families):
-        kind = next((kind for kind in families if title.startswith(f'kind = "{kind}"')), "")
-        lines += ["", f"## {title}", "", *pictures.get(kind, ())]
-        lines += ["| key | allowed | default | meaning |", "|---|---|---|---|"]
-        lines += [row for item in items for row in _rows(item)]
-    return "\n".join([*lines, *_materials()]) + "\n"
-
-
-def _materials() -> list[str]:
-    """Materials that may be given by name, with their sources."""
-    lines = ["", "## Materials by name", "", '`materials.roller = "100Cr6"` in place of its table.', ""]
-    return [*lines, *(f'- `"{name}"`: {origin(name)}' for name in MATERIALS)]
-
-
-def _limits() -> list[str]:
-    """What holds for every value and every file."""
-    from flexbearing import units
-    from flexbearing.case import quantity, text
-    from flexbearing.case.read import MOST_SETTINGS
-    from flexbearing.inputs import limits
-
-    return [
-        f"- A quantity is text: a number and a unit, at most {quantity.LONGEST} characters. A unit is a "
-        f"product or quotient of units with whole powers up to {units.HIGHEST}, at most {units.LONGEST} "
-        "characters: `mm`, `N/mm^2` or `N/mm2`, `W/(m K)`, `1/K`, `Nm`, `ft-lb`. A decimal comma is "
-        "read as one; `1,000 mm` is refused, as it may mean a thousand.",
-        "- `3000 rpm`, `3000 1/min`, `3000 r/min` and `3000 min⁻¹` are the same speed. `1/s` and `Hz` are "
-        "refused: they may mean turns or radians per second.",
-        f"- A case file is TOML in UTF-8, lists and tables at most {text.DEEPEST} deep, integers up to 64 "
-        f"bits; at most {MOST_SETTINGS} settings come on top of it.",
-        "- Only plain files are read, no pipes and no devices, up to a size: " + limits.sizes() + ".",
-    ]
-
-
-def _sizes(families: Families) -> list[str]:
-    """Between which sizes quantities must be, at any key."""
-    kinds = {item.kind.name: item.kind for item in declarations(families) if item.kind}
-    lines = ["", "A quantity that is not zero has a size that a bearing can have, of either sign:", ""]
-    return [
-        *lines,
-        "| quantity | size |",
-        "|---|---|",
-        *(f"| {name} | {kinds[name].sizes} |" for name in kinds),
-    ]
+    return ["|key|allowed|default|meaning|", "|---|---|---|---|", *rows]
 
 
 def _chapters(families: Families) -> list[tuple[str, list[Declaration]]]:
@@ -139,9 +75,9 @@ def _rows(item: Declaration) -> list[str]:
         return []
     if item.section:
         default = item.need if item.required else "left out"
-        return [f"| `[{item.path}]` | {_cell(item.allowed)} | {default} | {_cell(_full(item))} |"]
+        return [f"|`[{item.path}]`|{_cell(item.allowed)}|{default}|{_cell(_full(item))}|"]
     default = item.default or item.need
-    return [f"| `{item.path}` | {_cell(item.allowed)} | {_cell(default)} | {_cell(_full(item))} |"]
+    return [f"|`{item.path}`|{_cell(item.allowed)}|{_cell(default)}|{_cell(_full(item))}|"]
 
 
 def _full(item: Declaration) -> str:

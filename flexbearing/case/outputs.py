@@ -12,9 +12,9 @@ class ContactOutputs(Section):
         False,
     )
     assumed_effects: bool = key(
-        "whether the lives and main outputs are stored with other values of every assumed or fitted key, "
-        "at the ends of the tolerance classes, and of rollers with the other rules of the life, such as the "
-        "edge stress, and the other way to hold the inner ring: some two further solutions for each key",
+        "whether lives and main outputs are stored with other values of every assumed or fitted key, at the "
+        "ends of the tolerance classes, and with other rules of the life and the other tilt: some two "
+        "further solutions for each key",
         False,
     )
 

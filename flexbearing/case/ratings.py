@@ -24,10 +24,7 @@ CleanlinessName = Literal[
 ]
 OF_CATALOGUE = ("dynamic_rating", "static_rating", "fatigue_limit_load")
 MODIFYING_NOTHING = {*OF_CATALOGUE, "required"}
-FOLLOWS = (
-    "that of the bearing in the file, which changes as the formula's where settings change its sizes; one "
-    "of a setting is that of the bearing that results"
-)
+FOLLOWS = "it follows the formula where settings change sizes of the bearing in the file"
 FEWEST_SLICES = 30  # of ISO/TS 16281, for the edge stress
 BY_RATING = {"loads": ("rating",)}
 

@@ -5,6 +5,8 @@ from flexbearing.optimise.file import BOUND
 from flexbearing.optimise.schema import DUTY_LIFE, OptimisationFile
 from flexbearing.optimise.variables import BOUNDS
 
+OF_STUDIES = ("|`over.", "|`duty.")  # rows that the page of study files has
+
 
 def reference_page() -> str:
     """The page in Markdown."""
@@ -12,7 +14,7 @@ def reference_page() -> str:
         [
             "# Keys of an optimisation file",
             "",
-            "Printed by `python -m flexbearing.reference optimise`; [how to use them](../howto/optimise.md).",
+            "[How to use them](../howto/optimise.md).",
             "",
             "In `[set]`, `[vary]`, `[over]`, `[duty]` and `[[verify]]` every other name is a dotted key of "
             "the case; `[over]` and `[duty]` are those [of a study](study.md).",
@@ -20,7 +22,7 @@ def reference_page() -> str:
             f"- `[vary]`: {BOUNDS}.",
             f"- `[constrain]`: the name of an output, or {DUTY_LIFE}, and a bound such as {BOUND}.",
             "",
-            *table_of_keys(OptimisationFile),
+            *(line for line in table_of_keys(OptimisationFile) if not line.startswith(OF_STUDIES)),
             "",
         ]
     )

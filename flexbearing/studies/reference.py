@@ -14,7 +14,7 @@ def reference_page() -> str:
         [
             "# Keys of a study file",
             "",
-            "Printed by `python -m flexbearing.reference study`; [how to use them](../howto/studies.md).",
+            "[How to use them](../howto/studies.md).",
             "",
             "In `[over]`, `[sample]` and `[duty]` every other name is a dotted key of the case.",
             "",

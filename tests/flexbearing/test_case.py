@@ -16,7 +16,6 @@ from flexbearing.case import BadCase
 from flexbearing.case.declarations import declarations
 from flexbearing.case.quantity import Length, Speed, Temperature
 from flexbearing.families import FAMILIES
-from flexbearing.reference import page as reference
 
 ROOT = Path(__file__).parents[2]
 PAPER = ROOT / "configs" / "mao2016.toml"
@@ -141,18 +140,11 @@ def test_every_key_is_explained():
 def test_key_of_a_table_that_may_be_left_out_is_needed_with_it():
     assert "none: needed with [operation.temperatures]" in explain("operation.temperatures.shaft")
     assert "none: every case must give it" in explain("bearing.rollers")
-    page = reference("case")
-    assert "| `[bearing.fits.housing]` | a table | left out |" in page
-    assert "| needed with [operation.temperatures] |" in page
 
 
 def test_explain_names_the_nearest_key():
     with pytest.raises(BadCase, match=r"Did you mean bearing\.clearance"):
         explain("bearing.clearence")
-
-
-def test_reference_page_is_what_explain_says():
-    assert (ROOT / "docs" / "reference" / "case.md").read_text() == reference("case")
 
 
 def test_checking_a_case_loads_nothing_heavy():

@@ -4,7 +4,6 @@ import csv
 import re
 from pathlib import Path
 
-import pytest
 from pytest import approx
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -37,20 +36,6 @@ def is_rounded(cell, value, digits=3):
     return float(cell) == approx(value, rel=0.51 * 10 ** (1 - digits), abs=1e-12)
 
 
-@pytest.mark.parametrize("name", BEARINGS.values())
-def test_levels_of_a_bearing_stand_on_the_page_as_they_were_measured(name):
-    rows = {row["level"]: row for row in stored(f"pareto_{name}") if row["cold_s"] and not row["message"]}
-    shown = [cells for cells in tables("speed-against-error")[name] if cells[0] in rows]
-    assert sorted(cells[0] for cells in shown) == sorted(rows)
-    outputs = [key for key in next(iter(rows.values())) if key.startswith("error_")]
-    for level, cold, cached, *errors in shown:
-        row = rows[level]
-        assert is_rounded(cold, float(row["cold_s"]))
-        assert is_rounded(cached, float(row["cached_s"]))
-        for cell, output in zip(errors, outputs, strict=True):
-            assert is_rounded(cell, 100 * float(row[output])), (level, output)
-
-
 def test_fastest_level_of_a_bearing_is_numerical_and_keeps_its_bound():
     table = tables("speed-against-error")["cheapest"][2:]
     assert len(table) == 2 * len(BEARINGS)
@@ -66,9 +51,8 @@ def test_fastest_level_of_a_bearing_is_numerical_and_keeps_its_bound():
 
 
 def test_targets_chose_what_the_page_says():
-    for bearing, target, cold, cached, picked, load, life in tables("speed-against-error")["targets"][2:]:
+    for bearing, target, cold, cached, load, life in tables("speed-against-error")["targets"][2:]:
         (row,) = (row for row in stored(f"pareto_{BEARINGS[bearing]}") if row["level"] == f"target {target}")
-        assert picked == row["picked"]
         assert is_rounded(cold, float(row["cold_s"]), 2)
         assert is_rounded(cached, float(row["cached_s"]), 2)
         for cell, output in ((load, "load"), (life, "life")):
@@ -100,10 +84,7 @@ def test_every_case_that_is_not_solved_is_told():
 
 def test_sensitivities_stand_on_the_page_as_they_were_computed():
     rows, shown = stored("unknown_numbers"), tables("unknown-numbers")["sensitivity"][2:]
-    assert (
-        len(shown)
-        == sum(1 for row in rows if not row["number"]) + sum(map(bool, (r["number"] for r in rows))) / 2
-    )
+    assert sum(name.startswith("**") for name, *_ in shown) == sum(not row["number"] for row in rows)
     base = None
     for name, values, life, slip, stiffness, torque in shown:
         if name.startswith("**"):

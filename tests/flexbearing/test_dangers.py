@@ -109,7 +109,7 @@ def test_the_page_of_notes_names_every_code_under_its_grade():
     for line in page.splitlines():
         if line.startswith("## "):
             grade = line[3:].lower()
-        elif line.startswith("| `"):
+        elif line.startswith("|`"):
             told.add((grade, line.split("`")[1]))
     assert told == made
 

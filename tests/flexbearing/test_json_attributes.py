@@ -1,7 +1,6 @@
 """JSON attributes of result files: their forms are declared, kept by the writer and asked of the reader."""
 
 import json
-import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -16,7 +15,6 @@ from flexbearing.report.output import text
 from flexbearing.results import BadResult, NotInLayout, hdf5
 from flexbearing.results.attributes import checked, decoded
 from flexbearing.results.read import of_content
-from flexbearing.results.reference import reference_page
 from tests.flexbearing.resealed import resealed
 from tests.flexbearing.test_results import ENDING
 
@@ -229,12 +227,6 @@ def test_form_takes_what_it_says_and_nothing_else(name):
     assert list(form.problems(right, "it")) == []
     (problem,) = form.problems(wrong, "it")
     assert problem.startswith("it")
-
-
-def test_reference_page_shows_every_form():
-    page = reference_page(FAMILIES)
-    assert "- `regimes`: `{rigid or flexible: {inner: text, outer: text}, ...}`" in page
-    assert all(re.search(rf"- `{name}`: `[{{\[]", page) for name in ROLLER)
 
 
 def test_unfinished_result_is_summarised(tmp_path, monkeypatch):

@@ -19,7 +19,6 @@ from flexbearing.files.whole import host
 from flexbearing.quantities.attributes import FORMAT
 from flexbearing.quantities.layout import FIXED
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.reference import page
 from flexbearing.results import BadResult, NotInLayout, ResultFile, hdf5, write
 from flexbearing.results.image import image
 from tests.flexbearing.resealed import digest, resealed
@@ -36,7 +35,6 @@ SIZE = {
     "S2": 11,
     **{name: len(axis.entries) for name, axis in FIXED.items()},
 }
-PAGE = Path(__file__).parents[2] / "docs" / "reference" / "results.md"
 BEGINNING = {
     "title": "Rollenlager, Außenring weich",
     "method": "newton",
@@ -751,7 +749,3 @@ def test_no_flipped_bit_changes_an_answer(path):
 
 
 # -- the reference page --------------------------------------------------------------------------
-
-
-def test_reference_page_is_the_table():
-    assert PAGE.read_text(encoding="utf-8") == page("results"), "run make docs"

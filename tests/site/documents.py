@@ -10,8 +10,10 @@ GENERATED = (
     "docs/reference/api/",
     "docs/_build/",
     "docs/evidence/",
-    "docs/reference/case.md",
-    "docs/reference/results.md",
+    "docs/reference/case",
+    "docs/reference/result",
+    "docs/reference/study.md",
+    "docs/reference/optimise.md",
 )
 FENCE = re.compile(r"^```(\w*)[^\n]*\n(.*?)^```", re.M | re.S)
 FIGURE = re.compile(r"\d\.\d|\d %|\d (?:m?s|h|N|kN|GiB|MB)\b")

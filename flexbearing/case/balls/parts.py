@@ -48,17 +48,15 @@ CLOSEST = 0.5001  # conformity: closer grooves touch the ball all around, usual 
 Number = Annotated[float, Strict()]  # of a list, which is not strict itself: TOML's lists are no tuples
 Whole = Annotated[int, Strict()]
 SPIN = (
-    "spin that makes slip across in the contacts: centre, that of their middle everywhere, as Jones and the "
-    "formulas of the literature; local, at each point that about the normal of the surface there, as rigid "
-    "bodies have it: in full sliding up to 7 % more torque where balls roll, as much where they spin; every "
-    "friction.model takes the slip of this spin"
+    "spin that makes slip across in the contacts, with every friction.model: centre, that of their middle "
+    "everywhere, as Jones; local, at each point that about the normal there, as of rigid bodies"
 )
 
 
 FrictionModel = Literal["full_sliding", "fastsim", "kalker"]
 MODEL = (
     "full_sliding: contacts slide everywhere; kalker: they stick and slip on half-spaces; fastsim: "
-    "the same on springs, quicker and less exact; all with the slip of friction.spin"
+    "the same on springs, quicker and less exact"
 )
 CELLS = (
     "cells over each contact along and across the rolling direction, multiples of 4; the error is estimated "
@@ -68,8 +66,7 @@ USUAL_CELLS = [40, 80]
 STICKING = {"model": ("fastsim", "kalker")}  # where cells count
 INTERFACE = (
     "compliance of the interface between the surfaces: its elastic slip where the traction is friction times "
-    "pressure, less below in proportion; no theory gives it, the penalty of finite elements is one; none "
-    "without the key"
+    "pressure, less below in proportion; none without the key"
 )
 MOST_CELLS = 400  # along or across a contact
 
