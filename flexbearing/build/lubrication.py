@@ -33,8 +33,6 @@ def lubrication(case: Case) -> qd.Lubrication:
     lubricant = case.lubricant
     traction = _FLUIDS[lubricant.traction](case)
     if lubricant.mixed is not None:
-        from flexbearing.build.lubrication import mixed
-
         traction = mixed(case, traction)
     return qd.Lubrication(
         oil=oil(case),

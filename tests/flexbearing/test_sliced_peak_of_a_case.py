@@ -126,7 +126,7 @@ def test_contact_that_is_not_solved_is_told(monkeypatch):
     def fails(*_):
         raise NotSolved("contact pressure: no step", "stalled")
 
-    monkeypatch.setattr(check, "sliced_peak", fails)
+    monkeypatch.setattr(notes, "sliced_peak", fails)
     _, (note,) = told([])
     assert (note.grade, note.code) == ("outside validity", "sliced-peak")
     assert "could not be checked" in note.text
