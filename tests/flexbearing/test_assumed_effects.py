@@ -107,6 +107,7 @@ def test_loads_are_compared_and_in_no_range(weighed):
     assert "Choices of the case count as inputs here" in table.note
 
 
+@pytest.mark.slow
 def test_the_range_of_a_modified_life_keeps_a_iso_within_its_limits(tmp_path):
     settings = {
         "assumed": ["lubricant.inlet_temperature", "life.cleanliness"],
