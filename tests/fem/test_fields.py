@@ -172,6 +172,7 @@ def test_clamp_holds_against_the_load(pulled):
     assert work(-ngs.z, 0, ngs.x - end) == approx(LOAD * end, rel=1e-5)
 
 
+@pytest.mark.slow
 def test_tube_under_pressure_is_that_of_lame(pressed):
     """sigma_t = p a^2/(b^2 - a^2) (1 + b^2/r^2), sigma_r with a minus; far from the clamp."""
     a, b, p = 20.0, 28.0, 50e6

@@ -69,6 +69,7 @@ def even():
     return fit_with()
 
 
+@pytest.mark.slow
 def test_cones_that_go_together_press_as_cylinders_do(even):
     """Ring and shaft with the same temperatures stay in touch; the raceway becomes a cone."""
     cone = Along(at=(-20e-3, 20e-3), values=(-1e-3, 1e-3))

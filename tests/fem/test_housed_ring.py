@@ -67,6 +67,7 @@ def loads(total, half=1.0, seed=0):
     return F
 
 
+@pytest.mark.slow
 def test_ring_that_fills_its_bore_is_held_without_friction():
     """Springs that only hold radially, so stiff that they do not yield: another model, without contact.
 

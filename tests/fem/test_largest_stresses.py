@@ -94,6 +94,7 @@ def compound_tubes(radii, mismatch, speed):
     return np.linalg.solve(rows, right), stiff, cube
 
 
+@pytest.mark.slow
 def test_heat_and_rotation_press_the_ring_as_closed_forms_do():
     """Far from the ends of a ring as long as its shaft, which is 2e-4 larger, both turning fast."""
     speed, strain, nu = 3000.0, 2e-4, STEEL.poisson_ratio

@@ -187,6 +187,7 @@ def test_small_space_holds_all_harmonics():
     assert found[some, 0, 0] == approx(exact[:, 0, 0], rel=2e-5)
 
 
+@pytest.mark.slow
 def test_response_is_symmetric_and_positive(ring, shaft):
     """Betti, and work is never gained; with any number of waves."""
     for raceway in (ring, shaft):

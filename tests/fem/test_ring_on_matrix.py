@@ -72,6 +72,7 @@ def test_more_harmonics_come_nearer_to_the_foundation(monkeypatch):
     assert errors[0] > 2 * errors[1] > 4 * errors[2]
 
 
+@pytest.mark.slow
 def test_springs_that_are_taken_away_again_do_not_matter(monkeypatch):
     body = springs((2e12, 5e12, 1e12), azimuths=17, along=3)
     usual = answers(body)

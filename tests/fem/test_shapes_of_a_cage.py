@@ -171,6 +171,7 @@ def test_raceway_too_far_aside_is_refused():
         as_beam(plain(ClampedFace(), 2.6e-3), L, M)
 
 
+@pytest.mark.slow
 def test_seat_widens_a_cage_on_both_ends_without_coning():
     resolution = Resolution(length=L, axial_modes=M, mesh_size=COARSE)
     one, both = (

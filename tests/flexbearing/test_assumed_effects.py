@@ -103,6 +103,7 @@ def test_loads_are_compared_and_in_no_range(weighed):
     assert "operation.radial_load" not in effects.changes(reader)
 
 
+@pytest.mark.slow
 def test_the_range_of_a_modified_life_keeps_a_iso_within_its_limits(tmp_path):
     settings = {
         "assumed": ["lubricant.inlet_temperature", "life.cleanliness"],

@@ -43,6 +43,7 @@ def run(tmp_path_factory):
     return computed
 
 
+@pytest.mark.slow
 def test_both_blocks_carry_the_load(run):
     result = run()
     assert result.attributes["status"] == "converged"

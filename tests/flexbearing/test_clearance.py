@@ -437,6 +437,7 @@ def test_chain_and_finite_elements_have_one_pressure_and_one_growth():
     assert plain.clearance - chain.clearance == approx(4.22e-6, abs=0.05e-6)
 
 
+@pytest.mark.slow
 def test_pressure_of_a_short_ring_is_that_of_a_shell_under_a_band_of_pressure():
     """Shaft: long shell (Timoshenko, Plates and Shells, art. 115); ring: Lame, its ribs in parallel."""
     case = mounted(**{"inner.fit": "frictionless"})

@@ -194,6 +194,7 @@ def test_pictures_show_the_stored_pressures(tilted, tmp_path):
     assert all(path.stat().st_size > 1000 for path in write_figures(tilted, tmp_path))
 
 
+@pytest.mark.slow
 def test_curves_of_rigid_and_flexible_rings_stand_beside_each_other():
     settings = {"accuracy.structure": "smeared", "accuracy.slices": 10, "inner.kind": "rigid"} | BELOW
     result = flexbearing.run(CONFIGS / "mao2016.toml", settings)

@@ -211,6 +211,7 @@ def test_every_iteration_can_be_asked_for(unstressed):
             stored_fields.state_of(unstressed, name)
 
 
+@pytest.mark.slow
 def test_rigid_parts_have_no_fields(unstressed, rigid):
     with pytest.raises(BadCase, match="inner ring and shaft is rigid"):
         stored_fields.of_result(unstressed, race="inner")

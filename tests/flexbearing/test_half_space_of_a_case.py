@@ -80,6 +80,7 @@ def row_of(case, state):
     return SolvedRows.of(case, roller_bearing.bearing(case), state, LinearPair(None, None))
 
 
+@pytest.mark.slow
 def test_modified_life_starts_from_the_whole_roller():
     settings = [*TILTED, "life.capacity=iso281"]
     case = read_case(PLAIN, [*WHOLE, *settings])

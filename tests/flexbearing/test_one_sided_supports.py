@@ -119,6 +119,7 @@ def test_summary_names_line_forces_and_what_lifts_off(run):
     assert result.summary()["structure"]["outer"]["lines"]["force_N"][0] == approx(2000, rel=0.01)
 
 
+@pytest.mark.slow
 def test_ring_that_rests_on_one_line_is_noted(run):
     assert "ring-on-one-line" in codes(run(*LINES))
     spread = run("outer.support=lines", 'outer.line_azimuths=["60 deg", "180 deg", "300 deg"]')

@@ -150,6 +150,7 @@ def test_bearing_load_case_and_lives_are_those_of_the_result(catalogue):
             )
 
 
+@pytest.mark.sampled(2)
 def test_lives_by_another_capacity_are_left_out(turning):
     (loaded,) = of_case(turning[1], BEARING)
     assert not [name for name in loaded if "life" in name]

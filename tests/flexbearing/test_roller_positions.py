@@ -89,6 +89,7 @@ def test_range_over_a_pitch_is_in_the_summary_and_noted(tmp_path):
     assert result.summary()["passage"]["status"] == ["converged"] * 4
 
 
+@pytest.mark.slow
 def test_positions_are_solved_in_fewer_steps_than_a_cold_start(tmp_path, monkeypatch):
     """Each begins at the one before."""
     from flexbearing.coupled import coupled

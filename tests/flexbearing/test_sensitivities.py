@@ -242,6 +242,7 @@ RING_KEYS = {  # value in the paper's case, and unit
 }
 
 
+@pytest.mark.slow
 def test_dimensions_of_a_flexible_ring_move_what_runs_with_them_do():
     settings = [*BEAM, "operation.temperatures=", "accuracy.harmonics=110"]  # else their number jumps
     found = sensitivities(api.read_case(PAPER, settings), OUTPUTS, list(RING_KEYS))

@@ -97,6 +97,7 @@ def test_text_that_could_not_be_delivered_is_no_success(words, result, tmp_path)
     assert (code, complained) == (0, "")  # a reader that left has read enough
 
 
+@pytest.mark.slow
 @FULL
 def test_verdict_of_a_check_is_its_exit_code(tmp_path):
     assert shell(f"flexbearing check {PAPER} >&- 2>&-", tmp_path)[0] == 0

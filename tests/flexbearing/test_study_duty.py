@@ -291,6 +291,7 @@ def test_a_row_at_rest_has_no_share_of_the_revolutions(tmp_path):
         prepared(file)
 
 
+@pytest.mark.slow
 def test_a_creeping_row_counts_with_the_least_factor(tmp_path):
     file = duty_of(
         tmp_path,

@@ -315,6 +315,7 @@ def loads(bad):
     return [bad.get(number, f"{2 + 0.05 * number:.2f} kN") for number in range(100)]
 
 
+@pytest.mark.slow
 def test_three_bad_variants_of_a_hundred(tmp_path, capsys):
     """They are told before the first variant is computed; the others of a former study stay."""
     file, folder = tmp_path / "loads.toml", tmp_path / "out"

@@ -24,6 +24,7 @@ def drawn(table, **changes):
     return figure, [axes.get_lines() for axes in figure.axes]
 
 
+@pytest.mark.slow
 def test_a_study_with_a_plot_leaves_a_picture_and_no_column_twice(tmp_path):
     settled = toy(tmp_path, CROSSED, collect=COLLECT + PLOT)
     assert [column.column for column in settled.columns] == ["life", "slip"]

@@ -56,6 +56,7 @@ def rows(text):
     return list(csv.DictReader(StringIO(text)))
 
 
+@pytest.mark.slow
 def test_every_input_and_output_has_its_shares(study):
     folder, settled, table = study
     outputs, shares, bins = (each.rows for each in table.scatter)

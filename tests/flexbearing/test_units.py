@@ -173,6 +173,7 @@ TOKENS = [
 ]
 
 
+@pytest.mark.slow
 @examples(max_examples=1000)
 @given(
     st.lists(st.sampled_from(TOKENS), max_size=units.LONGEST).map("".join) | st.text(max_size=units.LONGEST)

@@ -101,6 +101,7 @@ def test_a_worker_that_dies_is_told():
         in_two_processes(dead)
 
 
+@pytest.mark.slow
 def test_what_a_worker_did_not_answer_is_answered_by_another(tmp_path):
     assert in_two_processes(partial(dead_once, place=tmp_path / "died")) == [*NUMBERS]
 

@@ -54,6 +54,7 @@ def test_life_hardly_depends_on_the_thickness_where_the_tilt_is_free():
     assert thick == approx(thin, rel=0.02)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "change",
     [

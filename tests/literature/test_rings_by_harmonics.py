@@ -40,6 +40,7 @@ def thin():
     return by_harmonics(ring(PINCHED, 0.5e-3), 0.5e-3, 1, FAIR).ring
 
 
+@pytest.mark.slow
 def test_pinched_ring_is_that_of_two_other_codes():
     """82.2/75 x 10 mm, 1 kN inward on two opposite lines: both codes agree to 1e-5."""
     assert 1e6 * inner_diameters(ring(PINCHED, 10e-3)) == approx([-1.15124, 1.04936], rel=2e-5)
@@ -63,6 +64,7 @@ def slender():
     return -along, across
 
 
+@pytest.mark.slow
 def test_pinched_slender_ring_is_that_of_a_beam_program():
     """R 100 mm, 5 x 10 mm, 10 N: femorph-solver prints 3.57e-5 m for half of the diameter change.
 

@@ -50,6 +50,7 @@ def test_bearing_and_ring_agree_in_a_few_steps(changes, foundation):
     assert last.deviation[1] == pytest.approx(np.tensordot(matrix, last.forces[1], 2), rel=1e-7, abs=1e-13)
 
 
+@pytest.mark.slow
 def test_slow_heavy_bearing_is_solved_though_not_in_a_few_steps():
     """At 10 rad/s it takes 350 evaluations; at 5 rad/s a few steps."""
     model = paper_bearing(axial_modes=3, slices=10, speed=10.0)

@@ -223,7 +223,7 @@ def test_any_deep_groove_bearing_is_solved_or_refused_by_name(seed):
     assert unbalanced(state) < 1e-8
 
 
-@pytest.mark.long
+@pytest.mark.slow
 def test_a_thousand_random_bearings_are_solved():
     outcomes = {}
     for seed in range(1000):

@@ -141,7 +141,7 @@ def test_what_cannot_be_is_refused():
         slow_bearing(angle=95.0)
 
 
-@pytest.mark.parametrize("number", [100, pytest.param(1000, marks=pytest.mark.long)])
+@pytest.mark.parametrize("number", [100, pytest.param(1000, marks=pytest.mark.slow)])
 def test_random_bearings_find_their_balance(number):
     """Three balls to a full ring, clearance to interference, loads over five decades."""
     rng = np.random.default_rng(number)

@@ -166,7 +166,7 @@ def test_compliance_that_cannot_be_is_refused():
         elastic_ball_loads(TIGHT.bearing, load, -20 * soft())
 
 
-@pytest.mark.parametrize("number", [30, pytest.param(600, marks=pytest.mark.long)])
+@pytest.mark.parametrize("number", [30, pytest.param(600, marks=pytest.mark.slow)])
 def test_random_bearings_find_their_balance(number):
     """Three balls to a full ring, clearance to interference, loads and rings over several decades."""
     rng = np.random.default_rng(number)

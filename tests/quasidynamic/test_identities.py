@@ -132,6 +132,7 @@ def test_slow_bearing_is_a_static_one():
     assert loads[2] == approx(FILM_FREE, rel=1e-4)
 
 
+@pytest.mark.slow
 def test_both_rings_turning_together_leave_the_loads_of_their_difference_at_rest():
     """Seen from the cage only the speed difference matters, but for centrifugal force and drag."""
     still = paper_bearing(speed=100 * RPM, oil_fraction=0.0).solve()

@@ -138,6 +138,7 @@ def test_search_along_a_path_ends_with_its_budget():
     assert 20 <= count <= 22
 
 
+@pytest.mark.slow
 def test_searches_that_end_with_their_budgets_are_told_with_what_they_cost(monkeypatch):
     monkeypatch.setattr(ring_on_balls, "BUDGET", 0)
     model = AngularContactBallBearing(bearing=BEARING, control="inner")

@@ -84,6 +84,7 @@ def test_indicator_costs_no_evaluation_of_the_balance(monkeypatch):
     assert not calls
 
 
+@pytest.mark.slow
 def test_rollers_that_pass_pitches_end_where_all_but_their_spins_balances(state):
     passing = after_passing_pitches(state)
     assert passing.settled

@@ -284,7 +284,7 @@ def random_balls(number, seed):
     return contacts, Ellipse(across, along, radius, 0.1 * load)
 
 
-@pytest.mark.parametrize("number", [150, pytest.param(1000, marks=pytest.mark.long)])
+@pytest.mark.parametrize("number", [150, pytest.param(1000, marks=pytest.mark.slow)])
 def test_random_balls_find_their_balance(number):
     contacts, contact = random_balls(number, seed=number)
     found = sliding_motion(contacts, contact)

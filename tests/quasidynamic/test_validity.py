@@ -76,6 +76,7 @@ def test_a_law_that_is_left_is_told(changes, code):
     assert {note.grade for note in found.values()} == {"outside validity"}
 
 
+@pytest.mark.slow
 def test_rounded_friction_of_slow_rough_rollers_is_told():
     slow = {"speed": 20 * RPM}
     assert "sign-speed" in codes(**slow, traction=rough(ROUNDED))

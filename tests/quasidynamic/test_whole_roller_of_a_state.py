@@ -35,6 +35,7 @@ def test_whole_roller_carries_the_load_of_its_slices_at_their_tilt_where_that_is
     assert inner > 1.05 * tilted.forces[0, whole.number, 1] * length / 2  # stiffer than the slices
 
 
+@pytest.mark.slow
 def test_whole_roller_carries_load_and_moment_of_its_slices_below_a_ring_that_tilts_freely():
     state = paper_bearing(**MODERATE, moment=10.0).solve()
     whole = whole_roller(state)

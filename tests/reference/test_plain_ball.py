@@ -43,6 +43,7 @@ def test_plain_model_sees_a_motion_that_is_not_in_balance():
     assert abs(joshi(case, mesh, motion)[1]) > 5e-2 * 0.1 * sum(case["load"]) * 2e-3
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("name", "attitude"), [("two contacts", 0.6), ("local spin", 0.85)])
 def test_least_heat_about_a_given_axis_is_that_of_the_plain_model(name, attitude):
     balls, case = both(name)
