@@ -18,9 +18,8 @@ def duty_parts(table: StudyTable, cycles: StudyTable, units: Units) -> dict[str,
     """Parts of the report: one cycle as a list of its numbers, the shares of its rows, the worst of them."""
     one = len(cycles) == 1
     shares = table.column(DAMAGE) if one else None
-    ordered = (
-        sorted(range(len(table)), key=lambda row: -shares.numbers[row]) if shares and shares.numbers else []
-    )
+    numbers = (shares.numbers if shares else None) or ()
+    ordered = sorted(range(len(numbers)), key=lambda row: -numbers[row])
     return {
         "lives": _lives(cycles, units) if one else None,
         "over_required": _over_required(cycles, units) if one else None,

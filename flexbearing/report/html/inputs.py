@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator
+from textwrap import shorten
 from typing import Any
 
 from flexbearing.case.belonging import foreign
@@ -68,7 +69,7 @@ def tables(reader: Reader) -> tuple[Table, Table]:
         key, number, unit, meaning = row_of_key(reader, keys.get(path), path, value)
         mark = origin(reader, path)
         if written:
-            given.append((key, _short(meaning), number, unit, mark))
+            given.append((key, "kind" if key.endswith("kind") else _short(meaning), number, unit, mark))
         else:
             defaults.append((key, number, unit, "default" if mark == "given" else mark, meaning))
     return (
@@ -80,7 +81,7 @@ def tables(reader: Reader) -> tuple[Table, Table]:
 def _short(meaning: str) -> str:
     """The first words of a meaning, as the reference has it whole."""
     found = _FIRST_WORDS.match(meaning)
-    return found[0].strip() if found else ""
+    return found[0].strip() if found else shorten(meaning, 60, placeholder=" ...")
 
 
 def fitted(reader: Reader) -> list[tuple[str, str]]:
