@@ -85,7 +85,7 @@ def test_every_case_that_is_not_solved_is_told():
 def test_sensitivities_stand_on_the_page_as_they_were_computed():
     rows, shown = stored("unknown_numbers"), tables("unknown-numbers")["sensitivity"][2:]
     assert sum(name.startswith("**") for name, *_ in shown) == sum(not row["number"] for row in rows)
-    base = None
+    base: dict[str, str] = {}
     for name, values, life, slip, stiffness, torque in shown:
         if name.startswith("**"):
             (base,) = (row for row in rows if f"**{row['bearing']}**" == name and not row["number"])
