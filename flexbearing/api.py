@@ -65,10 +65,11 @@ def check(case: str | Path, overrides: Overrides = ()) -> Any:
         where the file is wrong, or physics or geometry forbid the case
     """
     from flexbearing.families import FAMILIES
-    from flexbearing.runs.validate import require_possible
+    from flexbearing.runs.validate import require_drawing, require_possible
 
     wanted = read_case(case, overrides)
     require_possible(wanted, FAMILIES[wanted.kind])
+    require_drawing(wanted)
     return wanted
 
 

@@ -1,9 +1,11 @@
 """Whether a case can be computed, found out without computing it."""
 
 import fem
+from fem.errors import NotSolved
 from flexbearing.case import BadCase, Head
 from flexbearing.case.as_written import require_readable
 from flexbearing.case.family import Family
+from flexbearing.case.roller import Case
 from quasidynamic import ImpossiblePart, OutOfRange
 
 
@@ -19,4 +21,26 @@ def require_possible(case: Head, family: Family) -> None:
     try:
         family.build()(case)
     except (ImpossiblePart, OutOfRange, fem.ImpossiblePart) as problem:
+        raise BadCase(f"{case.source.path}: {problem}") from problem
+
+
+def require_drawing(case: Head) -> None:
+    """Open the drawing of a case that has one, in a process of its own.
+
+    Raises
+    ------
+    BadCase
+        where it does not hold such a part, or cannot be read
+    """
+    if not isinstance(case, Case) or case.drawing is None:
+        return
+    from fem.condense import require_drawing as opened  # a case without a drawing loads no mesh
+    from flexbearing.build.expansion import roller_length
+    from flexbearing.build.ring_parts import outer_part
+
+    part = outer_part(case)
+    assert part
+    try:
+        opened(part, roller_length(case))
+    except (fem.ImpossiblePart, NotSolved) as problem:
         raise BadCase(f"{case.source.path}: {problem}") from problem
