@@ -4,28 +4,10 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from numpy.typing import NDArray
-
 import quasidynamic as qd
 from flexbearing.case.roller import Case
-from flexbearing.case.roller.lubricant import Mixed
-from quasidynamic.contact.film import composite_roughness
 from quasidynamic.contact.traction import ROLLING_LAWS, TractionLaw, in_any_contact
-from quasidynamic.contact.traction.asperity_friction import AsperityFriction, Carter, RoundedCoulomb
-from quasidynamic.contact.traction.mixed import (
-    FILM_SHARE_1_8,
-    ZHOU_HOEPRICH,
-    AsperityShare,
-    ErrorFunctionShare,
-    RoughContacts,
-)
 from quasidynamic.parts.oil_properties import two_point_oil
-
-SHARES: dict[str, AsperityShare] = {
-    "zhou-hoeprich": ZHOU_HOEPRICH,
-    "film-1.8": FILM_SHARE_1_8,
-    "error-function": ErrorFunctionShare(),
-}
 
 
 def lubrication(case: Case) -> qd.Lubrication:
@@ -33,6 +15,8 @@ def lubrication(case: Case) -> qd.Lubrication:
     lubricant = case.lubricant
     traction = _FLUIDS[lubricant.traction](case)
     if lubricant.mixed is not None:
+        from flexbearing.build.rough_surfaces import mixed
+
         traction = mixed(case, traction)
     return qd.Lubrication(
         oil=oil(case),
@@ -127,42 +111,4 @@ _FLUIDS: dict[str, Callable[[Case], Callable[..., TractionLaw]]] = {
     "bair-winer": _bair_winer,
     "adore": _adore,
     "four-point": _four_point,
-}
-
-
-def roughness(case: Case) -> NDArray | None:
-    """Composite roughness (2) of inner and outer contact [m]; None when the case does not give it."""
-    surfaces = case.bearing.roughness
-    if surfaces is None:
-        return None
-    return composite_roughness(surfaces.roller, [surfaces.inner_raceway, surfaces.outer_raceway])
-
-
-def mixed(case: Case, fluid: Callable[..., TractionLaw]) -> RoughContacts:
-    """Law of the film where asperities carry some of the load."""
-    given, sigma = case.lubricant.mixed, roughness(case)
-    assert given is not None  # checked on reading
-    assert sigma is not None
-    inner, outer = sigma.tolist()
-    return RoughContacts(
-        fluid=fluid,
-        share=SHARES[given.share],
-        asperities=_ASPERITIES[given.asperity_friction](given),
-        inner_roughness=inner,
-        outer_roughness=outer,
-    )
-
-
-def _rounded(given: Mixed) -> Callable[..., AsperityFriction]:
-    law = RoundedCoulomb(coefficient=given.boundary_friction, sign_speed=given.sign_speed)
-    return partial(in_any_contact, law)
-
-
-def _carter(given: Mixed) -> Callable[..., AsperityFriction]:
-    return partial(Carter, coefficient=given.boundary_friction)
-
-
-_ASPERITIES: dict[str, Callable[[Mixed], Callable[..., AsperityFriction]]] = {
-    "rounded": _rounded,
-    "carter": _carter,
 }

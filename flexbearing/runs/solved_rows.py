@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.build.lubrication import roughness
 from flexbearing.build.ring_parts import outer_mass
+from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
 from flexbearing.coupled.states import EndStates, flat
 from flexbearing.coupling import LinearPair

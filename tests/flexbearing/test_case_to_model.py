@@ -9,7 +9,7 @@ from pytest import approx
 
 import quasidynamic as qd
 from flexbearing.api import check, read_case
-from flexbearing.build import lubrication, roller_bearing
+from flexbearing.build import lubrication, roller_bearing, rough_surfaces
 from flexbearing.case import BadCase
 from flexbearing.case.materials import OilName
 from flexbearing.case.ratings import CleanlinessName
@@ -66,7 +66,7 @@ def law(settings, file=PLAIN) -> Any:
         (RollingName, ROLLING_LAWS),
         (CleanlinessName, CLEANLINESS),
         (TractionName, lubrication._FLUIDS),
-        (ShareName, lubrication.SHARES),
+        (ShareName, rough_surfaces.SHARES),
     ],
     ids=["oils", "adore oils", "films", "rolling", "cleanliness", "tractions", "shares"],
 )

@@ -1,0 +1,63 @@
+"""Rough surfaces of a case: composite roughness, and asperities that carry some of the load."""
+
+from collections.abc import Callable
+from functools import partial
+
+from numpy.typing import NDArray
+
+from flexbearing.case.roller import Case
+from flexbearing.case.roller.lubricant import Mixed
+from quasidynamic.contact.film import composite_roughness
+from quasidynamic.contact.traction import TractionLaw, in_any_contact
+from quasidynamic.contact.traction.asperity_friction import AsperityFriction, Carter, RoundedCoulomb
+from quasidynamic.contact.traction.mixed import (
+    FILM_SHARE_1_8,
+    ZHOU_HOEPRICH,
+    AsperityShare,
+    ErrorFunctionShare,
+    RoughContacts,
+)
+
+SHARES: dict[str, AsperityShare] = {
+    "zhou-hoeprich": ZHOU_HOEPRICH,
+    "film-1.8": FILM_SHARE_1_8,
+    "error-function": ErrorFunctionShare(),
+}
+
+
+def roughness(case: Case) -> NDArray | None:
+    """Composite roughness (2) of inner and outer contact [m]; None when the case does not give it."""
+    surfaces = case.bearing.roughness
+    if surfaces is None:
+        return None
+    return composite_roughness(surfaces.roller, [surfaces.inner_raceway, surfaces.outer_raceway])
+
+
+def mixed(case: Case, fluid: Callable[..., TractionLaw]) -> RoughContacts:
+    """Law of the film where asperities carry some of the load."""
+    given, sigma = case.lubricant.mixed, roughness(case)
+    assert given is not None  # checked on reading
+    assert sigma is not None
+    inner, outer = sigma.tolist()
+    return RoughContacts(
+        fluid=fluid,
+        share=SHARES[given.share],
+        asperities=_ASPERITIES[given.asperity_friction](given),
+        inner_roughness=inner,
+        outer_roughness=outer,
+    )
+
+
+def _rounded(given: Mixed) -> Callable[..., AsperityFriction]:
+    law = RoundedCoulomb(coefficient=given.boundary_friction, sign_speed=given.sign_speed)
+    return partial(in_any_contact, law)
+
+
+def _carter(given: Mixed) -> Callable[..., AsperityFriction]:
+    return partial(Carter, coefficient=given.boundary_friction)
+
+
+_ASPERITIES: dict[str, Callable[[Mixed], Callable[..., AsperityFriction]]] = {
+    "rounded": _rounded,
+    "carter": _carter,
+}
