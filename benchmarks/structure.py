@@ -19,7 +19,7 @@ from benchmarks.machine import describe
 from fem.condense import HARMONICS, condense_in_process
 from flexbearing.api import read_case
 from flexbearing.build import expansion, ring_parts
-from flexbearing.rings.resolution import IN_SPACE, ON_A_SECTION
+from flexbearing.build.mesh_sizes import IN_SPACE, ON_A_SECTION
 
 SHAPES = 3
 

@@ -13,12 +13,12 @@ import fem
 from fem.parts.step_solid import StepSolid
 from flexbearing.accuracy.ladder import Choice
 from flexbearing.build.expansion import roller_length
+from flexbearing.build.mesh_sizes import IN_SPACE, ON_A_SECTION
 from flexbearing.build.ring_parts import NAMES, Race, part_of
 from flexbearing.case.ratings import FEWEST_SLICES
 from flexbearing.case.roller import Case
 from flexbearing.case.roller.numerics import AXIAL_MODES, MORE_SHAPES
 from flexbearing.rings.fits import is_in_fit
-from flexbearing.rings.resolution import IN_SPACE, ON_A_SECTION
 
 if TYPE_CHECKING:
     from flexbearing.build.ring_parts import Part

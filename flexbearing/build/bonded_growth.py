@@ -8,11 +8,11 @@ import fem
 from fem.errors import NotSolved
 from flexbearing.build.expansion import hot_over_cold, material, roller_length
 from flexbearing.build.growth import pressed_inner_ring
+from flexbearing.build.mesh_sizes import ON_A_SECTION, mesh_size, nodes_of
 from flexbearing.build.ring_parts import inner_part
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
-from flexbearing.rings.resolution import ON_A_SECTION, mesh_size, nodes_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

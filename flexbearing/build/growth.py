@@ -10,6 +10,7 @@ import numpy as np
 import fem
 from fem.errors import NotSolved
 from flexbearing.build.expansion import expansion_coefficient, hot_over_cold, material, roller_length
+from flexbearing.build.mesh_sizes import ON_A_SECTION, mesh_size, nodes_of
 from flexbearing.build.ring_parts import (
     inner_part,
     outer_part,
@@ -17,7 +18,6 @@ from flexbearing.build.ring_parts import (
 from flexbearing.build.seat_growth import seat_growth, seat_strain
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
-from flexbearing.rings.resolution import ON_A_SECTION, mesh_size, nodes_of
 from quasidynamic.clearance import FitConditions, RacewayExpansion, Seat
 from quasidynamic.clearance.operating_clearance import Expansion
 

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 import fem
 from fem.errors import NotSolved
 from flexbearing.build.expansion import expansion_coefficient, roller_length
+from flexbearing.build.mesh_sizes import IN_SPACE, ON_A_SECTION, mesh_size, nodes_of
 from flexbearing.build.ring_parts import outer_part
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
-from flexbearing.rings.resolution import IN_SPACE, ON_A_SECTION, mesh_size, nodes_of
 
 if TYPE_CHECKING:
     from fem.raceway.growth import RacewayGrowth

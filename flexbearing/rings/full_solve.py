@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from fem.condense import require_drawing
 from fem.errors import NotSolved
 from flexbearing.build.expansion import roller_length
+from flexbearing.build.mesh_sizes import IN_SPACE, mesh_size
 from flexbearing.build.ring_parts import NAMES, Race, part_of
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed, Raceway, RacewayPair
@@ -20,7 +21,7 @@ from flexbearing.program.threads import of_solids
 from flexbearing.progress import Report
 from flexbearing.rings.condensed import named_failures
 from flexbearing.rings.raceways import RigidRaceway, compliance_figures
-from flexbearing.rings.resolution import IN_SPACE, mesh_size, patches
+from flexbearing.rings.resolution import patches
 
 if TYPE_CHECKING:
     from fem.raceway.compliance import RacewayCompliance

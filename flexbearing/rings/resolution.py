@@ -7,38 +7,17 @@ from numpy.typing import NDArray
 
 import fem
 from fem.condense import BEAM, HARMONICS, SMEARED, SOLID
-from fem.parts.resolution import Shape
 from fem.parts.step_solid import StepSolid
 from flexbearing.build.expansion import roller_length
-from flexbearing.build.ring_parts import Race, part_of
+from flexbearing.build.mesh_sizes import IN_SPACE, ON_A_SECTION, mesh_size, nodes_of
 from flexbearing.case.roller import Case
 from flexbearing.program.threads import of_solids
 
 if TYPE_CHECKING:
     from flexbearing.build.ring_parts import Part
 
-ON_A_SECTION = (5, 1.2, 0.25)  # order, and sizes over the roller length: 0.1 % of the largest compliance
-IN_SPACE = (3, 0.6, 0.4)  # 0.5 % of the largest compliance
 WITH_A_SLEEVE = (3, 1.2, 0.4)  # smeared bars are worth no more
 PATCH = 0.1  # width of a load patch over the roller length
-
-
-def mesh_size(case: Case, usual: tuple[int, float, float]) -> fem.MeshSize:
-    """Order and sizes of elements: those of the case, else the usual ones in roller lengths."""
-    case = case.nodes_of or case
-    order, size, raceway_size = usual
-    accuracy, length = case.accuracy, roller_length(case)
-    return fem.MeshSize(
-        order=accuracy.element_order or order,
-        size=accuracy.mesh_size or size * length,
-        raceway_size=accuracy.raceway_mesh_size or raceway_size * length,
-    )
-
-
-def nodes_of(case: Case, race: Race) -> Shape | None:
-    """Part and band of the case whose meshes are taken; None where the case has its own."""
-    other = case.nodes_of
-    return None if other is None else Shape(part=part_of(other, race), length=roller_length(other))
 
 
 def resolved(

@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 import fem
 from fem.parts.surroundings import Surroundings
 from flexbearing.build import expansion, ring_parts, roller_bearing
+from flexbearing.build.mesh_sizes import IN_SPACE, mesh_size
 from flexbearing.case.roller import Case
 from flexbearing.program.threads import of_solids
-from flexbearing.rings.resolution import IN_SPACE, mesh_size, patches
+from flexbearing.rings.resolution import patches
 from flexbearing.runs.part_fields import MEGA, NAMES, NoFields, PartFields, Race, Sizes
 from quasidynamic.contact.line import Slices
 

@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 
 from flexbearing.build import clearance, ring_parts
 from flexbearing.build.lubrication import oil, oil_name
-from flexbearing.case.roller import Case, roller_case
+from flexbearing.case import cage_room
+from flexbearing.case.roller import Case
 from flexbearing.findings.running import PRESSED_ENDS
 from flexbearing.runs import life, several, skew
 from flexbearing.runs.life_of_state import no_life
@@ -48,7 +49,7 @@ def of_case(case: Case) -> tuple[Note, ...]:
 
 def _overlap(case: Case) -> tuple[Note, ...]:
     """Say so when the cage has no room between the rings."""
-    overlap = roller_case.overlap(case)
+    overlap = cage_room.overlap(case)
     if not overlap:
         return ()
     words = (

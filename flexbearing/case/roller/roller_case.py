@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Literal, Self
+from typing import Literal, Self
 
 from pydantic import model_validator
 from pydantic_core import PydanticCustomError
@@ -24,7 +24,6 @@ FORMER = {  # keys of older versions, and what has taken their place
     "inner.interference": "bearing.fits.shaft_interference, and that of the housing is "
     "bearing.fits.housing.interference",
 }
-_MILLIMETRES = 1e3
 
 
 class Case(Head):
@@ -228,29 +227,3 @@ def _at(section: str, check: Callable[[], None]) -> None:
     except PydanticCustomError as problem:
         context = problem.context or {}
         raise impossible(f"{section}.{context['names'][0]}", context["allowed"]) from None
-
-
-def cage_radii(case: Any) -> tuple[float, float]:
-    """Inside and outside radius of the cage [m]: at its land, or about the pitch circle."""
-    bearing: Any = case.bearing
-    cage: Any = bearing.cage
-    if cage.guidance == "outer":
-        high = (cage.land_diameter - cage.land_clearance) / 2
-        return high - cage.thickness, high
-    if cage.guidance == "inner":
-        low = (cage.land_diameter + cage.land_clearance) / 2
-        return low, low + cage.thickness
-    pitch = (bearing.outer_raceway_diameter - bearing.roller.diameter) / 2
-    return pitch - cage.thickness / 2, pitch + cage.thickness / 2
-
-
-def overlap(case: Any) -> str:
-    """Where the cage lies within the ribs of the inner ring, in words; empty where it does not."""
-    ring: Any = case.inner
-    if ring.kind == "rigid" or not ring.ribbed or not case.bearing.cage.thickness:
-        return ""
-    inside, rib = cage_radii(case)[0], ring.bore / 2 + ring.thickness
-    end = case.bearing.roller.length / 2 + (case.bearing.cage.land_width or 0.0) / 2
-    if inside >= rib or end <= ring.track_width / 2:
-        return ""
-    return f"cage inside Ø {2 * _MILLIMETRES * inside:.6g} mm, inner ribs Ø {2 * _MILLIMETRES * rib:.6g} mm"
