@@ -10,6 +10,7 @@ from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.unknowns import BORDER, LARGE_DEVIATION
 
 CASES_AT_ONCE = 16  # whose matrices stay in the processor's cache
+MANY = 60  # rollers from which on LAPACK is worth loading
 OPEN = 1e-13  # of the steepest slope of a contact: what the rounded load law leaves of it in a gap
 FELT = 1 + BORDER  # first column of felt deviations, first row of contact forces; before them spin and border
 
@@ -37,8 +38,11 @@ def cyclic_tridiagonal(middle: NDArray, before: NDArray, after: NDArray, sides: 
 def _tridiagonal(rows: NDArray, lower: NDArray) -> NDArray:
     """Solve rows (Z, 3 + R, C) with `lower` (C) before the diagonal, in place: (Z, R, C).
 
-    Gauss with the larger of two pivots, as LAPACK's gtsv: loading `scipy.linalg` takes longer than solving.
+    Gauss with the larger of two pivots, as LAPACK's gtsv: loading `scipy.linalg` takes longer than solving
+    for few rollers.
     """
+    if len(rows) > MANY:
+        return _by_lapack(rows, lower)
     for row, below in pairwise(rows):
         under = np.concatenate([lower[None], below[:2], below[3:]])
         if (larger := np.abs(lower) > np.abs(row[0])).any():
@@ -51,6 +55,18 @@ def _tridiagonal(rows: NDArray, lower: NDArray) -> NDArray:
         left = rows[number, 3:] - after * solved[number + 1] - beyond * solved[number + 2]
         solved[number] = left / _nonzero(diagonal)
     return solved[:-2]
+
+
+def _by_lapack(rows: NDArray, lower: NDArray) -> NDArray:
+    from scipy.linalg.lapack import dgtsv  # pyright: ignore[reportAttributeAccessIssue]  # made at import
+
+    solved = np.empty(rows[:, 3:].shape)
+    for case, below in enumerate(np.repeat(lower[:, None], len(rows) - 1, axis=1)):
+        diagonal, after = rows[:, 0, case], rows[:-1, 1, case]
+        *_, solved[:, :, case], fault = dgtsv(below, diagonal, after, rows[:, 3:, case])
+        if fault:
+            solved[:, :, case] = np.nan
+    return solved
 
 
 def _nonzero(divisor: NDArray) -> NDArray:
