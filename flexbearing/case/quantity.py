@@ -34,7 +34,7 @@ class Kind:
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         """Let pydantic convert before it checks the limits of a key."""
-        return core_schema.no_info_before_validator_function(self.to_si, core_schema.float_schema())
+        return core_schema.no_info_before_validator_function(self.to_si, handler(source))
 
     def to_si(self, value: object) -> float:
         """Convert "5 mm" to 0.005; a value that is not such a text is refused with a reason."""

@@ -181,7 +181,7 @@ def sliced_peak_error(
     slender = half_width(states.slice_loads[cases, race, number].mean(axis=1), radius, modulus) / lengths
     rough = ~is_smooth(states.slice_pressure[cases, race, number], slender)
     errors, cells = np.zeros(len(cases)), number_of_cells(slender)
-    for count in np.unique(cells[rough]):
+    for count in sorted({*cells[rough].tolist()}):
         some = np.flatnonzero(rough & (cells == count))
         contacts = _contacts(states, bearings, (some, race[some], number[some]), int(count))
         errors[some] = contacts.peak_error(sliced[some, race[some]])

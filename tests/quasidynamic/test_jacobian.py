@@ -139,7 +139,12 @@ def rings(own):
     return (middle, before, after, sides), np.array(matrix)
 
 
-def test_ring_of_spins_is_solved_case_by_case():
+BY_LAPACK = pytest.mark.parametrize("many", [0, elastic_system.MANY], ids=["LAPACK", "sweep"])
+
+
+@BY_LAPACK
+def test_ring_of_spins_is_solved_case_by_case(many, monkeypatch):
+    monkeypatch.setattr(elastic_system, "MANY", many)
     given, matrix = rings([-3.0, -2.0, -4.0, -2.0, -3.0])
     assert np.einsum("cij,rcj->rci", matrix, elastic_system.cyclic_tridiagonal(*given)) == approx(
         given[-1], rel=0, abs=1e-13
@@ -149,8 +154,10 @@ def test_ring_of_spins_is_solved_case_by_case():
 @pytest.mark.parametrize(
     "own", [-np.ones(5), np.array([0.0, -1, -1, -1, -1])], ids=["closed ring", "first spin of the open ring"]
 )
-def test_singular_ring_of_spins_is_no_number_and_spoils_no_other(own):
+@BY_LAPACK
+def test_singular_ring_of_spins_is_no_number_and_spoils_no_other(own, many, monkeypatch):
     """The first only hands on its spin, so that it solves to any; warnings are errors here."""
+    monkeypatch.setattr(elastic_system, "MANY", many)
     given, matrix = rings(own)
     found = elastic_system.cyclic_tridiagonal(*given)
     assert np.isnan(found[:, 1]).all()
