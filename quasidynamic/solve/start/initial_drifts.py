@@ -153,7 +153,7 @@ def driven_slip(balance: BearingBalance) -> NDArray:
     drives = (lumped.at(slips)[2] > 0).reshape(len(SLIPS), cases)
     # The least slip at which the rollers drive the cage, and the one before it, where it lags.
     least = np.where(drives.any(0), drives.argmax(0), len(SLIPS) - 1)
-    low, high = np.where(least > 0, SLIPS[least - 1], SMALLEST_SLIP), TRIAL_SLIPS[least]
+    low, high = np.where(least > 0, SLIPS[least - 1], SMALLEST_SLIP), SLIPS[least]
     lumped = LumpedRollers(balance)
     for _ in range(SLIP_HALVINGS):
         middle = np.sqrt(low * high)
