@@ -435,19 +435,19 @@ PICTURES = {
 @pytest.mark.parametrize("name", PICTURES)
 def test_pictures_of_a_result(run, name):
     result = run(name)
-    drawn = result.family.report().pictures(result)
+    drawn = result.family.report().pictures()(result)
     assert drawn.keys() == PICTURES[name]
     assert all(result.attributes["title"] in figure.get_suptitle() for figure in drawn.values())
 
 
 def test_one_panel_for_each_loaded_contact(run):
-    (figure,) = FAMILIES["four_point_ball"].report().pictures(run("heras2017_a3")).values()
+    (figure,) = FAMILIES["four_point_ball"].report().pictures()(run("heras2017_a3")).values()
     titles = [axes.get_title() for axes in figure.axes if axes.get_title()]
     assert [title.split(":")[0] for title in titles] == [
         "diagonal 1, inner race", "diagonal 1, outer race",
         "diagonal 2, inner race", "diagonal 2, outer race",
     ]  # fmt: skip
-    (figure,) = FAMILIES["four_point_ball"].report().pictures(run("heras2017_a1")).values()
+    (figure,) = FAMILIES["four_point_ball"].report().pictures()(run("heras2017_a1")).values()
     assert sum("race" in axes.get_title() for axes in figure.axes) == 2
 
 
@@ -546,7 +546,7 @@ def test_a_case_with_stick_and_slip_stores_cells_and_their_error(run, model):
     assert any(
         "within" in text and 'full sliding with the same friction.spin = "local", of' in text for text in told
     )
-    (figure,) = FAMILIES["four_point_ball"].report().pictures(result).values()
+    (figure,) = FAMILIES["four_point_ball"].report().pictures()(result).values()
     assert len(figure.axes) == 11  # four maps of two contacts and three scales of colours
 
 
@@ -635,7 +635,7 @@ def test_fast_balls_with_stick_and_slip_keep_their_balance(run):
     force = np.abs(values["unbalanced_force"]).max()
     assert numbers["largest_unbalanced_force"] == approx(force)
     assert any(f"along the orbit of up to {100 * force:.1f}%" in text for text in texts(result))
-    figure = FAMILIES[result.attributes["kind"]].report().pictures(result)["contacts_of_ball_0"]
+    figure = FAMILIES[result.attributes["kind"]].report().pictures()(result)["contacts_of_ball_0"]
     assert len(figure.axes) == 11  # four maps of two contacts and three scales of colours
 
 

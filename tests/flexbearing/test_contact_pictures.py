@@ -94,7 +94,7 @@ def test_two_models_on_different_cells_are_drawn_as_their_files_hold_them(result
 
 def test_slip_is_drawn_of_a_single_result(result):
     one = result("sticking")
-    (figure,) = (figure for name, figure in one.family.report().pictures(one).items() if "contacts" in name)
+    (figure,) = (figure for name, figure in one.family.report().pictures()(one).items() if "contacts" in name)
     drawn = panels(figure)
     assert len(drawn) == 8
     for race in (0, 1):

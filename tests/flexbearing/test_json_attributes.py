@@ -112,7 +112,7 @@ def refusal(content):
     except NotInLayout as problem:
         return str(problem)
     summary = result.summary()
-    assert list(result.family.report().page(all_printable(summary)))
+    assert list(result.family.report().page()(all_printable(summary)))
     json.dumps(summary, allow_nan=False)
     return ""
 

@@ -119,7 +119,7 @@ def test_a_summary_loads_neither_models_nor_pictures(tmp_path):
     flexbearing.run(PACKAGE.parent / "configs" / "heras2017_a3.toml", output=path)
     heavy = ("matplotlib", "ngsolve", "fem", "quasidynamic")
     code = (
-        "import sys, flexbearing, flexbearing.report as report; "
+        "import sys, flexbearing, flexbearing.report.output as report; "
         f"report.text(flexbearing.read({str(path)!r})); "
         f"sys.exit(', '.join(name for name in {heavy!r} if name in sys.modules) or 0)"
     )

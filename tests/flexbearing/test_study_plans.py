@@ -25,7 +25,7 @@ CONFIGS = Path(__file__).parents[2] / "configs"
 
 def test_the_identity_is_the_digest_of_the_complete_case_and_the_format():
     case = read_case(CASE, {"operation.radial_load": "5 kN"})
-    text = f"{FORMAT} {case.model_dump_json()} "
+    text = f"{FORMAT} {case.model_dump_json(exclude={'report'})} "
     assert json.loads(case.model_dump_json()) == json.loads(json.dumps(case.to_json()))
     assert identity(case) == sha256(text.encode()).hexdigest()[:32]
 
