@@ -75,7 +75,7 @@ def application(first: str = "") -> typer.Typer:
     )
     app.callback()(options)
     for name, place in COMMANDS.items():
-        if first == name or first not in COMMANDS:
+        if first in (name, "new") or first not in COMMANDS:  # `new --run` runs what it wrote
             module, _, function = place.partition(":")
             app.command(name)(getattr(import_module(f"flexbearing.{module}"), function))
     if first not in COMMANDS:
