@@ -19,7 +19,7 @@ from flexbearing.findings.running import GYROSCOPIC_MOMENT
 from flexbearing.program.workers import shared_map
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import row, taken
-from flexbearing.runs import ball_life, judged, life_of_state, roller_findings, shoulders, subsurface
+from flexbearing.runs import ball_life, judged, life_of_state, neglect, shoulders, subsurface
 from flexbearing.runs.ball_life import BallLives
 from flexbearing.runs.life_of_state import MREV
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
@@ -261,7 +261,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
     radial = not isinstance(case.bearing, AngularBearing)  # not adjusted axially
     values = {
         **judged.pressures(state.peak_pressures.max(axis=1), BALLS),
-        **roller_findings.of_fast_balls(solution),
+        **neglect.of_fast_balls(solution),
         **_places(case, state),
         "static_safety": solution.static_safety,
         "viscosity_ratio": ball_life.kappa(case) if speed and not ball_life.unviscous(case) else None,

@@ -19,7 +19,7 @@ from flexbearing.progress import Report
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import row, taken
 from flexbearing.rings import bolted
-from flexbearing.runs import judged, roller_findings, shoulders, subsurface
+from flexbearing.runs import judged, neglect, shoulders, subsurface
 from quasidynamic import NotSolved, OutOfRange
 from quasidynamic.four_point import FourPointEquilibrium
 from quasidynamic.note import Note, danger, information, outside
@@ -288,7 +288,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
     largest = solution.balls.peak_pressure.max(axis=(0, 1))
     values = {
         **judged.pressures(largest, BALLS),
-        **roller_findings.of_slow_balls(solution),
+        **neglect.of_slow_balls(solution),
         "contact_height": _heights(solution),
     }
     if solution.distribution is not None:
