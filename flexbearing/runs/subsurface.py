@@ -5,16 +5,14 @@ from typing import TYPE_CHECKING
 
 from numpy.typing import NDArray
 
-from flexbearing.build import ring_parts
-from flexbearing.case.roller import Case
-from flexbearing.coupled.states import EndStates
-from flexbearing.coupling.raceway_pair import OUTWARD
 from quasidynamic.note import Note, outside
 
 if TYPE_CHECKING:
     from fem.cage.bar_forces import NominalStresses
     from flexbearing.case.balls.angular_contact import FastCase
     from flexbearing.case.balls.four_point import FourPointCase
+    from flexbearing.case.roller import Case
+    from flexbearing.coupled.states import EndStates
     from quasidynamic import CylindricalRollerBearing
     from quasidynamic.outcome.subsurface import Subsurface
     from quasidynamic.outcome.worst_point_contact import WorstPointContact
@@ -70,8 +68,11 @@ def _too_long(worst: "WorstPointContact") -> bool:
     return bool((worst.axis_ratio > 1.0).any())
 
 
-def nominal_stresses(case: Case, end: EndStates) -> "NominalStresses | None":
+def nominal_stresses(case: "Case", end: "EndStates") -> "NominalStresses | None":
     """Section forces and nominal stresses of the bars, without a solve."""
+    from flexbearing.build import ring_parts  # balls have none
+    from flexbearing.coupling.raceway_pair import OUTWARD
+
     if end.rings.outer is None:
         return None
     import fem
