@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from flexbearing.build.ring_parts import part_of
 from flexbearing.case.roller import Case
-from flexbearing.coupling.raceway_pair import linear_answer
 from flexbearing.program.threads import cores
 
 if TYPE_CHECKING:
@@ -61,6 +60,8 @@ class CondensedRaceway:
 
     def answer(self, outward: NDArray) -> tuple[NDArray, NDArray]:
         """Outward deviations (Z, M) and mean translation (2) [m] under outward forces (Z, M) [N]."""
+        from flexbearing.coupling.raceway_pair import linear_answer  # rings are begun without
+
         return linear_answer(self.compliance, outward)
 
     def linearised(self, outward: NDArray) -> "RacewayCompliance":
