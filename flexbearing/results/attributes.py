@@ -36,10 +36,11 @@ def stamp() -> dict[str, Any]:
 @lru_cache
 def _version(package: str) -> str:
     try:
-        about = distribution(package).read_text("METADATA") or ""
+        found = distribution(package)
     except PackageNotFoundError:
         return "not installed"
-    return about.partition("\nVersion: ")[2].partition("\n")[0]  # to read all of it as a message takes longer
+    about = found.read_text("METADATA") or ""  # to read all of it as a message takes longer
+    return about.partition("\nVersion: ")[2].partition("\n")[0] or found.version
 
 
 @lru_cache
