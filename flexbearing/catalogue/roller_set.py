@@ -14,7 +14,7 @@ import quasidynamic as qd
 from flexbearing.case import BadCase
 from flexbearing.catalogue.element_set import ElementSet, Ratings, chosen, near, span
 from flexbearing.catalogue.page import Page
-from flexbearing.runs.roller_catalogue import plausible_numbers
+from flexbearing.runs.roller_counts import plausible_numbers
 from quasidynamic.outcome.capacity import dynamic_rating, fatigue_load_limit, static_rating
 
 # Rule of thumb, assumed: Harris' 209 has 0.51, the bearing of Mao, Wang and Zhang 0.5.

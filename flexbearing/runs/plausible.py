@@ -9,7 +9,7 @@ from flexbearing.build.clearance import operating
 from flexbearing.case.declarations import Declaration, by_path, toml
 from flexbearing.case.key_ranges import FROM_ZERO, GRADED, THUMB, range_of
 from flexbearing.quantities.effects import CHOICE, COMPARISON, INPUT
-from flexbearing.runs.roller_catalogue import plausible_numbers
+from flexbearing.runs.roller_counts import plausible_numbers
 
 LIMITING_RATIO = 0.05  # usual, where a law needs one
 CHOICES = "other choices of the key"

@@ -1,6 +1,5 @@
 """What the life of a roller bearing has that a catalogue leaves out."""
 
-from math import asin, ceil, floor, pi
 from operator import attrgetter
 from typing import Any
 
@@ -15,8 +14,6 @@ from quasidynamic import CylindricalRollerBearing
 from quasidynamic.outcome.life_factors import ROLLERS, modification_factor
 from quasidynamic.outcome.rating_life import ROLLER_EXPONENT, rating_life, static_safety
 
-# Rule of thumb, assumed: Harris' 209 has 1.45, the bearing of Mao, Wang and Zhang 1.46.
-SPACING = (1.2, 1.6)  # distance of roller centres over the roller diameter, with a cage
 RATING = (
     Influence(
         "ISO 281: (C_r/P)^(10/3)",
@@ -121,12 +118,6 @@ MODIFYING = (
         "More bearings than 90 % must survive this life, so it is shorter.",
     ),
 )
-
-
-def plausible_numbers(ratio: float) -> list[int]:
-    """Numbers of rollers whose distance leaves room for a cage and wastes none."""
-    closest, widest = (pi / asin(min(distance * ratio, 1.0)) for distance in SPACING)
-    return [*range(ceil(widest), floor(closest) + 1)] or [floor(closest)]
 
 
 def influences(case: Case) -> tuple[Influence, ...]:

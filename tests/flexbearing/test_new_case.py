@@ -21,7 +21,7 @@ from flexbearing.catalogue.ball_set import (
 from flexbearing.catalogue.new import new
 from flexbearing.catalogue.roller_set import SHARE, roller_set
 from flexbearing.runs import assumed_effects, effects_file, run_case
-from flexbearing.runs.roller_catalogue import plausible_numbers
+from flexbearing.runs.roller_counts import plausible_numbers
 
 CATALOGUE = Path(__file__).parents[2] / "configs" / "catalogue"
 SHIPPED = sorted(CATALOGUE.glob("*.toml"))
