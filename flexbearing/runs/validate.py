@@ -36,7 +36,9 @@ def require_drawing(case: Head) -> None:
     from fem.errors import NotSolved
     from flexbearing.build.expansion import roller_length
     from flexbearing.build.ring_parts import outer_part
+    from flexbearing.case.roller import Case
 
+    assert isinstance(case, Case)  # no other one has a drawing
     part = outer_part(case)
     assert part
     try:
