@@ -206,6 +206,8 @@ def follow(report: Report) -> Callable[[Progress], None]:
             report.stage(words, condensed / rings)
         else:
             report.stage(_line(progress), progress.done / progress.total)
+        if progress.repeated and progress.done == progress.total:
+            report.line(_line(progress))
 
     return tell
 

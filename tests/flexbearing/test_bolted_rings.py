@@ -134,7 +134,7 @@ def test_summary_and_page_show_both(run):
 def test_pictures_put_rigid_beside_elastic_rings(run, tmp_path):
     from flexbearing.report.roller.deformed import pictures
 
-    drawn = FAMILIES["four_point_ball"].report().pictures(run())
+    drawn = FAMILIES["four_point_ball"].report().pictures()(run())
     assert "rigid_and_elastic_rings" in drawn
     upper = drawn["rigid_and_elastic_rings"].axes[0]
     heights = {line.get_label(): line.get_ydata().max() for line in upper.lines}

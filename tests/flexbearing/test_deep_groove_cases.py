@@ -63,10 +63,10 @@ def test_every_control_and_friction_model_works(control, model):
 
 @pytest.mark.slow
 def test_pictures_are_drawn(radial):
-    at_rest = set(FAMILIES["deep_groove_ball"].report().pictures(radial))
+    at_rest = set(FAMILIES["deep_groove_ball"].report().pictures()(radial))
     assert at_rest == {"ball_loads", "rolling_lines", "slip_profiles"}
     turning = flexbearing.run(CONFIG, ["friction.model=fastsim", "friction.cells=[12, 24]"])
-    assert set(FAMILIES["deep_groove_ball"].report().pictures(turning)) == at_rest | {"contacts_of_ball_0"}
+    assert set(FAMILIES["deep_groove_ball"].report().pictures()(turning)) == at_rest | {"contacts_of_ball_0"}
 
 
 def test_clearance_moves_the_contact_angle_under_thrust():

@@ -310,7 +310,8 @@ def test_what_is_shown_is_short_and_each_fact_stands_once(results, pages, name):
     page, result = Page(pages(name)), api.read(results(name))
     assert len(page.words) <= 2000
     places = [given["data-of"] for given, _ in page.shown_cells if given["data-of"]]
-    places = [place for place in places if "error" not in place]  # one estimate may be of several outputs
+    # one estimate may be of several outputs, and an azimuth is where an extreme is
+    places = [place for place in places if "error" not in place and "azimuth" not in place]
     assert [place for place, count in Counter(places).items() if count > 1] == []
     shown = Counter(text.strip() for text in page.shown)
     reader = Reader(result, METRIC)
@@ -318,7 +319,7 @@ def test_what_is_shown_is_short_and_each_fact_stands_once(results, pages, name):
         assert shown[check.what] <= 1
         assert shown[check.what] or check.code in ("required-life", "short-life")
     for note in result.attributes["notes"]:
-        assert sum(note["text"][:30] in text for text in page.shown) <= 1, note
+        assert sum(note["text"][:40] in text for text in page.shown) <= 1, note
 
 
 @pytest.mark.parametrize("name", ALL)

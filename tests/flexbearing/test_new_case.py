@@ -136,7 +136,7 @@ def test_what_no_case_can_have_is_refused_before_anything_is_computed(option, wo
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("search", ["several.between_rigid_raceways", "roller_position.notes"])
+@pytest.mark.parametrize("search", ["several.between_rigid_raceways", "passage.notes"])
 def test_values_are_compared_without_what_ends_in_notes_alone(search, tmp_path, monkeypatch):
     """At 0 degC other equilibria take ten times as long as the rest, other positions of the rollers five."""
 

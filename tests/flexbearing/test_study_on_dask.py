@@ -154,7 +154,7 @@ def test_a_scheduler_that_is_killed_leaves_no_failed_row_and_the_next_start_goes
         for name, *options in calls:
             words = [sys.executable, "-m", f"distributed.cli.{name}", *options]
             started.append(subprocess.Popen(words, stderr=subprocess.DEVNULL, cwd=ROOT))
-        while not place.exists():
+        while not (place.exists() and place.read_text()):
             pass
         engine = connected(json.loads(place.read_text())["address"])
         with pytest.raises(EngineLost, match=r"the scheduler is gone \(\w+\)") as lost:

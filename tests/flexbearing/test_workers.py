@@ -17,7 +17,7 @@ from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, Ri
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
 from tests.ball_bearings import slow_bearing
-from tests.flexbearing.test_interruptions import started, wait_for
+from tests.flexbearing.test_interruptions import ended, started, wait_for
 
 pytestmark = pytest.mark.usefixtures("two_cores")
 
@@ -147,12 +147,11 @@ def test_fast_balls_are_the_same_by_one_and_by_two_workers():
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_signal_ends_the_workers_too(number, tmp_path):
     process = started("run", JOSHI, "-o", tmp_path / "out.h5", "--set", "friction.model=kalker")
-    wait_for(process, "stick and slip")
+    wait_for(process.stderr, "stick and slip")
     workers = children(process.pid)
     os.killpg(process.pid, number)
-    _, complaint = process.communicate(timeout=120)
+    complaint = ended(process)
     assert len(workers) == 2
     assert process.returncode == 128 + number
     assert complaint.startswith("interrupted")
-    assert complaint.count("\n") == 1
     assert not any(Path(f"/proc/{worker}").exists() for worker in workers)

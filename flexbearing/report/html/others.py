@@ -79,7 +79,7 @@ def passage(reader: Reader) -> Table | None:
     rows = [row for entry in reader.layout.summary if entry.label for row in _range(reader, entry)]
     if passed["mean_life_Mrev"] is not None:
         life = reader.of_attribute("passage/mean_life_Mrev", "Mrev", "Mrev", ",.4g")
-        rows.append(("basic life L10 by equal damage of all positions", life, "", life, "", "Mrev"))
+        rows.append(("basic life L10 by equal damage of all positions", life, "", "", "", "Mrev"))
     return Table(("quantity", "smallest", "at [°]", "largest", "at [°]", "unit"), tuple(rows))
 
 
