@@ -145,9 +145,7 @@ def test_a_killed_worker(with_files, tmp_path):
     _, errors = process.communicate()
     assert (process.returncode, told(errors)) == (0, [])
     last = errors.splitlines()[-1]
-    assert re.match(
-        r"study: 24 of 24 variants, 0 failed, [12] tasks? repeated because .* died", last
-    )
+    assert re.match(r"study: 24 of 24 variants, 0 failed, [12] tasks? repeated because .* died", last)
     assert_the_same_in_the_end(with_files, folder, before)
 
 
