@@ -43,6 +43,14 @@ def one_process_for_all_cores():
         yield
 
 
+@pytest.fixture(autouse=True, scope="session")
+def progress_for_none_who_waits():
+    """What a command says on the error stream must not depend on how busy the machine is."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("flexbearing.progress.EVERY", 3600.0)
+        yield
+
+
 @pytest.fixture
 def two_cores(monkeypatch):
     """For tests of worker processes."""

@@ -21,7 +21,7 @@ COMMANDS: tuple[tuple[str, dict[int, str]], ...] = (  # words, and what may be c
     ("plot r.h5 -o o", {1: READ, 3: WRITTEN}), ("plot r.h5 -o o --format svg", {5: OTHER}),
     ("plot b.h5 --against b.h5 -o o", {3: READ}), ("export r.h5 --to csv -o o", {1: READ, 3: OTHER,
     5: WRITTEN}), ("export r.h5 --to vtu --part outer --state rigid", {5: OTHER, 7: OTHER}),
-    ("export study.csv --to ross -o o", {1: READ}), ("diff r.h5 r.h5", {1: READ, 2: READ}),
+    ("export t.csv --to ross -o o", {1: READ}), ("diff r.h5 r.h5", {1: READ, 2: READ}),
     ("diff r.h5 b.h5", {2: READ}), ("draw case.toml -o o", {1: READ, 3: WRITTEN}),
     ("draw case.toml --format svg -o o", {3: OTHER}), ("draw b.toml -o o --keys --set bearing.balls=16",
     {6: OTHER}), ("explain bearing", {1: OTHER}), ("explain bearing", {1: OTHER}),
@@ -43,7 +43,7 @@ def path(rng: Random, bases: Bases) -> ChangedFiles:
     files = {
         "case.toml": bases.case, "b.toml": bases.ball, "r.h5": bases.files["roller.h5"],
         "b.h5": bases.files["ball.h5"], "study.toml": {"case": "case.toml",
-        "over": {"operation.radial_load": ["1 kN"]}}, "study.csv": bases.files["study.csv"],
+        "over": {"operation.radial_load": ["1 kN"]}}, "t.csv": bases.files["study.csv"],
     }  # fmt: skip
     place = rng.choice([*places])
     texts = KEYS if words[0] == "explain" else TEXTS[places[place]]

@@ -21,11 +21,12 @@ def as_csv(rows: Iterable[Iterable[Any]]) -> str:
     "load [N],note\n1.5,'=1+1\n,a\\x1b[0m\n"
     """
     file = StringIO(newline="")
-    csv.writer(file, lineterminator="\n").writerows(map(_cell, row) for row in rows)
+    csv.writer(file, lineterminator="\n").writerows(map(as_cell, row) for row in rows)
     return file.getvalue()
 
 
-def _cell(value: Any) -> Any:
+def as_cell(value: Any) -> Any:
+    """A value as it stands in a cell."""
     if isinstance(value, float):
         return "" if isnan(value) else value
     return _text(value) if isinstance(value, str) else value

@@ -63,7 +63,8 @@ class Output:
 
     def rounds_to_zero(self, number: float) -> bool:
         """Whether a number in `unit` is zero to the printed digit, so that no ratio to it says anything."""
-        return not float(format(number, self.declared.digits or ".4g").replace(",", ""))
+        digits = self.declared.digits or ".4g"
+        return not float(format(number, ".0f" if digits == "d" else digits).replace(",", ""))
 
 
 @dataclass(frozen=True)

@@ -14,8 +14,7 @@ from flexbearing.pages.study_table import table_file, tables_of
 from flexbearing.report.html import SYSTEMS, Units, html, of_result, of_study
 from flexbearing.report.html.document import Document
 from flexbearing.report.html.scatter import read_scatter
-from flexbearing.report.html.study import MOST_ROWS
-from flexbearing.report.html.table import PARQUET, read_table
+from flexbearing.report.html.table import MOST_ROWS, PARQUET, read_table
 from flexbearing.results import Result
 
 PAGES = (".html", ".htm")

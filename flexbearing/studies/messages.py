@@ -87,7 +87,7 @@ def end(settled: Prepared, table: Table, folder: Path) -> str:
     """How a study ended, and where its table and picture are."""
     counts = Counter(table["status"].values)
     words = ", ".join(f"{count} {name}" for name, count in counts.most_common())
-    lines = [f"{table.name}: {len(table)} variants: {words}"]
+    lines = [f"{table.name}: {len(table)} variants: {words or 'this part has none'}"]
     if settled.part:
         part = f"part {settled.part.number} of {settled.part.of}"
         return (
@@ -205,7 +205,7 @@ def follow(report: Report) -> Callable[[Progress], None]:
             words = f"elastic rings: {condensed} of {rings} condensed or resolved for the target"
             report.stage(words, condensed / rings)
         else:
-            report.stage(_line(progress), progress.done / progress.total)
+            report.stage(_line(progress), progress.done / max(progress.total, 1))  # a part may be empty
         if progress.repeated and progress.done == progress.total:
             report.line(_line(progress))
 

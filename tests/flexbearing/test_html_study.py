@@ -10,9 +10,11 @@ from pytest import approx
 
 import flexbearing
 from flexbearing.case import BadCase
+from flexbearing.files import as_csv
 from flexbearing.inputs import Unreadable
 from flexbearing.pages.make import report
-from flexbearing.report.html.table import table_text
+from flexbearing.report.html.parquet import sealed
+from flexbearing.report.html.table import HANDED_OUT, MOST_ROWS, table_text
 from flexbearing.results import BadResult
 from tests.flexbearing.hostile_cases import CONFIGS
 from tests.flexbearing.html_pages import Page, require_equal
@@ -89,6 +91,28 @@ def test_a_parquet_table_has_the_report_of_its_csv(tables, tmp_path):
         for form in ("csv", "parquet")
     ]
     assert pages[0] == pages[1].replace("sweep.parquet", "sweep.csv")
+
+
+@pytest.mark.parametrize("form", ["csv", "parquet"])
+def test_a_large_table_is_counted_whole_and_left_in_its_file(tmp_path, form):
+    pyarrow = pytest.importorskip("pyarrow")
+    count = HANDED_OUT + 1
+    ends = {"status": ["converged"] * (count - 1) + ["error"], "message": [""] * (count - 1) + ["no =1+1"]}
+    loads = {"operation.radial_load [N]": np.arange(1.0, 1 + count), "life [h]": np.ones(count)}
+    columns = loads | ends | {"seconds": np.ones(count)}
+    place = tmp_path / f"large.{form}"
+    if form == "csv":
+        place.write_text(as_csv([[*columns], *zip(*columns.values(), strict=True)]))
+    else:
+        place.write_bytes(sealed(pyarrow.table(columns)))
+    page = report(place)[0].read_text("utf-8")
+    assert f"{count - 1} of {count} variants converged" in page
+    assert f"row {count}: error: no =1+1" in page
+    assert (
+        f"The first {MOST_ROWS} of {count} rows are shown, here and in the figures; {place.name} has all"
+        in page
+    )
+    assert 'id="download"' not in page
 
 
 def test_arrays_of_a_study_are_refused_with_the_name_of_their_table(tables):

@@ -55,6 +55,13 @@ def numbers(summary):
 
 
 @pytest.mark.parametrize("kind", FAMILIES)
+def test_every_output_says_whether_a_number_of_it_is_printed_as_zero(kind):
+    for output in outputs(FAMILIES[kind].layout()):
+        assert output.rounds_to_zero(0.0)
+        assert not output.rounds_to_zero(3.0)
+
+
+@pytest.mark.parametrize("kind", FAMILIES)
 def test_names_are_those_of_the_summary_without_units(kind):
     layout = FAMILIES[kind].layout()
     declared = {output.declared.key for output in outputs(layout)}

@@ -23,6 +23,11 @@ SILENT = 20.0  # [s]
 FOUR = ["bearing.balls=4", "friction.model=fastsim", "friction.cells=[16, 16]"]
 
 
+@pytest.fixture(autouse=True)
+def every_three_seconds(monkeypatch):
+    monkeypatch.setattr(progress, "EVERY", 3.0)
+
+
 class Told(Logged):
     """Keeps what it is told."""
 

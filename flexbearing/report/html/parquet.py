@@ -1,13 +1,16 @@
 """The table of a study in a Parquet file, as text of a CSV file."""
 
 import re
+from collections.abc import Callable, Sequence
 from hashlib import sha256
 from io import BytesIO, StringIO
+from itertools import chain
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from flexbearing import inputs
 from flexbearing.files import as_csv
+from flexbearing.files.csv_rows import as_cell
 from flexbearing.inputs.limits import TABLE
 from flexbearing.printable import excerpt
 
@@ -16,6 +19,7 @@ DIGEST, NO_DIGEST = "sha256", "0" * 64  # in the metadata: of the bytes of the f
 _SEAL = re.compile(rb"\x06sha256\x18@([0-9a-f]{64})")  # name and value behind their lengths, in Thrift
 LONGEST = 10_000  # bytes of a text
 AT_ONCE = 1000  # rows
+T = TypeVar("T")
 
 
 def csv_text(place: Path, most: int | None = None) -> str:
@@ -26,6 +30,29 @@ def csv_text(place: Path, most: int | None = None) -> str:
     Unreadable
         where the file cannot be read, is larger than any table of a study, or pyarrow is not installed
     """
+    return _read(place, lambda opened: _text(opened, most or MOST_ROWS))
+
+
+def row_count(place: Path) -> int:
+    """Rows of a table; raises as `csv_text` does."""
+    return _read(place, lambda opened: opened.metadata.num_rows)
+
+
+def texts(place: Path, names: Sequence[str]) -> list[list[str]]:
+    """Some columns of texts, all rows, as the CSV file has them; raises as `csv_text` does."""
+
+    def cells(opened: Any) -> list[list[str]]:
+        table = opened.read(columns=[*names])
+        columns = [table.column(name).chunks for name in names]
+        for chunk in chain(*columns):
+            _require_short(chunk)
+        return [[as_cell(cell) or "" for chunk in chunks for cell in _cells(chunk)] for chunks in columns]
+
+    return _read(place, cells)
+
+
+def _read(place: Path, take: Callable[[Any], T]) -> T:
+    """What is taken from a file that was examined, texts of which are packed."""
     try:
         import pyarrow
         from pyarrow.parquet import ParquetFile
@@ -40,7 +67,7 @@ def csv_text(place: Path, most: int | None = None) -> str:
         metadata = ParquetFile(content).metadata
         _require_size(metadata)
         packed = [metadata.schema.column(k).path for k in range(metadata.num_columns)]
-        return _text(ParquetFile(content, read_dictionary=packed), most or MOST_ROWS)
+        return take(ParquetFile(content, read_dictionary=packed))
     except (pyarrow.ArrowException, OSError) as problem:
         raise inputs.Unreadable(
             f"is no Parquet file, or damaged: {excerpt(str(problem))}", place
@@ -99,8 +126,8 @@ def _text(opened: Any, most: int) -> str:
         if rows >= most:
             break
         rows += batch.num_rows
-        if max(map(_longest_text, batch.columns), default=0) > LONGEST:
-            raise inputs.Unreadable(f"has a text of more than {LONGEST} bytes")
+        for column in batch.columns:
+            _require_short(column)
         file.write(as_csv(zip(*map(_cells, batch.columns), strict=True)))
         if file.tell() > TABLE:
             raise inputs.Unreadable(f"is larger than {inputs.size(TABLE)} unpacked")
@@ -119,12 +146,13 @@ def _cells(column: Any) -> list[Any]:
     return column.to_pylist()
 
 
-def _longest_text(column: Any) -> int:
-    """Bytes of the longest text of a column, or in its lists."""
+def _require_short(column: Any) -> None:
+    """Refuse a column with a text, or one in its lists, that no study writes; before rows share it."""
     import pyarrow
     from pyarrow import compute
 
     flat = column.flatten() if pyarrow.types.is_list(column.type) else column
     if not pyarrow.types.is_dictionary(flat.type):
-        return 0
-    return compute.max(compute.binary_length(flat.dictionary)).as_py() or 0  # type: ignore[attr-defined]
+        return
+    if (compute.max(compute.binary_length(flat.dictionary)).as_py() or 0) > LONGEST:  # type: ignore[attr-defined]
+        raise inputs.Unreadable(f"has a text of more than {LONGEST} bytes")

@@ -12,11 +12,10 @@ from flexbearing.report.html.duty import duty_parts
 from flexbearing.report.html.effects import name
 from flexbearing.report.html.figures import COLOURS
 from flexbearing.report.html.scatter import ScatterTables, scatter_parts
-from flexbearing.report.html.table import NOT_COMPUTED, StudyColumn, StudyTable, words
+from flexbearing.report.html.table import MOST_ROWS, NOT_COMPUTED, StudyColumn, StudyTable, words
 from flexbearing.report.html.units import METRIC, Units, converted, printed, with_unit
 
 LINES = 12  # of a figure at most; more are points
-MOST_ROWS = 2000  # of a table that a browser still shows at once
 MOST_MESSAGES = 50  # of rows, and rows of each
 FIGURES = 12  # that are shown; others on request
 LONGEST = 40  # characters of a list that a cell shows
@@ -40,7 +39,7 @@ def of_study(
     drawn = _drawn(shown, cycles, scatter, units)
     parts = {
         **_endings(table),
-        "count": len(table),
+        "count": len(table.statuses),
         "file": table.place.name,
         "shown": len(shown),
         "varied": _varied(table, units),
@@ -52,7 +51,7 @@ def of_study(
         "scatter": scatter_parts(scatter, units) if scatter else None,
         "rows": _rows(shown, units, "rows"),
     }
-    download = f"{table.place.stem}.csv", table.text
+    download = (f"{table.place.stem}.csv", table.text) if table.text else None
     return Document("study.html.j2", f"Study: {printable(table.name)}", parts, download)
 
 
@@ -75,10 +74,9 @@ def _drawn(
 
 def _endings(table: StudyTable) -> dict[str, Any]:
     """How many rows have a result, and why others have none; dangers of those that do."""
-    columns = {column.name: column.texts for column in table.columns}
     ends = [
         (row, status, printable(message))
-        for row, (status, message) in enumerate(zip(columns["status"], columns["message"], strict=True), 1)
+        for row, (status, message) in enumerate(zip(table.statuses, table.messages, strict=True), 1)
     ]
     answered = (CONVERGED, RATED, IDLE)
     failed = [(row, f"{status}: {message}") for row, status, message in ends
@@ -87,7 +85,7 @@ def _endings(table: StudyTable) -> dict[str, Any]:
              for note in _NOTES.split(message)]  # fmt: skip
     idle = sum(status == IDLE for _, status, _ in ends)
     return {
-        "converged": len(table) - len(failed) - table.to_come - idle,
+        "converged": len(ends) - len(failed) - table.to_come - idle,
         "idle": idle,
         "to_come": table.to_come,
         "failed": [*_by_message(failed)],

@@ -23,6 +23,8 @@ NOT_COMPUTED = (
 )
 SHARES = ("time_share", "revolution_share")  # of a duty cycle, no outputs
 AT_ONCE = 10_000  # rows
+MOST_ROWS = 2000  # that a browser still shows at once
+HANDED_OUT = 20_000  # rows of the largest table that a page has inside; of others the first are read
 _HEADING = re.compile(r"(?P<name>.*?)(?: \[(?P<unit>[^]]*)\])?")
 
 
@@ -72,8 +74,10 @@ class StudyTable:
     """A table of a study."""
 
     place: Path
-    text: str  # of the file
-    columns: tuple[StudyColumn, ...]
+    text: str  # of the file; empty where it is too large for a page
+    columns: tuple[StudyColumn, ...]  # of all rows, or of the first of a large table
+    statuses: Sequence[str]  # of all rows
+    messages: Sequence[str]
 
     @property
     def name(self) -> str:
@@ -86,7 +90,7 @@ class StudyTable:
     @cached_property
     def to_come(self) -> int:
         """Variants that are not computed yet."""
-        return next(column.texts.count(NOT_COMPUTED) for column in self.columns if column.name == ENDS[0])
+        return self.statuses.count(NOT_COMPUTED)
 
     def first(self, rows: int) -> "StudyTable":
         """The first rows of it, or all."""
@@ -124,18 +128,34 @@ def read_table(place: Path, families: Families, most: int | None = None) -> Stud
         where there is no such file, or it is no table of a study
     """
     try:
-        text = table_text(place, most)
+        packed = place.suffix == PARQUET and most is None and _row_count(place) > HANDED_OUT
+        text = table_text(place, MOST_ROWS if packed else most)
         lines = csv.reader(StringIO(text, newline=""), strict=True)
         head = next(lines)
         inputs.require_different(head)
         cells = _cells(islice(lines, most), len(head))
+        if not any(cells) or not set(ENDS) <= set(head):
+            raise ValueError(f"it has no rows with {', '.join(ENDS)}")
+        ends = _packed_ends(place) if packed else [cells[head.index(name)] for name in ENDS[:2]]
     except inputs.Unreadable as problem:
         raise BadResult(f"{place}: {problem}.") from problem
     except (ValueError, StopIteration, csv.Error) as problem:
         raise BadResult(f"{place}: is no table of a study: {problem}.") from problem
-    if not any(cells) or not set(ENDS) <= set(head):
-        raise BadResult(f"{place}: is no table of a study: it has no rows with {', '.join(ENDS)}.")
-    return StudyTable(place, text, tuple(_columns(head, cells, families)))
+    if len(ends[0]) > HANDED_OUT:
+        text, cells = "", [column[:MOST_ROWS] for column in cells]
+    return StudyTable(place, text, tuple(_columns(head, cells, families)), *ends)
+
+
+def _row_count(place: Path) -> int:
+    from flexbearing.report.html.parquet import row_count
+
+    return row_count(place)
+
+
+def _packed_ends(place: Path) -> list[list[str]]:
+    from flexbearing.report.html.parquet import texts
+
+    return texts(place, ENDS[:2])
 
 
 def table_text(place: Path, most: int | None = None) -> str:

@@ -31,7 +31,8 @@ def draw_scatter(name: str, outputs: Rows, shares: Rows, bins: Rows) -> Figure:
         _histogram(left, output, of_output[0])
         _shares(right, of_output[1])
     panels[0][0].legend(fontsize=8)
-    panels[0][1].legend(fontsize=8, loc="lower right")
+    if panels[0][1].get_legend_handles_labels()[1]:
+        panels[0][1].legend(fontsize=8, loc="lower right")
     panels[-1][1].set_xlabel("share of the variance [%]")
     figure.suptitle(titled(f"Study: {name}", WIDE), parse_math=False)
     return figure
