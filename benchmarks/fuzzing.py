@@ -33,7 +33,11 @@ LARGE = {
 }  # fmt: skip
 ANNOUNCED = re.compile(rf"(?:about|of) (\d+) ({'|'.join(LARGE)})")
 # Words that announce how long is worked whose size no number tells.
-ANNOUNCED_TIME = ("curves of folds through them are followed, up to",)
+ANNOUNCED_TIME = (
+    "curves of folds through them are followed, up to",
+    "of at most 40",
+    "ends of stable states",
+)
 WARNINGS = (
     "Warning:",
     "Traceback",

@@ -33,18 +33,25 @@ class Linear:
     @property
     def mean(self) -> float:
         r"""Mean of the output; of a logarithm :math:`f e^{\sigma^2/2}`, that of a logarithmic normal law."""
-        return self.value * float(np.exp(self.variances.sum() / 2)) if self.logarithmic else self.value
+        if not self.logarithmic:
+            return self.value
+        with np.errstate(over="ignore"):  # infinite, as that of the law is to the digits of a float
+            return self.value * float(np.exp(self.variances.sum() / 2))
 
     @property
     def deviation(self) -> float:
         r"""Standard deviation of the output; of a logarithm :math:`\bar f \sqrt{e^{\sigma^2} - 1}`."""
         variance = float(self.variances.sum())
-        return self.mean * np.sqrt(np.expm1(variance)) if self.logarithmic else np.sqrt(variance)
+        if not self.logarithmic:
+            return np.sqrt(variance)
+        with np.errstate(over="ignore"):
+            return self.mean * np.sqrt(np.expm1(variance))
 
     def at(self, numbers: NDArray) -> NDArray:
         """The output (n) at drawn numbers (n, D)."""
         change = (numbers - self.means) @ self._slopes
-        return self.value * np.exp(change) if self.logarithmic else self.value + change
+        with np.errstate(over="ignore"):
+            return self.value * np.exp(change) if self.logarithmic else self.value + change
 
     @property
     def _slopes(self) -> NDArray:

@@ -1,6 +1,6 @@
 """Folds of a map: where stable states end between its points, and the curves of folds in its planes."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -125,7 +125,7 @@ class MapFolds:
         return sum(not whole.issuperset(curve.ends) for curve in self.curves)
 
 
-def folds(solved: SolvedGrid) -> MapFolds:
+def folds(solved: SolvedGrid, tell: Callable[[str], None] = lambda stage: None) -> MapFolds:
     """Solve for the folds at which stable states end, and follow the curves through them.
 
     Valid
@@ -139,6 +139,7 @@ def folds(solved: SolvedGrid) -> MapFolds:
     located, curves = np.zeros(len(ends), bool), []
     in_plane = tuple(range(max(dimensions - 2, 0), dimensions))
     planes: dict[tuple, list[int]] = {}
+    count = iter(range(1, len(ends) + 1))
     for number, end in enumerate(ends):
         across = () if end.axis in in_plane else (number,)  # each alone on its line
         planes.setdefault((*end.place[: in_plane[0]].tolist(), *across), []).append(number)
@@ -146,7 +147,9 @@ def folds(solved: SolvedGrid) -> MapFolds:
         some = [ends[number] for number in numbers]
         inside = some[0].axis in in_plane
         equations = MapPlaneEquations(solved.points, in_plane if inside else (some[0].axis,), some[0].place)
-        found, new = _in_plane(equations, some)
+        found, new = _in_plane(
+            equations, some, lambda: tell(f"folds: {next(count)} of {len(ends)} ends of stable states")
+        )
         for number, fold in zip(numbers, found, strict=True):
             if fold is not None:
                 places[number], located[number] = equations.whole(fold.place[None])[0], True
@@ -163,11 +166,14 @@ def _ends(solved: SolvedGrid) -> Iterator[End]:
         yield End(state, side, place, last)
 
 
-def _in_plane(equations: MapPlaneEquations, ends: list[End]) -> tuple[list[Fold | None], list[FoldCurve]]:
+def _in_plane(
+    equations: MapPlaneEquations, ends: list[End], begin: Callable[[], None]
+) -> tuple[list[Fold | None], list[FoldCurve]]:
     """Folds of ends in a plane, and the curves through them; of a line the folds alone."""
     found: list[Fold | None] = [None] * len(ends)
     curves: list[FoldCurve] = []
     for number, end in enumerate(ends):
+        begin()
         if end.last is None or found[number] is not None:
             continue
         start = end.place[list(equations.axes)]

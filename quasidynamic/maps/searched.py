@@ -1,5 +1,6 @@
 """States of other sheets, searched by solves from other spins and slips that are spread over a map."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -25,7 +26,9 @@ QUIET, QUIET_AMONG_SEVERAL = 2, 4  # rounds without another state, after which t
 MOST_ROUNDS = 40
 
 
-def search(points: GridPoints, states: States, mapped: Mapped) -> tuple[int, bool]:
+def search(
+    points: GridPoints, states: States, mapped: Mapped, tell: Callable[[str], None]
+) -> tuple[int, bool]:
     """Search states of other sheets where several are likely; every one is continued over the map.
 
     A sheet covers many points as a rule: a few starts at points all over the map find it as surely as many
@@ -35,6 +38,7 @@ def search(points: GridPoints, states: States, mapped: Mapped) -> tuple[int, boo
     if not states.doubtful.any() and states.stable_count.max(initial=0) < 2:
         return 0, True
     for number in range(MOST_ROUNDS):
+        tell(f"other sheets: round {number + 1} of at most {MOST_ROUNDS}")
         before, several = len(states), np.flatnonzero(states.stable_count > 1)
         doubtful = np.union1d(states.point[states.doubtful], several)
         _try(points, states, rng.choice(doubtful, min(POINTS, len(doubtful)), replace=False), rng, mapped)

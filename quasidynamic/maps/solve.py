@@ -98,5 +98,5 @@ def solve(
     tell("sheets and their folds")
     connect_all(points, states, mapped)
     tell("other sheets")
-    rounds, quiet = search(points, states, mapped)
+    rounds, quiet = search(points, states, mapped, tell)
     return SolvedGrid.of(points, states, rounds, quiet)

@@ -92,7 +92,7 @@ def solved_map(first: Case, axes: Sequence[MapAxis], texts: Sequence[str], repor
         if len(axes) > 1 and (ends := len(solved.ends[0])):
             curves = "the curves of folds through them are followed, up to 20 s each"
             report.line(f"{ends} ends of stable states: {curves}")
-        ended = folds(solved)
+        ended = folds(solved, lambda stage: report.stage(stage, None))
         report.stage("outputs", None)
         outputs, error = _outputs(whole, solved, texts, mapped)
     raceways = "rigid raceways" if whole.points.rigid else "flexible rings"
