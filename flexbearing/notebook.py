@@ -61,12 +61,13 @@ class Case:
         """Draw what the case describes, to scale."""
         return api.drawings(self.head)
 
-    def sensitivity(self, of: Sequence[str] = (), by: Sequence[str] = ()) -> "Sensitivities":
+    def sensitivity(self, of: str | Sequence[str] = (), by: str | Sequence[str] = ()) -> "Sensitivities":
         """How much a realistic step of each key changes the outputs, with derivatives.
 
         `of` names outputs, "life" or "all"; `by` keys, by default those that the case states.
         """
-        return api.sensitivities(self.head, of, by)
+        names, keys = ([each] if isinstance(each, str) else each for each in (of, by))
+        return api.sensitivities(self.head, names, keys)
 
     def goal(self, life: str) -> "Goal":
         """What to change for a life, "x2" or "20000 h": every lever alone, and the best pair."""
@@ -78,19 +79,22 @@ class Case:
     def sweep(
         self,
         over: Mapping[str, object],
-        collect: Mapping[str, str] | None = None,
+        collect: Mapping[str, str] | Sequence[str] | None = None,
         *,
         output: str | Path | None = None,
         jobs: int = 1,
     ) -> "Table":
         """Compute the case over values of some keys, crossed: lists, or ranges such as "3 .. 14 mm, 12".
 
-        `collect` names columns and their outputs, by default the main ones. Nothing is stored without a
-        folder `output`.
+        `collect` names outputs, or columns with their outputs, by default the main ones. Nothing is stored
+        without a folder `output`.
         """
         from flexbearing.studies.study import study
 
-        wanted = {"case": self, "name": "sweep", "over": dict(over), "collect": collect or self._main}
+        columns = collect or self._main
+        if not isinstance(columns, Mapping):
+            columns = {output.partition(" [")[0]: output for output in columns}
+        wanted = {"case": self, "name": "sweep", "over": dict(over), "collect": columns}
         if output is not None:
             return study(wanted, output, jobs=jobs)
         with TemporaryDirectory() as folder:
@@ -146,5 +150,19 @@ def new(like: str = "cylindrical_roller", *, title: str = "", source: str = "", 
     if unknown := next((name for name in entries if name not in ENTRIES), None):
         raise BadCase(f"new: {unknown} is no entry; there are {', '.join(ENTRIES)}.")
     file = Path(f"{like}.toml")
-    text, _ = case_text(like, {name: str(value) for name, value in entries.items()}, file, title, source)
+    try:
+        text, _ = case_text(like, {name: str(value) for name, value in entries.items()}, file, title, source)
+    except BadCase as problem:
+        raise BadCase(_in_words_of_python(str(problem))) from None
     return Case(understood(text, file, (), FAMILIES))
+
+
+def _in_words_of_python(message: str) -> str:
+    """Entries by their names, where the command line has options."""
+    from flexbearing.catalogue.entries import ENTRIES
+
+    for name, entry in ENTRIES.items():
+        options = ", ".join(filter(None, (entry.option, entry.letter)))
+        message = message.replace(options, name).replace(f"{entry.option}:", f"{name}:")
+        message = message.replace(f"{entry.option} ", f"{name} ")
+    return message.replace("--like ", "like ")

@@ -40,7 +40,7 @@ def tabled(
     """
     there = np.isfinite(values)
     if not there.any():
-        raise BadCase(f"--of {', '.join(each.name for each in outputs)}: the case has no such output")
+        raise BadCase(f"of {', '.join(each.name for each in outputs)}: the case has no such output")
     numbers = np.array(list(columns.values())).reshape(-1, 3, len(values)).transpose(1, 2, 0)
     slopes, below, above = numbers[:, there]
     known = [

@@ -28,7 +28,7 @@ def export(
     from flexbearing.runs import stored_fields as compute
 
     if part not in ("inner", "outer", None):
-        raise BadCase(f'--part {part}: it is "inner" or "outer"')
+        raise BadCase(f'part {part}: it is "inner" or "outer"')
     paths = compute.destinations(result, directory, state, part)
     solved = compute.of_result(result, state, part)
     records = {one.race: one.record() for one in solved}

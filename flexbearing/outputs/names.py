@@ -186,7 +186,7 @@ def wanted(layout: Layout, text: str) -> Wanted:
         hint = f" Did you mean {near[0]}?" if near else ""
         raise UnknownOutput(
             f"{quoted(text)}: no output has this name.{hint} The main ones are {', '.join(layout.main)}; "
-            "docs/reference/results.md lists all."
+            'the documents list all under "The result file".'
         )
     unit = output.unit if parts["unit"] is None else parts["unit"].strip()
     try:

@@ -45,7 +45,7 @@ def report(
         when there is no room left, or Chromium did not print
     """
     if units not in SYSTEMS:
-        raise BadCase(f"--units {units}: it is {' or '.join(SYSTEMS)}")
+        raise BadCase(f"units {units}: it is {' or '.join(SYSTEMS)}")
     browser = chromium() if pdf else ""
     place = (source.path or Path(f"{source.stem}.h5")) if isinstance(source, Result) else Path(source)
     if place.suffix == ARRAYS:
@@ -55,7 +55,7 @@ def report(
         )
     of_table = not isinstance(source, Result) and (is_folder(place) or place.suffix in TABLES)
     if of_table and against is not None:
-        raise BadCase(f"--against {against}: {source} is a study; only results are compared")
+        raise BadCase(f"against {against}: {source} is a study; only results are compared")
     place = table_file(place) if of_table else place
     wanted = Path(output or place.with_name(f"{place.stem}_report.html"))
     outputs = [wanted, *([wanted.with_suffix(".pdf")] if pdf else [])]

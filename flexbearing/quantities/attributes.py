@@ -23,7 +23,7 @@ from flexbearing.quantities.forms import (
 FORMAT = 10
 OLDER = {  # what the files of an older format are
     4: "its axes are older: of balls z axial and x along the load, tilts in stiffness_matrix of rollers as "
-    "slopes; see docs/reference/axes.md",
+    'slopes; see "Axes and signs" in the documents',
     5: "it has no checksums and no digest",
     6: "its notes have no grades and no codes",
     7: "its axes have no names that other programs read",

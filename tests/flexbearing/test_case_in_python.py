@@ -50,6 +50,25 @@ def test_an_entry_that_is_none_is_named(case):
         fb.new("cylindrical_roller", boar="50 mm")
 
 
+def test_messages_name_what_python_calls_it(case):
+    with pytest.raises(fb.BadCase, match=r"^outside \(outside diameter\) is missing") as missing:
+        fb.new("cylindrical_roller", bore="50 mm")
+    with pytest.raises(fb.BadCase, match=r"^like cylindrical_roler: .*Did you mean") as unknown:
+        fb.new("cylindrical_roler", bore="50 mm")
+    with pytest.raises(fb.BadCase, match=r"^bore 50 ") as unreadable:
+        fb.new("cylindrical_roller", **{**PAGE, "bore": "50"})
+    assert not any("--" in str(each.value) for each in (missing, unknown, unreadable))
+
+
+def test_one_name_is_a_list_of_one(case):
+    table = case.sweep({"operation.radial_load": ["8 kN"]}, ["max_roller_load [kN]"])
+    assert (
+        table["max_roller_load [kN]"].values[0]
+        == case.with_({"operation.radial_load": "8 kN"}).run()["max_roller_load [kN]"].number
+    )
+    assert [each.name for each in case.sensitivity("cage_slip", "bearing.clearance").outputs] == ["cage_slip"]
+
+
 def test_life_is_the_most_detailed_one_that_there_is(result, case):
     assert result["life [h]"] == result["modified_life [h]"]
     basic = case.with_({**BASIC}).run()

@@ -168,7 +168,7 @@ def test_the_command_writes_the_report_beside_the_result(results, capsys):
 
 
 def test_other_units_are_refused_before_anything_is_read(tmp_path):
-    with pytest.raises(BadCase, match="--units furlong: it is metric or imperial"):
+    with pytest.raises(BadCase, match=r"^units furlong: it is metric or imperial"):
         report(tmp_path / "nothing.h5", units="furlong")
 
 

@@ -156,6 +156,13 @@ def parquet(place, **columns):
     return place
 
 
+def test_a_column_of_times_is_no_part_of_a_table(tmp_path):
+    times = np.full(2, 2**60).astype("datetime64[ms]")  # far beyond those of Python
+    place = parquet(tmp_path / "times.parquet", **{"life [h]": times})
+    with pytest.raises(Unreadable, match=r"life \[h\]: a column of timestamp\[\w+\], which no study writes"):
+        table_text(place)
+
+
 @pytest.mark.slow
 def test_a_packed_table_is_refused_before_it_is_unpacked(tmp_path):
     zeros = np.zeros(5_000_000)

@@ -620,7 +620,7 @@ def test_other_format_names_both_numbers(path):
 def test_file_from_before_the_change_of_axes_is_told_what_it_is(path):
     with h5py.File(written(path), "a") as file:
         file.attrs["format"] = 4
-    with pytest.raises(BadResult, match=r"its axes are older: of balls z axial.*see docs/reference/axes\.md"):
+    with pytest.raises(BadResult, match=r'its axes are older: of balls z axial.*see "Axes and signs"'):
         read(path)
 
 

@@ -170,3 +170,5 @@ def test_a_skewed_output_above_zero_is_predicted_by_its_logarithm():
     assert linear.at(numbers) == approx(lives)
     assert linear.mean == approx(lives.mean(), rel=0.05)
     assert linear.deviation == approx(lives.std(), rel=0.2)
+    wide = Linear(50.0, 100 * slope, zero, one, logarithmic=True)
+    assert (wide.mean, wide.at(np.full((1, 1), 9.0))[0]) == (np.inf, np.inf)

@@ -16,7 +16,7 @@ from flexbearing.case.quantity import (
     needed,
 )
 
-AXES_CHANGED = "axes changed: x axial, z along the load, azimuth from z to y, see docs/reference/axes.md"
+AXES_CHANGED = 'axes changed: x axial, z along the load, azimuth from z to y, see "Axes and signs"'
 LOAD = {  # former keys, and what has taken their place
     "operation.load.radial_x": f"operation.load.radial_z; {AXES_CHANGED}",
     "operation.load.moment_x": f"operation.load.moment_z, with the opposite sign; {AXES_CHANGED}",

@@ -101,9 +101,12 @@ def ranked(reader: Reader) -> tuple[Check, ...]:
 
 def judged(reader: Reader) -> str:
     """Whether the bearing can be used, in a few words."""
-    broken = {check.grade for check in ranked(reader) if check.broken}
+    unmet = [check for check in ranked(reader) if check.broken]
+    broken = {check.grade for check in unmet}
     if reader.notes(DANGER) and DANGER not in broken:
         return "No: see the dangers."
+    if {check.code for check in unmet if check.grade == DANGER} == {REQUIRED_LIFE.code}:
+        return "No: the required life is not reached."
     return JUDGED[next((each for each in WORST_FIRST if each in broken), "")]
 
 

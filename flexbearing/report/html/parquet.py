@@ -67,7 +67,9 @@ def _read(place: Path, take: Callable[[Any], T]) -> T:
         metadata = ParquetFile(content).metadata
         _require_size(metadata)
         packed = [metadata.schema.column(k).path for k in range(metadata.num_columns)]
-        return take(ParquetFile(content, read_dictionary=packed))
+        opened = ParquetFile(content, read_dictionary=packed)
+        _require_types(opened.schema_arrow)
+        return take(opened)
     except (pyarrow.ArrowException, OSError) as problem:
         raise inputs.Unreadable(
             f"is no Parquet file, or damaged: {excerpt(str(problem))}", place
@@ -114,6 +116,17 @@ def _require_size(metadata: Any) -> None:
             f"has {metadata.num_rows} rows, {cells} cells, {inputs.size(unpacked)} unpacked; a table of a "
             f"study has at most {MOST_ROWS} rows, {MOST_CELLS} cells, {inputs.size(TABLE)}"
         )
+
+
+def _require_types(schema: Any) -> None:
+    """Refuse columns of anything but numbers, texts and lists of them."""
+    from pyarrow import types
+
+    known = (types.is_floating, types.is_integer, types.is_boolean, types.is_dictionary, types.is_string)
+    for field in schema:
+        cells = field.type.value_type if types.is_list(field.type) else field.type
+        if not any(of_type(cells) for of_type in known):
+            raise inputs.Unreadable(f"{excerpt(field.name)}: a column of {field.type}, which no study writes")
 
 
 def _text(opened: Any, most: int) -> str:
