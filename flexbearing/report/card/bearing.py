@@ -17,7 +17,7 @@ def loads(reader: Reader) -> Iterator[Item]:
     """The largest load and the peak pressure."""
     most = most_loaded(reader, reader.last)
     if most is not None:
-        yield Item(f"largest {most.word}", most.load, remark=f"{most.carrying}/{most.count} loaded")
+        yield Item(f"largest {most.word}", most.load, remark=f"{most.carrying} of {most.count} loaded")
     pressures = [
         check for check in checks.ranked(reader)
         if check.what.lower().startswith(CONTACT_PRESSURE.label) and isinstance(check.value, Number)

@@ -66,7 +66,7 @@ def uncertain(reader: Reader) -> Iterator[Item]:
         return
     counts = {word: len(reader.attributes[name]) for word, name in _COUNTED.items()}
     if words := " and ".join(f"{count} {word}" for word, count in counts.items() if count):
-        yield Item(f"inputs: {words}", remark="effects by outputs.assumed_effects = true")
+        yield Item(f"not known: inputs {words}, effects not computed (outputs.assumed_effects = true)")
 
 
 _COUNTED = {"assumed": "assumed", "fitted": "calibrated"}

@@ -9,9 +9,10 @@ from flexbearing.findings.codes import PEAK_AT_ENDS
 from flexbearing.findings.finding import AT_LEAST, AT_MOST
 from flexbearing.findings.running import CLEARANCE, REQUIRED_LIFE, SHORT_LIFE
 from flexbearing.report.html.document import Cell, Number
+from flexbearing.report.html.keys import in_words
 from flexbearing.report.html.lives import lives
 from flexbearing.report.html.reader import Reader, once
-from flexbearing.report.html.units import printed, units_in_words
+from flexbearing.report.html.units import printed
 
 BUILD = "build"  # grade of dimensions that overlap
 BROKEN = {
@@ -171,8 +172,8 @@ def _check(reader: Reader, record: dict[str, Any]) -> Check:
         record["side"],
         record["place"],
         record["code"],
-        finding.meaning if broken else "",
-        finding.action.format(share=share) if broken else "",
+        in_words(finding.meaning) if broken else "",
+        in_words(finding.action.format(share=share)) if broken else "",
     )
 
 
@@ -187,6 +188,4 @@ def _noted(reader: Reader) -> Iterator[Check]:
         if code in reader.codes:
             verdict = BROKEN[grade, AT_MOST] if broken else NOT_CHECKED
             note = next(each["text"] for each in reader.attributes["notes"] if each["code"] == code)
-            yield Check(
-                what, "", limit, verdict=verdict, grade=grade, code=code, meaning=units_in_words(note)
-            )
+            yield Check(what, "", limit, verdict=verdict, grade=grade, code=code, meaning=in_words(note))

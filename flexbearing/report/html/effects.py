@@ -9,31 +9,12 @@ from flexbearing.quantities import SummaryValue
 from flexbearing.quantities.effects import COMPARISON, LIVES, about
 from flexbearing.report.html.document import Cell, Figure, Number, Table
 from flexbearing.report.html.figures import BLUE
+from flexbearing.report.html.keys import name
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import NOTHING, units_in_words, with_unit
 from flexbearing.report.rows import unit_of
 
 SMALLEST = 5e-3  # relative change that is drawn
-_NAMES = {
-    "bearing.fits.at": "tolerances of clearance and fits",  # stands for all classes of clearance and fits
-    "bearing.rollers": "number of rollers",
-    "bearing.balls": "number of balls",
-    "bearing.first_roller_azimuth": "azimuth of the first roller",
-    "outer.bars": "number of bars",
-    "operation.temperatures.reference": "reference temperature",
-    "operation.tilt": "free or held tilt",
-    "operation.misalignment": "misalignment of the inner ring",
-    "operation.radial_load": "radial load",
-    "operation.axial_load": "axial load",
-    "life.edge_stress": "edge stress",
-    "life.capacity": "rule of the load capacity",
-    "lubricant.inlet_temperature": "oil temperature at the inlets",
-    "life.cleanliness": "cleanliness of the oil",
-}
-_TABLES = ("bearing", "outer", "inner", "lubricant", "operation")  # that a key is clear without
-_OF_RINGS = {
-    f"{race}.{size}" for race in ("inner", "outer") for size in ("width", "thickness", "bore", "kind")
-}
 _STIFFNESSES = {"total_stiffness": "stiffness", "total_stiffness_yy": "stiffness along y"}
 _WIDE = 1.5  # ratio of the ends of an axis from which it is logarithmic
 _TICKS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5, 7, 10, 20, 50, 100]
@@ -59,23 +40,6 @@ class Span:
     squares: tuple[float, float]
     worst: tuple[float, float]
     most: str  # key
-
-
-def name(key: str) -> str:
-    """A key in plain words.
-
-    >>> name("materials.inner_ring"), name("outer.width"), name("friction.coefficient")
-    ('material of the inner ring', 'width of the outer ring', 'friction coefficient')
-    """
-    if key in _NAMES:
-        return _NAMES[key]
-    table, *rest = key.split(".")
-    words = " ".join(rest[-2:]).replace("_", " ")
-    if key.startswith("materials.") and len(rest) == 1:
-        return f"material of the {words}"
-    if key in _OF_RINGS:
-        return f"{words} of the {table} ring"
-    return words if table in _TABLES or len(rest) > 1 else f"{table} {words}"
 
 
 def ranked(reader: Reader) -> list[int]:

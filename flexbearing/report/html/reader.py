@@ -15,7 +15,8 @@ from flexbearing.printable import all_printable
 from flexbearing.quantities import SummaryValue
 from flexbearing.quantities.layout import Layout
 from flexbearing.report.html.document import Number
-from flexbearing.report.html.units import Units, converted, units_in_words
+from flexbearing.report.html.keys import in_words
+from flexbearing.report.html.units import Units, converted
 from flexbearing.report.rows import unit_of
 from flexbearing.results import BadResult, Result
 
@@ -139,9 +140,7 @@ class Reader:
 
     def notes(self, grade: str) -> tuple[str, ...]:
         """Texts of the notes of a grade."""
-        return tuple(
-            units_in_words(note["text"]) for note in self.attributes["notes"] if note["grade"] == grade
-        )
+        return tuple(in_words(note["text"]) for note in self.attributes["notes"] if note["grade"] == grade)
 
     def error_path(self, name: str) -> str:
         """Path among the attributes of an estimated error: by the target, else by slices; empty: none."""

@@ -19,8 +19,9 @@ from flexbearing.report.html import (
 )
 from flexbearing.report.html.document import Cell, Document, Figure, Number, Table
 from flexbearing.report.html.figures import around, convergence, deformed
+from flexbearing.report.html.keys import in_words
 from flexbearing.report.html.reader import Reader
-from flexbearing.report.html.units import METRIC, Units, printed, units_in_words
+from flexbearing.report.html.units import METRIC, Units, printed
 from flexbearing.results import Result
 
 CAVEATS = 3  # on the first page
@@ -137,7 +138,7 @@ def _notes(reader: Reader) -> tuple[list[str], list[tuple[str, str]]]:
     """Notes that no finding is judged by: the gravest for the first page, the others with their grades."""
     judged = {record["code"] for record in reader.findings} | set(checks.NOTED)
     notes = [
-        (note["grade"], units_in_words(note["text"]))
+        (note["grade"], in_words(note["text"]))
         for grade in GRADES for note in reader.attributes["notes"]
         if note["grade"] == grade and note["code"] not in judged
     ]  # fmt: skip

@@ -1,0 +1,57 @@
+"""Keys of a case in plain words, alone and within sentences."""
+
+import re
+
+from flexbearing.report.html.units import units_in_words
+
+_TABLES_OF_KEYS = (
+    "accuracy", "bearing", "friction", "inner", "life", "lubricant", "materials", "operation", "outer",
+    "outputs",
+)  # fmt: skip
+_KEY = re.compile(rf"\b(?:{'|'.join(_TABLES_OF_KEYS)})(?:\.[a-z]\w*)+")
+_NAMES = {
+    "bearing.fits.at": "tolerances of clearance and fits",  # stands for all classes of clearance and fits
+    "bearing.rollers": "number of rollers",
+    "bearing.balls": "number of balls",
+    "bearing.first_roller_azimuth": "azimuth of the first roller",
+    "outer.bars": "number of bars",
+    "operation.temperatures.reference": "reference temperature",
+    "operation.tilt": "free or held tilt",
+    "operation.misalignment": "misalignment of the inner ring",
+    "operation.radial_load": "radial load",
+    "operation.axial_load": "axial load",
+    "life.edge_stress": "edge stress",
+    "life.capacity": "rule of the load capacity",
+    "lubricant.inlet_temperature": "oil temperature at the inlets",
+    "life.cleanliness": "cleanliness of the oil",
+}
+_TABLES = ("bearing", "outer", "inner", "lubricant", "operation")  # that a key is clear without
+_OF_RINGS = {
+    f"{race}.{size}" for race in ("inner", "outer") for size in ("width", "thickness", "bore", "kind")
+}
+
+
+def name(key: str) -> str:
+    """A key in plain words.
+
+    >>> name("materials.inner_ring"), name("outer.width"), name("friction.coefficient")
+    ('material of the inner ring', 'width of the outer ring', 'friction coefficient')
+    """
+    if key in _NAMES:
+        return _NAMES[key]
+    table, *rest = key.split(".")
+    words = " ".join(rest[-2:]).replace("_", " ")
+    if key.startswith("materials.") and len(rest) == 1:
+        return f"material of the {words}"
+    if key in _OF_RINGS:
+        return f"{words} of the {table} ring"
+    return words if table in _TABLES or len(rest) > 1 else f"{table} {words}"
+
+
+def in_words(text: str) -> str:
+    """A sentence whose keys are words, and whose units are those of the page.
+
+    >>> in_words('for 3 um set bearing.contact = "half_space", or lower lubricant.inlet_length')
+    'for 3 µm set contact = "half_space", or lower inlet length'
+    """
+    return units_in_words(_KEY.sub(lambda found: name(found[0]), text))
