@@ -26,7 +26,7 @@ def as_csv(rows: Iterable[Iterable[Any]]) -> str:
 
 
 def as_cell(value: Any) -> Any:
-    """A value as it stands in a cell."""
+    """A value as a cell contains it."""
     if isinstance(value, float):
         return "" if isnan(value) else value
     return _text(value) if isinstance(value, str) else value
