@@ -134,13 +134,14 @@ def read_table(place: Path, families: Families, most: int | None = None) -> Stud
         head = next(lines)
         inputs.require_different(head)
         cells = _cells(islice(lines, most), len(head))
-        if not any(cells) or not set(ENDS) <= set(head):
-            raise ValueError(f"it has no rows with {', '.join(ENDS)}")
-        ends = _packed_ends(place) if packed else [cells[head.index(name)] for name in ENDS[:2]]
+        places = [head.index(name) for name in ENDS] if any(cells) and set(ENDS) <= set(head) else []
+        ends = _packed_ends(place) if packed and places else [cells[column] for column in places[:2]]
     except inputs.Unreadable as problem:
         raise BadResult(f"{place}: {problem}.") from problem
     except (ValueError, StopIteration, csv.Error) as problem:
         raise BadResult(f"{place}: is no table of a study: {problem}.") from problem
+    if not places:
+        raise BadResult(f"{place}: is no table of a study: it has no rows with {', '.join(ENDS)}.")
     if len(ends[0]) > HANDED_OUT:
         text, cells = "", [column[:MOST_ROWS] for column in cells]
     return StudyTable(place, text, tuple(_columns(head, cells, families)), *ends)
