@@ -21,7 +21,7 @@ from flexbearing.derivatives.roller_slopes import numbers
 from flexbearing.derivatives.roller_state import SolvedState, solved
 from flexbearing.derivatives.rollers import differentiated, wanted_of
 from flexbearing.derivatives.shape_numbers import numbers as numbers_of, with_numbers
-from flexbearing.outputs import Wanted
+from flexbearing.outputs import RequestedOutput
 from flexbearing.program.threads import linear_algebra_alone
 
 PAPER = "configs/mao2016.toml"
@@ -60,7 +60,7 @@ def slopes(state: SolvedState, fine: SolvedState) -> None:
         print(f"{path}: {'; '.join(rows)}; {seconds:.1f} s", flush=True)
 
 
-def meshed_again(case: Case, key: Key, wanted: Sequence[Wanted]) -> NDArray:
+def meshed_again(case: Case, key: Key, wanted: Sequence[RequestedOutput]) -> NDArray:
     """Elasticities (O) between two equilibria with meshes of their own; exact for powers of the key."""
     shares = 1 - STEP, 1 + STEP
     ends = [solved(with_value(case, key.path, key.value * share)) for share in shares]

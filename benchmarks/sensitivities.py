@@ -27,7 +27,7 @@ from flexbearing.derivatives.roller_state import SolvedState, solved
 from flexbearing.derivatives.rollers import difference, differentiated, wanted_of
 from flexbearing.derivatives.stencil import STENCILS, Stencil
 from flexbearing.derivatives.table import NEGLIGIBLE
-from flexbearing.outputs import Wanted
+from flexbearing.outputs import RequestedOutput
 from flexbearing.rings.condensed import RACES
 from quasidynamic import Equilibrium, ImpossiblePart, NotSolved, OutOfRange
 
@@ -125,7 +125,7 @@ def compared(kind: str, case: Case) -> Compared:
     return Compared(kind, np.array(errors), np.array(flagged))
 
 
-def solved_again(state: SolvedState, key: Key, wanted: Sequence[Wanted]) -> np.ndarray:
+def solved_again(state: SolvedState, key: Key, wanted: Sequence[RequestedOutput]) -> np.ndarray:
     """Derivatives (O) by a key in SI, by differences of equilibria that Newton's method finds."""
     for stencil in (FOURTH_ORDER, *STENCILS):
         places = [FARTHER * place for place in stencil.places]

@@ -25,7 +25,7 @@ SHAPES = 3
 
 
 @dataclass(frozen=True)
-class Wish:
+class RowRequest:
     """Elements, sizes over the roller length."""
 
     order: int
@@ -39,29 +39,29 @@ class Wish:
 
 
 CAGE = (
-    Wish(5, 0.4, 0.2, 2, 100),
-    Wish(4, 0.6, 0.15, 2, 90),
-    Wish(4, 0.6, 0.2, 2, 70),
-    Wish(4, 0.6, 0.2, 2),
-    Wish(4, 0.4, 0.2, 1),
-    Wish(4, 0.6, 0.3, 1),
-    Wish(3, 0.4, 0.25, 1),
-    Wish(*IN_SPACE, 1),
-    Wish(2, 0.6, 0.3, 1),
-    Wish(2, 0.8, 0.5, 1),
+    RowRequest(5, 0.4, 0.2, 2, 100),
+    RowRequest(4, 0.6, 0.15, 2, 90),
+    RowRequest(4, 0.6, 0.2, 2, 70),
+    RowRequest(4, 0.6, 0.2, 2),
+    RowRequest(4, 0.4, 0.2, 1),
+    RowRequest(4, 0.6, 0.3, 1),
+    RowRequest(3, 0.4, 0.25, 1),
+    RowRequest(*IN_SPACE, 1),
+    RowRequest(2, 0.6, 0.3, 1),
+    RowRequest(2, 0.8, 0.5, 1),
 )
 SHAFT = (
-    Wish(8, 0.6, 0.1, 4, 200),
-    Wish(6, 0.8, 0.15, 3),
-    Wish(*ON_A_SECTION, 2),
-    Wish(4, 0.6, 0.15, 2),
-    Wish(4, 1.2, 0.25, 2),
-    Wish(4, 2.0, 0.5, 2),
-    Wish(3, 1.2, 0.25, 2),
+    RowRequest(8, 0.6, 0.1, 4, 200),
+    RowRequest(6, 0.8, 0.15, 3),
+    RowRequest(*ON_A_SECTION, 2),
+    RowRequest(4, 0.6, 0.15, 2),
+    RowRequest(4, 1.2, 0.25, 2),
+    RowRequest(4, 2.0, 0.5, 2),
+    RowRequest(3, 1.2, 0.25, 2),
 )
 
 
-def condensed(part, length: float, wish: Wish):
+def condensed(part, length: float, wish: RowRequest):
     """Compliance (Z, M, Z, M), support stiffness, unknowns; layers are a constant of the mesher."""
     from fem.mesh import axial_section, half_pitch
 
@@ -74,7 +74,9 @@ def condensed(part, length: float, wish: Wish):
     return found.absolute, found.support_stiffness, found.unknowns
 
 
-def table(name: str, part, length: float, wishes: tuple[Wish, ...]) -> list[tuple[Wish, float, Cost]]:
+def table(
+    name: str, part, length: float, wishes: tuple[RowRequest, ...]
+) -> list[tuple[RowRequest, float, Cost]]:
     """Print errors and costs; return those of all but the finest."""
     print(f"{name}\n{'elements':42s} unknowns  largest   load on  support   clock  processor  memory")
     exact, rows = None, []

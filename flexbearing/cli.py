@@ -11,7 +11,7 @@ import typer
 
 from flexbearing import api
 from flexbearing.printable import all_printable, printable
-from flexbearing.program.kept import keeping
+from flexbearing.program.complete_files import keeping
 
 if TYPE_CHECKING:
     from rich.console import Console

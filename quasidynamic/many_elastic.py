@@ -55,7 +55,7 @@ def solve_many_elastic(
     for some, together in kinds:
         places = begun[some]
         given = deviation if deviation is None or deviation.ndim == 3 else deviation[places]
-        alike = _Alike(together, [bearings[place] for place in places], compliance, given)
+        alike = _Group(together, [bearings[place] for place in places], compliance, given)
         if starts is not None:
             alike.starts.update(enumerate(starts[place] for place in places))
         batches += alike.solved(places)
@@ -68,7 +68,7 @@ def _start(start: Equilibrium, place: int) -> Batch:
 
 
 @dataclass(frozen=True)
-class _Alike:
+class _Group:
     """Bearings that differ in numbers only."""
 
     together: RollerBearing  # which stands for them

@@ -9,13 +9,13 @@ from numpy.typing import NDArray
 
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import FastCase
-from flexbearing.derivatives.announced import announced
 from flexbearing.derivatives.by_keys import Differences, columns
+from flexbearing.derivatives.key_messages import announced
 from flexbearing.derivatives.keys import Key, given_keys, keys_of, with_value
 from flexbearing.derivatives.sides import tabled
 from flexbearing.derivatives.stencil import Stencil
 from flexbearing.derivatives.table import Sensitivities
-from flexbearing.outputs import Wanted, outputs, wanted
+from flexbearing.outputs import RequestedOutput, outputs, wanted
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.runs import angular_contact
@@ -61,7 +61,7 @@ def sensitivities(
     return tabled((case.title, "rigid raceways"), asked, state.values, found, left_out)
 
 
-def _asked(case: FastCase, of: Sequence[str]) -> list[Wanted]:
+def _asked(case: FastCase, of: Sequence[str]) -> list[RequestedOutput]:
     texts = list(of) or list(DEFAULT)
     if ALL in texts:
         texts = [each.name for each in outputs(LAYOUT) if each.name not in ESTIMATES]
@@ -132,7 +132,7 @@ class _Differentiated:
     """A state and the outputs that are differentiated there."""
 
     state: _State
-    outputs: Sequence[Wanted]
+    outputs: Sequence[RequestedOutput]
 
     @cached_property
     def values(self) -> NDArray:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from flexbearing.derivatives.keys import Key
 from flexbearing.derivatives.roller_state import SolvedState, Variant
 from flexbearing.derivatives.stencil import Stencil
-from flexbearing.outputs import Wanted
+from flexbearing.outputs import RequestedOutput
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.outcome.bearing_states import BearingStates
@@ -133,7 +133,7 @@ class RollerSlopes:
             residual[group.places] = residuals(group.balance, self.state.unknowns)
         return moved_unknowns(balance, self._here.system, self._slopes(residual).T)
 
-    def outputs(self, outputs: Sequence[Wanted]) -> OutputSlopes:
+    def outputs(self, outputs: Sequence[RequestedOutput]) -> OutputSlopes:
         """Derivatives of outputs, by differences along the keys and the unknowns together."""
         unknowns = (self._here.scaled * self._base.scales.unknown).repeat(len(self._variants), axis=0)
         unknowns[:-1] += self.by_step[:, self._key].T * self._place[:, None]
@@ -152,7 +152,7 @@ class RollerSlopes:
     def _base(self) -> BearingBalance:
         return self.state.base.balance(aligned=self._aligned)
 
-    def _numbers(self, group: _Group, scaled: NDArray, outputs: Sequence[Wanted]) -> NDArray:
+    def _numbers(self, group: _Group, scaled: NDArray, outputs: Sequence[RequestedOutput]) -> NDArray:
         variants = [self._variants[place] for place in group.places]
         states = BearingStates(group.balance, scaled, self.state.base.model.axial_modes, self._here)
         return _numbers(variants, states, outputs)
@@ -177,7 +177,7 @@ class RollerSlopes:
         return sides[0], sides[1]
 
 
-def numbers(state: SolvedState, outputs: Sequence[Wanted], *, aligned: bool) -> NDArray:
+def numbers(state: SolvedState, outputs: Sequence[RequestedOutput], *, aligned: bool) -> NDArray:
     """Numbers (O) of outputs of a state."""
     return _numbers([state.base], _state_of(state, state.base.balance(aligned=aligned)), outputs)[0]
 
@@ -187,7 +187,9 @@ def _state_of(state: SolvedState, balance: BearingBalance) -> BearingStates:
     return BearingStates(balance, scaled, state.base.model.axial_modes)
 
 
-def _numbers(variants: Sequence[Variant], states: BearingStates, outputs: Sequence[Wanted]) -> NDArray:
+def _numbers(
+    variants: Sequence[Variant], states: BearingStates, outputs: Sequence[RequestedOutput]
+) -> NDArray:
     """Numbers (C, O) of outputs of states."""
     cases, models, pairs = ([getattr(each, name) for each in variants] for name in ("case", "model", "pair"))
     return np.array(SolvedRows(cases, models, states, pairs).numbers(outputs), float).T

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
-from flexbearing.derivatives.announced import announced
+from flexbearing.derivatives.key_messages import announced
 from flexbearing.derivatives.keys import Key, given_keys, keys_of
 from flexbearing.derivatives.ring_slopes import RingChanged
 from flexbearing.derivatives.roller_slopes import Difference, OutputSlopes, RollerSlopes, numbers
@@ -17,7 +17,7 @@ from flexbearing.derivatives.roller_state import SolvedState, solved
 from flexbearing.derivatives.sides import tabled, with_sides
 from flexbearing.derivatives.stencil import STENCILS
 from flexbearing.derivatives.table import Sensitivities
-from flexbearing.outputs import Wanted, outputs, wanted
+from flexbearing.outputs import RequestedOutput, outputs, wanted
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.roller import CAGE_SLIP, LAYOUT
@@ -52,13 +52,13 @@ def sensitivities(
 
 
 def differentiated(
-    state: SolvedState, of: Sequence[Wanted], by: Iterable[Key], report: Report | None = None
+    state: SolvedState, of: Sequence[RequestedOutput], by: Iterable[Key], report: Report | None = None
 ) -> Sensitivities:
     """Derivatives at a state that is known."""
     return _Differentiated(state, of).table(announced(list(by), report or Logged()))
 
 
-def wanted_of(case: Case, of: Sequence[str]) -> list[Wanted]:
+def wanted_of(case: Case, of: Sequence[str]) -> list[RequestedOutput]:
     """Outputs of a case that are requested, as `sensitivities` takes them.
 
     Raises
@@ -88,7 +88,7 @@ class _Differentiated:
     """A state and the outputs that are differentiated there."""
 
     state: SolvedState
-    outputs: Sequence[Wanted]
+    outputs: Sequence[RequestedOutput]
 
     def table(self, keys: Iterable[Key]) -> Sensitivities:
         differences, left_out = _differences(self.state, keys)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from flexbearing.case import BadCase
 from flexbearing.derivatives.keys import Key
 from flexbearing.derivatives.table import OutputValue, Sensitivities
-from flexbearing.outputs import Wanted
+from flexbearing.outputs import RequestedOutput
 
 JUMP = 100.0  # percent per percent: an output whose sides differ by more jumps there, and has no derivative
 KINK = 1e-2  # of a derivative: how far its two sides differ where an output has a corner, such as a maximum
@@ -26,7 +26,7 @@ def with_sides(key: Key, values: NDArray, slope: NDArray, below: NDArray, above:
 
 def tabled(
     heading: tuple[str, str],
-    outputs: Sequence[Wanted],
+    outputs: Sequence[RequestedOutput],
     values: NDArray,
     columns: Mapping[Key, NDArray],
     left_out: Sequence[tuple[str, str]],
@@ -52,7 +52,7 @@ def tabled(
     return Sensitivities(*heading, tuple(known), tuple(columns), slopes, below, above, (*left_out, *jumps))
 
 
-def _is_ratio(output: Wanted, value: float) -> bool:
+def _is_ratio(output: RequestedOutput, value: float) -> bool:
     """Whether a share of the output says something."""
     return output.unit != "%" and not output.output.rounds_to_zero(value / output.conversion.factor)
 

@@ -9,13 +9,13 @@ from numpy.typing import NDArray
 
 from flexbearing.case import BadCase
 from flexbearing.case.balls.four_point import FourPointCase
-from flexbearing.derivatives.announced import announced
 from flexbearing.derivatives.by_keys import Differences, columns
+from flexbearing.derivatives.key_messages import announced
 from flexbearing.derivatives.keys import Key, given_keys, keys_of, with_value
 from flexbearing.derivatives.sides import tabled
 from flexbearing.derivatives.stencil import Stencil
 from flexbearing.derivatives.table import Sensitivities
-from flexbearing.outputs import Wanted, outputs, wanted
+from flexbearing.outputs import RequestedOutput, outputs, wanted
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.rings import bolted
@@ -54,7 +54,7 @@ def sensitivities(
     return tabled((case.title, raceways), asked, state.values, found, left_out)
 
 
-def _asked(case: FourPointCase, of: Sequence[str]) -> list[Wanted]:
+def _asked(case: FourPointCase, of: Sequence[str]) -> list[RequestedOutput]:
     texts = list(of) or list(DEFAULT)
     if ALL in texts:
         texts = [each.name for each in outputs(LAYOUT) if each.name not in ESTIMATES]
@@ -79,7 +79,7 @@ class _State:
 
     case: FourPointCase
     compliance: NDArray | None  # of its rings, which no variant changes
-    outputs: Sequence[Wanted]
+    outputs: Sequence[RequestedOutput]
 
     @cached_property
     def solution(self) -> four_point.Solution:

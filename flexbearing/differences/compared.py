@@ -10,7 +10,7 @@ import numpy as np
 from flexbearing.case.declarations import by_path
 from flexbearing.case.differing import differing
 from flexbearing.outputs import wanted
-from flexbearing.outputs.names import BLOCKS, Wanted, outputs
+from flexbearing.outputs.names import BLOCKS, RequestedOutput, outputs
 from flexbearing.results import BadResult, Result
 from flexbearing.studies.table.keys import in_table
 
@@ -167,7 +167,7 @@ def _output(name: str, one: Result, other: Result) -> Differing:
     return Differing(name, output.unit, first, second, error)
 
 
-def _error(output: Wanted, result: Result, number: float) -> float:
+def _error(output: RequestedOutput, result: Result, number: float) -> float:
     """Estimated error of an output: with a target, else by slices, of a life by axial shapes too."""
     estimates = result.attributes.get("error_estimate") or result.attributes.get("slice_error") or {}
     error = output.error(estimates, number)

@@ -8,7 +8,7 @@ from typing import Annotated, NoReturn
 import typer
 
 from flexbearing.printable import printable
-from flexbearing.program.kept import keeping
+from flexbearing.program.complete_files import keeping
 
 FORMS = ("csv", "vtu", "netcdf", "ross", "rexs", "effects")
 NOT_CONVERGED = 1

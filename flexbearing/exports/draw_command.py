@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from flexbearing.printable import printable
-from flexbearing.program.kept import keeping
+from flexbearing.program.complete_files import keeping
 
 FORMS = ("svg", "png", "pdf")
 

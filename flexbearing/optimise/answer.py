@@ -10,7 +10,7 @@ from flexbearing.findings.running import PRESSED_ENDS
 from flexbearing.optimise.evaluations import Evaluations, NotComputed, Point
 from flexbearing.optimise.file import Settings
 from flexbearing.optimise.goals import Bound, Goal, Numbers
-from flexbearing.optimise.search import FEASIBLE, End, Found
+from flexbearing.optimise.search import FEASIBLE, End, SearchResult
 from flexbearing.optimise.variables import Variable, settings
 from flexbearing.studies.table import Table
 
@@ -61,7 +61,7 @@ class Optimum:
     goal: Goal
     bounds: tuple[Bound, ...]
     variables: tuple[Variable, ...]
-    starts: tuple[Found, ...]  # the best first
+    starts: tuple[SearchResult, ...]  # the best first
     how: dict[str, str]  # by the names of variables, how derivatives were found
     refused: dict[str, str]  # keys without derivatives at the equilibrium, and why
     case: Measured  # the case as it stands
@@ -78,7 +78,7 @@ class Optimum:
     seconds: tuple[float, float]  # of the search, and of the case and what is verified
 
     @property
-    def best(self) -> Found:
+    def best(self) -> SearchResult:
         """The best start."""
         return self.starts[0]
 
@@ -103,7 +103,7 @@ class Optimum:
         return str(self.best.end) if self.usable or not self.feasible else PRESSED
 
     @property
-    def agreeing(self) -> tuple[Found, ...]:
+    def agreeing(self) -> tuple[SearchResult, ...]:
         """Starts that ended as well as the best one."""
         return tuple(
             each for each in self.starts if self.best.merit - each.merit <= ALIKE and each.missed <= ALIKE
@@ -113,7 +113,7 @@ class Optimum:
 def answer(
     evaluations: Evaluations,
     surrogate: Evaluations | None,
-    starts: Sequence[Found],
+    starts: Sequence[SearchResult],
     how: dict[str, str],
     seconds: tuple[float, float],
 ) -> Optimum:
@@ -155,7 +155,7 @@ def answer(
     )
 
 
-def rank(found: Found) -> tuple[bool, float, float]:
+def rank(found: SearchResult) -> tuple[bool, float, float]:
     """Starts with all constraints met first, the largest merit first; of the others the least missed."""
     infeasible = found.end in (End.INFEASIBLE, End.NO_ANSWER)
     return infeasible, found.missed if infeasible else 0.0, -found.merit
@@ -202,7 +202,7 @@ def _peaks(evaluations: Evaluations, best: Settings) -> Peaks | None:
     return Peaks(float(both[0][place]), float(both[1][place]))
 
 
-def _violated(evaluations: Evaluations, best: Found) -> Iterator[str]:
+def _violated(evaluations: Evaluations, best: SearchResult) -> Iterator[str]:
     """Constraints that a design misses in some row, with the value there."""
     if best.numbers is None:
         return
@@ -213,7 +213,7 @@ def _violated(evaluations: Evaluations, best: Found) -> Iterator[str]:
             yield f"{bound.words}{where}: {values[row]:.6g}"
 
 
-def _active(evaluations: Evaluations, best: Found) -> Iterator[Active]:
+def _active(evaluations: Evaluations, best: SearchResult) -> Iterator[Active]:
     """Constraints and bounds of keys that are met with a multiplier above zero."""
     if best.optimality is None or best.numbers is None:
         return

@@ -29,12 +29,12 @@ def optimise(
     """Find the design with the best output within limits; a second start goes on where the first ended."""
     from flexbearing.optimise import messages
     from flexbearing.optimise.run import optimise as optimised
-    from flexbearing.optimise.search import Found
+    from flexbearing.optimise.search import SearchResult
     from flexbearing.progress import shown
 
     with nullcontext() if quiet else shown("optimisation") as report:
 
-        def tell(found: Found) -> None:
+        def tell(found: SearchResult) -> None:
             if report:
                 report.line(messages.start(found))
 

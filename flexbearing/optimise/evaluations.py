@@ -9,18 +9,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.case import BadCase
-from flexbearing.optimise.beside import beside, for_slopes
 from flexbearing.optimise.file import Problem, Settings
 from flexbearing.optimise.goals import Bound, Goal, Measure, Numbers
+from flexbearing.optimise.side_batches import beside, for_slopes
 from flexbearing.optimise.variables import keys_of, settings
 from flexbearing.optimise.worker import slope_name
 from flexbearing.studies.engine import Engine
 from flexbearing.studies.file import Axis
-from flexbearing.studies.file.read import Wanted
+from flexbearing.studies.file.read import CollectedOutput
 from flexbearing.studies.plan import Row
 from flexbearing.studies.prepare import settle
+from flexbearing.studies.prepared_study import Prepared
 from flexbearing.studies.run import Work, compute_missing
-from flexbearing.studies.settled import Prepared
 from flexbearing.studies.table import Table, journal
 from flexbearing.studies.table.duty import Cycles
 
@@ -51,7 +51,9 @@ def designs_of(problem: Problem, designs: Sequence[Settings]) -> Prepared:
     keys = tuple(dict.fromkeys((*first, *(key for each in designs for key in each))))
     rows = tuple(tuple(each.get(key) for key in keys) for each in designs)
     measures = problem.goal(None).measure, *(bound.measure for bound in problem.bounds(None))
-    collect = tuple(Wanted(name, text) for name, text in {each.name: each.text for each in measures}.items())
+    collect = tuple(
+        CollectedOutput(name, text) for name, text in {each.name: each.text for each in measures}.items()
+    )
     axes = Axis(DESIGN, keys, rows), *problem.study.axes
     settled = settle(replace(problem.study, axes=axes, collect=collect))
     return replace(

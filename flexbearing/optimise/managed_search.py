@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from flexbearing.optimise.correction import Corrected
 from flexbearing.optimise.evaluations import NotComputed
-from flexbearing.optimise.search import FEASIBLE, Designs, End, Found, ScaledProblem, examined, search
+from flexbearing.optimise.search import FEASIBLE, Designs, End, ScaledProblem, SearchResult, examined, search
 
 MOST = 20  # iterations on the cheap model before the case is asked again
 NEARER = 0.25  # of the last step, within which is searched after a design that is refused
@@ -35,7 +35,7 @@ class _Rounds:
     cheap: Designs
     filter: list[tuple[float, float]] = field(default_factory=list)  # missed and merit of accepted designs
 
-    def ended(self, centre: Found, start: NDArray, reach: float = 1.0) -> NDArray:
+    def ended(self, centre: SearchResult, start: NDArray, reach: float = 1.0) -> NDArray:
         """Shares at which the search on the cheap model ends, corrected by what is known of a design."""
         assert centre.numbers is not None  # where the search goes on
         corrected = Corrected(self.cheap, self.problem.designs, centre.point, centre.numbers)
@@ -54,7 +54,7 @@ class _Rounds:
         missed, merit = _missed(values[1]), float(values[0].min())
         return not any(other <= missed and best >= merit for other, best in self.filter)
 
-    def examined(self, shares: NDArray, number: int) -> Found:
+    def examined(self, shares: NDArray, number: int) -> SearchResult:
         """What the case says of a design, with its derivatives."""
         found = examined(self.problem, shares, number, "the corrected surrogate promises no better design")
         if found.margins is not None:
@@ -68,8 +68,8 @@ def _missed(margins: NDArray) -> float:
 
 
 def managed_search(
-    problem: ScaledProblem, cheap: Designs, start: NDArray, known: Sequence[Found] = ()
-) -> Found:
+    problem: ScaledProblem, cheap: Designs, start: NDArray, known: Sequence[SearchResult] = ()
+) -> SearchResult:
     """Search from one start."""
     begin = problem.point(start)
     converged = [each for each in known if each.end is End.CONVERGED]
@@ -81,7 +81,7 @@ def managed_search(
     return replace(from_design(problem, cheap, start, 1), start=begin)
 
 
-def from_design(problem: ScaledProblem, cheap: Designs, shares: NDArray, iterations: int) -> Found:
+def from_design(problem: ScaledProblem, cheap: Designs, shares: NDArray, iterations: int) -> SearchResult:
     """Go on from a design of the case."""
     rounds, reach = _Rounds(problem, cheap), 1.0
     centre = rounds.examined(shares, iterations)

@@ -7,12 +7,12 @@ from flexbearing.findings.running import PRESSED_ENDS
 from flexbearing.optimise.answer import Measured, Optimum
 from flexbearing.optimise.gradients import EXACT
 from flexbearing.optimise.run import CASE, TABLE
-from flexbearing.optimise.search import FEASIBLE, End, Found
+from flexbearing.optimise.search import FEASIBLE, End, SearchResult
 
 MOST = 20  # lines of reasons that are printed
 
 
-def start(found: Found, optimum: str = "") -> str:
+def start(found: SearchResult, optimum: str = "") -> str:
     """A line of the search from one start."""
     return f"start: {found.end} after {found.iterations} iterations{optimum}"
 

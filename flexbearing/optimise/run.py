@@ -36,8 +36,8 @@ from flexbearing.optimise.search import (
     SPARE,
     Designs,
     End,
-    Found,
     ScaledProblem,
+    SearchResult,
     examined,
     search,
     starts,
@@ -48,19 +48,19 @@ from flexbearing.program.threads import cores, limited_to, processes
 from flexbearing.studies.engine import Engine
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.file.read import Source
+from flexbearing.studies.placement import Placement
 from flexbearing.studies.prepare import settle
+from flexbearing.studies.prepared_study import Prepared
 from flexbearing.studies.run import Work, guarded
-from flexbearing.studies.settled import Prepared
 from flexbearing.studies.table import journal
 from flexbearing.studies.table.forms import FORMS
-from flexbearing.studies.where import Where
-from flexbearing.studies.worker import Wish, condense, rows
+from flexbearing.studies.worker import RowRequest, condense, rows
 
 CASE, TABLE = "_optimum.toml", ".csv"  # behind the name: the case at the best point, all designs
 VERIFICATIONS = 4  # of the best design until finer models meet its constraints
 SCATTER = 1.25e-3  # of outputs over their size where another ring is meshed for every value
 MESHED_DIGITS = 4  # of the share of a range, where another ring is meshed for every value
-Tell = Callable[[Found], None]
+Tell = Callable[[SearchResult], None]
 EMPTY: Settings = {}
 
 
@@ -179,7 +179,7 @@ def _bearings(problem: Problem, folder: Path) -> Workers:
         return Work(partial(slope_rows, wish=SlopeWish(texts, tuple(keys)), cache=cache), ring)
 
     peaks = _peaks(problem)
-    wish = Wish((*texts, *(each.text for each in peaks if each.text not in texts)))
+    wish = RowRequest((*texts, *(each.text for each in peaks if each.text not in texts)))
     return Workers(Work(partial(rows, wish=wish, cache=cache), ring), slopes, peaks=peaks)
 
 
@@ -198,7 +198,7 @@ def _engine(count: int, base: Prepared) -> Iterator[Callable[[int], Engine]]:
     if count == 1:
         yield lambda tasks: Serial()
         return
-    engine = Where(count).engine(base.plan)(count)
+    engine = Placement(count).engine(base.plan)(count)
     close, engine.close = engine.close, lambda: None
     try:
         yield lambda tasks: engine
@@ -251,7 +251,7 @@ class _Search:
             designs = Corrected(designs, designs, point, numbers)
         return ScaledProblem(designs, spare=self.spare), perf_counter() - began
 
-    def _until_verified(self, found: list[Found]) -> float:
+    def _until_verified(self, found: list[SearchResult]) -> float:
         """Go on from the best until it is an optimum with the values of finer models; their time [s]."""
         seconds = 0.0
         for number in range(VERIFICATIONS):
@@ -265,12 +265,12 @@ class _Search:
             found[place] = replace(self._on(problem, there), start=begin)
         return seconds
 
-    def _from(self, problem: ScaledProblem, start: NDArray, known: Sequence[Found]) -> Found:
+    def _from(self, problem: ScaledProblem, start: NDArray, known: Sequence[SearchResult]) -> SearchResult:
         if self._cheap is None:
             return search(problem, start)
         return managed_search(problem, self._cheap, start, known)
 
-    def _on(self, problem: ScaledProblem, there: Found) -> Found:
+    def _on(self, problem: ScaledProblem, there: SearchResult) -> SearchResult:
         shares = problem.shares(there.point)
         if self._cheap is None:
             return search(problem, shares)

@@ -36,7 +36,7 @@ class End(StrEnum):
 
 
 @dataclass(frozen=True)
-class Found:
+class SearchResult:
     """Where the search from a start ended."""
 
     end: End
@@ -176,7 +176,7 @@ def starts(number: int, first: NDArray, seed: int) -> Iterator[NDArray]:
         yield sequence.random(1)[0]
 
 
-def search(problem: ScaledProblem, start: NDArray) -> Found:
+def search(problem: ScaledProblem, start: NDArray) -> SearchResult:
     """Search from one start; where constraints are not met at its end, first for a point that meets them."""
     found = _optimised(problem, start)
     if found.end is not End.INFEASIBLE:
@@ -189,7 +189,7 @@ def search(problem: ScaledProblem, start: NDArray) -> Found:
     return replace(again, start=found.start)
 
 
-def _optimised(problem: ScaledProblem, start: NDArray, used: int = 0) -> Found:
+def _optimised(problem: ScaledProblem, start: NDArray, used: int = 0) -> SearchResult:
     """What the optimiser finds from a start, called again where it stops before an optimum."""
     settings, shares, message, by_models = problem.settings, start, "", False
     (first,) = problem.designs.values([problem.point(start)])
@@ -253,7 +253,7 @@ def _ended(problem: ScaledProblem, shares: NDArray, iterations: int) -> Any:
 
 def examined(
     problem: ScaledProblem, shares: NDArray, iterations: int, message: str, by_models: bool = False
-) -> Found:
+) -> SearchResult:
     """What stands at a point, and whether it is an optimum: by derivatives, or models without any."""
     point, settings = problem.point(shares), problem.settings
     try:
@@ -268,10 +268,10 @@ def examined(
         end = End.LIMIT if iterations >= settings.iterations else End.STALLED
     if margins.values.min(initial=0.0) < -FEASIBLE and end is not End.LIMIT:
         end = End.INFEASIBLE
-    return Found(end, point, point, numbers, merits, margins, conditions, message, iterations)
+    return SearchResult(end, point, point, numbers, merits, margins, conditions, message, iterations)
 
 
-def _unknown(problem: ScaledProblem, shares: NDArray, why: str, iterations: int) -> Found:
+def _unknown(problem: ScaledProblem, shares: NDArray, why: str, iterations: int) -> SearchResult:
     """A point without a result."""
     point = problem.point(shares)
-    return Found(End.NO_ANSWER, point, point, None, None, None, None, why, iterations)
+    return SearchResult(End.NO_ANSWER, point, point, None, None, None, None, why, iterations)

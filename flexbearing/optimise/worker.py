@@ -12,7 +12,7 @@ from flexbearing.families import FAMILIES
 from flexbearing.outputs import UnknownOutput
 from flexbearing.studies.plan import Row, Task
 from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED
-from flexbearing.studies.settled import variants_of
+from flexbearing.studies.prepared_study import variants_of
 from flexbearing.studies.worker import rings_in
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 

@@ -3,7 +3,15 @@
 Names, units and reductions follow from `quantities`; files, cases and models are unknown here.
 """
 
-from flexbearing.outputs.names import AbsentOutput, Output, UnknownOutput, Wanted, of_rollers, outputs, wanted
+from flexbearing.outputs.names import (
+    AbsentOutput,
+    Output,
+    RequestedOutput,
+    UnknownOutput,
+    of_rollers,
+    outputs,
+    wanted,
+)
 from flexbearing.outputs.table import Outputs
 from flexbearing.outputs.value import Value, WrongUnit
 
@@ -11,9 +19,9 @@ __all__ = [
     "AbsentOutput",
     "Output",
     "Outputs",
+    "RequestedOutput",
     "UnknownOutput",
     "Value",
-    "Wanted",
     "WrongUnit",
     "of_rollers",
     "outputs",

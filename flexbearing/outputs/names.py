@@ -68,7 +68,7 @@ class Output:
 
 
 @dataclass(frozen=True)
-class Wanted:
+class RequestedOutput:
     """An output that was requested, with the block it is taken from and the unit it is given in."""
 
     output: Output
@@ -167,7 +167,7 @@ def _of_roller(layout: Layout, name: str) -> Output | None:
 
 
 @lru_cache(maxsize=1024)
-def wanted(layout: Layout, text: str) -> Wanted:
+def wanted(layout: Layout, text: str) -> RequestedOutput:
     """Understand a name with block and unit.
 
     Raises
@@ -193,7 +193,7 @@ def wanted(layout: Layout, text: str) -> Wanted:
         way = conversion(output.unit, unit, turning=bool(output.declared.speed))
     except WrongUnit as problem:
         raise WrongUnit(f"{quoted(text)}: {problem}") from None
-    return Wanted(output, parts["block"] or "", unit, way)
+    return RequestedOutput(output, parts["block"] or "", unit, way)
 
 
 def _scalars(

@@ -104,7 +104,7 @@ def _ending(status: str, message: str, ending: str) -> dict[str, Any]:
 def angular_answers(
     cases: Sequence[FastCase], texts: Sequence[str], *_: object, **__: object
 ) -> list[Answer]:
-    """Wanted outputs of fast bearings, see `flexbearing.runs.rows.answers`; same parts are side by side."""
+    """Outputs of fast bearings, see `flexbearing.runs.rows.answers`; same parts are side by side."""
     with linear_algebra_alone():
         return [_of_fast(each, texts) for each in angular_contact.solved(cases)]
 
@@ -112,7 +112,7 @@ def angular_answers(
 def four_point_answers(
     cases: Sequence[FourPointCase], texts: Sequence[str], *_: Any, **__: Any
 ) -> list[Answer]:
-    """Wanted outputs of slow bearings, solved one after the other."""
+    """The outputs asked for, of slow bearings, solved one after the other."""
     with linear_algebra_alone():
         return [_of_slow(case, texts) for case in cases]
 

@@ -31,7 +31,7 @@ WORK_LIMIT = str(SolverOutcome.WORK)
 
 
 @dataclass(frozen=True)
-class Resolved:
+class ResolvedCase:
     """A case at definite levels of its resolution."""
 
     model: RollerBearing
@@ -73,10 +73,10 @@ def solve(
 
 def _resolved(
     case: Case, postprocessing: Postprocessing, report: Report, ahead: "Ahead | None", levels: "Levels | None"
-) -> Resolved:
+) -> ResolvedCase:
     """At the levels of the case, or at those that its target requires."""
     model = roller_bearing.bearing(case)
-    usual = Resolved(model, partial(_raceways, case, model.bearing.azimuths, report, ahead))
+    usual = ResolvedCase(model, partial(_raceways, case, model.bearing.azimuths, report, ahead))
     if case.accuracy.target is None:
         return usual
     if levels is not None:
@@ -89,7 +89,7 @@ def _resolved(
         resolution = adaptive_resolution(case, report)
     except Unusable as problem:
         return _at_shared_levels(case, usual, UsualLevels(str(problem)), postprocessing, report)
-    return Resolved(resolution.model, lambda: resolution.rings, resolution.attributes(), resolution.notes)
+    return ResolvedCase(resolution.model, lambda: resolution.rings, resolution.attributes(), resolution.notes)
 
 
 def _raceways(case: Case, azimuths: NDArray, report: Report, ahead: "Ahead | None") -> RacewayPair:
@@ -106,8 +106,8 @@ def _raceways(case: Case, azimuths: NDArray, report: Report, ahead: "Ahead | Non
 
 
 def _at_shared_levels(
-    case: Case, usual: Resolved, levels: "Levels", postprocessing: Postprocessing, report: Report
-) -> Resolved:
+    case: Case, usual: ResolvedCase, levels: "Levels", postprocessing: Postprocessing, report: Report
+) -> ResolvedCase:
     """At levels that were chosen for more cases than this one, or at the usual ones where none could be."""
     postprocessing.notes.extend(levels.notes())
     if levels.place is None:
@@ -116,12 +116,12 @@ def _at_shared_levels(
     from flexbearing.accuracy.trials import Trials
 
     trials = Trials(case, ladders(case), report)
-    return Resolved(trials.model(levels.place), partial(trials.rings, levels.place), levels.attributes())
+    return ResolvedCase(trials.model(levels.place), partial(trials.rings, levels.place), levels.attributes())
 
 
 def _solve(
     case: Case,
-    resolved: Resolved,
+    resolved: ResolvedCase,
     postprocessing: Postprocessing,
     report: Report,
     initial: InitialState | None,
@@ -177,7 +177,9 @@ def _of_springs(figures: dict[str, Any], postprocessing: Postprocessing) -> dict
     }
 
 
-def _all_rigid(resolved: Resolved, rigid: Equilibrium, postprocessing: Postprocessing) -> dict[str, object]:
+def _all_rigid(
+    resolved: ResolvedCase, rigid: Equilibrium, postprocessing: Postprocessing
+) -> dict[str, object]:
     """The end of a case without a flexible part."""
     postprocessing.repeat_rigid()
     postprocessing.notes.extend(resolved.notes(rigid))

@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from flexbearing.case.roller import Case
-from flexbearing.outputs import Wanted, wanted
+from flexbearing.outputs import RequestedOutput, wanted
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs import notes, roller_findings
@@ -60,7 +60,7 @@ def answers(
     ]
 
 
-def _numbers(solved: Solved, outputs: Mapping[str, Wanted]) -> Iterator[dict[str, float]]:
+def _numbers(solved: Solved, outputs: Mapping[str, RequestedOutput]) -> Iterator[dict[str, float]]:
     """Numbers of each case that its block has, by the texts of outputs."""
     some = {text: output for text, output in outputs.items() if output.block in solved.blocks}
     columns = [values.tolist() for values in solved.rows.numbers(list(some.values()))]

@@ -66,7 +66,7 @@ def solved_side_by_side(
     cases: Sequence[Case], blocks: Set[str], levels: "Levels | None" = None
 ) -> Iterator[Solved | LeftOut]:
     """Yield cases that converge side by side, and those that do not with the reason."""
-    kinds: dict[tuple[str | None, str], list[_Resolved]] = {}
+    kinds: dict[tuple[str | None, str], list[_CaseAtLevel]] = {}
     for place, case in enumerate(cases):
         found = _resolved(place, case, levels)
         if isinstance(found, LeftOut):
@@ -83,7 +83,7 @@ def solved_side_by_side(
 
 
 @dataclass(frozen=True)
-class _Resolved:
+class _CaseAtLevel:
     """A case as it stands, or at a level of each choice, with its bearing."""
 
     place: int  # among all cases
@@ -99,7 +99,7 @@ class _Resolved:
         return None if resolved is None else with_most_modes(resolved)
 
 
-def _resolved(place: int, case: Case, levels: "Levels | None") -> _Resolved | LeftOut:
+def _resolved(place: int, case: Case, levels: "Levels | None") -> _CaseAtLevel | LeftOut:
     """A case that may be solved beside others."""
     why = needs_own_run(case)
     if levels is None and case.accuracy.target is not None:
@@ -114,7 +114,7 @@ def _resolved(place: int, case: Case, levels: "Levels | None") -> _Resolved | Le
         roller_bearing.require_around(case, model.bearing)
     except (ImpossiblePart, OutOfRange) as problem:
         return LeftOut(place, str(problem))
-    return _Resolved(place, case, chosen, model)
+    return _CaseAtLevel(place, case, chosen, model)
 
 
 def needs_own_run(case: Case) -> str:
@@ -134,7 +134,7 @@ def _elastic(case: Case) -> bool:
     return case.inner.kind != "rigid" or case.outer.kind != "rigid"
 
 
-def _rings(resolved: _Resolved) -> str | None:
+def _rings(resolved: _CaseAtLevel) -> str | None:
     """What names the elastic rings of a case, the accuracy they are condensed with and their rollers."""
     case = resolved.case
     if not _elastic(case) or not any(resolved.part(race) for race in RACES):
@@ -149,7 +149,7 @@ def _name(*what: object) -> str:
     return digest(what)
 
 
-def _between_rigid_rings(alike: Sequence[_Resolved]) -> Iterator[Solved | LeftOut]:
+def _between_rigid_rings(alike: Sequence[_CaseAtLevel]) -> Iterator[Solved | LeftOut]:
     """Cases without an elastic ring."""
     try:
         found = solve_many([each.model for each in alike])
@@ -159,7 +159,7 @@ def _between_rigid_rings(alike: Sequence[_Resolved]) -> Iterator[Solved | LeftOu
     yield from _answers(alike, found, [LinearPair(None, None)] * len(alike), (*ANSWER, RIGID))
 
 
-def _between_elastic_rings(alike: Sequence[_Resolved], *, with_rigid: bool) -> Iterator[Solved | LeftOut]:
+def _between_elastic_rings(alike: Sequence[_CaseAtLevel], *, with_rigid: bool) -> Iterator[Solved | LeftOut]:
     """Cases between the same elastic rings; those between rigid raceways before, if they are wanted."""
     models = [each.model for each in alike]
     try:
@@ -174,7 +174,7 @@ def _between_elastic_rings(alike: Sequence[_Resolved], *, with_rigid: bool) -> I
     yield from _answers(alike, found, rings, ANSWER)
 
 
-def _raceways(alike: Sequence[_Resolved]) -> list[LinearPair]:
+def _raceways(alike: Sequence[_CaseAtLevel]) -> list[LinearPair]:
     """Raceways of each case, in the axial modes of its bearing."""
     first = alike[0].model
     parts: dict[Race, list[Case | None]] = {race: [each.part(race) for each in alike] for race in RACES}
@@ -189,7 +189,7 @@ def _shapes(rings: Sequence[LinearPair]) -> NDArray | None:
 
 
 def _answers(
-    alike: Sequence[_Resolved], found: Equilibria, rings: Sequence[LinearPair], blocks: tuple[str, ...]
+    alike: Sequence[_CaseAtLevel], found: Equilibria, rings: Sequence[LinearPair], blocks: tuple[str, ...]
 ) -> Iterator[Solved | LeftOut]:
     """What converged, some at once, and what did not."""
     yield from _converged(alike, found, rings, blocks)
@@ -200,7 +200,7 @@ def _answers(
 
 
 def _converged(
-    alike: Sequence[_Resolved], found: Equilibria, rings: Sequence[LinearPair], blocks: tuple[str, ...]
+    alike: Sequence[_CaseAtLevel], found: Equilibria, rings: Sequence[LinearPair], blocks: tuple[str, ...]
 ) -> Iterator[Solved]:
     for batch in found.batches:
         solved = np.flatnonzero([outcome is SolverOutcome.CONVERGED for outcome in batch.outcomes])

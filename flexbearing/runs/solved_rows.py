@@ -14,7 +14,7 @@ from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
 from flexbearing.coupled.states import EndStates, flat
 from flexbearing.coupling import LinearPair
-from flexbearing.outputs import Wanted
+from flexbearing.outputs import RequestedOutput
 from flexbearing.outputs.names import BLOCKS
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.quantity import Quantity, taken
@@ -74,7 +74,7 @@ class SolvedRows:
         absent = () if self.converged else OF_SOLUTIONS
         return taken(wanted, {word: getattr(self, word) for word in words.difference(absent)})
 
-    def numbers(self, outputs: Sequence[Wanted]) -> list[NDArray]:
+    def numbers(self, outputs: Sequence[RequestedOutput]) -> list[NDArray]:
         """Numbers (C) of outputs of this block; NaN where a case does not have one."""
         names = dict.fromkeys(chain.from_iterable(map(_quantities, outputs)))
         block = self.block(QUANTITIES[name] for name in names)
@@ -327,7 +327,7 @@ class SolvedRows:
         return several.between_flexible_raceways(self.each[place], self.rings[place])
 
 
-def _quantities(output: Wanted) -> tuple[str, ...]:
+def _quantities(output: RequestedOutput) -> tuple[str, ...]:
     """Names of the quantities that an output is computed from."""
     declared = output.output.declared
     return (*declared.of, declared.speed) if declared.speed else declared.of

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from flexbearing.program.kept import keeping
+from flexbearing.program.complete_files import keeping
 
 if TYPE_CHECKING:
     from flexbearing.case import Head

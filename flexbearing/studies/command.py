@@ -58,9 +58,9 @@ def study(  # noqa: PLR0913  # an argument for each option
     from flexbearing.progress import shown
     from flexbearing.studies import messages
     from flexbearing.studies.job_array import sbatch
+    from flexbearing.studies.placement import Placement
     from flexbearing.studies.plan import Part
     from flexbearing.studies.prepare import compute, prepared
-    from flexbearing.studies.where import Where
 
     wanted = None if part is None else Part.parsed(part)
     if emit not in (None, "sbatch"):
@@ -75,7 +75,7 @@ def study(  # noqa: PLR0913  # an argument for each option
         _say(sbatch(settled, output, jobs).rstrip())
         raise typer.Exit(CONVERGED)
     settled = settled.of_part(wanted) if wanted else settled
-    where = Where(jobs, scheduler, slurm, (tls_ca, tls_cert, tls_key))
+    where = Placement(jobs, scheduler, slurm, (tls_ca, tls_cert, tls_key))
     with shown("study") as report:
         table = compute(settled, output, where, retry_failed=retry_failed, tell=messages.follow(report))
     sys.stderr.writelines(printable(f"{words}; {messages.ADVICE}\n") for words in table.complaints)

@@ -12,7 +12,7 @@ from flexbearing.derivatives.any_family import sensitivities
 from flexbearing.families import FAMILIES
 from flexbearing.sampling.linear import Linear
 from flexbearing.studies.file.sampled import Drawn, Factor
-from flexbearing.studies.settled import Prepared, variants_of
+from flexbearing.studies.prepared_study import Prepared, variants_of
 from flexbearing.studies.table.collected import Collected
 from quasidynamic import NotSolved
 

@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 
 from flexbearing.files import require_folder_name
-from flexbearing.studies.settled import Prepared
+from flexbearing.studies.prepared_study import Prepared
 
 USUAL = 10  # jobs
 

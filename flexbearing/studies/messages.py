@@ -11,11 +11,11 @@ from typing import Any
 from flexbearing.case.problems import MOST
 from flexbearing.files import require_folder_name
 from flexbearing.progress import Report
-from flexbearing.studies.settled import Prepared, Progress
+from flexbearing.studies.placement import ALONE, RING, SIDE_BY_SIDE, Cost, expected
+from flexbearing.studies.prepared_study import Prepared, Progress
 from flexbearing.studies.table import Table, duty
 from flexbearing.studies.table.files import PICTURE, SCATTER_PICTURE
 from flexbearing.studies.table.forms import EXTRA, FORMS, missing
-from flexbearing.studies.where import ALONE, RING, SIDE_BY_SIDE, Cost, expected
 
 LIFE_ERROR = "life error [%]"  # column of duty cycles with a target
 ADVICE = "the next study condenses its rings again, FLEXBEARING_CACHE names another folder"

@@ -17,18 +17,18 @@ from flexbearing.program.threads import limited_to
 from flexbearing.program.workers import shared_map
 from flexbearing.studies.file import Study, read
 from flexbearing.studies.file.read import Source
+from flexbearing.studies.placement import Placement
 from flexbearing.studies.plan import Impossible, Plan, Variant, plan
 from flexbearing.studies.plan.identity import identity
 from flexbearing.studies.plan.task import Base, Values
+from flexbearing.studies.prepared_study import Prepared, variants_of
 from flexbearing.studies.run import Tell, Work, run
 from flexbearing.studies.scatter import told_of_scatter
-from flexbearing.studies.settled import Prepared, variants_of
 from flexbearing.studies.table import Table, duty
 from flexbearing.studies.table.collected import collected, estimated, require_outputs, with_errors
 from flexbearing.studies.table.drawn import drawn
-from flexbearing.studies.where import Where
 
-FOLDER, HERE = Path("results"), Where()
+FOLDER, HERE = Path("results"), Placement()
 TellChecked = Callable[[int, int], None]
 LONGEST = 500  # characters of what is wrong with a variant
 
@@ -129,7 +129,7 @@ def _is_side_by_side(case: Head | None) -> bool:
 def compute(
     settled: Prepared,
     output: Path = FOLDER,
-    where: Where = HERE,
+    where: Placement = HERE,
     *,
     retry_failed: bool = False,
     tell: Tell = lambda progress: None,
@@ -143,7 +143,7 @@ def compute(
     BadOutput, NotStored
         as for `flexbearing.studies.run.run`
     """
-    from flexbearing.studies.worker import Wish, condense, rows
+    from flexbearing.studies.worker import RowRequest, condense, rows
 
     settled.plan.require_sound()
     if where.slurm:
@@ -151,7 +151,9 @@ def compute(
     folder, name = require_folder_name(output), settled.study.name
     cache = str(folder / f"{name}.rings") if configured().folder is None else None
     study = settled.study
-    wish = Wish(settled.outputs, study.search, settled.files(folder), study.final, study.spectrum is not None)
+    wish = RowRequest(
+        settled.outputs, study.search, settled.files(folder), study.final, study.spectrum is not None
+    )
     work = Work(partial(rows, wish=wish, cache=cache), partial(condense, cache=cache))
     with limited_to(where.jobs):
         table = run(settled, output, work, where.engine(settled.plan), retry_failed=retry_failed, tell=tell)

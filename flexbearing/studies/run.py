@@ -15,7 +15,7 @@ from flexbearing.studies.engine import Done, Engine, completed, finished
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan import Condensed, Corners, Ring, Row, Task
 from flexbearing.studies.plan.task import NOT_STORED, involves
-from flexbearing.studies.settled import Prepared, Progress
+from flexbearing.studies.prepared_study import Prepared, Progress
 from flexbearing.studies.table import Table, journal
 from flexbearing.studies.table.files import PICTURE, store
 from flexbearing.studies.table.plot import draw

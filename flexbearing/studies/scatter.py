@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from flexbearing.files import write
 from flexbearing.report.picture import picture_bytes
 from flexbearing.studies.first_order import first_order
-from flexbearing.studies.settled import Prepared
+from flexbearing.studies.prepared_study import Prepared
 from flexbearing.studies.table import Column, Table
 from flexbearing.studies.table.files import SCATTER_PICTURE, store
 from flexbearing.studies.table.scatter import Scatter

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from flexbearing.case import Head
     from flexbearing.studies.file.read import Source
-    from flexbearing.studies.settled import Progress
+    from flexbearing.studies.prepared_study import Progress
     from flexbearing.studies.table import Table
 
 
@@ -66,10 +66,10 @@ def study(  # noqa: PLR0913  # an argument for each option
     >>> table["life [h]"].values                                             # doctest: +SKIP
     """
     from flexbearing.program.threads import limited_to
+    from flexbearing.studies.placement import Placement
     from flexbearing.studies.prepare import compute, prepared
-    from flexbearing.studies.where import Where
 
-    where = Where(jobs, scheduler, None if slurm is None else Path(slurm), tuple(map(Path, tls)))
+    where = Placement(jobs, scheduler, None if slurm is None else Path(slurm), tuple(map(Path, tls)))
     with limited_to(jobs):
         settled = prepared(source, case=_case(source))
     return compute(settled, Path(output), where, retry_failed=retry_failed, tell=tell)

@@ -27,7 +27,7 @@ from flexbearing.results import store
 from flexbearing.runs.answer import Answer, message
 from flexbearing.studies.plan import Condensed, Corners, Ring, Row, Task, Variant
 from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED, ERROR, NOT_STORED, RATED, file_name
-from flexbearing.studies.settled import variants_of
+from flexbearing.studies.prepared_study import variants_of
 from flexbearing.studies.table.collected import errors, numbers
 from flexbearing.studies.table.duty import MODIFIED, MREV
 from flexbearing.studies.thin_oil import bounded, without_factor
@@ -38,7 +38,7 @@ LONGEST = 500  # characters of a message
 
 
 @dataclass(frozen=True)
-class Wish:
+class RowRequest:
     """What is wanted of every variant."""
 
     texts: tuple[str, ...]  # outputs, with units
@@ -49,7 +49,7 @@ class Wish:
     levels: Levels | None = None  # that variants with accuracy.target share
 
 
-def rows(task: Task, wish: Wish, cache: str | None = None) -> tuple[Row, ...]:
+def rows(task: Task, wish: RowRequest, cache: str | None = None) -> tuple[Row, ...]:
     """Compute the variants of a task."""
     keep_freed()
     read = variants_of(task.base)
@@ -119,7 +119,7 @@ def rings_in(folder: str | None) -> Iterator[None]:
             os.environ |= {} if before is None else {VARIABLE: before}
 
 
-def _rows(found: Sequence[tuple[Variant, Head]], wish: Wish) -> Iterator[Row]:
+def _rows(found: Sequence[tuple[Variant, Head]], wish: RowRequest) -> Iterator[Row]:
     """Rows of variants as their family answers many; from runs where each stores its result.
 
     A result file that cannot be written is the last row.
@@ -145,7 +145,7 @@ def _rows(found: Sequence[tuple[Variant, Head]], wish: Wish) -> Iterator[Row]:
         yield _row(variant, case, answer, seconds, wish)
 
 
-def _alone(variant: Variant, case: Head, wish: Wish) -> Row:
+def _alone(variant: Variant, case: Head, wish: RowRequest) -> Row:
     """Row from a run of its own."""
     began = perf_counter()
     file = None if wish.files is None else wish.files / file_name(variant, final=wish.final)
@@ -153,7 +153,7 @@ def _alone(variant: Variant, case: Head, wish: Wish) -> Row:
     return _row(variant, case, answer, perf_counter() - began, wish)
 
 
-def _row(variant: Variant, case: Head, answer: Answer, seconds: float, wish: Wish) -> Row:
+def _row(variant: Variant, case: Head, answer: Answer, seconds: float, wish: RowRequest) -> Row:
     words = excerpt("; ".join(answer.message.splitlines()), LONGEST)
     values = {text: number for text, number in answer.numbers.items() if not isnan(number)}
     if wish.levels is not None and answer.status == CONVERGED:
@@ -181,7 +181,7 @@ def _by_ratings(row: Row, case: Any) -> Row:
     return replace(row, status=status, message=words, values={**row.values, MODIFIED: life / MREV})
 
 
-def _answer(case: Head, wish: Wish, file: Path | None = None) -> Answer:
+def _answer(case: Head, wish: RowRequest, file: Path | None = None) -> Answer:
     """The answer of a run; that between rigid raceways where it does not converge."""
     try:
         output = None if wish.final else file

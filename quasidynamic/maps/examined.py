@@ -5,8 +5,8 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.maps.newton_states import Mapped, Reached, apart, tasks
 from quasidynamic.maps.points import GridPoints
-from quasidynamic.maps.reached import Mapped, Reached, apart, tasks
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.several.indicator import each_several_likely
 from quasidynamic.solve.rollers.pseudo_time import growth_rates

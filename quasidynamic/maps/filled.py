@@ -4,8 +4,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.many_elastic import solve_many_elastic
+from quasidynamic.maps.newton_states import Mapped, Reached, by_newton, in_batches, of_unknowns
 from quasidynamic.maps.points import GridPoints
-from quasidynamic.maps.reached import Mapped, Reached, by_newton, in_batches, of_unknowns
 from quasidynamic.outcome.equilibrium import Equilibria
 from quasidynamic.roller import solve_many
 from quasidynamic.solve.rollers.newton import bounded

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.maps.newton_states import Mapped, Reached, apart, by_newton, in_batches
 from quasidynamic.maps.points import GridPoints
-from quasidynamic.maps.reached import Mapped, Reached, apart, by_newton, in_batches
 from quasidynamic.maps.states import ENDS, SAME, UNKNOWN, States
 from quasidynamic.solve.rollers.newton import bounded
 

@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.maps.filled import one_state_each
+from quasidynamic.maps.newton_states import Mapped
+from quasidynamic.maps.other_sheets import search
 from quasidynamic.maps.points import GridPoints
-from quasidynamic.maps.reached import Mapped
-from quasidynamic.maps.searched import search
 from quasidynamic.maps.sheets import connect_all
 from quasidynamic.maps.states import ENDS, States
 

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.maps.examined import each_examined, examined
+from quasidynamic.maps.newton_states import Mapped, Reached, apart
 from quasidynamic.maps.points import GridPoints
-from quasidynamic.maps.reached import Mapped, Reached, apart
 
 SAME = 1e-3  # of the largest load, or of the spin in pure rolling: closer states are one
 UNKNOWN, ENDS, OUTSIDE = -1, -2, -3  # of a state at a neighbouring point

@@ -15,11 +15,11 @@ from flexbearing.program.processes import Processes
 from flexbearing.program.threads import limited_to
 from flexbearing.studies.engine import Done, completed
 from flexbearing.studies.engine.serial import Serial
+from flexbearing.studies.placement import Placement, expected
 from flexbearing.studies.plan import Ring
 from flexbearing.studies.plan.task import Base, Variant, involves
 from flexbearing.studies.prepare import prepared
 from flexbearing.studies.run import Work, run
-from flexbearing.studies.where import Where, expected
 from tests.flexbearing import toy_studies
 from tests.flexbearing.toy_studies import cubes, no_ring, toy
 
@@ -37,15 +37,15 @@ def computed(settled, folder, engine, rows=cubes, **options):
 def test_one_job_and_short_studies_start_no_process(tmp_path):
     plan = toy(tmp_path).plan
     assert expected(plan) < 1
-    for where in (Where(jobs=1), Where()):
+    for where in (Placement(jobs=1), Placement()):
         assert isinstance(where.engine(plan)(10), Serial)
-    assert isinstance(Where(jobs=4).engine(plan)(1), Serial)
+    assert isinstance(Placement(jobs=4).engine(plan)(1), Serial)
 
 
 def test_a_million_jobs_are_a_process_on_each_core(tmp_path, monkeypatch, caplog):
     monkeypatch.setenv("SLURM_CPUS_PER_TASK", "3")
     with limited_to(1_000_000):
-        assert Where(jobs=1_000_000).engine(toy(tmp_path).plan)(5000).workers == 3
+        assert Placement(jobs=1_000_000).engine(toy(tmp_path).plan)(5000).workers == 3
     assert caplog.messages == ["--jobs 1000000: only 3 compute, one on each core that this program may use"]
 
 
@@ -67,12 +67,12 @@ def test_variants_that_need_runs_of_their_own_are_expected_to_take_longer(first,
 
 
 def test_schedulers_and_queues_without_dask_say_what_to_install(tmp_path, monkeypatch):
-    monkeypatch.setattr("flexbearing.studies.where.find_spec", lambda name: None)
+    monkeypatch.setattr("flexbearing.studies.placement.find_spec", lambda name: None)
     plan = toy(tmp_path).plan
-    for where in (Where(slurm=Path("site.toml")), Where(scheduler="tcp://127.0.0.1:1")):
+    for where in (Placement(slurm=Path("site.toml")), Placement(scheduler="tcp://127.0.0.1:1")):
         with pytest.raises(BadCase, match=r'needs distributed.*: pip install "flexbearing\[studies\]"'):
             where.engine(plan)
-    assert isinstance(Where(jobs=2).engine(plan)(2), Processes)
+    assert isinstance(Placement(jobs=2).engine(plan)(2), Processes)
 
 
 def test_every_ring_is_condensed_once_whatever_becomes_of_its_worker():

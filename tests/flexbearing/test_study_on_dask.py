@@ -15,8 +15,8 @@ from flexbearing.studies.engine import EngineLost, on_dask
 from flexbearing.studies.engine.certificates import certificates
 from flexbearing.studies.engine.on_dask import NoConnection, connected
 from flexbearing.studies.engine.serial import Serial
+from flexbearing.studies.placement import Placement
 from flexbearing.studies.run import Work, run
-from flexbearing.studies.where import Where
 from tests.flexbearing.toy_studies import cubes, no_ring, toy
 
 pytestmark = pytest.mark.usefixtures("two_cores")
@@ -52,7 +52,7 @@ def files(security, tmp_path_factory):
     "address", ["no such protocol://x", "node7:8786", "tcp://node7", "tls://node7:port", "ucx://node7:1", ""]
 )
 def test_what_is_no_address_is_told(address, tmp_path):
-    start = Where(scheduler=address).engine(toy(tmp_path).plan)
+    start = Placement(scheduler=address).engine(toy(tmp_path).plan)
     with pytest.raises(BadCase, match=r"--scheduler .*: it must be tls://HOST:PORT or tcp://HOST:PORT"):
         start(1)
 
@@ -115,9 +115,9 @@ def test_files_that_are_no_certificates_are_told(files, tmp_path):
     }
     for tls, words in wrong.items():
         with pytest.raises(BadCase, match=words):
-            Where(scheduler="tls://127.0.0.1:1", tls=tls).engine(plan)
+            Placement(scheduler="tls://127.0.0.1:1", tls=tls).engine(plan)
     with pytest.raises(BadCase, match="only --scheduler and --slurm have connections"):
-        Where(tls=files).engine(plan)
+        Placement(tls=files).engine(plan)
 
 
 @pytest.mark.slow

@@ -13,8 +13,8 @@ from flexbearing.studies.engine.on_dask import NoConnection, connected
 from flexbearing.studies.engine.on_slurm import NoQueue, OnSlurm
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.file.slurm_profile import profile
+from flexbearing.studies.placement import Placement
 from flexbearing.studies.run import Work, run
-from flexbearing.studies.where import Where
 from tests import one_machine_slurm
 from tests.flexbearing import toy_studies
 from tests.flexbearing.toy_studies import cubes, no_ring, toy
@@ -48,17 +48,17 @@ def test_a_wrong_profile_is_told_before_anything_is_queued(tmp_path, text, words
     file = tmp_path / "site.toml"
     file.write_text(text)
     with pytest.raises(BadCase, match=words):
-        Where(slurm=file).engine(toy(tmp_path).plan)
+        Placement(slurm=file).engine(toy(tmp_path).plan)
 
 
 def test_a_study_is_computed_in_one_place(tmp_path):
     with pytest.raises(BadCase, match="--jobs and --slurm: a study is computed in one place"):
-        Where(jobs=2, slurm=written(tmp_path)).engine(toy(tmp_path).plan)
+        Placement(jobs=2, slurm=written(tmp_path)).engine(toy(tmp_path).plan)
 
 
 def test_where_there_is_no_queue_the_study_says_so(tmp_path, monkeypatch):
     monkeypatch.setattr("flexbearing.studies.engine.on_slurm.which", lambda name: None)
-    start = Where(slurm=written(tmp_path)).engine(toy(tmp_path).plan)
+    start = Placement(slurm=written(tmp_path)).engine(toy(tmp_path).plan)
     with pytest.raises(BadCase, match="there is no sbatch here; start the study on a login node"):
         start(1)
 

@@ -103,7 +103,7 @@ def test_a_worker_holds_the_rings_of_few_bearings_however_many_it_meets(rings, m
         worker.condense(ring, here=True)
         assert held() - before <= 2
     for task in settled.plan.tasks(lambda variant: True):
-        (row,) = worker.rows(task, worker.Wish(settled.outputs))
+        (row,) = worker.rows(task, worker.RowRequest(settled.outputs))
         assert row.converged
         assert held() - before <= 2
     assert len(configured().entries()) >= 5
@@ -138,7 +138,7 @@ def test_a_row_alone_says_what_it_says_in_a_batch(alone, tmp_path):
     pressed = study(tmp_path, CASE, f'[over]\n{loads}"operation.misalignment" = "3 arcmin"\n')
     words = []
     for settled in (several, pressed):
-        wish = worker.Wish(("life_L10 [h]",), files=tmp_path if alone else None, final=alone)
+        wish = worker.RowRequest(("life_L10 [h]",), files=tmp_path if alone else None, final=alone)
         tasks = settled.plan.tasks(lambda variant: True)
         words += [row.message for task in tasks for row in worker.rows(task, wish)]
     assert words[0] == "danger: several equilibria are likely; others than the computed one were not searched"

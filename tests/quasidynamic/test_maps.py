@@ -12,7 +12,7 @@ from quasidynamic.maps import GridPoints, SolvedGrid, folds, solve
 from quasidynamic.maps.examined import each_examined, examined, implied
 from quasidynamic.maps.filled import nested, one_state_each, through
 from quasidynamic.maps.folds import End
-from quasidynamic.maps.reached import Reached
+from quasidynamic.maps.newton_states import Reached
 from quasidynamic.maps.sheets import FINEST, connect_all
 from quasidynamic.maps.states import OUTSIDE, States
 from quasidynamic.outcome.equilibrium import Equilibrium
@@ -169,7 +169,7 @@ def test_what_neighbours_imply_is_what_an_examination_finds():
 @pytest.fixture
 def few_rounds(monkeypatch):
     """Searches that end early: regions are found by the first rounds, all their states by many."""
-    monkeypatch.setattr("quasidynamic.maps.searched.MOST_ROUNDS", 2)
+    monkeypatch.setattr("quasidynamic.maps.other_sheets.MOST_ROUNDS", 2)
 
 
 @pytest.mark.slow

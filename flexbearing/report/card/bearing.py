@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from flexbearing.findings.strength import CONTACT_PRESSURE
 from flexbearing.outputs import outputs
 from flexbearing.report.card.card import Item
-from flexbearing.report.card.judged import kind
+from flexbearing.report.card.verdict import kind
 from flexbearing.report.html import checks, clearance, ratings, stiffness as supports
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.elements import most_loaded

@@ -7,7 +7,7 @@ from flexbearing.quantities.attributes import GRADES
 from flexbearing.report.card.bearing import loads, rigid, stiffness
 from flexbearing.report.card.card import Card, Item, Line
 from flexbearing.report.card.case import computed, uncertain
-from flexbearing.report.card.judged import dangers, lives, usable
+from flexbearing.report.card.verdict import dangers, lives, usable
 from flexbearing.report.html import origin
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import METRIC

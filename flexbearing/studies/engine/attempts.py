@@ -24,7 +24,7 @@ class Named(Protocol):
 
 
 @dataclass(frozen=True)
-class Ended:
+class TaskResult:
     """How a task ended."""
 
     rows: tuple[Row, ...]  # of its variants; those without a row are in a task that is still to come
@@ -33,7 +33,7 @@ class Ended:
 
 def finished(
     tasks: Iterable[Task], function: Callable[[Task], Sequence[Row]], engine: Engine
-) -> Iterator[Ended]:
+) -> Iterator[TaskResult]:
     """Yield the end of every task.
 
     When a worker dies, its task is halved, so that the deadly variant is found; one that died three times, at
@@ -60,7 +60,7 @@ def finished(
         else:
             rows = tuple(done.answer or _failed(done))
         submit()
-        yield Ended(rows, done.died)
+        yield TaskResult(rows, done.died)
 
 
 def completed(

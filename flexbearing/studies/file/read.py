@@ -30,7 +30,7 @@ _COLUMN = re.compile(rf"(?!(?:{'|'.join(ENDS)})$)[\w.]{{1,100}}")
 
 
 @dataclass(frozen=True)
-class Wanted:
+class CollectedOutput:
     """An output that becomes a column."""
 
     column: str  # its heading without the unit
@@ -48,7 +48,7 @@ class Study:
     kind: str  # of the case
     inputs: tuple[Path, ...]  # files that are read, which no output may replace
     axes: tuple[Axis, ...]  # crossed, the last one changes fastest
-    collect: tuple[Wanted, ...] | None  # None: every number of the summary
+    collect: tuple[CollectedOutput, ...] | None  # None: every number of the summary
     search: bool = False  # whether other equilibria are searched
     drawn: Drawn | None = None  # distributions of the axis "variant"
     spectrum: Spectrum | None = None  # weights of the axis "duty", which is the last one
@@ -258,7 +258,7 @@ def _varied(over: Over, folder: Path, find: Callable[[str], Declaration]) -> tup
     return found
 
 
-def _collected(given: Mapping[str, str] | None, file: Path) -> tuple[Wanted, ...] | None:
+def _collected(given: Mapping[str, str] | None, file: Path) -> tuple[CollectedOutput, ...] | None:
     """Columns of the table [collect]; whether there are such outputs is known with the case."""
     if given is None:
         return None
@@ -268,4 +268,4 @@ def _collected(given: Mapping[str, str] | None, file: Path) -> tuple[Wanted, ...
                 f"{excerpt(file.name, LONGEST_NAME)}: [collect] {excerpt(column)} cannot be a heading; it "
                 f"must be a name of letters, digits, points and underscores, other than {', '.join(ENDS)}."
             )
-    return tuple(Wanted(column, text) for column, text in given.items())
+    return tuple(CollectedOutput(column, text) for column, text in given.items())

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from flexbearing.program.kept import keeping
+from flexbearing.program.complete_files import keeping
 
 CONVERGED, NOT_CONVERGED = 0, 1
 

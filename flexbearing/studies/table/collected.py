@@ -8,7 +8,7 @@ from math import isnan, nan
 
 from flexbearing.case import BadCase
 from flexbearing.case.family import Families
-from flexbearing.outputs import UnknownOutput, Wanted, WrongUnit, of_rollers, outputs, wanted
+from flexbearing.outputs import RequestedOutput, UnknownOutput, WrongUnit, of_rollers, outputs, wanted
 from flexbearing.outputs.names import BLOCKS, Block
 from flexbearing.outputs.value import conversion, quoted
 from flexbearing.quantities.layout import Layout
@@ -93,7 +93,7 @@ def require_outputs(study: Study, texts: Iterable[str], table: str, families: Fa
         raise BadCase(f"{study.path.name}: [{table}] {problem}") from None
 
 
-def of_output(column: str, output: Wanted) -> Collected:
+def of_output(column: str, output: RequestedOutput) -> Collected:
     """Column of an output under a name."""
     return Collected(column, f"{output.name} [{output.unit}]", "" if output.unit == "1" else output.unit)
 
@@ -178,5 +178,5 @@ def of_error(text: str) -> str:
 
 
 @lru_cache(maxsize=16)
-def _wanted(texts: tuple[str, ...], kind: str, layout) -> tuple[tuple[str, Wanted], ...]:
+def _wanted(texts: tuple[str, ...], kind: str, layout) -> tuple[tuple[str, RequestedOutput], ...]:
     return tuple((text, wanted(layout(), text)) for text in texts)

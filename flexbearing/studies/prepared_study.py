@@ -13,7 +13,7 @@ import numpy as np
 from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
 from flexbearing.studies.duty_cycles import catalogued, duty_cycles
-from flexbearing.studies.engine import Ended
+from flexbearing.studies.engine import TaskResult
 from flexbearing.studies.file import Study
 from flexbearing.studies.plan import Part, Plan, Row, Variant
 from flexbearing.studies.plan.task import CONVERGED, NO_DAMAGE, NOT_COMPUTED, Base, file_name
@@ -46,7 +46,7 @@ class Progress:
         new = self.done - self.begun
         return self.seconds / new * (self.total - self.done) if new else None
 
-    def after(self, end: Ended, rows_of: Mapping[str, int], seconds: float) -> "Progress":
+    def after(self, end: TaskResult, rows_of: Mapping[str, int], seconds: float) -> "Progress":
         """With a task more, whose rows are in the table as often as their variants do."""
         done = sum(rows_of[row.identity] for row in end.rows)
         failed = sum(rows_of[row.identity] for row in end.rows if not row.converged)

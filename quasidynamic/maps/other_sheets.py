@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.maps.newton_states import AT_ONCE, Mapped, by_pseudo_time, in_batches
 from quasidynamic.maps.points import GridPoints
-from quasidynamic.maps.reached import AT_ONCE, Mapped, by_pseudo_time, in_batches
 from quasidynamic.maps.sheets import connect_all
 from quasidynamic.maps.states import States
 from quasidynamic.outcome.bearing_states import BearingStates

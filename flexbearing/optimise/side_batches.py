@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 
 from flexbearing.optimise.worker import BY, with_keys
 from flexbearing.studies.plan import Ring, Row, Task
+from flexbearing.studies.prepared_study import Prepared
 from flexbearing.studies.run import Work
-from flexbearing.studies.settled import Prepared
 
 
 @dataclass(frozen=True)

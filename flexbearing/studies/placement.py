@@ -37,7 +37,7 @@ ALONE = {True: Cost(0.0, 0.1), False: Cost(0.0, 0.02)}
 
 
 @dataclass(frozen=True)
-class Where:
+class Placement:
     """Where the variants of a study are computed."""
 
     jobs: int | None = None  # processes here; None: as many as are worth it
