@@ -16,7 +16,7 @@ _NAMES = {
     "bearing.first_roller_azimuth": "azimuth of the first roller",
     "outer.bars": "number of bars",
     "operation.temperatures.reference": "reference temperature",
-    "operation.tilt": "free or held tilt",
+    "operation.tilt": "free/held tilt",
     "operation.misalignment": "misalignment of the inner ring",
     "operation.radial_load": "radial load",
     "operation.axial_load": "axial load",
