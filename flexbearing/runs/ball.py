@@ -112,7 +112,7 @@ def angular_answers(
 def four_point_answers(
     cases: Sequence[FourPointCase], texts: Sequence[str], *_: Any, **__: Any
 ) -> list[Answer]:
-    """The outputs asked for, of slow bearings, solved one after the other."""
+    """Outputs of slow bearings, each solved alone."""
     with linear_algebra_alone():
         return [_of_slow(case, texts) for case in cases]
 
