@@ -130,7 +130,7 @@ def _checked(found: tuple[checks.Check, ...]) -> Table:
         unit = "" if isinstance(check.value, str) else printed(check.value.unit)
         what = "\n".join(filter(None, (check.what, why)))
         rows.append((what, check.value, unit, check.limit, check.source, check.share, check.verdict))
-    head = ("result", "value", "unit", "limit", "source", "of the limit [%]", "verdict")
+    head = ("result", "value", "unit", "limit", "source", "limit used [%]", "verdict")
     return Table(head, tuple(rows))
 
 
