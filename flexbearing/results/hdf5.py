@@ -5,6 +5,7 @@ anything, so every claim is checked before memory is taken for it.
 """
 
 import os
+import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -38,6 +39,8 @@ _SUPERBLOCKS = (
     b"\3",
 )  # versions that say the end of the file at this place; older ones are of older formats
 _END_OF_FILE = slice(28, 36)
+_HEAP = re.compile(rb"GCOL\x01\x00\x00\x00(.{8})", re.DOTALL)  # with its size
+_OBJECT_HEADER = 16  # bytes
 _OF_SCALES = b"CLASS", b"NAME", ATTACHED  # attributes that make an array a scale
 _LAYOUTS = (h5d.COMPACT, h5d.CONTIGUOUS, h5d.CHUNKED)
 
@@ -112,6 +115,7 @@ def require_held(data: bytes, content: Content) -> None:
 @contextmanager
 def _opened(data: bytes) -> Iterator[Any]:
     """Root of a file in memory."""
+    _require_heaps(data)
     access = h5p.create(h5p.FILE_ACCESS)
     access.set_fapl_core(backing_store=False)
     access.set_file_image(data)
@@ -126,6 +130,26 @@ def _opened(data: bytes) -> Iterator[Any]:
         if isinstance(problem, BadContent):
             raise
         raise BadContent(f"not an HDF5 file, or damaged ({_first_line(problem)})") from problem
+
+
+def _require_heaps(data: bytes) -> None:
+    """Refuse damaged heaps of texts, in some of which the library looks for an object without end.
+
+    Source
+    ------
+    HDF5 File Format Specification 3.0, section III.E, Global Heap.
+    """
+    for found in _HEAP.finditer(data):
+        place, end = found.end(), found.start() + int.from_bytes(found[1], "little")
+        while end - place >= _OBJECT_HEADER:
+            number = int.from_bytes(data[place : place + 2], "little")
+            size = int.from_bytes(data[place + 8 : place + _OBJECT_HEADER], "little")
+            step = (
+                _OBJECT_HEADER + -(-size // 8) * 8 if number else size
+            )  # that of what is free counts its header
+            if step < _OBJECT_HEADER or place + step > end or end > len(data):
+                raise BadContent("damaged: an object in a heap of texts has an impossible size")
+            place += step
 
 
 def _content(root: Any, size: int) -> tuple[Content, str]:

@@ -1,5 +1,6 @@
 import json
 import os
+import re
 import shutil
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
@@ -749,3 +750,23 @@ def test_no_flipped_bit_changes_an_answer(path):
 
 
 # -- the reference page --------------------------------------------------------------------------
+
+
+def test_a_heap_in_which_the_library_would_search_without_end_is_refused(path):
+    """Its free space, the last object, takes no bytes: the library would look at it for ever."""
+    whole = bytearray(written(path).read_bytes())
+    free = [place for heap in re.finditer(rb"GCOL\x01", whole) if (place := free_space(whole, heap.start()))]
+    whole[free[0] + 8 : free[0] + 16] = bytes(8)
+    path.write_bytes(whole)
+    with pytest.raises(BadResult, match="an object in a heap of texts has an impossible size"):
+        read(path)
+
+
+def free_space(data, heap):
+    """Where the object of a global heap begins that is free space; None where it is full."""
+    place, end = heap + 16, heap + int.from_bytes(data[heap + 8 : heap + 16], "little")
+    while place + 16 <= end:
+        if not int.from_bytes(data[place : place + 2], "little"):
+            return place
+        place += 16 + -(-int.from_bytes(data[place + 8 : place + 16], "little") // 8) * 8
+    return None
