@@ -30,14 +30,9 @@ LONGEST_MESSAGE = 20_000  # characters
 LARGE = {
     "unknowns on the axial section": 1_000, "unknowns in the solid": 15_000, "unknowns in the fit": 2_000,
     "variants": 500,
+    "points where several states are likely": 4, "ends of stable states": 4,
 }  # fmt: skip
 ANNOUNCED = re.compile(rf"(?:about|of) (\d+) ({'|'.join(LARGE)})")
-# Words that announce how long is worked whose size no number tells.
-ANNOUNCED_TIME = (
-    "curves of folds through them are followed, up to",
-    "of at most 40",
-    "ends of stable states",
-)
 WARNINGS = (
     "Warning:",
     "Traceback",
@@ -272,9 +267,7 @@ def preload() -> None:
 
 def announced(text: str) -> bool:
     """Whether a run said that it is a large one before it took its time."""
-    return any(words in text for words in ANNOUNCED_TIME) or any(
-        int(number) > LARGE[what] for number, what in ANNOUNCED.findall(text)
-    )
+    return any(int(number) > LARGE[what] for number, what in ANNOUNCED.findall(text))
 
 
 def by_shape(answers: Iterable[Answer]) -> dict[str, list[Answer]]:

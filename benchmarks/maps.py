@@ -1,10 +1,10 @@
-"""Maps with several equilibria: `python -m benchmarks.maps [--points 200] [--timed]`.
+"""Maps with several equilibria: `python -m benchmarks.maps [--points 200] [--timed] [--few]`.
 
 Points by lot of three maps over load and speed: the bearing of Mao et al. with traction that falls with slip
 and with cold oil between rigid raceways, and with falling traction between its rings. Equilibria of the map
 against an exhaustive search from 40 random starts at each point, half of the points where the map has
 several. With `--timed` the time of a map of 100 x 100 loads and speeds of the paper's bearing between its
-rings, condensed before.
+rings, condensed before. With `--few` the times of maps of few points with many states, in thick oil.
 """
 
 import argparse
@@ -37,6 +37,14 @@ from tests.thick_films import DIFFERENT, ROUNDS, apart, decays, random_starts
 SEED, STARTS = 7, 40
 ALONG = 24  # points along each axis of a map that is checked
 OVER = ("operation.radial_load=log 2 kN..30 kN,100", "operation.inner_speed=5000 rpm..40000 rpm,100")
+THICK = "configs/nu209.toml", ("lubricant.viscosity=2 Pa s",)
+FEW = (
+    ("bearing.clearance=20 um..0 um,2",),
+    ("bearing.roller.drop=1 um..9 um,2", "operation.inner_speed=log 1 rpm..3000 rpm,4"),
+    ("bearing.clearance=0 um..-20 um,4", "operation.misalignment=0 arcmin..4 arcmin,2"),
+    ("bearing.clearance=0 um..20 um,4", "bearing.roller.drop=log 9 um..1 um,2"),
+    ("operation.load_direction=360 deg..0 deg,4", "bearing.clearance=20 um..0 um,4"),
+)
 FALLING = {
     "lubricant.traction": "four-point",
     "lubricant.traction_curve.peak": 0.06,
@@ -60,10 +68,14 @@ def main() -> None:
     parser.add_argument("--points", type=int, default=200)
     parser.add_argument("--along", type=int, default=ALONG)
     parser.add_argument("--timed", action="store_true")
+    parser.add_argument("--few", action="store_true")
     asked = parser.parse_args()
     print(describe())
     if asked.timed:
         timed()
+        return
+    if asked.few:
+        few()
         return
     maps = dict(grids(asked.along))
     rows = []
@@ -98,6 +110,20 @@ def timed() -> None:
         f"{len(found.unsolved)} not converged, {found.several} with several states, "
         f"{len(found.solved.ends[0])} places where states end, {found.solved.rounds} rounds of searches"
     )
+
+
+def few() -> None:
+    """Print processor times of maps of few points, and how many states they have."""
+    case = check(*THICK)
+    for over in FEW:
+        processor = time.process_time()
+        found = solved_map(case, axes(over, type(case)), OUTPUTS[:1], Logged())
+        states, ends = len(found.solved.point), len(found.solved.ends[0])
+        print(
+            f"{time.process_time() - processor:5.1f} s: {found.points} points, {states} states, {ends} ends "
+            f"of stable ones, {found.folds.located.sum()} located, {len(found.folds.curves)} curves: {over}",
+            flush=True,
+        )
 
 
 def grids(along: int) -> Iterator[tuple[str, GridPoints]]:

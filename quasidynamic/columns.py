@@ -54,9 +54,12 @@ def side_by_side(parts: Sequence[Part]) -> Part:
     return with_columns(parts[0], np.array([kind_and_numbers(part)[1] for part in parts]))
 
 
-def with_columns(part: Part, numbers: NDArray) -> Part:
-    """The same part with the numbers (C, n) of C parts of its kind, all of which have been checked."""
-    differs = (numbers != numbers[0]).any(0)
+def with_columns(part: Part, numbers: NDArray, own: NDArray | None = None) -> Part:
+    """The same part with the numbers (C, n) of C parts of its kind, all of which have been checked.
+
+    Its `own` numbers (n) are those of the first of them where nothing else is said.
+    """
+    differs = (numbers != (numbers[0] if own is None else own)).any(0)
     columns = iter([numbers[:, i, None] if differs[i] else None for i in range(len(differs))])
 
     def of_all(number: Number) -> Number:

@@ -1,7 +1,7 @@
 """Folds of a map: where stable states end between its points, and the curves of folds in its planes."""
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -15,10 +15,13 @@ from quasidynamic.solve.fold_curve import (
     CurveEnd,
     Fold,
     FoldCurve,
-    PlaneLinearisation,
+    Request,
+    Response,
+    Search,
     fold_at,
     fold_near,
     followed,
+    side_by_side,
 )
 from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.solve.rollers.parametric_balance import RESIDUAL_TOLERANCE, slip_weight
@@ -27,9 +30,12 @@ STEP_OF_SLIP = 0.05  # slip that counts like a step of the grid
 DIFFERENCE = 1e-5  # steps of the grid, for derivatives by the place
 BESIDE = 2 * FINEST + SAGITTA  # steps of the grid between a curve and an end that may lie on it
 ALIKE = 0.5  # of states as they are weighted: a fold and the last state before it
+AT_ONCE = 16  # searches; the matrices of more do not fit into the processor's cache
+FIRST_AT_ONCE = 2  # so that few of them find the same curve
+GOLDEN = (5**0.5 - 1) / 2
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class MapPlaneEquations:
     """Balance of the bearings of a grid over a plane of it, in steps of the grid from its first point."""
 
@@ -46,24 +52,6 @@ class MapPlaneEquations:
     def _weight(self) -> NDArray:
         return slip_weight(self.points.at(np.array([0]))) / STEP_OF_SLIP**2
 
-    def at(self, states: NDArray, places: NDArray) -> PlaneLinearisation:
-        """Scaled residual and its derivatives at scaled states (n, N) and places (n, 2)."""
-        balance = self.points.within(self.whole(places))
-        system = balance.evaluate(states)
-        steps = DIFFERENCE * np.array([[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]])
-        around = (places[:, None] + steps).reshape(-1, 2)
-        beside = self.points.within(self.whole(around)).evaluate(np.repeat(states, 4, axis=0)).residual
-        beside = beside.reshape(len(states), 4, -1)
-        by_place = np.stack([beside[:, 0] - beside[:, 1], beside[:, 2] - beside[:, 3]], axis=2) / (
-            2 * DIFFERENCE
-        )
-        return PlaneLinearisation(
-            residual=system.residual,
-            by_place=by_place,
-            solve=lambda right: bordered_system.solve(balance, system, right),
-            balanced=np.abs(system.residual).max(axis=1) <= RESIDUAL_TOLERANCE * system.loading,
-        )
-
     def nearest(self, place: NDArray) -> NDArray:
         """The place (2) of the grid that is nearest to a place."""
         return np.clip(place, 0, np.array(self.points.shape)[list(self.axes)] - 1)
@@ -73,6 +61,40 @@ class MapPlaneEquations:
         every = np.repeat(self.place[None].astype(float), len(places), axis=0)
         every[:, list(self.axes)] = places[:, : len(self.axes)]
         return every
+
+
+def solutions(points: GridPoints, requests: Sequence[Request]) -> list[Response]:
+    """Solutions of the linearised balance that searches in planes of a grid ask for, in one evaluation."""
+    balance = points.within(np.concatenate([each.equations.whole(each.places) for each in requests]))
+    system = balance.evaluate(np.concatenate([each.states for each in requests]))
+    sides = np.cumsum([len(each.states) for each in requests])[:-1]
+    most = max(each.directions.shape[1] for each in requests)
+    right = np.zeros((*system.residual.shape, most + 1))
+    for own, part, by_place in zip(
+        np.split(system.residual, sides), np.split(right, sides), _by_places(points, requests), strict=True
+    ):
+        part[..., : by_place.shape[2]], part[..., -1] = by_place, own[0]
+    solved = np.split(bordered_system.solve(balance, system, right), sides)
+    balanced = np.abs(system.residual).max(axis=1) <= RESIDUAL_TOLERANCE * system.loading
+    return [
+        Response(part[..., : each.directions.shape[1]], part[..., -1], bool(first[0]))
+        for each, part, first in zip(requests, solved, np.split(balanced, sides), strict=True)
+    ]
+
+
+def _by_places(points: GridPoints, requests: Sequence[Request]) -> Iterator[NDArray]:
+    """Derivatives (n, N, m) of the scaled residual of each request by the place, by differences."""
+    steps = (DIFFERENCE * np.stack([each.directions.T, -each.directions.T], axis=1) for each in requests)
+    around = [each.places[:, None, None] + step for each, step in zip(requests, steps, strict=True)]
+    places = (
+        each.equations.whole(place.reshape(-1, 2)) for each, place in zip(requests, around, strict=True)
+    )
+    states = (np.repeat(each.states, 2 * each.directions.shape[1], axis=0) for each in requests)
+    beside = points.within(np.concatenate([*places])).evaluate(np.concatenate([*states])).residual
+    ends = np.cumsum([place.shape[0] * place.shape[1] * 2 for place in around])[:-1]
+    for place, residual in zip(around, np.split(beside, ends), strict=True):
+        forth, back = np.moveaxis(residual.reshape(*place.shape[:3], -1), 2, 0)
+        yield np.swapaxes(forth - back, 1, 2) / (2 * DIFFERENCE)
 
 
 @dataclass(frozen=True)
@@ -133,28 +155,27 @@ def folds(solved: SolvedGrid, tell: Callable[[str], None] = lambda stage: None) 
     Between points of the grid as `GridPoints.within` has them. Curves through ends of the map alone: those
     that pass between its points are not known.
     """
-    ends = list(_ends(solved))
-    dimensions = len(solved.points.shape)
-    places = np.array([end.place for end in ends]).reshape(-1, dimensions)
-    located, curves = np.zeros(len(ends), bool), []
-    in_plane = tuple(range(max(dimensions - 2, 0), dimensions))
-    planes: dict[tuple, list[int]] = {}
-    count = iter(range(1, len(ends) + 1))
-    for number, end in enumerate(ends):
-        across = () if end.axis in in_plane else (number,)  # each alone on its line
-        planes.setdefault((*end.place[: in_plane[0]].tolist(), *across), []).append(number)
-    for numbers in planes.values():
-        some = [ends[number] for number in numbers]
-        inside = some[0].axis in in_plane
-        equations = MapPlaneEquations(solved.points, in_plane if inside else (some[0].axis,), some[0].place)
-        found, new = _in_plane(
-            equations, some, lambda: tell(f"folds: {next(count)} of {len(ends)} ends of stable states")
-        )
-        for number, fold in zip(numbers, found, strict=True):
-            if fold is not None:
-                places[number], located[number] = equations.whole(fold.place[None])[0], True
-        curves += [_plane_curve(equations, curve) for curve in new]
+    ends, points = list(_ends(solved)), solved.points
+    places = np.array([end.place for end in ends]).reshape(-1, len(points.shape))
+    searches, order = FoldSearches(points), _spread(len(ends))
+
+    def begun() -> Iterator[Search[Fold | None]]:
+        for number, end in enumerate(order):
+            tell(f"folds: {number + 1} of {len(ends)} ends of stable states")
+            yield searches.of(ends[end])
+
+    found = side_by_side(begun(), lambda requests: solutions(points, requests), lambda: searches.room)
+    located = np.zeros(len(ends), bool)
+    for end, fold in zip(order, found, strict=True):
+        if fold:
+            places[end], located[end] = searches.plane(ends[end]).whole(fold.place[None])[0], True
+    curves = [_plane_curve(plane, curve) for plane, each in searches.curves.items() for curve in each]
     return MapFolds(places, located, tuple(curves))
+
+
+def _spread(count: int) -> NDArray:
+    """The numbers of ends in an order in which those of the same curve do not follow each other."""
+    return np.argsort(np.mod(GOLDEN * np.arange(count), 1.0))
 
 
 def _ends(solved: SolvedGrid) -> Iterator[End]:
@@ -166,30 +187,55 @@ def _ends(solved: SolvedGrid) -> Iterator[End]:
         yield End(state, side, place, last)
 
 
-def _in_plane(
-    equations: MapPlaneEquations, ends: list[End], begin: Callable[[], None]
-) -> tuple[list[Fold | None], list[FoldCurve]]:
-    """Folds of ends in a plane, and the curves through them; of a line the folds alone."""
-    found: list[Fold | None] = [None] * len(ends)
-    curves: list[FoldCurve] = []
-    for number, end in enumerate(ends):
-        begin()
-        if end.last is None or found[number] is not None:
-            continue
-        start = end.place[list(equations.axes)]
-        across, axis = np.zeros(2), equations.axes.index(end.axis)
+@dataclass
+class FoldSearches:
+    """Searches of the folds of ends and of the curves through them; a known one is not followed again."""
+
+    points: GridPoints
+    planes: dict[tuple, MapPlaneEquations] = field(default_factory=dict)
+    curves: dict[MapPlaneEquations, list[FoldCurve]] = field(default_factory=dict)  # known ones of each plane
+    new: int = 0  # searches that did not end at a known curve
+
+    @property
+    def room(self) -> int:
+        """Searches that may be under way: few where many end at the same curve."""
+        return min(AT_ONCE, FIRST_AT_ONCE + self.new)
+
+    def plane(self, end: End) -> MapPlaneEquations:
+        """The plane of the last two axes through an end, or its line across them."""
+        dimensions = len(self.points.shape)
+        axes = tuple(range(max(dimensions - 2, 0), dimensions))
+        if end.axis not in axes:
+            axes = (end.axis,)
+        key = axes, *np.delete(end.place, axes).tolist()
+        return self.planes.setdefault(key, MapPlaneEquations(self.points, axes, end.place))
+
+    def of(self, end: End) -> Search[Fold | None]:
+        """The fold of an end, and the curve through it; of a line the fold alone."""
+        if end.last is None:
+            return None
+        plane = self.plane(end)
+        curves = self.curves.setdefault(plane, [])
+        for curve in curves:
+            if fold := (yield from _on_curve(plane, curve, end)):
+                return fold
+        across, axis = np.zeros(2), plane.axes.index(end.axis)
         across[axis] = end.sense
-        fold = fold_near(equations, end.last, np.resize(start, 2), across)
+        fold = yield from fold_near(plane, end.last, np.resize(end.place[list(plane.axes)], 2), across)
         if fold is None or not end.before_next_point(fold.place[axis]):
-            continue
-        found[number] = fold
-        if len(equations.axes) == 1 or any(_passes(equations, each, fold) for each in curves):
-            continue
-        curve = followed(equations, fold)
-        curves.append(curve)
-        for other in range(number + 1, len(ends)):
-            found[other] = found[other] or _on_curve(equations, curve, ends[other])
-    return found, curves
+            self.new += 1
+            return None
+        if len(plane.axes) > 1 and not _on_one_of(plane, curves, fold):
+            curve = yield from followed(plane, fold)
+            if _on_one_of(plane, curves, fold):  # by now: its search was under way beside this one
+                return fold
+            curves.append(curve)
+        self.new += 1
+        return fold
+
+
+def _on_one_of(plane: MapPlaneEquations, curves: Sequence[FoldCurve], fold: Fold) -> bool:
+    return any(_passes(plane, curve, fold) for curve in curves)
 
 
 def _passes(equations: MapPlaneEquations, curve: FoldCurve, fold: Fold) -> bool:
@@ -204,10 +250,9 @@ def _passes(equations: MapPlaneEquations, curve: FoldCurve, fold: Fold) -> bool:
     return False
 
 
-def _on_curve(equations: MapPlaneEquations, curve: FoldCurve, end: End) -> Fold | None:
+def _on_curve(equations: MapPlaneEquations, curve: FoldCurve, end: End) -> Search[Fold | None]:
     """The fold of an end where a curve passes it; None where none does."""
-    if end.last is None:
-        return None
+    assert end.last is not None
     axis = equations.axes.index(end.axis)
     place = end.place[list(equations.axes)]
     for one, other in zip(curve.folds, curve.folds[1:], strict=False):
@@ -220,7 +265,7 @@ def _on_curve(equations: MapPlaneEquations, curve: FoldCurve, end: End) -> Fold 
         if abs(crossing[axis] - place[axis]) > BESIDE or _distance(equations, between, end.last) > ALIKE:
             continue
         crossing[1 - axis] = place[1 - axis]
-        fold = fold_at(equations, one if share < 0.5 else other, between, crossing, axis)
+        fold = yield from fold_at(equations, one if share < 0.5 else other, between, crossing, axis)
         if fold and abs(fold.place[axis] - place[axis]) < 2 * FINEST:
             return fold
     return None

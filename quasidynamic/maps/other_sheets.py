@@ -21,7 +21,7 @@ POINTS = 48  # of a round
 PATTERNS, CROSSED, ZONES = 4, 3, 3  # of a point: around a state, between two states, zones at random
 SLOWING = 0.6  # spin over rolling that a roller loses in a radian behind the zone, at most
 SLIPS = 1e-4, 0.9  # of the cage
-SEARCHED_AT_ONCE = 16  # starts of a call, few enough to be shared among processes
+SEARCHED_AT_ONCE = 128  # starts of a call: few of them take long, and the more wait for these alone
 QUIET, QUIET_AMONG_SEVERAL = 2, 4  # rounds without another state, after which the search ends
 MOST_ROUNDS = 40
 
@@ -38,10 +38,12 @@ def search(
     if not states.doubtful.any() and states.stable_count.max(initial=0) < 2:
         return 0, True
     for number in range(MOST_ROUNDS):
-        tell(f"other sheets: round {number + 1} of at most {MOST_ROUNDS}")
         before, several = len(states), np.flatnonzero(states.stable_count > 1)
         doubtful = np.union1d(states.point[states.doubtful], several)
-        _try(points, states, rng.choice(doubtful, min(POINTS, len(doubtful)), replace=False), rng, mapped)
+        some = rng.choice(doubtful, min(POINTS, len(doubtful)), replace=False)
+        where = f"from {len(some)} of {len(doubtful)} points where several states are likely"
+        tell(f"other sheets: round {number + 1} of at most {MOST_ROUNDS}, {where}")
+        _try(points, states, some, rng, mapped)
         connect_all(points, states, mapped)
         quiet = quiet + 1 if len(states) == before else 0
         if quiet == (QUIET_AMONG_SEVERAL if states.stable_count.max() > 1 else QUIET):

@@ -100,10 +100,10 @@ class GridPoints:
         return self._with(interpolated(self.numbers), deviation)
 
     def _with(self, numbers: NDArray, deviation: NDArray | None) -> BearingBalance:
-        # Numbers that all points share are those of the first bearing, which therefore is one of them.
-        bearing = with_columns(self.bearings[0], np.vstack([self.numbers[:1], numbers]))
-        balance = bearing.balance(1 + len(numbers), aligned=self.aligned)
-        balance = balance.take(np.arange(1, 1 + len(numbers)))
+        bearing = with_columns(self.bearings[0], numbers, own=self.numbers[0])
+        balance = bearing.balance(len(numbers), aligned=self.aligned)
+        if len(numbers) == 1:
+            balance = balance.take(np.array([0]))  # whose numbers are no columns
         if self.rigid:
             return replace(balance, deviation=deviation)
         return between(balance, self.compliance, deviation)

@@ -1,9 +1,13 @@
-"""Folds of equilibria over two parameters: where one lies, and the curve on which they lie, around cusps."""
+"""Folds of equilibria over two parameters: where one lies, and the curve on which they lie, around cusps.
 
-from collections.abc import Callable
+Searches are generators: they yield the systems that they ask for, so that those of many searches are solved
+side by side.
+"""
+
+from collections.abc import Callable, Generator, Iterable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from typing import Protocol
+from typing import Any, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +15,8 @@ from numpy.typing import NDArray
 CORRECTIONS = 12  # of a fold
 TOLERANCE = 1e-7  # of the last correction, in the units of state and place
 LARGEST = 1.0  # correction, in the same units
-DIFFERENCE = 1e-4  # of state and place: equations are singular at a fold, and are solved on both sides of it
+STALLED = 3, 0.5  # corrections in which one must have become smaller, and to which part
+DIFFERENCE = 1e-5  # of state and place: equations are singular at a fold, and are solved on both sides of it
 FIRST_STEP, LONGEST_STEP, SHORTEST_STEP = 0.2, 1.0, 1e-3  # along the curve, in the same units
 FEW_CORRECTIONS = 5  # up to which the next step may be longer
 SMALLEST_COSINE = 0.9  # between the tangents at both ends of a step
@@ -31,31 +36,66 @@ class CurveEnd(StrEnum):
     LIMIT = "step limit"
 
 
-@dataclass(frozen=True)
-class PlaneLinearisation:
-    """Equations at n states and places, with their derivatives."""
-
-    residual: NDArray  # (n, N)
-    by_place: NDArray  # (n, N, 2)
-    solve: Callable[[NDArray], NDArray]  # unknowns (n, N, R) for right-hand sides (n, N, R)
-    balanced: NDArray  # (n) whether the residual is small enough
-
-
 class PlaneEquations(Protocol):
-    """Equations in N unknowns that depend on a place in a plane."""
+    """Equations F in N unknowns that depend on a place in a plane."""
 
     @property
     def weight(self) -> NDArray:
         """Weight (N) of the square of each unknown in the length of a curve; places have one."""
         ...
 
-    def at(self, states: NDArray, places: NDArray) -> PlaneLinearisation:
-        """Equations at states (n, N) and places (n, 2)."""
-        ...
-
     def nearest(self, place: NDArray) -> NDArray:
         """The place within the range that is nearest to a place (2)."""
         ...
+
+
+class Request(NamedTuple):
+    """Where a search asks for solved systems."""
+
+    equations: Any  # of the kind that the answers are for
+    states: NDArray  # (n, N)
+    places: NDArray  # (n, 2)
+    directions: NDArray  # (2, m) unit vectors of the plane, by which to differentiate
+
+
+class Response(NamedTuple):
+    """Solutions of the linearised equations at n states and places, Jacobian J."""
+
+    by_place: NDArray  # (n, N, m) 1/J times the derivative of F by the place in each direction
+    rest: NDArray  # (n, N) 1/J times F at the first of them
+    balanced: bool  # whether F at the first of them is small enough
+
+
+Found = TypeVar("Found")
+Search = Generator[Request, Response, Found]
+
+
+def side_by_side(
+    searches: Iterable[Search[Found]],
+    answer: Callable[[Sequence[Request]], Sequence[Response]],
+    room: Callable[[], int],
+) -> list[Found]:
+    """What searches find, in their order; as many are under way at once as there is room for."""
+    found: dict[int, Found] = {}
+    asked: dict[int, tuple[Search[Found], Request]] = {}
+    waiting = enumerate(searches)
+
+    def go_on(number: int, search: Search[Found], response: Response | None) -> None:
+        try:
+            asked[number] = search, search.send(response)  # type: ignore[arg-type]  # None begins it
+        except StopIteration as end:
+            found[number] = end.value
+
+    with np.errstate(all="ignore"):
+        while True:
+            while len(asked) < room() and (new := next(waiting, None)):
+                go_on(*new, None)
+            if not asked:
+                return [found[number] for number in sorted(found)]
+            under_way, asked = asked, {}
+            responses = answer([request for _, request in under_way.values()])
+            for (number, (search, _)), response in zip(under_way.items(), responses, strict=True):
+                go_on(number, search, response)
 
 
 @dataclass(frozen=True)
@@ -69,11 +109,11 @@ class Frame:
 
     @classmethod
     def along_solutions(
-        cls, equations: "PlaneEquations", state: NDArray, place: NDArray, across: NDArray
-    ) -> "Frame | None":
+        cls, equations: PlaneEquations, state: NDArray, place: NDArray, across: NDArray
+    ) -> Search["Frame | None"]:
         """Coordinates at a solution, the place moving across the fold with s; None at a singular one."""
-        system = equations.at(state[None], place[None])
-        null = -system.solve(system.by_place @ across[None, :, None])[0, :, 0]  # by the place
+        response = yield Request(equations, state[None], place[None], across[:, None])
+        null = -response.by_place[0, :, 0]
         null = null / _length(equations, null)
         if not np.isfinite(null).all():
             return None
@@ -108,64 +148,68 @@ class FoldCurve:
         return np.array([fold.place for fold in self.folds])
 
 
-def fold_near(equations: PlaneEquations, state: NDArray, place: NDArray, across: NDArray) -> Fold | None:
+def fold_near(
+    equations: PlaneEquations, state: NDArray, place: NDArray, across: NDArray
+) -> Search[Fold | None]:
     """The fold at which solutions end on a line through a place; None where none is found.
 
     Solutions are followed along their own length until the place moves back.
     """
-    frame = Frame.along_solutions(equations, state, place, across)
+    frame = yield from Frame.along_solutions(equations, state, place, across)
     step, length = FIRST_STEP / 10, 0.0
-    with np.errstate(all="ignore"):
-        while frame and length < LONGEST_WAY and step > SHORTEST_STEP / 100:
-            following = _solution(equations, state, place, frame, step)
-            if following is None:
-                step /= 2
-                continue
-            if following[2] <= 0:
-                return _between(equations, (state, place), frame, step)
-            (state, place, _), length, step = following, length + step, 1.5 * step
-            frame = Frame.along_solutions(equations, state, place, across)
+    while frame and length < LONGEST_WAY and step > SHORTEST_STEP / 10:
+        following = yield from _solution(equations, state, place, frame, step)
+        if following is None:
+            step /= 2
+            continue
+        if following[2] <= 0:
+            return (yield from _between(equations, (state, place), frame, step))
+        (state, place, _), length, step = following, length + step, 1.5 * step
+        frame = yield from Frame.along_solutions(equations, state, place, across)
     return None
 
 
-def fold_at(equations: PlaneEquations, near: Fold, state: NDArray, place: NDArray, axis: int) -> Fold | None:
+def fold_at(
+    equations: PlaneEquations, near: Fold, state: NDArray, place: NDArray, axis: int
+) -> Search[Fold | None]:
     """The fold on a line along an axis of the plane through a place, from a guess beside a known fold."""
     across = np.eye(2)[axis]
     frame = Frame(near.null, equations.weight * near.null, across, np.array([-across[1], across[0]]))
-    with np.errstate(all="ignore"):
-        return _corrected(equations, state, place, frame, np.array([0.0, 1.0]))
+    return _corrected(equations, state, place, frame, np.array([0.0, 1.0]))
 
 
 def _solution(
     equations: PlaneEquations, state: NDArray, place: NDArray, frame: Frame, step: float
-) -> tuple[NDArray, NDArray, float] | None:
+) -> Search[tuple[NDArray, NDArray, float] | None]:
     """The solution further along s, and its slope; None where Newton's method does not converge."""
-    surface = _Surface.at(equations, state, place, frame)
+    surface = yield from _Surface.at(equations, state, place, frame)
     change = surface.moved(np.array([step, 0.0]))
-    for _ in range(CORRECTIONS):
+    sizes: list[float] = []
+    while len(sizes) < CORRECTIONS and not _stalled(sizes):
         state, place = state + change[0], place + change[1]
-        surface = _Surface.at(equations, state, place, frame)
+        surface = yield from _Surface.at(equations, state, place, frame)
         change = surface.correction
         size = _size(equations, *change)
+        sizes.append(size)
         if not size < LARGEST:  # nor a number
             return None
         if size < TOLERANCE and surface.balanced:
-            slope, _ = _slope(equations, state, place, frame, surface.by_t)
+            slope, _ = yield from _slope(equations, state, place, frame, surface.by_t)
             return state, place, float(slope)
     return None
 
 
 def _between(
     equations: PlaneEquations, begin: tuple[NDArray, NDArray], frame: Frame, step: float
-) -> Fold | None:
+) -> Search[Fold | None]:
     """The fold within a step along s, at the end of which the place moves back."""
     inside, outside = 0.0, step
     for _ in range(HALVINGS):
         middle = (inside + outside) / 2
-        following = _solution(equations, *begin, frame, middle)
+        following = yield from _solution(equations, *begin, frame, middle)
         if following is None:
             return None
-        found = _corrected(equations, *following[:2], frame, np.array([0.0, 1.0]))
+        found = yield from _corrected(equations, *following[:2], frame, np.array([0.0, 1.0]))
         if (
             found
             and _size(equations, found.state - following[0], found.place - following[1]) < outside - inside
@@ -175,7 +219,7 @@ def _between(
     return None
 
 
-def followed(equations: PlaneEquations, first: Fold) -> FoldCurve:
+def followed(equations: PlaneEquations, first: Fold) -> Search[FoldCurve]:
     r"""The curve of folds through one of them, both ways.
 
     Solutions near a fold are a surface over (s, t), with the slope h of the place across the curve by s:
@@ -195,34 +239,34 @@ def followed(equations: PlaneEquations, first: Fold) -> FoldCurve:
 
     Returns
     -------
-    FoldCurve
+    search of a FoldCurve
+        for `side_by_side`
 
     Source
     ------
     Minimally augmented systems, Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria (2000),
     ch. 3 and 4; pseudo-arclength, Keller (1977).
     """
-    with np.errstate(all="ignore"):
-        ahead, end = _one_way(equations, first, 1.0)
-        if end is CurveEnd.CLOSED:
-            return FoldCurve((first, *ahead), (end, end))
-        behind, begin = _one_way(equations, first, -1.0)
+    ahead, end = yield from _one_way(equations, first, 1.0)
+    if end is CurveEnd.CLOSED:
+        return FoldCurve((first, *ahead), (end, end))
+    behind, begin = yield from _one_way(equations, first, -1.0)
     return FoldCurve((*reversed(behind), first, *ahead), (begin, end))
 
 
-def _one_way(equations: PlaneEquations, first: Fold, sense: float) -> tuple[list[Fold], CurveEnd]:
+def _one_way(equations: PlaneEquations, first: Fold, sense: float) -> Search[tuple[list[Fold], CurveEnd]]:
     fold, folds, step = replace(first, direction=sense * first.direction), [], FIRST_STEP
     while len(folds) < MOST_STEPS:
-        following = _next(equations, fold, step)
+        following = yield from _next(equations, fold, step)
         if following is None or not _near(equations, fold, following):
             step /= 2
             if step < SHORTEST_STEP:
                 return folds, CurveEnd.STEP_TOO_SHORT
             continue
         if not _inside(equations, following.place):
-            last = _at_the_edge(equations, fold, following)
+            last = yield from _at_the_edge(equations, fold, following)
             return [*folds, last] if last else folds, CurveEnd.RANGE_LEFT
-        if following.bend * fold.bend < 0 and (cusp := _cusp(equations, fold, following, step)):
+        if following.bend * fold.bend < 0 and (cusp := (yield from _cusp(equations, fold, following, step))):
             folds.append(cusp)
         folds.append(following)
         away = _size(equations, following.state - first.state, following.place - first.place)
@@ -234,12 +278,12 @@ def _one_way(equations: PlaneEquations, first: Fold, sense: float) -> tuple[list
     return folds, CurveEnd.LIMIT
 
 
-def _next(equations: PlaneEquations, fold: Fold, step: float) -> Fold | None:
+def _next(equations: PlaneEquations, fold: Fold, step: float) -> Search[Fold | None]:
     """The fold a step further; None where corrections do not converge."""
     frame = Frame(fold.null, equations.weight * fold.null, _across(fold.tangent), fold.tangent)
-    surface = _Surface.at(equations, fold.state, fold.place, frame)
+    surface = yield from _Surface.at(equations, fold.state, fold.place, frame)
     state, place = surface.moved(step * fold.direction)
-    found = _corrected(equations, fold.state + state, fold.place + place, frame, fold.direction)
+    found = yield from _corrected(equations, fold.state + state, fold.place + place, frame, fold.direction)
     if found is None or found.direction @ fold.direction >= 0:
         return found
     return replace(found, direction=-found.direction)
@@ -251,22 +295,30 @@ def _across(tangent: NDArray) -> NDArray:
 
 def _corrected(
     equations: PlaneEquations, state: NDArray, place: NDArray, frame: Frame, kept: NDArray
-) -> Fold | None:
+) -> Search[Fold | None]:
     """The fold that Newton's method finds with `kept` . (s, t) as it is; None where it does not converge."""
-    for number in range(1, CORRECTIONS + 1):
-        surface = _Surface.at(equations, state, place, frame)
+    sizes: list[float] = []
+    while len(sizes) < CORRECTIONS and not _stalled(sizes):
+        surface = yield from _Surface.at(equations, state, place, frame)
         correction = surface.correction
         state, place = state + correction[0], place + correction[1]
-        slope, by = _slope(equations, state, place, frame, surface.by_t)
+        slope, by = yield from _slope(equations, state, place, frame, surface.by_t)
         determinant = by[0] * kept[1] - by[1] * kept[0]
         change = surface.moved(-slope / determinant * np.array([kept[1], -kept[0]]))
         size = max(_size(equations, *correction), _size(equations, *change))
+        sizes.append(size)
         if not size < LARGEST:  # nor a number
             return None
         state, place = state + change[0], place + change[1]
         if size < TOLERANCE and surface.balanced:
-            return _fold(equations, state, place, surface, by, (size, number))
+            return _fold(equations, state, place, surface, by, (size, len(sizes)))
     return None
+
+
+def _stalled(sizes: Sequence[float]) -> bool:
+    """Whether corrections do not become smaller any more."""
+    few, part = STALLED
+    return len(sizes) > few and sizes[-1] > max(part * sizes[-1 - few], TOLERANCE)
 
 
 def _fold(
@@ -315,24 +367,26 @@ def _near(equations: PlaneEquations, one: Fold, other: Fold) -> bool:
     return turn * np.sqrt(_squared(chord)) / 8 <= SAGITTA
 
 
-def _at_the_edge(equations: PlaneEquations, fold: Fold, beyond: Fold) -> Fold | None:
+def _at_the_edge(equations: PlaneEquations, fold: Fold, beyond: Fold) -> Search[Fold | None]:
     """The fold at which the curve leaves the range; None where it is not found."""
     edge = equations.nearest(beyond.place)
     axis = int(np.argmax(np.abs(edge - beyond.place)))
     share = (edge[axis] - fold.place[axis]) / (beyond.place[axis] - fold.place[axis])
     place = fold.place + share * (beyond.place - fold.place)
     place[axis] = edge[axis]
-    found = fold_at(equations, fold, fold.state + share * (beyond.state - fold.state), place, 1 - axis)
+    found = yield from fold_at(
+        equations, fold, fold.state + share * (beyond.state - fold.state), place, 1 - axis
+    )
     return found if found and _inside(equations, found.place) else None
 
 
-def _cusp(equations: PlaneEquations, fold: Fold, following: Fold, step: float) -> Fold | None:
+def _cusp(equations: PlaneEquations, fold: Fold, following: Fold, step: float) -> Search[Fold | None]:
     """The cusp between two folds, where the bend passes through zero; None where it is not found."""
     ends, bends, found = [0.0, step], [fold.bend, following.bend], None
     for _ in range(CUSP_CORRECTIONS):
         share = np.clip(bends[0] / (bends[0] - bends[1]), 0.1, 0.9)
         middle = ends[0] + share * (ends[1] - ends[0])
-        found = _next(equations, fold, middle)
+        found = yield from _next(equations, fold, middle)
         if found is None:
             return None
         side = 0 if found.bend * bends[0] > 0 else 1
@@ -342,22 +396,22 @@ def _cusp(equations: PlaneEquations, fold: Fold, following: Fold, step: float) -
     return replace(found, cusp=True) if found else None
 
 
-def _slopes(system: PlaneLinearisation, frame: Frame) -> tuple[NDArray, NDArray]:
-    """Slopes (n), and what they are computed from: changes (n, N, 2) by the place across and along."""
-    solved = system.solve(system.by_place @ np.stack([frame.across, frame.along], axis=1))
-    return -1.0 / (solved[:, :, 0] @ frame.measure), solved
+def _slopes(response: Response, frame: Frame) -> NDArray:
+    """Slopes (n) of the place across the curve by s; the first direction is across."""
+    return -1.0 / (response.by_place[:, :, 0] @ frame.measure)
 
 
 def _slope(
     equations: PlaneEquations, state: NDArray, place: NDArray, frame: Frame, by_t: tuple[NDArray, NDArray]
-) -> tuple[float, NDArray]:
+) -> Search[tuple[float, NDArray]]:
     """The slope at a solution, and its derivatives (2) by s and t."""
     sides, further = (
         DIFFERENCE * np.array([1.0, -1.0, 1.0, -1.0]),
         DIFFERENCE * np.array([0.0, 0.0, 1.0, 1.0]),
     )
     states = state + np.outer(sides, frame.null) + np.outer(further, by_t[0])
-    slopes, _ = _slopes(equations.at(states, place + np.outer(further, by_t[1])), frame)
+    places = place + np.outer(further, by_t[1])
+    slopes = _slopes((yield Request(equations, states, places, frame.across[:, None])), frame)
     slope, moved = slopes[:2].mean(), slopes[2:].mean()
     return slope, np.array([slopes[0] - slopes[1], 2 * (moved - slope)]) / (2 * DIFFERENCE)
 
@@ -372,13 +426,15 @@ class _Surface:
     by_t: tuple[NDArray, NDArray]
 
     @classmethod
-    def at(cls, equations: PlaneEquations, state: NDArray, place: NDArray, frame: Frame) -> "_Surface":
+    def at(
+        cls, equations: PlaneEquations, state: NDArray, place: NDArray, frame: Frame
+    ) -> Search["_Surface"]:
         """From the equations there, and from their derivatives on both sides."""
         states = state + DIFFERENCE * np.outer([0.0, 1.0, -1.0], frame.null)
-        system = equations.at(states, np.broadcast_to(place, (3, 2)))
-        slope, solved = _slopes(system, frame)
-        rest = system.solve(np.broadcast_to(system.residual[0], states.shape)[..., None])[..., 0]
-        across, along = solved[..., 0], solved[..., 1]
+        both = np.stack([frame.across, frame.along], axis=1)
+        response = yield Request(equations, states, np.broadcast_to(place, (3, 2)), both)
+        slope, rest = _slopes(response, frame), response.rest
+        across, along = response.by_place[..., 0], response.by_place[..., 1]
 
         def change(rest: NDArray, along: float) -> tuple[NDArray, NDArray]:
             """Without s, where `rest` is left over; the mean of both sides."""
@@ -388,7 +444,7 @@ class _Surface:
 
         by_s = -across * slope[:, None]
         return cls(
-            balanced=bool(system.balanced[0]),
+            balanced=response.balanced,
             correction=change(rest, 0.0),
             by_s=(by_s[1:].mean(axis=0), slope[1:].mean() * frame.across),
             by_t=change(along, 1.0),

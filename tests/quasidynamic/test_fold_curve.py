@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from quasidynamic.solve.fold_curve import SAGITTA, CurveEnd, PlaneLinearisation, fold_near, followed
+from quasidynamic.solve.fold_curve import SAGITTA, CurveEnd, Response, fold_near, followed, side_by_side
 
 
 @dataclass(frozen=True)
@@ -23,15 +23,15 @@ class Toy:
     def weight(self):
         return np.ones(1)
 
-    def at(self, states, places):
+    def response(self, states, places, directions):
         x, (p, q) = states[:, 0], places.T
-        slope = self.by_state(x, p, q)[:, None, None]
+        slope = self.by_state(x, p, q)[:, None]
         value = self.value(x, p, q)
-        return PlaneLinearisation(
-            residual=value[:, None],
-            by_place=np.stack(np.broadcast_arrays(*self.by_place(x, p, q), x), axis=1)[:, None, :2],
-            solve=lambda right: right / slope,
-            balanced=np.abs(value) < 1e-12,
+        by_place = np.stack(np.broadcast_arrays(*self.by_place(x, p, q), x), axis=1)[:, :2]
+        return Response(
+            by_place=(by_place @ directions / slope)[:, None],
+            rest=value[0] / slope,
+            balanced=abs(value[0]) < 1e-12,
         )
 
     def nearest(self, place):
@@ -50,11 +50,18 @@ CORNER = Toy(
 RIGHT = np.array([1.0, 0.0])
 
 
+def found(*searches):
+    """What searches find, all side by side."""
+    return side_by_side(
+        searches, lambda requests: [toy.response(*rest) for toy, *rest in requests], lambda: len(searches)
+    )
+
+
 @pytest.fixture(scope="module")
 def cusp():
-    fold = fold_near(CUSP, np.array([1.0]), np.array([0.0, -1.0]), RIGHT)
+    (fold,) = found(fold_near(CUSP, np.array([1.0]), np.array([0.0, -1.0]), RIGHT))
     assert fold
-    return fold, followed(CUSP, fold)
+    return fold, *found(followed(CUSP, fold))
 
 
 def test_fold_on_a_line_is_where_solutions_turn_back(cusp):
@@ -64,7 +71,7 @@ def test_fold_on_a_line_is_where_solutions_turn_back(cusp):
 
 
 def test_sharp_fold_is_found_from_far():
-    fold = fold_near(CORNER, np.array([-0.5]), np.array([-0.5, 0.0]), RIGHT)
+    (fold,) = found(fold_near(CORNER, np.array([-0.5]), np.array([-0.5, 0.0]), RIGHT))
     assert fold
     assert fold.place == approx([-np.sqrt(2) * ROUNDED, 0.0], rel=0, abs=2e-7)
 
@@ -92,10 +99,10 @@ def test_lines_between_points_are_near_the_curve(cusp):
 
 
 def test_closed_curve_ends_where_it_began():
-    fold = fold_near(SPHERE, np.array([0.9]), np.array([0.3, np.sqrt(0.1)]), RIGHT)
+    (fold,) = found(fold_near(SPHERE, np.array([0.9]), np.array([0.3, np.sqrt(0.1)]), RIGHT))
     assert fold
     assert np.hypot(*fold.place) == approx(1.0, rel=0, abs=1e-9)
-    curve = followed(SPHERE, fold)
+    (curve,) = found(followed(SPHERE, fold))
     assert curve.ends == (CurveEnd.CLOSED, CurveEnd.CLOSED)
     assert np.hypot(*curve.places.T) == approx(np.ones(len(curve.places)), rel=0, abs=1e-8)
     turned = np.unwrap(np.arctan2(*curve.places.T[::-1]))
@@ -104,4 +111,18 @@ def test_closed_curve_ends_where_it_began():
 
 
 def test_solutions_that_do_not_fold_have_none():
-    assert fold_near(PLANE, np.array([0.5]), np.array([0.5, 0.0]), RIGHT) is None
+    assert found(fold_near(PLANE, np.array([0.5]), np.array([0.5, 0.0]), RIGHT)) == [None]
+
+
+def test_searches_are_answered_side_by_side_as_there_is_room():
+    asked = []
+
+    def answer(requests):
+        asked.append(len(requests))
+        return [toy.response(*rest) for toy, *rest in requests]
+
+    searches = (fold_near(toy, np.array([0.9]), np.array([0.3, np.sqrt(0.1)]), RIGHT) for toy in 5 * [SPHERE])
+    folds = side_by_side(searches, answer, lambda: 2)
+    assert max(asked) == 2
+    (alone,) = found(fold_near(SPHERE, np.array([0.9]), np.array([0.3, np.sqrt(0.1)]), RIGHT))
+    assert [fold.place.tolist() for fold in folds] == 5 * [alone.place.tolist()]

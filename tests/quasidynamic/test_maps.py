@@ -13,6 +13,7 @@ from quasidynamic.maps.examined import each_examined, examined, implied
 from quasidynamic.maps.filled import nested, one_state_each, through
 from quasidynamic.maps.folds import End
 from quasidynamic.maps.newton_states import Reached
+from quasidynamic.maps.other_sheets import MOST_ROUNDS, search
 from quasidynamic.maps.sheets import FINEST, connect_all
 from quasidynamic.maps.states import OUTSIDE, States
 from quasidynamic.outcome.equilibrium import Equilibrium
@@ -80,6 +81,24 @@ def test_ends_that_are_no_folds_are_not_located(line):
     assert not ended.located.any()
     whole = folds(solved)
     assert np.abs(ended.places - whole.places).max() < 2 * FINEST
+
+
+def test_rounds_and_folds_are_told_with_their_numbers(line):
+    """How much there is to do is known before it takes its time."""
+    points, told = over((len(LOADS),), LOADS), []
+
+    def tell(text):
+        told.append(text)
+        raise InterruptedError
+
+    with pytest.raises(InterruptedError):
+        search(points, line, map, tell)
+    likely = np.union1d(line.point[line.doubtful], np.flatnonzero(line.stable_count > 1))
+    where = f"from {len(likely)} of {len(likely)} points where several states are likely"
+    assert told == [f"other sheets: round 1 of at most {MOST_ROUNDS}, {where}"]
+    told.clear()
+    folds(replace(SolvedGrid.of(points, line), last={}), told.append)
+    assert told == [f"folds: {number} of 2 ends of stable states" for number in (1, 2)]
 
 
 def test_folds_of_an_end_come_before_the_next_point():
