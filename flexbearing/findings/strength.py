@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from flexbearing.findings.finding import DANGER, OUTSIDE, USUAL, Finding
 
-BARS = "bars of the squirrel cage (nominal)"  # place of their stress
+BARS = "squirrel-cage bars (nominal)"  # place of their stress
 
 CONTACT_PRESSURE = Finding(
     code="contact-pressure", label="peak contact pressure", quantity="contact_pressure",

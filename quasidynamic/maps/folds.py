@@ -64,7 +64,7 @@ class MapPlaneEquations:
 
 
 def solutions(points: GridPoints, requests: Sequence[Request]) -> list[Response]:
-    """Solutions of the linearised balance that searches in planes of a grid ask for, in one evaluation."""
+    """Solutions of the linearised balance for requests of searches in planes of a grid, in one evaluation."""
     balance = points.within(np.concatenate([each.equations.whole(each.places) for each in requests]))
     system = balance.evaluate(np.concatenate([each.states for each in requests]))
     sides = np.cumsum([len(each.states) for each in requests])[:-1]

@@ -1,6 +1,6 @@
 """Folds of equilibria over two parameters: where one lies, and the curve on which they lie, around cusps.
 
-Searches are generators: they yield the systems that they ask for, so that those of many searches are solved
+Searches are generators: each yields requests for solved systems, and those of many searches are solved
 side by side.
 """
 
@@ -50,7 +50,7 @@ class PlaneEquations(Protocol):
 
 
 class Request(NamedTuple):
-    """Where a search asks for solved systems."""
+    """Where a search needs solved systems."""
 
     equations: Any  # of the kind that the answers are for
     states: NDArray  # (n, N)
@@ -77,22 +77,22 @@ def side_by_side(
 ) -> list[Found]:
     """What searches find, in their order; as many are under way at once as there is room for."""
     found: dict[int, Found] = {}
-    asked: dict[int, tuple[Search[Found], Request]] = {}
+    requested: dict[int, tuple[Search[Found], Request]] = {}
     waiting = enumerate(searches)
 
     def go_on(number: int, search: Search[Found], response: Response | None) -> None:
         try:
-            asked[number] = search, search.send(response)  # type: ignore[arg-type]  # None begins it
+            requested[number] = search, search.send(response)  # type: ignore[arg-type]  # None begins it
         except StopIteration as end:
             found[number] = end.value
 
     with np.errstate(all="ignore"):
         while True:
-            while len(asked) < room() and (new := next(waiting, None)):
+            while len(requested) < room() and (new := next(waiting, None)):
                 go_on(*new, None)
-            if not asked:
+            if not requested:
                 return [found[number] for number in sorted(found)]
-            under_way, asked = asked, {}
+            under_way, requested = requested, {}
             responses = answer([request for _, request in under_way.values()])
             for (number, (search, _)), response in zip(under_way.items(), responses, strict=True):
                 go_on(number, search, response)

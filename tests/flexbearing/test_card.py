@@ -116,9 +116,8 @@ def test_life_is_judged_by_the_required_one(required, said):
     assert (record["verdict"], record["source"]) == (said, "life.required")
     assert record["value"] / 3600 == approx(result["modified_life [h]"].number)
     lines = {line.subject: line.items for line in result.card.lines}
-    _, against, catalogue = lines["life"]
+    _, against, _ = lines["life"]
     assert (against.label, against.remark) == ("required", said)
-    assert catalogue.remark == ("" if said == "met" else "below it")
     assert lines["usable"][0].label == ("Yes, as far as checked" if said == "met" else "No")
     assert "required-life" in {note["code"] for note in result.dangers} or said == "met"
     assert "assumed_effects" in result.attributes  # which do not depend on it

@@ -327,7 +327,7 @@ def test_the_first_page_has_the_life_at_most_eight_results_and_three_caveats(res
     parts = documents(name).parts
     assert 2 <= len(parts["checks"].rows) <= 8
     if lives.lives(Reader(api.read(results(name)), METRIC)):
-        assert parts["checks"].rows[0][4] == "life.required"
+        assert parts["checks"].rows[0][4] == "required life of the case"
     first = pages(name).partition('<nav aria-label="contents">')[0]
     assert first.partition('class="caveats"')[2].count("<li>") <= 3
     assert first.index("<figure") < first.index("<table")

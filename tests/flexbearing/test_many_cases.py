@@ -147,7 +147,7 @@ def test_every_output_of_cases_between_the_same_elastic_rings_is_that_of_single_
     cases = variants(PAPER, BEAM, (9000, 12000, 19000))
     found = answers(cases, EVERY_BLOCK, refused)
     assert_equal(found, cases, EVERY_BLOCK)
-    assert all("bars of the squirrel cage (nominal): " in answer.message for answer in found)
+    assert all("squirrel-cage bars (nominal): " in answer.message for answer in found)
     assert (column(found, "flexible.max_roller_load") < column(found, "rigid.max_roller_load")).all()
 
 

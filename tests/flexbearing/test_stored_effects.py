@@ -75,8 +75,14 @@ def test_shipped_effects_are_of_their_case(path):
     assert set(effects_file.attributes(case)) == {"assumed_effects"}
 
 
-def test_six_cases_have_effects():
-    assert len(SHIPPED) == 6
+def test_ten_cases_have_effects():
+    assert len(SHIPPED) == 10
+
+
+@pytest.mark.parametrize("name", ["6209", "joshi2015_fourpoint"])
+def test_card_names_what_moves_another_output_where_nothing_moves_the_first(name):
+    card = repr(api.run(CONFIGS / f"{name}.toml"))
+    assert re.search(r"uncertain +(friction )?torque .*x0\.5\.\.1\.5 by friction coefficient", card)
 
 
 def test_exported_effects_are_found_by_later_runs(tmp_path):

@@ -56,13 +56,17 @@ def _oil(reader: Reader) -> Iterator[Item]:
     yield Item(f"{name} at", temperature, remark="" if mark == "given" else mark)
 
 
+def _moved(reader: Reader, output: str) -> str:
+    return "life" if output in LIVES else effects.heading(reader, output).partition(" [")[0]
+
+
 def uncertain(reader: Reader) -> Iterator[Item]:
     """Inputs that are not known and move the life most; without their effects, how many there are."""
     if reader.attributes.get("assumed_effects"):
-        moved = "life" if effects.ranked_by(reader) in LIVES else "result"
-        for place, (key, ratios) in enumerate(effects.largest(reader, _MOST)):
+        output = effects.most_moved(reader)
+        for place, (key, ratios) in enumerate(effects.largest(reader, output, _MOST)):
             words = f"x{_span(ratios)} by {effects.name(key)}"
-            yield Item(words if place else f"{moved} {words}")
+            yield Item(words if place else f"{_moved(reader, output)} {words}")
         return
     counts = {word: len(reader.attributes[name]) for word, name in _COUNTED.items()}
     if words := " and ".join(f"{count} {word}" for word, count in counts.items() if count):

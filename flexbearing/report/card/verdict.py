@@ -42,6 +42,10 @@ def dangers(reader: Reader) -> Iterator[Item]:
 def _missed(broken: Sequence[Check]) -> Iterator[Item]:
     """Limits of damage that are not kept, else the gravest of all, and how many others there are."""
     shown = [check for check in broken if check.grade == DANGER][:_MOST] or broken[:1]
+    if len(broken) > 1 and [check.code for check in shown] == [REQUIRED_LIFE.code]:
+        other = next(check for check in broken if check not in shown)
+        yield Item(f"unmet: life, {lower(other.what)}" + f", {len(broken) - 2} more" * (len(broken) > 2))
+        return
     for check in shown:
         if check.what.lower() == REQUIRED_LIFE.label:  # its numbers are those of the life
             yield Item("required life not reached")
@@ -68,8 +72,7 @@ def lives(reader: Reader) -> Iterator[Item]:
             yield Item(f"{kind(life)}:", rounded(number), _range(reader, number))
             yield _required(reader, required)
         elif life.key == "catalogue":
-            below = isinstance(life.hours, Number) and 3600 * number.size < (required or 0.0)
-            yield Item(f"{kind(life).partition(',')[0]}:", rounded(number), remark="below it" * below)
+            yield Item(f"{kind(life).partition(',')[0]}:", rounded(number))
 
 
 def _range(reader: Reader, number: Number) -> tuple[Number, Number] | None:
@@ -80,7 +83,7 @@ def _range(reader: Reader, number: Number) -> tuple[Number, Number] | None:
 def _required(reader: Reader, required: float | None) -> Item:
     """The required life [s] with the verdict of the run."""
     if required is None:
-        return Item("no life.required")
+        return Item("no required life")
     limit = reader.units.number(required, "s", "h", ",.4g", "case/life.required")
     return Item("required", limit, remark=verdict(reader, REQUIRED_LIFE.code) or NOT_CHECKED)
 

@@ -48,13 +48,11 @@ def ranked(reader: Reader) -> list[int]:
     return sorted(range(len(found["keys"])), key=lambda place: -_effect(found, place, output))
 
 
-def largest(reader: Reader, count: int) -> list[tuple[str, list[Number]]]:
-    """Keys with the largest effects, no comparisons, each with results over that of the case, growing."""
-    found, output = reader.attributes["assumed_effects"], ranked_by(reader)
-    chosen = [
-        place for place in ranked(reader)
-        if found["keys"][place].get("role") != COMPARISON and _effect(found, place, output) > SMALLEST
-    ]  # fmt: skip
+def largest(reader: Reader, output: str, count: int) -> list[tuple[str, list[Number]]]:
+    """Keys with the largest effects on an output, no comparisons, each with that over the case's, growing."""
+    found = reader.attributes["assumed_effects"]
+    moving = {place: _effect(found, place, output) for place in _inputs(found)}
+    chosen = sorted((place for place in moving if moving[place] > SMALLEST), key=lambda place: -moving[place])
     rows = []
     for place in chosen[:count]:
         others = range(len(found["keys"][place]["others"]))
@@ -68,6 +66,21 @@ def ranked_by(reader: Reader) -> str:
     """Name of the output that effects are ranked by: a life, else the first that there is."""
     of = reader.attributes["assumed_effects"]["of"]
     return next((each for each in (*LIVES, *of) if each in of), "")
+
+
+def _inputs(found: dict[str, Any]) -> list[int]:
+    """Places of the keys that are no comparisons."""
+    return [place for place, key in enumerate(found["keys"]) if key.get("role") != COMPARISON]
+
+
+def most_moved(reader: Reader) -> str:
+    """Name of the output that effects are ranked by; where nothing moves it, of the one that moves most."""
+    found, first = reader.attributes["assumed_effects"], ranked_by(reader)
+    effect = {
+        output: max((_effect(found, place, output) for place in _inputs(found)), default=0.0)
+        for output in (first, *found["of"])
+    }
+    return first if effect[first] > SMALLEST else max(effect, key=lambda output: effect[output])
 
 
 def _base(reader: Reader, output: str) -> float | None:

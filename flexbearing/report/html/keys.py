@@ -16,11 +16,12 @@ _NAMES = {
     "bearing.first_roller_azimuth": "azimuth of the first roller",
     "outer.bars": "number of bars",
     "operation.temperatures.reference": "reference temperature",
-    "operation.tilt": "free/held tilt",
+    "operation.tilt": "free or held tilt",
     "operation.misalignment": "misalignment of the inner ring",
     "operation.radial_load": "radial load",
     "operation.axial_load": "axial load",
     "life.edge_stress": "edge stress",
+    "life.required": "required life of the case",
     "life.capacity": "rule of the load capacity",
     "lubricant.inlet_temperature": "oil temperature at the inlets",
     "life.cleanliness": "cleanliness of the oil",
@@ -46,6 +47,15 @@ def name(key: str) -> str:
     if key in _OF_RINGS:
         return f"{words} of the {table} ring"
     return words if table in _TABLES or len(rest) > 1 else f"{table} {words}"
+
+
+def keys_in(text: str) -> str:
+    """The keys in a sentence, each once.
+
+    >>> keys_in('set bearing.contact = "half_space", or lower lubricant.inlet_length; bearing.contact may be')
+    'bearing.contact, lubricant.inlet_length'
+    """
+    return ", ".join(dict.fromkeys(_KEY.findall(text)))
 
 
 def in_words(text: str) -> str:

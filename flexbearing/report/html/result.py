@@ -19,7 +19,7 @@ from flexbearing.report.html import (
 )
 from flexbearing.report.html.document import Cell, Document, Figure, Number, Table
 from flexbearing.report.html.figures import around, convergence, deformed
-from flexbearing.report.html.keys import in_words
+from flexbearing.report.html.keys import in_words, keys_in
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import METRIC, Units, printed
 from flexbearing.results import Result
@@ -129,22 +129,25 @@ def _checked(found: tuple[checks.Check, ...]) -> Table:
         why = "; ".join(filter(None, (check.meaning, check.action)))
         unit = "" if isinstance(check.value, str) else printed(check.value.unit)
         what = "\n".join(filter(None, (check.what, why)))
-        rows.append((what, check.value, unit, check.limit, check.source, check.share, check.verdict))
-    head = ("result", "value", "unit", "limit", "source", "limit used [%]", "verdict")
+        rows.append(
+            (what, check.value, unit, check.limit, in_words(check.source), checks.used(check), check.verdict)
+        )
+    head = ("result", "value", "unit", "limit", "source", "compared", "verdict")
     return Table(head, tuple(rows))
 
 
-def _notes(reader: Reader) -> tuple[list[str], list[tuple[str, str]]]:
-    """Notes that no finding is judged by: the gravest for the first page, the others with their grades."""
+def _notes(reader: Reader) -> tuple[list[tuple[str, str]], Table]:
+    """Notes that no finding is judged by: the gravest for the first page, the others with grades and keys."""
     judged = {record["code"] for record in reader.findings} | set(checks.NOTED)
     notes = [
-        (note["grade"], in_words(note["text"]))
+        (note["grade"], in_words(note["text"]), keys_in(note["text"]))
         for grade in GRADES for note in reader.attributes["notes"]
         if note["grade"] == grade and note["code"] not in judged
     ]  # fmt: skip
     unknown = bool(reader.attributes["assumed"] or reader.attributes["calibrated"])
-    grave = [text for grade, text in notes if grade != GRADES[-1]][: CAVEATS - unknown]
-    return grave, [note for note in notes if note[1] not in grave]
+    grave = [note for note in notes if note[0] != GRADES[-1]][: CAVEATS - unknown]
+    rows = tuple(note for note in notes if note not in grave)
+    return [(text, keys) for _, text, keys in grave], Table(("grade", "note", "keys of the case"), rows)
 
 
 def _range(reader: Reader) -> tuple[Number, Number, str] | None:
