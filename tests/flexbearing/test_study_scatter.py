@@ -13,6 +13,7 @@ from flexbearing.pages.make import report
 from flexbearing.results import BadResult
 from flexbearing.sampling.design import Design
 from flexbearing.sampling.distribution import normal, uniform
+from flexbearing.sampling.linear import Linear
 from flexbearing.studies import messages
 from flexbearing.studies.file.sampled import Drawn, Factor
 from flexbearing.studies.prepare import compute, prepared
@@ -186,3 +187,14 @@ def test_half_the_scatter_of_the_only_cause_halves_that_of_the_output():
     assert [row["by"] for row in shares] == ["rows", "rows"]
     assert shares[0]["narrower [%]"] == approx(0, abs=1)
     assert shares[1]["narrower [%]"] == approx(50, abs=1)
+
+
+def test_a_linear_prediction_that_no_float_holds_is_left_out_with_a_word():
+    drawn, numbers = two_inputs("sobol", 64)
+    life = np.exp(numbers @ [0.0, 1.0])
+    steep = Linear(1.0, np.array([0.0, 1e4]), np.full(2, 0.5), np.full(2, 0.3))
+    scatter = Scatter("toy", drawn, numbers, (Column("life", "h", tuple(life)),), linear={"life": steep})
+    (row,) = next(each.rows for each in scatter.tables())
+    assert row["linear_of"] == "logarithm: beyond the range of numbers"
+    assert np.isnan([row[name] for name in ("linear_mean", "linear_deviation", "linear_P10")]).all()
+    assert np.isfinite([row["mean"], row["P10"], row["P90"]]).all()

@@ -184,16 +184,25 @@ class _Output:
             row |= {f"P{percent}": found.value, f"P{percent}_low": low, f"P{percent}_high": high}
         predicted = self.predicted(numbers)
         linear = self.linear
-        row |= {"linear_mean": linear.mean, "linear_deviation": linear.deviation} if linear else {
-            "linear_mean": np.nan, "linear_deviation": np.nan
-        }  # fmt: skip
-        row |= {f"linear_P{percent}": float(np.quantile(predicted, percent / 100)) for percent in PERCENTILES}
+        first_order = self._first_order(predicted)
+        beyond = linear is not None and np.isnan([*first_order.values()]).any()
+        row |= first_order
+        scale = "" if linear is None else "logarithm" if linear.logarithmic else "output"
         return row | {
-            "linear_explains": self.explained(predicted),
-            "linear_of": "" if linear is None else "logarithm" if linear.logarithmic else "output",
+            "linear_explains": np.nan if beyond else self.explained(predicted),
+            "linear_of": f"{scale}: beyond the range of numbers" if beyond else scale,
             "rows": len(self.places),
             "unsolved": unsolved,
         }
+
+    def _first_order(self, predicted: NDArray) -> dict[str, float]:
+        """Mean, deviation and percentiles to first order; no numbers where no float holds them."""
+        names = ["mean", "deviation", *(f"P{percent}" for percent in PERCENTILES)]
+        numbers = [np.nan] * len(names)
+        if self.linear and np.isfinite([self.linear.mean, self.linear.deviation, *predicted]).all():
+            percentiles = np.quantile(predicted, np.array(PERCENTILES) / 100).tolist()
+            numbers = [self.linear.mean, self.linear.deviation, *percentiles]
+        return {f"linear_{name}": float(number) for name, number in zip(names, numbers, strict=True)}
 
     def linear_share(self, place: slice) -> float:
         """Share of some numbers in the variance to first order."""
