@@ -30,7 +30,7 @@ LONGEST_MESSAGE = 20_000  # characters
 LARGE = {
     "unknowns on the axial section": 1_000, "unknowns in the solid": 15_000, "unknowns in the fit": 2_000,
     "variants": 500,
-    "points where several states are likely": 4, "ends of stable states": 4,
+    "points where several states are likely": 4, "ends of stable states": 2,
 }  # fmt: skip
 ANNOUNCED = re.compile(rf"(?:about|of) (\d+) ({'|'.join(LARGE)})")
 WARNINGS = (

@@ -67,7 +67,7 @@ class Response(NamedTuple):
 
 
 Found = TypeVar("Found")
-Search = Generator[Request, Response, Found]
+Search = Generator[Sequence[Request], Sequence[Response], Found]
 
 
 def side_by_side(
@@ -76,26 +76,45 @@ def side_by_side(
     room: Callable[[], int],
 ) -> list[Found]:
     """What searches find, in their order; as many are under way at once as there is room for."""
+    together, responses = _together(searches, room), None
+    with np.errstate(all="ignore"):
+        while True:
+            try:
+                requests = together.send(responses)  # type: ignore[arg-type]  # None begins it
+            except StopIteration as end:
+                return end.value
+            responses = answer(requests)
+
+
+def _together(searches: Iterable[Search[Found]], room: Callable[[], int]) -> Search[list[Found]]:
+    """What searches find, in their order, as one search."""
     found: dict[int, Found] = {}
-    requested: dict[int, tuple[Search[Found], Request]] = {}
+    requested: dict[int, tuple[Search[Found], Sequence[Request]]] = {}
     waiting = enumerate(searches)
 
-    def go_on(number: int, search: Search[Found], response: Response | None) -> None:
+    def go_on(number: int, search: Search[Found], responses: Sequence[Response] | None) -> None:
         try:
-            requested[number] = search, search.send(response)  # type: ignore[arg-type]  # None begins it
+            requested[number] = search, search.send(responses)  # type: ignore[arg-type]  # None begins it
         except StopIteration as end:
             found[number] = end.value
 
-    with np.errstate(all="ignore"):
-        while True:
-            while len(requested) < room() and (new := next(waiting, None)):
-                go_on(*new, None)
-            if not requested:
-                return [found[number] for number in sorted(found)]
-            under_way, requested = requested, {}
-            responses = answer([request for _, request in under_way.values()])
-            for (number, (search, _)), response in zip(under_way.items(), responses, strict=True):
-                go_on(number, search, response)
+    while True:
+        while len(requested) < room() and (new := next(waiting, None)):
+            go_on(*new, None)
+        if not requested:
+            return [found[number] for number in sorted(found)]
+        under_way, requested = requested, {}
+        responses = iter((yield [request for _, each in under_way.values() for request in each]))
+        for number, (search, each) in under_way.items():
+            go_on(number, search, [next(responses) for _ in each])
+
+
+def _solved(
+    equations: "PlaneEquations", states: NDArray, places: NDArray, directions: NDArray
+) -> Search[Response]:
+    """The answer to a single request."""
+    (response,) = yield [Request(equations, states, places, directions)]
+    return response
 
 
 @dataclass(frozen=True)
@@ -112,7 +131,7 @@ class Frame:
         cls, equations: PlaneEquations, state: NDArray, place: NDArray, across: NDArray
     ) -> Search["Frame | None"]:
         """Coordinates at a solution, the place moving across the fold with s; None at a singular one."""
-        response = yield Request(equations, state[None], place[None], across[:, None])
+        response = yield from _solved(equations, state[None], place[None], across[:, None])
         null = -response.by_place[0, :, 0]
         null = null / _length(equations, null)
         if not np.isfinite(null).all():
@@ -247,10 +266,10 @@ def followed(equations: PlaneEquations, first: Fold) -> Search[FoldCurve]:
     Minimally augmented systems, Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria (2000),
     ch. 3 and 4; pseudo-arclength, Keller (1977).
     """
-    ahead, end = yield from _one_way(equations, first, 1.0)
+    ways = (_one_way(equations, first, sense) for sense in (1.0, -1.0))
+    (ahead, end), (behind, begin) = yield from _together(ways, lambda: 2)
     if end is CurveEnd.CLOSED:
         return FoldCurve((first, *ahead), (end, end))
-    behind, begin = yield from _one_way(equations, first, -1.0)
     return FoldCurve((*reversed(behind), first, *ahead), (begin, end))
 
 
@@ -411,7 +430,8 @@ def _slope(
     )
     states = state + np.outer(sides, frame.null) + np.outer(further, by_t[0])
     places = place + np.outer(further, by_t[1])
-    slopes = _slopes((yield Request(equations, states, places, frame.across[:, None])), frame)
+    response = yield from _solved(equations, states, places, frame.across[:, None])
+    slopes = _slopes(response, frame)
     slope, moved = slopes[:2].mean(), slopes[2:].mean()
     return slope, np.array([slopes[0] - slopes[1], 2 * (moved - slope)]) / (2 * DIFFERENCE)
 
@@ -432,7 +452,7 @@ class _Surface:
         """From the equations there, and from their derivatives on both sides."""
         states = state + DIFFERENCE * np.outer([0.0, 1.0, -1.0], frame.null)
         both = np.stack([frame.across, frame.along], axis=1)
-        response = yield Request(equations, states, np.broadcast_to(place, (3, 2)), both)
+        response = yield from _solved(equations, states, np.broadcast_to(place, (3, 2)), both)
         slope, rest = _slopes(response, frame), response.rest
         across, along = response.by_place[..., 0], response.by_place[..., 1]
 
