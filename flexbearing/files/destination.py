@@ -1,12 +1,11 @@
 """Where an output may go: settled before anything is computed."""
 
-import os
 import stat
 from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 
-from flexbearing.files.whole import UNFINISHED, part_name
+from flexbearing.files.whole import UNFINISHED, require_part
 
 
 class BadOutput(ValueError):
@@ -36,8 +35,7 @@ def require_output(path: str | Path, inputs: Iterable[str | Path] = ()) -> Path:
         require_folder(output.parent)
         if output.exists():
             _require_replaceable(output, path)
-        with suppress(FileNotFoundError):
-            part_name(output).lstat()  # fails when the name is too long
+        require_part(output)
     except (OSError, ValueError, RuntimeError) as problem:  # too long, a loop of links, a NUL in the name
         if isinstance(problem, BadOutput):
             raise
@@ -95,10 +93,9 @@ def require_folder(folder: str | Path) -> Path:
     try:
         made = Path(folder)
         made.mkdir(parents=True, exist_ok=True)
+        require_part(made / "output")
     except (OSError, ValueError) as problem:
         raise BadOutput(f"{folder}: no folder to write to: {_reason(problem)}.") from problem
-    if not os.access(made, os.W_OK | os.X_OK):
-        raise BadOutput(f"{folder}: no folder to write to: nothing can be written there.")
     return made
 
 

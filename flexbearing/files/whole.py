@@ -25,6 +25,19 @@ def part_name(path: Path, suffix: str = UNFINISHED) -> Path:
     return path.with_name(f"{path.name}.{host()}-{os.getpid()}-{os.urandom(4).hex()}{suffix}")
 
 
+def require_part(path: Path) -> None:
+    """Make a file beside another and remove it: permissions and folders of the system say less.
+
+    Raises
+    ------
+    OSError
+        where none can be made
+    """
+    part = part_name(path, _WRITING)
+    part.open("xb").close()
+    part.unlink()
+
+
 def parts_of(path: Path) -> list[tuple[Path, str, int]]:
     """Unfinished files beside a file, also those that were being written when their process was killed."""
     parts = []

@@ -108,7 +108,7 @@ def test_a_full_disk_keeps_the_rows_and_the_table_before(tmp_path, monkeypatch):
     write_part = Path.open
 
     def full(path, mode="r", *rest, **options):
-        if mode == "xb":
+        if mode == "xb" and path.name.startswith("toy.csv"):
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
         return write_part(path, mode, *rest, **options)
 
@@ -124,7 +124,11 @@ def test_a_full_disk_keeps_the_rows_and_the_table_before(tmp_path, monkeypatch):
 
 def test_a_folder_that_may_only_be_read_is_told_before_anything_is_computed(tmp_path, monkeypatch):
     settled, (work, loads) = toy(tmp_path), counting()
-    monkeypatch.setattr("flexbearing.files.destination.os.access", lambda path, mode: False)
-    with pytest.raises(BadOutput, match="nothing can be written there"):
+
+    def protected(path):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+
+    monkeypatch.setattr("flexbearing.files.destination.require_part", protected)
+    with pytest.raises(BadOutput, match="no folder to write to: Permission denied"):
         computed(settled, tmp_path / "out", work)
     assert loads == []
