@@ -3,6 +3,7 @@
 import errno
 import json
 import os
+from itertools import count
 from pathlib import Path
 
 import numpy as np
@@ -105,10 +106,10 @@ def test_a_full_disk_keeps_the_rows_and_the_table_before(tmp_path, monkeypatch):
     settled = toy(tmp_path)
     computed(settled, tmp_path)
     before = (tmp_path / "toy.csv").read_bytes()
-    write_part = Path.open
+    write_part, times = Path.open, count()
 
     def full(path, mode="r", *rest, **options):
-        if mode == "xb" and path.name.startswith("toy.csv"):
+        if mode == "xb" and path.name.startswith("toy.csv") and next(times):  # not when the place is tried
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
         return write_part(path, mode, *rest, **options)
 
