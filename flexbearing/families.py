@@ -21,6 +21,7 @@ _ROLLER = Family(
     card=_CARD,
     profiles=Entry("flexbearing.build.profiles:drawn"),
     initial_state=Entry("flexbearing.coupled.states:initial_state"),
+    neighbouring_state=Entry("flexbearing.coupled.states:neighbouring_state"),
     catalogue=Entry("flexbearing.runs.roller_catalogue:CATALOGUE"),
     sensitivities=Entry("flexbearing.derivatives.rollers:sensitivities"),
 )

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.balance.rollers.roller import RollerBalance
+from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.columns import kind_and_numbers, stacked, with_columns
 from quasidynamic.contact.film import FilmLaw
 from quasidynamic.contact.line import LoadLaw, Slices, gap_rounding, raceway_coefficients, reduced_radius
@@ -93,6 +94,11 @@ class RollerBearing:
             if step.accepted[0]:  # or the system is that of a step too long
                 state.cases.know(step.system)
             yield state
+
+    def state(self, unknowns: Unknowns) -> Equilibrium:
+        """A state between rigid raceways with given unknowns, balanced or not."""
+        balance = self.balance()
+        return Equilibrium(balance, balance.pack(unknowns)[0], SolverOutcome.RUNNING, 0, self.axial_modes)
 
     # -- equations -----------------------------------------------------------------------------
 

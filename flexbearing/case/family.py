@@ -35,6 +35,7 @@ class Family:
     write_report: Callable[[], Callable[..., Any]] = Entry("flexbearing.pages.make:report")
     ahead: Callable[[], Callable[[Any], Any]] | None = None  # begins beside what `solve` loads; a context
     profiles: Callable[[], Callable[[Any], Any]] | None = None  # along rollers: places, drops
+    neighbouring_state: Callable[[], Callable[..., Any]] | None = None  # of a case that differs little
     initial_state: Callable[[], Callable[..., Any]] | None = None  # from another result; None: it has no such
     sensitivities: Callable[[], Callable[..., Any]] | None = None  # of outputs by keys; None: there are none
     rows: Callable[[], Callable[..., Any]] | None = None  # as `flexbearing.runs.rows.answers`; None: by runs

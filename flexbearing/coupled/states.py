@@ -60,6 +60,7 @@ class InitialState:
 
     source: str  # path of the result that it comes from
     unknowns: Unknowns  # of the flexible end state
+    rigid: Unknowns | None = None  # of the state between rigid raceways, where a case starts from that, too
 
     def state(self, bearing: Bearing[Equilibrium], rings: Structure, rigid: Equilibrium) -> Equilibrium:
         """The unknowns in the equations of this case."""
@@ -89,20 +90,35 @@ def initial_state(start: Result, case: Case) -> InitialState:
     """
     if problem := _of_case(case) or _of_result(start, case) or _differing(start, case):
         raise BadCase(f"start {start.place}: {problem}")
-    values = start.flexible["unknowns"]
-    return InitialState(start.place, unknowns(values, start.flexible["roller_azimuth"].size))
+    return InitialState(start.place, _unknowns(start.flexible))
+
+
+def neighbouring_state(result: Result, case: Case) -> InitialState | None:
+    """Both states of a case that differs little; None where its unknowns are others."""
+    if _of_coupling(case) or _of_result(result, case) or _differing(result, case):
+        return None
+    return InitialState(result.place, _unknowns(result.flexible), _unknowns(result.rigid))
+
+
+def _unknowns(block: Mapping[str, Any]) -> Unknowns:
+    return unknowns(block["unknowns"], block["roller_azimuth"].size)
 
 
 def _of_case(case: Case) -> str:
     """Why a case starts nowhere but between rigid raceways; empty where it can."""
+    if case.inner.kind == case.outer.kind == "rigid":
+        return "every part of this case is rigid; a start is for flexible parts"
+    return _of_coupling(case)
+
+
+def _of_coupling(case: Case) -> str:
+    """Why the way that a case is solved begins elsewhere; empty where it does not."""
     if case.coupling.method != "newton":
         return (
             f'coupling.method = "{case.coupling.method}" begins between rigid raceways; allowed is "newton"'
         )
     if case.accuracy.target is not None:
         return "accuracy.target chooses its own levels and starts; leave one of both out"
-    if case.inner.kind == case.outer.kind == "rigid":
-        return "every part of this case is rigid; a start is for flexible parts"
     return ""
 
 

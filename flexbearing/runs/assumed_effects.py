@@ -16,25 +16,33 @@ UNCHANGED = 5e-3  # relative change of the life that is left out where changes a
 
 
 def assumed_effects(
-    case: Any, read: Callable[[Sequence[str]], Any], solved: Callable[[Any], Result], report: Report
+    case: Any,
+    read: Callable[[Sequence[str]], Any],
+    solved: Callable[[Any, Result | None], Result],  # a case, from the state of another one
+    report: Report,
 ) -> dict[str, Any]:
-    """Solve a case with other values of each assumed or calibrated key, one at a time."""
+    """Solve a case with other values of each assumed or calibrated key, one at a time, from its own state."""
     report.stage(STAGE, None)
-    of = measured(solved(_alone(read(()))))
+    itself = solved(_alone(read(())), None)
+    of = measured(itself)
+
+    def solved_beside(changed: Any) -> Result:
+        return solved(changed, itself)
+
     keys = list(plausible(case))
     count, done = sum(len(each.others) for each in keys) + 2, 0
     rows = []
     for each in keys:
         found = []
         for other in each.others:
-            if row := _compared(other, case, read, solved, of):
+            if row := _compared(other, case, read, solved_beside, of):
                 found.append(row)
             done += 1
             report.stage(STAGE, done / count)
         rows.append({"key": each.key, "source": each.source, "others": found, "role": each.role})
     together = []
     for other in _at_once(rows, of):
-        if row := _compared(other, case, read, solved, of):
+        if row := _compared(other, case, read, solved_beside, of):
             together.append(row)
         done += 1
         report.stage(STAGE, done / count)

@@ -130,7 +130,7 @@ def _solve(
     partner = BearingPartner(resolved.model)
     report.stage("rigid raceways", None)
     try:
-        rigid = partner.solve()
+        rigid = partner.solve(_between_rigid_raceways(resolved.model, initial))
     except PartnerFailed as failure:
         return _not_solved(f"rigid raceways: {failure}", failure)
     postprocessing.store("rigid", resolved.model, rigid, RIGID)
@@ -165,6 +165,11 @@ def _solve(
         ending |= _passage(case, resolved.model, rings, stored.state, postprocessing, report)
         ending |= _slice_error(case, resolved.model, rings, stored.state, postprocessing)
     return ending | {"structure": figures}
+
+
+def _between_rigid_raceways(model: RollerBearing, initial: InitialState | None) -> Equilibrium | None:
+    """Where the bearing starts between rigid raceways; None: from its static load distribution."""
+    return None if initial is None or initial.rigid is None else model.state(initial.rigid)
 
 
 def _of_springs(figures: dict[str, Any], postprocessing: Postprocessing) -> dict[str, Any]:
@@ -221,6 +226,8 @@ def _slice_error(
 
 def _start(initial: InitialState, attempts: Any, postprocessing: Postprocessing) -> dict[str, Any]:
     """Where the coupling started; a note where that is not the initial state."""
+    if initial.rigid is not None and not attempts:
+        return {"started_from": initial.source}
     attempt = attempts.get(FROM_INITIAL_STATE, {"status": "not reached", "message": "nothing was iterated"})
     if attempt["status"] == "converged":
         return {"started_from": initial.source}

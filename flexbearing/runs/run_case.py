@@ -62,13 +62,17 @@ def run_case(  # noqa: PLR0913  # what a run may be given besides its case
             return record.finish(**ending, wall_time_s=perf_counter() - began)
 
 
-def compared(case: Head, family: Family) -> Result:
-    """Compute a case whose numbers are compared with those of another: other equilibria are not searched."""
+def compared(case: Head, family: Family, beside: Result | None = None) -> Result:
+    """Compute a case whose numbers are compared with those of another: other equilibria are not searched.
+
+    It starts from the state of a case that differs little, `beside`, where its unknowns are the same.
+    """
     began = perf_counter()
     require_possible(case, family)
     with family.ahead()(case) if family.ahead else nullcontext() as ahead, linear_algebra_alone():
         record = Record(_head(case) | family.opening()(case), family, others="left out")
-        ending = _solver(case, family, None, ahead=ahead)(case, record, Logged())
+        near = family.neighbouring_state()(beside, case) if beside and family.neighbouring_state else None
+        ending = _solver(case, family, None, ahead=ahead, near=near)(case, record, Logged())
         return record.finish(**ending, wall_time_s=perf_counter() - began)
 
 
@@ -77,7 +81,7 @@ def effects(case: Head, family: Family, report: Report) -> dict[str, Any]:
     from flexbearing.runs.assumed_effects import assumed_effects
 
     read = reader(case, family, _ratings(case, family))
-    return assumed_effects(case, read, lambda each: compared(each, family), report)
+    return assumed_effects(case, read, lambda each, beside: compared(each, family, beside), report)
 
 
 def _ratings(case: Head, family: Family) -> list[str]:

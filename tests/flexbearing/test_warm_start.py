@@ -11,9 +11,14 @@ from typer.testing import CliRunner
 
 import flexbearing
 from flexbearing.case import BadCase
+from flexbearing.case.read import read
 from flexbearing.cli import application
 from flexbearing.coupled.states import unknowns
+from flexbearing.families import FAMILIES
 from flexbearing.results import BadResult
+from flexbearing.runs.run_case import compared
+from quasidynamic import roller
+from quasidynamic.solve.rollers import strategy
 from tests.flexbearing.noted import texts
 from tests.flexbearing.resealed import resealed
 
@@ -173,3 +178,29 @@ def test_command_line_takes_a_start(other, tmp_path):
     settings = [word for setting in HERE for word in ("--set", setting)]
     assert CliRunner().invoke(application(), [*words, *settings]).exit_code == 0
     assert flexbearing.read(tmp_path / "out.h5").attributes["started_from"] == str(other.path)
+
+
+def test_hard_case_takes_little_work_beside_one_that_is_solved(monkeypatch):
+    """In oil at 0 degC: the same number of evaluations is not enough from its own start."""
+    family, path = FAMILIES["cylindrical_roller"], PAPER.parent / "catalogue" / "nu210.toml"
+    cold_oil = [
+        "lubricant.inlet_temperature=0 degC", "operation.inner_speed=3000 rpm",
+        "operation.radial_load=8 kN", "assumed=[]",
+    ]  # fmt: skip
+    hard = read(path, [*cold_oil, "lubricant.traction=bair-winer"], FAMILIES)
+    beside = compared(read(path, cold_oil, FAMILIES), family)
+    for module in (roller, strategy):
+        monkeypatch.setattr(module, "MOST_WORK", 100)
+    assert compared(hard, family).attributes["status"] == "work limit"
+    found = compared(hard, family, beside)
+    assert found.attributes["status"] == "converged"
+    assert found.attributes["started_from"] == beside.place
+
+
+def test_neighbours_of_other_unknowns_are_no_start():
+    case = read(PAPER.with_name("nu209.toml"), ["assumed=[]"], FAMILIES)
+    fewer = read(PAPER.with_name("nu209.toml"), ["assumed=[]", "bearing.rollers=13"], FAMILIES)
+    beside = compared(fewer, FAMILIES[case.kind])
+    found = compared(case, FAMILIES[case.kind], beside)
+    assert "started_from" not in found.attributes
+    assert found.attributes["status"] == "converged"
