@@ -97,7 +97,7 @@ def new(  # noqa: PLR0913  # an argument for each option
         written = _of_model(file, from_rexs, rexs_bearing, run, {"given": options, **about}, tell)
     else:
         file, like, options, about = _designated(file, like, options, about)
-        written = _of_page(file, like, options, about, tell)
+        written = _of_page(file, like, options, about)
     for case, ratings in written:
         sys.stdout.write(printable(f"case: {case}\n{ratings}"))
         for wanted, name in ((life, "life"), (run, "run")):
@@ -127,7 +127,7 @@ def _designated(
 
 
 def _of_page(
-    file: Path, like: str, options: dict[str, str], about: dict[str, Any], tell: Callable[[str], None]
+    file: Path, like: str, options: dict[str, str], about: dict[str, Any]
 ) -> Iterator[tuple[Path, str]]:
     """The case of a page, with questions for what it lacks."""
     from flexbearing.catalogue.new import new as write
@@ -136,7 +136,7 @@ def _of_page(
         from flexbearing.catalogue.questions import answers
 
         options = options | answers(like, options)
-    yield file, write(file, like, options, tell=tell, **about)
+    yield file, write(file, like, options, **about)
 
 
 def _of_model(

@@ -1,6 +1,6 @@
 """From the entries of a catalogue page to a case file."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 
 from flexbearing.case import BadCase, understood
@@ -14,7 +14,6 @@ from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, require_output, write
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 
-Tell = Callable[[str], None]
 EFFECTS = "outputs.assumed_effects"
 ELASTIC = "squirrel_cage"  # whose effects take minutes
 NO_RESULT = (BadCase, NotSolved, OutOfRange)  # of a case that cannot be computed
@@ -28,7 +27,6 @@ def new(  # noqa: PLR0913  # an argument for each option
     title: str = "",
     source: str = "",
     force: bool = False,
-    tell: Tell = lambda _: None,
     assumed: Mapping[str, str] | None = None,
 ) -> str:
     """Write a case from the page of a catalogue; of the options, `assumed` are those that nobody gave.
@@ -51,7 +49,7 @@ def new(  # noqa: PLR0913  # an argument for each option
         raise BadOutput(f"{file}: is there already; --force replaces it.")
     try:
         written, ratings = _case(wanted, place, title, source)
-        effects = _effects(like, written, place, tell)
+        effects = _effects(like, written, place)
     except (ImpossiblePart, OutOfRange) as problem:
         raise BadCase(f"{problem}.") from problem
     write(place, written.encode())
@@ -100,9 +98,9 @@ def _lines(page: Page) -> tuple[list[Line], str]:
     return ball_lines.lines(page, balls), table(page, balls, "diameter")
 
 
-def _effects(like: str, written: str, file: Path, tell: Tell) -> bytes | str:
+def _effects(like: str, written: str, file: Path) -> bytes | str:
     """The file of what other values of assumed keys make of the case, or why there is none."""
-    from flexbearing.progress import Logged
+    from flexbearing.progress import shown
     from flexbearing.runs import effects_file
     from flexbearing.runs.run_case import effects
     from flexbearing.runs.validate import require_possible
@@ -112,8 +110,8 @@ def _effects(like: str, written: str, file: Path, tell: Tell) -> bytes | str:
     require_possible(case, family)  # before anything is computed
     if like == ELASTIC:
         return f"flexbearing run {file} --set {EFFECTS}=true; flexbearing export OUT.h5 --to effects"
-    tell("computing the case with other values of what is assumed")
     try:
-        return effects_file.content(case, effects(case, family, Logged()))
+        with shown("new") as report:
+            return effects_file.content(case, effects(case, family, report))
     except NO_RESULT as problem:
         return f"not known: {one_line(str(problem))}"

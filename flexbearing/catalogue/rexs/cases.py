@@ -139,7 +139,7 @@ def _written(found: Bearing, file: Path, order: Order, version: str, tell: Tell)
     title = order.title or excerpt(found.designation)
     ratings = new(
         file, found.like, options,
-        title=title, source=source, force=order.force, tell=tell, assumed=assumed,
+        title=title, source=source, force=order.force, assumed=assumed,
     )  # fmt: skip
     cycle = duty.written(found, file, order.given, source)
     alone = (
