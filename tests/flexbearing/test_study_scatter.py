@@ -10,6 +10,7 @@ from pytest import approx
 
 from flexbearing.api import read_case, sensitivities
 from flexbearing.pages.make import report
+from flexbearing.report.html.scatter import SUBJECTS, TEXTS
 from flexbearing.results import BadResult
 from flexbearing.sampling.design import Design
 from flexbearing.sampling.distribution import normal, uniform
@@ -167,6 +168,20 @@ def test_a_scatter_with_an_output_twice_is_refused(study, tmp_path):
     shares.write_text("\n".join([*lines, lines[-1]]) + "\n", "utf-8")
     with pytest.raises(BadResult, match="several rows of"):
         report(tmp_path / f"{table.name}.csv", tmp_path / "r.html")
+
+
+@pytest.mark.parametrize("part", TABLES)
+def test_empty_cells_of_a_scatter_are_gaps_of_its_figures(part, study, tmp_path):
+    folder, _, table = study
+    for file in (folder / "whole").glob(f"{table.name}*.csv"):
+        (tmp_path / file.name).write_text(file.read_text("utf-8"), "utf-8")
+    file = tmp_path / f"{table.name}_{part}.csv"
+    found = rows(file.read_text("utf-8"))
+    kept = {*TEXTS, *SUBJECTS}
+    lines = [",".join(row[name] if name in kept else "" for name in row) for row in found]
+    file.write_text("\n".join([",".join(found[0]), *lines]) + "\n", "utf-8")
+    (written,) = report(tmp_path / f"{table.name}.csv", tmp_path / "r.html")
+    assert Page(written.read_text("utf-8")).figures
 
 
 def test_rows_without_a_number_are_counted_and_constant_outputs_left_out():

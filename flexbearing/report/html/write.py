@@ -5,6 +5,7 @@ import re
 from collections.abc import Mapping
 from html import escape
 from importlib.resources import files
+from math import isfinite
 from typing import Any
 
 from flexbearing.report.html.document import Document
@@ -57,7 +58,14 @@ def plain(value: Any, key: str = "") -> Any:
 
     >>> plain({"name": "<a href='x'>load</a>", "hovertemplate": "%{y}<extra></extra>"})
     {'name': "&lt;a href='x'>load&lt;/a>", 'hovertemplate': '%{y}<extra></extra>'}
+
+    Where there is no number is a gap.
+
+    >>> plain([1.0, float("nan")])
+    [1.0, None]
     """
+    if isinstance(value, float) and not isfinite(value):
+        return None
     if isinstance(value, str):
         return value if key == TEMPLATE else value.replace("<", "&lt;")
     if isinstance(value, Mapping):
