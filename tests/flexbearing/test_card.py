@@ -99,6 +99,15 @@ def test_verdict_is_that_of_the_report(name, results):
 
 
 @pytest.mark.slow
+def test_what_overlaps_and_peaks_without_their_ends_are_named(results):
+    lines = {line.subject: line.words for line in results("mao2016").card.lines}
+    assert "; cage dimensions overlap; " in lines["usable"]
+    assert lines["load"].endswith(" MPa, ends left out")
+    assert " at assumed " in lines[""]
+    assert checks.judged(Reader(results("mao2016"), METRIC)).endswith("; dimensions overlap.")
+
+
+@pytest.mark.slow
 def test_rigid_rings_are_compared_where_rings_are_elastic(results):
     known = {name: {line.subject: line.items for line in results(name).card.lines} for name in KINDS}
     assert [name for name in KINDS if "rigid" in known[name]] == ["mao2016", "planet"]

@@ -24,7 +24,10 @@ def loads(reader: Reader) -> Iterator[Item]:
     ]  # fmt: skip
     if pressures:
         worst = max(pressures, key=lambda check: check.used)
-        yield Item("peak pressure", worst.value, remark=checks.used(worst))
+        without_ends = worst.verdict == checks.MET_BY_SLICES
+        yield Item(
+            "peak pressure", worst.value, remark="ends left out" if without_ends else checks.used(worst)
+        )
 
 
 def stiffness(reader: Reader) -> Iterator[Item]:

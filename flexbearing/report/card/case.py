@@ -53,7 +53,7 @@ def _oil(reader: Reader) -> Iterator[Item]:
     name = known["oil"] if isinstance(known.get("oil"), str) else "oil"
     mark = origin(reader, "lubricant.inlet_temperature")
     temperature = reader.units.of_key(warm, "K", "case/lubricant.inlet_temperature")
-    yield Item(f"{name} at", temperature, remark="" if mark == "given" else mark)
+    yield Item(f"{name} at" if mark == "given" else f"{name} at {mark}", temperature)
 
 
 def _moved(reader: Reader, output: str) -> str:

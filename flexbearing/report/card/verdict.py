@@ -7,7 +7,7 @@ from flexbearing.findings import DANGER, NOT_CHECKED
 from flexbearing.findings.running import REQUIRED_LIFE
 from flexbearing.report.card.card import Item
 from flexbearing.report.html import effects, lives as of_report
-from flexbearing.report.html.checks import Check, judged, ranked, used, verdict
+from flexbearing.report.html.checks import BUILD, Check, judged, ranked, used, verdict
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.lives import rounded
 from flexbearing.report.html.reader import Reader
@@ -44,17 +44,23 @@ def _missed(broken: Sequence[Check]) -> Iterator[Item]:
     shown = [check for check in broken if check.grade == DANGER][:_MOST] or broken[:1]
     if len(broken) > 1 and [check.code for check in shown] == [REQUIRED_LIFE.code]:
         other = next(check for check in broken if check not in shown)
-        yield Item(f"unmet: life, {lower(other.what)}" + f", {len(broken) - 2} more" * (len(broken) > 2))
-        return
-    for check in shown:
-        if check.what.lower() == REQUIRED_LIFE.label:  # its numbers are those of the life
-            yield Item("required life not reached")
-        elif isinstance(check.value, str):
-            yield Item(lower(f"{check.what} (required: {check.limit})"))
-        else:
-            yield Item(lower(check.what), check.value, remark=check.limit)
-    if others := len(broken) - len(shown):
+        yield Item(f"unmet: life, {lower(other.what)}")
+        shown = [*shown, other]
+    else:
+        yield from map(_missing, shown)
+    overlapping = [check for check in broken if check.grade == BUILD and check not in shown]
+    yield from (Item(f"{lower(check.what)} overlap") for check in overlapping)
+    if others := len(broken) - len(shown) - len(overlapping):
         yield Item(f"{others} more unmet")
+
+
+def _missing(check: Check) -> Item:
+    """A limit that is not kept; the numbers of a required life are those of the life."""
+    if check.what.lower() == REQUIRED_LIFE.label:
+        return Item("required life not reached")
+    if isinstance(check.value, str):
+        return Item(lower(f"{check.what} (required: {check.limit})"))
+    return Item(lower(check.what), check.value, remark=check.limit)
 
 
 def _nearest(checks: Sequence[Check]) -> Iterator[Item]:
@@ -83,7 +89,7 @@ def _range(reader: Reader, number: Number) -> tuple[Number, Number] | None:
 def _required(reader: Reader, required: float | None) -> Item:
     """The required life [s] with the verdict of the run."""
     if required is None:
-        return Item("no required life")
+        return Item("required: none")
     limit = reader.units.number(required, "s", "h", ",.4g", "case/life.required")
     return Item("required", limit, remark=verdict(reader, REQUIRED_LIFE.code) or NOT_CHECKED)
 

@@ -32,9 +32,10 @@ JUDGED = {  # by the worst grade of what is not kept
     USUAL: "Only with a reason: a usual minimum or maximum is not kept.",
     "": "Yes, as far as checked.",
 }
+MET_BY_SLICES = "met by slices"  # which have no pressure at the ends of rollers
 SHOULDERS = "Contacts on the shoulders of races"
 NOTED = {  # shapes that do not fit, judged by notes alone: what, limit, grade, whether it is broken
-    "overlapping-dimensions": ("Dimensions of the cage", "no overlap", BUILD, True),
+    "overlapping-dimensions": ("Cage dimensions", "no overlap", BUILD, True),
     "truncated-contact": (SHOULDERS, "not cut off", DANGER, True),
     "shoulder-not-given": (SHOULDERS, "not cut off", DANGER, False),
 }
@@ -108,7 +109,9 @@ def judged(reader: Reader) -> str:
         return "No: see the dangers."
     if {check.code for check in unmet if check.grade == DANGER} == {REQUIRED_LIFE.code}:
         return "No: the required life is not reached."
-    return JUDGED[next((each for each in WORST_FIRST if each in broken), "")]
+    worst = next((each for each in WORST_FIRST if each in broken), "")
+    overlap = "; dimensions overlap." if BUILD in broken and worst in (DANGER, OUTSIDE) else "."
+    return JUDGED[worst].removesuffix(".") + overlap
 
 
 def verdict(reader: Reader, code: str) -> str:
@@ -180,7 +183,7 @@ def _check(reader: Reader, record: dict[str, Any]) -> Check:
 def _verdict(record: dict[str, Any], broken: bool, at_ends: bool) -> str:
     if broken:
         return BROKEN[record["grade"], record["side"]]
-    return "met by slices" if at_ends else "met"
+    return MET_BY_SLICES if at_ends else "met"
 
 
 def _noted(reader: Reader) -> Iterator[Check]:
