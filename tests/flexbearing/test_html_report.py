@@ -22,7 +22,7 @@ from flexbearing.files import BadOutput
 from flexbearing.findings import DANGER
 from flexbearing.pages.make import report
 from flexbearing.report.drawing.of_case import drawings
-from flexbearing.report.html import IMPERIAL, METRIC, checks, clearance, html, lives, of_result, write
+from flexbearing.report.html import IMPERIAL, METRIC, checks, clearance, html, keys, lives, of_result, write
 from flexbearing.report.html.reader import Reader
 from flexbearing.results import BadResult
 from tests.flexbearing.hostile_cases import CONFIGS
@@ -226,7 +226,7 @@ def test_a_report_replaces_neither_its_case_nor_its_result(tmp_path):
 def test_the_bearing_is_drawn_as_for_its_case(pages, name):
     file, settings = CASES[name]
     case = api.read_case(CONFIGS / file, settings)
-    svg = [drawing.svg for drawing in drawings(FAMILIES[case.kind], case, resized=True)]
+    svg = [drawing.svg for drawing in drawings(FAMILIES[case.kind], case, names=keys.name)]
     text = pages(name)
     assert svg
     assert all(drawing in text for drawing in svg)

@@ -329,6 +329,16 @@ def test_too_many_load_cases_are_refused(tmp_path):
         read(tmp_path / "m.rexs")
 
 
+@pytest.mark.parametrize(("text", "what"), [
+    (f'<model version="1.4">{"<a/>" * 1_000_000}</model>', "tags"),
+    ('{"model": {"x": [' + "1, " * 1_000_000 + "1]}}", "values"),
+], ids=["XML", "JSON"])  # fmt: skip
+def test_more_parts_than_memory_is_for_are_refused_before_they_are_read(text, what, tmp_path):
+    (tmp_path / "m.rexs").write_text(text)
+    with pytest.raises(BadCase, match=f"has more than 1000000 {what}"):
+        read(tmp_path / "m.rexs")
+
+
 def test_nothing_replaces_files_that_are_there(written, tmp_path):
     (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(spectrum_of()))
     (tmp_path / "m_duty.csv").write_text("mine")

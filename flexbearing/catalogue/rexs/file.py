@@ -17,6 +17,7 @@ from flexbearing.printable import excerpt
 ENCODINGS = (b"utf-8", b"utf-16", b"us-ascii", b"iso-8859-1", b"windows-1252")
 ENDINGS = (".rexs", ".rexsj", ".rexs.xml", ".rexs.json")  # of a model in an archive
 HIGHEST = 10**9  # order of a relation
+MOST_PARTS = 1_000_000  # tags of XML, or objects and values of JSON: each may take half a kilobyte of memory
 MOST = 10_000  # load cases, each of which is looked up for every bearing
 _ENCODING = re.compile(rb"(?:\xef\xbb\xbf)?\s*<\?xml[^>]{0,200}?encoding\s*=\s*[\"']([^\"'>]*)")
 
@@ -33,8 +34,10 @@ def read(path: Path) -> Model:
         content, others = inputs.content(path, REXS), ()
         if content.startswith(BEGINNING):
             content, others = inputs.unpacked(content, ENDINGS, REXS)
-        form = json_form.root if content.removeprefix(b"\xef\xbb\xbf").lstrip()[:1] == b"{" else _root
-        return _model(form(content), others)
+        is_json = content.removeprefix(b"\xef\xbb\xbf").lstrip()[:1] == b"{"
+        if sum(map(content.count, (b"{", b"[", b",") if is_json else (b"<",))) > MOST_PARTS:
+            raise BadCase(f"has more than {MOST_PARTS} {'values' if is_json else 'tags'}")
+        return _model(json_form.root(content) if is_json else _root(content), others)
     except (inputs.Unreadable, BadCase) as problem:
         raise BadCase(f"{excerpt(str(path), LONGEST_NAME)}: {str(problem).rstrip('.')}.") from problem
 

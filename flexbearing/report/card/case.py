@@ -57,7 +57,7 @@ def _oil(reader: Reader) -> Iterator[Item]:
 
 
 def _moved(reader: Reader, output: str) -> str:
-    return "life" if output in LIVES else effects.heading(reader, output).partition(" [")[0]
+    return "life" if output in LIVES else effects.label(reader, output)
 
 
 def uncertain(reader: Reader) -> Iterator[Item]:

@@ -1,6 +1,6 @@
 """Which drawings a case has, by the family of its bearing."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from flexbearing.case.family import Family
@@ -16,7 +16,9 @@ from flexbearing.report.drawing.sheet import Drawing
 from flexbearing.report.drawing.words import Words
 
 
-def drawings(family: Family, case: Any, *, values: bool = True, resized: bool = False) -> Iterator[Drawing]:
+def drawings(
+    family: Family, case: Any, *, values: bool = True, names: Callable[[str], str] | None = None
+) -> Iterator[Drawing]:
     """Drawings of a case to scale.
 
     Raises
@@ -26,7 +28,7 @@ def drawings(family: Family, case: Any, *, values: bool = True, resized: bool = 
     """
     draw, profiles_of = family.report().drawings, family.profiles
     if draw is not None:
-        yield from draw()(Words(case, values, profiles_of() if profiles_of else None, resized))
+        yield from draw()(Words(case, values, profiles_of() if profiles_of else None, names))
 
 
 def of_rollers(words: Words) -> Iterator[Drawing]:

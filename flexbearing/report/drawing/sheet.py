@@ -169,7 +169,7 @@ class Sheet:
         beside = max((width_of(text) for text, *_ in self.axial), default=0.0)  # of lengths, left of the part
         left = max(self._left_width(), 2 * MARGIN + beside)
         right = LEADER + MARGIN + max((width_of(text) for text, _ in self.beside), default=0.0)
-        scaled = "" if self.words.resized else f"scale {_ratio(self.scale)}"
+        scaled = "" if self.words.names else f"scale {_ratio(self.scale)}"
         scaled = scaled if self.to_scale else "not to scale"
         notes = [*self.notes, *filter(None, ["; ".join(filter(None, (scaled, self._legend)))])]
         wide = max(left + size[0] + right, MARGIN + max(map(width_of, notes)))

@@ -29,9 +29,7 @@ class Words:
     case: Any  # a `flexbearing.case.head.Head`
     values: bool = True  # whether values are beside the keys
     profiles: Callable[[Any], Mapping[str, tuple[NDArray, NDArray]]] | None = None  # of a `Family`
-    resized: bool = (
-        False  # whether a page may show drawings in another size, so that only their bar is to scale
-    )
+    names: Callable[[str], str] | None = None  # of keys on a page, which shows drawings in any size
 
     @cached_property
     def _declared(self) -> dict[str, Declaration]:
@@ -45,7 +43,7 @@ class Words:
         return value
 
     def __call__(self, path: str, sign: str = "") -> str:
-        """Write "key = value" with a sign before the value, and a mark where it is assumed or fitted.
+        """Write "key = value", or "name value", with a sign before the value, and a mark of its origin.
 
         Without values it is the sign and the key.
         """
@@ -53,7 +51,8 @@ class Words:
             return f"{sign}{path}"
         declaration, value = self._declared.get(path), self.value(path)
         unit = declaration.kind.unit if declaration and declaration.kind else ""
-        return f"{path} = {sign}{_printed(value, unit)}{self._mark(path)}"
+        name = self.names(path) if self.names else f"{path} ="
+        return f"{name} {sign}{_printed(value, unit)}{self._mark(path)}"
 
     def _mark(self, path: str) -> str:
         parts = path.split(".")

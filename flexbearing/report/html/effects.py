@@ -101,13 +101,18 @@ def _output(reader: Reader, output: str) -> Output:
     return next(each for each in outputs(reader.layout) if each.name == output)
 
 
+def label(reader: Reader, output: str) -> str:
+    """What an output is, without its unit."""
+    return heading(reader, output).partition(" [")[0]
+
+
 def heading(reader: Reader, output: str) -> str:
     """Label of an output with its unit, lives in millions of revolutions."""
     declared = _output(reader, output).declared
     part = output.partition(".")[2].split(".")[0]
-    label = ", ".join(filter(None, [_STIFFNESSES.get(output) or reader.label(declared).strip(), part]))
+    words = ", ".join(filter(None, [_STIFFNESSES.get(output) or reader.label(declared).strip(), part]))
     unit = reader.units.of(_unit(declared))
-    return f"{label} [10⁶ revolutions]" if unit == "Mrev" else with_unit(label, unit)
+    return f"{words} [10⁶ revolutions]" if unit == "Mrev" else with_unit(words, unit)
 
 
 def _unit(declared: SummaryValue) -> str:
@@ -156,8 +161,8 @@ def table(reader: Reader) -> Table:
             else:
                 empty = [NOTHING] * (len(shown) + 1)
                 rows.append((key["key"], words, *empty, units_in_words(other["problem"])))
-    label, *others = (heading(reader, each) for each in shown)
-    return Table(("key", "with", label, "times", *others, "range from"), tuple(rows))
+    first, *others = (heading(reader, each) for each in shown)
+    return Table(("key", "with", first, "times", *others, "range from"), tuple(rows))
 
 
 def figure(reader: Reader) -> Figure | None:
@@ -187,14 +192,13 @@ def figure(reader: Reader) -> Figure | None:
     }  # fmt: skip
     ratios = [ratio for ratio in x if ratio is not None]
     axis = {"type": "log", "tickvals": _TICKS} if max(ratios) > _WIDE * min(ratios) else {}
-    label = heading(reader, output).partition(" [")[0]
     layout = {
         "xaxis": {"title": {"text": "over that of this case"}, **axis},
         "yaxis": {"autorange": "reversed", "type": "category"},
         "shapes": [{"type": "line", "xref": "x", "yref": "paper", "x0": 1, "x1": 1, "y0": 0, "y1": 1,
                     "line": {"color": "#4a535d", "width": 1, "dash": "dot"}}],
     }  # fmt: skip
-    return Figure("assumed-effects", label, (trace,), layout, tall=len(keys) > _TALL)
+    return Figure("assumed-effects", label(reader, output), (trace,), layout, tall=len(keys) > _TALL)
 
 
 def span(reader: Reader) -> Span | None:

@@ -46,10 +46,15 @@ def data(reader: Reader) -> Table:
     for path, words in DATA.items():
         if path.startswith("operation.") and rated:
             rows, rated = [*rows, *rated], []
-        if (value := known.get(path)) not in (None, 0.0) and path in reader.written:
+        if (value := known.get(path)) not in (None, 0.0) and _stands_first(reader, path):
             _, number, unit, _ = row_of_key(reader, declared.get(path), path, value)
-            rows.append((words, number, unit, origin(reader, path)))
+            rows.append((words, number, unit, origin(reader, path) if path in reader.written else "default"))
     return Table(("data", "value", "unit", "origin"), tuple(rows + rated))
+
+
+def _stands_first(reader: Reader, path: str) -> bool:
+    """Whether the value of a key in the data block is in it: what is written, and speeds in any case."""
+    return path in reader.written or path.endswith("speed")
 
 
 def tables(reader: Reader) -> tuple[Table, Table]:
@@ -62,7 +67,11 @@ def tables(reader: Reader) -> tuple[Table, Table]:
     defaults: list[tuple[Cell, ...]] = []
     for path, value in flat(si):
         written = any(name in texts for name in _upwards(path))
-        if path.split(".")[0] in HEAD or value is None or (written and path in shown):
+        if (
+            path.split(".")[0] in HEAD
+            or value is None
+            or (path in shown and (written or (value and _stands_first(reader, path))))
+        ):
             continue
         if not written and set(_upwards(path)) & set(unused):
             continue

@@ -26,6 +26,7 @@ _NAMES = {
     "lubricant.inlet_temperature": "oil temperature at the inlets",
     "life.cleanliness": "cleanliness of the oil",
 }
+_OF_MATERIALS = {"youngs modulus": "Young's modulus", "poisson ratio": "Poisson's ratio"}
 _TABLES = ("bearing", "outer", "inner", "lubricant", "operation")  # that a key is clear without
 _OF_RINGS = {
     f"{race}.{size}" for race in ("inner", "outer") for size in ("width", "thickness", "bore", "kind")
@@ -44,6 +45,9 @@ def name(key: str) -> str:
     words = " ".join(rest[-2:]).replace("_", " ")
     if key.startswith("materials.") and len(rest) == 1:
         return f"material of the {words}"
+    if key.startswith("materials."):
+        size, part = (each.replace("_", " ") for each in (rest[1], rest[0]))
+        return f"{_OF_MATERIALS.get(size, size)} of the {part}"
     if key in _OF_RINGS:
         return f"{words} of the {table} ring"
     return words if table in _TABLES or len(rest) > 1 else f"{table} {words}"

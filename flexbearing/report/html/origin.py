@@ -3,6 +3,7 @@
 from flexbearing.case import BadCase
 from flexbearing.report.drawing.of_case import drawings as drawn
 from flexbearing.report.html.document import Drawing, Table
+from flexbearing.report.html.keys import name
 from flexbearing.report.html.reader import Reader
 from flexbearing.results.content import digest
 from flexbearing.results.write import content_of
@@ -22,7 +23,7 @@ def ending(reader: Reader) -> str:
 def drawings(reader: Reader) -> tuple[list[Drawing], str]:
     """Drawings to scale of the case; where it cannot be read again, why there are none."""
     try:
-        sheets = drawn(reader.result.family, reader.case, resized=True)
+        sheets = drawn(reader.result.family, reader.case, names=name)
         return [Drawing(sheet.caption, sheet.svg) for sheet in sheets], ""
     except BadCase as problem:
         return [], str(problem).splitlines()[0]

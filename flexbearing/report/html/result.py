@@ -105,6 +105,7 @@ def _of_solution(reader: Reader) -> dict[str, Any]:
         "effects": effects.figure(reader) if known else None,
         "effects_table": effects.table(reader) if known else None,
         "range": _range(reader),
+        "moved": _moved(reader) if known else None,
         "subjects": subjects.tables(reader),
         "supports": stiffness.supports(reader),
         "matrix": stiffness.matrix(reader),
@@ -158,6 +159,14 @@ def _range(reader: Reader) -> tuple[Number, Number, str] | None:
     number = life.hours if isinstance(life.hours, Number) else life.turns
     low, high = (lives.rounded(number, times) for times in span.squares)
     return low, high, effects.name(span.most)
+
+
+def _moved(reader: Reader) -> tuple[str, Number, Number, str] | None:
+    """The output that inputs move most where they are not known: from and to which times, and by which."""
+    output = effects.most_moved(reader)
+    for key, ratios in effects.largest(reader, output, 1):
+        return effects.label(reader, output), ratios[0], ratios[-1], effects.name(key)
+    return None
 
 
 def _contacts(reader: Reader) -> list[Figure]:
