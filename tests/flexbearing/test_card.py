@@ -9,7 +9,7 @@ from pytest import approx
 
 import flexbearing
 from flexbearing.__main__ import command
-from flexbearing.report.html import METRIC, checks, of_result
+from flexbearing.report.html import METRIC, checks, html, of_result
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.reader import Reader
 
@@ -118,17 +118,22 @@ def test_rigid_rings_are_compared_where_rings_are_elastic(results):
     assert life.label == "basic life L10:"
 
 
-@pytest.mark.parametrize(("required", "said"), [("20000 h", "met"), ("500000 h", "not met")])
+@pytest.mark.parametrize(
+    ("required", "said"),
+    [("20000 h", "met"), ("100000 h", "met, not at the low end"), ("500000 h", "not met")],
+)
 def test_life_is_judged_by_the_required_one(required, said):
     result = flexbearing.run(CONFIGS / "catalogue/nu210.toml", {"life.required": required})
     (record,) = [each for each in result.attributes["findings"] if each["code"] == "required-life"]
-    assert (record["verdict"], record["source"]) == (said, "life.required")
+    assert (record["verdict"], record["source"]) == (said.partition(",")[0], "life.required")
     assert record["value"] / 3600 == approx(result["modified_life [h]"].number)
     lines = {line.subject: line.items for line in result.card.lines}
     _, against, _ = lines["life"]
     assert (against.label, against.remark) == ("required", said)
-    assert lines["usable"][0].label == ("Yes, as far as checked" if said == "met" else "No")
-    assert "required-life" in {note["code"] for note in result.dangers} or said == "met"
+    assert lines["usable"][0].label == ("No" if said == "not met" else "Yes, as far as checked")
+    assert "required-life" in {note["code"] for note in result.dangers} or said != "not met"
+    low_end_is_told = "low end does not reach" in html(of_result(result))
+    assert low_end_is_told == ("low end" in said)
     assert "assumed_effects" in result.attributes  # which do not depend on it
 
 

@@ -7,7 +7,7 @@ from flexbearing.findings import DANGER, NOT_CHECKED
 from flexbearing.findings.running import REQUIRED_LIFE
 from flexbearing.report.card.card import Item
 from flexbearing.report.html import effects, lives as of_report
-from flexbearing.report.html.checks import BUILD, Check, judged, ranked, used, verdict
+from flexbearing.report.html.checks import BUILD, Check, judged, missed_at_low_end, ranked, used, verdict
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.lives import rounded
 from flexbearing.report.html.reader import Reader
@@ -91,7 +91,10 @@ def _required(reader: Reader, required: float | None) -> Item:
     if required is None:
         return Item("required: none")
     limit = reader.units.number(required, "s", "h", ",.4g", "case/life.required")
-    return Item("required", limit, remark=verdict(reader, REQUIRED_LIFE.code) or NOT_CHECKED)
+    known = verdict(reader, REQUIRED_LIFE.code) or NOT_CHECKED
+    return Item(
+        "required", limit, remark=f"{known}, not at the low end" if missed_at_low_end(reader) else known
+    )
 
 
 def kind(life: of_report.Life) -> str:

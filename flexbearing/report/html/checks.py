@@ -4,10 +4,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
-from flexbearing.findings import DANGER, NOT_CHECKED, NOT_MET, OUTSIDE, USUAL, gravest, of_code
+from flexbearing.findings import DANGER, MET, NOT_CHECKED, NOT_MET, OUTSIDE, USUAL, gravest, of_code
 from flexbearing.findings.codes import PEAK_AT_ENDS
 from flexbearing.findings.finding import AT_LEAST, AT_MOST
 from flexbearing.findings.running import CLEARANCE, REQUIRED_LIFE, SHORT_LIFE
+from flexbearing.report.html import effects
 from flexbearing.report.html.document import Cell, Number
 from flexbearing.report.html.keys import in_words
 from flexbearing.report.html.lives import lives
@@ -118,6 +119,13 @@ def verdict(reader: Reader, code: str) -> str:
     """Whether the limit of a code is kept; empty where nothing was judged by it."""
     found = [record for record in reader.findings if record["code"] == code]
     return str(gravest(found)["verdict"]) if found else ""
+
+
+def missed_at_low_end(reader: Reader) -> bool:
+    """Whether the required life is reached, but not by the low end of the range of the life."""
+    span, code = effects.span(reader), REQUIRED_LIFE.code
+    met = [record for record in reader.findings if record["code"] == code and record["verdict"] == MET]
+    return bool(span and met and span.squares[0] * met[0]["value"] < met[0]["limit"])
 
 
 def first_and_further(reader: Reader) -> tuple[tuple[Check, ...], tuple[Check, ...]]:

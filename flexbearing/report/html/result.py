@@ -105,6 +105,7 @@ def _of_solution(reader: Reader) -> dict[str, Any]:
         "effects": effects.figure(reader) if known else None,
         "effects_table": effects.table(reader) if known else None,
         "range": _range(reader),
+        "missed_at_low_end": checks.missed_at_low_end(reader),
         "moved": _moved(reader) if known else None,
         "subjects": subjects.tables(reader),
         "supports": stiffness.supports(reader),
