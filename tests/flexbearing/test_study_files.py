@@ -8,7 +8,8 @@ from pytest import approx
 
 from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
-from flexbearing.studies.file import read
+from flexbearing.studies.file import read, rows as tables
+from flexbearing.studies.file.values import BadValues
 
 CASE = Path(__file__).parents[2] / "configs" / "mao2016.toml"
 
@@ -257,7 +258,7 @@ WRONG = {
         "[over] gives 4000000 variants; a study has at most 1000000",
     OVER + 'file = "none.csv"': '[over] file = "none.csv": there is no such file',
     OVER + 'file = "empty.csv"': '[over] file = "empty.csv": is empty; a header holds keys with units',
-    OVER + 'file = "header.csv"': '[over] file = "header.csv": has 0 rows below its header',
+    OVER + 'file = "header.csv"': '[over] file = "header.csv": has no rows below its header',
     OVER + 'file = "short.csv"': '[over] file = "short.csv": row 2 has 1 cells, the header has 2',
     OVER + 'file = "unit.csv"': '[over] file = "unit.csv": column 1: outer.bars has no unit, found [mm]',
     OVER + 'file = "good.csv"\n"outer.bars" = 3': "[over] outer.bars is varied twice",
@@ -322,3 +323,13 @@ def test_a_study_without_its_case_is_told(tmp_path):
         read(file, FAMILIES)
     with pytest.raises(BadCase, match=r"is a folder, no file"):
         read(tmp_path, FAMILIES)
+
+
+@pytest.mark.parametrize(("text", "what"), [
+    ("operation.radial_load [N]\n" + "1\n" * 1_000_001, "has more than 1000000 rows below its header"),
+    ("operation.radial_load [N]" + "," * 5_000_001, "has more than 5000000 cells"),
+], ids=["rows", "cells"])  # fmt: skip
+def test_longer_tables_of_variants_are_refused_before_they_fill_the_memory(text, what, tmp_path):
+    (tmp_path / "v.csv").write_text(text)
+    with pytest.raises(BadValues, match=what):
+        tables.rows(tmp_path / "v.csv", bool)

@@ -13,6 +13,7 @@ from flexbearing.inputs.limits import VARIANTS
 from flexbearing.printable import excerpt
 from flexbearing.studies.file.values import MOST, BadValues
 
+MOST_CELLS = 5_000_000  # each takes some 100 bytes of memory
 HEADING = re.compile(r"\s*(?P<name>[^\[\]]*?)\s*(?:\[(?P<unit>[^\[\]]*)\])?\s*")
 _NAMED = re.compile(r"sep=([,;\t])\s*", re.IGNORECASE)
 _DECIMAL = re.compile(r"^([+-]?[0-9]*),([0-9]+)(?![0-9.,])")  # of a number that has no point
@@ -35,24 +36,30 @@ def rows(file: Path, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], 
 
 def _rows(text: str, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], tuple[tuple[Any, ...], ...]]:
     text, delimiter = _separated(text.lstrip("\r\n "))
+    if text.count(delimiter) > MOST_CELLS:  # before they fill the memory
+        raise BadValues(f"has more than {MOST_CELLS} cells")
     lines = csv.reader(StringIO(text), delimiter=delimiter, skipinitialspace=True)
+    filled = ([cell.strip() for cell in line] for line in lines if any(map(str.strip, line)))
     try:
-        header, *table = ([cell.strip() for cell in line] for line in lines if any(map(str.strip, line)))
-    except ValueError:
-        raise BadValues(f"is empty; {_HEADER}") from None
+        columns = _columns(next(filled, []), has_unit)
+        table = tuple(_row(line, number, columns, delimiter) for number, line in enumerate(filled, 1))
     except csv.Error as problem:
         raise BadValues(f"is no table: {problem}") from None
-    if delimiter != ",":
-        table = [[_DECIMAL.sub(r"\1.\2", cell) for cell in line] for line in table]
-    if not 0 < len(table) <= MOST:
-        raise BadValues(f"has {len(table)} rows below its header; a study has 1 to {MOST} variants")
+    if not table:
+        raise BadValues(f"has no rows below its header; a study has 1 to {MOST} variants")
+    return tuple(key for key, _ in columns), table
+
+
+def _columns(header: list[str], has_unit: Callable[[str], bool]) -> list[tuple[str, str]]:
+    """Key and unit of each column."""
+    if not header:
+        raise BadValues(f"is empty; {_HEADER}")
     columns = [_heading(cell) for cell in header]
     inputs.require_different([key for key, _ in columns])
     for place, (key, unit) in enumerate(columns, 1):
         if not has_unit(key) and unit:
             raise BadValues(f"column {place}: {key} has no unit, found [{excerpt(unit)}]")
-    keys = tuple(key for key, _ in columns)
-    return keys, tuple(_row(line, number, columns) for number, line in enumerate(table, 1))
+    return columns
 
 
 def _separated(text: str) -> tuple[str, str]:
@@ -70,9 +77,13 @@ def _heading(cell: str) -> tuple[str, str]:
     return parts["name"], (parts["unit"] or "").strip()
 
 
-def _row(line: list[str], number: int, columns: list[tuple[str, str]]) -> tuple[Any, ...]:
+def _row(line: list[str], number: int, columns: list[tuple[str, str]], delimiter: str) -> tuple[Any, ...]:
+    if number > MOST:
+        raise BadValues(f"has more than {MOST} rows below its header, which is the most a study has")
     if len(line) != len(columns):
         raise BadValues(f"row {number} has {len(line)} cells, the header has {len(columns)}")
+    if delimiter != ",":
+        line = [_DECIMAL.sub(r"\1.\2", cell) for cell in line]
     return tuple(_cell(cell, key, unit, number) for cell, (key, unit) in zip(line, columns, strict=True))
 
 
