@@ -326,10 +326,12 @@ def test_a_study_without_its_case_is_told(tmp_path):
 
 
 @pytest.mark.parametrize(("text", "what"), [
-    ("operation.radial_load [N]\n" + "1\n" * 1_000_001, "has more than 1000000 rows below its header"),
-    ("operation.radial_load [N]" + "," * 5_000_001, "has more than 5000000 cells"),
+    ("operation.radial_load [N]\n1\n2\n3\n", "has more than 2 rows below its header"),
+    ("operation.radial_load [N],,,,", "has more than 3 cells"),
 ], ids=["rows", "cells"])  # fmt: skip
-def test_longer_tables_of_variants_are_refused_before_they_fill_the_memory(text, what, tmp_path):
+def test_longer_tables_of_variants_are_refused_before_they_fill_the_memory(text, what, tmp_path, monkeypatch):
+    monkeypatch.setattr(tables, "MOST", 2)
+    monkeypatch.setattr(tables, "MOST_CELLS", 3)
     (tmp_path / "v.csv").write_text(text)
     with pytest.raises(BadValues, match=what):
         tables.rows(tmp_path / "v.csv", bool)
