@@ -25,7 +25,7 @@ REVERSED_THRUST = Finding(
     of_model=True,
 )  # fmt: skip
 CONTACT_HEIGHT = Finding(
-    code="contact-height", label="height of contacts on the race over the ball diameter",
+    code="contact-height", label="contact height over ball diameter",
     quantity="contact_height", at_most=0.45, grade=DANGER, source="no race reaches the middle of its ball",
     meaning="the contact is where no race is: it is computed as if the groove had no end",
     action="lower the axial load, or take a bearing with a smaller contact angle or clearance",

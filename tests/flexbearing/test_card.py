@@ -156,3 +156,10 @@ def test_all_numbers_and_notes_are_printed_above_the_card(results, capsys):
         assert all(word in shown[options] for word in notes)
     assert "tangent stiffness" in shown["--all",]
     assert "tangent stiffness" not in shown["--notes",]
+
+
+def test_shoulders_that_nobody_checked_are_named(tmp_path):
+    result = flexbearing.run(CONFIGS / "joshi2015_fourpoint.toml", output=tmp_path / "r.h5")
+    lines = {line.subject: line.words for line in result.card.lines}
+    assert lines["usable"].endswith("; shoulders of races, not checked")
+    assert len(result.card.text().split()) <= 120

@@ -7,7 +7,16 @@ from flexbearing.findings import DANGER, NOT_CHECKED
 from flexbearing.findings.running import REQUIRED_LIFE
 from flexbearing.report.card.card import Item
 from flexbearing.report.html import effects, lives as of_report
-from flexbearing.report.html.checks import BUILD, Check, judged, missed_at_low_end, ranked, used, verdict
+from flexbearing.report.html.checks import (
+    BUILD,
+    NOTED,
+    Check,
+    judged,
+    missed_at_low_end,
+    ranked,
+    used,
+    verdict,
+)
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.lives import rounded
 from flexbearing.report.html.reader import Reader
@@ -28,6 +37,8 @@ def usable(reader: Reader) -> Iterator[Item]:
             yield Item(
                 check.place.removesuffix(" (nominal)") or lower(check.what), check.value, remark="no limit"
             )
+        elif check.unchecked and check.code in NOTED:
+            yield Item(lower(check.what), remark=NOT_CHECKED)
 
 
 def dangers(reader: Reader) -> Iterator[Item]:

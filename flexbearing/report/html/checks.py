@@ -34,7 +34,7 @@ JUDGED = {  # by the worst grade of what is not kept
     "": "Yes, as far as checked.",
 }
 MET_BY_SLICES = "met by slices"  # which have no pressure at the ends of rollers
-SHOULDERS = "Contacts on the shoulders of races"
+SHOULDERS = "Shoulders of races"
 NOTED = {  # shapes that do not fit, judged by notes alone: what, limit, grade, whether it is broken
     "overlapping-dimensions": ("Cage dimensions", "no overlap", BUILD, True),
     "truncated-contact": (SHOULDERS, "not cut off", DANGER, True),
