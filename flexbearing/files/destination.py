@@ -76,8 +76,6 @@ def require_folder_name(folder: str | Path) -> Path:
         with suppress(FileNotFoundError, NotADirectoryError):
             named.lstat()
     except (OSError, ValueError, RuntimeError) as problem:
-        if isinstance(problem, BadOutput):
-            raise
         raise BadOutput(f"{folder}: no folder to write to: {_reason(problem)}.") from problem
     return named
 
@@ -102,7 +100,7 @@ def require_folder(folder: str | Path) -> Path:
 def _behind_links(path: str | Path) -> Path:
     output = Path(path).resolve()
     if output.is_symlink():  # before Python 3.13 resolving it raises
-        raise BadOutput(f"{path}: cannot be written: its links lead back to themselves.")
+        raise RuntimeError("its links lead back to themselves")
     return output
 
 
