@@ -66,7 +66,7 @@ def solve(
     postprocessing = Postprocessing(case, record, report)
     resolved = _resolved(case, postprocessing, report, ahead, levels)
     ending = _solve(case, resolved, postprocessing, report, near)
-    if near is not None:
+    if near is not None and postprocessing.solved:
         ending |= _start(near, ending["attempts"], postprocessing)
     return ending | dict(resolved.attributes) | postprocessing.attributes()
 

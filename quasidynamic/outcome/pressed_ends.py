@@ -22,6 +22,7 @@ END_RISE, FINE = (
     256,
 )  # of the pressure of an end to that of a cell there, of so many: `_with_rise`
 LEFT, TURN, BENT = 0.5, 0.15, 0.5  # pressure of slices at an end, and bending along the roller: `is_smooth`
+SMALL, NEAR = 0.05, 0.8  # error, and pressure at an end over the peak, below which cells twice as long do
 AT_ONCE = 32  # contacts whose matrices fit into the memory of a processor
 
 
@@ -39,7 +40,7 @@ class LineContacts:
     modulus: NDArray  # (C) E' [Pa], see `peak_pressure`
     sliced: NDArray  # (C, n) loads per length of slices, of which widths are known well [N/m]
 
-    def take(self, some: slice) -> "LineContacts":
+    def take(self, some: slice | NDArray) -> "LineContacts":
         """Some of them."""
         return LineContacts(*(getattr(self, name)[some] for name in self.__dataclass_fields__))
 
@@ -49,20 +50,25 @@ class LineContacts:
         shape, sliced = (each.reshape(len(each), -1, 2).mean(axis=2) for each in (self.shape, self.sliced))
         return replace(self, shape=shape, sliced=sliced)
 
-    @property
-    def pressure(self) -> NDArray:
-        """Largest pressure (C, n) of each cell [Pa]."""
-        loads = [line_loads(self.take(slice(k, k + AT_ONCE))) for k in range(0, len(self.force), AT_ONCE)]
-        return peak_pressure(np.concatenate(loads), self.radius[:, None], self.modulus[:, None])
-
     def peak_error(self, sliced: NDArray) -> NDArray:
         """Error (C) of the largest pressure (C) of slices [Pa] over that of the contact [-].
 
-        One where the contact presses an end, which has no bound there: all of it is missing.
+        One where the contact presses an end, which has no bound there: all of it is missing. Of cells twice
+        as long where these leave no doubt that it is small.
         """
-        along = self.pressure
-        peak = along.max(axis=1)
-        return np.where(self._with_rise(along[:, [0, -1]].max(axis=1)) > peak, 1.0, np.abs(sliced / peak - 1))
+        coarse = self.coarse
+        loads = line_loads(coarse, coarse.sliced)
+        errors = coarse._error(loads, sliced, NEAR)
+        doubtful = np.flatnonzero(errors > SMALL)
+        fine, first = self.take(doubtful), np.repeat(loads[doubtful], 2, axis=1)
+        errors[doubtful] = fine._error(line_loads(fine, first), sliced[doubtful], 1.0)
+        return errors
+
+    def _error(self, loads: NDArray, sliced: NDArray, share: float) -> NDArray:
+        """That of loads (C, n); ends are pressed from so much of the peak pressure."""
+        along = peak_pressure(loads, self.radius[:, None], self.modulus[:, None])
+        peak, ends = along.max(axis=1), along[:, [0, -1]].max(axis=1)
+        return np.where(self._with_rise(ends) > share * peak, 1.0, np.abs(sliced / peak - 1))
 
     def _with_rise(self, end: NDArray) -> NDArray:
         """Pressure (C) in the last of `FINE` cells at an end that is pressed: it grows as their root."""
@@ -71,7 +77,7 @@ class LineContacts:
         return end * np.maximum(least, rise * np.sqrt(width / self.length * FINE))
 
 
-def line_loads(contacts: LineContacts) -> NDArray:
+def line_loads(contacts: LineContacts, first: NDArray) -> NDArray:
     r"""Loads per length along rollers on half-spaces, by the deflection on the axis of the contact.
 
     .. math::
@@ -82,6 +88,8 @@ def line_loads(contacts: LineContacts) -> NDArray:
     ----------
     contacts : LineContacts
         C of them; g, Q
+    first : array (C, n)
+        loads that contacts are as wide as, and zero where they are apart at first [N/m]
 
     Returns
     -------
@@ -97,12 +105,14 @@ def line_loads(contacts: LineContacts) -> NDArray:
     Its largest pressure is within 1 % of that of half-spaces where the contact ends before the roller does,
     see `benchmarks/pressed_ends.py`; at a sharp end loads of the last cells grow with the number of cells.
     """
-    loads = np.repeat(_loads(contacts.coarse, contacts.coarse.sliced), 2, axis=1)
-    return _loads(contacts, loads)
+    loads = np.empty(first.shape)
+    for k in range(0, len(first), AT_ONCE):
+        some = slice(k, k + AT_ONCE)
+        loads[some] = _loads(contacts.take(some), first[some])
+    return loads
 
 
 def _loads(contacts: LineContacts, first: NDArray) -> NDArray:
-    """Loads per length (C, n) where contacts are as wide as first ones make them."""
     least = LEAST * (contacts.force / contacts.length)[:, None]
     return _touching(_matrix(contacts, np.maximum(first, least)), contacts, first > 0)
 

@@ -195,6 +195,11 @@ def test_hard_case_takes_little_work_beside_one_that_is_solved(monkeypatch):
     found = compared(hard, family, beside)
     assert found.attributes["status"] == "converged"
     assert found.attributes["started_from"] == beside.place
+    for module in (roller, strategy):
+        monkeypatch.setattr(module, "MOST_WORK", 0)
+    unsolved = compared(hard, family, beside)
+    assert unsolved.attributes["status"] == "work limit"
+    assert "started_from" not in unsolved.attributes
 
 
 def test_neighbours_of_other_unknowns_are_no_start():

@@ -4,6 +4,7 @@ import csv
 import re
 from collections.abc import Callable
 from io import StringIO
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -42,7 +43,11 @@ def _rows(text: str, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], 
     filled = ([cell.strip() for cell in line] for line in lines if any(map(str.strip, line)))
     try:
         columns = _columns(next(filled, []), has_unit)
-        table = tuple(_row(line, number, columns, delimiter) for number, line in enumerate(filled, 1))
+        table = tuple(
+            _row(line, number, columns, delimiter) for number, line in enumerate(islice(filled, MOST), 1)
+        )
+        if next(filled, None) is not None:
+            raise BadValues(f"has more than {MOST} rows below its header, which is the most a study has")
     except csv.Error as problem:
         raise BadValues(f"is no table: {problem}") from None
     if not table:
@@ -78,8 +83,6 @@ def _heading(cell: str) -> tuple[str, str]:
 
 
 def _row(line: list[str], number: int, columns: list[tuple[str, str]], delimiter: str) -> tuple[Any, ...]:
-    if number > MOST:
-        raise BadValues(f"has more than {MOST} rows below its header, which is the most a study has")
     if len(line) != len(columns):
         raise BadValues(f"row {number} has {len(line)} cells, the header has {len(columns)}")
     if delimiter != ",":
