@@ -40,6 +40,6 @@ def test_a_batch_knows_its_last_residuals_and_derivatives():
 
 def test_arrays_that_only_one_of_them_has_by_case_are_refused():
     with pytest.raises(NotAlike):
-        overlaid(np.zeros((2, 3)), np.zeros(3), np.array([1]))
+        overlaid(np.zeros((2, 3)), [(np.array([1]), np.zeros(3))])
     with pytest.raises(NotAlike):
-        overlaid(np.zeros((2, 3)), np.zeros((1, 2)), np.array([1]))
+        overlaid(np.zeros((2, 3)), [(np.array([1]), np.zeros((1, 2)))])

@@ -26,13 +26,13 @@ class NotAlike(ValueError):
     """Arrays that cannot be joined, as only one of them depends on the case."""
 
 
-def overlaid(under: Any, over: Any, cases: NDArray) -> Any:
-    """Nested named tuples of arrays of many cases, those of some cases taken from others.
+def overlaid(under: Any, over: Sequence[tuple[NDArray, Any]]) -> Any:
+    """Nested named tuples of arrays of many cases, those of some cases taken from others, in turn.
 
     The axis of the cases is that along which both differ in length; arrays of one shape are those of every
     case.
 
-    >>> overlaid(np.zeros((2, 3)), np.ones((2, 1)), np.array([2])).tolist()
+    >>> overlaid(np.zeros((2, 3)), [(np.array([2]), np.ones((2, 1)))]).tolist()
     [[0.0, 0.0, 1.0], [0.0, 0.0, 1.0]]
 
     Raises
@@ -41,14 +41,17 @@ def overlaid(under: Any, over: Any, cases: NDArray) -> Any:
         where there is no such axis
     """
     if isinstance(under, tuple):
-        return type(under)(*(overlaid(*pair, cases) for pair in zip(under, over, strict=True)))
-    if under.shape == over.shape:
-        return under
-    axes = np.flatnonzero(np.not_equal(under.shape, over.shape)) if under.ndim == over.ndim else ()
-    if len(axes) != 1 or over.shape[axes[0]] != len(cases):
-        raise NotAlike(f"shapes {under.shape} and {over.shape}")
-    joined = under.copy()
-    joined[(*[slice(None)] * axes[0], cases)] = over
+        parts = ([(cases, above[place]) for cases, above in over] for place in range(len(under)))
+        return type(under)(*map(overlaid, under, parts))
+    joined = under
+    for cases, above in over:
+        if above.shape == under.shape:
+            continue
+        axes = np.flatnonzero(np.not_equal(under.shape, above.shape)) if under.ndim == above.ndim else ()
+        if len(axes) != 1 or above.shape[axes[0]] != len(cases):
+            raise NotAlike(f"shapes {under.shape} and {above.shape}")
+        joined = under.copy() if joined is under else joined
+        joined[(*[slice(None)] * axes[0], cases)] = above
     return joined
 
 
@@ -75,11 +78,9 @@ class SolvedCases:
         if not accepted.all() or not np.array_equal(unknowns, self.unknowns):
             return None
         try:
-            for cases, iterate in later:
-                system = overlaid(system, iterate.system, cases)
+            return overlaid(system, [(cases, iterate.system) for cases, iterate in later])
         except NotAlike:
             return None
-        return system
 
     def unsolved(self) -> NDArray:
         """Cases that may still be solved."""
