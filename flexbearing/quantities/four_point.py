@@ -124,7 +124,7 @@ QUANTITIES = (
     # torque
     Quantity("torque", "T", "race", "N m", "block", "torque of all balls on the rings, (inner, outer)",
         source="solution.torque",
-        summary=(SummaryValue("torque_Nm", label="torque of the bearing", digits=".5g", parts=RACES),)),
+        summary=(SummaryValue("torque_Nm", label="friction torque", digits=".5g", parts=RACES),)),
     Quantity("grid_error", "", "Z", "N m", "block",
         "error of the torque of the ball by the cells, from its changes with half and a quarter of them; "
         "absent in full sliding", source="rolling.grid_error", optional=True, summary=(

@@ -15,6 +15,7 @@ from flexbearing.report.html.units import NOTHING, units_in_words, with_unit
 from flexbearing.report.rows import unit_of
 
 SMALLEST = 5e-3  # relative change that is drawn
+MINOR = 0.1  # of the largest effect: inputs with less are not named beside it
 _STIFFNESSES = {"total_stiffness": "stiffness", "total_stiffness_yy": "stiffness along y"}
 _WIDE = 1.5  # ratio of the ends of an axis from which it is logarithmic
 _TICKS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5, 7, 10, 20, 50, 100]
@@ -52,7 +53,8 @@ def largest(reader: Reader, output: str, count: int) -> list[tuple[str, list[Num
     """Keys with the largest effects on an output, no comparisons, each with that over the case's, growing."""
     found = reader.attributes["assumed_effects"]
     moving = {place: _effect(found, place, output) for place in _inputs(found)}
-    chosen = sorted((place for place in moving if moving[place] > SMALLEST), key=lambda place: -moving[place])
+    least = max(SMALLEST, MINOR * max(moving.values(), default=0.0))
+    chosen = sorted((place for place in moving if moving[place] > least), key=lambda place: -moving[place])
     rows = []
     for place in chosen[:count]:
         others = range(len(found["keys"][place]["others"]))
