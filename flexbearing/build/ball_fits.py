@@ -16,8 +16,7 @@ from quasidynamic.clearance import (
 from quasidynamic.note import Note
 from quasidynamic.parts.oil_properties import kinematic_viscosity_at
 
-_UNFELT = 7850.0  # [kg/m3] stands where no inertia is felt: any density gives the same
-UNFELT = 7850.0  # [kg/m3] stands where nothing turns fast: any density gives the same
+UNFELT = 7850.0  # [kg/m3] stands where no inertia is felt: any density gives the same
 ROOM = 293.15  # [K] of every part when a case gives no temperatures; only differences matter
 
 
@@ -34,7 +33,7 @@ def groove(bearing: BallBearing, ring: str, material: Elastic) -> qd.Groove:
 
 def solid(material: Elastic) -> qd.Material:
     """The material; rings and slow balls have no density of their own."""
-    density = material.density if isinstance(material, HeavyElastic) else _UNFELT
+    density = material.density if isinstance(material, HeavyElastic) else UNFELT
     return qd.Material(
         youngs_modulus=material.youngs_modulus, poisson_ratio=material.poisson_ratio, density=density
     )
