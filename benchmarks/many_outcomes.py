@@ -17,7 +17,7 @@ from benchmarks.bearings import CASE
 from benchmarks.machine import describe
 from flexbearing.api import read_case
 from flexbearing.case.roller import Case
-from flexbearing.outputs import outputs, wanted
+from flexbearing.outputs import outputs, requested
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs import roller_findings
@@ -85,7 +85,7 @@ def measured_once(cases: list[Case]) -> dict[str, float]:
 def computed(tables: list[SolvedRows], names: Sequence[str]) -> None:
     for rows in tables:
         for name in names:
-            rows.numbers([wanted(LAYOUT, name)])
+            rows.numbers([requested(LAYOUT, name)])
 
 
 def refused(place: int) -> Answer:

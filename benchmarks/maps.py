@@ -26,7 +26,7 @@ from flexbearing.program.workers import shared_map
 from flexbearing.progress import Logged
 from flexbearing.rings.condensed import condensed_raceways
 from flexbearing.studies.maps.axes import axes
-from flexbearing.studies.maps.solved import OUTPUTS, solved_map
+from flexbearing.studies.maps.solution import OUTPUTS, solved_map
 from quasidynamic import RollerBearing, SolverOutcome
 from quasidynamic.maps import GridPoints, SolvedGrid, folds, solve
 from quasidynamic.outcome.equilibrium import Equilibrium

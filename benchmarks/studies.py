@@ -30,7 +30,7 @@ from flexbearing.program.processes import Processes
 from flexbearing.studies.engine import finished
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan import Row, Task
-from flexbearing.studies.prepare import prepared
+from flexbearing.studies.prepare import prepare_source
 from flexbearing.studies.run import Work, run
 
 CASE = Path(__file__).parents[1] / "configs" / "mao2016.toml"
@@ -164,7 +164,7 @@ def machinery() -> None:
         file = Path(place) / "study.toml"
         file.write_text(f'case = "{CASE}"\n' + HYPERCUBE.format(count=20_000) + COLLECT)
         times = [time.perf_counter()]
-        settled = prepared(file)
+        settled = prepare_source(file)
         times.append(time.perf_counter())
         work = Work(partial(nothing, texts=settled.texts), no_ring)
         run(settled, Path(place), work, lambda tasks: Serial())

@@ -9,7 +9,7 @@ from flexbearing.case import BadCase, Head
 from flexbearing.case.family import Family
 from flexbearing.derivatives.keys import keys_of
 from flexbearing.derivatives.table import Chosen, OutputValue, Sensitivities
-from flexbearing.outputs import wanted
+from flexbearing.outputs import requested
 from flexbearing.progress import Report
 from flexbearing.runs.plausible import graded
 from flexbearing.runs.run_case import answers, reader
@@ -67,6 +67,6 @@ def _require_names(case: Head, family: Family, of: Sequence[str], by: Sequence[s
     layout = family.layout()
     for text in of:
         if text not in COLLECTIVE:
-            wanted(layout, text)
+            requested(layout, text)
     for path in by:
         keys_of(case, path)

@@ -15,7 +15,7 @@ from flexbearing.derivatives.keys import Key, given_keys, keys_of, with_value
 from flexbearing.derivatives.sides import tabled
 from flexbearing.derivatives.stencil import Stencil
 from flexbearing.derivatives.table import Sensitivities
-from flexbearing.outputs import RequestedOutput, outputs, wanted
+from flexbearing.outputs import RequestedOutput, outputs, requested
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.runs import angular_contact
@@ -66,7 +66,7 @@ def _asked(case: FastCase, of: Sequence[str]) -> list[RequestedOutput]:
     if ALL in texts:
         texts = [each.name for each in outputs(LAYOUT) if each.name not in ESTIMATES]
     life = "life_L10" if case.life.is_basic else "modified_life"
-    return [wanted(LAYOUT, life if text == LIFE else text) for text in dict.fromkeys(texts)]
+    return [requested(LAYOUT, life if text == LIFE else text) for text in dict.fromkeys(texts)]
 
 
 @dataclass(frozen=True)

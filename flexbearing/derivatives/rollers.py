@@ -17,7 +17,7 @@ from flexbearing.derivatives.roller_state import SolvedState, solved
 from flexbearing.derivatives.sides import tabled, with_sides
 from flexbearing.derivatives.stencil import STENCILS
 from flexbearing.derivatives.table import Sensitivities
-from flexbearing.outputs import RequestedOutput, outputs, wanted
+from flexbearing.outputs import RequestedOutput, outputs, requested
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.roller import CAGE_SLIP, LAYOUT
@@ -72,7 +72,7 @@ def wanted_of(case: Case, of: Sequence[str]) -> list[RequestedOutput]:
     if ALL in texts:
         texts = [each.name for each in outputs(LAYOUT) if each.name.partition(".")[0] not in ESTIMATES]
     life = "life_L10" if case.life.is_basic else "modified_life"
-    found = [wanted(LAYOUT, life if text == LIFE else text) for text in dict.fromkeys(texts)]
+    found = [requested(LAYOUT, life if text == LIFE else text) for text in dict.fromkeys(texts)]
     flexible = case.inner.kind != "rigid" or case.outer.kind != "rigid"
     for output in found:
         if output.block == "rigid" and flexible:

@@ -15,7 +15,7 @@ from flexbearing.derivatives.keys import Key, given_keys, keys_of, with_value
 from flexbearing.derivatives.sides import tabled
 from flexbearing.derivatives.stencil import Stencil
 from flexbearing.derivatives.table import Sensitivities
-from flexbearing.outputs import RequestedOutput, outputs, wanted
+from flexbearing.outputs import RequestedOutput, outputs, requested
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.rings import bolted
@@ -58,7 +58,7 @@ def _asked(case: FourPointCase, of: Sequence[str]) -> list[RequestedOutput]:
     texts = list(of) or list(DEFAULT)
     if ALL in texts:
         texts = [each.name for each in outputs(LAYOUT) if each.name not in ESTIMATES]
-    found = [wanted(LAYOUT, text) for text in dict.fromkeys(texts)]
+    found = [requested(LAYOUT, text) for text in dict.fromkeys(texts)]
     for output in found:
         if output.block == "rigid" and not case.rings.rigid:
             raise BadCase(

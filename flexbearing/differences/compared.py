@@ -9,7 +9,7 @@ import numpy as np
 
 from flexbearing.case.declarations import by_path
 from flexbearing.case.differing import differing
-from flexbearing.outputs import wanted
+from flexbearing.outputs import requested
 from flexbearing.outputs.names import BLOCKS, RequestedOutput, outputs
 from flexbearing.results import BadResult, Result
 from flexbearing.studies.table.keys import in_table
@@ -161,7 +161,7 @@ def _elastic(result: Result) -> bool:
 
 
 def _output(name: str, one: Result, other: Result) -> Differing:
-    output = wanted(one.family.layout(), name)
+    output = requested(one.family.layout(), name)
     first, second = (output.number(_blocks(each)) for each in (one, other))
     error = _error(output, one, first) + _error(output, other, second)
     return Differing(name, output.unit, first, second, error)

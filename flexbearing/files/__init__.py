@@ -3,6 +3,7 @@
 What is in them belongs to the rooms that make them: results, report, cache.
 """
 
+from flexbearing.files.atomic import NotStored, parts_of, write
 from flexbearing.files.csv_rows import as_csv
 from flexbearing.files.destination import (
     BadOutput,
@@ -12,7 +13,6 @@ from flexbearing.files.destination import (
     require_outputs,
 )  # fmt: skip
 from flexbearing.files.lock import lock
-from flexbearing.files.whole import NotStored, parts_of, write
 
 __all__ = [
     "BadOutput",

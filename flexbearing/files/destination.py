@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 
-from flexbearing.files.whole import UNFINISHED, require_part
+from flexbearing.files.atomic import UNFINISHED, require_part
 
 
 class BadOutput(ValueError):

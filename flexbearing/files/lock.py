@@ -11,8 +11,8 @@ from pathlib import Path
 from time import sleep
 from typing import Any
 
+from flexbearing.files.atomic import NotStored, host
 from flexbearing.files.destination import BadOutput
-from flexbearing.files.whole import NotStored, host
 
 try:
     import fcntl

@@ -18,8 +18,8 @@ from flexbearing.studies.engine import Engine
 from flexbearing.studies.file import Axis
 from flexbearing.studies.file.read import CollectedOutput
 from flexbearing.studies.plan import Row
-from flexbearing.studies.prepare import settle
-from flexbearing.studies.prepared_study import Prepared
+from flexbearing.studies.prepare import prepare
+from flexbearing.studies.prepared_study import PreparedStudy
 from flexbearing.studies.run import Work, compute_missing
 from flexbearing.studies.table import Table, journal
 from flexbearing.studies.table.duty import Cycles
@@ -45,7 +45,7 @@ class Workers:
     ] = ()  # peak pressures that half-spaces check; none where slices do not have them
 
 
-def designs_of(problem: Problem, designs: Sequence[Settings]) -> Prepared:
+def designs_of(problem: Problem, designs: Sequence[Settings]) -> PreparedStudy:
     """The study of the case with some settings; a key that a design does not set stays as the case has it."""
     first = (*problem.fixed, *keys_of(problem.variables))
     keys = tuple(dict.fromkeys((*first, *(key for each in designs for key in each))))
@@ -55,9 +55,9 @@ def designs_of(problem: Problem, designs: Sequence[Settings]) -> Prepared:
         CollectedOutput(name, text) for name, text in {each.name: each.text for each in measures}.items()
     )
     axes = Axis(DESIGN, keys, rows), *problem.study.axes
-    settled = settle(replace(problem.study, axes=axes, collect=collect))
+    prepared = prepare(replace(problem.study, axes=axes, collect=collect))
     return replace(
-        settled, plan=replace(settled.plan, fewest=1, side_by_side=False)
+        prepared, plan=replace(prepared.plan, fewest=1, side_by_side=False)
     )  # rows that are known stay
 
 
@@ -143,9 +143,9 @@ class Evaluations:
         self, designs: Sequence[Settings], measures: Sequence[Measure]
     ) -> list[Numbers | NotComputed]:
         """Outputs of the case with some settings, side by side."""
-        settled, texts = designs_of(self.problem, designs), tuple(measure.text for measure in measures)
-        self._compute(settled, texts, self.workers.values)
-        return self._numbers(settled, texts)
+        prepared, texts = designs_of(self.problem, designs), tuple(measure.text for measure in measures)
+        self._compute(prepared, texts, self.workers.values)
+        return self._numbers(prepared, texts)
 
     def verified(self, point: Point) -> Numbers | NotComputed:
         """Outputs of a design with the first settings that verify it, its own computed beside it."""
@@ -165,17 +165,17 @@ class Evaluations:
         sharing = self.sharing.setdefault(point, max(1, self.workers.processes - verified))
         groups = [group for first in range(sharing) if (group := keys[first::sharing])]
         design, work = self._settings(point), self.workers.slopes(keys)
-        settled = for_slopes(designs_of(self.problem, [design]), groups)
+        prepared = for_slopes(designs_of(self.problem, [design]), groups)
         if verified:
             both = designs_of(self.problem, [design, {**design, **self.problem.verify[0]}])
             batch, either = beside(both, groups, work, self.workers.values)
             self._compute(batch, (), either)
         else:
-            self._compute(settled, (), work)
-        per_group = len(settled.plan.variants) // len(groups)
+            self._compute(prepared, (), work)
+        per_group = len(prepared.plan.variants) // len(groups)
         found = {}
         for place, key in ((place, key) for place, group in enumerate(groups) for key in group):
-            variants = settled.plan.variants[place * per_group : (place + 1) * per_group]
+            variants = prepared.plan.variants[place * per_group : (place + 1) * per_group]
             rows, those = (
                 [self.rows[each.identity] for each in variants],
                 [slope_name(text, key) for text in texts],
@@ -200,9 +200,9 @@ class Evaluations:
 
     def rings(self, points: Sequence[Point]) -> list[tuple[str, ...]]:
         """Which elastic rings designs have."""
-        settled = designs_of(self.problem, [self._settings(point) for point in points])
-        per_design = len(settled.plan.variants) // len(points)
-        return [variant.rings for variant in settled.plan.variants[::per_design]]
+        prepared = designs_of(self.problem, [self._settings(point) for point in points])
+        per_design = len(prepared.plan.variants) // len(points)
+        return [variant.rings for variant in prepared.plan.variants[::per_design]]
 
     def row_words(self, row: int, measure: Measure) -> str:
         """Conditions of a row of a design, " (operation.misalignment = 4 arcmin)"; empty where it has one."""
@@ -219,9 +219,9 @@ class Evaluations:
 
     def table(self) -> Table:
         """All designs that can be, as the table of a study."""
-        settled = designs_of(self.problem, [self._settings(point) for point in self.designs])
-        per_design = len(settled.plan.variants) // len(self.designs)
-        impossible = {problem.number // per_design for problem in settled.plan.problems}
+        prepared = designs_of(self.problem, [self._settings(point) for point in self.designs])
+        per_design = len(prepared.plan.variants) // len(self.designs)
+        impossible = {problem.number // per_design for problem in prepared.plan.problems}
         some = [point for number, point in enumerate(self.designs) if number not in impossible]
         return designs_of(self.problem, [self._settings(point) for point in some]).table(self.rows)
 
@@ -229,20 +229,20 @@ class Evaluations:
         problem = self.problem
         return {**problem.fixed, **settings(problem.variables, point, problem.lists)}
 
-    def _compute(self, settled: Prepared, texts: Sequence[str], work: Work) -> None:
+    def _compute(self, prepared: PreparedStudy, texts: Sequence[str], work: Work) -> None:
         """Compute what is neither known nor in the journal."""
         known = {
             identity: row
-            for variant in settled.plan.variants
+            for variant in prepared.plan.variants
             if (row := self.rows.get(identity := variant.identity)) and _complete(row, texts)
         } | {"": Row("", "bad input", "", 0.0)}  # designs that cannot be have no identity
         before = len(known)
-        compute_missing(settled, known, work, self.engine, self.kept, lambda progress: None)
+        compute_missing(prepared, known, work, self.engine, self.kept, lambda progress: None)
         self.computed += len(known) - before
         self.rows |= known
 
-    def _numbers(self, settled: Prepared, texts: Sequence[str]) -> list[Numbers | NotComputed]:
-        plan = settled.plan
+    def _numbers(self, prepared: PreparedStudy, texts: Sequence[str]) -> list[Numbers | NotComputed]:
+        plan = prepared.plan
         per_design = len(plan.variants) // len(plan.axes[0].rows)
         why = {problem.number: problem.message for problem in plan.problems}
         found: list[Numbers | NotComputed] = []

@@ -19,7 +19,7 @@ from flexbearing.case.text import tables
 from flexbearing.optimise.goals import Bound, Goal, Measure
 from flexbearing.optimise.schema import DUTY_LIFE, OptimisationFile, Search
 from flexbearing.optimise.variables import Variable, variables
-from flexbearing.outputs import UnknownOutput, WrongUnit, wanted
+from flexbearing.outputs import UnknownOutput, WrongUnit, requested
 from flexbearing.printable import excerpt
 from flexbearing.studies.file import Study
 from flexbearing.studies.file.read import Source, declared, flat_tables, study_of
@@ -144,12 +144,12 @@ def _goal(given: OptimisationFile, study: Study, layout: Any) -> Callable[[Cycle
 def _measure(name: str, unit: str, study: Study, layout: Any) -> Callable[[Cycles | None], Measure]:
     """An output by its name and unit, or the life of the duty cycle."""
     if name != DUTY_LIFE:
-        found = wanted(layout, f"{name} [{unit}]" if unit else name)
+        found = requested(layout, f"{name} [{unit}]" if unit else name)
         return lambda cycles: Measure(found.name, f"{found.name} [{found.unit}]", found.unit)
     if study.spectrum is None:
         raise BadValues(f"{DUTY_LIFE} needs [duty], whose rows it cumulates")
     life = study.spectrum.life
-    unit = wanted(layout, f"{life} [{unit or 'h'}]").unit
+    unit = requested(layout, f"{life} [{unit or 'h'}]").unit
     return lambda cycles: Measure(DUTY_LIFE, f"{life} [Mrev]", unit, cycles)
 
 

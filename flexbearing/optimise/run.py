@@ -43,14 +43,14 @@ from flexbearing.optimise.search import (
     starts,
 )
 from flexbearing.optimise.variables import settings as of_point
-from flexbearing.optimise.worker import SlopeWish, slope_name, slope_rows
+from flexbearing.optimise.worker import SlopeRequest, slope_name, slope_rows
 from flexbearing.program.threads import cores, limited_to, processes
 from flexbearing.studies.engine import Engine
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.file.read import Source
 from flexbearing.studies.placement import Placement
-from flexbearing.studies.prepare import settle
-from flexbearing.studies.prepared_study import Prepared
+from flexbearing.studies.prepare import prepare
+from flexbearing.studies.prepared_study import PreparedStudy
 from flexbearing.studies.run import Work, guarded
 from flexbearing.studies.table import journal
 from flexbearing.studies.table.forms import FORMS
@@ -120,9 +120,9 @@ def _searched_instead(evaluations: Evaluations) -> Evaluations:
     return replace(evaluations, problem=cheap, designs={}, refused={}, sharing={})
 
 
-def _sound(problem: Problem) -> Prepared:
+def _sound(problem: Problem) -> PreparedStudy:
     """The study of the case as it stands, which must be one that can be computed."""
-    base = settle(problem.study)
+    base = prepare(problem.study)
     base.plan.require_sound()
     _require_starts(problem)
     return base
@@ -176,11 +176,11 @@ def _bearings(problem: Problem, folder: Path) -> Workers:
     ring = partial(condense, cache=cache)
 
     def slopes(keys: Sequence[str]) -> Work:
-        return Work(partial(slope_rows, wish=SlopeWish(texts, tuple(keys)), cache=cache), ring)
+        return Work(partial(slope_rows, request=SlopeRequest(texts, tuple(keys)), cache=cache), ring)
 
     peaks = _peaks(problem)
-    wish = RowRequest((*texts, *(each.text for each in peaks if each.text not in texts)))
-    return Workers(Work(partial(rows, wish=wish, cache=cache), ring), slopes, peaks=peaks)
+    request = RowRequest((*texts, *(each.text for each in peaks if each.text not in texts)))
+    return Workers(Work(partial(rows, request=request, cache=cache), ring), slopes, peaks=peaks)
 
 
 def _peaks(problem: Problem) -> tuple[Measure, ...]:
@@ -193,7 +193,7 @@ def _peaks(problem: Problem) -> tuple[Measure, ...]:
 
 
 @contextmanager
-def _engine(count: int, base: Prepared) -> Iterator[Callable[[int], Engine]]:
+def _engine(count: int, base: PreparedStudy) -> Iterator[Callable[[int], Engine]]:
     """What gives the engine of each batch of designs: worker processes stay from one to the next."""
     if count == 1:
         yield lambda tasks: Serial()

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 from flexbearing.optimise.worker import BY, with_keys
 from flexbearing.studies.plan import Ring, Row, Task
-from flexbearing.studies.prepared_study import Prepared
+from flexbearing.studies.prepared_study import PreparedStudy
 from flexbearing.studies.run import Work
 
 
@@ -26,19 +26,19 @@ class Either:
         return self.values.rows(task)
 
 
-def for_slopes(settled: Prepared, groups: Sequence[Sequence[str]]) -> Prepared:
+def for_slopes(prepared: PreparedStudy, groups: Sequence[Sequence[str]]) -> PreparedStudy:
     """The same variants under names of their own, once for each group of keys: a task with its slopes."""
     variants = tuple(
         replace(each, identity=each.identity and with_keys(each.identity, keys))
         for keys in groups
-        for each in settled.plan.variants
+        for each in prepared.plan.variants
     )
-    return replace(settled, plan=replace(settled.plan, variants=variants, fewest=len(groups)))
+    return replace(prepared, plan=replace(prepared.plan, variants=variants, fewest=len(groups)))
 
 
 def beside(
-    both: Prepared, groups: Sequence[Sequence[str]], slopes: Work, values: Work
-) -> tuple[Prepared, Work]:
+    both: PreparedStudy, groups: Sequence[Sequence[str]], slopes: Work, values: Work
+) -> tuple[PreparedStudy, Work]:
     """One batch of the slopes of a design and of its values by finer models, and what computes it."""
     plan, count = both.plan, len(both.plan.variants) // 2
     finer = replace(plan, variants=plan.variants[count:])

@@ -21,7 +21,7 @@ NO_SLOPE = "no derivative"  # status of a design without them: differences take 
 
 
 @dataclass(frozen=True)
-class SlopeWish:
+class SlopeRequest:
     """What is wanted of every design."""
 
     texts: tuple[str, ...]  # outputs, with units
@@ -38,26 +38,26 @@ def slope_name(text: str, key: str) -> str:
     return f"{text} by {key}"
 
 
-def slope_rows(task: Task, wish: SlopeWish, cache: str | None = None) -> tuple[Row, ...]:
+def slope_rows(task: Task, request: SlopeRequest, cache: str | None = None) -> tuple[Row, ...]:
     """Outputs of variants with their derivatives."""
     read = variants_of(task.base)
     with rings_in(cache):
         return tuple(
-            _row(variant.identity, read.known(variant.values, variant.in_si), _of(variant.identity, wish))
+            _row(variant.identity, read.known(variant.values, variant.in_si), _of(variant.identity, request))
             for variant in task.variants
         )
 
 
-def _of(identity: str, wish: SlopeWish) -> SlopeWish:
+def _of(identity: str, request: SlopeRequest) -> SlopeRequest:
     """What is wanted of a variant: slopes by the keys that it names."""
     named = identity.rpartition(BY)[2].split()
-    return SlopeWish(wish.texts, tuple(key for key in wish.keys if key in named))
+    return SlopeRequest(request.texts, tuple(key for key in request.keys if key in named))
 
 
-def _row(identity: str, case: Head, wish: SlopeWish) -> Row:
+def _row(identity: str, case: Head, request: SlopeRequest) -> Row:
     began = perf_counter()
     try:
-        found = sensitivities(case, FAMILIES[case.kind], wish.texts, wish.keys)
+        found = sensitivities(case, FAMILIES[case.kind], request.texts, request.keys)
     except (BadCase, UnknownOutput) as problem:
         return Row(identity, NO_SLOPE, "; ".join(str(problem).splitlines()), perf_counter() - began)
     except (NotSolved, ImpossiblePart, OutOfRange) as problem:

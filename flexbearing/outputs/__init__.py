@@ -10,7 +10,7 @@ from flexbearing.outputs.names import (
     UnknownOutput,
     of_rollers,
     outputs,
-    wanted,
+    requested,
 )
 from flexbearing.outputs.table import Outputs
 from flexbearing.outputs.value import Value, WrongUnit
@@ -25,5 +25,5 @@ __all__ = [
     "WrongUnit",
     "of_rollers",
     "outputs",
-    "wanted",
+    "requested",
 ]

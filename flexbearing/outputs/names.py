@@ -150,7 +150,7 @@ def outputs(layout: Layout) -> tuple[Output, ...]:
 
 
 def of_rollers(layout: Layout) -> Mapping[str, Quantity]:
-    """Quantities with a number for every roller, by name; `wanted` takes them one by one, "inner_load.1"."""
+    """Quantities with a number for every roller, by name; `requested` takes each, "inner_load.1"."""
     symbols = {axis.symbol for axis in layout.axes if axis.name == ROLLER}
     return {entry.name: entry for entry in layout.quantities if entry.axes in symbols}
 
@@ -167,7 +167,7 @@ def _of_roller(layout: Layout, name: str) -> Output | None:
 
 
 @lru_cache(maxsize=1024)
-def wanted(layout: Layout, text: str) -> RequestedOutput:
+def requested(layout: Layout, text: str) -> RequestedOutput:
     """Understand a name with block and unit.
 
     Raises

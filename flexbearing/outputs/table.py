@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from html import escape
 from math import isfinite
 
-from flexbearing.outputs.names import AbsentOutput, Block, Output, UnknownOutput, outputs, wanted
+from flexbearing.outputs.names import AbsentOutput, Block, Output, UnknownOutput, outputs, requested
 from flexbearing.outputs.value import Value
 from flexbearing.printable import printable
 from flexbearing.quantities.effects import LIVES
@@ -32,7 +32,7 @@ class Outputs(Mapping[str, Value]):
         """An output by name, block and unit, "rigid.max_roller_load [kN]"; "life" is the most detailed."""
         if life := _LIFE.fullmatch(name):
             return self._life(*(part or "" for part in life.groups()))
-        return wanted(self.layout, name).value(self.blocks)
+        return requested(self.layout, name).value(self.blocks)
 
     def __contains__(self, name: object) -> bool:
         return name in {*self}
@@ -73,7 +73,7 @@ class Outputs(Mapping[str, Value]):
     def _known(self, name: str) -> Value | None:
         """An output that is there and finite."""
         try:
-            value = wanted(self.layout, name).value(self.blocks)
+            value = requested(self.layout, name).value(self.blocks)
         except (AbsentOutput, UnknownOutput):
             return None
         return value if isfinite(float(value)) else None
@@ -82,7 +82,7 @@ class Outputs(Mapping[str, Value]):
         """The first of the lives that a result has."""
         names = [f"{block}{name}" for name in LIVES]
         name = next((name for name in names if self._known(name) is not None), names[-1])
-        return wanted(self.layout, f"{name} {unit}").value(self.blocks)
+        return requested(self.layout, f"{name} {unit}").value(self.blocks)
 
 
 def _unit(value: Value) -> str:

@@ -14,7 +14,7 @@ from flexbearing import inputs
 from flexbearing.case.family import Families
 from flexbearing.case.text import command
 from flexbearing.files import parts_of
-from flexbearing.files.whole import UNFINISHED
+from flexbearing.files.atomic import UNFINISHED
 from flexbearing.inputs.limits import CASE as LARGEST
 from flexbearing.quantities import Quantity
 from flexbearing.quantities.attributes import FORMAT, OLDER

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from flexbearing.case import BadCase
 from flexbearing.case.family import Family
 from flexbearing.files import BadOutput, NotStored, lock, parts_of, require_output, write
-from flexbearing.files.whole import host, part_name
+from flexbearing.files.atomic import host, part_name
 from flexbearing.quantities.layout import Layout
 from flexbearing.results import hdf5
 from flexbearing.results.attributes import encoded

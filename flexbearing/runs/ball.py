@@ -9,7 +9,7 @@ from flexbearing.case import BadCase, Head
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.findings import Judged, records
-from flexbearing.outputs import wanted
+from flexbearing.outputs import requested
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.angular_contact import LAYOUT as OF_FAST_BALLS
@@ -150,4 +150,4 @@ def _unsolved(problem: Exception, numbers: Mapping[str, float]) -> Answer:
 
 
 def _numbers(layout: Layout, blocks: Mapping[str, Any], texts: Sequence[str]) -> dict[str, float]:
-    return {text: wanted(layout, text).number(blocks) for text in texts}
+    return {text: requested(layout, text).number(blocks) for text in texts}

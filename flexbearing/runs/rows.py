@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from flexbearing.case.roller import Case
-from flexbearing.outputs import RequestedOutput, wanted
+from flexbearing.outputs import RequestedOutput, requested
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs import notes, roller_findings
@@ -32,7 +32,7 @@ def answers(
     by side, and their outputs are arrays. What needs a run of its own has one, and its answer says why, see
     `solved_side_by_side`. Nothing is computed but what is wanted, and what dangers need.
     """
-    outputs = {text: wanted(LAYOUT, text) for text in texts}
+    outputs = {text: requested(LAYOUT, text) for text in texts}
     blocks = {output.block for output in outputs.values()}
     numbers: list[dict[str, float]] = [{} for _ in cases]
     messages: dict[int, str] = {}

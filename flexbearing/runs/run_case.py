@@ -14,7 +14,7 @@ from flexbearing.case import BadCase, Head
 from flexbearing.case.family import Family
 from flexbearing.case.outputs import ContactOutputs, LifeOutputs
 from flexbearing.files import BadOutput
-from flexbearing.outputs import wanted
+from flexbearing.outputs import requested
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
 from flexbearing.results import Others, Record, Result, ResultFile, case_file
@@ -236,7 +236,7 @@ def _alone(cases: Sequence[Any], texts: Sequence[str], family: Family, place: in
     except BadCase as problem:
         return Answer(BAD_INPUT, _first_line(problem, cases[place]), {})
     blocks = {"rigid": result.rigid, "flexible": result.flexible}
-    numbers = {text: wanted(family.layout(), text).number(blocks) for text in texts}
+    numbers = {text: requested(family.layout(), text).number(blocks) for text in texts}
     status = str(result.attributes["status"])
     solved = status == CONVERGED
     return Answer(status, str(result.attributes["message"]), numbers if solved else {})

@@ -60,26 +60,26 @@ def study(  # noqa: PLR0913  # an argument for each option
     from flexbearing.studies.job_array import sbatch
     from flexbearing.studies.placement import Placement
     from flexbearing.studies.plan import Part
-    from flexbearing.studies.prepare import compute, prepared
+    from flexbearing.studies.prepare import compute, prepare_source
 
     wanted = None if part is None else Part.parsed(part)
     if emit not in (None, "sbatch"):
         raise BadCase(f'--emit {excerpt(emit)}: it must be "sbatch"')
     with limited_to(jobs), shown("check") as report:
-        settled = prepared(file, messages.Checking(report))
+        prepared = prepare_source(file, messages.Checking(report))
     if check or status:
-        _say(messages.status(settled, output) if status else messages.variants(settled))
-        raise typer.Exit(BAD_INPUT if settled.plan.problems else CONVERGED)
-    settled.plan.require_sound()
+        _say(messages.status(prepared, output) if status else messages.variants(prepared))
+        raise typer.Exit(BAD_INPUT if prepared.plan.problems else CONVERGED)
+    prepared.plan.require_sound()
     if emit:
-        _say(sbatch(settled, output, jobs).rstrip())
+        _say(sbatch(prepared, output, jobs).rstrip())
         raise typer.Exit(CONVERGED)
-    settled = settled.of_part(wanted) if wanted else settled
-    where = Placement(jobs, scheduler, slurm, (tls_ca, tls_cert, tls_key))
+    prepared = prepared.of_part(wanted) if wanted else prepared
+    placement = Placement(jobs, scheduler, slurm, (tls_ca, tls_cert, tls_key))
     with shown("study") as report:
-        table = compute(settled, output, where, retry_failed=retry_failed, tell=messages.follow(report))
+        table = compute(prepared, output, placement, retry_failed=retry_failed, tell=messages.follow(report))
     sys.stderr.writelines(printable(f"{words}; {messages.ADVICE}\n") for words in table.complaints)
-    _say(messages.end(settled, table, output))
+    _say(messages.end(prepared, table, output))
     raise typer.Exit(NOT_CONVERGED if table.failed else CONVERGED)
 
 

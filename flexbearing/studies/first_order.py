@@ -12,7 +12,7 @@ from flexbearing.derivatives.any_family import sensitivities
 from flexbearing.families import FAMILIES
 from flexbearing.sampling.linear import Linear
 from flexbearing.studies.file.sampled import Drawn, Factor
-from flexbearing.studies.prepared_study import Prepared, variants_of
+from flexbearing.studies.prepared_study import PreparedStudy, variants_of
 from flexbearing.studies.table.collected import Collected
 from quasidynamic import NotSolved
 
@@ -25,16 +25,16 @@ class FirstOrder:
     missing: tuple[str, ...] = ()  # sentences
 
 
-def first_order(settled: Prepared) -> FirstOrder:
+def first_order(prepared: PreparedStudy) -> FirstOrder:
     """Differentiate the outputs of a sampled study where every drawn key has its mean."""
-    drawn = settled.study.drawn
+    drawn = prepared.study.drawn
     assert drawn  # of no other study is it asked
-    if settled.study.spectrum:
+    if prepared.study.spectrum:
         return FirstOrder({}, ("no linear prediction: the life under a duty cycle is not differentiated",))
-    columns = [each for each in settled.columns if not (each.over or each.rollers or each.error)]
+    columns = [each for each in prepared.columns if not (each.over or each.rollers or each.error)]
     try:
-        case = _at_means(settled, drawn)
-        known = [each for each in columns if _differentiable(each, elastic=bool(settled.plan.rings()))]
+        case = _at_means(prepared, drawn)
+        known = [each for each in columns if _differentiable(each, elastic=bool(prepared.plan.rings()))]
         found = sensitivities(
             case, FAMILIES[case.kind], [each.text for each in known], [each.key for each in drawn.factors]
         )
@@ -61,9 +61,9 @@ def _differentiable(column: Collected, *, elastic: bool) -> bool:
     return not (elastic and column.text.startswith("rigid."))
 
 
-def _at_means(settled: Prepared, drawn: Drawn) -> Any:
+def _at_means(prepared: PreparedStudy, drawn: Drawn) -> Any:
     """The case with every drawn key at its mean, others as in all variants."""
-    base, first = settled.plan.base, settled.plan.variants[0]
+    base, first = prepared.plan.base, prepared.plan.variants[0]
     values = dict(zip(base.keys, first.values, strict=True))
     for factor in drawn.factors:
         values[factor.key] = factor.written([factor.distribution.mean] * factor.width)

@@ -12,7 +12,7 @@ from flexbearing.case.problems import MOST
 from flexbearing.files import require_folder_name
 from flexbearing.progress import Report
 from flexbearing.studies.placement import ALONE, RING, SIDE_BY_SIDE, Cost, expected
-from flexbearing.studies.prepared_study import Prepared, Progress
+from flexbearing.studies.prepared_study import PreparedStudy, Progress
 from flexbearing.studies.table import Table, duty
 from flexbearing.studies.table.files import PICTURE, SCATTER_PICTURE
 from flexbearing.studies.table.forms import EXTRA, FORMS, missing
@@ -21,47 +21,47 @@ LIFE_ERROR = "life error [%]"  # column of duty cycles with a target
 ADVICE = "the next study condenses its rings again, FLEXBEARING_CACHE names another folder"
 
 
-def variants(settled: Prepared) -> str:
+def variants(prepared: PreparedStudy) -> str:
     """The table of variants, what is wrong with each, and what there is to do."""
-    plan = settled.plan
+    plan = prepared.plan
     lines = [f"{number + 1}: {plan.settings(number)}" for number in range(min(MOST, len(plan.variants)))]
     if (more := len(plan.variants) + plan.unchecked - MOST) > 0:
         lines.append(f"... and {more} more")
     lines += map(plan.message_of, islice(plan.problems, MOST))
     columns = ", ".join(
-        f"{column.column} [{column.unit}]" if column.unit else column.column for column in settled.columns
+        f"{column.column} [{column.unit}]" if column.unit else column.column for column in prepared.columns
     )
     return "\n".join([
         *lines,
         f"columns: {columns}",
         plan.count_of_problems or f"{len(plan.variants)} variants, all of them can be computed",
-        _rings(settled),
-        *_choices(settled),
-        _expected(settled),
+        _rings(prepared),
+        *_choices(prepared),
+        _expected(prepared),
     ])  # fmt: skip
 
 
-def _rings(settled: Prepared) -> str:
+def _rings(prepared: PreparedStudy) -> str:
     """How many rings of which kind."""
-    counts = Counter(ring.race for ring in settled.plan.rings())
+    counts = Counter(ring.race for ring in prepared.plan.rings())
     kinds = ", ".join(f"{count} {race}" for race, count in counts.items())
     return f"rings to condense: {kinds}, except those in the cache" if kinds else "no rings to condense"
 
 
-def _choices(settled: Prepared) -> list[str]:
+def _choices(prepared: PreparedStudy) -> list[str]:
     """How often levels are chosen, where there is a target."""
-    corners = settled.plan.corners
+    corners = prepared.plan.corners
     looked_at = sum(len(each.variants) for each in corners)
     return [f"levels for accuracy.target: {len(corners)} choices, at {looked_at} variants"] if corners else []
 
 
-def _expected(settled: Prepared) -> str:
+def _expected(prepared: PreparedStudy) -> str:
     """Expected time by a rule that is said with it."""
-    plan = settled.plan
+    plan = prepared.plan
     costs = SIDE_BY_SIDE if plan.side_by_side else ALONE
     elastic, rigid = _of_a_variant(costs[True]), _of_a_variant(costs[False])
     together = "solved side by side" if plan.side_by_side else "in a run of its own"
-    search = ", without the search for other equilibria" if settled.study.search else ""
+    search = ", without the search for other equilibria" if prepared.study.search else ""
     return (
         f"expected time: about {duration(expected(plan))} on one core{search} ({RING:g} s a ring; a variant "
         f"{together} {elastic} between elastic rings, {rigid} between rigid ones)"
@@ -73,32 +73,32 @@ def _of_a_variant(cost: Cost) -> str:
     return f"{1e3 * cost.variant:g} ms" + (f" and {1e3 * cost.task:g} ms a task" if cost.task else "")
 
 
-def status(settled: Prepared, folder: Path) -> str:
+def status(prepared: PreparedStudy, folder: Path) -> str:
     """How far a study is, by its journal."""
-    progress = settled.progress(settled.rows(require_folder_name(folder)))
+    progress = prepared.progress(prepared.rows(require_folder_name(folder)))
     left = progress.total - progress.done
     return (
-        f"{settled.study.name}: {progress.total} variants, {progress.done} finished, "
+        f"{prepared.study.name}: {progress.total} variants, {progress.done} finished, "
         f"{progress.failed} of them failed, {left} not computed"
     )
 
 
-def end(settled: Prepared, table: Table, folder: Path) -> str:
+def end(prepared: PreparedStudy, table: Table, folder: Path) -> str:
     """How a study ended, and where its table and picture are."""
     counts = Counter(table["status"].values)
     words = ", ".join(f"{count} {name}" for name, count in counts.most_common())
     lines = [f"{table.name}: {len(table)} variants: {words or 'this part has none'}"]
-    if settled.part:
-        part = f"part {settled.part.number} of {settled.part.of}"
+    if prepared.part:
+        part = f"part {prepared.part.number} of {prepared.part.of}"
         return (
-            f"{lines[0]}\n{part} is kept in {settled.journal(folder)}; the study without --part gathers all"
+            f"{lines[0]}\n{part} is kept in {prepared.journal(folder)}; the study without --part gathers all"
         )
     lines += cycles(table.cycles) if table.cycles else []
     for suffix in FORMS:
         packages = missing(suffix)
         without = f", not written without {' and '.join(packages)}: {EXTRA}" if packages else ""
         lines.append(f"table: {folder / table.name}{suffix}{without}")
-    lines += [f"picture: {folder / table.name}{PICTURE}"] if settled.plot else []
+    lines += [f"picture: {folder / table.name}{PICTURE}"] if prepared.plot else []
     if table.scatter:
         lines += [*scatter(table), f"scatter: {folder / table.name}{SCATTER_PICTURE}, tables beside it"]
     return "\n".join(lines)

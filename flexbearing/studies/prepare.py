@@ -21,9 +21,9 @@ from flexbearing.studies.placement import Placement
 from flexbearing.studies.plan import Impossible, Plan, Variant, plan
 from flexbearing.studies.plan.identity import identity
 from flexbearing.studies.plan.task import Base, Values
-from flexbearing.studies.prepared_study import Prepared, variants_of
+from flexbearing.studies.prepared_study import PreparedStudy, variants_of
 from flexbearing.studies.run import Tell, Work, run
-from flexbearing.studies.scatter import told_of_scatter
+from flexbearing.studies.scatter import add_scatter
 from flexbearing.studies.table import Table, duty
 from flexbearing.studies.table.collected import collected, estimated, require_outputs, with_errors
 from flexbearing.studies.table.drawn import drawn
@@ -33,45 +33,47 @@ TellChecked = Callable[[int, int], None]
 LONGEST = 500  # characters of what is wrong with a variant
 
 
-def prepared(
+def prepare_source(
     source: Source, tell: TellChecked = lambda done, total: None, case: Head | None = None
-) -> Prepared:
-    """Read a study, from its file or as a dictionary, and settle what it computes.
+) -> PreparedStudy:
+    """Read a study, from its file or as a dictionary, and prepare what it computes.
 
     Raises
     ------
     BadCase
         one line for each problem of the study file, or of the case that its variants are made of
     """
-    return settle(read(source, FAMILIES, case), tell, bounded=True)
+    return prepare(read(source, FAMILIES, case), tell, bounded=True)
 
 
-def settle(study: Study, tell: TellChecked = lambda done, total: None, *, bounded: bool = False) -> Prepared:
-    """Settle what a study computes, see `prepared`; `bounded`: a duty cycle may have idle and thin rows."""
+def prepare(
+    study: Study, tell: TellChecked = lambda done, total: None, *, bounded: bool = False
+) -> PreparedStudy:
+    """What a study computes, see `prepare_source`; `bounded`: a duty cycle may have idle and thin rows."""
     family = FAMILIES[study.kind]
     lives = duty.texts(study.spectrum).values() if study.spectrum else ()
     require_outputs(study, lives, "duty", FAMILIES)
     drawn(study, collected(study, FAMILIES, elastic=True, rollers=1), FAMILIES)  # names that none has
     with shared_map() as mapped:
         checked = partial(_checked, cycle=bounded and study.spectrum is not None)
-        settled = plan(study, checked, mapped, tell)
+        planned = plan(study, checked, mapped, tell)
     if study.spectrum and study.spectrum.measure == "revolutions":
-        _require_turning(study, settled)
-    elastic, first = any(variant.rings for variant in settled.variants), _first(settled)
-    settled = replace(settled, side_by_side=not study.full and _is_side_by_side(first))
-    rollers = 0 if "bearing.rollers" in settled.base.keys else _rollers(first)
+        _require_turning(study, planned)
+    elastic, first = any(variant.rings for variant in planned.variants), _first(planned)
+    planned = replace(planned, side_by_side=not study.full and _is_side_by_side(first))
+    rollers = 0 if "bearing.rollers" in planned.base.keys else _rollers(first)
     columns = collected(study, FAMILIES, elastic=elastic, rollers=rollers)
     plot, columns = drawn(study, columns, FAMILIES)
-    if not settled.corners:
-        return Prepared(study, settled, columns, plot)
+    if not planned.corners:
+        return PreparedStudy(study, planned, columns, plot)
     layout = family.layout()
-    return Prepared(study, settled, with_errors(columns, layout), plot, estimated(lives, layout))
+    return PreparedStudy(study, planned, with_errors(columns, layout), plot, estimated(lives, layout))
 
 
-def _require_turning(study: Study, settled: Plan) -> None:
+def _require_turning(study: Study, planned: Plan) -> None:
     """Refuse a share of the revolutions of a row at standstill."""
     assert study.spectrum
-    for number, variant in enumerate(settled.variants):
+    for number, variant in enumerate(planned.variants):
         row = number % len(study.spectrum.shares)
         if variant.idle and not variant.idle.speed and study.spectrum.shares[row]:
             raise BadCase(
@@ -103,11 +105,11 @@ def _variant(read: Variants, values: Values, *, cycle: bool) -> Variant | Imposs
     return Variant(values, identity(case), rings(case), levels(case), read.in_si(case), thin=thin)
 
 
-def _first(settled: Plan) -> Head | None:
+def _first(planned: Plan) -> Head | None:
     """The first case that can be computed."""
-    for variant in settled.variants:
+    for variant in planned.variants:
         if variant.identity and not variant.idle:
-            return variants_of(settled.base).known(variant.values, variant.in_si)
+            return variants_of(planned.base).known(variant.values, variant.in_si)
     return None
 
 
@@ -127,9 +129,9 @@ def _is_side_by_side(case: Head | None) -> bool:
 
 
 def compute(
-    settled: Prepared,
+    prepared: PreparedStudy,
     output: Path = FOLDER,
-    where: Placement = HERE,
+    placement: Placement = HERE,
     *,
     retry_failed: bool = False,
     tell: Tell = lambda progress: None,
@@ -145,21 +147,22 @@ def compute(
     """
     from flexbearing.studies.worker import RowRequest, condense, rows
 
-    settled.plan.require_sound()
-    if where.slurm:
-        settled = replace(settled, study=settled.study.reading(where.slurm))
-    folder, name = require_folder_name(output), settled.study.name
+    prepared.plan.require_sound()
+    if placement.slurm:
+        prepared = replace(prepared, study=prepared.study.reading(placement.slurm))
+    folder, name = require_folder_name(output), prepared.study.name
     cache = str(folder / f"{name}.rings") if configured().folder is None else None
-    study = settled.study
-    wish = RowRequest(
-        settled.outputs, study.search, settled.files(folder), study.final, study.spectrum is not None
+    study = prepared.study
+    request = RowRequest(
+        prepared.outputs, study.search, prepared.files(folder), study.final, study.spectrum is not None
     )
-    work = Work(partial(rows, wish=wish, cache=cache), partial(condense, cache=cache))
-    with limited_to(where.jobs):
-        table = run(settled, output, work, where.engine(settled.plan), retry_failed=retry_failed, tell=tell)
-    if settled.study.drawn and not settled.part:
-        table = told_of_scatter(settled, table, folder)
-    if cache is not None and settled.part is None:
+    work = Work(partial(rows, request=request, cache=cache), partial(condense, cache=cache))
+    with limited_to(placement.jobs):
+        engine = placement.engine(prepared.plan)
+        table = run(prepared, output, work, engine, retry_failed=retry_failed, tell=tell)
+    if prepared.study.drawn and not prepared.part:
+        table = add_scatter(prepared, table, folder)
+    if cache is not None and prepared.part is None:
         _without_rings(Path(cache))
     return table
 

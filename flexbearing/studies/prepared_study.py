@@ -64,7 +64,7 @@ class Progress:
 
 
 @dataclass(frozen=True)
-class Prepared:
+class PreparedStudy:
     """A study whose variants and columns are settled."""
 
     study: Study
@@ -74,7 +74,7 @@ class Prepared:
     life_errors: tuple[str, ...] = ()  # estimated ones of the lives that a duty cycle cumulates
     part: Part | None = None  # of the study, whose variants these are
 
-    def of_part(self, part: Part) -> "Prepared":
+    def of_part(self, part: Part) -> "PreparedStudy":
         """A part of the study: a part of its variants."""
         variants = part.variants(self.plan.tasks(lambda variant: True))
         return replace(self, plan=replace(self.plan, variants=variants), part=part)

@@ -15,7 +15,7 @@ from flexbearing.studies.engine import Done, Engine, completed, finished
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan import Condensed, Corners, Ring, Row, Task
 from flexbearing.studies.plan.task import NOT_STORED, involves
-from flexbearing.studies.prepared_study import Prepared, Progress
+from flexbearing.studies.prepared_study import PreparedStudy, Progress
 from flexbearing.studies.table import Table, journal
 from flexbearing.studies.table.files import PICTURE, store
 from flexbearing.studies.table.plot import draw
@@ -33,7 +33,7 @@ class Work:
 
 
 def run(
-    settled: Prepared,
+    prepared: PreparedStudy,
     output: Path,
     work: Work,
     engine: Callable[[int], Engine],
@@ -51,33 +51,33 @@ def run(
         when there is no room left; what is finished stays
     """
     folder = require_folder(output)
-    path, *_ = require_outputs(settled.destinations(folder), settled.study.inputs)
+    path, *_ = require_outputs(prepared.destinations(folder), prepared.study.inputs)
     rows: dict[str, Row] = {}
     try:
-        with journal.opened(path, settled.texts) as kept:
+        with journal.opened(path, prepared.texts) as kept:
             suspects = journal.begun(path)
-            rows |= settled.rows(folder, retry_failed=retry_failed)
-            tell(settled.progress(rows))
+            rows |= prepared.rows(folder, retry_failed=retry_failed)
+            tell(prepared.progress(rows))
             complaints = compute_missing(
-                settled, rows, work, partial(guarded, engine, kept, suspects), kept, tell
+                prepared, rows, work, partial(guarded, engine, kept, suspects), kept, tell
             )
     except BaseException as problem:
         if rows:
-            done = settled.progress(rows)
+            done = prepared.progress(rows)
             problem.add_note(
                 f"{done.done} of {done.total} variants are kept, the same study goes on from there"
             )
-            if not settled.part:
+            if not prepared.part:
                 with suppress(NotStored):
-                    store(settled.table(rows), folder)
+                    store(prepared.table(rows), folder)
         raise
-    table = replace(settled.table(rows), complaints=complaints)
-    if settled.part:
+    table = replace(prepared.table(rows), complaints=complaints)
+    if prepared.part:
         return table
     store(table, folder)
-    if settled.plot:
-        picture = folder / f"{settled.study.name}{PICTURE}"
-        write(picture.resolve(), picture_bytes(draw(table, settled.plot)))
+    if prepared.plot:
+        picture = folder / f"{prepared.study.name}{PICTURE}"
+        write(picture.resolve(), picture_bytes(draw(table, prepared.plot)))
     return table
 
 
@@ -100,7 +100,7 @@ def _condensed(calls: Iterable[Ring | Corners], work: Work, started: Engine) -> 
 
 
 def compute_missing(
-    settled: Prepared,
+    prepared: PreparedStudy,
     rows: dict[str, Row],
     work: Work,
     engine: Callable[[int], Engine],
@@ -114,12 +114,12 @@ def compute_missing(
     NotStored
         when there is no room left; what is finished stays
     """
-    tasks = settled.plan.tasks(lambda variant: variant.identity not in rows)
-    rings = settled.plan.rings(lambda variant: variant.identity not in rows and not variant.levels)
-    first = (*rings, *settled.plan.choices(lambda variant: variant.identity not in rows))
+    tasks = prepared.plan.tasks(lambda variant: variant.identity not in rows)
+    rings = prepared.plan.rings(lambda variant: variant.identity not in rows and not variant.levels)
+    first = (*rings, *prepared.plan.choices(lambda variant: variant.identity not in rows))
     if not tasks:
         return ()
-    started, progress = engine(len(tasks)), settled.progress(rows)
+    started, progress = engine(len(tasks)), prepared.progress(rows)
     try:
         levels: dict[str, Any] = {}
         for number, done in enumerate(_condensed(first, work, started), 1):
@@ -128,7 +128,7 @@ def compute_missing(
             progress = replace(progress.heard(ended.complaints), rings=(number, len(first)))
             tell(progress)
         tasks = [replace(task, levels=levels.get(task.variants[0].levels)) for task in tasks]
-        began, rows_of = perf_counter(), Counter(variant.identity for variant in settled.plan.variants)
+        began, rows_of = perf_counter(), Counter(variant.identity for variant in prepared.plan.variants)
         for end in finished(tasks, work.rows, started):
             end = replace(end, rows=tuple(row for row in end.rows if row.identity not in rows))
             stored = [row for row in end.rows if row.status != NOT_STORED]

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from flexbearing.files import write
 from flexbearing.report.picture import picture_bytes
 from flexbearing.studies.first_order import first_order
-from flexbearing.studies.prepared_study import Prepared
+from flexbearing.studies.prepared_study import PreparedStudy
 from flexbearing.studies.table import Column, Table
 from flexbearing.studies.table.files import SCATTER_PICTURE, store
 from flexbearing.studies.table.scatter import Scatter
@@ -18,7 +18,7 @@ from flexbearing.studies.table.scatter import Scatter
 APART = ("status", "message", "seconds", "result")  # columns that are no outputs
 
 
-def told_of_scatter(settled: Prepared, table: Table, folder: Path) -> Table:
+def add_scatter(prepared: PreparedStudy, table: Table, folder: Path) -> Table:
     """Add to a table what its rows tell of the scatter of the outputs, and write that.
 
     Raises
@@ -26,10 +26,10 @@ def told_of_scatter(settled: Prepared, table: Table, folder: Path) -> Table:
     NotStored
         where a file cannot be written
     """
-    assert settled.study.drawn  # of no other study is it asked
-    prediction = first_order(settled)
+    assert prepared.study.drawn  # of no other study is it asked
+    prediction = first_order(prepared)
     outputs = _outputs(table.cycles or table)
-    scatter = Scatter(table.name, settled.study.drawn, _drawn(settled), outputs, prediction.outputs)
+    scatter = Scatter(table.name, prepared.study.drawn, _drawn(prepared), outputs, prediction.outputs)
     tables = scatter.tables()
     for each in tables:
         store(each, folder)
@@ -53,11 +53,11 @@ def _outputs(table: Table) -> tuple[Column, ...]:
     )
 
 
-def _drawn(settled: Prepared) -> NDArray:
+def _drawn(prepared: PreparedStudy) -> NDArray:
     """Drawn values (rows, D) in SI units; with a duty cycle a row for each of its bearings."""
-    plan, drawn = settled.plan, settled.study.drawn
+    plan, drawn = prepared.plan, prepared.study.drawn
     assert drawn
-    length = len(plan.axes[-1].rows) if settled.study.spectrum else 1
+    length = len(plan.axes[-1].rows) if prepared.study.spectrum else 1
     columns = [plan.base.keys.index(factor.key) for factor in drawn.factors]
     lists = [factor.listed for factor in drawn.factors]
     return np.array([

@@ -67,12 +67,12 @@ def study(  # noqa: PLR0913  # an argument for each option
     """
     from flexbearing.program.threads import limited_to
     from flexbearing.studies.placement import Placement
-    from flexbearing.studies.prepare import compute, prepared
+    from flexbearing.studies.prepare import compute, prepare_source
 
-    where = Placement(jobs, scheduler, None if slurm is None else Path(slurm), tuple(map(Path, tls)))
+    placement = Placement(jobs, scheduler, None if slurm is None else Path(slurm), tuple(map(Path, tls)))
     with limited_to(jobs):
-        settled = prepared(source, case=_case(source))
-    return compute(settled, Path(output), where, retry_failed=retry_failed, tell=tell)
+        prepared = prepare_source(source, case=_case(source))
+    return compute(prepared, Path(output), placement, retry_failed=retry_failed, tell=tell)
 
 
 def _case(source: "Source") -> "Head | None":

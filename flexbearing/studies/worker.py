@@ -49,7 +49,7 @@ class RowRequest:
     levels: Levels | None = None  # that variants with accuracy.target share
 
 
-def rows(task: Task, wish: RowRequest, cache: str | None = None) -> tuple[Row, ...]:
+def rows(task: Task, request: RowRequest, cache: str | None = None) -> tuple[Row, ...]:
     """Compute the variants of a task."""
     keep_freed()
     read = variants_of(task.base)
@@ -57,9 +57,9 @@ def rows(task: Task, wish: RowRequest, cache: str | None = None) -> tuple[Row, .
     both = zip(task.variants, known, strict=True)
     cases = [without_factor(case) if variant.thin else case for variant, case in both]
     levels = UsualLevels(task.levels) if isinstance(task.levels, str) else task.levels
-    wish = replace(wish, levels=levels)
+    request = replace(request, levels=levels)
     with rings_in(cache), complaints() as heard:
-        ended = tuple(_rows(list(zip(task.variants, cases, strict=True)), wish))
+        ended = tuple(_rows(list(zip(task.variants, cases, strict=True)), request))
     once = tuple(dict.fromkeys(heard))
     return tuple(replace(row, complaints=once) for row in ended) if once else ended
 
@@ -119,47 +119,47 @@ def rings_in(folder: str | None) -> Iterator[None]:
             os.environ |= {} if before is None else {VARIABLE: before}
 
 
-def _rows(found: Sequence[tuple[Variant, Head]], wish: RowRequest) -> Iterator[Row]:
+def _rows(found: Sequence[tuple[Variant, Head]], request: RowRequest) -> Iterator[Row]:
     """Rows of variants as their family answers many; from runs where each stores its result.
 
     A result file that cannot be written is the last row.
     """
     began, cases = perf_counter(), [case for _, case in found]
     family = FAMILIES[cases[0].kind]
-    if wish.files is not None or family.rows is None:
+    if request.files is not None or family.rows is None:
         for variant, case in found:
-            row = _alone(variant, case, wish)
+            row = _alone(variant, case, request)
             yield row
             if row.status == NOT_STORED:
                 return
         return
     answered = family.rows()(
         cases,
-        wish.texts,
-        lambda place: _answer(cases[place], wish),
-        search=wish.search,
-        levels=wish.levels,
+        request.texts,
+        lambda place: _answer(cases[place], request),
+        search=request.search,
+        levels=request.levels,
     )
     seconds = (perf_counter() - began) / len(found)
     for (variant, case), answer in zip(found, answered, strict=True):
-        yield _row(variant, case, answer, seconds, wish)
+        yield _row(variant, case, answer, seconds, request)
 
 
-def _alone(variant: Variant, case: Head, wish: RowRequest) -> Row:
+def _alone(variant: Variant, case: Head, request: RowRequest) -> Row:
     """Row from a run of its own."""
     began = perf_counter()
-    file = None if wish.files is None else wish.files / file_name(variant, final=wish.final)
-    answer = _answer(case, wish, file)
-    return _row(variant, case, answer, perf_counter() - began, wish)
+    file = None if request.files is None else request.files / file_name(variant, final=request.final)
+    answer = _answer(case, request, file)
+    return _row(variant, case, answer, perf_counter() - began, request)
 
 
-def _row(variant: Variant, case: Head, answer: Answer, seconds: float, wish: RowRequest) -> Row:
+def _row(variant: Variant, case: Head, answer: Answer, seconds: float, request: RowRequest) -> Row:
     words = excerpt("; ".join(answer.message.splitlines()), LONGEST)
     values = {text: number for text, number in answer.numbers.items() if not isnan(number)}
-    if wish.levels is not None and answer.status == CONVERGED:
-        values |= errors(wish.levels.estimate, wish.texts, case.kind, FAMILIES)
+    if request.levels is not None and answer.status == CONVERGED:
+        values |= errors(request.levels.estimate, request.texts, case.kind, FAMILIES)
     row = Row(variant.identity, answer.status, words, round(seconds, 6), values, own_run=answer.own_run)
-    if wish.cycle and MODIFIED in wish.texts and MODIFIED not in values:
+    if request.cycle and MODIFIED in request.texts and MODIFIED not in values:
         row = _by_ratings(row, case)
     if variant.thin:
         words = "; ".join(filter(None, (variant.thin, row.message)))
@@ -181,13 +181,13 @@ def _by_ratings(row: Row, case: Any) -> Row:
     return replace(row, status=status, message=words, values={**row.values, MODIFIED: life / MREV})
 
 
-def _answer(case: Head, wish: RowRequest, file: Path | None = None) -> Answer:
+def _answer(case: Head, request: RowRequest, file: Path | None = None) -> Answer:
     """The answer of a run; that between rigid raceways where it does not converge."""
     try:
-        output = None if wish.final else file
-        others = "searched" if wish.search else "reported"
-        result = compute(case, output=output, levels=wish.levels, others=others)
-        if file is not None and wish.final:
+        output = None if request.final else file
+        others = "searched" if request.search else "reported"
+        result = compute(case, output=output, levels=request.levels, others=others)
+        if file is not None and request.final:
             store(result.end_states, file, case.input_files)
     except BadCase as problem:
         return Answer(BAD_INPUT, str(problem), {})
@@ -201,6 +201,6 @@ def _answer(case: Head, wish: RowRequest, file: Path | None = None) -> Answer:
     blocks: Mapping[str, Any] = {"rigid": result.rigid, "flexible": result.flexible}
     if status == CONVERGED:
         words = message(Note(**note) for note in result.attributes["notes"])
-        return Answer(status, words, numbers(blocks, wish.texts, case.kind, FAMILIES))
-    of_rigid = tuple(text for text in wish.texts if text.startswith("rigid."))
+        return Answer(status, words, numbers(blocks, request.texts, case.kind, FAMILIES))
+    of_rigid = tuple(text for text in request.texts if text.startswith("rigid."))
     return Answer(status, result.attributes["message"], numbers(blocks, of_rigid, case.kind, FAMILIES))

@@ -8,7 +8,7 @@ from pytest import approx
 import flexbearing
 from flexbearing.api import read_case
 from flexbearing.families import FAMILIES
-from flexbearing.outputs import outputs, wanted
+from flexbearing.outputs import outputs, requested
 from flexbearing.runs import ball_life
 from quasidynamic import AngularContactBallBearing, ImpossiblePart
 
@@ -36,7 +36,7 @@ def test_every_output_of_a_row_is_that_of_its_run(name, changes):
         assert row.status == run.attributes["status"]
         assert bool(run.dangers) == (case.operation.load.axial == 5e5)
         assert row.message == "; ".join(f"danger: {note['text']}" for note in run.dangers)
-        expected = [wanted(layout, text).number({"rigid": run.rigid}) for text in texts]
+        expected = [requested(layout, text).number({"rigid": run.rigid}) for text in texts]
         found = [row.numbers[text] for text in texts]
         assert found == approx(expected, rel=1e-9, abs=1e-6, nan_ok=True)
 

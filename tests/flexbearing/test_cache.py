@@ -272,7 +272,7 @@ def test_what_a_killed_process_left_is_removed_after_an_hour(cache, notes, monke
 
     with monkeypatch.context() as patch:
         patch.setattr(Path, "replace", killed)
-        patch.setattr("flexbearing.files.whole._remove", lambda part: None)
+        patch.setattr("flexbearing.files.atomic._remove", lambda part: None)
         for name in ("old", "new"):
             cache.cached(RACEWAY, name, Counted(), notes.append)
     old, new = cache.folder.iterdir()

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from flexbearing.files import BadOutput, NotStored, lock, parts_of, require_folder, require_output, write
-from flexbearing.files.whole import host, part_name
+from flexbearing.files.atomic import host, part_name
 from flexbearing.printable import all_printable, printable
 
 

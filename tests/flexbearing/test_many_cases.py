@@ -8,7 +8,7 @@ from pytest import approx
 
 import flexbearing
 from flexbearing.api import read_case
-from flexbearing.outputs import outputs, wanted
+from flexbearing.outputs import outputs, requested
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs.answer import Answer, message
 from flexbearing.runs.rows import answers
@@ -51,7 +51,7 @@ def single(case, texts, others="searched"):
     """The answer of a run."""
     result = flexbearing.api.compute(case, others=others)
     blocks = {"rigid": result.rigid, "flexible": result.flexible}
-    numbers = {text: wanted(LAYOUT, text).number(blocks) for text in texts}
+    numbers = {text: requested(LAYOUT, text).number(blocks) for text in texts}
     notes = message(Note(**note) for note in result.attributes["notes"])
     return Answer(result.attributes["status"], notes, numbers)
 

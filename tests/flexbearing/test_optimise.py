@@ -30,7 +30,7 @@ from flexbearing.optimise.schema import Search
 from flexbearing.optimise.search import End, ScaledProblem, search
 from flexbearing.optimise.variables import Variable
 from flexbearing.optimise.worker import BY, slope_name
-from flexbearing.outputs import wanted
+from flexbearing.outputs import requested
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs import life
 from flexbearing.studies.engine.serial import Serial
@@ -400,5 +400,5 @@ def test_the_case_is_compared_under_the_operation_of_the_designs(tmp_path):
     optimum, _ = found_of(tmp_path)
     alike = flexbearing.run(CASE, ["operation.radial_load=9 kN", "operation.misalignment=3 arcmin"])
     assert optimum.case.objective == pytest.approx(
-        wanted(LAYOUT, "life_L10 [h]").number({"rigid": alike.rigid})
+        requested(LAYOUT, "life_L10 [h]").number({"rigid": alike.rigid})
     )

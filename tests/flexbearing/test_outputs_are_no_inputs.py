@@ -13,7 +13,7 @@ import flexbearing
 from flexbearing import __main__ as program
 from flexbearing.cli import application
 from flexbearing.studies.plan.task import file_name
-from flexbearing.studies.prepare import prepared
+from flexbearing.studies.prepare import prepare_source
 from tests.flexbearing.test_bearing_for_ross import table
 from tests.flexbearing.test_contact_pictures import B1, FEW
 
@@ -209,7 +209,9 @@ def refused(monkeypatch, capsys):
 def test_no_output_leads_to_an_input(folder, tmp_path, monkeypatch, refused, words, output, given, link):
     monkeypatch.chdir(folder)
     if "IDENTITY" in output:
-        output = output.replace("IDENTITY", file_name(prepared("study.toml").plan.variants[0], final=False))
+        output = output.replace(
+            "IDENTITY", file_name(prepare_source("study.toml").plan.variants[0], final=False)
+        )
     place = (folder if output.startswith("results/") else tmp_path) / output
     place.parent.mkdir(exist_ok=True)
     link(place, folder / given)

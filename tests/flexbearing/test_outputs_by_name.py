@@ -10,7 +10,7 @@ from pytest import approx
 
 import flexbearing
 from flexbearing.families import FAMILIES
-from flexbearing.outputs import AbsentOutput, UnknownOutput, Value, WrongUnit, outputs, wanted
+from flexbearing.outputs import AbsentOutput, UnknownOutput, Value, WrongUnit, outputs, requested
 from flexbearing.units import unit
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -88,7 +88,7 @@ def test_every_scalar_of_the_summary_has_its_name(result):
                 expected = expected[output.place[-1]]
             if expected is not None:
                 compared += 1
-                found = wanted(layout, f"{block}.{output.name}").number(blocks)
+                found = requested(layout, f"{block}.{output.name}").number(blocks)
                 assert found == approx(expected, rel=1e-14, abs=0), output.name
     assert compared > 25
 
@@ -124,7 +124,7 @@ def test_lives_are_revolutions_and_hours_at_the_speed_of_the_case(rollers):
 
 def test_a_bearing_at_rest_lives_for_ever():
     blocks = {"flexible": {"life_L10": np.array(1e6), "relative_speed": np.array(0.0)}}
-    assert wanted(ROLLERS, "life_L10 [h]").number(blocks) == math.inf
+    assert requested(ROLLERS, "life_L10 [h]").number(blocks) == math.inf
 
 
 @pytest.mark.parametrize(
@@ -140,7 +140,7 @@ def test_a_bearing_at_rest_lives_for_ever():
 )
 def test_unknown_names_are_told_with_the_nearest(text, words):
     with pytest.raises(UnknownOutput, match=words):
-        wanted(ROLLERS, text)
+        requested(ROLLERS, text)
 
 
 @pytest.mark.parametrize(
@@ -159,12 +159,12 @@ def test_unknown_names_are_told_with_the_nearest(text, words):
 )
 def test_wrong_units_are_told_with_those_that_are_allowed(text, words):
     with pytest.raises(WrongUnit, match=words):
-        wanted(ROLLERS, text)
+        requested(ROLLERS, text)
 
 
 def test_absent_outputs_are_no_numbers_and_told_why(rollers):
-    assert math.isnan(wanted(ROLLERS, "skew.max_skew").number({"rigid": rollers.rigid}))
-    assert math.isnan(wanted(ROLLERS, "flexible.life_L10 [h]").number({"rigid": rollers.rigid}))
+    assert math.isnan(requested(ROLLERS, "skew.max_skew").number({"rigid": rollers.rigid}))
+    assert math.isnan(requested(ROLLERS, "flexible.life_L10 [h]").number({"rigid": rollers.rigid}))
     with pytest.raises(AbsentOutput, match=r"skew\.max_skew: the case does not give roller_skew"):
         rollers["skew.max_skew"]
     balls = flexbearing.run(CONFIGS / "rivera2021_7008.toml")

@@ -16,7 +16,7 @@ from flexbearing import read
 from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, NotStored
-from flexbearing.files.whole import host
+from flexbearing.files.atomic import host
 from flexbearing.quantities.attributes import FORMAT
 from flexbearing.quantities.layout import FIXED
 from flexbearing.quantities.roller import LAYOUT

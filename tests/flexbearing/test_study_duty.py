@@ -12,7 +12,7 @@ import flexbearing
 from flexbearing.case import BadCase
 from flexbearing.studies.file.spectrum import Spectrum
 from flexbearing.studies.plan import Row
-from flexbearing.studies.prepare import prepared
+from flexbearing.studies.prepare import prepare_source
 from flexbearing.studies.table.bounds import Conditions
 from flexbearing.studies.table.duty import Cycles, texts
 from flexbearing.studies.thin_oil import LEAST_FACTOR
@@ -216,7 +216,7 @@ def test_bearings_without_a_life_have_no_duty_cycle(tmp_path):
     file = tmp_path / "cycle.toml"
     file.write_text(f'case = "{case}"\n[duty]\ntime = [1, 1]\n"operation.speed" = ["50 rpm", "60 rpm"]')
     with pytest.raises(BadCase, match=r"cycle\.toml: \[duty\] .*life_L10 .*: no output has this name"):
-        prepared(file)
+        prepare_source(file)
 
 
 def test_lives_of_the_raceways_make_that_of_the_bearing():
@@ -282,13 +282,13 @@ def test_a_preloaded_bearing_without_load_is_computed(tmp_path):
         tmp_path,
         '[duty]\ntime = [1, 1]\n"operation.radial_load" = ["5 kN", "0 N"]\n"bearing.clearance" = "-20 um"\n',
     )
-    assert [variant.idle for variant in prepared(file).plan.variants] == [None, None]
+    assert [variant.idle for variant in prepare_source(file).plan.variants] == [None, None]
 
 
 def test_a_row_at_rest_has_no_share_of_the_revolutions(tmp_path):
     file = duty_of(tmp_path, (8000, 8000), (3000, 0), measure="revolutions")
     with pytest.raises(BadCase, match=r"\[duty\] row 2 is at standstill"):
-        prepared(file)
+        prepare_source(file)
 
 
 @pytest.mark.slow
@@ -360,7 +360,7 @@ def series_of(
 def test_a_time_series_is_sorted_into_bins_by_load_speed_and_direction(tmp_path):
     """Rows begin at 0, 1, 3, 6 and 10 s; the last one lasts as long as the one before."""
     lines = ["0,5000,3000", "1,5100,3000", "3,0,3000", "6,5000,-3000", "10,5000,0"]
-    study = prepared(series_of(tmp_path, lines, "bins = 3")).study
+    study = prepare_source(series_of(tmp_path, lines, "bins = 3")).study
     found = sorted(zip(study.axes[0].rows, study.spectrum.shares, strict=True), key=str)
     speeds = [float(speed.split()[0]) * 30 / pi for (_, speed), _ in found]
     loads = [float(load.split()[0]) for (load, _), _ in found]
@@ -382,7 +382,7 @@ def random_series(folder, rows, *further):
 
 def test_bins_have_the_damage_and_the_revolutions_of_their_rows(tmp_path):
     file, loads, speeds = random_series(tmp_path, 2000, "bins = 12")
-    study = prepared(file).study
+    study = prepare_source(file).study
     shares = np.array(study.spectrum.shares)
     of_bins = np.array([[float(text.split()[0]) for text in row] for row in study.axes[0].rows]).T
     turned, of_rows = shares * np.abs(of_bins[1]), np.abs(speeds) * pi / 30 / len(speeds)
@@ -418,10 +418,10 @@ WRONG_SERIES = {
 @pytest.mark.parametrize(("words", "lines"), WRONG_SERIES.items())
 def test_what_is_wrong_with_a_series_is_told(tmp_path, words, lines):
     with pytest.raises(BadCase, match=words):
-        prepared(series_of(tmp_path, lines))
+        prepare_source(series_of(tmp_path, lines))
 
 
 @pytest.mark.parametrize("given", ["20000", "20000 kN", "-1 h", "long"])
 def test_a_required_life_is_a_time(tmp_path, given):
     with pytest.raises(BadCase, match="required_life has"):
-        prepared(duty_of(tmp_path, (8000, 1000), (3000, 3000), f'required_life = "{given}"'))
+        prepare_source(duty_of(tmp_path, (8000, 1000), (3000, 3000), f'required_life = "{given}"'))

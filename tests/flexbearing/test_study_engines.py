@@ -18,7 +18,7 @@ from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.placement import Placement, expected
 from flexbearing.studies.plan import Ring
 from flexbearing.studies.plan.task import Base, Variant, involves
-from flexbearing.studies.prepare import prepared
+from flexbearing.studies.prepare import prepare_source
 from flexbearing.studies.run import Work, run
 from tests.flexbearing import toy_studies
 from tests.flexbearing.toy_studies import cubes, no_ring, toy
@@ -63,7 +63,7 @@ def test_variants_that_need_runs_of_their_own_are_expected_to_take_longer(first,
     loads = '"operation.radial_load" = "2 kN .. 41 kN, 400"'
     file = tmp_path / "alone.toml"
     file.write_text(f'case = "{toy_studies.CASE}"\n{first}\n[over]\n{loads}\n{over}\n')
-    assert expected(prepared(file).plan) > 5 * expected(toy(tmp_path, loads).plan)
+    assert expected(prepare_source(file).plan) > 5 * expected(toy(tmp_path, loads).plan)
 
 
 def test_schedulers_and_queues_without_dask_say_what_to_install(tmp_path, monkeypatch):

@@ -15,7 +15,7 @@ from flexbearing.studies.plan import plan
 from flexbearing.studies.plan.identity import identity
 from flexbearing.studies.plan.plan import MOST_PROBLEMS
 from flexbearing.studies.plan.task import Base, Variant
-from flexbearing.studies.prepare import prepared
+from flexbearing.studies.prepare import prepare_source
 from tests.flexbearing.toy_studies import CASE, toy
 
 pytestmark = pytest.mark.usefixtures("two_cores")
@@ -103,7 +103,7 @@ def test_what_physics_forbids_is_told_as_well(tmp_path):
     file.write_text(
         f'case = "{CONFIGS / "mao2016.toml"}"\n[over]\n"inner.shaft_thickness" = ["4 mm", "29.9 mm"]'
     )
-    assert [problem.number for problem in prepared(file).plan.problems] == [1]
+    assert [problem.number for problem in prepare_source(file).plan.problems] == [1]
 
 
 def planned(variants):
@@ -142,7 +142,7 @@ def test_the_plan_names_the_rings_that_are_condensed(tmp_path):
         f'case = "{CONFIGS / "mao2016.toml"}"\n[over]\n"outer.thickness" = ["3 mm", "4 mm"]\n'
         '"operation.radial_load" = ["1 kN", "2 kN", "3 kN"]'
     )
-    settled = prepared(file)
+    settled = prepare_source(file)
     assert len(settled.plan.rings()) == 3  # two outer ones and an inner one
     assert [len(task.variants) for task in settled.plan.tasks(lambda variant: True)] == [1] * 6
     again = replace(settled.plan, variants=tuple(replace(each, rings=()) for each in settled.plan.variants))
@@ -179,7 +179,7 @@ def test_a_plan_by_several_processes_is_that_by_one(tmp_path, monkeypatch):
     plans = []
     for processes in ("1", "2"):
         monkeypatch.setenv("FLEXBEARING_THREADS", processes)
-        plans.append(prepared(file).plan)
+        plans.append(prepare_source(file).plan)
     assert plans[0].variants[:] == plans[1].variants[:]
     assert plans[0].problems == plans[1].problems
     assert [problem.number for problem in plans[1].problems] == list(range(2, 90, 3))

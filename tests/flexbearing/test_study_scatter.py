@@ -17,7 +17,7 @@ from flexbearing.sampling.distribution import normal, uniform
 from flexbearing.sampling.linear import Linear
 from flexbearing.studies import messages
 from flexbearing.studies.file.sampled import Drawn, Factor
-from flexbearing.studies.prepare import compute, prepared
+from flexbearing.studies.prepare import compute, prepare_source
 from flexbearing.studies.table import Column
 from flexbearing.studies.table.scatter import Scatter
 from tests.flexbearing.hostile_cases import CONFIGS
@@ -50,7 +50,7 @@ def study(tmp_path_factory):
     rollers = read_case(CONFIGS / "nu209.toml").bearing.rollers
     file = folder / "study.toml"
     file.write_text(STUDY.replace("ROLLERS", str(rollers)), "utf-8")
-    settled = prepared(file)
+    settled = prepare_source(file)
     return folder, settled, compute(settled, folder / "whole")
 
 

@@ -10,7 +10,7 @@ from pytest import approx
 import flexbearing
 from flexbearing.studies import messages, worker
 from flexbearing.studies.plan.corners import extremes
-from flexbearing.studies.prepare import prepared
+from flexbearing.studies.prepare import prepare_source
 from flexbearing.studies.table import journal
 
 pytestmark = pytest.mark.usefixtures("two_cores")
@@ -101,7 +101,7 @@ def test_the_error_of_the_life_is_the_estimate_of_the_target_alone(tmp_path):
 
 
 def test_without_a_target_there_are_no_columns_of_errors(tmp_path):
-    assert not any(column.error for column in prepared(study(tmp_path, THIN + LOADS)).columns)
+    assert not any(column.error for column in prepare_source(study(tmp_path, THIN + LOADS)).columns)
 
 
 @pytest.mark.slow
@@ -190,7 +190,7 @@ def test_without_an_answer_the_usual_levels_are_used_and_told(tmp_path, monkeypa
 
 
 def plan_of(folder, over):
-    return prepared(study(folder, over)).plan
+    return prepare_source(study(folder, over)).plan
 
 
 def test_the_choice_depends_on_the_variants_and_not_on_their_order(tmp_path):

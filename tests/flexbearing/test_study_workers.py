@@ -15,7 +15,7 @@ from flexbearing.program.processes import Processes
 from flexbearing.program.threads import cores
 from flexbearing.studies import worker
 from flexbearing.studies.engine.serial import Serial
-from flexbearing.studies.prepare import prepared
+from flexbearing.studies.prepare import prepare_source
 from flexbearing.studies.run import Work, run
 from tests.cold_oil import RIGID, cold_case, settings
 from tests.flexbearing import toy_studies
@@ -53,7 +53,7 @@ def rings(monkeypatch, tmp_path):
 def study(folder, case, text):
     file = folder / "study.toml"
     file.write_text(f'case = "{case}"\n{text}')
-    return prepared(file)
+    return prepare_source(file)
 
 
 def held():
@@ -116,9 +116,9 @@ def test_one_job_is_one_core_however_many_there_are(rings, monkeypatch, tmp_path
     monkeypatch.delenv("SLURM_CPUS_PER_TASK", raising=False)
     seen = []
 
-    def rows(task, wish, cache):
+    def rows(task, request, cache):
         seen.append(cores())
-        return toy_studies.lives(task, wish.texts)
+        return toy_studies.lives(task, request.texts)
 
     monkeypatch.setattr(worker, "rows", rows)
     file = tmp_path / "one.toml"
@@ -138,8 +138,8 @@ def test_a_row_alone_says_what_it_says_in_a_batch(alone, tmp_path):
     pressed = study(tmp_path, CASE, f'[over]\n{loads}"operation.misalignment" = "3 arcmin"\n')
     words = []
     for settled in (several, pressed):
-        wish = worker.RowRequest(("life_L10 [h]",), files=tmp_path if alone else None, final=alone)
+        request = worker.RowRequest(("life_L10 [h]",), files=tmp_path if alone else None, final=alone)
         tasks = settled.plan.tasks(lambda variant: True)
-        words += [row.message for task in tasks for row in worker.rows(task, wish)]
+        words += [row.message for task in tasks for row in worker.rows(task, request)]
     assert words[0] == "danger: several equilibria are likely; others than the computed one were not searched"
     assert all(each.startswith("outside validity: error of the peak pressure") for each in words[1:])

@@ -14,7 +14,7 @@ from flexbearing.optimise.run import optimise
 from flexbearing.optimise.schema import OptimisationFile
 from flexbearing.studies.file.schema import StudyFile
 from flexbearing.studies.file.slurm_profile import SlurmProfile, profile
-from flexbearing.studies.prepare import prepared
+from flexbearing.studies.prepare import prepare_source
 from tests.flexbearing.toy_studies import CASE
 
 LONGEST = 900  # characters of a line: 500 of what is wrong with a variant, and its settings
@@ -109,7 +109,7 @@ def wrong(take, file, tables, places) -> list[str]:
 
 
 def checked(file):
-    prepared(file).plan.require_sound()
+    prepare_source(file).plan.require_sound()
 
 
 def searched(file):
@@ -171,7 +171,7 @@ def test_names_that_no_output_has_are_refused_before_the_first_variant(tmp_path,
     file.write_text(f'case = "{CASE}"\n{written(STUDIES[0])}\n'.replace("life_L10 [h]", "no_such_output"))
     monkeypatch.setattr("flexbearing.studies.prepare.plan", None)
     with pytest.raises(BadCase, match=r"\[collect\] life: 'no_such_output': no output has this name"):
-        prepared(file)
+        prepare_source(file)
 
 
 @pytest.mark.parametrize("place", [".", "..", "/", ""])

@@ -9,7 +9,7 @@ import numpy as np
 
 from flexbearing.studies.pareto import NAMES, Timed
 from flexbearing.studies.plan import Row
-from flexbearing.studies.prepare import prepared
+from flexbearing.studies.prepare import prepare_source
 
 CASE = Path(__file__).parents[2] / "configs" / "nu209.toml"
 COLLECT = '[collect]\nlife = "life_L10 [Mrev]"\nslip = "cage_slip"'
@@ -20,7 +20,7 @@ def toy(folder, over='"operation.radial_load" = "1 kN .. 10 kN, 10"', name="toy"
     """A study file in a folder, and what follows from it."""
     file = folder / f"{name}.toml"
     file.write_text(f'case = "{CASE}"\n[over]\n{over}\n{collect}\n')
-    return prepared(file)
+    return prepare_source(file)
 
 
 def load(value):

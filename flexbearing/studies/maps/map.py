@@ -16,12 +16,12 @@ from flexbearing.report.picture import FORMATS, Format, picture_bytes
 from flexbearing.runs.run_case import stem_of_outputs
 from flexbearing.studies.maps import branch, pages
 from flexbearing.studies.maps.axes import FORM, axes
-from flexbearing.studies.maps.solved import OUTPUTS, solved_map
+from flexbearing.studies.maps.solution import OUTPUTS, solved_map
 from flexbearing.studies.table.forms import csv_bytes, missing, netcdf_bytes
 
 if TYPE_CHECKING:
     from flexbearing.studies.maps.branch import FollowedMap
-    from flexbearing.studies.maps.solved import SolvedMap
+    from flexbearing.studies.maps.solution import SolvedMap
 
 POINT, SIZE = 1.5e-3, 4e-3  # [s] of a processor, [MB] for a point
 

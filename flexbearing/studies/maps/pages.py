@@ -15,7 +15,7 @@ from flexbearing.report.html.map import MapPlane, of_map
 from flexbearing.report.studies.map_figure import Contours
 from flexbearing.studies.file import Axis
 from flexbearing.studies.maps.axes import MapAxis
-from flexbearing.studies.maps.solved import SolvedMap
+from flexbearing.studies.maps.solution import SolvedMap
 from flexbearing.studies.table import Table
 from flexbearing.studies.table.column import Column
 from quasidynamic.contact.film.roughness import MIXED_FROM

@@ -8,7 +8,7 @@ from math import isnan, nan
 
 from flexbearing.case import BadCase
 from flexbearing.case.family import Families
-from flexbearing.outputs import RequestedOutput, UnknownOutput, WrongUnit, of_rollers, outputs, wanted
+from flexbearing.outputs import RequestedOutput, UnknownOutput, WrongUnit, of_rollers, outputs, requested
 from flexbearing.outputs.names import BLOCKS, Block
 from flexbearing.outputs.value import conversion, quoted
 from flexbearing.quantities.layout import Layout
@@ -67,7 +67,7 @@ def collected(study: Study, families: Families, *, elastic: bool, rollers: int =
     if study.collect is None:
         blocks = [f"{block}." for block in BLOCKS] if elastic else [""]
         texts = [f"{block}{output.name}" for block in blocks for output in outputs(layout)]
-        return tuple(of_output(text, wanted(layout, text)) for text in texts)
+        return tuple(of_output(text, requested(layout, text)) for text in texts)
     columns = []
     for each in study.collect:
         try:
@@ -88,7 +88,7 @@ def require_outputs(study: Study, texts: Iterable[str], table: str, families: Fa
     layout = families[study.kind].layout()
     try:
         for text in texts:
-            wanted(layout, text)
+            requested(layout, text)
     except UnknownOutput as problem:
         raise BadCase(f"{study.path.name}: [{table}] {problem}") from None
 
@@ -112,13 +112,13 @@ def of_text(column: str, text: str, layout: Layout, rollers: int = 0) -> Collect
             raise UnknownOutput(
                 f"{quoted(text)}: a number for every roller needs the same bearing.rollers in all variants."
             )
-        first = of_output(column, wanted(layout, f"{name.strip()}.1 {bracket}{unit}"))
+        first = of_output(column, requested(layout, f"{name.strip()}.1 {bracket}{unit}"))
         return replace(first, text=first.text.replace(".1 ", " ", 1), rollers=rollers)
     quotient = _QUOTIENT.fullmatch(text)
     if quotient is None:
-        return of_output(column, wanted(layout, text))
-    dividend = wanted(layout, quotient["dividend"])
-    divisor = wanted(layout, f"{quotient['divisor']} [{dividend.unit}]")
+        return of_output(column, requested(layout, text))
+    dividend = requested(layout, quotient["dividend"])
+    divisor = requested(layout, f"{quotient['divisor']} [{dividend.unit}]")
     unit = (quotient["unit"] or "1").strip()
     above, below = of_output(column, dividend), of_output(column, divisor)
     return Collected(
@@ -147,7 +147,7 @@ def with_errors(columns: Iterable[Collected], layout: Layout) -> tuple[Collected
     found = []
     for column in columns:
         found.append(column)
-        output = wanted(layout, column.texts[0])
+        output = requested(layout, column.texts[0])
         if output.estimated and not column.over:
             unit = "%" if output.output.declared.error_relative else column.unit
             found.append(Collected(f"{column.column} error", of_error(column.text), unit, error=True))
@@ -156,7 +156,7 @@ def with_errors(columns: Iterable[Collected], layout: Layout) -> tuple[Collected
 
 def estimated(texts: Iterable[str], layout: Layout) -> tuple[str, ...]:
     """Names of the estimated errors of outputs, of those that have one."""
-    return tuple(of_error(text) for text in texts if wanted(layout, text).estimated)
+    return tuple(of_error(text) for text in texts if requested(layout, text).estimated)
 
 
 def errors(
@@ -179,4 +179,4 @@ def of_error(text: str) -> str:
 
 @lru_cache(maxsize=16)
 def _wanted(texts: tuple[str, ...], kind: str, layout) -> tuple[tuple[str, RequestedOutput], ...]:
-    return tuple((text, wanted(layout(), text)) for text in texts)
+    return tuple((text, requested(layout(), text)) for text in texts)

@@ -3,7 +3,7 @@
 from flexbearing.case import BadCase
 from flexbearing.case.declarations import by_path
 from flexbearing.case.family import Families
-from flexbearing.outputs import UnknownOutput, WrongUnit, wanted
+from flexbearing.outputs import UnknownOutput, WrongUnit, requested
 from flexbearing.printable import excerpt
 from flexbearing.studies.file import Study
 from flexbearing.studies.file.values import BadValues
@@ -59,7 +59,7 @@ class _Columns:
         if text in self.columns:
             return text
         try:
-            output = wanted(self._layout, text)
+            output = requested(self._layout, text)
         except (UnknownOutput, WrongUnit) as problem:
             known = ", ".join(self.columns)
             raise BadCase(
@@ -75,8 +75,8 @@ class _Columns:
             output, _, unit = self.columns[name].text.rpartition(".")[2].partition(" ")
             text = f"rigid.{output} {unit}"
             return self._added(f"{name}_rigid", of_text(f"{name}_rigid", text, self._layout, rollers))
-        output = wanted(self._layout, self.columns[name].text)
-        rigid = wanted(self._layout, f"rigid.{output.output.name} [{output.unit}]")
+        output = requested(self._layout, self.columns[name].text)
+        rigid = requested(self._layout, f"rigid.{output.output.name} [{output.unit}]")
         return self._added(f"{name}_rigid", of_output(f"{name}_rigid", rigid))
 
     def _added(self, name: str, column: Collected) -> str:

@@ -27,7 +27,7 @@ class NotAlike(ValueError):
 
 
 def overlaid(under: Any, over: Sequence[tuple[NDArray, Any]]) -> Any:
-    """Nested named tuples of arrays of many cases, those of some cases taken from others, in turn.
+    """Nested named tuples of arrays of many cases, the last of others counts for its cases.
 
     The axis of the cases is that along which both differ in length; arrays of one shape are those of every
     case.

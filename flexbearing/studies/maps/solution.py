@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
-from flexbearing.outputs import UnknownOutput, WrongUnit, wanted
+from flexbearing.outputs import UnknownOutput, WrongUnit, requested
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.program.workers import shared_map
 from flexbearing.progress import Logged, Report
@@ -103,7 +103,7 @@ def solved_map(first: Case, axes: Sequence[MapAxis], texts: Sequence[str], repor
 def _require_outputs(texts: Sequence[str]) -> None:
     for text in texts:
         try:
-            wanted(LAYOUT, text)
+            requested(LAYOUT, text)
         except (UnknownOutput, WrongUnit) as problem:
             raise BadCase(f"--of {problem}") from None
 
@@ -112,7 +112,7 @@ def _outputs(
     whole: MapGrid, solved: SolvedGrid, texts: Sequence[str], mapped: Callable[..., Iterator[Any]]
 ) -> tuple[dict[str, NDArray], NDArray]:
     """Outputs of all states, without those that no state has; errors of the peak pressure of slices."""
-    entries = [wanted(LAYOUT, text) for text in texts]
+    entries = [requested(LAYOUT, text) for text in texts]
     parts = mapped(partial(_numbers, texts), _rows(whole, solved))
     *columns, error = (np.concatenate(column) for column in zip(*parts, strict=True))
     named = (
@@ -123,7 +123,7 @@ def _outputs(
 
 def _numbers(texts: Sequence[str], rows: SolvedRows) -> list[NDArray]:
     """Outputs of some states, and the error of the peak pressure of their slices."""
-    return [*rows.numbers([wanted(LAYOUT, text) for text in texts]), rows.sliced_peak_error]
+    return [*rows.numbers([requested(LAYOUT, text) for text in texts]), rows.sliced_peak_error]
 
 
 def _heading(name: str, unit: str) -> str:
