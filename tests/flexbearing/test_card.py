@@ -98,6 +98,11 @@ def test_verdict_is_that_of_the_report(name, results):
     assert said.startswith(lines["usable"][0].label)
 
 
+def test_what_is_assumed_of_loads_and_speeds_is_marked(results):
+    lines = {line.subject: line.words for line in results("planet").card.lines}
+    assert lines[""].startswith("assumed radial load 10,000 N; assumed outer ring 3,000 rpm; ")
+
+
 @pytest.mark.slow
 def test_what_overlaps_and_peaks_without_their_ends_are_named(results):
     lines = {line.subject: line.words for line in results("mao2016").card.lines}

@@ -30,9 +30,11 @@ def computed(reader: Reader) -> Iterator[Item]:
 def _operation(reader: Reader) -> Iterator[Item]:
     """What is not zero of loads, displacements and speeds."""
     given = dict(flat(reader.attributes["case_si"].get("operation") or {}))
-    for name, label in _OPERATION.items():
+    for name, words in _OPERATION.items():
         value = given.get(name)
         if isinstance(value, int | float) and value:
+            assumed = "assumed" if origin(reader, f"operation.{name}") == "assumed" else ""
+            label = " ".join(filter(None, (assumed, words)))
             yield Item(label, reader.units.of_key(value, _unit(name), f"case/operation.{name}"))
 
 
