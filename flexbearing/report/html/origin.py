@@ -1,9 +1,6 @@
 """What was computed, where, when and with which versions."""
 
-from flexbearing.case import BadCase
-from flexbearing.report.drawing.of_case import drawings as drawn
-from flexbearing.report.html.document import Drawing, Table
-from flexbearing.report.html.keys import name
+from flexbearing.report.html.document import Table
 from flexbearing.report.html.reader import Reader
 from flexbearing.results.content import digest
 from flexbearing.results.write import content_of
@@ -18,15 +15,6 @@ def ending(reader: Reader) -> str:
     ended = f"Not converged ({about['status']}): {message or about['ending']}: no answer."
     words = f"Converged: {message}." if about["status"] == "converged" else ended
     return words + (f" {count} iterations of bearing and rings." if count else "")
-
-
-def drawings(reader: Reader) -> tuple[list[Drawing], str]:
-    """Drawings to scale of the case; where it cannot be read again, why there are none."""
-    try:
-        sheets = drawn(reader.result.family, reader.case, names=name)
-        return [Drawing(sheet.caption, sheet.svg) for sheet in sheets], ""
-    except BadCase as problem:
-        return [], str(problem).splitlines()[0]
 
 
 def command(reader: Reader) -> str:

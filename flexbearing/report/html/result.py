@@ -2,7 +2,9 @@
 
 from typing import Any
 
+from flexbearing.case import BadCase
 from flexbearing.quantities.attributes import GRADES
+from flexbearing.report.drawing.of_case import drawings as drawn
 from flexbearing.report.html import (
     checks,
     clearance,
@@ -17,9 +19,9 @@ from flexbearing.report.html import (
     stiffness,
     subjects,
 )
-from flexbearing.report.html.document import Cell, Document, Figure, Number, Table
+from flexbearing.report.html.document import Cell, Document, Drawing, Figure, Number, Table
 from flexbearing.report.html.figures import around, convergence, deformed
-from flexbearing.report.html.keys import in_words, keys_in
+from flexbearing.report.html.keys import in_words, keys_in, name
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import METRIC, Units, printed
 from flexbearing.results import Result
@@ -53,7 +55,7 @@ def _of_case(reader: Reader) -> dict[str, Any]:
     about = reader.attributes
     given = about["case_si"].get("report") or {}
     further, defaults = inputs.tables(reader)
-    drawings, not_drawn = origin.drawings(reader)
+    drawings, not_drawn = _drawings(reader)
     caveats, notes = _notes(reader)
     return {
         "metric": reader.units is METRIC,
@@ -150,6 +152,15 @@ def _notes(reader: Reader) -> tuple[list[tuple[str, str]], Table]:
     grave = [note for note in notes if note[0] != GRADES[-1]][: CAVEATS - unknown]
     rows = tuple(note for note in notes if note not in grave)
     return [(text, keys) for _, text, keys in grave], Table(("grade", "note", "keys of the case"), rows)
+
+
+def _drawings(reader: Reader) -> tuple[list[Drawing], str]:
+    """Drawings to scale of the case; where it cannot be read again, why there are none."""
+    try:
+        sheets = drawn(reader.result.family, reader.case, names=name)
+        return [Drawing(sheet.caption, sheet.svg) for sheet in sheets], ""
+    except BadCase as problem:
+        return [], str(problem).splitlines()[0]
 
 
 def _range(reader: Reader) -> tuple[Number, Number, str] | None:
