@@ -3,11 +3,13 @@
 import re
 from functools import cache
 
+import numpy as np
 import pytest
 from pytest import approx
 
 import flexbearing
 from flexbearing.report.output import text
+from flexbearing.runs.shoulders import reached_over
 from tests.flexbearing.hostile_cases import CONFIGS
 from tests.flexbearing.noted import codes
 
@@ -84,6 +86,14 @@ def test_contacts_where_no_race_is_are_a_danger():
     given = solved("joshi2015_qj309.toml", {"operation.load.axial": "300 kN"} | limited)
     assert "contact-height" not in codes(given)
     assert "truncated-contact" in codes(given, "danger")
+
+
+def test_contacts_above_a_shoulder_are_counted_with_their_largest_angle():
+    heights, angles = np.array([1e-3, 5e-3, 6e-3]), np.radians([80.0, -50.0, 40.0])
+    (note,) = reached_over("inner", heights, angles, 20e-3, 4e-3)
+    assert note.text.startswith("2 contacts")
+    assert "up to 6 mm, at contact angles of up to 50.0 deg" in note.text
+    assert reached_over("inner", heights, angles, 20e-3, 7e-3) == ()
 
 
 def test_friction_torque_of_fast_balls_is_that_of_dry_contacts():
