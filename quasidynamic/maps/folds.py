@@ -21,7 +21,7 @@ from quasidynamic.solve.fold_curve import (
     fold_at,
     fold_near,
     followed,
-    side_by_side,
+    search_together,
 )
 from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.solve.rollers.parametric_balance import RESIDUAL_TOLERANCE, slip_weight
@@ -164,7 +164,7 @@ def folds(solved: SolvedGrid, tell: Callable[[str], None] = lambda stage: None) 
             tell(f"folds: {number + 1} of {len(ends)} ends of stable states")
             yield searches.of(ends[end])
 
-    found = side_by_side(begun(), lambda requests: solutions(points, requests), lambda: searches.room)
+    found = search_together(begun(), lambda requests: solutions(points, requests), lambda: searches.room)
     located = np.zeros(len(ends), bool)
     for end, fold in zip(order, found, strict=True):
         if fold:

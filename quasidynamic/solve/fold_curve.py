@@ -70,7 +70,7 @@ Found = TypeVar("Found")
 Search = Generator[Sequence[Request], Sequence[Response], Found]
 
 
-def side_by_side(
+def search_together(
     searches: Iterable[Search[Found]],
     answer: Callable[[Sequence[Request]], Sequence[Response]],
     room: Callable[[], int],
@@ -259,7 +259,7 @@ def followed(equations: PlaneEquations, first: Fold) -> Search[FoldCurve]:
     Returns
     -------
     search of a FoldCurve
-        for `side_by_side`
+        for `search_together`
 
     Source
     ------

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from quasidynamic.solve.fold_curve import SAGITTA, CurveEnd, Response, fold_near, followed, side_by_side
+from quasidynamic.solve.fold_curve import SAGITTA, CurveEnd, Response, fold_near, followed, search_together
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ RIGHT = np.array([1.0, 0.0])
 
 def found(*searches):
     """What searches find, all side by side."""
-    return side_by_side(
+    return search_together(
         searches, lambda requests: [toy.response(*rest) for toy, *rest in requests], lambda: len(searches)
     )
 
@@ -122,7 +122,7 @@ def test_searches_are_answered_side_by_side_as_there_is_room():
         return [toy.response(*rest) for toy, *rest in requests]
 
     searches = (fold_near(toy, np.array([0.9]), np.array([0.3, np.sqrt(0.1)]), RIGHT) for toy in 5 * [SPHERE])
-    folds = side_by_side(searches, answer, lambda: 2)
+    folds = search_together(searches, answer, lambda: 2)
     assert max(asked) == 2
     (alone,) = found(fold_near(SPHERE, np.array([0.9]), np.array([0.3, np.sqrt(0.1)]), RIGHT))
     assert [fold.place.tolist() for fold in folds] == 5 * [alone.place.tolist()]

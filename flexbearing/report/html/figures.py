@@ -7,7 +7,7 @@ import numpy as np
 
 from flexbearing.quantities.reductions import RACES
 from flexbearing.report.html.document import Figure
-from flexbearing.report.html.reader import Reader, plain
+from flexbearing.report.html.reader import Reader, listed
 from flexbearing.report.html.units import printed, with_unit
 
 BLUE, ORANGE, GREEN, PURPLE = "#0072B2", "#D55E00", "#007a5a", "#8a3f7c"
@@ -146,7 +146,7 @@ def _line(
         "mode": "lines+markers" if len(values) <= MARKED else "lines",
         "name": f"{label}, {block}" if len(reader.blocks) > 1 else label,
         "legendgroup": label,
-        "x": plain(degrees[order]),
+        "x": listed(degrees[order]),
         "y": [values[place] for place in order],
         "customdata": [int(place) for place in order],
         "line": {"dash": DASHES[block] if len(reader.blocks) > 1 else "solid", "width": 1.5},
@@ -171,7 +171,7 @@ def along_rollers(reader: Reader, name: str, title: str, people: str, alike: lis
         "type": "heatmap",
         "zmin": 0.0,
         "zmax": largest,
-        "x": plain(degrees[order]),
+        "x": listed(degrees[order]),
         "y": along,
         "z": [[values[place][slice_] for place in order] for slice_ in range(len(along))],
         "customdata": [int(place) for place in order],
@@ -214,7 +214,7 @@ def convergence(reader: Reader) -> Figure | None:
         sizes = reader.result.history(name)
         traces.append({
             "type": "scatter", "mode": "lines+markers", "name": label,
-            "x": list(range(1, sizes.size + 1)), "y": plain(np.where(sizes > 0, sizes, np.nan)),
+            "x": list(range(1, sizes.size + 1)), "y": listed(np.where(sizes > 0, sizes, np.nan)),
             "line": {"color": colour}, "hovertemplate": "iteration %{x}: %{y}<extra></extra>",
             "meta": f"iterations/{name}",
         })  # fmt: skip
@@ -246,7 +246,7 @@ def deformed(reader: Reader) -> Figure | None:
             traces.append({
                 "type": "scatter", "mode": "lines" if dash == "dot" else "lines+markers",
                 "name": f"{name.split('_')[0]} raceway, {words}",
-                "x": plain((size * np.sin(azimuth))[closed]), "y": plain((size * np.cos(azimuth))[closed]),
+                "x": listed((size * np.sin(azimuth))[closed]), "y": listed((size * np.cos(azimuth))[closed]),
                 "line": {"color": colour, "dash": dash, "width": 1.4}, "marker": {"size": 4},
                 "text": [_place(reader, azimuth[each], values[each]) for each in closed],
                 "hovertemplate": "%{text}<extra></extra>",

@@ -214,7 +214,7 @@ class Reader:
         array = self.blocks[block][name][index]
         values = converted(array, quantity.unit, shown)
         return (
-            plain(values),
+            listed(values),
             shown,
             f"{block}/{name}" + "".join(f"/{'*' if isinstance(step, slice) else step}" for step in index),
         )
@@ -229,11 +229,11 @@ def flat(table: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]
             yield f"{prefix}{name}", value
 
 
-def plain(values: np.ndarray) -> Any:
+def listed(values: np.ndarray) -> Any:
     """Lists of numbers with six digits, None for what is not finite."""
     if values.ndim == 0:
         return float(f"{values:.6g}") if np.isfinite(values) else None
-    return [plain(value) for value in values]
+    return [listed(value) for value in values]
 
 
 def places(entry: SummaryValue) -> Iterator[tuple[str, tuple[str | int, ...]]]:

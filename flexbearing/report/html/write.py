@@ -28,7 +28,7 @@ def html(document: Document) -> str:
         loader=FunctionLoader(lambda name: (page / name).read_text("utf-8")),
     )
     figures = [
-        {"name": each.name, "traces": plain(each.traces), "layout": plain(each.layout)}
+        {"name": each.name, "traces": escaped(each.traces), "layout": escaped(each.layout)}
         for each in document.figures
     ]
     environment.filters["marked"] = marked
@@ -53,15 +53,15 @@ def marked(text: str) -> str:
     return _LINK.sub(r'<a href="#\2">\1</a>', _CODE.sub(r"<code>\1</code>", escape(text)))
 
 
-def plain(value: Any, key: str = "") -> Any:
+def escaped(value: Any, key: str = "") -> Any:
     """Traces or layout whose texts Plotly shows as they are, and takes for no markup; templates are ours.
 
-    >>> plain({"name": "<a href='x'>load</a>", "hovertemplate": "%{y}<extra></extra>"})
+    >>> escaped({"name": "<a href='x'>load</a>", "hovertemplate": "%{y}<extra></extra>"})
     {'name': "&lt;a href='x'>load&lt;/a>", 'hovertemplate': '%{y}<extra></extra>'}
 
     Where there is no number is a gap.
 
-    >>> plain([1.0, float("nan")])
+    >>> escaped([1.0, float("nan")])
     [1.0, None]
     """
     if isinstance(value, float) and not isfinite(value):
@@ -69,9 +69,9 @@ def plain(value: Any, key: str = "") -> Any:
     if isinstance(value, str):
         return value if key == TEMPLATE else value.replace("<", "&lt;")
     if isinstance(value, Mapping):
-        return {name: plain(item, name) for name, item in value.items()}
+        return {name: escaped(item, name) for name, item in value.items()}
     if isinstance(value, list | tuple):
-        return [plain(item, key) for item in value]
+        return [escaped(item, key) for item in value]
     return value
 
 
