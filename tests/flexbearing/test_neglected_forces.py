@@ -67,6 +67,18 @@ def test_every_family_prints_what_it_neglects(case, places):
     assert "neglected-force" not in codes(result)
 
 
+@pytest.mark.parametrize(
+    ("case", "settings", "torque"),
+    [("joshi2015_qj309.toml", FAST, "torque.inner"), ("harris218.toml", {}, "friction_torque")],
+)
+def test_friction_is_a_force_on_the_pitch_circle_over_the_loads_of_a_ring(case, settings, torque):
+    result = solved(case, settings)
+    of_a_ring = result.rigid["contact_load"].sum() / 2  # both rings carry the same
+    radius = result.attributes["case_si"]["bearing"]["pitch_diameter"] / 2
+    expected = abs(result[f"{torque} [N m]"].number) / radius / of_a_ring
+    assert shares(result)["friction"] == approx(expected, rel=1e-6)
+
+
 def test_balls_whose_friction_is_balanced_neglect_none():
     settings = {"operation.control": "coulomb", "friction.coefficient": 0.08}
     assert set(shares(solved("harris218.toml", settings))) == {"weight of the balls"}
