@@ -79,6 +79,28 @@ def test_friction_is_a_force_on_the_pitch_circle_over_the_loads_of_a_ring(case, 
     assert shares(result)["friction"] == approx(expected, rel=1e-6)
 
 
+@pytest.mark.parametrize("case", ["joshi2015_qj309.toml", "harris218.toml"])
+def test_weight_of_a_ball_is_taken_over_the_largest_load(case):
+    result = solved(case, FAST if "qj" in case else {})
+    given = result.attributes["case_si"]
+    density = given["materials"]["ball"].get("density") or 7850.0
+    weight = density * np.pi / 6 * given["bearing"]["ball"]["diameter"] ** 3 * 9.81
+    expected = weight / result.rigid["contact_load"].max()
+    assert shares(result)["weight of the balls"] == approx(expected, rel=1e-3)
+
+
+def test_gyroscopic_moment_of_tilted_rollers_is_a_couple_over_the_largest_load():
+    result = solved("nu209.toml", {"operation.misalignment": "4 arcmin"})
+    given, rigid = result.attributes["case_si"], result.rigid
+    diameter, length = (given["bearing"]["roller"][name] for name in ("diameter", "length"))
+    mass = given["materials"]["roller"]["density"] * np.pi / 4 * diameter**2 * length
+    loaded = rigid["inner_load"] > 0
+    spin, tilt = (np.abs(rigid[name][loaded]).max() for name in ("roller_speed", "roller_tilt"))
+    moment = mass * diameter**2 / 8 * abs(rigid["cage_speed"]) * spin * tilt
+    expected = moment / length / rigid["inner_load"].max()
+    assert shares(result)["gyroscopic moment of the rollers"] == approx(float(expected), rel=1e-6)
+
+
 def test_balls_whose_friction_is_balanced_neglect_none():
     settings = {"operation.control": "coulomb", "friction.coefficient": 0.08}
     assert set(shares(solved("harris218.toml", settings))) == {"weight of the balls"}
