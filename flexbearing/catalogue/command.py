@@ -96,7 +96,7 @@ def new(  # noqa: PLR0913  # an argument for each option
     if from_rexs or file.name.lower().endswith(MODELS):
         written = _of_model(file, from_rexs, rexs_bearing, run, {"given": options, **about}, tell)
     else:
-        file, like, options, about = _designated(file, like, options, about)
+        file, like, options, about = _designated(file, like, options, about, tell)
         written = _of_page(file, like, options, about)
     for case, ratings in written:
         sys.stdout.write(printable(f"case: {case}\n{ratings}"))
@@ -106,15 +106,17 @@ def new(  # noqa: PLR0913  # an argument for each option
 
 
 def _designated(
-    file: Path, like: str, options: dict[str, str], about: dict[str, Any]
+    file: Path, like: str, options: dict[str, str], about: dict[str, Any], tell: Callable[[str], None]
 ) -> tuple[Path, str, dict[str, str], dict[str, Any]]:
     """What a designation in place of a file stands for; options that are given count more."""
     if file.suffix:
         return file, like, options, about
-    from flexbearing.catalogue.designations import designated
+    from flexbearing.catalogue.designations import designated, unknown
 
-    found = designated(file.name, file.parent, Path(typer.get_app_dir("flexbearing")))
+    folders = file.parent, Path(typer.get_app_dir("flexbearing"))
+    found = designated(file.name, *folders)
     if found is None:
+        tell(unknown(file.name, *folders))
         return file, like, options, about
     taken = {name: text for name, text in found.items() if name in ENTRIES}
     about = {

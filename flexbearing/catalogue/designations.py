@@ -1,7 +1,8 @@
 """Bearings by their designation: tables of catalogue pages that users extend."""
 
 import csv
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from difflib import get_close_matches
 from io import StringIO
 from pathlib import Path
 
@@ -11,6 +12,7 @@ from flexbearing.catalogue.entries import ENTRIES
 
 TABLE = "designations.csv"
 LARGEST = 2**20  # bytes of a table, some 10 000 bearings
+CLOSE, MOST, LONGEST = 0.6, 5, 40  # share of letters, names and letters of a proposal
 ABOUT = ("designation", "like", "source")  # columns besides entries of a page
 
 
@@ -22,13 +24,26 @@ def designated(name: str, *folders: Path) -> dict[str, str] | None:
     BadCase
         for a table that cannot be read
     """
-    for folder in (*folders, Path(__file__).parent):
-        table = folder / TABLE
-        if table.exists():
-            for row in _rows(table):
-                if _plain(row["designation"]) == _plain(name):
-                    return {key: text for key, text in row.items() if text}
+    for row in _known(folders):
+        if _plain(row["designation"]) == _plain(name):
+            return {key: text for key, text in row.items() if text}
     return None
+
+
+def unknown(name: str, *folders: Path) -> str:
+    """What to say of a name that no table has: the nearest ones, and where more go."""
+    known = {_plain(row["designation"]): row["designation"] for row in _known(folders)}
+    near = [known[each] for each in get_close_matches(_plain(name), known, cutoff=CLOSE)]
+    names = ", ".join(each[:LONGEST] for each in (near or [*known.values()])[:MOST])
+    words = f"near {'is' if len(near) == 1 else 'are'}" if near else "they have"
+    return f"{name} is in no table of designations, {words} {names}; more are rows of {TABLE} beside the case"
+
+
+def _known(folders: Iterable[Path]) -> Iterator[Mapping[str, str]]:
+    """Rows of all tables, those of users first."""
+    for folder in (*folders, Path(__file__).parent):
+        if (folder / TABLE).exists():
+            yield from _rows(folder / TABLE)
 
 
 def _rows(table: Path) -> Iterator[Mapping[str, str]]:

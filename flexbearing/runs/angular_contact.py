@@ -259,6 +259,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
     case, state, operation = solution.case, solution.state, solution.case.operation
     speed, lives = operation.inner_speed - operation.outer_speed, solution.lives
     radial = not isinstance(case.bearing, AngularBearing)  # not adjusted axially
+    ratings = ball_life.ratings(case)
     values = {
         **judged.pressures(state.peak_pressures.max(axis=1), BALLS),
         **neglect.of_fast_balls(solution),
@@ -268,7 +269,8 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
         "least_stiffness": judged.least_stiffness(state.stiffness[None, 1:3, 1:3]),
         "rated_viscosity_ratio": ball_life.rated_kappa(case),
         "clearance": judged.clearances(clearance.record(case)) if radial else None,
-        **life_of_state.judged([ball_life.ratings(case)]),
+        **life_of_state.rating_ratios([ratings]),
+        **life_of_state.rating_changes([ratings]),
     }
     if operation.control != "coulomb":  # there balls turn where friction does not hold them
         values |= {"needed_friction": state.needed_friction.max(), "friction": case.friction.coefficient}

@@ -4,9 +4,11 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
 from flexbearing.findings.running import NO_MODIFIED_LIFE, PRESSED_ENDS
+from flexbearing.findings.strength import CHANGED_RATING
 from quasidynamic.note import Note, graded
 
 CONVERGED, BAD_INPUT = "converged", "bad input"
+_IN_ROWS = NO_MODIFIED_LIFE, PRESSED_ENDS.code, CHANGED_RATING.code
 
 
 @dataclass(frozen=True)
@@ -23,8 +25,8 @@ Alone = Callable[[int], Answer]  # the answer of a case, by its place, from a ru
 
 
 def in_rows(grade: str, code: str) -> bool:
-    """Whether a note is in the message of a row: dangers, an absent life, peaks that slices do not have."""
-    return grade == "danger" or code in (NO_MODIFIED_LIFE, PRESSED_ENDS.code)
+    """Whether a note is in the message of a row: dangers, and numbers that are absent or doubtful."""
+    return grade == "danger" or code in _IN_ROWS
 
 
 def message(notes: Iterable[Note]) -> str:

@@ -53,15 +53,21 @@ class Rating:
         return "given" if self.scale == 1 else f"given, times {self.scale:.4g} by the formula of {standard}"
 
 
-def judged(each: Sequence[Mapping[str, Rating]]) -> dict[str, Any]:
-    """Given ratings of cases over those of the formulas, and how much they changed with the bearing."""
+def rating_ratios(each: Sequence[Mapping[str, Rating]]) -> dict[str, Any]:
+    """Given ratings of cases over those of the formulas."""
+    return {"rating_ratio": _by_letters(each, _ratio)}
+
+
+def rating_changes(each: Sequence[Mapping[str, Rating]]) -> dict[str, Any]:
+    """How much given ratings of cases changed with the bearing."""
+    return {"rating_change": _by_letters(each, _change)}
+
+
+def _by_letters(
+    each: Sequence[Mapping[str, Rating]], measure: Callable[[Rating], float]
+) -> dict[str, list[float]]:
     names = {name for ratings in each for name in ratings}
-    return {
-        quantity: {
-            LETTERS[name]: [_known(measure, ratings.get(name)) for ratings in each] for name in sorted(names)
-        }
-        for quantity, measure in (("rating_ratio", _ratio), ("rating_change", _change))
-    }
+    return {LETTERS[name]: [_known(measure, ratings.get(name)) for ratings in each] for name in sorted(names)}
 
 
 def _known(measure: Callable[[Rating], float], rating: Rating | None) -> float:

@@ -27,7 +27,7 @@ def values(rows: SolvedRows) -> dict[str, Any]:
         **_stress_of_bars(rows),
         "load": np.hypot(*rows.states.applied_load.T),
         "dynamic_rating": np.array([_dynamic_rating(*of) for of in each]),
-        **life_of_state.judged([life.ratings(*of) for of in each]),
+        **life_of_state.rating_ratios([life.ratings(*of) for of in each]),
         "viscosity_ratio": np.array(
             [life.kappa(*of) if k else np.nan for of, k in zip(each, turns, strict=True)]
         ),
@@ -69,6 +69,7 @@ def values_of_dangers(rows: SolvedRows) -> dict[str, Any]:
         ),
         **neglect.of_rollers(rows),
         "rated_viscosity_ratio": np.array([life.rated_kappa(*of) for of in _parts(rows)], dtype=float),
+        **life_of_state.rating_changes([life.ratings(*of) for of in _parts(rows)]),
         **(_stress_of_bars(rows) if limited else {}),
     }
 

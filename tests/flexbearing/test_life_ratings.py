@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
+import flexbearing
 from flexbearing import api
 from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
@@ -206,6 +207,24 @@ def test_ratings_far_from_the_formula_are_a_finding(settings, code, place):
     broken = {(each["code"], each["place"]) for each in found["findings"] if each["verdict"] == "not met"}
     assert (code, place) in broken
     assert code in {note["code"] for note in found["notes"]}
+
+
+@pytest.mark.parametrize(
+    ("file", "key", "values"),
+    [
+        ("nj2210", "bearing.roller.length", ["13 mm", "5 mm"]),
+        ("6208", "bearing.ball.diameter", ["12 mm", "7 mm"]),
+    ],
+)
+def test_rows_far_from_the_bearing_of_the_maker_say_so(file, key, values, tmp_path):
+    over = {
+        "case": str(CATALOGUE / f"{file}.toml"),
+        "over": {key: values},
+        "collect": {"life": "life_L10 [h]"},
+    }
+    near, far = flexbearing.study(over, tmp_path, jobs=1)["message"].values
+    assert "a given rating became" not in near
+    assert "a given rating became" in far
 
 
 def test_a_setting_that_hides_what_is_wrong_in_the_file_says_so(tmp_path):

@@ -321,6 +321,14 @@ def test_users_have_designations_of_their_own(named, tmp_path, folder):
     assert tomllib.loads((tmp_path / "nu9.toml").read_text())["life"]["static_rating"] == "65 kN"
 
 
+def test_a_name_that_is_no_designation_is_told_with_the_nearest(named):
+    code, message = named("NU2210")
+    assert code == 2
+    assert "NU2210 is in no table of designations, near are " in message
+    assert "NU210" in message
+    assert "NJ2210" in message
+
+
 WRONG_TABLES = {
     OWN.replace("bore", "bohre"): "'bohre' is no column",
     OWN.replace("like", "source"): "has no column like",
