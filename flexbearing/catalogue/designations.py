@@ -36,7 +36,7 @@ def unknown(name: str, *folders: Path) -> str:
     near = [known[each] for each in get_close_matches(_plain(name), known, cutoff=CLOSE)]
     names = ", ".join(each[:LONGEST] for each in (near or [*known.values()])[:MOST])
     words = f"near {'is' if len(near) == 1 else 'are'}" if near else "they have"
-    return f"{name} is in no table of designations, {words} {names}; more are rows of {TABLE} beside the case"
+    return f"{name} is in no table of designations, {words} {names}; more are rows of a {TABLE} in its folder"
 
 
 def _known(folders: Iterable[Path]) -> Iterator[Mapping[str, str]]:
