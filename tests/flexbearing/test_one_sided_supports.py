@@ -225,6 +225,8 @@ def test_a_stiffness_that_is_none_in_series_stays_out_of_table_page_and_export(r
     rows = {row[0]: row for row in subjects.tables(Reader(result, METRIC))["stiffnesses"].rows}
     assert rows["stiffness with supports"][2].size > 0
     assert rows["stiffness of the bearing"][2].text == "–"
+    (of_bearing,) = [line.words for line in result.card.lines if line.subject == "bearing"]
+    assert f"; stiffness with supports {rows['stiffness with supports'][2].text} kN/mm" in of_bearing
 
 
 def test_a_tangent_that_is_not_positive_is_a_finding():

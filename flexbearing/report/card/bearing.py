@@ -62,13 +62,14 @@ def _clearance(reader: Reader) -> Iterator[Item]:
 
 
 def _stiffness(reader: Reader) -> Iterator[Item]:
-    """Of a bearing on elastic supports with and without them."""
+    """Of a bearing on elastic supports with and without them, as far as both are springs in series."""
     known, block = {each.name: each for each in outputs(reader.layout)}, reader.blocks[reader.last]
     name, label = ("stiffness",) * 2 if "stiffness" in known else ("stiffness_zz", "stiffness along z")
-    if name not in known or not all(each in block for each in known[name].declared.of):
-        return
     both = reader.scalar(known["total_stiffness"]) if supports.supported(reader) else None
-    yield Item(label, reader.scalar(known[name]), remark=f"{both.text} with supports" if both else "")
+    if name in known and all(each in block for each in known[name].declared.of):
+        yield Item(label, reader.scalar(known[name]), remark=f"{both.text} with supports" if both else "")
+    elif both:
+        yield Item("stiffness with supports", both)
 
 
 def rigid(reader: Reader) -> Iterator[Item]:
