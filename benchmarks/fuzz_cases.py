@@ -2,8 +2,9 @@
 
 Every input goes through `flexbearing check`. Some of those that pass are run, their results read back and
 summarised. A fault is an exit code other than 0, 1 or 2, a traceback, a warning of a library, a
-refusal without a word, one of endless words, a check or run that takes too long, a result that is called
-converged and is not sound (tests/sound_results.py). Inputs with a fault are reduced to the changes it needs.
+refusal without a word, one of endless words, one by `run` alone, a check or run that takes too long, a result
+that is called converged and is not sound (tests/sound_results.py). Inputs with a fault are reduced to the
+changes it needs.
 """
 
 import argparse
@@ -23,6 +24,8 @@ from typing import Any
 from benchmarks.fuzzing import WARNINGS, Answer, Input, Limits, Pool, commit, exit_code
 from benchmarks.machine import describe
 from tests.mutated_cases import CONFIGS, MutatedCase, bases, mutated
+
+REFUSED = 2  # exit code
 
 
 @dataclass(frozen=True)
@@ -127,6 +130,8 @@ def of_result(task: Input, code: int) -> Iterator[str]:
     from flexbearing import api
     from tests.sound_results import faults
 
+    if task.kind == "run" and code == REFUSED:
+        yield "refused by run, passed by check"
     if task.kind != "run" or code:
         return
     yield from faults(api.read("out.h5"))
