@@ -19,7 +19,7 @@ from flexbearing.derivatives.keys import Key, key_of, with_value
 from flexbearing.derivatives.ring_slopes import shape_of
 from flexbearing.derivatives.roller_slopes import numbers
 from flexbearing.derivatives.roller_state import SolvedState, solved
-from flexbearing.derivatives.rollers import differentiated, wanted_of
+from flexbearing.derivatives.rollers import differentiated, requested_of
 from flexbearing.derivatives.shape_numbers import numbers as numbers_of, with_numbers
 from flexbearing.outputs import RequestedOutput
 from flexbearing.program.threads import linear_algebra_alone
@@ -46,7 +46,7 @@ def main() -> None:
 
 def slopes(state: SolvedState, fine: SolvedState) -> None:
     """Print elasticities on usual meshes and on finer ones, and the seconds that they take."""
-    wanted = wanted_of(state.base.case, OF)
+    wanted = requested_of(state.base.case, OF)
     print(f"percent per percent on moved nodes, of finer meshes, of two finer meshes: {', '.join(OF)}")
     for path in KEYS:
         key, began = key_of(state.base.case, path), time.process_time()

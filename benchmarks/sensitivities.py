@@ -24,7 +24,7 @@ from flexbearing.derivatives.keys import RELATIVE_STEP, Key, given_keys, with_va
 from flexbearing.derivatives.ring_slopes import shape_of
 from flexbearing.derivatives.roller_slopes import Difference, RollerSlopes, numbers
 from flexbearing.derivatives.roller_state import SolvedState, solved
-from flexbearing.derivatives.rollers import difference, differentiated, wanted_of
+from flexbearing.derivatives.rollers import difference, differentiated, requested_of
 from flexbearing.derivatives.stencil import STENCILS, Stencil
 from flexbearing.derivatives.table import NEGLIGIBLE
 from flexbearing.outputs import RequestedOutput
@@ -107,7 +107,7 @@ def apart_from_rings(case: Case) -> list[Key]:
 
 def compared(kind: str, case: Case) -> Compared:
     """Derivatives of a case by fifteen keys that reach its outputs, against equilibria solved again."""
-    state, wanted = solved(case), wanted_of(case, OF)
+    state, wanted = solved(case), requested_of(case, OF)
     found = differentiated(state, wanted, apart_from_rings(case))
     reaching = [key.path for key in found.keys if any(found[each.name, key.path].reaches for each in wanted)]
     chosen = np.random.default_rng(SEED).permutation(len(reaching))[:KEYS]
@@ -160,7 +160,7 @@ def cost() -> None:
     case = read_case("configs/mao2016.toml")
     state = solved(case)
     by = [key for key in apart_from_rings(case) if isinstance(difference(state, key), Difference)]
-    main, every = wanted_of(case, ()), wanted_of(case, ("all",))
+    main, every = requested_of(case, ()), requested_of(case, ("all",))
     rows = []
     for _ in range(RUNS):
         rigid = state.base.model.solve()

@@ -164,14 +164,14 @@ def machinery() -> None:
         file = Path(place) / "study.toml"
         file.write_text(f'case = "{CASE}"\n' + HYPERCUBE.format(count=20_000) + COLLECT)
         times = [time.perf_counter()]
-        settled = prepare_source(file)
+        prepared = prepare_source(file)
         times.append(time.perf_counter())
-        work = Work(partial(nothing, texts=settled.texts), no_ring)
-        run(settled, Path(place), work, lambda tasks: Serial())
+        work = Work(partial(nothing, texts=prepared.texts), no_ring)
+        run(prepared, Path(place), work, lambda tasks: Serial())
         times.append(time.perf_counter())
-        base = settled.plan.base
+        base = prepared.plan.base
         read = Variants(base.path, base.text, base.keys, FAMILIES)
-        for variant in settled.plan.variants:
+        for variant in prepared.plan.variants:
             bearing(read.known(variant.values, variant.in_si))
         times.append(time.perf_counter())
         each = [(after - before) / 20_000 * 1e3 for before, after in pairwise(times)]
@@ -179,7 +179,7 @@ def machinery() -> None:
             f"a variant in a batch: plan {each[0]:.2f} ms; engine, journal, tables {each[1]:.2f} ms; "
             f"its case and bearing in a worker {each[2]:.2f} ms; together {sum(each):.2f} ms"
         )
-        tasks = [alone for task in settled.plan.tasks(lambda _: True)[:8] for alone in task.alone]
+        tasks = [alone for task in prepared.plan.tasks(lambda _: True)[:8] for alone in task.alone]
         engine = Processes(1)
         try:
             for count in (20, len(tasks)):  # the first ones wait for the worker

@@ -16,7 +16,7 @@ from quasidynamic.clearance import (
 from quasidynamic.note import Note
 from quasidynamic.parts.oil_properties import kinematic_viscosity_at
 
-UNFELT = 7850.0  # [kg/m3] stands where no inertia is felt: any density gives the same
+STEEL_DENSITY = 7850.0  # [kg/m3] where a case has none: of rings at rest, and of what slow balls neglect
 ROOM = 293.15  # [K] of every part when a case gives no temperatures; only differences matter
 
 
@@ -33,7 +33,7 @@ def groove(bearing: BallBearing, ring: str, material: Elastic) -> qd.Groove:
 
 def solid(material: Elastic) -> qd.Material:
     """The material; rings and slow balls have no density of their own."""
-    density = material.density if isinstance(material, HeavyElastic) else UNFELT
+    density = material.density if isinstance(material, HeavyElastic) else STEEL_DENSITY
     return qd.Material(
         youngs_modulus=material.youngs_modulus, poisson_ratio=material.poisson_ratio, density=density
     )
@@ -109,7 +109,7 @@ def _running(case: MountedCase) -> OperatingConditions:
 
 def _annulus(material: Elastic, inside: float, outside: float) -> Annulus:
     """A plain ring; density and expansion are known of parts that grow by them, checked on reading."""
-    density = material.density if isinstance(material, HeavyElastic | RingElastic) else UNFELT
+    density = material.density if isinstance(material, HeavyElastic | RingElastic) else STEEL_DENSITY
     assert density is not None  # checked on reading
     return Annulus(
         inner_radius=inside / 2,

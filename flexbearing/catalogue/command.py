@@ -116,7 +116,8 @@ def _designated(
     folders = file.parent, Path(typer.get_app_dir("flexbearing"))
     found = designated(file.name, *folders)
     if found is None:
-        tell(unknown(file.name, *folders))
+        if "bore" not in options:  # else it is the file of a whole page
+            tell(unknown(file.name, *folders))
         return file, like, options, about
     taken = {name: text for name, text in found.items() if name in ENTRIES}
     about = {

@@ -32,10 +32,12 @@ def designated(name: str, *folders: Path) -> dict[str, str] | None:
 
 def unknown(name: str, *folders: Path) -> str:
     """What to say of a name that no table has: the nearest ones, and where more go."""
-    known = {_plain(row["designation"]): row["designation"] for row in _known(folders)}
+    known: dict[str, str] = {}
+    for row in _known(folders):
+        known.setdefault(_plain(row["designation"]), row["designation"])
     near = [known[each] for each in get_close_matches(_plain(name), known, cutoff=CLOSE)]
     names = ", ".join(each[:LONGEST] for each in (near or [*known.values()])[:MOST])
-    words = f"near {'is' if len(near) == 1 else 'are'}" if near else "they have"
+    words = f"near {'is' if len(near) == 1 else 'are'}" if near else "it has bearings such as"
     return f"{name} is in no table of designations, {words} {names}; more are rows of a {TABLE} in its folder"
 
 

@@ -45,7 +45,7 @@ def sensitivities(
         where there is no equilibrium
     """
     keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
-    asked = wanted_of(case, of)
+    asked = requested_of(case, of)
     with linear_algebra_alone():  # its threads would only wait for each other
         report = report or Logged()
         return differentiated(solved(case, report), asked, keys, report)
@@ -58,7 +58,7 @@ def differentiated(
     return _Differentiated(state, of).table(announced(list(by), report or Logged()))
 
 
-def wanted_of(case: Case, of: Sequence[str]) -> list[RequestedOutput]:
+def requested_of(case: Case, of: Sequence[str]) -> list[RequestedOutput]:
     """Outputs of a case that are requested, as `sensitivities` takes them.
 
     Raises

@@ -508,7 +508,7 @@ _ATTRIBUTES = (
         "started_from",
         "text",
         "result of a similar case whose flexible end state the coupling started from, or rigid raceways "
-        "where that failed; absent where no start was given",
+        "where that failed; absent where no start was given, or nothing was solved",
         optional=True,
     ),
     Attribute(

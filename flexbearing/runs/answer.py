@@ -16,7 +16,7 @@ class Answer:
     """What a run of a case gives."""
 
     status: str  # "converged", or how it ended
-    message: str  # dangers of a run that converged and why a life is absent, else why it did not
+    message: str  # of a run that converged notes of rows, see `in_rows`; else why it did not
     numbers: Mapping[str, float]  # by the texts of outputs; NaN or absent: the case does not have it
     own_run: str = ""  # why it was not solved beside others; empty: it was, or there were none
 

@@ -75,7 +75,7 @@ def values_of_dangers(rows: SolvedRows) -> dict[str, Any]:
 
 
 def dangers(rows: SolvedRows) -> list[tuple[Note, ...]]:
-    """Dangers of each case, why it has no modified life, and peak pressures that slices do not have."""
+    """Notes of each case for the row of a table, see `in_rows`."""
     found = evaluate(
         (each for each in declared.OF_ROLLERS if in_rows(each.grade, each.code)), values_of_dangers(rows)
     )

@@ -62,7 +62,7 @@ def study(  # noqa: PLR0913  # an argument for each option
     from flexbearing.studies.plan import Part
     from flexbearing.studies.prepare import compute, prepare_source
 
-    wanted = None if part is None else Part.parsed(part)
+    chosen = None if part is None else Part.parsed(part)
     if emit not in (None, "sbatch"):
         raise BadCase(f'--emit {excerpt(emit)}: it must be "sbatch"')
     with limited_to(jobs), shown("check") as report:
@@ -74,7 +74,7 @@ def study(  # noqa: PLR0913  # an argument for each option
     if emit:
         _say(sbatch(prepared, output, jobs).rstrip())
         raise typer.Exit(CONVERGED)
-    prepared = prepared.of_part(wanted) if wanted else prepared
+    prepared = prepared.of_part(chosen) if chosen else prepared
     placement = Placement(jobs, scheduler, slurm, (tls_ca, tls_cert, tls_key))
     with shown("study") as report:
         table = compute(prepared, output, placement, retry_failed=retry_failed, tell=messages.follow(report))

@@ -1,4 +1,4 @@
-"""A study file, settled and computed with the bearings of this program."""
+"""A study file, prepared and computed with the bearings of this program."""
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress

@@ -1,4 +1,4 @@
-"""A study whose variants and columns are settled: its rows, how many there are, its table."""
+"""A study whose variants and columns are known: its rows, how many there are, its table."""
 
 import glob
 from collections.abc import Iterable, Mapping
@@ -65,7 +65,7 @@ class Progress:
 
 @dataclass(frozen=True)
 class PreparedStudy:
-    """A study whose variants and columns are settled."""
+    """A study whose variants and columns are known."""
 
     study: Study
     plan: Plan

@@ -102,8 +102,9 @@ def line_loads(contacts: LineContacts, first: NDArray) -> NDArray:
 
     Valid
     -----
-    Its largest pressure is within 1 % of that of half-spaces where the contact ends before the roller does,
-    see `benchmarks/pressed_ends.py`; at a sharp end loads of the last cells grow with the number of cells.
+    In `number_of_cells` its largest pressure is within 1 % of that of half-spaces where the contact ends
+    before the roller does, see `benchmarks/pressed_ends.py`; at a sharp end loads of the last cells grow with
+    the number of cells.
     """
     loads = np.empty(first.shape)
     for k in range(0, len(first), AT_ONCE):

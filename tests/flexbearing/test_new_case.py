@@ -329,6 +329,13 @@ def test_a_name_that_is_no_designation_is_told_with_the_nearest(named):
     assert "NJ2210" in message
 
 
+def test_a_file_without_a_suffix_is_one_where_the_page_is_given(named, tmp_path):
+    page = ("bore", "50 mm"), ("outside", "90 mm"), ("width", "20 mm"), ("C0", "69.5 kN")
+    code, message = named("mine", *(word for name, text in page for word in (f"--{name}", text)))
+    assert (code, message) == (0, "")
+    assert (tmp_path / "mine").exists()
+
+
 WRONG_TABLES = {
     OWN.replace("bore", "bohre"): "'bohre' is no column",
     OWN.replace("like", "source"): "has no column like",

@@ -137,19 +137,19 @@ def at_a_contact_switch(share):
     from flexbearing.derivatives.keys import key_of
     from flexbearing.derivatives.roller_slopes import RollerSlopes
     from flexbearing.derivatives.roller_state import solved
-    from flexbearing.derivatives.rollers import difference, wanted_of
+    from flexbearing.derivatives.rollers import difference, requested_of
 
     load = 19621.1
     for _ in range(6):  # Newton's method on the smallest approach
         case = rigid_case(f"operation.radial_load={load!r} N")
         state, key = solved(case), key_of(case, "operation.radial_load")
         by_load = difference(state, key)
-        steps = RollerSlopes(state, [by_load]).outputs(wanted_of(case, ["life"])).nearest_switch[0]
+        steps = RollerSlopes(state, [by_load]).outputs(requested_of(case, ["life"])).nearest_switch[0]
         if steps < 1e-3:
             break
         up = solved(rigid_case(f"operation.radial_load={float(load + steps * key.step)!r} N"))
         slopes = RollerSlopes(up, [difference(up, key_of(up.base.case, key.path))])
-        nearer = slopes.outputs(wanted_of(case, ["life"])).nearest_switch[0] < steps
+        nearer = slopes.outputs(requested_of(case, ["life"])).nearest_switch[0] < steps
         load += float(steps * key.step) * (1 if nearer else -1)
     return load * (1 + share)
 
@@ -158,13 +158,13 @@ def stiffness_by_load_at(load):
     """Change of the stiffness with the load [1/m] between re-solved loads."""
     from flexbearing.derivatives.roller_slopes import numbers
     from flexbearing.derivatives.roller_state import solved
-    from flexbearing.derivatives.rollers import wanted_of
+    from flexbearing.derivatives.rollers import requested_of
 
     step = 5e-6 * load
     found = []
     for at in (load - step, load + step):
         case = rigid_case(f"operation.radial_load={at!r} N")
-        found.append(numbers(solved(case), wanted_of(case, ["stiffness_zz"]), aligned=True)[0])
+        found.append(numbers(solved(case), requested_of(case, ["stiffness_zz"]), aligned=True)[0])
     return (found[1] - found[0]) / (2 * step)
 
 

@@ -83,6 +83,7 @@ def test_ten_cases_have_effects():
 def test_card_names_what_moves_another_output_where_nothing_moves_the_first(name):
     card = repr(api.run(CONFIGS / f"{name}.toml"))
     assert re.search(r"uncertain +friction torque\W.*x0\.5\.\.1\.5 by friction coefficient", card)
+    assert "Young's modulus" not in card  # which moves it by 2 %
 
 
 def test_exported_effects_are_found_by_later_runs(tmp_path):

@@ -29,9 +29,9 @@ ROOT = Path(__file__).parents[2]
 FORTY = '"operation.radial_load" = "2 kN .. 41 kN, 40"'
 
 
-def computed(settled, folder, engine, rows=cubes, **options):
-    work = Work(partial(rows, texts=settled.texts, **options), no_ring)
-    return run(settled, folder, work, lambda tasks: engine)
+def computed(prepared, folder, engine, rows=cubes, **options):
+    work = Work(partial(rows, texts=prepared.texts, **options), no_ring)
+    return run(prepared, folder, work, lambda tasks: engine)
 
 
 def test_one_job_and_short_studies_start_no_process(tmp_path):
@@ -110,9 +110,9 @@ def test_a_ring_that_ended_its_worker_is_condensed_by_the_careful_function():
 
 @pytest.mark.slow
 def test_two_jobs_give_the_table_of_one(tmp_path):
-    settled = toy(tmp_path, FORTY)
+    prepared = toy(tmp_path, FORTY)
     one, two = (
-        computed(settled, tmp_path / str(n), engine) for n, engine in enumerate((Serial(), Processes(2)))
+        computed(prepared, tmp_path / str(n), engine) for n, engine in enumerate((Serial(), Processes(2)))
     )
     assert str(one.rows) == str(two.rows)
     assert (tmp_path / "0" / "toy.csv").read_text() == (tmp_path / "1" / "toy.csv").read_text()
@@ -131,7 +131,7 @@ def test_a_variant_that_kills_its_process_is_found_and_the_others_are_computed(t
 @pytest.mark.parametrize("load", [7.0, 12.0, 17.0, 18.0])
 def test_what_waits_behind_a_deadly_variant_is_not_taken_for_it(load, tmp_path):
     """With one worker left of two, as while a new one starts."""
-    settled = toy(tmp_path, FORTY)
+    prepared = toy(tmp_path, FORTY)
 
     class OneLeft(Serial):
         workers = 2
@@ -146,9 +146,9 @@ def test_what_waits_behind_a_deadly_variant_is_not_taken_for_it(load, tmp_path):
     def deadly(task):
         if load in [toy_studies.load(variant.values[0]) for variant in task.variants]:
             raise ValueError("dead")
-        return cubes(task, settled.texts)
+        return cubes(task, prepared.texts)
 
-    table = run(settled, tmp_path, Work(deadly, no_ring), lambda tasks: OneLeft())
+    table = run(prepared, tmp_path, Work(deadly, no_ring), lambda tasks: OneLeft())
     died = [row["operation.radial_load [N]"] for row in table.rows if row["status"] == "worker died"]
     assert died == [1e3 * load]
 
@@ -157,8 +157,8 @@ def test_what_waits_behind_a_deadly_variant_is_not_taken_for_it(load, tmp_path):
 def test_a_worker_that_somebody_kills_loses_nothing(tmp_path):
     place = tmp_path / "processes"
     place.mkdir()
-    settled, killed = toy(tmp_path, FORTY), []
-    work = Work(partial(toy_studies.replaced_cubes, texts=settled.texts, place=tmp_path), no_ring)
+    prepared, killed = toy(tmp_path, FORTY), []
+    work = Work(partial(toy_studies.replaced_cubes, texts=prepared.texts, place=tmp_path), no_ring)
 
     def kill(progress):
         if progress.done > 10 and not killed:
@@ -166,11 +166,11 @@ def test_a_worker_that_somebody_kills_loses_nothing(tmp_path):
             os.kill(killed[0], signal.SIGKILL)
             (tmp_path / "killed").touch()
 
-    table = run(settled, tmp_path, work, lambda tasks: Processes(2), tell=kill)
+    table = run(prepared, tmp_path, work, lambda tasks: Processes(2), tell=kill)
     assert len(killed) == 1
     assert table.failed == 0
     assert len(list(place.iterdir())) == 3
-    assert str(table.rows) == str(computed(settled, tmp_path / "undisturbed", Serial()).rows)
+    assert str(table.rows) == str(computed(prepared, tmp_path / "undisturbed", Serial()).rows)
 
 
 DRIVER = """
@@ -181,9 +181,10 @@ from flexbearing.program.processes import Processes
 from flexbearing.studies.run import Work, run
 from tests.flexbearing.toy_studies import no_ring, slow_cubes, toy
 folder = Path(sys.argv[1])
-settled = toy(folder, sys.argv[2])
-work = Work(partial(slow_cubes, texts=settled.texts, place=folder / "processes"), no_ring)
-run(settled, folder, work, lambda tasks: Processes(2), tell=lambda progress: print(progress.done, flush=True))
+prepared = toy(folder, sys.argv[2])
+work = Work(partial(slow_cubes, texts=prepared.texts, place=folder / "processes"), no_ring)
+engine = Processes(2)
+run(prepared, folder, work, lambda tasks: engine, tell=lambda progress: print(progress.done, flush=True))
 """
 
 
@@ -205,10 +206,10 @@ def test_a_killed_driver_leaves_no_process_and_the_study_goes_on(tmp_path):
     while any(Path(f"/proc/{process.name}").exists() for process in place.iterdir()):
         assert time.monotonic() < gone_by
         time.sleep(0.1)
-    settled = toy(tmp_path, FORTY)
-    assert 10 <= settled.progress(settled.rows(tmp_path)).done < 40
-    table = computed(settled, tmp_path, Serial())
-    assert str(table.rows) == str(computed(settled, tmp_path / "at once", Serial()).rows)
+    prepared = toy(tmp_path, FORTY)
+    assert 10 <= prepared.progress(prepared.rows(tmp_path)).done < 40
+    table = computed(prepared, tmp_path, Serial())
+    assert str(table.rows) == str(computed(prepared, tmp_path / "at once", Serial()).rows)
 
 
 @pytest.mark.slow
@@ -239,9 +240,9 @@ from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.run import Work, run
 from tests.flexbearing.toy_studies import deadly, no_ring, toy
 folder = Path(sys.argv[1])
-settled = toy(folder, sys.argv[2])
-work = Work(partial(deadly, texts=settled.texts, place=folder / "attempts"), no_ring)
-table = run(settled, folder, work, lambda tasks: Serial())
+prepared = toy(folder, sys.argv[2])
+work = Work(partial(deadly, texts=prepared.texts, place=folder / "attempts"), no_ring)
+table = run(prepared, folder, work, lambda tasks: Serial())
 print([row["operation.radial_load [N]"] for row in table.rows if row["status"] == "worker died"])
 """
 

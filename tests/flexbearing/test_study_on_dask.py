@@ -25,9 +25,9 @@ ROOT = Path(__file__).parents[2]
 FORTY = '"operation.radial_load" = "2 kN .. 41 kN, 40"'
 
 
-def computed(settled, folder, engine, **options):
-    work = Work(partial(cubes, texts=settled.texts), no_ring)
-    return run(settled, folder, work, lambda tasks: engine, **options)
+def computed(prepared, folder, engine, **options):
+    work = Work(partial(cubes, texts=prepared.texts), no_ring)
+    return run(prepared, folder, work, lambda tasks: engine, **options)
 
 
 @pytest.fixture(scope="module")
@@ -126,24 +126,24 @@ def test_a_running_scheduler_computes_and_stays(how, tmp_path, request):
     from dask import config
     from distributed import LocalCluster
 
-    settled, options, given, configured = toy(tmp_path, FORTY), {}, (), {}
+    prepared, options, given, configured = toy(tmp_path, FORTY), {}, (), {}
     if how != "without":
         files = request.getfixturevalue("files")
         options = {"security": request.getfixturevalue("security"), "protocol": "tls://"}
         given = files if how == "options" else ()
         configured = dict(zip(("ca-file", "client.cert", "client.key"), map(str, files), strict=True))
-    alone = computed(settled, tmp_path, Serial())
+    alone = computed(prepared, tmp_path, Serial())
     with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0", **options) as cluster:
         for folder in ("one", "two"):
             with config.set({f"distributed.comm.tls.{name}": file for name, file in configured.items()}):
                 engine = connected(cluster.scheduler_address, certificates(*given))
             assert engine.workers == 2
-            assert str(computed(settled, tmp_path / folder, engine).rows) == str(alone.rows)
+            assert str(computed(prepared, tmp_path / folder, engine).rows) == str(alone.rows)
 
 
 @pytest.mark.slow
 def test_a_scheduler_that_is_killed_leaves_no_failed_row_and_the_next_start_goes_on(tmp_path):
-    settled, started = toy(tmp_path, FORTY), []
+    prepared, started = toy(tmp_path, FORTY), []
     place = tmp_path / "scheduler.json"
     file = ("--scheduler-file", str(place), "--no-dashboard")
     calls = (
@@ -159,14 +159,14 @@ def test_a_scheduler_that_is_killed_leaves_no_failed_row_and_the_next_start_goes
         engine = connected(json.loads(place.read_text())["address"])
         with pytest.raises(EngineLost, match=r"the scheduler is gone \(\w+\)") as lost:
             computed(
-                settled, tmp_path, engine, tell=lambda progress: progress.done > 10 and started[0].kill()
+                prepared, tmp_path, engine, tell=lambda progress: progress.done > 10 and started[0].kill()
             )
     finally:
         for process in started:
             process.kill()
             process.wait()
-    rows = settled.rows(tmp_path)
+    rows = prepared.rows(tmp_path)
     assert f"{len(rows)} of 40 variants are kept, the same study goes on from there" in lost.value.__notes__
     assert 10 < len(rows) < 40
     assert all(row.converged for row in rows.values())
-    assert computed(settled, tmp_path, Serial()).failed == 0
+    assert computed(prepared, tmp_path, Serial()).failed == 0

@@ -75,7 +75,7 @@ echo "Submitted batch job $!"
 def test_scheduler_and_workers_of_jobs_talk_by_tls_and_leave_no_key(tmp_path, monkeypatch):
     """In a queue that starts every job at once, here."""
     pytest.importorskip("cryptography")
-    settled = toy(tmp_path)
+    prepared = toy(tmp_path)
     commands = {"sbatch": SBATCH.format(folder=tmp_path), "scancel": "#!/bin/sh\nkill -9 -- -$1"}
     for name, text in commands.items():
         (tmp_path / name).write_text(text)
@@ -89,8 +89,8 @@ def test_scheduler_and_workers_of_jobs_talk_by_tls_and_leave_no_key(tmp_path, mo
     assert folder.stat().st_mode & 0o77 == 0
     with pytest.raises(NoConnection):
         connected(address.replace("tls:", "tcp:"))
-    work = Work(partial(cubes, texts=settled.texts), no_ring)
-    table = run(settled, tmp_path, work, lambda tasks: engine)
+    work = Work(partial(cubes, texts=prepared.texts), no_ring)
+    table = run(prepared, tmp_path, work, lambda tasks: engine)
     assert len(table) == 10
     assert all(f"dask_worker {address} " in job.read_text() for job in tmp_path.glob("job.*"))
     assert address.startswith("tls://")
@@ -116,8 +116,8 @@ def test_jobs_that_slurm_refuses_are_told_in_its_words(tmp_path, queue):
 def test_forty_variants_arrive_though_a_worker_is_killed_and_a_job_cancelled(tmp_path, queue):
     place = tmp_path / "processes"
     place.mkdir()
-    settled = toy(tmp_path, FORTY)
-    work = Work(partial(toy_studies.slow_cubes, texts=settled.texts, place=place), no_ring)
+    prepared = toy(tmp_path, FORTY)
+    work = Work(partial(toy_studies.slow_cubes, texts=prepared.texts, place=place), no_ring)
     done = []
 
     def disturb(progress):
@@ -133,11 +133,11 @@ def test_forty_variants_arrive_though_a_worker_is_killed_and_a_job_cancelled(tmp
             subprocess.run(["scancel", jobs.stdout.split()[0]], check=True)
 
     table = run(
-        settled, tmp_path, work, lambda tasks: OnSlurm(profile(written(tmp_path)), tasks), tell=disturb
+        prepared, tmp_path, work, lambda tasks: OnSlurm(profile(written(tmp_path)), tasks), tell=disturb
     )
     assert {"killed", "cancelled"} <= {*done}
     alone = run(
-        settled, tmp_path / "alone", Work(partial(cubes, texts=settled.texts), no_ring), lambda _: Serial()
+        prepared, tmp_path / "alone", Work(partial(cubes, texts=prepared.texts), no_ring), lambda _: Serial()
     )
     assert len(table) == 40
     assert table.failed == 0

@@ -16,23 +16,23 @@ FORTY = '"operation.radial_load" = "2 kN .. 41 kN, 40"'
 
 @pytest.mark.parametrize("of", [1, 3, 8, 40, 50])
 def test_every_variant_belongs_to_one_part(tmp_path, of):
-    settled = toy(tmp_path, FORTY)
-    parts = [settled.of_part(Part(number, of)).plan.variants for number in range(1, of + 1)]
+    prepared = toy(tmp_path, FORTY)
+    parts = [prepared.of_part(Part(number, of)).plan.variants for number in range(1, of + 1)]
     identities = [variant.identity for part in parts for variant in part]
-    assert sorted(identities) == sorted(variant.identity for variant in settled.plan.variants)
+    assert sorted(identities) == sorted(variant.identity for variant in prepared.plan.variants)
     assert max(map(len, parts)) <= max(5, -(-40 // of) + 5)
 
 
 def test_parts_are_gathered_into_the_table_of_the_whole(tmp_path):
-    settled = toy(tmp_path, FORTY)
+    prepared = toy(tmp_path, FORTY)
     for number in (3, 1, 2):
-        table = computed(settled.of_part(Part(number, 3)), tmp_path)
+        table = computed(prepared.of_part(Part(number, 3)), tmp_path)
         assert len(table) in (10, 15)
     assert not (tmp_path / "toy.csv").exists()
     work, loads = counting()
-    gathered = computed(settled, tmp_path, work)
+    gathered = computed(prepared, tmp_path, work)
     assert loads == []
-    assert str(gathered.rows) == str(computed(settled, tmp_path / "whole").rows)
+    assert str(gathered.rows) == str(computed(prepared, tmp_path / "whole").rows)
 
 
 def test_a_part_without_variants_ends_like_the_others(tmp_path):
@@ -40,10 +40,10 @@ def test_a_part_without_variants_ends_like_the_others(tmp_path):
 
 
 def test_what_a_lost_part_lacks_is_computed_when_all_are_gathered(tmp_path):
-    settled = toy(tmp_path, FORTY)
-    computed(settled.of_part(Part(1, 2)), tmp_path)
+    prepared = toy(tmp_path, FORTY)
+    computed(prepared.of_part(Part(1, 2)), tmp_path)
     work, loads = counting()
-    computed(settled, tmp_path, work)
+    computed(prepared, tmp_path, work)
     assert sorted(loads) == [float(load) for load in range(22, 42)]
 
 
@@ -51,10 +51,10 @@ def test_an_answer_of_one_part_counts_more_than_a_failure_of_another_run(tmp_pat
     def failing(task, texts):
         raise ValueError("no")
 
-    settled = toy(tmp_path, FORTY)
-    computed(settled, tmp_path, failing)
-    assert computed(settled.of_part(Part(2, 2)), tmp_path, retry_failed=True).failed == 0
-    assert computed(settled, tmp_path).failed == 20
+    prepared = toy(tmp_path, FORTY)
+    computed(prepared, tmp_path, failing)
+    assert computed(prepared.of_part(Part(2, 2)), tmp_path, retry_failed=True).failed == 0
+    assert computed(prepared, tmp_path).failed == 20
 
 
 @pytest.mark.parametrize("text", ["0/3", "4/3", "1", "a/b", "1/2/3", "-1/2", "1/1000000"])
@@ -64,8 +64,8 @@ def test_a_part_that_there_is_not_is_refused(text):
 
 
 def test_the_script_of_a_job_array_computes_every_part(tmp_path):
-    settled = toy(tmp_path, FORTY, name="a b")
-    script = sbatch(settled, tmp_path / "out put", 4)
+    prepared = toy(tmp_path, FORTY, name="a b")
+    script = sbatch(prepared, tmp_path / "out put", 4)
     assert "#SBATCH --array=1-4\n" in script
     assert "#SBATCH --job-name='a b'\n" in script
     last = script.splitlines()[-1]

@@ -26,18 +26,18 @@ def drawn(table, **changes):
 
 @pytest.mark.slow
 def test_a_study_with_a_plot_leaves_a_picture_and_no_column_twice(tmp_path):
-    settled = toy(tmp_path, CROSSED, collect=COLLECT + PLOT)
-    assert [column.column for column in settled.columns] == ["life", "slip"]
-    assert settled.plot == Plot("operation.radial_load", "bearing.clearance", ("life", "slip"), (None, None))
-    computed(settled, tmp_path)
+    prepared = toy(tmp_path, CROSSED, collect=COLLECT + PLOT)
+    assert [column.column for column in prepared.columns] == ["life", "slip"]
+    assert prepared.plot == Plot("operation.radial_load", "bearing.clearance", ("life", "slip"), (None, None))
+    computed(prepared, tmp_path)
     assert (tmp_path / "toy.png").read_bytes().startswith(b"\x89PNG")
 
 
 def test_what_a_plot_needs_is_collected(tmp_path):
     collect = '[plot]\nx = "max_roller_load [kN]"\ny = ["life_L10 [h]", "cage_slip"]\nrigid = true\n'
     collect += '[collect]\na = "stiffness_zz"'
-    settled = toy(tmp_path, collect=collect)
-    assert {column.column: column.text for column in settled.columns} == {
+    prepared = toy(tmp_path, collect=collect)
+    assert {column.column: column.text for column in prepared.columns} == {
         "a": "stiffness_zz [N/m]",
         "max_roller_load": "max_roller_load [kN]",
         "life_L10": "life_L10 [h]",
@@ -45,7 +45,7 @@ def test_what_a_plot_needs_is_collected(tmp_path):
         "life_L10_rigid": "rigid.life_L10 [h]",
         "cage_slip_rigid": "rigid.cage_slip [%]",
     }
-    assert settled.plot.rigid == ("life_L10_rigid", "cage_slip_rigid")
+    assert prepared.plot.rigid == ("life_L10_rigid", "cage_slip_rigid")
 
 
 def test_every_value_of_a_crossed_key_has_a_line_over_x(tmp_path):
@@ -101,24 +101,24 @@ source = "Report"
 
 
 def test_marks_are_drawn_in_the_units_of_their_axes(tmp_path):
-    settled = toy(tmp_path, collect=COLLECT + MARK)
-    assert settled.plot.marks == (
+    prepared = toy(tmp_path, collect=COLLECT + MARK)
+    assert prepared.plot.marks == (
         Mark("life", pytest.approx(1e-6), pytest.approx(2.0), None, "printed (Book, p. 3)"),
         Mark("slip", pytest.approx(50.0), pytest.approx(50.0), 4000.0, "measured (Report)"),
     )
-    figure = draw(computed(settled, tmp_path), settled.plot)
+    figure = draw(computed(prepared, tmp_path), prepared.plot)
     named = [[text.get_text() for text in axes.get_legend().get_texts()] for axes in figure.axes]
     assert named == [["printed (Book, p. 3)"], ["measured (Report)"]]
 
 
 def test_quotients_are_columns_of_two_outputs_in_the_same_unit(tmp_path):
     collect = '[collect]\ngain = "life_L10 / life_L10 [%]"\nslip = "cage_slip"'
-    settled = toy(tmp_path, collect=collect)
+    prepared = toy(tmp_path, collect=collect)
     share = of_text("share", "flexible.max_roller_load / rigid.max_roller_load [%]", LAYOUT)
     (above, below), row = share.texts, Row("", "converged", "", 0.0)
     assert share.values([replace(row, values={above: 3.0, below: 4.0})]).values == (75.0,)
     assert all(map(isnan, share.values([replace(row, values={above: 3.0, below: 0.0}), row]).values))
-    values = computed(settled, tmp_path)["gain"].values
+    values = computed(prepared, tmp_path)["gain"].values
     assert isnan(values[0])
     assert values[-1] == 100.0
 

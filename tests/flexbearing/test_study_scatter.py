@@ -50,8 +50,8 @@ def study(tmp_path_factory):
     rollers = read_case(CONFIGS / "nu209.toml").bearing.rollers
     file = folder / "study.toml"
     file.write_text(STUDY.replace("ROLLERS", str(rollers)), "utf-8")
-    settled = prepare_source(file)
-    return folder, settled, compute(settled, folder / "whole")
+    prepared = prepare_source(file)
+    return folder, prepared, compute(prepared, folder / "whole")
 
 
 def rows(text):
@@ -60,11 +60,11 @@ def rows(text):
 
 @pytest.mark.slow
 def test_every_input_and_output_has_its_shares(study):
-    folder, settled, table = study
+    folder, prepared, table = study
     outputs, shares, bins = (each.rows for each in table.scatter)
     assert len(table) == 32 * (4 + 2)
     assert [row["output"] for row in outputs] == ["life", "load", "slip"]
-    assert len(shares) == 3 * len(settled.study.drawn.factors) == 3 * 4
+    assert len(shares) == 3 * len(prepared.study.drawn.factors) == 3 * 4
     assert all(row["rows"] == 2 * 32 and row["unsolved"] == 0 for row in outputs)
     assert sum(row["rows"] for row in bins if row["output"] == "load") == 2 * 32
     for name in TABLES:
@@ -110,12 +110,12 @@ def test_linear_prediction_is_that_of_the_derivatives_at_the_means(study):
 
 @pytest.mark.slow
 def test_a_study_that_was_killed_ends_with_the_same_scatter(study):
-    folder, settled, _ = study
+    folder, prepared, _ = study
     (folder / "torn").mkdir()
     lines = (folder / "whole" / "scatter.journal.jsonl").read_bytes().splitlines(keepends=True)
     torn = b"".join(lines[: len(lines) // 2]) + lines[-1][:40]
     (folder / "torn" / "scatter.journal.jsonl").write_bytes(torn)
-    compute(settled, folder / "torn")
+    compute(prepared, folder / "torn")
     for name in TABLES:
         both = [(folder / each / f"scatter_{name}.csv").read_text("utf-8") for each in ("whole", "torn")]
         numbers = [[float(n) for n in re.findall(r"(?<=,)-?[0-9.e-]+", text)] for text in both]
@@ -123,8 +123,8 @@ def test_a_study_that_was_killed_ends_with_the_same_scatter(study):
 
 
 def test_the_end_of_the_command_names_what_to_tighten_first(study):
-    folder, settled, table = study
-    words = messages.end(settled, table, folder / "whole")
+    folder, prepared, table = study
+    words = messages.end(prepared, table, folder / "whole")
     assert re.search(r"\nload N: P10 [\d.]+ \([\d.]+ to [\d.]+\), P50 .*; linear: P10 .* explains \d", words)
     assert words.count("tighten first: ") == 3
     assert "scatter_scatter.png" in words

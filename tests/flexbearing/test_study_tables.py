@@ -92,19 +92,19 @@ def test_without_the_extra_the_table_is_csv_and_the_rest_says_what_to_install(tm
     from flexbearing.studies import messages
 
     monkeypatch.setattr(forms, "find_spec", lambda name: None)
-    settled = toy(tmp_path)
-    table = computed(settled, tmp_path)
+    prepared = toy(tmp_path)
+    table = computed(prepared, tmp_path)
     assert sorted(path.suffix for path in tmp_path.iterdir()) == [".csv", ".jsonl", ".toml"]
     assert (
-        messages.end(settled, table, tmp_path)
+        messages.end(prepared, table, tmp_path)
         .splitlines()[2]
         .endswith('toy.parquet, not written without pyarrow: pip install "flexbearing[studies]"')
     )
 
 
 def test_a_full_disk_keeps_the_rows_and_the_table_before(tmp_path, monkeypatch):
-    settled = toy(tmp_path)
-    computed(settled, tmp_path)
+    prepared = toy(tmp_path)
+    computed(prepared, tmp_path)
     before = (tmp_path / "toy.csv").read_bytes()
     write_part, times = Path.open, count()
 
@@ -124,12 +124,12 @@ def test_a_full_disk_keeps_the_rows_and_the_table_before(tmp_path, monkeypatch):
 
 
 def test_a_folder_that_may_only_be_read_is_told_before_anything_is_computed(tmp_path, monkeypatch):
-    settled, (work, loads) = toy(tmp_path), counting()
+    prepared, (work, loads) = toy(tmp_path), counting()
 
     def protected(path):
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
 
     monkeypatch.setattr("flexbearing.files.destination.require_part", protected)
     with pytest.raises(BadOutput, match="no folder to write to: Permission denied"):
-        computed(settled, tmp_path / "out", work)
+        computed(prepared, tmp_path / "out", work)
     assert loads == []

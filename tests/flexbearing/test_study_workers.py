@@ -84,26 +84,28 @@ def test_a_worker_meshes_in_its_own_process_and_a_driver_does_not(rings, monkeyp
 @pytest.mark.slow
 def test_a_worker_that_meshing_ended_hands_the_ring_to_a_process_of_its_own(tmp_path):
     """Rings of a driver are never meshed in its own process."""
-    settled = study(tmp_path, PAPER, '[over]\n"operation.radial_load" = "5 kN"\n[collect]\nlife = "life_L10"')
+    prepared = study(
+        tmp_path, PAPER, '[over]\n"operation.radial_load" = "5 kN"\n[collect]\nlife = "life_L10"'
+    )
     for engine in (Processes(1), Serial()):
         folder = tmp_path / type(engine).__name__
         folder.mkdir()
         condense = partial(toy_studies.deadly_here, place=folder / "meshed")
-        work = Work(partial(toy_studies.lives, texts=settled.texts), condense)
-        assert run(settled, folder, work, lambda tasks, engine=engine: engine).failed == 0
+        work = Work(partial(toy_studies.lives, texts=prepared.texts), condense)
+        assert run(prepared, folder, work, lambda tasks, engine=engine: engine).failed == 0
         assert (folder / "meshed").read_text().split() == ["inner", "outer"]
 
 
 @pytest.mark.slow
 def test_a_worker_holds_the_rings_of_few_bearings_however_many_it_meets(rings, monkeypatch, tmp_path):
     monkeypatch.setattr(recent, "MOST", 2)
-    settled, before = study(tmp_path, CASE, PLAIN_RINGS), held()
-    assert len(settled.plan.rings()) == 5
-    for ring in settled.plan.rings():
+    prepared, before = study(tmp_path, CASE, PLAIN_RINGS), held()
+    assert len(prepared.plan.rings()) == 5
+    for ring in prepared.plan.rings():
         worker.condense(ring, here=True)
         assert held() - before <= 2
-    for task in settled.plan.tasks(lambda variant: True):
-        (row,) = worker.rows(task, worker.RowRequest(settled.outputs))
+    for task in prepared.plan.tasks(lambda variant: True):
+        (row,) = worker.rows(task, worker.RowRequest(prepared.outputs))
         assert row.converged
         assert held() - before <= 2
     assert len(configured().entries()) >= 5
@@ -137,9 +139,9 @@ def test_a_row_alone_says_what_it_says_in_a_batch(alone, tmp_path):
     several = study(tmp_path, cold_case(tmp_path), f"[over]\n{keys}\n")
     pressed = study(tmp_path, CASE, f'[over]\n{loads}"operation.misalignment" = "3 arcmin"\n')
     words = []
-    for settled in (several, pressed):
+    for prepared in (several, pressed):
         request = worker.RowRequest(("life_L10 [h]",), files=tmp_path if alone else None, final=alone)
-        tasks = settled.plan.tasks(lambda variant: True)
+        tasks = prepared.plan.tasks(lambda variant: True)
         words += [row.message for task in tasks for row in worker.rows(task, request)]
     assert words[0] == "danger: several equilibria are likely; others than the computed one were not searched"
     assert all(each.startswith("outside validity: error of the peak pressure") for each in words[1:])

@@ -50,7 +50,7 @@ def ranked(reader: Reader) -> list[int]:
 
 
 def largest(reader: Reader, output: str, count: int) -> list[tuple[str, list[Number]]]:
-    """Keys with the largest effects on an output, no comparisons, each with that over the case's, growing."""
+    """Keys with the largest effects on an output, no comparisons and minor ones, each with growing ratios."""
     found = reader.attributes["assumed_effects"]
     moving = {place: _effect(found, place, output) for place in _inputs(found)}
     least = max(SMALLEST, MINOR * max(moving.values(), default=0.0))

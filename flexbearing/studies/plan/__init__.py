@@ -1,4 +1,4 @@
-"""What a study computes, settled before anything is: variants, their identities, tasks."""
+"""What a study computes, known before anything is: variants, their identities, tasks."""
 
 from flexbearing.studies.plan.part import Part
 from flexbearing.studies.plan.plan import Impossible, Plan, Problem, plan

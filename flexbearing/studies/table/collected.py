@@ -24,7 +24,7 @@ class Collected:
     """An output that becomes a column."""
 
     column: str  # its heading without the unit
-    text: str  # as `flexbearing.outputs.wanted` takes it, with its unit
+    text: str  # as `flexbearing.outputs.requested` takes it, with its unit
     unit: str  # empty for plain numbers
     error: bool = False  # whether it is the estimated error of an output
     over: str = ""  # output in the same unit that it is divided by; empty: none
@@ -135,7 +135,7 @@ def numbers(
 ) -> dict[str, float]:
     """Numbers of one variant by the texts that name them; what it does not have is left out."""
     found = {}
-    for text, output in _wanted(texts, kind, families[kind].layout):
+    for text, output in _requested(texts, kind, families[kind].layout):
         number = output.number(blocks)
         if not isnan(number):
             found[text] = number
@@ -164,7 +164,7 @@ def errors(
 ) -> dict[str, float]:
     """Estimated errors of outputs by the texts that name them."""
     found = {}
-    for text, output in _wanted(texts, kind, families[kind].layout):
+    for text, output in _requested(texts, kind, families[kind].layout):
         whole = 100.0 if output.output.declared.error_relative else 1.0  # in percent of the output
         error = output.error(estimates, whole)
         if not isnan(error):
@@ -178,5 +178,5 @@ def of_error(text: str) -> str:
 
 
 @lru_cache(maxsize=16)
-def _wanted(texts: tuple[str, ...], kind: str, layout) -> tuple[tuple[str, RequestedOutput], ...]:
+def _requested(texts: tuple[str, ...], kind: str, layout) -> tuple[tuple[str, RequestedOutput], ...]:
     return tuple((text, requested(layout(), text)) for text in texts)
