@@ -18,6 +18,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from hashlib import file_digest
 from multiprocessing.connection import wait
 from pathlib import Path
 from typing import Any, Protocol, Self
@@ -344,10 +345,11 @@ def _peak() -> int:
 
 
 def _contents() -> Iterator[tuple[str, bytes]]:
-    """Plain files of the folder."""
+    """Plain files of the folder with their digests: contents would count as memory of the command."""
     for path in Path().rglob("*"):
         if path.is_file() and not path.is_symlink():
-            yield str(path), path.read_bytes()
+            with path.open("rb") as file:
+                yield str(path), file_digest(file, "sha256").digest()
 
 
 def _of_files(before: dict[str, bytes], words: Sequence[str]) -> Iterator[str]:
