@@ -6,7 +6,7 @@ from textwrap import shorten
 from flexbearing.findings import DANGER, NOT_CHECKED
 from flexbearing.findings.running import REQUIRED_LIFE
 from flexbearing.report.card.card import Item
-from flexbearing.report.html import effects, lives as of_report, ratings
+from flexbearing.report.html import effects, lives as of_report
 from flexbearing.report.html.checks import (
     BUILD,
     NOTED,
@@ -83,10 +83,9 @@ def _nearest(checks: Sequence[Check]) -> Iterator[Item]:
 def lives(reader: Reader) -> Iterator[Item]:
     """The most detailed life with its range and against the required one; that of a catalogue."""
     required = (reader.attributes["case_si"].get("life") or {}).get("required")
-    known = of_report.lives(reader)
-    if not known and isinstance(why := ratings.found(reader), str):
-        yield Item("none:", why.removeprefix(ratings.NONE).rstrip("."))
-    for life in known:
+    if why := of_report.why_none(reader):
+        yield Item("none:", why)
+    for life in of_report.lives(reader):
         number = life.hours if isinstance(life.hours, Number) else life.turns
         if life.chosen:
             yield Item(f"{kind(life)}:", rounded(number), _range(reader, number))

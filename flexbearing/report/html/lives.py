@@ -46,6 +46,12 @@ def lives(reader: Reader) -> tuple[Life, ...]:
     return tuple(sorted(kept, key=lambda life: (not life.chosen, _ORDER.index(life.key))))
 
 
+def why_none(reader: Reader) -> str:
+    """Why there is no life; empty where there is one."""
+    rated = ratings.found(reader)
+    return rated if isinstance(rated, str) and not lives(reader) else ""
+
+
 def table(reader: Reader) -> Table | None:
     """All of them, and those of each raceway; the first page has the hours of the life of the case."""
     known = lives(reader)

@@ -9,7 +9,6 @@ from flexbearing.report.html.units import printed
 
 NAMES = {"C_r": "dynamic rating C_r", "C_0r": "static rating C_0", "C_u": "fatigue limit load C_u"}
 KEYS = {"C_r": "life.dynamic_rating", "C_0r": "life.static_rating", "C_u": "life.fatigue_limit_load"}
-NONE = "No load ratings: "
 _STANDARDS = {"C_r": "ISO 281", "C_0r": "ISO 76", "C_u": "ISO 281, from C_0"}
 BY_A_ISO = (  # for any cleanliness: κ does not depend on it
     "life.lubrication=a_ISO",
@@ -25,13 +24,13 @@ def found(reader: Reader) -> tuple[dict[str, Any], str] | str:
         return stored["ratings"], "attributes/catalogue_life/ratings"
     catalogue = reader.result.family.catalogue
     if catalogue is None:
-        return "ISO 281 and ISO 76 do not rate this kind."
+        return "ISO 281 and ISO 76 do not rate this kind"
     try:
         case, known = reader.case, catalogue()
         known.require_load(case)
         return known.ratings(case, _hours(reader)), "ratings"
     except ValueError as problem:  # a refused case, or a formula outside its range
-        return f"{NONE}{str(problem).splitlines()[0]}"
+        return str(problem).splitlines()[0].rstrip(".")
 
 
 def _hours(reader: Reader) -> float:

@@ -14,7 +14,6 @@ from flexbearing.report.html import (
     lives,
     origin,
     others,
-    ratings,
     rings,
     stiffness,
     subjects,
@@ -90,7 +89,6 @@ def _of_solution(reader: Reader) -> dict[str, Any]:
     first, further = checks.first_and_further(reader)
     known = bool(reader.attributes.get("assumed_effects"))
     loads = elements.figures(reader, shown.figures, shown.azimuth) if shown else []
-    rated = ratings.found(reader)
     return {
         "judged": checks.judged(reader),
         "checks": _checked(first),
@@ -101,7 +99,7 @@ def _of_solution(reader: Reader) -> dict[str, Any]:
         "elements": elements.table(reader, shown) if shown else None,
         "element": shown.word if shown else "",
         "lives": lives.table(reader),
-        "no_life": rated if isinstance(rated, str) and not lives.lives(reader) else "",
+        "no_life": lives.why_none(reader),
         "factors": lives.factors(reader),
         "stages": lives.stages(reader),
         "effects": effects.figure(reader) if known else None,
