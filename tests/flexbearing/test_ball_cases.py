@@ -642,3 +642,11 @@ def test_fast_balls_with_stick_and_slip_keep_their_balance(run):
 def test_fast_balls_in_full_sliding_store_neither_cells_nor_stick(run):
     values = run(HARRIS).rigid
     assert not {"field_stick", "field_ball", "grid_error", "stick_share", "unbalanced_moment"} & set(values)
+
+
+def test_the_outer_ring_turns_about_x_as_seen_from_slow_balls():
+    """An inner ring that turns towards growing azimuth turns about -x, and so does the cage of its balls."""
+    result = flexbearing.run(CONFIGS / "heras2017_a1.toml")
+    speed = result.attributes["case_si"]["operation"]["speed"]
+    orbit = 0.5 * speed * (1 - 0.03 * np.cos(np.radians(45.0)))
+    assert result.rigid["ball_motion"][:, 0] == approx(orbit, rel=2e-3)

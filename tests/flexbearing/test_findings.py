@@ -234,6 +234,30 @@ def test_values_are_judged_cases_first():
     assert (first["share"], first["verdict"], first["limit"]) == (approx(1.25, rel=1e-12), NOT_MET, 4e9)
 
 
+def test_share_of_a_limit_from_below_is_the_limit_over_the_value():
+    found = findings.evaluate(declared.OF_ROLLERS, {"static_safety": np.array([0.8, 2.0])})
+    assert (found[0].finding.at_least, found[0].share) == (1.0, approx([1.25, 0.5]))
+
+
+def test_what_to_act_on_first_is_the_gravest_broken_one_else_the_nearest_to_its_limit():
+    def record(grade, verdict, share):
+        return {"grade": grade, "verdict": verdict, "share": share}
+
+    far, near = record(DANGER, "met", 0.2), record("usual", "met", 0.9)
+    slight, grave, graver = (
+        record(grade, NOT_MET, share) for grade, share in (("usual", 5.0), (DANGER, 1.1), (DANGER, 1.3))
+    )
+    assert findings.gravest([far, near]) is near
+    assert findings.gravest([near, slight, far]) is slight
+    assert findings.gravest([slight, grave, graver, near]) is graver
+
+
+@pytest.mark.parametrize("family", ["OF_ROLLERS", "OF_BALLS"])
+def test_a_negative_stiffness_is_a_finding(family):
+    found = findings.evaluate(getattr(declared, family), {"least_stiffness": -1e6})
+    assert [note.code for note in judged.notes(found)] == ["no-positive-stiffness"]
+
+
 def test_a_limit_that_the_case_does_not_give_is_not_checked_and_warns_of_nothing():
     (found,) = findings.evaluate(
         declared.OF_ROLLERS, {"stress": {"bars": 1e9}, "yield_stress": {"bars": None}}

@@ -1,6 +1,7 @@
 """Outputs of many cases at once are those of single runs, and a row says the dangers of its run."""
 
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from flexbearing.outputs import outputs, requested
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs.answer import Answer, message
 from flexbearing.runs.rows import answers
+from flexbearing.runs.side_by_side import _shapes
 from quasidynamic.note import Note
 from quasidynamic.outcome.ring_stiffness import Tangent
 from tests.cold_oil import PAPER, RIGID, cold_case, settings
@@ -217,3 +219,24 @@ def test_nothing_is_computed_but_what_is_wanted(monkeypatch):
 
 def test_no_cases_have_no_answers():
     assert answers([], ["life_L10"], refused) == []
+
+
+def test_rollers_of_another_length_have_rings_of_their_own():
+    """The parts are the same, the loaded band is not."""
+    cases = [
+        case
+        for length in ("5 mm", "4.5 mm")
+        for case in variants(
+            CONFIGS / "mao2016.toml",
+            {"bearing.roller.length": length, "accuracy.structure": "beam"},
+            (4000, 8000),
+        )
+    ]
+    assert_equal(answers(cases, ["max_roller_load"], refused), cases, ["max_roller_load"])
+
+
+def test_a_pair_of_raceways_without_a_shape_is_round_beside_one_with_a_shape():
+    shape = np.ones((2, 3, 2))
+    pairs = [SimpleNamespace(initial_deviation=each) for each in (None, shape)]
+    assert _shapes(pairs) == approx(np.stack([0 * shape, shape]))
+    assert _shapes(pairs[:1]) is None
