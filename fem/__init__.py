@@ -18,6 +18,7 @@ if TYPE_CHECKING:
         PlanetGear as PlanetGear,
         RigidSeat as RigidSeat,
     )
+    from fem.parts.groove import Groove as Groove, Stations as Stations
     from fem.parts.material import Elastic as Elastic, ImpossiblePart as ImpossiblePart
     from fem.parts.reduced_body import ReducedBody as ReducedBody
     from fem.parts.resolution import Discretisation as Discretisation, Resolution as Resolution
@@ -41,6 +42,7 @@ EXPORTS = {
         "PlanetGear",
         "RigidSeat",
     ),
+    "parts.groove": ("Groove", "Stations"),
     "parts.material": ("Elastic", "ImpossiblePart"),
     "parts.reduced_body": ("ReducedBody",),
     "parts.resolution": ("Discretisation", "Resolution"),

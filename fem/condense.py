@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeVar, overload
 
 from fem.parts.bolted_ring import BoltedGrooveRing
 from fem.parts.boundary_conditions import ClampedFace, Foundation, LineSupports, PlanetGear, RigidSeat
+from fem.parts.groove import Groove
 from fem.parts.material import ImpossiblePart
 from fem.parts.reduced_body import ReducedBody
 from fem.parts.resolution import Discretisation, Resolution, Shape
@@ -25,7 +26,8 @@ if TYPE_CHECKING:
     from fem.raceway.compliance import RacewayCompliance
     from fem.raceway.growth import RacewayGrowth
     from fem.raceway.harmonics import HarmonicCompliance
-    from fem.section.bolted_ring import GrooveCompliance
+    from fem.raceway.stations import GrooveCompliance
+    from fem.section.bolted_ring import ArchCompliance
     from fem.section.free_ring import FreeRing
     from fem.section.planet_rim import PlanetRim
     from fem.section.ring_on_foundation import RingOnFoundation
@@ -44,11 +46,13 @@ _log = logging.getLogger(__name__)
 @overload
 def condense(
     part: BoltedGrooveRing, discretisation: Discretisation, resolution: Resolution, report: Report = ...
-) -> "GrooveCompliance": ...
+) -> "ArchCompliance": ...
 @overload
 def condense(
     part: Part | StepSolid, discretisation: Discretisation, resolution: Resolution, report: Report = ...
-) -> "HarmonicCompliance | RingOnFoundation | RingOnLines | PlanetRim | RacewayCompliance": ...
+) -> (
+    "HarmonicCompliance | RingOnFoundation | RingOnLines | PlanetRim | RacewayCompliance | GrooveCompliance"
+): ...
 def condense(part, discretisation, resolution, report=unheard):
     """Condense a part to its raceway; what is meshed in space is meshed in a process of its own.
 
@@ -65,7 +69,8 @@ def condense(part, discretisation, resolution, report=unheard):
 
     Returns
     -------
-    HarmonicCompliance, RingOnFoundation, RingOnLines, PlanetRim, RacewayCompliance or GrooveCompliance
+    HarmonicCompliance, RingOnFoundation, RingOnLines, PlanetRim, RacewayCompliance, ArchCompliance of a
+    bolted ring or GrooveCompliance of a part with a groove
         whose `at` gives the compliance for rollers at their azimuths, or for balls by their number; that
         of a solid holds for its azimuths alone. With supports that only push it depends on the forces:
         `under_rollers` of RingOnFoundation and RingOnLines
@@ -202,7 +207,7 @@ def condense_in_process(
 
     Returns
     -------
-    HarmonicCompliance, RingOnFoundation, RingOnLines, PlanetRim, RacewayCompliance or GrooveCompliance
+    as `condense`
 
     Raises
     ------
@@ -219,19 +224,17 @@ def condense_in_process(
             from fem.section.bolted_ring import condense_groove
 
             condensed = condense_groove(part, resolution, stage, seconds)
+        case OuterRing(groove=Groove()) | RingOnShaft(groove=Groove()) | SquirrelCage(groove=Groove()), _:
+            condensed = _groove(part, discretisation, resolution, stage, seconds)
         case OuterRing(support=LineSupports() | PlanetGear()), Discretisation.HARMONICS:
             require_on_track(resolution.length, part.track)
             return _free_ring(part, resolution, stage, seconds)
         case OuterRing(support=Foundation(pushing=True)), Discretisation.HARMONICS | Discretisation.BEAM:
             require_on_track(resolution.length, part.track)
             return _on_foundation(part, discretisation, resolution, stage, seconds)
-        case OuterRing(support=ReducedBody()), Discretisation.HARMONICS:
-            require_on_track(resolution.length, part.track)
-            condensed = _on_matrix(part, resolution, stage, seconds)
         case OuterRing(support=ReducedBody()), _:
-            raise ImpossiblePart(
-                f"a ring on a matrix is impossible as {discretisation.name}, only as HARMONICS"
-            )
+            require_on_track(resolution.length, part.track)
+            condensed = _on_matrix(part, discretisation, resolution, stage, seconds)
         case OuterRing() | SquirrelCage() | RingOnShaft(), _:
             require_on_track(resolution.length, part.track)
             condensed = _in_harmonics(part, discretisation, resolution, stage, seconds)
@@ -239,6 +242,23 @@ def condense_in_process(
             raise ImpossiblePart(f"{type(part).__name__} is impossible as {discretisation.name}")
     _log.info("%s: %d unknowns, %.1f s", type(part).__name__, condensed.unknowns, sum(seconds.values()))
     return condensed
+
+
+def _groove(
+    part: Part, discretisation: Discretisation, resolution: Resolution, stage: Stage, seconds: dict
+) -> "GrooveCompliance":
+    """Compliance of a groove at stations of its arc, of a ring that is held."""
+    from fem.section.grooved import groove_compliance
+
+    support = part.support if isinstance(part, OuterRing) else None
+    pushing = isinstance(support, Foundation) and support.pushing
+    if pushing or isinstance(support, LineSupports | PlanetGear | ReducedBody):
+        words = f"a groove on {type(support).__name__} is not known; allowed are seats and springs"
+        raise ImpossiblePart(words)
+    known = SMEARED if isinstance(part, SquirrelCage) else HARMONICS
+    if discretisation is not known:
+        raise ImpossiblePart(f"a groove is impossible as {discretisation.name}, only as {known.name}")
+    return groove_compliance(part, resolution, stage, seconds)
 
 
 def _in_harmonics(
@@ -377,8 +397,12 @@ def _on_foundation(
     return _with_enough_harmonics(condensed, part, discretisation, resolution)
 
 
-def _on_matrix(part: OuterRing, resolution: Resolution, stage: Stage, seconds: dict) -> "HarmonicCompliance":
+def _on_matrix(
+    part: OuterRing, discretisation: Discretisation, resolution: Resolution, stage: Stage, seconds: dict
+) -> "HarmonicCompliance":
     """A ring on a body that another program reduced."""
+    if discretisation is not HARMONICS:
+        raise ImpossiblePart(f"a ring on a matrix is impossible as {discretisation.name}, only as HARMONICS")
     from fem.section.ring_on_matrix import ring_on_matrix
 
     def condensed(resolution: Resolution, last: int) -> "HarmonicCompliance":

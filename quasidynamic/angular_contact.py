@@ -1,7 +1,7 @@
 """The angular-contact ball bearing at speed."""
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Literal, NamedTuple, cast
 
@@ -22,6 +22,7 @@ from quasidynamic.outcome.fast_balls import FastRollingBalls
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.solve.balls.coulomb_control import CoulombControl, StickingContacts
 from quasidynamic.solve.balls.refined_rolling import RefinedRolling, RollingModel, refined_kept_motion
+from quasidynamic.solve.balls.ring_in_elastic_grooves import ElasticGrooves, solve_elastic
 from quasidynamic.solve.balls.ring_on_balls import SINGULAR, RingSolution, solve
 from quasidynamic.solve.step_length import SolverOutcome
 
@@ -31,7 +32,7 @@ LEAST_SHARE = 1e-3  # of a motion without a force: component that is reported
 
 @dataclass(frozen=True, kw_only=True)
 class AngularContactBallBearing:
-    """An angular-contact ball bearing between rigid rings.
+    """An angular-contact ball bearing between rigid rings, or between grooves that give way.
 
     What balls do follows from an assumption on which race controls their spin, or, with control "coulomb",
     from the friction of their contacts.
@@ -74,23 +75,33 @@ class AngularContactBallBearing:
                 f"interface_compliance = {self.interface_compliance!r} m must be finite, >= 0"
             )
 
-    def solve(self, operation: RingOperation) -> AngularContactState:
-        """Balance of ring and balls.
+    def solve(self, operation: RingOperation, grooves: ElasticGrooves | None = None) -> AngularContactState:
+        """Balance of ring and balls, and of elastic grooves.
 
         Raises
         ------
         NotSolved
             with the outcome: nothing holds the ring, or no balance found
         """
-        state = self.solve_many([operation])[0]
+        state = self.solve_many([operation], grooves)[0]
         if isinstance(state, NotSolved):
             raise state
         return state
 
-    def solve_many(self, operations: Sequence[RingOperation]) -> list[AngularContactState | NotSolved]:
+    def solve_many(
+        self, operations: Sequence[RingOperation], grooves: ElasticGrooves | None = None
+    ) -> list[AngularContactState | NotSolved]:
         """Balance at several operating points side by side; an error takes its place."""
         balance = self.equations(operations)
-        return self.states(operations, balance, solve(balance))
+        if grooves is None:
+            return self.states(operations, balance, solve(balance))
+        solution = solve_elastic(balance, grooves)
+        return [
+            state if isinstance(state, NotSolved) else replace(state, groove_displacement=moved)
+            for state, moved in zip(
+                self.states(operations, balance, solution.rings), solution.moved, strict=True
+            )
+        ]
 
     def states(
         self, operations: Sequence[RingOperation], balance: AngularBalance, solution: RingSolution

@@ -10,7 +10,7 @@ is in millimetres, as in `fem.mesh.solid`.
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import singledispatch
-from math import hypot
+from math import cos, hypot, sin
 
 import ngsolve as ngs
 from netgen import occ
@@ -19,6 +19,7 @@ from fem.mesh.expense import polygon, require_affordable
 from fem.mesh.moved_nodes import Faces, move_nodes
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.boundary_conditions import Housing, edge_names
+from fem.parts.groove import Groove
 from fem.parts.rings import ImpossiblePart, MeshSize, OuterRing, RingOnShaft
 
 FINER = ("raceway", "lines")  # edges with elements of a size of their own
@@ -52,7 +53,8 @@ def sections(part, length: float) -> list[AxialSection]:
     part : OuterRing, RingOnShaft
         a body of revolution with its seat
     length : float
-        axial length of the loaded band, centred on x = 0 [m], at most the track of the part
+        axial length of the loaded band, centred on x = 0 [m], at most the track of the part; a groove has
+        the width that its lands leave it
 
     Returns
     -------
@@ -69,19 +71,20 @@ def sections(part, length: float) -> list[AxialSection]:
 
 @sections.register
 def _(part: OuterRing, length):
-    inner, (left, right), half = part.raceway_diameter / 2, part.sides, length / 2
-    outer = inner + part.thickness
+    inner, (left, right) = part.raceway_diameter / 2, part.sides
+    outer, half = inner + part.thickness, half_band(part.groove, inner, 1, length)
     bore = (left, inner, None), (-half, inner, None), (half, inner, "raceway"), (right, inner, None)
+    bends = {} if part.groove is None else {2: start_of_arc(part.groove, inner, 1)}
     if not isinstance(part.support, Housing):
         face, outside = edge_names(part.support)
-        return [AxialSection("ring", (*bore, (right, outer, face), (left, outer, outside)))]
+        return [AxialSection("ring", (*bore, (right, outer, face), (left, outer, outside)), bends)]
     face, outside = edge_names(part.support.support)
     top = outer + part.support.thickness
     first, last = (side * part.support.width / 2 - part.offset for side in (-1, 1))
     near, far = max(left, first), min(right, last)
     ring = AxialSection("ring", (
         *bore, (right, outer, None), (far, outer, None), (near, outer, "seat"), (left, outer, None)
-    ))  # fmt: skip
+    ), bends)  # fmt: skip
     housing = AxialSection("housing", (
         (first, outer, None), (near, outer, None), (far, outer, "seat"), (last, outer, None),
         (last, top, face), (first, top, outside),
@@ -93,19 +96,32 @@ def _(part: OuterRing, length):
 def _(part: RingOnShaft, length):
     raceway, rib, bore = part.raceway_diameter / 2, part.outside_diameter / 2, part.bore / 2
     hollow = part.shaft_bore / 2 or AXIS * bore
-    track, side, end, half = part.track_width / 2, part.width / 2, part.shaft_length / 2, length / 2
+    track, side, end = part.track_width / 2, part.width / 2, part.shaft_length / 2
+    half = half_band(part.groove, raceway, -1, length)
     ribs = [[(side, rib, None), (track, rib, None)], [(-track, rib, None), (-side, rib, None)]]
     right, left = ribs if part.rib_diameter is not None else ([], [])
+    bends = {} if part.groove is None else {4 + len(right): start_of_arc(part.groove, raceway, -1)}
     ring = AxialSection("ring", (
         (-side, bore, None), (side, bore, "seat"), *right,
         (track, raceway, None), (half, raceway, None), (-half, raceway, "raceway"), (-track, raceway, None),
         *left,
-    ))  # fmt: skip
+    ), bends)  # fmt: skip
     shaft = AxialSection("shaft", (
         (-end, hollow, None), (end, hollow, None), (end, bore, "clamped"), (side, bore, None),
         (-side, bore, "seat"), (-end, bore, None), (-end, hollow, "clamped"),
     ))  # fmt: skip
     return [ring, shaft]
+
+
+def half_band(groove: Groove | None, land: float, outward: int, length: float) -> float:
+    """Half of what is loaded along the axis [m]: the arc of a groove, or a band of some length."""
+    return length / 2 if groove is None else groove.width(land, outward) / 2
+
+
+def start_of_arc(groove: Groove, land: float, outward: int) -> tuple[float, float]:
+    """Direction (x, r) in which an arc begins, counter-clockwise around its section."""
+    end = groove.end(land, outward)
+    return outward * cos(end), outward * sin(end)
 
 
 def meshed(

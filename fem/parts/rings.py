@@ -16,6 +16,7 @@ from fem.parts.boundary_conditions import (
     Support,
     free_motions,
 )
+from fem.parts.groove import Groove
 from fem.parts.material import (
     Elastic,
     ImpossiblePart as ImpossiblePart,  # parts are where one expects it
@@ -38,9 +39,14 @@ class OuterRing:
     elastic: Elastic
     support: Support
     offset: float = 0.0  # [m] axial, of the raceway's middle from the ring's, towards the clamped face
+    groove: Groove | None = None  # for balls, cut into the inner surface; None: a cylinder for rollers
 
     def __post_init__(self):
         require_positive(self, "raceway_diameter", "thickness", "width")
+        if self.groove is not None:
+            _require_room(
+                self.groove, self.raceway_diameter / 2, self.raceway_diameter / 2 + self.thickness, 1
+            )
         require(
             self.thickness > SLENDEREST_SLOT, "thickness", in_mm(self.thickness),
             f"above {in_mm(SLENDEREST_SLOT)}",
@@ -126,8 +132,12 @@ class SquirrelCage:
     collar_thickness: float = 0.0  # [m] radial, of the ring with its collar
     two_sided: bool = False  # bars and flange, and the collar, at both ends of the ring, else at +x only
     offset: float = 0.0  # [m] axial, of the raceway's middle from the ring's, towards +x
+    groove: Groove | None = None  # for balls, cut into the inner surface; None: a cylinder for rollers
 
     def __post_init__(self):
+        if self.groove is not None:
+            land = self.raceway_diameter / 2
+            _require_room(self.groove, land, land + self.thickness, 1)
         require_positive(
             self, "raceway_diameter", "thickness", "width", "bar_width", "bar_thickness", "bar_length",
             "flange_length",
@@ -244,8 +254,11 @@ class RingOnShaft:
     shaft_length: float  # [m] axial, centred on the ring
     ring: Elastic
     shaft: Elastic
+    groove: Groove | None = None  # for balls, cut into the outer surface; None: a cylinder for rollers
 
     def __post_init__(self):
+        if self.groove is not None:
+            _require_room(self.groove, self.raceway_diameter / 2, self.bore / 2, -1)
         require_positive(self, "raceway_diameter", "track_width", "shaft_length")
         require(self.shaft_bore >= 0, "shaft_bore", self.shaft_bore, "zero for a solid shaft, or above")
         wall, ribs = 2 * SLENDEREST_SLOT, self.rib_diameter is not None
@@ -295,6 +308,16 @@ class RingOnShaft:
 
 
 Part = SquirrelCage | OuterRing | RingOnShaft
+
+
+def _require_room(groove: Groove, land: float, far: float, outward: int) -> None:
+    """Refuse a groove that leaves no wall between its bottom and the far surface of its ring [m]."""
+    groove.end(land, outward)
+    wall = outward * (far - groove.bottom(outward))
+    require(
+        wall > SLENDEREST_SLOT, "groove.radius", in_mm(groove.radius),
+        f"one that leaves a wall above {in_mm(SLENDEREST_SLOT)}",
+    )  # fmt: skip
 
 
 def _at_most(limit: float, instead: str) -> str:

@@ -38,7 +38,7 @@ from fem.stages import Stage
 
 
 @dataclass(frozen=True, kw_only=True)
-class GrooveCompliance:
+class ArchCompliance:
     r"""How the raceway arcs of a groove deflect under balls at equal pitches, their half-space left out.
 
     .. math:: C(d) = \sum_{|n| \le N} (W_n - h_n) \cos n\varphi_d + T_N(\varphi_d)
@@ -127,7 +127,7 @@ class GrooveCompliance:
 @threads(1)  # sections are small: a second thread would only wait
 def condense_groove(
     ring: BoltedGrooveRing, resolution: Resolution, stage: Stage, seconds: dict
-) -> GrooveCompliance:
+) -> ArchCompliance:
     """Compliance of both arcs of a ring on its bolted face.
 
     Parameters
@@ -144,7 +144,7 @@ def condense_groove(
 
     Returns
     -------
-    GrooveCompliance
+    ArchCompliance
 
     Raises
     ------
@@ -159,7 +159,7 @@ def condense_groove(
         body = body_of(ring, length, mesh)
     with stage("condense"):
         W = responses(body, FreeMotions(), line_forces(body, length), last) / (2 * np.pi)
-    return GrooveCompliance(
+    return ArchCompliance(
         ring=ring, length=length, response=W, unknowns=body.stiffness.unknowns, seconds=seconds
     )
 

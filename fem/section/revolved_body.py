@@ -12,6 +12,8 @@ from fem.assembly import harmonic_elasticity as forms
 from fem.assembly.elasticity import lame_constants
 from fem.assembly.harmonic_stiffness import HarmonicStiffness, harmonic_stiffness
 from fem.mesh.axial_section import AxialSection, meshed
+from fem.mesh.solid import MILLIMETRES
+from fem.parts.groove import Groove, Stations
 from fem.parts.rings import Elastic, ImpossiblePart, MeshSize
 
 FLAT = 1e-12  # mean square deviation of an edge from its radius, over the square of that
@@ -123,6 +125,47 @@ def edge_modes(body: Body, edge: str, axial_modes: int, direction: int = 1) -> N
     v = body.space.TestFunction()
     patterns = ((2 * m + 1) / length * L for m, L in enumerate(legendre_polynomials(xi, axial_modes)))
     return np.stack([body.load(forms.edge_pressure(v[direction], where, a)) for a in patterns], axis=1)
+
+
+def station_modes(body: Body, groove: Groove, outward: int, stations: Stations) -> NDArray:
+    r"""Load vectors of normal Gaussian patches on the arc of a groove, which also read its displacement.
+
+    .. math:: g_k(v) = \frac{\int p_k\,(v_x \sin\alpha + v_r \cos\alpha)\,ds}
+              {\int p_k \cos(\alpha - \alpha_k)\,ds}, \quad
+              p_k = e^{-r^2 (\alpha - \alpha_k)^2/2 \sigma^2}
+
+    Parameters
+    ----------
+    body : Body
+        assembled sections, the arc of the groove named "raceway"
+    groove : Groove
+        of radius r
+    outward : int
+        1 where the race is outside the balls, else -1
+    stations : Stations
+        alpha_k and sigma
+
+    Returns
+    -------
+    array (unknowns, K)
+        [-]; for unit forces away from the centre of the groove on an outer race, towards it on an inner one
+
+    Source
+    ------
+    Body of revolution in harmonics, virtual work per radian; derived here. A patch reads the displacement of
+    a rigid section exactly.
+    """
+    edge, v = _edge(body.space.mesh, "raceway"), body.space.TestFunction()
+    sine = outward * ngs.x / (groove.radius * MILLIMETRES)
+    cosine = outward * (ngs.y / MILLIMETRES - groove.centre_radius) / groove.radius
+    angle = ngs.atan2(sine, cosine)
+    loads = []
+    for station in stations.angles:
+        patch = ngs.exp(-((groove.radius * (angle - station) / stations.width) ** 2) / 2)
+        read = ngs.Integrate(patch * ngs.cos(angle - station), body.space.mesh, ngs.BND, definedon=edge)
+        normal = sine * v[0] + cosine * v[1]
+        loads.append(body.load(forms.edge_pressure(normal, edge, patch / read)))
+    return np.stack(loads, axis=1)
 
 
 def _edge(section, name: str):

@@ -34,7 +34,7 @@ from fem.assembly.harmonic_stiffness import (
 )
 from fem.beam.curved_beam import shear_modulus
 from fem.beam.support_springs import tangential_slide
-from fem.mesh.axial_section import AxialSection, meshed
+from fem.mesh.axial_section import AxialSection, half_band, meshed, start_of_arc
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.resolution import Resolution, Shape
 from fem.parts.rings import MeshSize, SquirrelCage
@@ -77,7 +77,7 @@ def smeared_responses(cage: SquirrelCage, resolution: Resolution, last: int, sta
     Many bars, with several per wave of the harmonics that reach them, and slots as wide as they are.
     """
     with stage("factor"):
-        body = _assembled(cage, resolution)
+        body = assembled_cage(cage, resolution)
     with stage("condense"):
         modes = edge_modes(body, "raceway", resolution.axial_modes)
         readings = np.hstack([_bar_readings(body, cage, end) for end in cage.ends])
@@ -132,7 +132,7 @@ def _under_short_waves(
     cage: SquirrelCage, resolution: Resolution, first: int
 ) -> tuple[HarmonicStiffness, NDArray]:
     """Stiffness with harmonics counted from the first one, and loads (unknowns, M) of the raceway."""
-    body = _assembled(cage, resolution)
+    body = assembled_cage(cage, resolution)
     modes = edge_modes(body, "raceway", resolution.axial_modes)
     return body.stiffness.beginning_at(first), modes
 
@@ -173,7 +173,9 @@ def _bar_forces(answers: NDArray, length: float) -> NDArray:
 
 def _sections(cage: SquirrelCage, length: float) -> list[AxialSection]:
     """Ring, sleeves and flanges as polygons that touch along whole edges."""
-    inner, half, (left, right) = cage.raceway_diameter / 2, length / 2, cage.sides
+    inner, (left, right) = cage.raceway_diameter / 2, cage.sides
+    half = half_band(cage.groove, inner, 1, length)
+    bends = {} if cage.groove is None else {2: start_of_arc(cage.groove, inner, 1)}
     low, high = cage.bar_radii
     feet = [[(right, low, None), (right, high, None)], [(left, high, None), (left, low, None)]]
     at_right, at_left = feet if cage.two_sided else (feet[0], [])
@@ -181,7 +183,7 @@ def _sections(cage: SquirrelCage, length: float) -> list[AxialSection]:
     ring = AxialSection("ring", (
         (left, inner, None), (-half, inner, None), (half, inner, "raceway"), (right, inner, None),
         *at_right, *outline, *at_left,
-    ))  # fmt: skip
+    ), bends)  # fmt: skip
     return [ring, *(section for end in cage.ends for section in _sleeve_and_flange(cage, end))]
 
 
@@ -207,8 +209,8 @@ def _mirrored(corners: tuple) -> tuple:
     return tuple((-x, r, name) for (x, r, _), name in backwards)
 
 
-def _assembled(cage: SquirrelCage, resolution: Resolution) -> Body:
-    """Sections with their stiffness; the sleeve has no isotropic one."""
+def assembled_cage(cage: SquirrelCage, resolution: Resolution) -> Body:
+    """Sections of a cage with their stiffness; the sleeve of its bars has no isotropic one."""
     other = resolution.nodes_of
     nodes_of = None if other is None else _sections(other.part, other.length)
     section = meshed(_sections(cage, resolution.length), resolution.mesh, nodes_of)

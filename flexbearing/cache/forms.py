@@ -13,6 +13,7 @@ import numpy as np
 
 FORCE = 1e3  # [N/N] or [N m/N]: of a bar per roller force
 GROWTH = 1000.0  # [m] per strain: a radius is below
+HALF_TURN = 3.15  # [rad]
 METRE = 1.0  # [m/N] or [m]: no raceway gives way by a metre, at a newton or before it is loaded
 
 
@@ -225,7 +226,7 @@ RECORDS = {
         "fem.section.bonded_growth",
         {"by_heat": Array(("2 M",), largest=GROWTH), "by_rotation": Array(("2 M",), largest=GROWTH)},
     ),
-    "GrooveCompliance": Record(
+    "ArchCompliance": Record(
         "fem.section.bolted_ring",
         {
             "ring": Kept("BoltedGrooveRing"),
@@ -235,6 +236,21 @@ RECORDS = {
             "seconds": Numbers(),
         },
     ),
+    "GrooveCompliance": Record(
+        "fem.raceway.stations",
+        {
+            "groove": Kept("Groove"),
+            "outward": Choice((1, -1)),
+            "angles": Array(("K",), largest=HALF_TURN),
+            "width": Number(),
+            "response": Array(("N K K",)),
+            "elastic": Kept("Elastic"),
+            "unknowns": Count(),
+            "elements": Count(),
+            "seconds": Numbers(),
+        },
+    ),
+    "Groove": Record("fem.parts.groove", {"radius": Number(), "centre_radius": Number()}),
     "BoltedGrooveRing": Record(
         "fem.parts.bolted_ring",
         {

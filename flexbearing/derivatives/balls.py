@@ -53,6 +53,11 @@ def sensitivities(
                 f"{case.source.path}: {key} is found by separate iterations without known derivatives; "
                 f"derivatives need another one, see flexbearing explain {key}"
             )
+    if not case.rigid:
+        raise BadCase(
+            f"{case.source.path}: derivatives of ball bearings are those between rigid rings; allowed are "
+            'outer.kind = "rigid" and inner.kind = "rigid"'
+        )
     keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
     asked = _asked(case, of)
     state = _Differentiated(_State.solved(case), asked)

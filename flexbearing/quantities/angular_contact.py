@@ -43,7 +43,9 @@ def _largest_of_races(values: np.ndarray) -> np.ndarray:
     return values.max(1)
 
 
+_OF_RINGS = "by elastic rings alone, the indentation of the contacts left out; absent between rigid rings"
 # declarations read best as a table:
+
 # fmt: off
 QUANTITIES = (
     # contacts
@@ -192,6 +194,15 @@ QUANTITIES = (
         f"load on the inner ring by its displacement ({_ORDER}), balls in balance", source="state.stiffness",
         summary=(*RADIAL_STIFFNESSES, SummaryValue("stiffness_matrix_SI"))),
 
+    Quantity("groove_displacement", "w_r", "race Z", "m", "block",
+        f"outward displacement of the grooves under the balls; {_OF_RINGS}",
+        source="state.groove_radial", people=UM, optional=True,
+        summary=(SummaryValue("groove_displacement_um", lambda moved: np.abs(moved).max(1),
+            "largest radial displacement of the grooves", ".2f", parts=RACES, section="compared"),)),
+    Quantity("groove_axial_displacement", "w_x", "race Z", "m", "block",
+        f"displacement of the grooves under the balls along x; {_OF_RINGS}",
+        source="state.groove_axial", people=UM, optional=True),
+
     # pure rolling lines
     Quantity("line_parameter", "E", "race Z", "1", "block",
         f"E of the pure rolling lines, c1 + c2 = -E; {_APART}", source="lines.line_parameter",
@@ -307,6 +318,7 @@ right-handed.
         ("friction_torque", "torque"),
     ),
     blocks=("rigid",),
+    further_blocks=("flexible",),
     further_attributes=(
         CLEARANCE_ATTRIBUTE,
         replace(LIFE_ATTRIBUTE, optional=True),

@@ -88,7 +88,7 @@ def _row(case: FourPointCase, name: str, part: BoltedGrooveRing, report: Report)
     report.stage(f"{name} ring", None)
     try:
         compliance = configured().cached(
-            "GrooveCompliance",
+            "ArchCompliance",
             arguments,
             lambda: condense(*arguments),
             lambda note: report.stage(f"{name} ring: {note}", None),

@@ -4,7 +4,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,9 +17,10 @@ from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
 from flexbearing.findings import Judged, declared, evaluate
 from flexbearing.findings.running import GYROSCOPIC_MOMENT
 from flexbearing.program.workers import shared_map
+from flexbearing.progress import Report
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import row, taken
-from flexbearing.runs import ball_life, judged, life_of_state, neglect, shoulders, subsurface
+from flexbearing.runs import ball_life, elastic_grooves, judged, life_of_state, neglect, shoulders, subsurface
 from flexbearing.runs.ball_life import BallLives
 from flexbearing.runs.life_of_state import MREV
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
@@ -41,6 +42,7 @@ class Solution:
     lives: BallLives | None  # None at rest, without load, and where no rating is known
     static_safety: float | None = None  # [-] s_0; None where ISO 76 has none
     unrolled: str = ""  # why stick and slip are not known, where the case requires them
+    without_torque: str = ""  # why the torque of friction is not known, though a coefficient is
 
     @property
     def worst(self) -> WorstPointContact:
@@ -53,8 +55,10 @@ class Solution:
         return self.state if self.rolling is None else self.rolling
 
 
+STICK = "stick and slip, ball by ball"  # what is reported while it is found
 OUT_OF_RANGE = "outside a law"  # how a solver ended
 Ended = Solution | NotSolved | BadCase  # or why there is no solution
+Block = Literal["rigid", "flexible"]  # the rings between which there is a solution
 
 
 def bearing(case: FastCase) -> qd.AngularContactBallBearing:
@@ -102,13 +106,13 @@ def operation(case: FastCase) -> qd.RingOperation:
     places = case.operation.displacement.values
     return qd.RingOperation(
         load=case.operation.load.values,
-        displacement=places if case.operation.preload is None else (_preloaded(case), *places[1:]),
+        displacement=places if case.operation.preload is None else (_preload_place(case), *places[1:]),
         inner_speed=case.operation.inner_speed,
         outer_speed=case.operation.outer_speed,
     )
 
 
-def _preloaded(case: FastCase) -> float:
+def _preload_place(case: FastCase) -> float:
     """Axial displacement at which a preload holds the ring [m]."""
     preload, own = case.operation.preload, bearing(case).bearing
     assert preload  # or there is nothing to hold
@@ -119,23 +123,85 @@ def _preloaded(case: FastCase) -> float:
 
 
 def build(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperation]:
-    """Bearing and operation of a case; raises `ImpossiblePart` or `OutOfRange` where they cannot be."""
+    """Bearing and operation of a case; raises `ImpossiblePart` or `OutOfRange` where they cannot be.
+
+    Raises
+    ------
+    BadCase
+        when no such elastic ring can exist
+    """
+    if not case.rigid:
+        from flexbearing.rings import grooves  # finite elements are not described between rigid rings
+
+        grooves.parts(case)
     return bearing(case), operation(case)
 
 
-def solved(cases: Sequence[FastCase], progress: Callable[[float], None] = lambda _: None) -> list[Ended]:
+def solved(cases: Sequence[FastCase], report: Report) -> list[dict[Block, Ended]]:
     """Balance, pure rolling lines, and stick and slip where a case requires them; or why there is none.
 
-    Cases whose bearings are the same are balanced side by side. The part of the balls whose stick and slip is
-    found goes to `progress`.
+    By the names of their blocks: between rigid rings, then between elastic ones where a case has them and
+    there is a balance between rigid ones. Cases whose bearings are the same are balanced side by side.
     """
     built = [named(case, partial(_built, case)) for case in cases]
+    report.stage("fast balls between rigid rings", None)
+    ended: list[dict[Block, Ended]] = [
+        {"rigid": each} for each in _finished(cases, _balanced(cases, built), report)
+    ]
+    some = [k for k, each in enumerate(ended) if not cases[k].rigid and isinstance(each["rigid"], Solution)]
+    if some:
+        elastic, models = [cases[k] for k in some], [built[k] for k in some]
+        rings = _grooves(elastic, models, report)
+        report.stage("fast balls between elastic rings", None)
+        models = [_preloaded(*each) for each in zip(elastic, models, rings, strict=True)]
+        found = _finished(elastic, _balanced(elastic, models, rings), report)
+        for k, each in zip(some, found, strict=True):
+            ended[k]["flexible"] = each
+    return ended
+
+
+def _preloaded(case: FastCase, built: Any, rings: Any) -> Any:
+    """Bearing and operation, the ring held where the force of a preload brings it between elastic rings."""
+    preload = case.operation.preload
+    if preload is None or preload.force is None or isinstance(rings, Exception):
+        return built
+    model, loaded = built
+    at_rest = qd.RingOperation(load=(preload.force, 0.0, 0.0, 0.0, 0.0))
+    state = named(case, partial(model.solve, at_rest, rings))
+    if isinstance(state, Exception):
+        return state
+    places = (float(state.ring_displacement[0]), *loaded.displacement[1:])
+    return model, replace(loaded, displacement=places)
+
+
+def _finished(cases: Sequence[FastCase], states: Sequence[Any], report: Report) -> list[Ended]:
     return [
         state
         if isinstance(state, NotSolved | BadCase)
-        else named(case, partial(_rolled, case, state, progress))
-        for case, state in zip(cases, _balanced(cases, built), strict=True)
+        else named(case, partial(_rolled, case, state, partial(report.stage, STICK)))
+        for case, state in zip(cases, states, strict=True)
     ]
+
+
+def _grooves(cases: Sequence[FastCase], built: Sequence[Any], report: Report) -> list[Any]:
+    """Elastic grooves of cases, one object for all that have the same; or why there are none."""
+    from flexbearing.rings import grooves  # finite elements are not described between rigid rings
+
+    known: dict[Any, Any] = {}
+    found = []
+    for case, (model, _) in zip(cases, built, strict=True):
+        azimuths = model.bearing.azimuths
+        key = named(case, partial(grooves.parts, case))
+        if not isinstance(key, Exception):
+            key = key, azimuths.tobytes()
+        if key not in known:
+            known[key] = (
+                key
+                if isinstance(key, Exception)
+                else named(case, partial(grooves.elastic_grooves, case, azimuths, report))
+            )
+        found.append(known[key])
+    return found
 
 
 def named(case: Head, solve: Callable[[], Any]) -> Any:
@@ -154,19 +220,25 @@ def _built(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperati
     return bearing(case), operation(case)
 
 
-def _balanced(cases: Sequence[FastCase], built: Sequence[Any]) -> list[Any]:
-    """States of the bearings that could be built, those of the same bearing side by side."""
+def _balanced(
+    cases: Sequence[FastCase], built: Sequence[Any], grooves: Sequence[Any] | None = None
+) -> list[Any]:
+    """States of the bearings that could be built, those of the same bearing and grooves side by side."""
+    rings = grooves or [None] * len(cases)
     states, alike = list(built), defaultdict[Any, list[int]](list)
-    for place, each in enumerate(built):
-        if not isinstance(each, Exception):
-            alike[kind_and_numbers(each[0])[0], *kind_and_numbers(each[0])[1]].append(place)
+    for place, (each, ring) in enumerate(zip(built, rings, strict=True)):
+        if isinstance(each, Exception) or isinstance(ring, Exception):
+            states[place] = each if isinstance(each, Exception) else ring
+        else:
+            kind, numbers = kind_and_numbers(each[0])
+            alike[kind, *numbers, id(ring)].append(place)
     for places in alike.values():
-        model, operations = built[places[0]][0], [built[place][1] for place in places]
+        model, operations, ring = built[places[0]][0], [built[k][1] for k in places], rings[places[0]]
         try:
-            found = model.solve_many(operations)
+            found = model.solve_many(operations, ring)
         except OutOfRange:  # of one of them, which says so by itself
             each = zip(places, operations, strict=True)
-            found = [named(cases[place], partial(model.solve, at)) for place, at in each]
+            found = [named(cases[place], partial(model.solve, at, ring)) for place, at in each]
         for place, state in zip(places, found, strict=True):
             states[place] = state
     return states
@@ -190,11 +262,15 @@ def _rolled(case: FastCase, state: qd.AngularContactState, progress: Callable[[f
 def followed(
     case: FastCase, state: qd.AngularContactState, rolling: qd.FastRollingBalls | None = None
 ) -> Solution:
-    """A balance with all that follows from it."""
-    lines = case.rolling_lines
+    """A balance with all that follows from it; without a torque where the friction of balls finds none."""
+    lines, without_torque = case.rolling_lines, ""
+    try:
+        _ = state.friction_heat
+    except NotSolved as why:
+        state, without_torque = replace(state, friction=None), str(why)
     contact = state.rolling_contact(spin=lines.spin, friction=lines.net_force)
     lives, safety = ball_life.lives(case, state), ball_life.safety(case, state)
-    return Solution(case, state, contact, rolling, lives, safety)
+    return Solution(case, state, contact, rolling, lives, safety, without_torque=without_torque)
 
 
 def block(solution: Solution) -> dict[str, NDArray]:
@@ -304,7 +380,7 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
     """What a user must know of the solution, judged by findings before."""
     case, state, of_findings = solution.case, solution.state, judged.notes(found)
     held = [note for note in of_findings if note.code == GYROSCOPIC_MOMENT.code]
-    lines = tuple(note for note in of_findings if note not in held)
+    lines = (*(note for note in of_findings if note not in held), *elastic_grooves.notes(case, state))
     lifted = int((~state.on_inner).sum())
     if lifted:
         lines += (
@@ -334,6 +410,7 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
         + (*held, *_lying(case, state))
         + _stick(case, solution)
         + shoulders.unrolled(solution.unrolled)
+        + shoulders.without_torque(solution.without_torque)
         + subsurface.notes(case, solution.worst)
         + ball_life.notes(case)
     )

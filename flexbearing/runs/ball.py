@@ -17,7 +17,7 @@ from flexbearing.quantities.four_point import LAYOUT as OF_SLOW_BALLS
 from flexbearing.quantities.layout import Layout
 from flexbearing.results import Recorder
 from flexbearing.runs import angular_contact, four_point
-from flexbearing.runs.angular_contact import named
+from flexbearing.runs.angular_contact import Block, named
 from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer, message
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.note import Note, graded
@@ -67,21 +67,25 @@ def solve_angular(case: FastCase, record: Recorder, report: Report) -> dict[str,
     BadCase
         when no such bearing can exist
     """
-    report.stage("fast balls between rigid rings", None)
-    (solution,) = angular_contact.solved([case], partial(report.stage, four_point.STICK))
-    if isinstance(solution, BadCase):
-        raise solution
-    if isinstance(solution, NotSolved):
-        return _not_solved(solution)
+    (ended,) = angular_contact.solved([case], report)
+    last: tuple[Block, angular_contact.Solution] | None = None
+    for name, each in ended.items():
+        if isinstance(each, BadCase):
+            raise each
+        if isinstance(each, NotSolved):
+            return _not_solved(each)
+        record.block(name, angular_contact.block(each))
+        last = name, each
+    assert last  # of rigid rings, at least
+    name, solution = last
     words = (
         f"ring and balls in balance to {solution.state.imbalance:.1e} of the largest force after "
         f"{solution.state.evaluations} evaluations of all balls"
     )
-    record.block("rigid", angular_contact.block(solution))
     found = angular_contact.judge(solution)
     ending = _converged(words, angular_contact.notes(solution, found), found)
     life = solution.lives and solution.lives.of_state
-    lives = {"rigid": life.record()} if life else {}
+    lives = {name: life.record()} if life else {}
     return {**ending, "clearance": clearance.record(case), "life": lives}
 
 
@@ -106,7 +110,7 @@ def angular_answers(
 ) -> list[Answer]:
     """Outputs of fast bearings, see `flexbearing.runs.rows.answers`; same parts are side by side."""
     with linear_algebra_alone():
-        return [_of_fast(each, texts) for each in angular_contact.solved(cases)]
+        return [_of_fast(each, texts) for each in angular_contact.solved(cases, Logged())]
 
 
 def four_point_answers(
@@ -117,14 +121,19 @@ def four_point_answers(
         return [_of_slow(case, texts) for case in cases]
 
 
-def _of_fast(ended: angular_contact.Ended, texts: Sequence[str]) -> Answer:
-    if isinstance(ended, Exception):
-        return _unsolved(ended, {})
-    block = named(ended.case, partial(angular_contact.block, ended))
-    if isinstance(block, Exception):
-        return _unsolved(block, {})
-    numbers = _numbers(OF_FAST_BALLS, {"rigid": block}, texts)
-    return Answer(CONVERGED, message(angular_contact.notes(ended, angular_contact.judge(ended))), numbers)
+def _of_fast(ended: Mapping[Block, angular_contact.Ended], texts: Sequence[str]) -> Answer:
+    blocks: dict[str, Any] = {}
+    for name, each in ended.items():
+        block = (
+            each if isinstance(each, Exception) else named(each.case, partial(angular_contact.block, each))
+        )
+        if isinstance(block, Exception):
+            of_rigid = [text for text in texts if text.startswith("rigid.")] if blocks else []
+            return _unsolved(block, _numbers(OF_FAST_BALLS, blocks, of_rigid))
+        blocks[name] = block
+    last: Any = list(ended.values())[-1]
+    words = message(angular_contact.notes(last, angular_contact.judge(last)))
+    return Answer(CONVERGED, words, _numbers(OF_FAST_BALLS, blocks, texts))
 
 
 def _of_slow(case: FourPointCase, texts: Sequence[str]) -> Answer:

@@ -20,6 +20,7 @@ from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import row, taken
 from flexbearing.rings import bolted
 from flexbearing.runs import judged, neglect, shoulders, subsurface
+from flexbearing.runs.angular_contact import STICK
 from quasidynamic import NotSolved, OutOfRange
 from quasidynamic.four_point import FourPointEquilibrium
 from quasidynamic.note import Note, danger, information, outside
@@ -28,7 +29,6 @@ from quasidynamic.outcome.worst_point_contact import WorstPointContact
 from quasidynamic.solve.balls.elastic_load_distribution import ElasticBallLoads
 from quasidynamic.solve.balls.load_distribution import BallLoads
 
-STICK = "stick and slip, ball by ball"  # what is reported while it is found
 FEWEST = 3  # balls of a ring; a single one has the same pitch circle
 NOTABLE = 0.01  # of the torque: change by another reading of the spin that is reported
 SIGN = np.array([1.0, -1.0])  # of the torques on inner and outer ring

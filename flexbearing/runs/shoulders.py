@@ -58,6 +58,11 @@ def unrolled(why: str) -> tuple[Note, ...]:
     return (outside("no-stick-and-slip", words),) if why else ()
 
 
+def without_torque(why: str) -> tuple[Note, ...]:
+    """Note that no torque of friction is known; empty: it is known, or not required."""
+    return (outside("no-friction-torque", f"no friction torque and no heat: {why}"),) if why else ()
+
+
 def by_springs(model: str, sticking: NDArray) -> str:
     """How far the torque of FASTSIM may be off, by the share of the contacts that sticks; else empty."""
     if model != "fastsim":

@@ -91,6 +91,7 @@ class AngularContactState:
     sliding_heat: NDArray | None = None  # (Z) [W] of both contacts, where friction decides what balls do
     sticking: bool = False  # whether these contacts stick and slip as by FASTSIM
     imbalance: float = 0.0  # [-] largest unbalanced force over the largest force
+    groove_displacement: NDArray | None = None  # (2, Z, 2) [m] axial, outward; None: rigid
 
     @cached_property
     def friction_heat(self) -> NDArray | None:
@@ -249,6 +250,16 @@ class AngularContactState:
             rolling=(rings - self.orbital_speed[balls]) / ratio,
             spin_to_roll=ratios[:, balls],
         )
+
+    @property
+    def groove_axial(self) -> NDArray | None:
+        """Displacement of elastic grooves along x (2, Z) [m]; None between rigid rings."""
+        return None if self.groove_displacement is None else self.groove_displacement[..., 0]
+
+    @property
+    def groove_radial(self) -> NDArray | None:
+        """Outward displacement of elastic grooves (2, Z) [m]; None between rigid rings."""
+        return None if self.groove_displacement is None else self.groove_displacement[..., 1]
 
     @property
     def on_inner(self) -> NDArray:

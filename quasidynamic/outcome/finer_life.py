@@ -107,8 +107,7 @@ class _FinerContacts:
             if not left.any():
                 break
             moving = left[..., None] & loaded
-            step = np.linalg.solve(jacobian[moving], residual[:, moving].T[..., None])[..., 0]
-            approach[:, moving] -= step.T
+            approach[:, moving] -= _solved(jacobian[moving], residual[:, moving].T).T
         return found
 
     def _equations(self, approach: NDArray, load: NDArray, stiffness: NDArray) -> tuple[NDArray, NDArray]:
@@ -164,3 +163,14 @@ def _together(matrices: Compliances, known: int, rollers: int) -> NDArray | None
 def _deflection(compliance: NDArray, force: NDArray) -> NDArray:
     """Outward deviations (M', 2, C, Z) [m] under forces of the first modes (.., 2, C, Z) [N]."""
     return np.einsum("rzmyn,nrcy->mrcz", compliance[..., : len(force)], force)
+
+
+def _solved(matrices: NDArray, right: NDArray) -> NDArray:
+    """Unknowns (n, M) of systems (n, M, M), right-hand sides (n, M); not a number where one is singular."""
+    try:
+        return np.linalg.solve(matrices, right[..., None])[..., 0]
+    except np.linalg.LinAlgError:
+        if len(matrices) == 1:
+            return np.full_like(right, np.nan)
+        each = zip(matrices, right, strict=True)
+        return np.concatenate([_solved(matrix[None], side[None]) for matrix, side in each])

@@ -15,7 +15,7 @@ from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
 from flexbearing.families import FAMILIES
 from flexbearing.progress import Logged
-from flexbearing.rings import bolted, condensed, resolution
+from flexbearing.rings import bolted, condensed, grooves, resolution
 from flexbearing.runs import angular_contact, four_point
 
 OIL = qd.Lubricant(
@@ -146,8 +146,25 @@ def _given_load(case):
     return seen
 
 
+def _elastic_grooves(case):
+    """Parts with grooves, and how they are resolved."""
+    if case.rigid:
+        return {}
+    found = {}
+    for race, arguments in zip(grooves.RACES, grooves.parts(case), strict=True):
+        if arguments is None:
+            continue
+        part, _, resolution = arguments
+        stations = resolution.stations
+        found[race] = {
+            "part": part, "mesh": resolution.mesh_size, "width": stations.width, "last": stations.angles[-1],
+            "stations": len(stations.angles), "length": resolution.length,
+        }  # fmt: skip
+    return found
+
+
 def _angular(case):
-    return {
+    return _elastic_grooves(case) | {
         "model": angular_contact.bearing(case),
         "operation": angular_contact.operation(case),
         "viscosity": None if case.lubricant is None else kinematic_viscosity(case.lubricant)[0],

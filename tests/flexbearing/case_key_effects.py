@@ -212,7 +212,7 @@ EFFECTS = (
     ("loose housing", "operation.temperatures.housing_along.temperatures", ["212 degC", "224 degC"],
      "outer_fit.heat.housing.values.{0,1}"),
     ("cage", "outer.kind", "rigid",
-     "outer outer.{bar_length,bar_thickness,bar_width,bars,fillet,flange_length,is,raceway_diameter} "
+     "outer outer.{bar_length,bar_thickness,bar_width,bars,fillet,flange_length,groove,is,raceway_diameter} "
      "outer.{collar_length,collar_thickness,offset,two_sided} "
      "outer.{thickness,width} outer.elastic.{is,poisson_ratio,youngs_modulus}"),
     ("cage", "outer.thickness", "3.636 mm", "outer.thickness"),
@@ -261,7 +261,7 @@ EFFECTS = (
     ("step", "outer.centre_y", "5 mm", "outer.centre.1"),
     ("step", "outer.centre_z", "7.07 mm", "outer.centre.2"),
     ("cage", "inner.kind", "rigid",
-     "inner inner.{bore,is,raceway_diameter,rib_diameter,shaft_bore,shaft_length,track_width,width} "
+     "inner inner.{bore,groove,is,raceway_diameter,rib_diameter,shaft_bore,shaft_length,track_width,width} "
      "inner.ring.{is,poisson_ratio,youngs_modulus} inner.shaft.{is,poisson_ratio,youngs_modulus}"),
     ("cage", "inner.bore", "60.196 mm", "inner.{bore,rib_diameter,shaft_bore}"),
     ("cage", "inner.thickness", "5.05 mm", "inner.rib_diameter"),
@@ -273,7 +273,7 @@ EFFECTS = (
      "inner_fit inner_fit.fit.{bonded,clamping,friction,interference,is,speed} "
      "inner_fit.fit.densities.{0,1} inner_fit.fit.thermal_strains.{0,1} inner_fit.{length,modes} "
      "inner_fit.mesh.{is,order,raceway_size,size} inner_fit.part.{is,shoulder_diameter} "
-     "inner_fit.part.seat.{bore,is,raceway_diameter,rib_diameter,shaft_bore,shaft_length} "
+     "inner_fit.part.seat.{bore,groove,is,raceway_diameter,rib_diameter,shaft_bore,shaft_length} "
      "inner_fit.part.seat.{track_width,width} "
      "inner_fit.part.seat.ring.{is,poisson_ratio,youngs_modulus} "
      "inner_fit.part.seat.shaft.{is,poisson_ratio,youngs_modulus}"),
@@ -581,8 +581,12 @@ EFFECTS = (
 
 _PROFILES = {"roller": "roller.profile", "inner_raceway": "inner_profile", "outer_raceway": "outer_profile"}
 EFFECTS += tuple(
-    (f"{part} {context}", f"bearing.{part}.{name}", value,
-     " ".join(f"model.bearing.{profile}.{field}" for field in fields.split()))
+    (
+        f"{part} {context}",
+        f"bearing.{part}.{name}",
+        value,
+        " ".join(f"model.bearing.{profile}.{field}" for field in fields.split()),
+    )
     for part, profile in _PROFILES.items()
     for context, name, value, fields in (
         ("crowned", "profile", "tangent_crowned", "is"),
@@ -596,4 +600,60 @@ EFFECTS += tuple(
         ("points", "point_positions", ["0 mm", "3 mm", "4.8005 mm"], "places slopes"),
         ("points", "point_drops", ["0 um", "1.5 um", "12 um"], "drops slopes"),
     )
+)
+EFFECTS += (
+    *(
+        (f"{family}, {context}", key, value, fields)
+        for family, bore in (("fast", "91 mm"), ("deep groove", "46 mm"))
+        for context, key, value, fields in (
+            ("on side", "outer.thickness", "6 mm", "outer.part.thickness"),
+            ("on side", "outer.width", "31 mm", "outer.part.width"),
+            ("on side", "outer.groove_offset", "1 mm", "outer.part.offset"),
+            ("on side", "outer.support", "seat", "outer.part.support.is"),
+            ("on springs", "outer.foundation_radial", "110 N/mm^3", "outer.part.support.radial"),
+            ("on springs", "outer.foundation_axial", "110 N/mm^3", "outer.part.support.axial"),
+            ("on springs", "outer.foundation_tangential", "110 N/mm^3", "outer.part.support.tangential"),
+            ("in housing", "outer.housing_thickness", "11 mm", "outer.part.support.thickness"),
+            ("in housing", "outer.housing_width", "36 mm", "outer.part.support.width"),
+            ("in housing", "outer.housing_support", "side", "outer.part.support.support.is"),
+            ("in housing", "materials.housing.youngs_modulus", "200 GPa",
+             "outer.part.support.elastic.youngs_modulus"),
+            ("on bars", "outer.bars", 25, "outer.part.bars"),
+            ("on bars", "outer.bar_width", "5 mm", "outer.part.bar_width"),
+            ("on bars", "outer.bar_thickness", "2.5 mm", "outer.part.bar_thickness"),
+            ("on bars", "outer.bar_length", "41 mm", "outer.part.bar_length"),
+            ("on bars", "outer.flange_length", "11 mm", "outer.part.flange_length"),
+            ("on bars", "outer.bar_ends", "both", "outer.part.two_sided"),
+            ("on side", "inner.bore", bore, "inner.part.bore"),
+            ("on side", "inner.width", "31 mm", "inner.part.{track_width,width}"),
+            ("on side", "inner.shaft_length", "61 mm", "inner.part.shaft_length"),
+            ("on side", "inner.shaft_thickness", "5 mm", "inner.part.shaft_bore"),
+            ("on side", "accuracy.patch_width", "0.6 mm",
+             "inner.{last,width,mesh.raceway_size} outer.{last,width,mesh.raceway_size}"),
+            ("on side", "accuracy.stations", 5, "inner.stations outer.stations"),
+            ("on side", "accuracy.element_order", 4,
+             "inner.mesh.{order,raceway_size} outer.mesh.{order,raceway_size}"),
+            ("on side", "accuracy.mesh_size", "2 mm", "inner.mesh.size outer.mesh.size"),
+            ("on side", "bearing.outer.shoulder", "2.6 mm",
+             "case.bearing.outer.shoulder outer.{last,length} outer.part.{raceway_diameter,thickness}"),
+        )
+    ),
+    *(
+        (context, f"{race}.kind", {f"{race}.kind": kind, **dict(sizes)}, f"case.bearing.{race}.shoulder "
+         f"{race}.{{last,length,stations,width}} {race}.mesh.{{is,order,raceway_size,size}} "
+         f"{race}.part.groove.{{centre_radius,is,radius}} {race}.part.{{{fields}}}")
+        for context in ("fast balls", "deep groove")
+        for race, kind, sizes, fields in (
+            ("outer", "ring", {
+                "outer.thickness": "5 mm", "outer.width": "30 mm", "bearing.outer.shoulder": "3 mm"},
+             "elastic.is,elastic.poisson_ratio,elastic.youngs_modulus,is,offset,raceway_diameter,support.is,"
+             "thickness,width"),
+            ("inner", "ring_on_shaft", {
+                "inner.bore": "45 mm", "inner.width": "30 mm", "inner.shaft_length": "60 mm",
+                "bearing.inner.shoulder": "3 mm", "materials.shaft": {
+                    "youngs_modulus": "206 GPa", "poisson_ratio": 0.3, "density": "7800 kg/m^3"}},
+             "bore,is,raceway_diameter,rib_diameter,ring.is,ring.poisson_ratio,ring.youngs_modulus,shaft.is,"
+             "shaft.poisson_ratio,shaft.youngs_modulus,shaft_bore,shaft_length,track_width,width"),
+        )
+    ),
 )  # fmt: skip

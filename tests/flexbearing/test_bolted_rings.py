@@ -173,6 +173,6 @@ def test_finite_elements_without_answer_leave_the_rigid_block(tmp_path, monkeypa
 def test_block_that_no_case_of_a_kind_has_is_refused(tmp_path):
     with (
         ResultFile(tmp_path / "r.h5", {}, FAMILIES["angular_contact_ball"]) as file,
-        pytest.raises(NotInLayout, match="one of: rigid"),
+        pytest.raises(NotInLayout, match="one of: rigid, flexible"),
     ):
-        file.block("flexible", {})
+        file.block("elastic", {})

@@ -80,6 +80,30 @@ _BY_DATA = {**_OILED, "lubricant.viscosity": "10 mPa s", "lubricant.density": "8
 _THIN_SHEET = {**_OILED, "lubricant.data_sheet": {
     "name": "oil 46", "cold_temperature": "40 degC", "cold_viscosity": "46 cSt",
     "hot_temperature": "100 degC", "hot_viscosity": "6.8 mm^2/s"}}  # fmt: skip
+_HOLDS = {
+    "on side": {},
+    "on springs": {"outer.support": "foundation", "outer.foundation_radial": "100 N/mm^3"},
+    "on bars": {
+        "outer.kind": "squirrel_cage", "outer.bars": 24, "outer.bar_width": "4 mm",
+        "outer.bar_thickness": "2 mm", "outer.bar_length": "40 mm", "outer.flange_length": "10 mm",
+    },
+    "in housing": {
+        "outer.support": "housing", "outer.housing_thickness": "10 mm", "outer.housing_width": "35 mm",
+        "materials.housing": _STEEL,
+    },
+}  # fmt: skip
+
+
+def _elastic(shoulder, bore):
+    """Settings of a bearing with fast balls between elastic rings."""
+    return {
+        "outer.kind": "ring", "outer.thickness": "5 mm", "outer.width": "30 mm",
+        "inner.kind": "ring_on_shaft", "inner.bore": bore, "inner.width": "30 mm",
+        "inner.shaft_length": "60 mm", "materials.shaft": _STEEL,
+        "bearing.outer.shoulder": shoulder, "bearing.inner.shoulder": shoulder,
+    }  # fmt: skip
+
+
 CONTEXTS = {  # file and settings in which a key belongs to the case
     "cage": ("mao2016", {}),
     "rigid": ("nu209", {}),
@@ -201,6 +225,10 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
     "deep groove, offset": ("6209", {"operation.preload.displacement": "5 um"}),
     "fast, tilting": ("harris218", {
         "operation.displacement.tilt_y": None, "operation.displacement.tilt_z": None}),
+    **{f"{name}, {support}": (file, {**_elastic(*sizes), **_HOLDS[support]})
+       for name, file, *sizes in (
+           ("fast", "harris218", "5 mm", "90 mm"), ("deep groove", "6209", "3 mm", "45 mm"))
+       for support in _HOLDS},
     "fast, ring materials": ("harris218", {
         "materials.inner_ring": {"youngs_modulus": "205 GPa", "poisson_ratio": 0.29},
         "materials.outer_ring": {"youngs_modulus": "206 GPa", "poisson_ratio": 0.28}}),

@@ -366,7 +366,7 @@ def test_every_class_that_runs_keep_is_in_the_table(run, tmp_path, monkeypatch, 
     assert kinds == {
         "ring": {"HarmonicCompliance"}, "shaft": {"HarmonicCompliance", "BondedGrowth"},
         "seat": {"HarmonicCompliance", "RacewayGrowth"}, "cage": {"HarmonicCompliance"},
-        "solid": {"RacewayCompliance"}, "groove": {"GrooveCompliance"},
+        "solid": {"RacewayCompliance"}, "groove": {"ArchCompliance"},
         "springs": {"RingOnFoundation"},
     }[run]  # fmt: skip
     for name, values in first.flexible.items():

@@ -7,7 +7,7 @@ import pytest
 from pytest import approx
 
 from quasidynamic import Logarithmic, solve_many
-from quasidynamic.outcome.finer_life import _FinerContacts, life_errors
+from quasidynamic.outcome.finer_life import _FinerContacts, _solved, life_errors
 from tests.bearings import paper_bearing
 
 TILTED = {"misalignment": 1e-3, "load": 8000.0, "axial_modes": 3, "profile": Logarithmic(amplitude=1e-6)}
@@ -89,3 +89,10 @@ def test_errors_of_many_states_are_those_of_each_alone(compliance):
 def test_an_error_that_is_not_found_is_no_number(monkeypatch):
     monkeypatch.setattr("quasidynamic.outcome.finer_life.LIMIT", 1)
     assert np.isnan(life_errors(paper_bearing(**TILTED).solve().cases, (None, soft(5)))).all()
+
+
+def test_a_singular_system_is_without_an_answer_and_the_others_have_theirs():
+    matrices, right = np.array([np.eye(2), np.diag([1.0, 0.0]), 2 * np.eye(2)]), np.ones((3, 2))
+    found = _solved(matrices, right)
+    assert found[[0, 2]] == approx(np.array([[1.0, 1.0], [0.5, 0.5]]))
+    assert np.isnan(found[1]).all()

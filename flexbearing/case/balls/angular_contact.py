@@ -5,6 +5,7 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
+from flexbearing.case.balls.elastic_rings import BallInner, BallOuter, GrooveAccuracy, require_shoulder
 from flexbearing.case.balls.fits import FITTED
 from flexbearing.case.balls.mounting import (
     FastMaterials,
@@ -256,6 +257,26 @@ class FastCase(MountedCase):
     lubricant: Oil | None = key("the oil, for the viscosity ratio of ISO 281", None)
     life: BallLife = key("what the life is rated with, and what modifies it", {})
     outputs: LifeOutputs = key("further results to compute", {})
+    outer: BallOuter = key("what carries the outer groove", {})
+    inner: BallInner = key("what carries the inner groove", {})
+    accuracy: GrooveAccuracy = key("how finely elastic rings are resolved", {})
+
+    @property
+    def rigid(self) -> bool:
+        """Whether both rings are rigid."""
+        return self.outer.kind == self.inner.kind == "rigid"
+
+    @model_validator(mode="after")
+    def _elastic_rings_are_known(self) -> Self:
+        if self.outer.kind != "rigid":
+            require_shoulder("outer", self.bearing.outer)
+            if self.outer.support == "housing" and self.materials.housing is None:
+                raise needed(["materials.housing"], 'outer.support = "housing"')
+        if self.inner.kind != "rigid":
+            require_shoulder("inner", self.bearing.inner)
+            if self.materials.shaft is None:
+                raise needed(["materials.shaft"], 'inner.kind = "ring_on_shaft"')
+        return self
 
     @model_validator(mode="after")
     def _life_can_be_rated(self) -> Self:

@@ -149,8 +149,16 @@ class FastMaterials(MountedMaterials):
     ball: WarmMaterial = key("of the balls")
     inner_ring: RingElastic | None = key(f"of the inner ring; {AS_BALLS}", None)
     outer_ring: RingElastic | None = key(f"of the outer ring; {AS_BALLS}", None)
-    shaft: WarmMaterial | None = key("of the shaft; needed for [bearing.fits]", None, only=FITTED)
-    housing: WarmMaterial | None = key("of the housing; needed for [bearing.fits.housing]", None, only=HOUSED)
+    shaft: WarmMaterial | None = key(
+        "of the shaft; needed for [bearing.fits] and for an elastic inner ring",
+        None,
+        only=(FITTED, {"inner.kind": ("ring_on_shaft",)}),
+    )
+    housing: WarmMaterial | None = key(
+        "of the housing; needed for [bearing.fits.housing] and for an elastic housing",
+        None,
+        only=(HOUSED, {"outer.kind": ("ring",), "outer.support": ("housing",)}),
+    )
 
 
 class MountedCase(Head):

@@ -4,6 +4,8 @@ from typing import ClassVar, Literal, Self
 
 from pydantic import model_validator
 
+from flexbearing.case import held_ring
+from flexbearing.case.held_ring import CAGE as _CAGE, ON_SHAFT as _ON_SHAFT, RING as _RING
 from flexbearing.case.quantity import (
     Angle,
     Force,
@@ -18,9 +20,8 @@ from flexbearing.case.quantity import (
 
 Direction = Literal["x", "y", "z", "-x", "-y", "-z"]
 MOST = 360  # lines or teeth around a ring, clamped faces of a drawing
-_RING, _CAGE, _STEP, _MATRIX = ({"kind": (kind,)} for kind in ("ring", "squirrel_cage", "step", "matrix"))
+_STEP, _MATRIX = ({"kind": (kind,)} for kind in ("step", "matrix"))
 _HELD = {**_RING, "support": ("side", "seat", "foundation", "housing")}
-_ON_SHAFT = {"kind": ("ring_on_shaft",)}
 
 
 class Outer(Section):
@@ -50,29 +51,12 @@ class Outer(Section):
         "side",
         only=_RING,
     )
-    foundation_radial: Foundation = key(
-        "springs per area on the outer surface, radial",
-        "0 N/mm^3",
-        ge=0,
-        only={**_RING, "support": ("foundation",)},
-    )
-    foundation_axial: Foundation = key(
-        "the same, axial", "0 N/mm^3", ge=0, only={**_RING, "support": ("foundation",)}
-    )
-    foundation_tangential: Foundation = key(
-        "the same, tangential", "0 N/mm^3", ge=0, only={**_RING, "support": ("foundation",)}
-    )
-    housing_thickness: Length | None = key(
-        "radial thickness of the housing", None, gt=0, only={**_RING, "support": ("housing",)}
-    )
-    housing_width: Length | None = key(
-        "axial width of the housing", None, gt=0, only={**_RING, "support": ("housing",)}
-    )
-    housing_support: Literal["seat", "side"] = key(
-        "what holds the housing: a rigid seat on its outer surface, or its side face",
-        "seat",
-        only={**_RING, "support": ("housing",)},
-    )
+    foundation_radial: Foundation = held_ring.foundation_radial()
+    foundation_axial: Foundation = held_ring.foundation("axial")
+    foundation_tangential: Foundation = held_ring.foundation("tangential")
+    housing_thickness: Length | None = held_ring.housing_thickness()
+    housing_width: Length | None = held_ring.housing_width()
+    housing_support: Literal["seat", "side"] = held_ring.housing_support()
     housing_clearance: Length | None = key(
         "diametral clearance of ring and housing, cold and at rest, the same as a negative "
         "bearing.fits.housing.interference: they touch where the ring is pressed on the bore, without "
@@ -128,17 +112,13 @@ class Outer(Section):
         gt=0,
         only={**_RING, "support": ("planet",)},
     )
-    bars: int | None = key("number of bars", None, example=24, ge=1, le=200, only=_CAGE)
-    bar_width: Length | None = key("tangential width of a bar", None, gt=0, only=_CAGE)
-    bar_thickness: Length | None = key("radial thickness of a bar", None, gt=0, only=_CAGE)
-    bar_length: Length | None = key("axial length of the bars", None, gt=0, only=_CAGE)
+    bars: int | None = held_ring.bars()
+    bar_width: Length | None = held_ring.of_cage("tangential width of a bar")
+    bar_thickness: Length | None = held_ring.of_cage("radial thickness of a bar")
+    bar_length: Length | None = held_ring.of_cage("axial length of the bars")
     fillet: Length = key("fillet radius where bars meet ring and flange", "0 mm", ge=0, only=_CAGE)
-    flange_length: Length | None = key("axial length of the flange behind the bars", None, gt=0, only=_CAGE)
-    bar_ends: Literal["one", "both"] = key(
-        "ends of the ring at which there are bars, with their flange: that at +x, or both alike",
-        "one",
-        only=_CAGE,
-    )
+    flange_length: Length | None = held_ring.of_cage("axial length of the flange behind the bars")
+    bar_ends: Literal["one", "both"] = held_ring.bar_ends()
     collar_length: Length = key(
         "axial length of a thicker end of the ring under the bars, part of outer.width; 0 is a ring without",
         "0 mm",
@@ -215,11 +195,7 @@ class Outer(Section):
         if self.kind == "ring":
             self._require_support()
         if self.kind == "squirrel_cage":
-            names = ("bars", "bar_width", "bar_thickness", "bar_length", "flange_length")
-            _, _, bar_thickness, _, _ = require(self, names, 'outer.kind = "squirrel_cage"')
-            if bar_thickness >= thickness:
-                allowed = f"below {in_mm(thickness)}, outer.thickness: the raceway ends before the bars"
-                raise impossible("bar_thickness", allowed)
+            held_ring.require_bars(self, thickness)
             self._require_collar()
         return self
 
@@ -243,11 +219,7 @@ class Outer(Section):
 
     def _require_support(self) -> None:
         """Raise unless what holds the ring is described."""
-        choice = f'outer.support = "{self.support}"'
-        if self.support == "foundation" and not (self.foundation_radial or self.foundation_tangential):
-            raise impossible("foundation_radial", "above zero, or nothing holds the ring")
-        if self.support == "housing":
-            require(self, ("housing_thickness", "housing_width"), choice)
+        held_ring.require_support(self)
         if self.support == "lines" and not self.line_azimuths:
             raise impossible("line_azimuths", "three or more azimuths, or the ring can move freely")
         if self.support == "planet" and not self.tooth_azimuths:
@@ -268,12 +240,7 @@ class Outer(Section):
             allowed = f"{-most * 1e3:.4g} to {most * 1e3:.4g} mm, or the rollers leave the ring"
             raise impossible("raceway_offset", allowed)
         if self.kind == "squirrel_cage":
-            from fem.parts.rings import widest_bar  # only a cage needs them
-
-            bars, bar_width, bar_thickness = require(self, ("bars", "bar_width", "bar_thickness"), self.kind)
-            widest = widest_bar(bars, (raceway_diameter + thickness - bar_thickness) / 2)
-            if bar_width > widest:
-                raise impossible("bar_width", f"at most {widest * 1e3:.4g} mm, or the bars touch")
+            held_ring.require_slots(self, raceway_diameter, thickness)
         outside = raceway_diameter / 2 + thickness
         if self.tooth_radius is not None and self.tooth_radius < outside:
             raise impossible("tooth_radius", f"at least {outside * 1e3:.4g} mm, the outer surface of the rim")
@@ -299,12 +266,8 @@ class Inner(Section):
         gt=0,
         only=_ON_SHAFT,
     )
-    shaft_thickness: Length | None = key(
-        "radial thickness of a hollow shaft; without it the shaft is solid", None, gt=0, only=_ON_SHAFT
-    )
-    shaft_length: Length | None = key(
-        "length of the shaft between its clamped ends", None, example="40 mm", gt=0, only=_ON_SHAFT
-    )
+    shaft_thickness: Length | None = held_ring.shaft_thickness()
+    shaft_length: Length | None = held_ring.shaft_length()
 
     fit: Literal["bonded", "frictionless", "friction"] = key(
         "how ring and shaft hold each other: as one piece; by pressure alone; or by pressure and friction",

@@ -23,14 +23,23 @@ from flexbearing.report.sections import (
     tolerances,
 )
 
-_COMPARED = (  # keys of the summary
-    "loaded_balls",
-    "loaded_contacts",
-    "max_contact_load_N",
-    "contact_angle_range_deg",
-    "torque_Nm",
-    "largest_ring_yield_um",
-)
+_COMPARED = {  # keys of the summary
+    SLOW: (
+        "loaded_balls",
+        "loaded_contacts",
+        "max_contact_load_N",
+        "contact_angle_range_deg",
+        "torque_Nm",
+        "largest_ring_yield_um",
+    ),
+    FAST: (
+        "balls_on_both_races",
+        "contact_load_range_N",
+        "contact_angle_range_deg",
+        "life_L10_Mrev",
+        "groove_displacement_um",
+    ),
+}
 _DIRECTIONS = ("x [N/um]", "y [N/um]", "z [N/um]", "about y [kN m/mrad]", "about z [kN m/mrad]")
 
 
@@ -41,8 +50,7 @@ def of_slow(numbers: dict[str, Any]) -> Iterator[RenderableType]:
     """
     yield from opening(numbers)
     if numbers["flexible"]:
-        yield compared(numbers["rigid"], numbers["flexible"])
-        yield Text("between the elastic rings", "bold")
+        yield from compared(numbers["rigid"], numbers["flexible"], SLOW)
     if block := numbers["flexible"] or numbers["rigid"]:
         yield single_values(block, SLOW)
         yield of_races(block, SLOW)
@@ -57,14 +65,15 @@ def of_slow(numbers: dict[str, Any]) -> Iterator[RenderableType]:
     yield from closing(numbers, ending(numbers))
 
 
-def compared(rigid: dict[str, Any], elastic: dict[str, Any]) -> Table:
-    """Compare end states between rigid and elastic rings: loads, torque, displacement, stiffness."""
+def compared(rigid: dict[str, Any], elastic: dict[str, Any], layout: Layout) -> Iterator[RenderableType]:
+    """Compare end states between rigid and elastic rings; what follows is that between the elastic ones."""
     table = right_aligned("", "rigid rings", "elastic rings")
     both = rigid, elastic
-    by_key = {entry.key: entry for entry in SLOW.summary}
-    for entry in (by_key[key] for key in _COMPARED):
-        part = entry.parts[0] if entry.parts else ""
-        table.add_row(Text(label(entry)), *(shown(entry, value(entry, block, part)) for block in both))
+    by_key = {entry.key: entry for entry in layout.summary}
+    for entry in (by_key[key] for key in _COMPARED[layout]):
+        for part in entry.parts or ("",):
+            numbers = (shown(entry, value(entry, block, part)) for block in both)
+            table.add_row(Text(f"{label(entry)} {part}".strip()), *numbers)
     for index, name in enumerate("xyz"):
         displacements = (format(block["ring_displacement_um"][index], "z.3f") for block in both)
         table.add_row(Text(f"displacement {name} [um]"), *displacements)
@@ -74,7 +83,8 @@ def compared(rigid: dict[str, Any], elastic: dict[str, Any]) -> Table:
     for index, name in enumerate(_DIRECTIONS):
         stiffness = (format(1e-6 * block["stiffness_matrix_SI"][index][index], ".5g") for block in both)
         table.add_row(Text(f"tangent stiffness {name}"), *stiffness)
-    return table
+    yield table
+    yield Text("between the elastic rings", "bold")
 
 
 def _torque_parts(block: dict[str, Any]) -> Table:
@@ -89,7 +99,9 @@ def _torque_parts(block: dict[str, Any]) -> Table:
 def of_fast(numbers: dict[str, Any]) -> Iterator[RenderableType]:
     """Dangers, loads, motion, rolling lines, ring, life, assumed keys, notes, and how the run ended."""
     yield from opening(numbers)
-    if block := numbers["rigid"]:
+    if numbers["flexible"]:
+        yield from compared(numbers["rigid"], numbers["flexible"], FAST)
+    if block := numbers["flexible"] or numbers["rigid"]:
         yield single_values(block, FAST)
         yield of_races(block, FAST)
         yield from ring(block, FAST)

@@ -170,6 +170,14 @@ class AngularBalance:
         by_inner, by_outer = _by_place(slopes.reshape(2, 2, *forces.shape), normals, turning(arms) / lengths)
         return BallBalance(forces, by_outer - by_inner, by_inner, contacts, kinematics)
 
+    def centrifugal_by_place(self, balls: BallBalance, grooves: Vectors, centres: Vectors) -> NDArray:
+        """Derivatives of F_c by the places of the inner groove and of the ball (2, 2, C, Z) [N/m]."""
+        arms = groove_arm(np.array([grooves - centres, centres]))
+        lengths = np.abs(arms)
+        slopes = balls.kinematics.centrifugal_slopes.reshape(2, 2, 1, *grooves.shape)
+        by_inner, by_outer = _by_place(slopes, arms / lengths, turning(arms) / lengths)[:, :, 0]
+        return np.array([by_inner, by_outer - by_inner])
+
     def pressed(self, lengths: NDArray) -> tuple[NDArray, NDArray]:
         """Loads and stiffnesses (2, C, Z) of the contacts from the lengths between the centres."""
         reach, coefficient = self._reach_and_coefficient

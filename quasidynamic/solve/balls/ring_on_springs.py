@@ -45,14 +45,20 @@ def first_place(balance: AngularBalance) -> NDArray:
 
 def newton_step(balance: AngularBalance, excess: NDArray, stiffness: NDArray, imbalance: NDArray) -> NDArray:
     """Newton step (C, 5), stiffer where nothing resists as long as forces are out of balance."""
-    whole = np.abs(stiffness.trace(axis1=1, axis2=2))[:, None]
-    stiffer = STIFFENING * np.minimum(imbalance, 1.0)[:, None] * whole + LEAST_STIFFNESS
-    diagonal = np.where(balance.held, np.maximum(whole, 1.0), stiffer)
-    matrix = np.where(balance.both_free, stiffness, 0.0)
-    matrix[:, _EACH, _EACH] += diagonal
-    step = np.linalg.solve(matrix, excess[..., None])[..., 0]
+    step = stiffened_step(balance, excess, stiffness, STIFFENING * np.minimum(imbalance, 1.0))
     longest = LONGEST * min(balance.bearing.inner_reach, balance.bearing.outer_reach)
     return step / np.maximum(np.abs(step).max(1, keepdims=True) / longest, 1.0)
+
+
+def stiffened_step(
+    balance: AngularBalance, excess: NDArray, stiffness: NDArray, share: NDArray | float
+) -> NDArray:
+    """Newton step (C, 5) of a ring, each direction of which resists by a share (C) of the whole stiffness."""
+    whole = np.abs(stiffness.trace(axis1=1, axis2=2))
+    stiffer = (share * whole)[:, None] + LEAST_STIFFNESS
+    matrix = np.where(balance.both_free, stiffness, 0.0)
+    matrix[:, _EACH, _EACH] += np.where(balance.held, np.maximum(whole, 1.0)[:, None], stiffer)
+    return np.linalg.solve(matrix, excess[..., None])[..., 0]
 
 
 def _forces(balance: AngularBalance, ring: NDArray) -> tuple[NDArray, NDArray]:

@@ -1,0 +1,183 @@
+"""Balls between elastic rings of any proportions: `python -m benchmarks.elastic_balls --n 400 --seed S`.
+
+Deep groove and angular contact bearings of balls of 3 to 60 mm, grooves of 0.505 to 0.54, every support,
+cages, shafts, rings of 4 to 60 % of a ball thick at the bottom of the groove (cages 12 to 60), loads over
+three decades up to about the static rating, 10 to 25 000 rpm. Each is checked, and what passes is run; the
+forces of the contacts are added up again. `--only K` repeats design K alone.
+"""
+
+import argparse
+import tempfile
+import time
+from collections import Counter
+from concurrent.futures import ProcessPoolExecutor
+from itertools import repeat
+from multiprocessing import get_context
+from typing import NamedTuple
+
+import numpy as np
+from threadpoolctl import threadpool_limits
+
+from benchmarks.machine import describe
+from flexbearing import run
+from flexbearing.api import check
+from flexbearing.case import BadCase
+from flexbearing.results import Result
+
+CASES = {"deep_groove_ball": "configs/6209.toml", "angular_contact_ball": "configs/harris218.toml"}
+SUPPORTS = ("side", "seat", "foundation", "housing", "cage", "shaft", "shaft in housing")
+STEEL = ("youngs_modulus=206 GPa", "poisson_ratio=0.3", "density=7800 kg/m^3")
+SUMMED = 1e-6  # of the largest load: forces added up again from what is stored
+
+
+class Row(NamedTuple):
+    """How a design ended."""
+
+    number: int
+    support: str
+    status: str  # of the run, "refused" by check, or "internal error"
+    message: str
+    imbalance: float  # of forces added up again, over the largest load
+    seconds: float
+
+
+def settings(seed: int, number: int) -> tuple[str, str, list[str]]:
+    """Case, support and settings of a design; lengths in mm, forces in N."""
+    rng = np.random.default_rng([seed, number])
+    kind = ("deep_groove_ball", "angular_contact_ball")[number % 2]
+    support = SUPPORTS[number % len(SUPPORTS)]
+    ball = _log(rng, 3, 60)
+    pitch = ball / rng.uniform(0.08, 0.3)
+    most = int(np.pi / np.arcsin(ball / pitch) * 0.98)
+    angle = 0.0 if kind == "deep_groove_ball" else rng.uniform(12, 40)
+    size = most * ball**2 * _log(rng, 0.015, 15)  # of a load, up to about the static rating
+    lean = np.radians(rng.uniform(0, 80 if angle == 0 else 60))
+    inner, outer = rng.uniform(0.505, 0.54, 2)
+    shoulder, width = ball * rng.uniform(0.17, 0.3), ball * rng.uniform(1.3, 2.2)
+    thickness = ball * _log(rng, 0.12 if support == "cage" else 0.04, 0.6)
+    given = [
+        f"bearing.ball.diameter={ball:.4f} mm", f"bearing.pitch_diameter={pitch:.4f} mm",
+        f"bearing.balls={int(rng.integers(max(5, most // 2), most + 1))}",
+        "bearing.inner.radius=", f"bearing.inner.conformity={inner:.4f}",
+        "bearing.outer.radius=", f"bearing.outer.conformity={outer:.4f}",
+        f"bearing.outer.shoulder={shoulder:.4f} mm", f"bearing.inner.shoulder={shoulder:.4f} mm",
+        f"bearing.first_ball_azimuth={rng.uniform(0, 360):.2f} deg",
+        f"operation.inner_speed={min(_log(rng, 10, 25000), 1.2e6 / pitch):.1f} rpm",
+        f"operation.load.axial={size * np.sin(lean if angle == 0 else np.pi / 2 - lean):.5g} N",
+        f"operation.load.radial_z={size * np.cos(lean if angle == 0 else np.pi / 2 - lean):.5g} N",
+    ]  # fmt: skip
+    if angle:
+        given += [f"bearing.contact_angle={angle:.2f} deg"]
+        given += [f"operation.displacement.{name}=" for name in ("tilt_y", "tilt_z")]
+    else:
+        given += [f"bearing.clearance={1e3 * ball * rng.uniform(-2e-4, 2e-3):.3f} um"]
+    return CASES[kind], support, given + _rings(rng, support, pitch, thickness, width)
+
+
+def _rings(rng: np.random.Generator, support: str, pitch: float, thickness: float, width: float) -> list[str]:
+    ring = [f"outer.thickness={thickness:.4f} mm", f"outer.width={width:.4f} mm"]
+    if support == "cage":
+        bars = int(rng.integers(12, 60))
+        return [
+            *ring, "outer.kind=squirrel_cage", f"outer.bars={bars}",
+            f"outer.bar_width={0.4 * np.pi * pitch / bars:.4f} mm",
+            f"outer.bar_thickness={thickness * rng.uniform(0.4, 0.9):.4f} mm",
+            f"outer.bar_length={width * rng.uniform(0.5, 3):.4f} mm",
+            f"outer.flange_length={0.3 * width:.4f} mm",
+        ]  # fmt: skip
+    shaft = []
+    if "shaft" in support:
+        bore = pitch * rng.uniform(0.3, 0.6)
+        shaft = [
+            "inner.kind=ring_on_shaft", f"inner.bore={bore:.4f} mm", f"inner.width={width:.4f} mm",
+            f"inner.shaft_length={width * rng.uniform(1.1, 3):.4f} mm",
+            f"inner.shaft_thickness={bore * rng.uniform(0.05, 0.3):.4f} mm", *_steel("shaft"),
+        ]  # fmt: skip
+    if support == "shaft":
+        return shaft
+    held = "housing" if "housing" in support else support
+    given = [*ring, "outer.kind=ring", f"outer.support={held}", *shaft]
+    if held == "foundation":
+        ways = ("radial", "tangential", "axial")
+        given += [f"outer.foundation_{way}={_log(rng, 30, 1e4):.4g} N/mm^3" for way in ways]
+    if held == "housing":
+        given += [
+            f"outer.housing_thickness={thickness * _log(rng, 0.3, 5):.4f} mm",
+            f"outer.housing_width={width * rng.uniform(0.7, 1.3):.4f} mm",
+            f"outer.housing_support={rng.choice(['seat', 'side'])}", *_steel("housing"),
+        ]  # fmt: skip
+    return given
+
+
+def _steel(part: str) -> list[str]:
+    return [f"materials.{part}.{value}" for value in STEEL]
+
+
+def _log(rng: np.random.Generator, low: float, high: float) -> float:
+    return float(np.exp(rng.uniform(np.log(low), np.log(high))))
+
+
+def ended(seed: int, number: int) -> Row:
+    """Check a design, run what passes, add up its forces."""
+    began = time.perf_counter()
+    case, support, given = settings(seed, number)
+
+    def row(status: str, message: str, imbalance: float = 0.0) -> Row:
+        lines = message.splitlines()
+        return Row(number, support, status, lines[0] if lines else "", imbalance, time.perf_counter() - began)
+
+    with tempfile.TemporaryDirectory() as folder, threadpool_limits(limits=1, user_api="blas"):
+        try:
+            check(case, given)
+        except BadCase as problem:
+            return row("refused", str(problem))
+        try:
+            result = run(case, given, output=f"{folder}/design.h5")
+        except Exception as problem:  # what the benchmark looks for
+            return row("internal error", f"{type(problem).__name__}: {problem}")
+        status, message = result.attributes["status"], result.attributes["message"]
+        if status != "converged":
+            return row(status, message)
+        return row(status, message, summed(result))
+
+
+def summed(result: Result) -> float:
+    """Force left on the worst ball, or on the inner ring along x, over the largest load."""
+    block = result.flexible
+    normal = np.exp(1j * (np.pi / 2 - block["contact_angle"]))  # axial + i radial
+    force = block["contact_load"] * normal + block["traction"] * np.exp(-1j * block["contact_angle"])
+    ball = np.abs(force[0] - force[1] + 1j * block["centrifugal_force"]).max()
+    ring = abs(force[0].real.sum() - block["ring_load"][0])
+    return float(max(ball, ring) / block["contact_load"].max())
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--n", type=int, default=400)
+    parser.add_argument("--seed", type=lambda text: int(text, 16), default=1)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--only", type=int)
+    asked = parser.parse_args()
+    print(describe())
+    if asked.only is not None:
+        case, _, given = settings(asked.seed, asked.only)
+        print("flexbearing run", case, *(f"--set '{each}'" for each in given))
+        print(ended(asked.seed, asked.only))
+        return
+    rows = []
+    with ProcessPoolExecutor(asked.jobs, mp_context=get_context("spawn")) as pool:
+        for row in pool.map(ended, repeat(asked.seed), range(asked.n)):
+            rows.append(row)
+            if row.status != "converged" or row.imbalance > SUMMED:
+                print(*row[:4], f"{row.imbalance:.1e}", f"{row.seconds:.1f} s", flush=True)
+    possible = [row for row in rows if row.status != "refused"]
+    good = [row for row in possible if row.status == "converged"]
+    print(Counter(row.status for row in rows))
+    print(f"converged {len(good)} of {len(possible)}, {len(good) / len(possible):.2%} (wanted 99.5 %)")
+    print(f"forces added up again: {max(row.imbalance for row in good):.1e} of the largest load")
+    seconds = [row.seconds for row in rows]
+    print(f"seconds of a design: median {np.median(seconds):.2f}, largest {max(seconds):.1f}")
+
+
+if __name__ == "__main__":
+    main()

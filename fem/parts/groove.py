@@ -1,0 +1,58 @@
+"""A groove for balls in a raceway, as frozen data; lengths and directions as in `fem.parts.rings`."""
+
+from dataclasses import dataclass
+from math import acos, pi, sin
+
+from fem.parts.material import in_mm, require, require_positive
+
+
+@dataclass(frozen=True, kw_only=True)
+class Groove:
+    """An arc of a circle in the axial section, turned about the axis; its centre is at x = 0."""
+
+    radius: float  # [m] of the arc
+    centre_radius: float  # [m] from the axis to the centre of the arc
+
+    def __post_init__(self):
+        require_positive(self, "radius", "centre_radius")
+
+    def end(self, land: float, outward: int) -> float:
+        """Contact angle [rad] at which a land of radius `land` [m] cuts the arc; `outward`: -1 inside balls.
+
+        Raises
+        ------
+        ImpossiblePart
+            if the land does not cut the arc
+        """
+        depth = outward * (land - self.centre_radius)
+        low, high = sorted((self.centre_radius, self.centre_radius + outward * self.radius))
+        require(
+            0 <= depth < self.radius, "raceway_diameter", in_mm(2 * land),
+            f"a land that cuts the groove, between {in_mm(2 * low)} and {in_mm(2 * high)}",
+        )  # fmt: skip
+        return acos(depth / self.radius)
+
+    def width(self, land: float, outward: int) -> float:
+        """Axial width of the groove between its lands [m]."""
+        return 2 * self.radius * sin(self.end(land, outward))
+
+    def bottom(self, outward: int) -> float:
+        """Radius of the bottom of the groove [m]."""
+        return self.centre_radius + outward * self.radius
+
+
+@dataclass(frozen=True, kw_only=True)
+class Stations:
+    """Where balls may press on the arc of a groove, and how: normal Gaussian patches at contact angles."""
+
+    angles: tuple[float, ...]  # (K,) [rad] from the radial plane towards +x for the balls; K odd
+    width: float  # [m] standard deviation of a patch, along the arc and around the axis
+
+    def __post_init__(self):
+        require_positive(self, "width")
+        object.__setattr__(self, "angles", tuple(float(angle) for angle in self.angles))
+        require(
+            len(self.angles) % 2 == 1 and len(set(self.angles)) == len(self.angles),
+            "angles", self.angles, "an odd number of different angles",
+        )  # fmt: skip
+        require(max(map(abs, self.angles)) < pi / 2, "angles", self.angles, "between -pi/2 and pi/2")

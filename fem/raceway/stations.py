@@ -1,0 +1,84 @@
+r"""The compliance of a groove under balls, by patches at stations of its arc.
+
+The force of a ball passes through the centre of the groove at every contact angle, so that a normal patch
+has no couple about it, and a turn of the section about that centre moves no contact. Stations at K contact
+angles alpha_k carry normal forces and read normal displacements, both outward from the centre of the groove;
+what a ball at any angle does follows by interpolation between them.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.half_space.gaussian_patch import patch_answers
+from fem.parts.groove import Groove
+from fem.parts.material import Elastic
+
+DETAIL = 5 / 3  # length over the width of a patch that harmonics resolve: beyond, exp(-13) of it is left
+
+
+@dataclass(frozen=True, kw_only=True)
+class GrooveAtBalls:
+    """How a groove gives way to balls at given azimuths: displacement from ground per force on the race."""
+
+    azimuths: NDArray  # (Z,) [rad]
+    angles: NDArray  # (K,) [rad] of the stations
+    absolute: NDArray  # (Z, K, Z, K) [m/N] normal, outward from the groove centre; own half-space left out
+
+
+@dataclass(frozen=True, kw_only=True)
+class GrooveCompliance:
+    r"""How a groove answers the harmonics of forces on its stations; the azimuths of the balls stay free.
+
+    .. math:: C_{jk,j'l} = \sum_{n=-N}^{N} W_{n,kl}\,
+              e^{-\frac{n^2-1}{2} \sigma^2 (R_k^{-2} + R_l^{-2})} \cos n(\varphi_j - \varphi_{j'})
+              - \delta_{jj'} h(r\,|\alpha_k - \alpha_l|)
+
+    with the contact circles :math:`R_k = R_c \pm r \cos\alpha_k` and the half-space h of
+    `fem.half_space.gaussian_patch`. Patches are divided by their mean of the cosine of the angle from their
+    middle, around and along, so that they read a rigid motion exactly.
+
+    Source
+    ------
+    Fourier series of a Gaussian; derived here.
+
+    Valid
+    -----
+    Small displacement. The own half-space is that of a patch: own terms fall by some percent where patches
+    are as wide as a tenth of the groove radius, so that the width belongs to the answer.
+    """
+
+    groove: Groove
+    outward: int  # 1 where the race is outside the balls, else -1
+    angles: NDArray  # (K,) [rad] of the stations
+    width: float  # [m] of their patches, see `fem.parts.groove.Stations`
+    response: NDArray  # (N + 1, K, K) [m/N] W of lines around the axis, n = 0 .. N
+    elastic: Elastic  # material below the groove
+    unknowns: int
+    elements: int
+    seconds: dict[str, float] = field(compare=False)  # by stage: factor, condense
+
+    def at(self, azimuths: NDArray) -> GrooveAtBalls:
+        """Compliance for balls at azimuths (Z,) [rad]."""
+        phi = np.asarray(azimuths, dtype=float)
+        n = np.arange(len(self.response))
+        apart, place = np.unique(np.round(np.abs(phi[:, None] - phi) % (2 * np.pi), 12), return_inverse=True)
+        waves = np.cos(np.outer(apart, n)) * np.where(n > 0, 2.0, 1.0)
+        rows = np.tensordot(waves, self.response * self._faded, axes=1)  # (D, K, K)
+        absolute = rows[place.reshape(len(phi), -1)].transpose(0, 2, 1, 3)
+        own = np.arange(len(phi))
+        absolute[own, :, own] -= self._half_space
+        return GrooveAtBalls(azimuths=phi, angles=self.angles, absolute=absolute)
+
+    @property
+    def _faded(self) -> NDArray:
+        """Share of a line that patches of some width carry in each harmonic (N + 1, K, K) [-]."""
+        radii = self.groove.centre_radius + self.outward * self.groove.radius * np.cos(self.angles)
+        n, square = np.arange(len(self.response)), (self.width / radii) ** 2 / 2
+        return np.exp(-(n[:, None, None] ** 2 - 1) * (square[:, None] + square))
+
+    @property
+    def _half_space(self) -> NDArray:
+        along = self.groove.radius * np.abs(self.angles[:, None] - self.angles)
+        return patch_answers(along, self.width, self.elastic)

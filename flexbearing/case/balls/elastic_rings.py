@@ -1,0 +1,139 @@
+"""The sections [outer], [inner] and [accuracy] of a bearing with fast balls: what carries its grooves."""
+
+from math import acos
+from typing import Literal, Self
+
+from pydantic import model_validator
+
+from flexbearing.case import held_ring
+from flexbearing.case.balls.parts import EndingGroove
+from flexbearing.case.held_ring import ON_SHAFT, RING
+from flexbearing.case.quantity import Foundation, Length, Section, impossible, in_mm, key, needed, require
+
+ELASTIC = ({"outer.kind": ("ring", "squirrel_cage")}, {"inner.kind": ("ring_on_shaft",)})
+OF_RING = {"kind": ("ring", "squirrel_cage")}
+
+
+class BallOuter(Section):
+    """What carries the outer groove."""
+
+    kind: Literal["rigid", "ring", "squirrel_cage"] = key(
+        "rigid; a ring with its groove cut in, held at rest; or such a ring on bars, spread evenly around "
+        "it, whose flange is clamped",
+        "rigid",
+    )
+    thickness: Length | None = key(
+        "radial thickness of the ring at the bottom of its groove", None, example="4 mm", gt=0, only=OF_RING
+    )
+    width: Length | None = key("axial width of the ring", None, example="19 mm", gt=0, only=OF_RING)
+    groove_offset: Length = key(
+        "axial distance from the middle of the ring's width to the centre of the groove, positive towards "
+        "+x, where the side face is held or the bars are",
+        "0 mm",
+        example="1 mm",
+        only=OF_RING,
+    )
+    support: Literal["side", "seat", "foundation", "housing"] = key(
+        "what holds the ring: its side face at the end of x; a rigid seat or springs per area on its outer "
+        "surface, which push and pull; or a housing bonded to it",
+        "side",
+        only=RING,
+    )
+    foundation_radial: Foundation = held_ring.foundation_radial()
+    foundation_axial: Foundation = held_ring.foundation("axial")
+    foundation_tangential: Foundation = held_ring.foundation("tangential")
+    housing_thickness: Length | None = held_ring.housing_thickness()
+    housing_width: Length | None = held_ring.housing_width()
+    housing_support: Literal["seat", "side"] = held_ring.housing_support()
+    bars: int | None = held_ring.bars()
+    bar_width: Length | None = held_ring.of_cage("tangential width of a bar")
+    bar_thickness: Length | None = held_ring.of_cage("radial thickness of a bar")
+    bar_length: Length | None = held_ring.of_cage("axial length of the bars")
+    flange_length: Length | None = held_ring.of_cage("axial length of the flange behind the bars")
+    bar_ends: Literal["one", "both"] = held_ring.bar_ends()
+
+    @model_validator(mode="after")
+    def _complete(self) -> Self:
+        if self.kind == "rigid":
+            return self
+        require(self, ("thickness", "width"), f'outer.kind = "{self.kind}"')
+        if self.kind == "ring":
+            held_ring.require_support(self)
+        else:
+            names = ("bars", "bar_width", "bar_thickness", "bar_length", "flange_length")
+            require(self, names, 'outer.kind = "squirrel_cage"')
+        return self
+
+
+class BallInner(Section):
+    """What carries the inner groove."""
+
+    kind: Literal["rigid", "ring_on_shaft"] = key(
+        "rigid; or a ring bonded on a shaft with both ends clamped, which move with the ring", "rigid"
+    )
+    bore: Length | None = key(
+        "bore of the ring, outside of the shaft", None, example="45 mm", gt=0, only=ON_SHAFT
+    )
+    width: Length | None = key("axial width of the ring", None, example="19 mm", gt=0, only=ON_SHAFT)
+    shaft_thickness: Length | None = held_ring.shaft_thickness()
+    shaft_length: Length | None = held_ring.shaft_length()
+
+    @property
+    def shaft_bore(self) -> float:
+        """Bore of the shaft [m]; zero is a solid shaft."""
+        bore, thickness = self.bore or 0.0, self.shaft_thickness
+        return 0.0 if thickness is None else max(bore - 2 * thickness, 0.0)
+
+    @model_validator(mode="after")
+    def _complete(self) -> Self:
+        if self.kind == "ring_on_shaft":
+            _, width, length = require(
+                self, ("bore", "width", "shaft_length"), 'inner.kind = "ring_on_shaft"'
+            )
+            if length <= width:
+                raise impossible("shaft_length", f"above {in_mm(width)}, inner.width")
+        return self
+
+
+class GrooveAccuracy(Section):
+    """How finely elastic rings with grooves are resolved."""
+
+    patch_width: Length | None = key(
+        "standard deviation of the patches by which balls press on an elastic groove, without their "
+        "half-space indentation; by default 0.06 of the ball diameter, as of contacts at 2 to 2.5 GPa",
+        None,
+        example="1 mm",
+        gt=0,
+        only=ELASTIC,
+    )
+    stations: int = key(
+        "contact angles at which patches are placed along an elastic groove, an odd number", 7, ge=3, le=15,
+        only=ELASTIC,
+    )  # fmt: skip
+    element_order: int = key("polynomial order of the finite elements", 5, ge=2, le=8, only=ELASTIC)
+    mesh_size: Length | None = key(
+        "largest size of the elements; by default a quarter of the ball diameter",
+        None,
+        example="3 mm",
+        gt=0,
+        only=ELASTIC,
+    )
+
+    @model_validator(mode="after")
+    def _odd(self) -> Self:
+        if self.stations % 2 == 0:
+            raise impossible("stations", "an odd number")
+        return self
+
+
+def require_shoulder(name: str, groove: EndingGroove) -> None:
+    """Raise unless the shoulder of a groove in an elastic ring is known."""
+    if groove.shoulder is None:
+        raise needed([f"bearing.{name}.shoulder"], f"an elastic {name} ring, whose section it is part of")
+
+
+def groove_end(groove: EndingGroove, ball_diameter: float) -> float:
+    """Contact angle at which the shoulder cuts the groove [rad]."""
+    radius = groove.over(ball_diameter) * ball_diameter
+    assert groove.shoulder is not None  # checked on reading
+    return acos(1 - groove.shoulder / radius)

@@ -1,0 +1,110 @@
+"""Elastic rings with grooves of a case, meshed and condensed, or taken from the cache."""
+
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import fem
+from fem.condense import HARMONICS, SMEARED, condense
+from fem.errors import NotSolved as RingNotSolved
+from flexbearing.build.groove_parts import OUTWARD, GroovePart, Race, groove_part
+from flexbearing.cache import configured
+from flexbearing.case import BadCase
+from flexbearing.case.balls.angular_contact import FastCase
+from flexbearing.progress import Report
+from quasidynamic import NotSolved
+from quasidynamic.balance.balls.elastic_grooves import ElasticGroove
+from quasidynamic.solve.balls.ring_in_elastic_grooves import ElasticGrooves
+
+PATCH = 0.06  # width over the ball diameter: a/sqrt(5) of steel balls at 2 to 2.5 GPa
+MARGIN = 2.0  # widths of a patch from the outermost station to the end of the groove
+MESH = 0.25  # largest element over the ball diameter
+FINER = 6.0  # order of the elements times width of a patch, over the elements on the groove
+
+RACES: tuple[Race, Race] = ("inner", "outer")
+Arguments = tuple[GroovePart, fem.Discretisation, fem.Resolution]
+
+
+def parts(case: FastCase) -> tuple[Arguments | None, Arguments | None]:
+    """What decides the elastic grooves of a case, inner and outer; None where a ring is rigid.
+
+    Raises
+    ------
+    BadCase
+        when no such part can exist
+    """
+    inner, outer = (_arguments(case, race) for race in RACES)
+    return inner, outer
+
+
+def _arguments(case: FastCase, race: Race) -> Arguments | None:
+    part = groove_part(case, race)
+    if part is None or part.groove is None:
+        return None
+    accuracy, diameter, land = case.accuracy, case.bearing.ball.diameter, part.raceway_diameter / 2
+    width, groove = accuracy.patch_width or PATCH * diameter, part.groove
+    end = groove.end(land, OUTWARD[race]) - MARGIN * width / groove.radius
+    if end <= 0:
+        least = 1e3 * groove.radius * (1 - np.cos(MARGIN * width / groove.radius))
+        raise BadCase(
+            f"{case.source.path}: bearing.{race}.shoulder leaves no room for a patch of "
+            f"accuracy.patch_width = {1e3 * width:.3g} mm; allowed is above {least:.3g} mm"
+        )
+    resolution = fem.Resolution(
+        length=groove.width(land, OUTWARD[race]),
+        mesh_size=fem.MeshSize(
+            order=accuracy.element_order,
+            size=accuracy.mesh_size or MESH * diameter,
+            raceway_size=accuracy.element_order * width / FINER,
+        ),
+        stations=fem.Stations(angles=tuple(end * np.linspace(-1, 1, accuracy.stations)), width=width),
+    )
+    return part, SMEARED if isinstance(part, fem.SquirrelCage) else HARMONICS, resolution
+
+
+def elastic_grooves(case: FastCase, azimuths: NDArray, report: Report) -> ElasticGrooves | None:
+    """Both grooves under balls at azimuths (Z) [rad]; None between rigid rings.
+
+    Raises
+    ------
+    BadCase
+        when a part cannot exist
+    NotSolved
+        when the finite elements find none
+    """
+    inner, outer = (
+        each and _condensed(case, race, each, azimuths, report)
+        for race, each in zip(RACES, parts(case), strict=True)
+    )
+    return None if inner is None and outer is None else ElasticGrooves(inner, outer)
+
+
+def _is_of(part: GroovePart, _: fem.Discretisation, resolution: fem.Resolution, kept: Any) -> bool:
+    """Whether a compliance from the cache is that of a part, as far as it says so."""
+    stations = resolution.stations
+    assert stations  # of every part with a groove
+    same = (kept.groove, kept.width, kept.elastic) == (part.groove, stations.width, part.materials["ring"])
+    return same and tuple(kept.angles) == stations.angles
+
+
+def _condensed(
+    case: FastCase, race: Race, arguments: Arguments, azimuths: NDArray, report: Report
+) -> ElasticGroove:
+    name = f"{race} ring"
+    report.stage(name, None)
+    try:
+        compliance: Any = configured().cached(  # of a part with a groove
+            "GrooveCompliance",
+            arguments,
+            lambda: condense(*arguments),
+            lambda note: report.stage(f"{name}: {note}", None),
+            partial(_is_of, *arguments),
+        )
+    except fem.ImpossiblePart as problem:
+        raise BadCase(f"{case.source.path}: [{race}] {problem}") from problem
+    except RingNotSolved as problem:
+        raise NotSolved(f"{name}: {problem}", "not solved") from problem
+    at_balls = compliance.at(azimuths)
+    return ElasticGroove(at_balls.angles, at_balls.absolute)

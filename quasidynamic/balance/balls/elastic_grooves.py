@@ -1,0 +1,121 @@
+"""Grooves that give way under the forces of balls, at any contact angle."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.balls.ball_position import Vectors
+from quasidynamic.errors import ImpossiblePart
+
+FURTHEST = 0.15  # [rad] beyond its outermost station a groove answers as it does there
+SYMMETRIC = 1e-9  # allowed difference of a compliance from its mirror image, over the largest entry
+
+
+@dataclass(frozen=True, eq=False)
+class ElasticGroove:
+    """How one race gives way: normal displacement at stations of its arc per normal force on them.
+
+    Both from ground and outward from the groove centre, on the side of the contacts; the answer of a
+    half-space to the own force is left out, as the contact law has it.
+    """
+
+    angles: NDArray  # (K) [rad] contact angles of the stations, K odd
+    compliance: NDArray  # (Z, K, Z, K) [m/N], symmetric
+
+    def __post_init__(self):
+        count, stations = self.compliance.shape[:2]
+        if self.compliance.shape != (count, stations) * 2 or len(self.angles) != stations or not stations % 2:
+            raise ImpossiblePart(
+                f"a compliance of shape {self.compliance.shape} does not fit {len(self.angles)} stations, "
+                "whose number is odd"
+            )
+        mirrored = self.compliance.transpose(2, 3, 0, 1)
+        largest = np.abs(self.compliance).max()
+        if not np.abs(self.compliance - mirrored).max() <= SYMMETRIC * largest:
+            raise ImpossiblePart("the compliance of a groove must be finite and symmetric")
+
+    @cached_property
+    def by_ball(self) -> NDArray:
+        """Displacements of all stations by forces on those of each ball (Z, Z K, K) [m/N]."""
+        return np.moveaxis(self.compliance.reshape(-1, *self.compliance.shape[2:]), 1, 0).copy()
+
+    @cached_property
+    def _inverse(self) -> NDArray:
+        return np.linalg.inv(_waves(self.angles, 0).T)
+
+    def shares(self, angles: NDArray) -> "StationShares":
+        """Shares of the stations at contact angles (C, Z) [rad]."""
+        least, most = self.angles.min() - FURTHEST, self.angles.max() + FURTHEST
+        at = np.clip(angles, least, most)
+        share, slope, bend = (_waves(at, order, len(self.angles)) @ self._inverse.T for order in range(3))
+        inside = (angles > least) & (angles < most)
+        return StationShares(at, share, slope, np.where(inside[..., None], share + bend, 0.0))
+
+
+class StationShares(NamedTuple):
+    r"""Shares of K stations at contact angles, and how they change with them.
+
+    A ball at the angle alpha reads and loads the stations by
+
+    .. math:: T = c\,n^T + c'\,t^T, \quad n = (\sin\alpha, \cos\alpha),\; t = (\cos\alpha, -\sin\alpha),
+              \quad \frac{dT}{d\alpha} = (c + c'')\,t^T
+
+    with the shares c of the stations in a function of 1, cos and sin of alpha and its multiples. Cosine and
+    sine themselves are among them, so that a rigid motion of the section is exact.
+
+    Source
+    ------
+    Virtual work: loads and displacements have the same shares; derived here.
+    """
+
+    angles: NDArray  # (C, Z) [rad]
+    share: NDArray  # (C, Z, K) c [-]
+    slope: NDArray  # (C, Z, K) c' [-]
+    turn: NDArray  # (C, Z, K) c + c'' [-]
+
+    @property
+    def by_vector(self) -> NDArray:
+        """T of vectors axial, radial (C, Z, K, 2) [-]."""
+        sine, cosine = np.sin(self.angles)[..., None], np.cos(self.angles)[..., None]
+        axial = self.share * sine + self.slope * cosine
+        return np.stack([axial, self.share * cosine - self.slope * sine], axis=-1)
+
+    @property
+    def by_turn(self) -> NDArray:
+        """Derivative of T by the contact angle (C, Z, K, 2) [1/rad]."""
+        sine, cosine = np.sin(self.angles)[..., None], np.cos(self.angles)[..., None]
+        return np.stack([self.turn * cosine, -self.turn * sine], axis=-1)
+
+
+def _waves(angles: NDArray, order: int, count: int | None = None) -> NDArray:
+    """Derivatives of (cos, sin, 1, cos 2a, sin 2a, ...) at angles (..., count)."""
+    number = np.array([1, 1, 0, *np.repeat(np.arange(2, (count or len(angles)) // 2 + 1), 2)])
+    quarter = np.pi / 2 * (order - np.array([0, 1, 0, *np.arange(len(number) - 3) % 2]))
+    constant = np.asarray(angles)[..., None] * number + quarter
+    return number ** float(order) * np.cos(constant)
+
+
+class GrooveShape(NamedTuple):
+    """What forces of balls make of one groove, C cases; vectors are axial, radial."""
+
+    moved: NDArray  # (C, Z, 2) [m] displacement of the groove at the balls
+    by_force: NDArray  # (C, Z, 2, Z, 2) [m/N] its derivative by forces, the contact angles kept
+    by_angle: NDArray  # (C, Z, 2, Z) [m/rad] and by contact angles, the forces kept
+
+
+def shape_of(groove: ElasticGroove, angles: NDArray, force: Vectors) -> GrooveShape:
+    """How a groove gives way to forces (C, Z) [N] on it at contact angles (C, Z) [rad]."""
+    shares = groove.shares(angles)
+    (cases, balls), vectors = angles.shape, np.stack([force.real, force.imag], axis=-1)
+    by_vector, by_turn = shares.by_vector, shares.by_turn
+    pressed = np.concatenate([by_vector, by_turn @ vectors[..., None]], axis=-1)  # (C, Z, K, 3)
+    answers = (groove.by_ball @ pressed).reshape(cases, balls, balls, -1, 3)  # by ball, at ball, at station
+    displaced = np.einsum("cyzka,cya->czk", answers[..., :2], vectors)
+    moves = np.moveaxis(by_vector.swapaxes(-1, -2)[:, None] @ answers, 1, 3)  # (C, Z, 2, Z, 3)
+    own = np.arange(balls)
+    moves[:, own, :, own, 2] += (displaced[:, :, None] @ by_turn)[:, :, 0].swapaxes(0, 1)
+    moved = (displaced[:, :, None] @ by_vector)[:, :, 0]
+    return GrooveShape(moved, moves[..., :2], moves[..., 2])

@@ -1,0 +1,346 @@
+"""Newton's method for a ring on balls between grooves that give way."""
+
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.balls.angular_contact import AngularBalance, BallBalance, RingBalance, moved
+from quasidynamic.balance.balls.ball_position import Vectors, groove_arm, turning
+from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, shape_of
+from quasidynamic.solve.balls.ball_equilibrium import BallsInBalance, along_arc, balance_balls, resolved
+from quasidynamic.solve.balls.ring_on_balls import ANSWERED, BALL_SHARE, TINY, RingSolution, _tolerance, solve
+from quasidynamic.solve.balls.ring_on_springs import stiffened_step
+from quasidynamic.solve.step_length import SolverOutcome
+
+LIMIT = 80  # Newton steps for one compliance, rarely more than ten
+LONGEST = 0.3  # of the smaller reach: step of a groove against a ball
+FLOATING = 1e-9  # of the whole stiffness: what resists every direction of the ring, soft supports or none
+SHORTEST = 2.0**-10  # part of a Newton step
+LEAST_STEP = 2e-3  # part of the compliance by which grooves become softer at least
+TOLERANCE = 1e-9  # of the largest force: below, balls that only inertia presses may go to and fro
+
+
+class ElasticGrooves(NamedTuple):
+    """Both grooves of a bearing."""
+
+    inner: ElasticGroove | None  # None: rigid
+    outer: ElasticGroove | None
+
+    def softened(self, part: float) -> "ElasticGrooves":
+        """Grooves of a part of the compliance."""
+        return ElasticGrooves(*(each and replace(each, compliance=part * each.compliance) for each in self))
+
+
+class ElasticSolution(NamedTuple):
+    """Balance between elastic grooves; C cases, Z balls, inner then outer race."""
+
+    rings: RingSolution  # with the stiffness of grooves and balls
+    shape: Vectors  # (C, Z) [m] inner groove less outer groove beyond those of rigid rings
+    moved: NDArray  # (C, 2, Z, 2) [m] axial and radial displacement of the grooves under the balls
+
+
+class _Places(NamedTuple):
+    """Places of C cases, inner then outer race."""
+
+    ring: NDArray  # (C, 5) [m] of the inner ring, rotations times R_i
+    grooves: Vectors  # (C, 2, Z) [m] displacement of the grooves under the balls
+    pressing: Vectors  # (C, 2, Z) [N] forces that would displace them so
+    centres: Vectors  # (C, Z) [m] balls, from the displaced outer groove centres
+
+    @property
+    def shape(self) -> Vectors:
+        """Inner grooves less outer ones beyond those of rigid rings (C, Z) [m]."""
+        return self.grooves[:, 0] - self.grooves[:, 1]
+
+
+class _State(NamedTuple):
+    """Forces and derivatives at one place; moves are those of grooves against each other (2 Z)."""
+
+    ring: NDArray  # (C, 5), as the next three of `_Places`
+    grooves: Vectors
+    pressing: Vectors
+    centres: Vectors
+    ball_moves: Vectors  # (C, Z) [m] what the balls still have to move
+    follow: Vectors  # (C, 2, Z) their move per axial and per radial move of their grooves
+    forces: Vectors  # (C, 2, Z) [N] on the races, once the balls have moved
+    by_moves: NDArray  # (C, 2, Z, 2, 2) [N/m] their change
+    misfit: NDArray  # (C, 2, 2 Z) [m] grooves less where the forces displace them to
+    yielding: NDArray  # (C, 2, 2 Z, 2 Z) change of where the forces displace them to
+    excess: NDArray  # (C, 5) [N] once the balls have moved
+    excess_after: NDArray  # (C, 5) [N] once balls and grooves have moved to their balance, the ring held
+    stiffness: NDArray  # (C, 5, 5) [N/m] balls and grooves in balance
+    carried: NDArray  # (C, 5) [N]
+    by_ring: NDArray  # (C, 2 Z, 5) moves per ring displacement
+    closing: NDArray  # (C, 2 Z) [m] moves that bring grooves to their balance, the ring held
+    imbalance: NDArray  # (C)
+    evaluations: NDArray  # (C) of all balls
+
+    def of(self, cases: NDArray) -> "_State":
+        """Some of the cases."""
+        return _State(*(array[cases] for array in self))
+
+    def put(self, cases: NDArray, others: "_State") -> None:
+        """Replace some of the cases."""
+        for array, other in zip(self, others, strict=True):
+            array[cases] = other
+
+    @property
+    def places(self) -> _Places:
+        """Where ring, grooves and balls are."""
+        return _Places(*self[: len(_Places._fields)])
+
+    def work(self, step: NDArray, moves: Vectors) -> NDArray:
+        """Work (C) [N m] of unbalanced forces on a step of the ring (C, 5) and of the grooves (C, 2, Z).
+
+        Where forces are those of an energy, it falls along a Newton step up to the minimum.
+        """
+        return (self.excess * step).sum(1) + ((self.forces - self.pressing) * moves.conj()).real.sum((1, 2))
+
+
+def solve_elastic(balance: AngularBalance, grooves: ElasticGrooves) -> ElasticSolution:
+    r"""Balance of all cases between elastic grooves, from that between rigid ones.
+
+    .. math:: v = v_0 + B a + s, \quad s = -C_i F_i(v) - C_o F_o(v), \quad P = B^T F_i(v)
+
+    with the felt place v of the inner groove against the outer one, the ring place a, forces on balls F_i
+    and on the outer race F_o with balls in balance, and compliances of grooves C, which follow the contact
+    angles.
+
+    Source
+    ------
+    Virtual work, balls eliminated from the ring and the grooves; derived here.
+    """
+    with np.errstate(all="ignore"):  # places tried on the way may overflow: such a step is not taken
+        rigid = solve(balance)
+        rest = np.zeros((len(rigid.ring), 2, rigid.centres.shape[1]), complex)
+        begin = _Places(rigid.ring, rest, rest, rigid.centres)
+        state, outcomes = _newton(balance, grooves, begin)
+        for case, outcome in enumerate(outcomes):
+            if outcome in ANSWERED or rigid.outcomes[case] is not SolverOutcome.CONVERGED:
+                continue
+            one = np.array([case])
+            found, spent = _softening(balance.take(one), grooves, _Places(*(array[one] for array in begin)))
+            if found is not None:
+                outcomes[case] = SolverOutcome.CONVERGED
+                state.put(one, found)
+            state.evaluations[case] += spent
+        shape = state.places.shape
+        balls = balance.balls(balance.grooves(state.ring) + shape, state.centres)
+    ended = [
+        each if known is SolverOutcome.CONVERGED else known
+        for each, known in zip(outcomes, rigid.outcomes, strict=True)
+    ]
+    forces = balls, RingBalance(state.excess_after, state.stiffness, state.carried)
+    counts = state.evaluations + rigid.evaluations
+    rings = RingSolution(state.ring, state.centres, ended, state.imbalance, counts, forces)
+    return ElasticSolution(rings, shape, state.grooves[..., None].view(float))
+
+
+def _softening(
+    balance: AngularBalance, grooves: ElasticGrooves, places: "_Places"
+) -> tuple[_State | None, int]:
+    """Balance of one case by grooves that become softer step by step, and evaluations before the last."""
+    part, step, count = 0.0, 0.25, 0
+    while step >= LEAST_STEP:
+        further = min(1.0, part + step)
+        softer = places._replace(
+            pressing=part / further * places.pressing
+        )  # what bends softer grooves as far
+        trial, (outcome,) = _newton(balance, grooves.softened(further), softer)
+        if outcome is not SolverOutcome.CONVERGED:
+            count, step = count + int(trial.evaluations[0]), step / 2
+            continue
+        if further == 1.0:
+            return trial, count
+        count += int(trial.evaluations[0])
+        part, places, step = further, trial.places, 2 * step
+    return None, count
+
+
+def _newton(
+    balance: AngularBalance, grooves: ElasticGrooves, start: _Places
+) -> tuple[_State, list[SolverOutcome]]:
+    """Damped Newton of ring and grooves, all cases side by side; a case leaves as soon as it ends."""
+    outcomes, cases = [SolverOutcome.RUNNING] * len(start.ring), np.arange(len(start.ring))
+    state, gained = _at(balance, grooves, start, BALL_SHARE), np.full(len(cases), True)
+    whole = state.of(cases)  # arrays of its own
+    for number in range(LIMIT + 1):
+        for case, left, gain in zip(cases, state.imbalance, gained, strict=True):
+            outcomes[case] = _outcome(balance, left, gain, number == LIMIT)
+        running = np.array([outcomes[case] is SolverOutcome.RUNNING for case in cases])
+        if not running.any():
+            break
+        cases, balance = cases[running], balance if running.all() else balance.take(running)
+        state, gained = _next(balance, grooves, state.of(running))
+        whole.put(cases, state)
+    return whole, outcomes
+
+
+def _outcome(balance: AngularBalance, left: float, gained: bool, last: bool) -> SolverOutcome:
+    if not np.isfinite(left):
+        return SolverOutcome.NOT_FINITE
+    if left <= max(TOLERANCE, balance.control.noise):
+        return SolverOutcome.CONVERGED
+    if not gained:
+        return SolverOutcome.STALLED
+    return SolverOutcome.LIMIT if last else SolverOutcome.RUNNING
+
+
+def _next(balance: AngularBalance, grooves: ElasticGrooves, state: _State) -> tuple[_State, NDArray]:
+    """State after a Newton step, each case halving it until it does not run far past the balance."""
+    step = stiffened_step(balance, state.excess_after, state.stiffness, FLOATING)
+    moves = (state.by_ring @ step[..., None])[..., 0] + state.closing
+    against = moves.view(complex)
+    steps = _Places(
+        step,
+        ((state.yielding @ moves[:, None, :, None])[..., 0] - state.misfit).view(complex),
+        state.forces - state.pressing + _vectors(state.by_moves @ _pairs(moves)[:, None, ..., None]),
+        state.ball_moves + moved(np.moveaxis(state.follow, 1, 0), against),
+    )
+    longest = LONGEST * min(balance.bearing.inner_reach, balance.bearing.outer_reach)
+    damping = 1 / np.maximum(np.abs(against).max(1) / longest, 1.0)
+    last, trial = SHORTEST * damping, state.of(np.arange(len(damping)))
+    ahead = np.abs(state.work(step, steps.grooves))
+    trying, gained = np.arange(len(damping)), np.zeros(len(damping), bool)
+    while len(trying):
+        part, some = damping[trying], balance if len(trying) == len(damping) else balance.take(trying)
+        ring, moved_grooves, pressing, follow = (
+            (part * array[trying].T).T
+            for array in steps  # along the cases
+        )
+        at = _Places(
+            state.ring[trying] + ring,
+            state.grooves[trying] + moved_grooves,
+            state.pressing[trying] + pressing,
+            along_arc(state.centres[trying], follow),
+        )
+        found = _at(some, grooves, at, BALL_SHARE * state.imbalance[trying])
+        found.evaluations[:] += trial.evaluations[trying]
+        trial.put(trying, found)
+        left = found.work(step[trying], steps.grooves[trying])
+        good = (left >= -0.5 * ahead[trying]) | (found.imbalance < 0.5 * state.imbalance[trying])
+        good &= np.isfinite(found.imbalance)
+        gained[trying] = good
+        damping[trying] /= 2
+        trying = trying[~good & (damping[trying] >= last[trying])]
+    return trial, gained
+
+
+def _at(
+    balance: AngularBalance, grooves: ElasticGrooves, places: _Places, share: NDArray | float = 0.0
+) -> _State:
+    """Ring and grooves at a place, balls in balance up to a share (C) of the largest force."""
+    at = balance.grooves(places.ring) + places.shape
+    result = balance_balls(balance, at, places.centres, share)
+    balls, scales = result.balls, result.scales
+    moves = -resolved(balls, np.concatenate([balls.excess[None], balls.by_groove[:, 0]]))
+    ball_moves, follow = moves[0], moves[1:]
+    ball_moves[result.left <= scales.allowed()] = 0.0  # slopes of light balls do not reach far
+    _, force, traction = moved(balls.by_ball, ball_moves)
+    forces, by_moves = _on_races(balance, result, at, ball_moves, follow)
+    displaced, yielding = _displaced(grooves, balls, forces, by_moves, _turns(at, result.centres, follow))
+    misfit = places.grooves.view(float).reshape(displaced.shape) - displaced
+    to_groove = np.stack([balance.ring_to_groove.real, balance.ring_to_groove.imag], 1).reshape(-1, 5)
+    closing = misfit[:, 1] - misfit[:, 0]
+    columns = np.concatenate([np.tile(to_groove, (len(at), 1, 1)), closing[..., None]], axis=-1)
+    softness = yielding[:, 1] - yielding[:, 0]
+    felt = np.linalg.solve(np.eye(softness.shape[1]) + np.nan_to_num(softness), columns)
+    by_traction = balls.by_groove[:, 2] + moved(balls.by_ball[:, 2, None], follow[:, None])[:, 0]
+    changes = _on_ring(balance, -by_moves[:, 0], by_traction, felt)
+    ring = balance.ring(balls, follow)
+    excess = np.where(balance.held, 0.0, ring.excess - balance.on_ring(force, traction))
+    tolerance, left = _tolerance(balance), result.left.max(1)
+    near = left[:, None] <= scales.allowed(tolerance)
+    counted = np.abs(np.where(near, ring.excess, excess)).max(1)  # no balance by what balls would do
+    misfit_force = np.abs(by_moves).max((1, 2, 3, 4)) * np.abs(closing).max(1)
+    largest = np.maximum(np.maximum(scales.largest, scales.noise / tolerance), TINY)
+    imbalance = np.maximum.reduce([counted, misfit_force, left]) / largest
+    return _State(
+        *places._replace(centres=result.centres),
+        ball_moves=ball_moves,
+        follow=follow.swapaxes(0, 1),
+        forces=forces,
+        by_moves=by_moves,
+        misfit=misfit,
+        yielding=yielding,
+        excess=excess,
+        excess_after=np.where(balance.held, 0.0, excess - changes[..., 5]),
+        stiffness=changes[..., :5],
+        carried=ring.carried,
+        by_ring=felt[..., :5],
+        closing=felt[..., 5],
+        imbalance=np.where(result.done, imbalance, np.inf),
+        evaluations=np.full(len(at), result.evaluations),
+    )
+
+
+def _on_races(
+    balance: AngularBalance, result: BallsInBalance, at: Vectors, ball_moves: Vectors, follow: Vectors
+) -> tuple[Vectors, NDArray]:
+    """Forces on both races (C, 2, Z) once the balls have moved, and their change (C, 2, Z, 2, 2) by moves.
+
+    The outer race carries the centrifugal force, too.
+    """
+    balls = result.balls
+    on_ball = balls.forces[1] + moved(balls.by_ball[:, 1], ball_moves)
+    by_felt = _real(balls.by_groove[:, 1] + moved(balls.by_ball[:, 1, None], follow[:, None])[:, 0])
+    pulled, pulled_by_ball = balance.centrifugal_by_place(balls, at, result.centres)
+    pull = balls.kinematics.centrifugal + moved(pulled_by_ball, ball_moves)
+    outer = by_felt.copy()
+    outer[:, :, 1] += np.moveaxis(pulled + moved(pulled_by_ball[:, None], follow), 0, -1)
+    return np.stack([-on_ball, on_ball + 1j * pull], 1), np.stack([-by_felt, outer], 1)
+
+
+def _displaced(
+    grooves: ElasticGrooves, balls: BallBalance, forces: Vectors, by_moves: NDArray, turns: NDArray
+) -> tuple[NDArray, NDArray]:
+    """Where forces displace both grooves to (C, 2, 2 Z) [m], and its change by moves (C, 2, 2 Z, 2 Z)."""
+    cases, _, count = forces.shape
+    displaced = np.zeros((cases, 2, 2 * count))
+    yielding = np.zeros((cases, 2, 2 * count, 2 * count))
+    for race, groove in enumerate(grooves):
+        if groove is None:
+            continue
+        each = shape_of(groove, balls.contacts.angles[race], forces[:, race])
+        displaced[:, race] = each.moved.reshape(cases, -1)
+        change = each.by_force.swapaxes(2, 3) @ by_moves[:, race, None]
+        change += each.by_angle.swapaxes(2, 3)[..., None] * turns[race][:, None, :, None]
+        yielding[:, race] = change.swapaxes(2, 3).reshape(cases, 2 * count, 2 * count)
+    return displaced, yielding
+
+
+def _on_ring(balance: AngularBalance, by_felt: NDArray, by_traction: Vectors, moves: NDArray) -> NDArray:
+    """Change of the load that is carried (C, 5, Q) by moves of grooves against each other (C, 2 Z, Q)."""
+    each = moves.reshape(len(moves), -1, 2, moves.shape[-1])
+    force = by_felt @ each
+    traction = np.einsum("acz,czaq->czq", by_traction.real, each)
+    carried = (balance.groove_to_ring.T @ (force[:, :, 0] + 1j * force[:, :, 1])).real
+    return carried - balance.ring_to_lever.T @ traction
+
+
+def _turns(grooves: Vectors, centres: Vectors, follow: Vectors) -> NDArray:
+    """Change of the contact angles (2, C, Z, 2) [rad/m] by an axial and by a radial move of the groove."""
+    turns = []
+    for arm, moves in ((grooves - centres, np.array([1, 1j])[:, None, None] - follow), (centres, follow)):
+        along = groove_arm(arm)
+        length = np.abs(along)
+        tangent = (along / length) * -1j  # e^(-i alpha), towards growing angles
+        turns.append(np.where(turning(arm), (tangent.conj() * moves).real, 0.0) / length)
+    return np.moveaxis(np.array(turns), 1, -1)
+
+
+def _real(by_groove: Vectors) -> NDArray:
+    """Derivatives of a vector by an axial and a radial move (2, C, Z), complex, as matrices (C, Z, 2, 2)."""
+    return np.moveaxis(np.stack([by_groove.real, by_groove.imag]), (2, 3), (0, 1))
+
+
+def _pairs(vectors: NDArray) -> NDArray:
+    """Real vectors (C, 2 Z) ball by ball (C, Z, 2)."""
+    return vectors.reshape(len(vectors), -1, 2)
+
+
+def _vectors(pairs: NDArray) -> Vectors:
+    """Complex vectors (C, 2, Z) from columns (C, 2, Z, 2, 1)."""
+    return pairs[..., 0, 0] + 1j * pairs[..., 1, 0]

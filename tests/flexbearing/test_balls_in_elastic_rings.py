@@ -1,0 +1,133 @@
+"""Cases of fast balls between elastic rings, from the file to the result."""
+
+import numpy as np
+import pytest
+from pytest import approx
+
+import flexbearing
+from flexbearing.api import check, read_case
+from flexbearing.case import BadCase
+from flexbearing.families import FAMILIES
+from flexbearing.report.output import text
+from tests.flexbearing.noted import codes
+
+CAGE = "configs/harris218_cage.toml"
+RING = {
+    "outer.kind": "ring", "outer.thickness": "3.65 mm", "outer.width": "19 mm",
+    "bearing.outer.shoulder": "2.2 mm", "outer.support": "foundation",
+    "outer.foundation_radial": "1000 N/mm^3", "outer.foundation_axial": "1000 N/mm^3",
+    "outer.foundation_tangential": "1000 N/mm^3",
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def on_cage(tmp_path_factory):
+    return flexbearing.run(CAGE, output=tmp_path_factory.mktemp("cage") / "cage.h5")
+
+
+def test_both_states_are_stored_and_shown(on_cage):
+    rigid, flexible = on_cage.rigid, on_cage.flexible
+    assert on_cage.attributes["status"] == "converged"
+    assert flexible["contact_load"][1].max() < 0.85 * rigid["contact_load"][1].max()
+    assert flexible["stiffness_matrix"][2, 2] < 0.1 * rigid["stiffness_matrix"][2, 2]
+    assert "groove_displacement" not in rigid
+    assert not flexible["groove_displacement"][0].any()
+    shown = text(on_cage)
+    assert "elastic rings" in shown
+    assert "between the elastic rings" in shown
+
+
+def test_balls_carry_the_load_of_the_case(on_cage):
+    flexible = on_cage.flexible
+    assert flexible["ring_load"] == approx([17800.0, 0.0, 5000.0, 0.0, 0.0], abs=1e-4)
+    angle, load = flexible["contact_angle"][0], flexible["contact_load"][0]
+    axial = load * np.sin(angle) + flexible["traction"][0] * np.cos(angle)
+    assert axial.sum() == approx(17800.0, abs=1e-3)
+
+
+def test_a_stiffer_cage_is_nearer_to_rigid_rings():
+    soft, stiff = (
+        flexbearing.run(CAGE, {"outer.bar_length": length}).flexible["stiffness_matrix"][2, 2]
+        for length in ("60 mm", "20 mm")
+    )
+    assert soft < 0.5 * stiff
+
+
+def test_a_symmetric_bearing_under_thrust_has_equal_balls():
+    result = flexbearing.run(CAGE, {"operation.load.radial_z": "0 N"})
+    loads = result.flexible["contact_load"]
+    assert np.ptp(loads, axis=1) == approx(np.zeros(2), abs=1e-5 * loads.max())
+
+
+def test_a_turned_load_turns_the_answer():
+    quarter = {"operation.load.radial_z": "0 N", "operation.load.radial_y": "5 kN"}
+    along, across = (flexbearing.run(CAGE, each).flexible["contact_load"] for each in ({}, quarter))
+    assert np.roll(along, 4, axis=1) == approx(across, rel=1e-6)
+
+
+def test_a_preload_force_is_that_between_elastic_rings():
+    """The held place is where the force brings the ring at rest; at rest, it carries that force."""
+    held = {
+        "operation.load.axial": "0 N", "operation.load.radial_z": "0 N",
+        "operation.preload.force": "2 kN", "operation.inner_speed": "1 rpm",
+    }  # fmt: skip
+    result = flexbearing.run(CAGE, held)
+    assert result.rigid["ring_load"][0] == approx(2000.0, rel=1e-4)
+    assert result.flexible["ring_load"][0] == approx(2000.0, rel=1e-4)
+    assert result.flexible["ring_displacement"][0] > 1.02 * result.rigid["ring_displacement"][0]
+
+
+@pytest.mark.parametrize("support", ["side", "seat", "foundation", "housing"])
+def test_a_deep_groove_bearing_on_every_support(support):
+    steel = {"youngs_modulus": "70 GPa", "poisson_ratio": 0.3, "density": "2700 kg/m^3"}
+    housing = {"outer.housing_thickness": "10 mm", "outer.housing_width": "25 mm", "materials.housing": steel}
+    ring = {key: value for key, value in RING.items() if "foundation" not in f"{key}{value}"}
+    given = RING if support == "foundation" else ring | {"outer.support": support}
+    result = flexbearing.run("configs/6209.toml", given | (housing if support == "housing" else {}))
+    stiffness = result.flexible["stiffness_matrix"][2, 2]
+    rigid = result.rigid["stiffness_matrix"][2, 2]
+    assert 0.2 * rigid < stiffness < (1.1 if support == "seat" else 1.0) * rigid  # stiffer than half-spaces
+
+
+def test_rows_of_a_table_are_those_of_runs():
+
+    rows = FAMILIES["deep_groove_ball"].rows()
+    names = [
+        "contact_load_range.outer.largest",
+        "rigid.contact_load_range.outer.largest",
+        "groove_displacement.outer",
+    ]
+    loads = ({"operation.load.radial_z": "4 kN"}, {"operation.load.radial_z": "6 kN"})
+    found = rows([read_case("configs/6209.toml", RING | each) for each in loads], names)
+    for row, each in zip(found, loads, strict=True):
+        result = flexbearing.run("configs/6209.toml", RING | each)
+        assert row.numbers[names[0]] == approx(result.flexible["contact_load"][1].max(), rel=1e-9)
+        assert row.numbers[names[1]] == approx(result.rigid["contact_load"][1].max(), rel=1e-9)
+        moved = 1e6 * np.abs(result.flexible["groove_displacement"][1]).max()
+        assert row.numbers[names[2]] == approx(moved, rel=1e-6)
+
+
+def test_notes_say_where_patches_and_stations_do_not_suit():
+    result = flexbearing.run(CAGE, {"accuracy.patch_width": "3 mm"})
+    assert "patch-width" in codes(result)
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"bearing.outer.shoulder": "0.2 mm"}, "leaves no room for a patch"),
+        ({"outer.bar_thickness": "20 mm"}, "bar_thickness"),
+        ({"outer.bars": 200}, "bars"),
+        ({"accuracy.stations": 4}, "odd"),
+        ({"outer.thickness": "0.1 mm"}, r"\[outer\] thickness = 0.1 mm is impossible"),
+    ],
+)
+def test_what_cannot_be_is_refused_by_check(changes, words):
+    with pytest.raises(BadCase, match=words):
+        check(CAGE, changes)
+
+
+def test_a_ring_without_its_shoulder_is_refused_in_words_of_the_case():
+    given = {key: value for key, value in RING.items() if "shoulder" not in key}
+    with pytest.raises(BadCase, match=r"\[bearing.outer\] shoulder is missing"):
+        check("configs/harris218.toml", given)
