@@ -657,3 +657,11 @@ def test_friction_without_a_balance_leaves_the_torque_out_and_the_rest_there(mon
     assert "friction_torque" not in result.rigid
     assert result.rigid["contact_load"].max() > 0
     assert "no-friction-torque" in codes(result)
+
+
+def test_the_outer_ring_turns_about_x_as_seen_from_slow_balls():
+    """An inner ring that turns towards growing azimuth turns about -x, and so does the cage of its balls."""
+    result = flexbearing.run(CONFIGS / "heras2017_a1.toml")
+    speed = result.attributes["case_si"]["operation"]["speed"]
+    orbit = 0.5 * speed * (1 - 0.03 * np.cos(np.radians(45.0)))
+    assert result.rigid["ball_motion"][:, 0] == approx(orbit, rel=2e-3)
