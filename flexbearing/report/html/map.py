@@ -7,11 +7,28 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.printable import printable
-from flexbearing.report.html.document import Document, Figure
-from flexbearing.report.studies.map_figure import Contours
+from flexbearing.report.figure import ORANGE, Axis, Contour, Figure, Line, Map, is_wide
+from flexbearing.report.html.document import Document
+from flexbearing.report.html.reader import listed
 
-LEVEL = {"color": "#fff", "width": 1.0}
-LIMIT = {"color": "#D55E00", "width": 2.0}
+
+@dataclass(frozen=True)
+class Contours:
+    """Values of an output that are drawn as lines."""
+
+    limits: tuple[float, ...] = ()  # from where, or below which, the bearing is in danger
+    levels: tuple[float, ...] = ()  # of what has no limit
+
+    def within(self, values: NDArray) -> "Contours":
+        """Those that lie between the smallest and the largest value."""
+        finite = values[np.isfinite(values)]
+        if not finite.size:
+            return Contours()
+        low, high = finite.min(), finite.max()
+        limits, levels = (
+            tuple(value for value in each if low < value < high) for each in (self.limits, self.levels)
+        )
+        return Contours(limits, levels)
 
 
 @dataclass(frozen=True)
@@ -26,6 +43,7 @@ class MapPlane:
     folds: NDArray  # (n, 2, 2) both ends of each piece
     logarithmic: tuple[bool, bool]
     contours: dict[str, Contours]  # by headings
+    unsolved: NDArray  # (n, 2) points without a state
 
 
 def of_map(
@@ -33,45 +51,28 @@ def of_map(
 ) -> Document:
     """Collect the report of a map."""
     shown = [
-        (printable(plane.name), [*_figures(plane, number)], *_lines(plane))
+        (printable(plane.name), [*figures(plane, number)], *_lines(plane))
         for number, plane in enumerate(planes)
     ]
     parts = {"words": words, "danger": danger, "planes": shown}
     return Document("map.html.j2", f"Map: {printable(title)}", parts, table)
 
 
-def _figures(plane: MapPlane, number: int) -> Iterator[Figure]:
-    layout = {
-        axis: {"title": {"text": label}, "type": "log" if log else "linear"}
-        for axis, label, log in zip(("xaxis", "yaxis"), plane.labels, plane.logarithmic, strict=True)
-    }
+def figures(plane: MapPlane, number: int = 0) -> Iterator[Figure]:
+    """Draw every output of a plane."""
+    x, y = (
+        Axis(label, "log" if log else "linear")
+        for label, log in zip(plane.labels, plane.logarithmic, strict=True)
+    )
     for place, (heading, values) in enumerate(plane.fields.items()):
-        traces = [{
-            "type": "heatmap", "x": list(plane.x), "y": list(plane.y), "z": _rows(values),
-            "colorbar": {"title": {"text": heading, "side": "right"}}, "colorscale": "Viridis",
-            "hovertemplate": f"%{{x}}, %{{y}}: %{{z}}<extra>{heading}</extra>", "meta": heading,
-        }, *_contours(plane, heading), *_folds(plane)]  # fmt: skip
-        yield Figure(f"map-{number}-{place}", heading, tuple(traces), layout | {"showlegend": False})
-
-
-def _rows(values: NDArray) -> list[list[float | None]]:
-    """Numbers as a figure takes them, row by row of y."""
-    return [[float(f"{value:.5g}") if np.isfinite(value) else None for value in row] for row in values.T]
-
-
-def _contours(plane: MapPlane, heading: str) -> Iterator[dict]:
-    contours = plane.contours.get(heading, Contours()).within(plane.fields[heading])
-    for values, line in ((contours.levels, LEVEL), (contours.limits, LIMIT)):
-        for value in values:
-            yield {
-                "type": "contour", "x": list(plane.x), "y": list(plane.y), "z": _rows(plane.fields[heading]),
-                "contours": {
-                    "start": value, "end": value, "size": 1.0, "coloring": "none", "showlabels": True,
-                    "labelfont": {"color": line["color"]},
-                },
-                "autocontour": False, "showscale": False, "hoverinfo": "skip", "line": line,
-                "name": f"{value:g}", "meta": heading,
-            }  # fmt: skip
+        within = plane.contours.get(heading, Contours()).within(values)
+        contours = (*(Contour(value, "#fff", 1.0) for value in within.levels),
+                    *(Contour(value, ORANGE, 2.0) for value in within.limits))  # fmt: skip
+        drawn = Map(
+            plane.x, plane.y, listed(values.T), heading, logarithmic=is_wide(values), contours=contours,
+            hover=f"%{{x}}, %{{y}}: %{{z}}<extra>{heading}</extra>", of=heading,
+        )  # fmt: skip
+        yield Figure(f"map-{number}-{place}", heading, x, y, (drawn, *_folds(plane)))
 
 
 def _lines(plane: MapPlane) -> tuple[bool, bool, bool]:
@@ -82,13 +83,14 @@ def _lines(plane: MapPlane) -> tuple[bool, bool, bool]:
     return bool(len(plane.folds)), any(each.limits for each in drawn), any(each.levels for each in drawn)
 
 
-def _folds(plane: MapPlane) -> Iterator[dict]:
+def _folds(plane: MapPlane) -> Iterator[Line]:
+    """Fold curves, and points without a state."""
     if len(plane.folds):
         x, y = (
             [value for piece in plane.folds[..., axis].tolist() for value in (*piece, None)]
             for axis in (0, 1)
         )
-        yield {
-            "type": "scatter", "mode": "lines", "x": x, "y": y,
-            "line": {"color": "#000", "width": 1.5}, "hoverinfo": "skip", "name": "fold", "meta": "fold",
-        }  # fmt: skip
+        yield Line(x, y, "fold", "#000", mark="", width=1.0, of="fold")
+    if len(plane.unsolved):
+        x, y = plane.unsolved.T.tolist()
+        yield Line(x, y, "not converged", "#c00000", "", "x")

@@ -5,6 +5,7 @@ from typing import Any
 from flexbearing.case import BadCase
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.report.drawing.of_case import drawings as drawn
+from flexbearing.report.figure import Figure
 from flexbearing.report.html import (
     checks,
     clearance,
@@ -18,7 +19,7 @@ from flexbearing.report.html import (
     stiffness,
     subjects,
 )
-from flexbearing.report.html.document import Cell, Document, Drawing, Figure, Number, Table
+from flexbearing.report.html.document import Cell, Document, Drawing, Number, Table
 from flexbearing.report.html.figures import around, convergence, deformed
 from flexbearing.report.html.keys import in_words, keys_in, name
 from flexbearing.report.html.reader import Reader

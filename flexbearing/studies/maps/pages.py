@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import product
+from itertools import islice, product
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 
 from flexbearing.findings.running import FILM_RATIO, PRESSED_ENDS, SHORT_LIFE
 from flexbearing.findings.strength import CONTACT_PRESSURE, STATIC_SAFETY
+from flexbearing.report.figure import BLUE, ORANGE, Axis as DrawnAxis, Figure, Line, Rule, is_wide
 from flexbearing.report.html.document import Document
-from flexbearing.report.html.map import MapPlane, of_map
-from flexbearing.report.studies.map_figure import Contours
+from flexbearing.report.html.map import Contours, MapPlane, figures, of_map
+from flexbearing.report.panels import picture as drawn
 from flexbearing.studies.file import Axis
 from flexbearing.studies.maps.axes import MapAxis
 from flexbearing.studies.maps.solution import SolvedMap
@@ -23,7 +24,7 @@ from quasidynamic.maps.sheets import FINEST
 from quasidynamic.outcome.rating_life import ROLLERS
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from matplotlib.figure import Figure as Page
 
 STATE = "state"  # axis of the states of a point
 CONTOURS = {
@@ -146,35 +147,32 @@ def _fold_words(found: SolvedMap) -> Iterator[str]:
         yield f"{folds.cut} fold curves end within the map because they could not be followed further"
 
 
-def picture(found: SolvedMap) -> "Figure":
+def picture(found: SolvedMap) -> "Page":
     """Picture of a map; of three axes at the middle of the first one."""
-    from flexbearing.report.studies.map_figure import (
-        Along,
-        Field,
-        MapLines,
-        StatesOver,
-        draw_fields,
-        draw_states,
-    )
-
     what = f"All equilibria that were found, {found.raceways}"
     if len(found.axes) == 1:
-        (axis,) = found.axes
-        name, values = next(iter(found.outputs.items()))
-        x = Along(axis.words, np.array(axis.numbers)[found.solved.point], axis.logarithmic)
-        ends = np.unique(_at(axis, found.folds.places[:, 0]))
-        return draw_states(found.title, what, x, StatesOver(name, values, found.solved.stable, ends))
-    plane = _planes(found)[len(_planes(found)) // 2]
-    x, y = (
-        Along(label, np.array(values), log)
-        for label, values, log in zip(plane.labels, (plane.x, plane.y), plane.logarithmic, strict=True)
-    )
-    fields = [Field(name, values, plane.contours[name]) for name, values in plane.fields.items()]
-    several = plane.fields[COUNT]
-    unsolved = np.argwhere(several == 0)
-    where = np.array([x.values[unsolved[:, 0]], y.values[unsolved[:, 1]]]).T
+        return drawn(found.title, what, [_states(found)])
+    planes = _planes(found)
+    plane = planes[len(planes) // 2]
     heading = f"{what}, {plane.name}" if plane.name else what
-    return draw_fields(found.title, heading, x, y, fields[:PANELS], MapLines(several, plane.folds, where))
+    return drawn(found.title, heading, [*islice(figures(plane), PANELS)], columns=2, size=(5.0, 3.6))
+
+
+def _states(found: SolvedMap) -> Figure:
+    """Every state over one key."""
+    (axis,), (name, values) = found.axes, next(iter(found.outputs.items()))
+    along, stable = np.array(axis.numbers)[found.solved.point], found.solved.stable
+    points = [
+        Line(along[some].tolist(), values[some].tolist(), words, colour, "", "circle", 3.0)
+        for some, colour, words in ((stable, BLUE, "stable"), (~stable, ORANGE, "unstable"))
+        if some.any()
+    ]
+    folds = [Rule(at, name="fold") for at in np.unique(_at(axis, found.folds.places[:, 0])).tolist()]
+    x, y = (
+        DrawnAxis(label, "log" if log else "linear")
+        for label, log in ((axis.words, axis.logarithmic), (name, is_wide(values)))
+    )
+    return Figure("states", name, x, y, (*points, *folds))
 
 
 COUNT = "stable equilibria"
@@ -219,8 +217,12 @@ def _plane(found: SolvedMap, name: str, fields: dict[str, NDArray], pieces: NDAr
     x, y = found.axes[-2:]
     ends = np.stack([_at(axis, pieces[..., number]) for number, axis in enumerate((x, y))], axis=-1)
     logarithmic = (x.logarithmic, y.logarithmic)
-    drawn = {heading: contours(heading) for heading in fields}
-    return MapPlane(name, (x.words, y.words), x.numbers, y.numbers, fields, ends, logarithmic, drawn)
+    of_fields = {heading: contours(heading) for heading in fields}
+    missing = np.argwhere(fields[COUNT] == 0)
+    unsolved = np.stack([np.array(axis.numbers)[at] for axis, at in zip((x, y), missing.T, strict=True)], -1)
+    return MapPlane(
+        name, (x.words, y.words), x.numbers, y.numbers, fields, ends, logarithmic, of_fields, unsolved
+    )
 
 
 def contours(heading: str) -> Contours:
