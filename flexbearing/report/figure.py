@@ -108,17 +108,7 @@ class Rule:
     width: float = 1.0
 
 
-@dataclass(frozen=True)
-class Arrow:
-    """An arrow from the origin, with its word."""
-
-    x: float
-    y: float
-    word: str
-    colour: str
-
-
-Item = Line | Bars | Map | Rule | Arrow
+Item = Line | Bars | Map | Rule
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexbearing.report.figure import BAND, Arrow, Axis, Bars, Figure, Item, Line, Map, Rule, Values
+from flexbearing.report.figure import BAND, Axis, Bars, Figure, Item, Line, Map, Rule, Values
 from flexbearing.report.picture import NUMBERS, plain_grid, set_heading
 
 if TYPE_CHECKING:
@@ -118,10 +118,8 @@ def _draw_item(axes: Axes, item: Item, places: tuple[dict[str, int], dict[str, i
         _draw_bars(axes, item, *map(_numbers, (item.x, item.y), places))
     elif isinstance(item, Map):
         _draw_map(axes, item)
-    elif isinstance(item, Rule):
-        _draw_rule(axes, item)
     else:
-        _draw_arrow(axes, item)
+        _draw_rule(axes, item)
 
 
 def _draw_line(axes: Axes, line: Line, x: np.ndarray, y: np.ndarray) -> None:
@@ -173,12 +171,6 @@ def _draw_rule(axes: Axes, rule: Rule) -> None:
     if rule.word:
         below = {"xycoords": ("data", "axes fraction"), "textcoords": "offset points"}
         axes.annotate(rule.word, (rule.at, 0.0), (3, 3), color=rule.colour, parse_math=False, **below)
-
-
-def _draw_arrow(axes: Axes, arrow: Arrow) -> None:
-    look = {"arrowstyle": "-|>", "color": arrow.colour, "linewidth": 1.5}
-    tip = arrow.x, arrow.y
-    axes.annotate(arrow.word, tip, (0, 0), color=arrow.colour, ha="center", va="center", arrowprops=look)
 
 
 def _shape(axes: Axes, side: str, declared: Axis, places: dict[str, int]) -> None:

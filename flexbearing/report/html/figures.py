@@ -8,10 +8,7 @@ import numpy as np
 
 from flexbearing.quantities.reductions import RACES
 from flexbearing.report.figure import (
-    BLUE,
     COLOURS,
-    ORANGE,
-    Arrow,
     Axis,
     Figure,
     Line,
@@ -232,71 +229,23 @@ def convergence(reader: Reader) -> Figure | None:
     return Figure("convergence", "convergence", x, y, tuple(items))
 
 
-def deviations(reader: Reader) -> Figure:
-    """Draw the deviation of both raceways around the ring at mid-roller, with its range along the roller."""
-    block = reader.blocks["flexible"]
+def deviations(reader: Reader) -> Figure | None:
+    """Draw the deviation of both raceways at mid-roller, with its range; none where no ring is flexible."""
+    block = reader.blocks.get("flexible", {})
+    names = {f"{race}_deviation": f"{race} raceway" for race in RACES}
+    known = [name for name in names if name in block]
+    if not known:
+        return None
     degrees, order = closed(block["roller_azimuth"])
     lines = []
-    for race, colour in zip(RACES, (BLUE, ORANGE), strict=True):
-        values, unit, of = reader.drawn("flexible", f"{race}_deviation")
+    for name, colour in zip(known, COLOURS, strict=False):
+        values, unit, of = reader.drawn("flexible", name)
         rows = np.array(values, dtype=float)[order]
-        middle = _at_mid_roller(rows, block["slice_position"])
-        lines.append(Line(degrees, listed(middle), f"{race} raceway", colour, places=tuple(order), of=of))
+        middle = [np.interp(0.0, block["slice_position"], row) for row in rows]
+        hover = f"%{{x:.1f}}°<br>%{{y}} {printed(unit)}<extra>{names[name]}</extra>"
+        lines.append(Line(degrees, listed(np.array(middle)), names[name], colour, hover=hover, of=of))
         for end in (rows.min(axis=1), rows.max(axis=1)):
             lines.append(Line(degrees, listed(end), "", colour, "dot", "", width=0.8))
-        label = with_unit("deviation, positive outward", unit)
-    title = "raceway deviation at mid-roller; dotted: range along the roller"
-    return Figure("deviations", title, AZIMUTH, Axis(label), (*lines, Rule(0.0, level=True)))
-
-
-def deformed(reader: Reader) -> Figure | None:
-    """Draw both raceways as circles with their deviation magnified; none where no ring is flexible."""
-    block = reader.blocks.get("flexible", {})
-    deviations = ("inner_deviation", "outer_deviation")
-    names = [name for name in deviations if name in block and 0 < np.abs(block[name]).max() < np.inf]
-    if not names or "balance_radii" not in block:
-        return None
-    azimuth = block["roller_azimuth"]
-    middle = {name: _at_mid_roller(block[name], block["slice_position"]) for name in names}
-    largest = max(np.abs(values).max() for values in middle.values())
-    magnification = float(f"{0.12 * block['balance_radii'][1] / largest:.1g}")
-    closed, lines = np.append(np.arange(azimuth.size), 0), []
-    for name, colour in zip(names, COLOURS, strict=False):
-        radius = float(block["balance_radii"][0 if name.startswith("inner") else 2])
-        for words, values, mark in (("undeformed", 0 * azimuth, ""), ("deformed", middle[name], "circle")):
-            size = (radius + magnification * values) * _of_metres(reader)
-            lines.append(Line(
-                listed((size * np.sin(azimuth))[closed]), listed((size * np.cos(azimuth))[closed]),
-                f"{name.split('_')[0]} raceway, {words}", colour, "solid" if mark else "dot", mark, 4.0, 1.4,
-                words=tuple(_place(reader, azimuth[each], values[each]) for each in closed),
-                hover="%{text}<extra></extra>",
-            ))  # fmt: skip
-    unit = printed(reader.units.of("mm"))
-    x, y = Axis(f"y [{unit}]"), Axis(f"z, azimuth 0 down [{unit}]", falling=True)
-    arrow = _load_arrow(reader, float(block["balance_radii"][0]) * _of_metres(reader))
-    title = f"deviation from circles at mid-roller, magnified {magnification:,.0f} times"
-    return Figure("deformed", title, x, y, (*lines, *arrow), equal=True)
-
-
-def _load_arrow(reader: Reader, radius: float) -> tuple[Arrow, ...]:
-    """Arrow of the load on the inner ring from the axis of the bearing, within a radius."""
-    degrees = _load_azimuth(reader)
-    if degrees is None:
-        return ()
-    across, down = np.sin(np.radians(degrees)), np.cos(np.radians(degrees))
-    return (Arrow(0.75 * radius * across, 0.75 * radius * down, "load", LOAD),)
-
-
-def _at_mid_roller(values: np.ndarray, along: np.ndarray) -> np.ndarray:
-    return np.array([np.interp(0.0, along, row) for row in values])
-
-
-def _of_metres(reader: Reader) -> float:
-    """Lengths of the page in a metre."""
-    return reader.units.value(1.0, "m", "mm")
-
-
-def _place(reader: Reader, azimuth: Any, value: Any) -> str:
-    """What is reported at a point of a deformed raceway."""
-    number = reader.units.number(float(value), "m", "um", ".2f", "")
-    return f"{np.degrees(azimuth):.1f}°: {number.text} {printed(number.unit)}"
+    y = Axis(with_unit("deviation, positive outward", reader.units.of("um")))
+    title = "deviation from circles at mid-roller; dotted: range along the roller"
+    return Figure("deformed", title, AZIMUTH, y, (*lines, Rule(0.0, level=True), *_load_mark(reader)))

@@ -11,24 +11,7 @@ from flexbearing.report.figure import ORANGE, Axis, Contour, Figure, Line, Map, 
 from flexbearing.report.html.document import Document
 from flexbearing.report.html.reader import listed
 
-
-@dataclass(frozen=True)
-class Contours:
-    """Values of an output that are drawn as lines."""
-
-    limits: tuple[float, ...] = ()  # from where, or below which, the bearing is in danger
-    levels: tuple[float, ...] = ()  # of what has no limit
-
-    def within(self, values: NDArray) -> "Contours":
-        """Those that lie between the smallest and the largest value."""
-        finite = values[np.isfinite(values)]
-        if not finite.size:
-            return Contours()
-        low, high = finite.min(), finite.max()
-        limits, levels = (
-            tuple(value for value in each if low < value < high) for each in (self.limits, self.levels)
-        )
-        return Contours(limits, levels)
+LEVEL, LIMIT = "#fff", ORANGE  # colours of contours
 
 
 @dataclass(frozen=True)
@@ -42,8 +25,14 @@ class MapPlane:
     fields: dict[str, NDArray]  # (x, y) by headings
     folds: NDArray  # (n, 2, 2) both ends of each piece
     logarithmic: tuple[bool, bool]
-    contours: dict[str, Contours]  # by headings
+    contours: dict[str, tuple[Contour, ...]]  # by headings
     unsolved: NDArray  # (n, 2) points without a state
+
+    def drawn_contours(self, heading: str) -> tuple[Contour, ...]:
+        """Contours of an output between its smallest and its largest value."""
+        finite = self.fields[heading][np.isfinite(self.fields[heading])]
+        low, high = finite.min(initial=np.inf), finite.max(initial=-np.inf)
+        return tuple(each for each in self.contours.get(heading, ()) if low < each.value < high)
 
 
 def of_map(
@@ -65,11 +54,9 @@ def figures(plane: MapPlane, number: int = 0) -> Iterator[Figure]:
         for label, log in zip(plane.labels, plane.logarithmic, strict=True)
     )
     for place, (heading, values) in enumerate(plane.fields.items()):
-        within = plane.contours.get(heading, Contours()).within(values)
-        contours = (*(Contour(value, "#fff", 1.0) for value in within.levels),
-                    *(Contour(value, ORANGE, 2.0) for value in within.limits))  # fmt: skip
         drawn = Map(
-            plane.x, plane.y, listed(values.T), heading, logarithmic=is_wide(values), contours=contours,
+            plane.x, plane.y, listed(values.T), heading, logarithmic=is_wide(values),
+            contours=plane.drawn_contours(heading),
             hover=f"%{{x}}, %{{y}}: %{{z}}<extra>{heading}</extra>", of=heading,
         )  # fmt: skip
         yield Figure(f"map-{number}-{place}", heading, x, y, (drawn, *_folds(plane)))
@@ -77,10 +64,8 @@ def figures(plane: MapPlane, number: int = 0) -> Iterator[Figure]:
 
 def _lines(plane: MapPlane) -> tuple[bool, bool, bool]:
     """Whether there are folds, limits and levels."""
-    drawn = [
-        plane.contours.get(heading, Contours()).within(values) for heading, values in plane.fields.items()
-    ]
-    return bool(len(plane.folds)), any(each.limits for each in drawn), any(each.levels for each in drawn)
+    colours = {each.colour for heading in plane.fields for each in plane.drawn_contours(heading)}
+    return bool(len(plane.folds)), LIMIT in colours, LEVEL in colours
 
 
 def _folds(plane: MapPlane) -> Iterator[Line]:

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from math import log10
 from typing import Any
 
-from flexbearing.report.figure import BAND, Arrow, Axis, Bars, Figure, Item, Line, Map, Rule
+from flexbearing.report.figure import BAND, Axis, Bars, Figure, Item, Line, Map, Rule
 
 
 def traces(figure: Figure) -> list[dict[str, Any]]:
@@ -69,15 +69,13 @@ def _contours(drawn: Map) -> Iterator[dict[str, Any]]:
 
 
 def layout(figure: Figure) -> dict[str, Any]:
-    """Axes of a figure, lines across it, arrows."""
+    """Axes of a figure, lines across it."""
     rules = [item for item in figure.items if isinstance(item, Rule)]
     named = sum(bool(item.name) for item in figure.items if isinstance(item, Line | Bars))
     y = _axis(figure.y) | ({"scaleanchor": "x"} if figure.equal else {})
-    words = [*map(_word, (rule for rule in rules if rule.word)),
-             *(_arrow(item) for item in figure.items if isinstance(item, Arrow))]  # fmt: skip
     parts = {
         "shapes": [*map(_rule, rules)],
-        "annotations": words,
+        "annotations": [_word(rule) for rule in rules if rule.word],
         **(
             {"barmode": "overlay", "bargap": 0}
             if any(isinstance(item, Bars) for item in figure.items)
@@ -118,9 +116,3 @@ def _word(rule: Rule) -> dict[str, Any]:
     place = {"x": rule.at, "y": 0.01, "xref": "x", "yref": "paper", "xanchor": "left", "yanchor": "bottom"}
     font = {"color": rule.colour}
     return place | {"text": rule.word, "showarrow": False, "font": font, "bgcolor": "rgba(255,255,255,0.75)"}
-
-
-def _arrow(arrow: Arrow) -> dict[str, Any]:
-    place = {"x": arrow.x, "y": arrow.y, "axref": "x", "ayref": "y", "ax": 0, "ay": 0, "showarrow": True}
-    style = {"arrowcolor": arrow.colour, "arrowwidth": 2, "arrowhead": 2}
-    return place | style | {"text": arrow.word, "font": {"color": arrow.colour}}

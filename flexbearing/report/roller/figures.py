@@ -33,11 +33,11 @@ def pictures(result: Result) -> dict[str, Figure | str]:
     rings = f"{reader.last} rings"
     placed = all(np.isfinite(values[place]).all() for values in blocks.values() for place in PLACES)
     loads = around(reader, "contact load", ("inner_load", "outer_load"), "roller_azimuth")
-    solved = convergence(reader)
+    solved, bent = convergence(reader), deviations(reader)
     drawn: dict[str, Figure | str] = {
         "roller_loads": picture(title, "Contact loads of the rollers", [loads]) if loads else NOWHERE,
         "convergence": picture(title, _convergence(result), [solved]) if solved else _no_iterations(result),
-        "raceway_deviation": _deviations(reader) if "flexible" in blocks else _without_flexible(result),
+        "raceway_deviation": picture(title, _sentence(bent.title), [bent]) if bent else _rigid(result),
         "pressure_map": picture(
             title, f"Contact pressure along the rollers, {rings}", elements.maps(reader, shown)
         ) if placed else NOWHERE,
@@ -50,9 +50,8 @@ def pictures(result: Result) -> dict[str, Figure | str]:
     return drawn
 
 
-def _deviations(reader: Reader) -> Figure:
-    found = deviations(reader)
-    return picture(reader.attributes["title"], found.title[0].upper() + found.title[1:], [found])
+def _sentence(title: str) -> str:
+    return title[:1].upper() + title[1:]
 
 
 def _convergence(result: Result) -> str:
@@ -70,5 +69,5 @@ def _no_iterations(result: Result) -> str:
     return "the result contains no iterations" if result.attributes["iterations"] else "no iterations"
 
 
-def _without_flexible(result: Result) -> str:
+def _rigid(result: Result) -> str:
     return "no part is flexible" if _nothing_flexible(result) else "the flexible state was not solved"

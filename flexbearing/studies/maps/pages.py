@@ -1,7 +1,6 @@
 """Tables, picture and page of a map."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 from itertools import islice, product
 from typing import TYPE_CHECKING
 
@@ -10,9 +9,9 @@ from numpy.typing import NDArray
 
 from flexbearing.findings.running import FILM_RATIO, PRESSED_ENDS, SHORT_LIFE
 from flexbearing.findings.strength import CONTACT_PRESSURE, STATIC_SAFETY
-from flexbearing.report.figure import BLUE, ORANGE, Axis as DrawnAxis, Figure, Line, Rule, is_wide
+from flexbearing.report.figure import BLUE, ORANGE, Axis as DrawnAxis, Contour, Figure, Line, Rule, is_wide
 from flexbearing.report.html.document import Document
-from flexbearing.report.html.map import Contours, MapPlane, figures, of_map
+from flexbearing.report.html.map import LEVEL, LIMIT, MapPlane, figures, of_map
 from flexbearing.report.panels import picture as drawn
 from flexbearing.studies.file import Axis
 from flexbearing.studies.maps.axes import MapAxis
@@ -27,12 +26,24 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure as Page
 
 STATE = "state"  # axis of the states of a point
+
+
+def _level(value: float) -> Contour:
+    """A value of what has no limit."""
+    return Contour(value, LEVEL, 1.0)
+
+
+def _limit(value: float) -> Contour:
+    """From where, or below which, the bearing is in danger."""
+    return Contour(value, LIMIT, 2.0)
+
+
 CONTOURS = {
-    "cage_slip [%]": Contours(levels=(0.1, 1.0, 10.0, 50.0)),
-    "life_L10 [h]": Contours(limits=(SHORT_LIFE.limit / 3600.0,)),
-    "peak_pressure.inner [MPa]": Contours(limits=(CONTACT_PRESSURE.limit * ROLLERS / 1e6,)),
-    "static_safety": Contours(limits=(STATIC_SAFETY.limit,)),
-    "minimum_lambda.inner": Contours(limits=(FILM_RATIO.limit * MIXED_FROM,)),
+    "cage_slip [%]": tuple(map(_level, (0.1, 1.0, 10.0, 50.0))),
+    "life_L10 [h]": (_limit(SHORT_LIFE.limit / 3600.0),),
+    "peak_pressure.inner [MPa]": (_limit(CONTACT_PRESSURE.limit * ROLLERS / 1e6),),
+    "static_safety": (_limit(STATIC_SAFETY.limit),),
+    "minimum_lambda.inner": (_limit(FILM_RATIO.limit * MIXED_FROM),),
 }
 LIFE = "life"  # begins the names of lives, which have a level at each power of ten
 DECADES = tuple(10.0**power for power in range(-3, 10))
@@ -225,12 +236,12 @@ def _plane(found: SolvedMap, name: str, fields: dict[str, NDArray], pieces: NDAr
     )
 
 
-def contours(heading: str) -> Contours:
+def contours(heading: str) -> tuple[Contour, ...]:
     """Limits and levels of an output."""
-    known = CONTOURS.get(heading, Contours())
-    if not heading.startswith(LIFE):
-        return known
-    return replace(known, levels=tuple(level for level in DECADES if level not in known.limits))
+    known = CONTOURS.get(heading, ())
+    limits = [each.value for each in known]
+    decades = (level for level in DECADES if heading.startswith(LIFE) and level not in limits)
+    return (*map(_level, decades), *known)
 
 
 def _at(axis: MapAxis, steps: NDArray) -> NDArray:
