@@ -29,7 +29,7 @@ def picture(
 
     rows = -(-len(figures) // columns)
     page = Page(figsize=(size[0] * columns, 1.0 + size[1] * rows), layout="constrained")
-    alike = [len({*axes}) == 1 for axes in ([each.x for each in figures], [each.y for each in figures])]
+    alike = [_is_shared([getattr(figure, side) for figure in figures]) for side in "xy"]
     panels = page.subplots(rows, columns, sharex=alike[0], sharey=alike[1], squeeze=False)
     grid: list[Axes] = [*panels.ravel()]
     for axes, figure in zip(grid, figures, strict=False):
@@ -47,6 +47,11 @@ def picture(
     _scales(page, grid, figures)
     _legends(page, grid[: len(figures)], letters)
     return page
+
+
+def _is_shared(axes: Sequence[Axis]) -> bool:
+    """Whether panels have one axis; categories are those of a panel alone."""
+    return len({*axes}) == 1 and axes[0].scale != "category"
 
 
 def _scales(page: Page, grid: Sequence[Axes], figures: Sequence[Figure]) -> None:
