@@ -55,7 +55,7 @@ def figures(plane: MapPlane, number: int = 0) -> Iterator[Figure]:
     )
     for place, (heading, values) in enumerate(plane.fields.items()):
         drawn = Map(
-            plane.x, plane.y, listed(values.T), heading, logarithmic=is_wide(values),
+            plane.x, plane.y, listed(values.T), logarithmic=is_wide(values),
             contours=plane.drawn_contours(heading),
             hover=f"%{{x}}, %{{y}}: %{{z}}<extra>{heading}</extra>", of=heading,
         )  # fmt: skip

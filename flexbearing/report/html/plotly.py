@@ -51,10 +51,11 @@ def _bars(bars: Bars) -> dict[str, Any]:
 
 def _map(drawn: Map) -> dict[str, Any]:
     low, high = drawn.ends or (None, None)
+    above = {"orientation": "h", "y": 1.0, "yanchor": "bottom", "thickness": 12}  # as narrow screens need it
+    title = {"title": {"text": drawn.label, "side": "right"}} if drawn.label else {}
     return _shared(drawn) | {
         "type": "heatmap", "z": drawn.z, "zmin": low, "zmax": high,
-        "colorscale": drawn.colours.capitalize(),
-        "colorbar": {"title": {"text": drawn.label, "side": "right"}},
+        "colorscale": drawn.colours.capitalize(), "colorbar": above | title,
     }  # fmt: skip
 
 
