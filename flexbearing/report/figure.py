@@ -30,6 +30,7 @@ class Axis:
     step: float | None = None  # between ticks
     ticks: tuple[float, ...] = ()
     from_zero: bool = False
+    decades: bool = False  # numbers that a page writes as powers of ten
     falling: bool = False  # the least value is at the far end
 
 

@@ -225,7 +225,7 @@ def convergence(reader: Reader) -> Figure | None:
     items += [Rule(float(at), name=f"not finite in iteration {at}", dash="dot") for at in lost]
     x = Axis("iteration", step=max(1, len(reader.result.iterations) // 10))
     # a logarithmic axis of nothing has no ends
-    y = Axis("relative size", "log", None if known.size else (floor / 10, 10 * floor))
+    y = Axis("relative size", "log", None if known.size else (floor / 10, 10 * floor), decades=True)
     return Figure("convergence", "convergence", x, y, tuple(items))
 
 

@@ -92,7 +92,8 @@ def _axis(axis: Axis) -> dict[str, Any]:
     settings = {
         "dtick": axis.step, "range": [*map(log10, axis.ends)] if log and axis.ends else axis.ends,
         "tickvals": axis.ticks or None, "rangemode": "tozero" if axis.from_zero else None,
-        "autorange": "reversed" if axis.falling else None, "exponentformat": "power" if log else None,
+        "autorange": "reversed" if axis.falling else None,
+        "exponentformat": "power" if axis.decades else None,
     }  # fmt: skip
     known = {name: value for name, value in settings.items() if value is not None}
     return {"title": {"text": axis.label}, "type": axis.scale, **known}
