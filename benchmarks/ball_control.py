@@ -16,7 +16,7 @@ from scipy.special import ellipe
 from benchmarks.machine import describe
 from flexbearing.api import read_case
 from flexbearing.case.balls.angular_contact import AngularCase
-from flexbearing.report.roller.figures import BLUE, ORANGE
+from flexbearing.report.figure import BLUE, ORANGE
 from flexbearing.runs.angular_contact import bearing, operation
 from quasidynamic import AngularContactState
 from quasidynamic.motion.ball_speeds import ball_attitude

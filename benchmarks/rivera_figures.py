@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from flexbearing.api import read_case
-from flexbearing.report.roller.figures import BLUE, ORANGE
+from flexbearing.report.figure import BLUE, ORANGE
 from flexbearing.runs.angular_contact import bearing, operation
 from quasidynamic import AngularContactState
 

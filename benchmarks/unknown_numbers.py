@@ -14,7 +14,7 @@ from math import isfinite
 from benchmarks.machine import describe
 from benchmarks.page import DOCS, fill
 from flexbearing import run
-from flexbearing.report.roller.figures import BLUE, ORANGE
+from flexbearing.report.figure import BLUE, ORANGE
 
 CSV, PNG = DOCS / "images" / "unknown_numbers.csv", DOCS / "images" / "unknown_numbers.png"
 PAGE = DOCS / "howto" / "unknown-numbers.md"

@@ -1,13 +1,15 @@
 """The part of a report that compares two results."""
 
+from dataclasses import replace
 from math import isnan
 from typing import Any
 
 from flexbearing.case.declarations import by_path
 from flexbearing.case.differing import differing
 from flexbearing.differences.compared import Differing, compared
-from flexbearing.report.html.document import Cell, Figure, Number, Table
-from flexbearing.report.html.figures import COLOURS, around
+from flexbearing.report.figure import COLOURS, Figure
+from flexbearing.report.html.document import Cell, Number, Table
+from flexbearing.report.html.figures import around
 from flexbearing.report.html.inputs import row_of_key
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import NOTHING, Units, printed
@@ -58,21 +60,24 @@ def _loads(one: Reader, other: Reader) -> Figure | None:
         return None
     title, names = next(iter(elements.figures.items()))
     both = [around(reader, title, names, elements.azimuth) for reader in (one, other)]
-    traces = []
-    for place, (figure, reader) in enumerate(zip(both, (one, other), strict=True)):
-        for trace in figure.traces if figure else ():
-            if trace["meta"].startswith(f"{reader.last}/"):
-                colour = {"color": COLOURS[place]}
-                dash = "solid" if trace["meta"].split("/")[1] == names[0] else "dot"
-                kept = {"name": f"{'AB'[place]}: {trace['name']}", "legendgroup": "AB"[place]}
-                marker = {**trace["marker"], **colour}
-                meta = ("" if place == 0 else "other/") + trace["meta"]
-                traces.append(
-                    {**trace, **kept, "line": {**colour, "dash": dash}, "marker": marker, "meta": meta}
-                )
-    if both[0] is None:
+    lines = [
+        replace(
+            line,
+            name=f"{'AB'[place]}: {line.name}",
+            group="AB"[place],
+            colour=COLOURS[place],
+            dash="solid" if line.of.split("/")[1] == names[0] else "dot",
+            of=("" if place == 0 else "other/") + line.of,
+        )
+        for place, (figure, reader) in enumerate(zip(both, (one, other), strict=True))
+        for line in (figure.lines if figure else ())
+        if line.of.startswith(f"{reader.last}/")
+    ]
+    if (first := both[0]) is None:
         return None
-    return Figure("against-loads", f"{title} of A and B, last end states", tuple(traces), both[0].layout)
+    marks = tuple(item for item in first.items if item not in first.lines)
+    items, of_both = (*lines, *marks), f"{title} of A and B, last end states"
+    return Figure("against-loads", of_both, first.x, first.y, items)
 
 
 def _row(each: Differing, units: Units) -> tuple[Cell, ...]:

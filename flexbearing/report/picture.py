@@ -47,7 +47,8 @@ class LeftOut:
 
 def set_heading(figure: Figure, title: str, what: str, width: int) -> None:
     """Write the title of a case above a figure, in lines of at most `width` characters, and what is drawn."""
-    figure.suptitle(f"{titled(title, width)}\n{what}", fontsize=11, parse_math=False)
+    heading = "\n".join(filter(None, (titled(title, width), what)))
+    figure.suptitle(heading, fontsize=11, parse_math=False)
 
 
 def titled(title: str, width: int) -> str:
@@ -89,23 +90,8 @@ def _without_heading(figure: Figure) -> Bbox | None:
 NUMBERS = "{x:,.10g}"  # of ticks, with separated thousands as in tables
 
 
-def plain(axes: Axes) -> None:
-    """Draw a light grid below everything, no frame above and to the right, thousands separated."""
-    plain_grid(axes)
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_formatter(NUMBERS)
-
-
 def plain_grid(axes: Axes) -> None:
     """Draw a light grid below everything, no frame above and to the right."""
     axes.set_axisbelow(True)
     axes.grid(color="0.88", linewidth=0.6)
     axes.spines[["top", "right"]].set_visible(False)
-
-
-def require_span(axes: Axes, span: float) -> None:
-    """Widen the y axis, so that rounding errors of a constant do not fill it."""
-    low, high = axes.get_ylim()
-    if high - low < span:
-        middle = (low + high) / 2
-        axes.set_ylim(middle - span / 2, middle + span / 2)

@@ -3,63 +3,53 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from flexbearing.quantities.reductions import RACES
 from flexbearing.quantities.units import MPA, UM
-from flexbearing.report.picture import set_heading
+from flexbearing.report.figure import Axis, Figure, Line, Map
+from flexbearing.report.panels import picture
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from matplotlib.figure import Figure as Page
     from numpy.typing import NDArray
 
-LEVELS = 12  # colours, at most
 
-
-def subsurface(values: Mapping[str, NDArray], title: str, what: str) -> Figure:
+def subsurface(values: Mapping[str, NDArray], title: str, what: str) -> Page:
     """Draw von Mises and orthogonal shear stress in the plane of rolling."""
-    from matplotlib.figure import Figure
-    from matplotlib.ticker import MaxNLocator
-
-    figure = Figure(figsize=(9.0, 5.9), layout="constrained")
-    set_heading(figure, title, f"Stresses below the most pressed contacts, {what}; the contact in black", 90)
-    panels: Any = figure.subplots(2, 2, sharex="col", sharey="col")
-    rows = (
-        ("subsurface_von_mises", "YlOrRd", "von Mises stress [MPa]"),
-        ("subsurface_shear", "RdBu_r", "orthogonal shear stress [MPa]"),
+    mises, shear = (
+        float(np.abs(values[f"subsurface_{name}"]).max()) or 1.0 for name in ("von_mises", "shear")
     )
-    for row, (name, colours, words) in zip(panels, rows, strict=True):
-        largest = MPA.scale * float(np.abs(values[name]).max()) or 1.0
-        levels = np.array(MaxNLocator(LEVELS).tick_values(-largest if "shear" in name else 0.0, largest))
-        for race, axes in enumerate(row):
-            filled = _draw(axes, values, name, race, levels, colours)
-        figure.colorbar(filled, ax=row, label=words, format="{x:,.0f}")
-    for race, axes in enumerate(panels[0]):
-        size, depth = MPA.scale * values["von_mises_stress"][race], UM.scale * values["von_mises_depth"][race]
-        axes.set_title(f"{RACES[race]} raceway: {size:,.0f} MPa, {depth:.0f} µm deep", fontsize=10)
-        place = np.unravel_index(
-            values["subsurface_von_mises"][race].argmax(), values["subsurface_von_mises"][race].shape
-        )
-        axes.plot(UM.scale * values["subsurface_position"][race][place[1]], depth, "x", color="black")
-    for race, axes in enumerate(panels[1]):
-        size, depth = (values[f"orthogonal_shear_{each}"][race] for each in ("stress", "depth"))
-        words = f"amplitude {MPA.scale * size:,.0f} MPa, {UM.scale * depth:.0f} µm deep"
-        axes.set_title(words, fontsize=10)
-        axes.set_xlabel("in the rolling direction [µm]")
-    for row in panels:
-        row[0].set_ylabel("depth [µm]")
-    return figure
+    scales = {
+        "von_mises": ("YlOrRd", (0.0, MPA.scale * mises)),
+        "shear": ("RdBu_r", (-MPA.scale * shear, MPA.scale * shear)),
+    }
+    figures = [_figure(values, name, race, *scales[name]) for name in scales for race in (0, 1)]
+    heading = f"Stresses below the most pressed contacts, {what}; the contact in black"
+    return picture(title, heading, figures, columns=2, size=(4.8, 2.5))
 
 
-def _draw(
-    axes: Any, values: Mapping[str, NDArray], name: str, race: int, levels: NDArray, colours: str
-) -> Any:
+def _figure(
+    values: Mapping[str, NDArray], name: str, race: int, colours: str, ends: tuple[float, float]
+) -> Figure:
     along, depth = (UM.scale * values[f"subsurface_{each}"][race] for each in ("position", "depth"))
-    filled = axes.contourf(along, depth, MPA.scale * values[name][race], levels, cmap=colours)
-    half = UM.scale * values["contact_half_width"][race]
-    axes.plot([-half, half], [0, 0], color="black", linewidth=3, solid_capstyle="butt", clip_on=False)
-    axes.set_aspect("equal")
-    axes.set_ylim(depth[-1], 0)
-    return filled
+    stress, half = (
+        MPA.scale * values[f"subsurface_{name}"][race],
+        UM.scale * values["contact_half_width"][race],
+    )
+    label = "von Mises stress [MPa]" if name == "von_mises" else "orthogonal shear stress [MPa]"
+    items = [
+        Map(along.tolist(), depth.tolist(), stress.tolist(), label, ends, colours),
+        Line([-half, half], [0.0, 0.0], colour="black", mark="", width=3.0),
+    ]
+    stated = "von_mises" if name == "von_mises" else "orthogonal_shear"
+    size, deep = MPA.scale * values[f"{stated}_stress"][race], UM.scale * values[f"{stated}_depth"][race]
+    if name == "von_mises":
+        most = along[np.unravel_index(stress.argmax(), stress.shape)[1]]
+        items.append(Line([most], [deep], colour="black", dash="", mark="x"))
+    amplitude = "" if name == "von_mises" else "amplitude "
+    title = f"{RACES[race]} raceway: {amplitude}{size:,.0f} MPa, {deep:.0f} µm deep"
+    x, y = Axis("in the rolling direction [µm]"), Axis("depth [µm]", ends=(depth[-1], 0.0))
+    return Figure(f"{name}-{race}", title, x, y, tuple(items), equal=True)

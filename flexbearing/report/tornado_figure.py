@@ -7,12 +7,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from flexbearing.derivatives.table import Chosen, OutputValue, Slope
-from flexbearing.report.picture import plain_grid, set_heading
-from flexbearing.report.roller.figures import BLUE, ORANGE
+from flexbearing.report.figure import BLUE, DARK, ORANGE, Axis, Bars, Figure, Line, Rule
+from flexbearing.report.panels import picture
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+    from matplotlib.figure import Figure as Page
 
     from flexbearing.derivatives.table import Sensitivities
 
@@ -21,25 +20,14 @@ ROW = 0.26  # height of a bar with its gap [inches]
 SMALLEST = 1e-3  # of the longest bar: shorter ones are not drawn
 
 
-def draw_tornado(found: Sensitivities) -> Figure:
+def draw_tornado(found: Sensitivities) -> Page:
     """Draw what a realistic step of each key changes; both sides of a derivative are marked."""
-    from matplotlib.figure import Figure  # a second to load: only pictures pay for it
-
     panels = {name: _drawn(slopes) for name, slopes in found.by_output.items()}
-    columns = 2 if len(panels) > 1 else 1
-    lines = -(-len(panels) // columns)
     longest = max((len(slopes) for slopes in panels.values()), default=0)
-    height = 1.0 + lines * (0.8 + ROW * max(longest, 2))
-    figure = Figure(figsize=(6.2 * columns, height), layout="constrained")
-    each = figure.subplots(lines, columns, squeeze=False).ravel()
-    for axes, output in zip(each, found.outputs, strict=False):
-        _bars(axes, output, panels[output.name])
-        unit = "" if output.unit == "1" else f" {output.unit}"
-        axes.set_title(f"{output.name} = {output.value:.5g}{unit}", fontsize=10, parse_math=False)
-    for axes in each[len(panels) :]:
-        axes.set_axis_off()
-    set_heading(figure, found.title, f"Change by a realistic step of each key, {found.raceways}", 90)
-    return figure
+    figures = [_figure(output, panels[output.name]) for output in found.outputs]
+    what = f"Change by a realistic step of each key, {found.raceways}"
+    size = (6.2, 0.8 + ROW * max(longest, 2))
+    return picture(found.title, what, figures, 2 if len(figures) > 1 else 1, size)
 
 
 def _drawn(changes: tuple[Slope | Chosen, ...]) -> list[Slope | Chosen]:
@@ -49,21 +37,21 @@ def _drawn(changes: tuple[Slope | Chosen, ...]) -> list[Slope | Chosen]:
     return [each for each in sized if abs(each.change) >= least]
 
 
-def _bars(axes: Axes, output: OutputValue, changes: list[Slope | Chosen]) -> None:
+def _figure(output: OutputValue, changes: list[Slope | Chosen]) -> Figure:
     factor = output.percent(1.0) if output.ratio and output.value else 1.0
-    sizes = [factor * each.change for each in changes]
-    places = range(len(changes))
-    axes.barh(places, sizes, height=0.7, color=[BLUE if size >= 0 else ORANGE for size in sizes])
-    for place, each in zip(places, changes, strict=True):
+    sizes, names = [factor * each.change for each in changes], list(map(_words, changes))
+    items: list[Bars | Line | Rule] = [
+        Bars([size if (size >= 0) == rises else None for size in sizes], names, "", colour, level=True)
+        for rises, colour in ((True, BLUE), (False, ORANGE))
+    ]
+    for each, name in zip(changes, names, strict=True):
         if isinstance(each, Slope) and each.one_sided:
             sides = [factor * each.by_step(side) for side in (each.below, each.above)]
-            axes.plot(sides, [place] * 2, "|", color="0.1", markersize=9, markeredgewidth=1.6)
-    axes.axvline(0.0, color="0.3", linewidth=0.8)
-    axes.set_yticks(places, list(map(_words, changes)), fontsize=8, parse_math=False)
-    axes.set_ylim(max(len(changes), 2) - 0.4, -0.6)
-    axes.set_xlabel("percent" if output.ratio else f"change [{output.unit}]", fontsize=9)
-    axes.tick_params(axis="x", labelsize=8)
-    plain_grid(axes)
+            items.append(Line(sides, [name] * 2, "", DARK, "", "tick", 9.0))
+    unit = "" if output.unit == "1" else f" {output.unit}"
+    x = Axis("percent" if output.ratio else f"change [{output.unit}]")
+    title, y = f"{output.name} = {output.value:.5g}{unit}", Axis(scale="category", falling=True)
+    return Figure(output.name, title, x, y, (*items, Rule(0.0)))
 
 
 def _words(change: Slope | Chosen) -> str:

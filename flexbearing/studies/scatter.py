@@ -8,6 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.files import write
+from flexbearing.report.html.scatter import ScatterTables, figures_of
+from flexbearing.report.html.units import METRIC
+from flexbearing.report.panels import picture
 from flexbearing.report.picture import picture_bytes
 from flexbearing.studies.first_order import first_order
 from flexbearing.studies.prepared_study import PreparedStudy
@@ -15,6 +18,7 @@ from flexbearing.studies.table import Column, Table
 from flexbearing.studies.table.files import SCATTER_PICTURE, store
 from flexbearing.studies.table.scatter import Scatter
 
+MOST = 6  # outputs of the picture; the tables have all
 APART = ("status", "message", "seconds", "result")  # columns that are no outputs
 
 
@@ -33,11 +37,11 @@ def add_scatter(prepared: PreparedStudy, table: Table, folder: Path) -> Table:
     tables = scatter.tables()
     for each in tables:
         store(each, folder)
-    from flexbearing.report.studies.scatter_figure import draw_scatter  # pictures load their library
-
     if len(tables[0]):
-        picture = folder / f"{table.name}{SCATTER_PICTURE}"
-        write(picture.resolve(), picture_bytes(draw_scatter(table.name, *(each.rows for each in tables))))
+        place = folder / f"{table.name}{SCATTER_PICTURE}"
+        figures = figures_of(ScatterTables(*(each.rows for each in tables)), METRIC, MOST)
+        drawn = picture(f"Study: {table.name}", "Scatter, and what causes it", figures, 2, (4.8, 2.6))
+        write(place.resolve(), picture_bytes(drawn))
     return replace(table, scatter=tables, missing=prediction.missing)
 
 

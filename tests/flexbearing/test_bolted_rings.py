@@ -137,10 +137,10 @@ def test_pictures_put_rigid_beside_elastic_rings(run, tmp_path):
     drawn = FAMILIES["four_point_ball"].report().pictures()(run())
     assert "rigid_and_elastic_rings" in drawn
     upper = drawn["rigid_and_elastic_rings"].axes[0]
-    heights = {line.get_label(): line.get_ydata().max() for line in upper.lines}
+    heights = {line.get_label(): max(line.get_ydata()) for line in upper.lines if len(line.get_xdata()) > 2}
     assert len(heights) == 4
     assert max(heights.values()) == approx(
-        max(run().rigid["contact_load"].max(), run().flexible["contact_load"].max())
+        max(run().rigid["contact_load"].max(), run().flexible["contact_load"].max()), rel=6e-6
     )
     assert list(pictures(run(), tmp_path)) == []  # inside the rings nothing is known
 

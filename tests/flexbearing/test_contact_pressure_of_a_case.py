@@ -184,13 +184,13 @@ def test_pictures_show_the_stored_pressures(tilted, tmp_path):
     meshes = [axes.collections[0] for axes in drawn["pressure_map"].axes[:2]]
     for mesh, name in zip(meshes, ("inner_pressure", "outer_pressure"), strict=True):
         shown = np.ma.asarray(mesh.get_array())
-        assert shown.max() == approx(block[name].max() / 1e6, rel=1e-12)
-        assert shown.count() == (block[name] > 0.01 * max(block["peak_pressure"])).sum()
-    stairs = drawn["pressure_along"].axes[0].patches[0].get_data()
+        assert shown.max() == approx(block[name].max() / 1e6, rel=6e-6)
+        assert (shown > 0).sum() == (block[name] > 0).sum()
+    stairs = drawn["pressure_along"].axes[0].get_lines()[0].get_xydata()
     worst = block["inner_pressure"].max(axis=1).argmax()
-    assert stairs.values == approx(block["inner_pressure"][worst] / 1e6, rel=1e-12)
+    assert stairs[::2, 1] == approx(block["inner_pressure"][worst] / 1e6, rel=1e-12)
     length = tilted.attributes["case_si"]["bearing"]["roller"]["length"]
-    assert stairs.edges[[0, -1]] == approx(np.array([-500, 500]) * length, rel=1e-9)
+    assert stairs[[0, -1], 0] == approx(np.array([-500, 500]) * length, rel=1e-9)
     assert all(path.stat().st_size > 1000 for path in write_figures(tilted, tmp_path))
 
 
@@ -198,5 +198,5 @@ def test_pictures_show_the_stored_pressures(tilted, tmp_path):
 def test_curves_of_rigid_and_flexible_rings_stand_beside_each_other():
     settings = {"accuracy.structure": "smeared", "accuracy.slices": 10, "inner.kind": "rigid"} | BELOW
     result = flexbearing.run(CONFIGS / "mao2016.toml", settings)
-    labels = [line.get_label() for line in pictures(result)["pressure_along"].axes[0].patches]
-    assert [label.partition(",")[0] for label in labels] == ["rigid", "flexible"]
+    labels = [line.get_label() for line in pictures(result)["pressure_along"].axes[0].get_lines()[:2]]
+    assert labels == ["rigid rings", "flexible rings"]

@@ -13,7 +13,7 @@ import flexbearing
 from flexbearing import __main__ as program
 from flexbearing.case import BadCase
 from flexbearing.progress import Logged
-from flexbearing.report.studies.map_figure import draw_branch
+from flexbearing.report.studies.branch_figure import draw_branch
 from flexbearing.studies.maps.map import MapRequest, map_case
 from tests.flexbearing.toy_studies import deadly_branch
 

@@ -20,7 +20,7 @@ from flexbearing.progress import OnTerminal
 from flexbearing.report.output import text, write_figures
 from flexbearing.report.picture import picture_bytes, titled
 from flexbearing.report.roller.deformed import deformed
-from flexbearing.report.studies.map_figure import draw_branch
+from flexbearing.report.studies.branch_figure import draw_branch
 from flexbearing.report.studies.pareto_figure import draw_pareto
 from flexbearing.report.studies.pareto_table import Measured, Study
 

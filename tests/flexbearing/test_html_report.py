@@ -23,6 +23,7 @@ from flexbearing.findings import DANGER
 from flexbearing.pages.make import report
 from flexbearing.report.drawing.of_case import drawings
 from flexbearing.report.html import IMPERIAL, METRIC, checks, clearance, html, keys, lives, of_result, write
+from flexbearing.report.html.plotly import layout, traces
 from flexbearing.report.html.reader import Reader
 from flexbearing.results import BadResult
 from tests.flexbearing.hostile_cases import CONFIGS
@@ -265,29 +266,28 @@ def test_host_and_cores_of_the_computation_are_told(results, pages):
     assert f"host of the computation{machine['host']}" in text
 
 
-def test_raceways_are_drawn_with_azimuth_zero_down_and_the_load_at_its_azimuth(documents):
+def test_deviations_are_those_at_mid_roller_and_the_load_is_at_its_azimuth(documents, results):
     figures = {each.name: each for each in documents("beams of a squirrel cage").figures}
-    deformed = figures["deformed"]
-    assert deformed.layout["yaxis"]["autorange"] == "reversed"  # z grows downwards
-    first = deformed.traces[0]
-    assert (first["x"][0], first["y"][0] > 0) == (approx(0, abs=1e-9), True)  # azimuth 0 on the z axis
-    (arrow,) = deformed.layout["annotations"]
-    assert (arrow["x"], arrow["y"] > 0) == (approx(0, abs=1e-9), True)  # load_direction = 0
-    assert figures["around-inner-load"].layout["shapes"][0]["x0"] == 0
+    stored = api.read(results("beams of a squirrel cage")).flexible
+    outer = next(line for line in figures["deformed"].lines if line.name == "outer raceway")
+    middle = [np.interp(0.0, stored["slice_position"], row) for row in stored["outer_deviation"]]
+    assert max(outer.y) == approx(1e6 * max(middle), rel=1e-5)
+    for name in ("deformed", "around-inner-load"):
+        assert layout(figures[name])["shapes"][-1]["x0"] == 0  # load_direction = 0
 
 
 def test_maps_of_both_raceways_share_their_colour_scale(documents):
     figures = {each.name: each for each in documents("roller with fits").figures}
-    inner, outer = (figures[f"map-{race}-pressure"].traces[0] for race in ("inner", "outer"))
+    inner, outer = (traces(figures[f"map-{race}-pressure"])[0] for race in ("inner", "outer"))
     assert inner["zmax"] == outer["zmax"] == max(max(row) for row in inner["z"] + outer["z"])
 
 
 def test_the_radial_load_on_balls_is_marked_at_its_azimuth():
     result = api.run(CONFIGS / "6209.toml", {"operation.load.radial_y": "8.9 kN"})
     figures = {each.name: each for each in of_result(result).figures}
-    assert figures["around-contact-load"].layout["shapes"][0]["x0"] == approx(45, rel=1e-9)
+    assert layout(figures["around-contact-load"])["shapes"][0]["x0"] == approx(45, rel=1e-9)
     axial = api.run(CONFIGS / "harris218.toml")
-    assert not any("shapes" in figure.layout for figure in of_result(axial).figures)
+    assert not any("shapes" in layout(figure) for figure in of_result(axial).figures)
 
 
 def test_operating_system_and_revision_are_told(results):
@@ -431,9 +431,9 @@ def test_lines_and_maps_that_look_the_same_are_drawn_once(results):
         return {each.name: each for each in of_result(replace(result, rigid=block, flexible=block)).figures}
 
     inner = result.rigid["inner_load"]
-    (line,) = drawn(outer_load=inner + 0.004 * inner.max())["around-inner-load"].traces
-    assert line["name"] == "inner and outer load"
-    assert len(drawn(outer_load=1.02 * inner + 50)["around-inner-load"].traces) == 2
+    (line,) = drawn(outer_load=inner + 0.004 * inner.max())["around-inner-load"].lines
+    assert line.name == "inner and outer load"
+    assert len(drawn(outer_load=1.02 * inner + 50)["around-inner-load"].lines) == 2
     assert "map-outer-pressure" not in drawn(outer_pressure=1.001 * result.rigid["inner_pressure"])
     assert "around-roller-tilt" not in drawn()  # zero everywhere
 

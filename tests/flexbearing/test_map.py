@@ -13,8 +13,10 @@ from flexbearing import __main__ as program, run
 from flexbearing.api import check
 from flexbearing.build import roller_bearing
 from flexbearing.progress import Logged
-from flexbearing.report.html.map import LIMIT, MapPlane, of_map
-from flexbearing.report.studies.map_figure import Along, Field, MapLines, draw_fields
+from flexbearing.report.figure import ORANGE
+from flexbearing.report.html.map import MapPlane, of_map
+from flexbearing.report.html.plotly import traces
+from flexbearing.report.panels import picture
 from flexbearing.studies.maps import pages
 from flexbearing.studies.maps.axes import axes
 from flexbearing.studies.maps.grid import grid
@@ -71,28 +73,22 @@ def test_arrays_are_those_of_the_table(plane):
     assert arrays["cage_slip"].attrs["units"] == "%"
 
 
-X, Y = np.array([1.0, 2.0, 3.0]), np.array([10.0, 20.0])
 LIFE = np.array([[0.5, 2.0], [20.0, 50.0], [np.nan, 300.0]])
 PLANE = MapPlane(
-    "", ("a", "b"), tuple(X), tuple(Y), {"life_L10 [h]": LIFE}, np.zeros((0, 2, 2)), (False, False),
-    {"life_L10 [h]": pages.contours("life_L10 [h]")},
+    "", ("a", "b"), (1.0, 2.0, 3.0), (10.0, 20.0), {"life_L10 [h]": LIFE}, np.zeros((0, 2, 2)),
+    (False, False), {"life_L10 [h]": pages.contours("life_L10 [h]")}, np.zeros((0, 2)),
 )  # fmt: skip
 
 
-def test_page_has_the_limit_and_the_decades_of_the_life_as_contours():
+def test_page_and_picture_have_the_limit_and_the_decades_of_the_life_as_contours():
     ((_, (figure, *_), _, limits, _),) = of_map("t", (), [PLANE], False, ("m.csv", "")).parts["planes"]
-    lines = {t["contours"]["start"]: t["line"] for t in figure.traces if t["type"] == "contour"}
+    lines = {t["contours"]["start"]: t["line"] for t in traces(figure) if t["type"] == "contour"}
     assert sorted(lines) == [1.0, 10.0, 100.0]
-    assert lines[1.0] == LIMIT != lines[10.0]
+    assert lines[1.0]["color"] == ORANGE != lines[10.0]["color"]
     assert limits
-
-
-def test_picture_has_the_limit_and_the_decades_of_the_life_as_contours():
-    field = Field("life_L10 [h]", LIFE, PLANE.contours["life_L10 [h]"])
-    lines = MapLines(np.ones((3, 2)), PLANE.folds, np.zeros((0, 2)))
-    figure = draw_fields("t", "w", Along("a", X, False), Along("b", Y, False), [field], lines)
-    sets = [each for each in figure.axes[0].collections if isinstance(each, ContourSet)]
-    assert [list(each.levels) for each in sets] == [[10.0, 100.0], [1.0]]
+    (axes, _) = picture("t", "w", [figure]).axes
+    sets = [each for each in axes.collections if isinstance(each, ContourSet)]
+    assert sorted(level for each in sets for level in each.levels) == [1.0, 10.0, 100.0]
 
 
 def test_points_that_failed_are_marked_and_counted(plane, monkeypatch):

@@ -9,9 +9,13 @@ import pytest
 
 from flexbearing.families import FAMILIES
 from flexbearing.quantities.reductions import loaded_arc, loaded_rollers
+from flexbearing.report.figure import Rule
+from flexbearing.report.html.figures import around, convergence, deviations
+from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.units import METRIC
 from flexbearing.report.output import pictures, text, write_figures
-from flexbearing.report.picture import Format, LeftOut, picture_bytes, require_span
-from flexbearing.report.roller.figures import convergence, deviations, polar_loads
+from flexbearing.report.panels import picture
+from flexbearing.report.picture import Format, LeftOut, picture_bytes
 from flexbearing.report.roller.pressure_figures import pressure_along
 from flexbearing.results import Result
 
@@ -415,8 +419,8 @@ def test_iteration_limit_never_reads_as_converged():
 # -- the pictures --------------------------------------------------------------------------------
 
 
-def line(axes, beginning):
-    (found,) = [each for each in axes.get_lines() if str(each.get_label()).startswith(beginning)]
+def line(figure, beginning):
+    (found,) = [each for each in figure.items if each.__dict__.get("name", "").startswith(beginning)]
     return found
 
 
@@ -425,65 +429,70 @@ def words(figure):
     return " ".join(each.get_text() for each in figure.findobj(lambda artist: hasattr(artist, "get_text")))
 
 
-def test_polar_plot_shows_both_load_distributions_with_the_load_line_down():
-    (axes,) = polar_loads(result()).axes
-    assert axes.get_theta_offset() == pytest.approx(-np.pi / 2 % (2 * np.pi), rel=1e-12)
+def loads_around(run):
+    return around(Reader(run, METRIC), "contact load", ("inner_load",), "roller_azimuth")
+
+
+def test_figure_of_loads_shows_both_distributions_around_the_ring():
+    figure = loads_around(result())
     for name, largest, spread in (("rigid", 3537.0, 0.19), ("flexible", 3035.0, 0.27)):
-        azimuth, load = line(axes, name).get_data()
-        assert azimuth == pytest.approx([*AZIMUTH, 0.0], rel=1e-12)  # closed
-        assert load == pytest.approx([*loads(largest, spread), largest], rel=1e-12)
-        assert f"{largest:,.0f} N" in line(axes, name).get_label()
+        found = line(figure, f"inner load, {name}")
+        assert (found.x[0], found.x[-1]) == pytest.approx((-192.0, 180.0), rel=1e-9)  # no gap at the edges
+        stored = np.interp(
+            np.radians(found.x) % (2 * np.pi), [*AZIMUTH, 2 * np.pi], [*loads(largest, spread), largest]
+        )
+        assert [value or 0.0 for value in found.y] == pytest.approx(stored, rel=6e-6, abs=1e-6)
 
 
-@pytest.mark.parametrize(("direction", "points"), [(0.0, (0, -1)), (np.pi / 2, (1, 0))])
-def test_load_arrow_of_the_polar_plot_points_to_the_azimuth_of_the_load(direction, points):
-    (axes,) = polar_loads(result(flexible=block() | {"load_direction": np.array(direction)})).axes
-    (arrow,) = [text for text in axes.texts if text.get_text() == "load"]
-    along = np.subtract(arrow.xy, arrow.get_position())
-    assert along / np.hypot(*along) == pytest.approx(points, rel=0, abs=1e-12)
+@pytest.mark.parametrize(("direction", "degrees"), [(0.0, 0.0), (np.pi / 2, 90.0)])
+def test_load_is_marked_at_its_azimuth(direction, degrees):
+    figure = loads_around(result(flexible=block() | {"load_direction": np.array(direction)}))
+    (mark,) = [item for item in figure.items if isinstance(item, Rule)]
+    assert (mark.word, mark.at) == ("load", pytest.approx(degrees, abs=1e-9))
 
 
-def test_convergence_plot_shows_both_histories():
-    (axes,) = convergence(result()).axes
-    assert axes.get_yscale() == "log"
-    number, change = line(axes, "largest change").get_data()
-    assert list(number) == [1, 2, 3, 4, 5]
-    assert change == pytest.approx([1e-1, 1e-2, 1e-3, 1e-4, 1e-5], rel=1e-12)
-    assert line(axes, "largest unbalanced").get_ydata() == pytest.approx(change / 30, rel=1e-12)
+def test_convergence_shows_both_histories():
+    figure = convergence(Reader(result(), METRIC))
+    assert figure.y.scale == "log"
+    change = line(figure, "largest change")
+    assert change.x == [1, 2, 3, 4, 5]
+    assert change.y == pytest.approx([1e-1, 1e-2, 1e-3, 1e-4, 1e-5], rel=1e-12)
+    assert line(figure, "largest unbalanced").y == pytest.approx(np.array(change.y) / 30, rel=1e-5)
 
 
 def test_zeros_on_the_logarithmic_axis_stand_below_everything_else():
     steps = (*history(3), {"load_change": np.array(0.0), "residual": np.array(2e-9)})
-    (axes,) = convergence(result(iterations=steps)).axes
-    number, height = line(axes, "exactly zero").get_data()
-    assert list(number) == [4]
-    assert height == pytest.approx([2e-10], rel=1e-12)
-    assert np.isnan(line(axes, "largest change").get_ydata()[3])
+    figure = convergence(Reader(result(iterations=steps), METRIC))
+    zero = line(figure, "exactly zero")
+    assert zero.x == [4]
+    assert zero.y == pytest.approx([2e-10], rel=1e-12)
+    assert line(figure, "largest change").y[3] is None
 
 
 def test_a_run_of_zeros_only_can_be_drawn():
     steps = ({"load_change": np.array(0.0), "residual": np.array(0.0)},)
-    convergence(result(iterations=steps)).draw_without_rendering()
+    figure = convergence(Reader(result(iterations=steps), METRIC))
+    picture("t", "w", [figure]).draw_without_rendering()
 
 
-def test_convergence_plot_marks_the_iteration_that_was_lost():
-    (axes,) = convergence(diverged()).axes
-    assert list(line(axes, "not finite").get_xdata()) == [3, 3]
+def test_convergence_marks_the_iteration_that_was_lost():
+    assert line(convergence(Reader(diverged(), METRIC)), "not finite").at == 3
 
 
-def test_deviation_plot_shows_mid_roller_around_the_ring():
-    (axes,) = deviations(result()).axes
-    degrees, outer = line(axes, "outer").get_data()
+def test_deviations_are_those_at_mid_roller_around_the_ring():
+    figure = deviations(Reader(result(), METRIC))
+    outer = line(figure, "outer")
+    degrees = np.array(outer.x)
     assert np.all(np.diff(degrees) > 0)
     assert (degrees[0], degrees[-1]) == pytest.approx((-192.0, 180.0), rel=1e-9)  # no gap at the edges
-    assert outer == pytest.approx(14.0 * np.cos(2 * np.radians(degrees)), rel=1e-9, abs=1e-9)
-    assert line(axes, "inner").get_ydata() == pytest.approx(-0.2 * outer, rel=1e-9, abs=1e-9)
+    expected = 14.0 * np.cos(2 * np.radians(degrees))
+    assert outer.y == pytest.approx(expected, rel=2e-5, abs=1e-9)
+    assert line(figure, "inner").y == pytest.approx(-0.2 * expected, rel=2e-5, abs=1e-9)
 
 
-def test_polar_plot_of_rigid_rings_has_one_curve_that_is_named_so():
-    (axes,) = polar_loads(rigid_only()).axes
-    assert "3,537 N" in line(axes, "rigid rings, largest").get_label()
-    assert "flexible" not in words(polar_loads(rigid_only()))
+def test_loads_of_rigid_rings_are_one_line():
+    (found,) = loads_around(replace(rigid_only(), flexible={})).lines
+    assert found.name == "inner load"
 
 
 EMPTY = {
@@ -519,7 +528,7 @@ def test_every_ending_can_be_drawn(run, tmp_path):
 @pytest.mark.slow
 @pytest.mark.parametrize(("form", "start"), [("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF")])
 def test_pictures_are_written_as_asked_and_the_same_twice(form, start):
-    one, other = (picture_bytes(polar_loads(result()), Format(form)) for _ in range(2))
+    one, other = (picture_bytes(picture("t", "w", [loads_around(result())]), Format(form)) for _ in range(2))
     assert one.startswith(start)
     assert one == other
 
@@ -528,7 +537,7 @@ def test_pictures_without_titles_keep_everything_else():
     figure = pressure_along({"rigid rings": block()}, "squirrel cage of an aircraft engine")
     assert "aircraft" in words(figure)
     bare = picture_bytes(figure, Format("svg", titles=False)).decode()
-    assert "<!-- inner raceway -->" in bare
+    assert "<!-- inner raceway, largest" in bare
     assert "aircraft" not in bare
 
 
@@ -542,13 +551,4 @@ def test_grids_lie_below_the_curves_and_ticks_separate_thousands():
     figure = pressure_along({"rigid rings": heavy}, "title")
     assert "3,000" in words(figure)
     assert all(axes.get_axisbelow() is True for axes in figure.axes)
-    assert "3,000" in words(polar_loads(result()))
-
-
-def test_a_constant_angle_does_not_fill_its_axis_with_rounding_errors():
-    from matplotlib.figure import Figure
-
-    axes = Figure().add_subplot()
-    axes.plot([0, 1], [40.0, 40.0 + 1e-13])
-    require_span(axes, 1.0)
-    assert axes.get_ylim() == pytest.approx((39.5, 40.5), rel=1e-9)
+    assert "3,000" in words(picture("t", "w", [loads_around(result())]))

@@ -381,9 +381,13 @@ def test_command_refuses_unknown_names_in_a_line_before_anything_is_solved(
 
 def test_chart_draws_bars_of_both_senses_and_marks_both_sides(of_rigid):
     figure = draw_tornado(of_rigid)
-    bars = figure.axes[0].patches
+    bars = [bar for bar in figure.axes[0].patches if np.isfinite(bar.get_width())]
     assert {np.sign(bar.get_width()) for bar in bars} == {-1.0, 1.0}
-    assert abs(bars[0].get_width()) == max(abs(bar.get_width()) for bar in bars)
+    for axes, slopes in zip(figure.axes, of_rigid.by_output.values(), strict=False):
+        labels = [label.get_text() for label in axes.get_yticklabels()]
+        assert labels[0].startswith(slopes[0].key.path)  # the strongest of its own panel
+    top = min(bars, key=lambda bar: bar.get_y())
+    assert abs(top.get_width()) == max(abs(bar.get_width()) for bar in bars)
 
 
 def test_keys_apart_from_rings_leave_them_as_they_are():

@@ -1,8 +1,10 @@
 """What a report hands over to its template: numbers, tables, figures, drawings."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, ClassVar
+
+from flexbearing.report.figure import Figure
 
 
 @dataclass(frozen=True)
@@ -31,18 +33,6 @@ class Table:
     head: tuple[str, ...]
     rows: tuple[tuple[Cell, ...], ...]
     sortable: bool = False
-
-
-@dataclass(frozen=True)
-class Figure:
-    """A figure that Plotly draws; `meta` of a trace says from which places of the file its numbers come."""
-
-    kind: ClassVar = "figure"
-    name: str  # of its element
-    title: str  # what is drawn
-    traces: tuple[dict[str, Any], ...]
-    layout: dict[str, Any] = field(default_factory=dict)
-    tall: bool = False  # room for a long legend
 
 
 @dataclass(frozen=True)

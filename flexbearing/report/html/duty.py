@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from typing import Any
 
-from flexbearing.report.html.document import Cell, Figure, Number, Table
+from flexbearing.report.figure import Axis, Bars, Figure
+from flexbearing.report.html.document import Cell, Number, Table
 from flexbearing.report.html.effects import name
-from flexbearing.report.html.figures import BLUE
 from flexbearing.report.html.table import ENDS, SHARES, StudyTable, words
 from flexbearing.report.html.units import Units, printed, with_unit
 
@@ -83,11 +83,12 @@ def _figure(table: StudyTable, ordered: list[int]) -> Figure:
     shares = table.column(DAMAGE)
     assert shares is not None
     assert shares.numbers is not None
-    trace = {
-        "type": "bar", "x": [f"row {row + 1}" for row in ordered],
-        "y": [float(f"{shares.numbers[row]:.6g}") for row in ordered],
-        "customdata": [row + 1 for row in ordered], "marker": {"color": BLUE},
-        "hovertemplate": "%{x}: %{y} %<extra></extra>", "meta": shares.heading,
-    }  # fmt: skip
-    layout = {"yaxis": {"title": {"text": "damage share [%]"}}, "xaxis": {"type": "category"}}
-    return Figure("damage", "damage share of each row", (trace,), layout)
+    bars = Bars(
+        [f"row {row + 1}" for row in ordered],
+        [float(f"{shares.numbers[row]:.6g}") for row in ordered],
+        places=tuple(row + 1 for row in ordered),
+        hover="%{x}: %{y} %<extra></extra>",
+        of=shares.heading,
+    )
+    x, y = Axis(scale="category"), Axis("damage share [%]")
+    return Figure("damage", "damage share of each row", x, y, (bars,))

@@ -7,8 +7,8 @@ from typing import Any
 from flexbearing.outputs import Output, outputs
 from flexbearing.quantities import SummaryValue
 from flexbearing.quantities.effects import COMPARISON, LIVES, about
-from flexbearing.report.html.document import Cell, Figure, Number, Table
-from flexbearing.report.html.figures import BLUE
+from flexbearing.report.figure import Axis, Figure, Line, Rule
+from flexbearing.report.html.document import Cell, Number, Table
 from flexbearing.report.html.keys import name
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import NOTHING, units_in_words, with_unit
@@ -18,7 +18,7 @@ SMALLEST = 5e-3  # relative change that is drawn
 MINOR = 0.1  # of the largest effect: inputs with less are not named beside it
 _STIFFNESSES = {"total_stiffness": "stiffness", "total_stiffness_yy": "stiffness along y"}
 _WIDE = 1.5  # ratio of the ends of an axis from which it is logarithmic
-_TICKS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5, 7, 10, 20, 50, 100]
+_TICKS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5, 7, 10, 20, 50, 100)
 _TALL = 8  # keys that a figure of usual height has room for
 _LIMITS = {  # of factors of a life that a rule bounds
     "a_ISO": (0.1, 50.0),  # ISO 281
@@ -187,20 +187,13 @@ def figure(reader: Reader) -> Figure | None:
         x.append(None)
         y.append(None)
         lines.append("")
-    trace = {
-        "type": "scatter", "mode": "lines+markers", "x": x, "y": y, "text": lines, "line": {"color": BLUE},
-        "marker": {"size": 8}, "hovertemplate": "%{y}<br>%{text}: %{x} times<extra></extra>",
-        "connectgaps": False,
-    }  # fmt: skip
+    points = Line(x, y, size=8.0, words=tuple(lines), hover="%{y}<br>%{text}: %{x} times<extra></extra>")
     ratios = [ratio for ratio in x if ratio is not None]
-    axis = {"type": "log", "tickvals": _TICKS} if max(ratios) > _WIDE * min(ratios) else {}
-    layout = {
-        "xaxis": {"title": {"text": "over that of this case"}, **axis},
-        "yaxis": {"autorange": "reversed", "type": "category"},
-        "shapes": [{"type": "line", "xref": "x", "yref": "paper", "x0": 1, "x1": 1, "y0": 0, "y1": 1,
-                    "line": {"color": "#4a535d", "width": 1, "dash": "dot"}}],
-    }  # fmt: skip
-    return Figure("assumed-effects", label(reader, output), (trace,), layout, tall=len(keys) > _TALL)
+    wide = max(ratios) > _WIDE * min(ratios)
+    along = Axis("over that of this case", "log" if wide else "linear", ticks=_TICKS if wide else ())
+    keys_down, of_case = Axis(scale="category", falling=True), Rule(1.0, dash="dot")
+    title, tall = label(reader, output), len(keys) > _TALL
+    return Figure("assumed-effects", title, along, keys_down, (points, of_case), tall=tall)
 
 
 def span(reader: Reader) -> Span | None:

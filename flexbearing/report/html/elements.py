@@ -5,7 +5,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from flexbearing.report.family_report import Elements
-from flexbearing.report.html.document import Cell, Figure, Number, Table
+from flexbearing.report.figure import Figure
+from flexbearing.report.html.document import Cell, Number, Table
 from flexbearing.report.html.figures import along_rollers, around, same_map, shows_something
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import NOTHING, with_unit

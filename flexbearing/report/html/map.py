@@ -7,11 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.printable import printable
-from flexbearing.report.html.document import Document, Figure
-from flexbearing.report.studies.map_figure import Contours
+from flexbearing.report.figure import ORANGE, Axis, Contour, Figure, Line, Map, is_wide
+from flexbearing.report.html.document import Document
+from flexbearing.report.html.reader import listed
 
-LEVEL = {"color": "#fff", "width": 1.0}
-LIMIT = {"color": "#D55E00", "width": 2.0}
+LEVEL, LIMIT = "#fff", ORANGE  # colours of contours
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,14 @@ class MapPlane:
     fields: dict[str, NDArray]  # (x, y) by headings
     folds: NDArray  # (n, 2, 2) both ends of each piece
     logarithmic: tuple[bool, bool]
-    contours: dict[str, Contours]  # by headings
+    contours: dict[str, tuple[Contour, ...]]  # by headings
+    unsolved: NDArray  # (n, 2) points without a state
+
+    def drawn_contours(self, heading: str) -> tuple[Contour, ...]:
+        """Contours of an output between its smallest and its largest value."""
+        finite = self.fields[heading][np.isfinite(self.fields[heading])]
+        low, high = finite.min(initial=np.inf), finite.max(initial=-np.inf)
+        return tuple(each for each in self.contours.get(heading, ()) if low < each.value < high)
 
 
 def of_map(
@@ -33,62 +40,42 @@ def of_map(
 ) -> Document:
     """Collect the report of a map."""
     shown = [
-        (printable(plane.name), [*_figures(plane, number)], *_lines(plane))
+        (printable(plane.name), [*figures(plane, number)], *_lines(plane))
         for number, plane in enumerate(planes)
     ]
     parts = {"words": words, "danger": danger, "planes": shown}
     return Document("map.html.j2", f"Map: {printable(title)}", parts, table)
 
 
-def _figures(plane: MapPlane, number: int) -> Iterator[Figure]:
-    layout = {
-        axis: {"title": {"text": label}, "type": "log" if log else "linear"}
-        for axis, label, log in zip(("xaxis", "yaxis"), plane.labels, plane.logarithmic, strict=True)
-    }
+def figures(plane: MapPlane, number: int = 0) -> Iterator[Figure]:
+    """Draw every output of a plane."""
+    x, y = (
+        Axis(label, "log" if log else "linear")
+        for label, log in zip(plane.labels, plane.logarithmic, strict=True)
+    )
     for place, (heading, values) in enumerate(plane.fields.items()):
-        traces = [{
-            "type": "heatmap", "x": list(plane.x), "y": list(plane.y), "z": _rows(values),
-            "colorbar": {"title": {"text": heading, "side": "right"}}, "colorscale": "Viridis",
-            "hovertemplate": f"%{{x}}, %{{y}}: %{{z}}<extra>{heading}</extra>", "meta": heading,
-        }, *_contours(plane, heading), *_folds(plane)]  # fmt: skip
-        yield Figure(f"map-{number}-{place}", heading, tuple(traces), layout | {"showlegend": False})
-
-
-def _rows(values: NDArray) -> list[list[float | None]]:
-    """Numbers as a figure takes them, row by row of y."""
-    return [[float(f"{value:.5g}") if np.isfinite(value) else None for value in row] for row in values.T]
-
-
-def _contours(plane: MapPlane, heading: str) -> Iterator[dict]:
-    contours = plane.contours.get(heading, Contours()).within(plane.fields[heading])
-    for values, line in ((contours.levels, LEVEL), (contours.limits, LIMIT)):
-        for value in values:
-            yield {
-                "type": "contour", "x": list(plane.x), "y": list(plane.y), "z": _rows(plane.fields[heading]),
-                "contours": {
-                    "start": value, "end": value, "size": 1.0, "coloring": "none", "showlabels": True,
-                    "labelfont": {"color": line["color"]},
-                },
-                "autocontour": False, "showscale": False, "hoverinfo": "skip", "line": line,
-                "name": f"{value:g}", "meta": heading,
-            }  # fmt: skip
+        drawn = Map(
+            plane.x, plane.y, listed(values.T), logarithmic=is_wide(values),
+            contours=plane.drawn_contours(heading),
+            hover=f"%{{x}}, %{{y}}: %{{z}}<extra>{heading}</extra>", of=heading,
+        )  # fmt: skip
+        yield Figure(f"map-{number}-{place}", heading, x, y, (drawn, *_folds(plane)))
 
 
 def _lines(plane: MapPlane) -> tuple[bool, bool, bool]:
     """Whether there are folds, limits and levels."""
-    drawn = [
-        plane.contours.get(heading, Contours()).within(values) for heading, values in plane.fields.items()
-    ]
-    return bool(len(plane.folds)), any(each.limits for each in drawn), any(each.levels for each in drawn)
+    colours = {each.colour for heading in plane.fields for each in plane.drawn_contours(heading)}
+    return bool(len(plane.folds)), LIMIT in colours, LEVEL in colours
 
 
-def _folds(plane: MapPlane) -> Iterator[dict]:
+def _folds(plane: MapPlane) -> Iterator[Line]:
+    """Fold curves, and points without a state."""
     if len(plane.folds):
         x, y = (
             [value for piece in plane.folds[..., axis].tolist() for value in (*piece, None)]
             for axis in (0, 1)
         )
-        yield {
-            "type": "scatter", "mode": "lines", "x": x, "y": y,
-            "line": {"color": "#000", "width": 1.5}, "hoverinfo": "skip", "name": "fold", "meta": "fold",
-        }  # fmt: skip
+        yield Line(x, y, "fold", "#000", mark="", width=1.0, of="fold")
+    if len(plane.unsolved):
+        x, y = plane.unsolved.T.tolist()
+        yield Line(x, y, "not converged", "#c00000", "", "x")

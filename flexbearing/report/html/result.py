@@ -5,6 +5,7 @@ from typing import Any
 from flexbearing.case import BadCase
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.report.drawing.of_case import drawings as drawn
+from flexbearing.report.figure import Figure
 from flexbearing.report.html import (
     checks,
     clearance,
@@ -18,8 +19,8 @@ from flexbearing.report.html import (
     stiffness,
     subjects,
 )
-from flexbearing.report.html.document import Cell, Document, Drawing, Figure, Number, Table
-from flexbearing.report.html.figures import around, convergence, deformed
+from flexbearing.report.html.document import Cell, Document, Drawing, Number, Table
+from flexbearing.report.html.figures import around, convergence, deviations, shows_something
 from flexbearing.report.html.keys import in_words, keys_in, name
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import METRIC, Units, printed
@@ -87,7 +88,7 @@ def _of_solution(reader: Reader) -> dict[str, Any]:
     """Results by subject."""
     shown = reader.result.family.report().elements
     first, further = checks.first_and_further(reader)
-    known = bool(reader.attributes.get("assumed_effects"))
+    known, bent = bool(reader.attributes.get("assumed_effects")), deviations(reader)
     loads = elements.figures(reader, shown.figures, shown.azimuth) if shown else []
     return {
         "judged": checks.judged(reader),
@@ -113,7 +114,7 @@ def _of_solution(reader: Reader) -> dict[str, Any]:
         "matrix_units": [printed(unit) for unit in stiffness.units(reader)],
         "steps": clearance.steps(reader),
         "tolerances": clearance.tolerances(reader),
-        "deformed": deformed(reader),
+        "deformed": bent if bent and shows_something(bent) else None,
         "bars": _bars(reader),
         "stresses": rings.stresses(reader),
         "translations": rings.translations(reader),

@@ -11,8 +11,8 @@ from typing import Any
 from flexbearing import inputs
 from flexbearing.inputs import is_plain
 from flexbearing.printable import printable
-from flexbearing.report.html.document import Cell, Figure, Number, Table
-from flexbearing.report.html.figures import COLOURS
+from flexbearing.report.figure import BLUE, LIGHT, ORANGE, PALE, Axis, Bars, Figure, Line, Rule, stairs
+from flexbearing.report.html.document import Cell, Number, Table
 from flexbearing.report.html.table import table_text
 from flexbearing.report.html.units import NOTHING, Units, converted, with_unit
 from flexbearing.results import BadResult
@@ -36,7 +36,6 @@ MOST_FIGURES = 12  # outputs with figures; the tables have all
 SUBJECTS = "key", "bin"  # of which an output has a row each
 LONGEST = 60  # characters of a name in a message
 TEXTS = ("output", "unit", "key", "by", "linear_of")  # columns of texts
-GREY = "#c0c4cc"
 Row = Mapping[str, Any]
 
 
@@ -96,8 +95,18 @@ def _cell(name: str, text: str) -> Any:
 
 def scatter_parts(found: ScatterTables, units: Units) -> dict[str, Any]:
     """Parts of the report: which key to tighten, percentiles, causes, two figures for each output."""
+    return {
+        "tighten": _tighten(found),
+        "percentiles": _percentiles(found, units),
+        "causes": _causes(found, units),
+        "figures": figures_of(found, units, MOST_FIGURES),
+    }
+
+
+def figures_of(found: ScatterTables, units: Units, most: int) -> list[Figure]:
+    """Histogram and shares of the keys of each of the first outputs."""
     figures: list[Figure] = []
-    for number, output in enumerate(found.outputs[:MOST_FIGURES]):
+    for number, output in enumerate(found.outputs[:most]):
         bins, shares = (
             [row for row in rows if row["output"] == output["output"]] for rows in (found.bins, found.shares)
         )
@@ -105,12 +114,7 @@ def scatter_parts(found: ScatterTables, units: Units) -> dict[str, Any]:
             _histogram(output, bins, units, f"scatter-{number}"),
             _shares(output, shares, f"shares-{number}"),
         ]
-    return {
-        "tighten": _tighten(found),
-        "percentiles": _percentiles(found, units),
-        "causes": _causes(found, units),
-        "figures": figures,
-    }
+    return figures
 
 
 def _tighten(found: ScatterTables) -> Table:
@@ -177,36 +181,20 @@ def _histogram(output: Row, bins: Sequence[Row], units: Units, name: str) -> Fig
     shown = units.of(unit)
     centres = [_shown((row["from"] + row["to"]) / 2, unit, shown) for row in bins]
     width = _shown(bins[0]["to"], unit, shown) - _shown(bins[0]["from"], unit, shown)
-    traces: list[dict[str, Any]] = [{
-        "type": "bar", "name": "sampled", "x": centres, "y": [row["rows"] for row in bins], "width": width,
-        "marker": {"color": COLOURS[0], "opacity": 0.6}, "hovertemplate": "%{x}: %{y} rows<extra></extra>",
-    }]  # fmt: skip
+    items: list[Bars | Line | Rule] = [
+        Bars(centres, [row["rows"] for row in bins], "sampled", LIGHT, thickness=width,
+             hover="%{x}: %{y} rows<extra></extra>")
+    ]  # fmt: skip
     linear = [row["linear_rows"] for row in bins]
     if not any(map(isnan, linear)):
-        traces.append({
-            "type": "scatter", "mode": "lines", "name": "linear", "x": centres, "y": linear,
-            "line": {"color": COLOURS[1], "shape": "hvh"},
-        })  # fmt: skip
-    lines = [
-        {
-            "type": "line",
-            "yref": "paper",
-            "y0": 0,
-            "y1": 1,
-            "x0": place,
-            "x1": place,
-            "line": {"dash": dash, "width": 1},
-        }
+        edges = [_shown(edge, unit, shown) for edge in (bins[0]["from"], *(row["to"] for row in bins))]
+        items.append(Line(*stairs(edges, linear), "linear", ORANGE, mark=""))
+    items += [
+        Rule(_shown(output[percent], unit, shown), dash=dash)
         for percent, dash in (("P10", "dot"), ("P50", "solid"), ("P90", "dot"))
-        for place in (_shown(output[percent], unit, shown),)
     ]
-    layout = {
-        "xaxis": {"title": {"text": with_unit(_words(output), shown)}},
-        "yaxis": {"title": {"text": "rows"}},
-        "shapes": lines,
-        "bargap": 0,
-    }
-    return Figure(name, f"{_words(output)}; lines at P10, P50 and P90", tuple(traces), layout)
+    title, x = f"{_words(output)}; lines at P10, P50 and P90", Axis(with_unit(_words(output), shown))
+    return Figure(name, title, x, Axis("rows"), tuple(items))
 
 
 def _shares(output: Row, keys: Sequence[Row], name: str) -> Figure:
@@ -214,31 +202,18 @@ def _shares(output: Row, keys: Sequence[Row], name: str) -> Figure:
     by = "total" if sampled else "linear_share"
     ordered = sorted(keys, key=lambda row: 0.0 if isnan(row[by]) else row[by])
     names = [printable(row["key"]) for row in ordered]
-    bars = (("total", "total index", GREY), ("first", "first-order index", COLOURS[0])) if sampled else ()
-    traces: list[dict[str, Any]] = [
-        {
-            "type": "bar", "orientation": "h", "name": words, "y": names,
-            "x": [100 * row[form] for row in ordered],
-            "marker": {"color": colour},
-            "error_x": {
-                "type": "data", "symmetric": False, "thickness": 1,
-                "array": [100 * (row[f"{form}_high"] - row[form]) for row in ordered],
-                "arrayminus": [100 * (row[form] - row[f"{form}_low"]) for row in ordered],
-            },
-        }
-        for form, words, colour in bars
-    ]  # fmt: skip
+    bars = (("total", "total index", PALE, 0.8), ("first", "first-order index", BLUE, 0.4)) if sampled else ()
+    items: list[Bars | Line] = []
+    for form, words, colour, thickness in bars:
+        below = [100 * max(0.0, row[form] - row[f"{form}_low"]) for row in ordered]
+        above = [100 * max(0.0, row[f"{form}_high"] - row[form]) for row in ordered]
+        sizes = [100 * row[form] for row in ordered]
+        items.append(Bars(sizes, names, words, colour, True, thickness, (below, above)))
     if not any(isnan(row["linear_share"]) for row in ordered):
-        traces.append({
-            "type": "scatter", "mode": "markers", "name": "linear, by derivatives", "y": names,
-            "x": [100 * row["linear_share"] for row in ordered],
-            "marker": {"color": COLOURS[1], "symbol": "diamond", "size": 9},
-        })  # fmt: skip
-    layout = {
-        "xaxis": {"title": {"text": "share of the variance [%]"}},
-        "yaxis": {"automargin": True},
-    }
-    return Figure(name, f"shares of the keys in the scatter of {_words(output)}", tuple(traces), layout)
+        linear = [100 * row["linear_share"] for row in ordered]
+        items.append(Line(linear, names, "linear, by derivatives", ORANGE, "", "diamond", 9.0))
+    x, y = Axis("share of the variance [%]", from_zero=True), Axis(scale="category")
+    return Figure(name, f"shares of the keys in the scatter of {_words(output)}", x, y, tuple(items))
 
 
 def _shown(value: float, stored: str, shown: str) -> float:

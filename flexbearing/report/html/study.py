@@ -7,10 +7,10 @@ from math import isnan
 from typing import Any
 
 from flexbearing.printable import excerpt, printable
-from flexbearing.report.html.document import Cell, Document, Figure, Table
+from flexbearing.report.figure import COLOURS, Axis, Figure, Line
+from flexbearing.report.html.document import Cell, Document, Table
 from flexbearing.report.html.duty import duty_parts
 from flexbearing.report.html.effects import name
-from flexbearing.report.html.figures import COLOURS
 from flexbearing.report.html.scatter import ScatterTables, scatter_parts
 from flexbearing.report.html.table import MOST_ROWS, NOT_COMPUTED, StudyColumn, StudyTable, words
 from flexbearing.report.html.units import METRIC, Units, converted, printed, with_unit
@@ -171,28 +171,23 @@ def _figure(
 ) -> Figure:
     """An output over a key, a line for each family; points where families are too many."""
     joined = len(families) > 1 or len(table.axes) == 1
-    traces = []
+    lines = []
     for place, (label, rows) in enumerate(families.items()):
         ordered = sorted(rows, key=places.__getitem__) if (places := axis.numbers) else rows
-        shown = printable(label).replace("<", "&lt;")
-        traces.append({
-            "type": "scatter", "mode": "lines+markers" if joined else "markers", "name": shown,
-            "x": [_value(axis, row, units) for row in ordered],
-            "y": [_value(output, row, units) for row in ordered],
-            "customdata": [row + 1 for row in ordered],
-            "marker": {"size": 7},
-            "line": {"color": COLOURS[place % len(COLOURS)],
-                     "dash": _STYLES[place // len(COLOURS) % len(_STYLES)]},
-            "hovertemplate": f"row %{{customdata}}<br>%{{x}}: %{{y}}<extra>{shown}</extra>",
-            "meta": output.heading,
-        })  # fmt: skip
-    layout = {
-        "xaxis": {"title": {"text": with_unit(name(axis.name), units.of(axis.unit))}},
-        "yaxis": {"title": {"text": with_unit(words(output.name), units.of(output.unit))}},
-        "showlegend": len(families) > 1,
-    }
+        shown = printable(label)
+        lines.append(Line(
+            [_value(axis, row, units) for row in ordered], [_value(output, row, units) for row in ordered],
+            shown, COLOURS[place % len(COLOURS)],
+            _STYLES[place // len(COLOURS) % len(_STYLES)] if joined else "", size=7.0,
+            places=tuple(row + 1 for row in ordered), of=output.heading,
+            hover=f"row %{{customdata}}<br>%{{x}}: %{{y}}<extra>{shown.replace('<', '&lt;')}</extra>",
+        ))  # fmt: skip
+    x, y = (
+        Axis(with_unit(label, units.of(column.unit)), "category" if column.numbers is None else "linear")
+        for label, column in ((name(axis.name), axis), (words(output.name), output))
+    )
     title = f"{words(output.name)} over {name(axis.name)}"
-    return Figure(element, title, tuple(traces), layout, tall=len(families) > SHORT)
+    return Figure(element, title, x, y, tuple(lines), tall=len(families) > SHORT)
 
 
 def _value(column: StudyColumn, row: int, units: Units) -> float | str | None:

@@ -9,6 +9,7 @@ from math import isfinite
 from typing import Any
 
 from flexbearing.report.html.document import Document
+from flexbearing.report.html.plotly import layout, traces
 
 _CODE = re.compile(r"`([^`]+)`")
 _LINK = re.compile(r"\[([^\[\]]+)\]\(#([\w-]+)\)")
@@ -28,7 +29,7 @@ def html(document: Document) -> str:
         loader=FunctionLoader(lambda name: (page / name).read_text("utf-8")),
     )
     figures = [
-        {"name": each.name, "traces": escaped(each.traces), "layout": escaped(each.layout)}
+        {"name": each.name, "traces": escaped(traces(each)), "layout": escaped(layout(each))}
         for each in document.figures
     ]
     environment.filters["marked"] = marked

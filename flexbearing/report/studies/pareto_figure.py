@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from string import ascii_lowercase
 from textwrap import fill
 from typing import TYPE_CHECKING
 
-from flexbearing.report.picture import plain_grid, titled
-from flexbearing.report.roller.figures import BLUE, ORANGE
+import numpy as np
+
+from flexbearing.report.figure import BLUE, COLOURS, ORANGE, Axis, Figure, Line, Rule
+from flexbearing.report.panels import picture
 from flexbearing.report.studies.pareto_table import SMALLEST, TARGETS, TIMES, Study, cheapest, front, percent
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+    from matplotlib.figure import Figure as Page
 
-_STYLE = {"cold": (BLUE, "o", "-"), "cached": (ORANGE, "s", "--")}
+_STYLE = {"cold": (BLUE, "circle", "solid"), "cached": (ORANGE, "square", "dash")}
 _TITLES = {
     "load": "loads of rollers or balls",
     "slip": "cage slip",
@@ -22,84 +22,69 @@ _TITLES = {
     "stiffness": "radial stiffness",
     "torque": "torque",
 }
-_PHYSICS = "0.35"  # grey of other physics
 
 
-def draw_pareto(study: Study) -> Figure:
+def draw_pareto(study: Study) -> Page:
     """Draw what every level cost and how wrong it was; the front and the cheapest levels are marked.
 
     Other physics has marks and a name, and is part of no front.
     """
-    from matplotlib.figure import Figure  # a second to load: only pictures pay for it
-
-    outputs = study.outputs
-    rows = -(-len(outputs) // 2)
-    figure = Figure(figsize=(11.0, 1.2 + 4.7 * rows), layout="constrained")
-    panels = figure.subplots(rows, 2, sharex=True, sharey=True, squeeze=False).ravel()
-    for axes, output in zip(panels, outputs, strict=False):
-        _draw_panel(axes, study, output)
-    for axes in panels[len(outputs) :]:
-        axes.remove()
-    errors = [max(error, SMALLEST) for level in study.solved for error in level.errors.values()]
-    panels[0].set_ylim(min(*errors, *TARGETS) / 2, max(*errors, *TARGETS) * 2)
-    lines = [titled(study.title, 90), f"errors against a reference of {study.reference.times['cold']:.2g} s"]
+    lines = [f"errors against a reference of {study.reference.times['cold']:.2g} s"]
     failed = [level.name for level in study.levels if not level.errors]
     if failed:
         lines.append(fill(f"not computed: {', '.join(failed)}", 110))
-    figure.suptitle("\n".join(lines), fontsize=12, parse_math=False)
-    handles, labels = panels[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=len(labels), frameon=False)
-    return figure
+    figures = [_figure(study, output) for output in study.outputs]
+    return picture(study.title, "\n".join(lines), figures, columns=2, size=(5.5, 4.7))
 
 
-def _draw_panel(axes: Axes, study: Study, output: str) -> None:
-    errors = [max(level.errors[output], SMALLEST) for level in study.numerical]
+def _figure(study: Study, output: str) -> Figure:
+    stars, words = _cheapest(study, output)
+    items = [*_levels(study, output), *_other_physics(study, output), *stars]
+    items += [Rule(target, level=True, dash="dot") for target in TARGETS]
+    solved = [level for level in study.levels if level.errors]
+    errors = [*TARGETS, *(max(error, SMALLEST) for level in solved for error in level.errors.values())]
+    times = [level.times[when] for level in solved for when in TIMES]
+    x = Axis(
+        "\n".join(["time [s]", "★ cheapest within", *words]), "log", (min(times) / 1.5, max(times) * 1.5)
+    )
+    y = Axis("error [-]", "log", (min(errors) / 2, max(errors) * 2))
+    return Figure(output, _TITLES[output], x, y, tuple(items))
+
+
+def _levels(study: Study, output: str) -> list[Line]:
+    """Every level, and those that no other one beats in time and error."""
+    errors, lines = [max(level.errors[output], SMALLEST) for level in study.numerical], []
     for when in TIMES:
-        color, marker, line = _STYLE[when]
+        colour, mark, dash = _STYLE[when]
         points = [(level.times[when], error) for level, error in zip(study.numerical, errors, strict=True)]
-        axes.plot(
-            *zip(*points, strict=True), marker, color=color, markersize=4.5, alpha=0.55, label=f"{when}"
+        best = np.repeat([points[number] for number in front(points)], 2, axis=0)
+        times = [time for time, _ in points]
+        lines.append(Line(times, errors, when, colour, "", mark))
+        lines.append(
+            Line(best[1:, 0].tolist(), best[:-1, 1].tolist(), f"best, {when}", colour, dash, "", width=1.2)
         )
-        best = [points[number] for number in front(points)]
-        axes.plot(*zip(*best, strict=True), line, color=color, drawstyle="steps-post", linewidth=1.2,
-                  label=f"best, {when}")  # fmt: skip
-    _draw_other_physics(axes, study, output)
-    for target in TARGETS:
-        axes.axhline(target, color="0.6", linestyle=":", linewidth=1, zorder=0)
-    _mark_cheapest(axes, study, output)
-    axes.set(xscale="log", yscale="log", ylabel="error [-]")
-    axes.set_title(_TITLES[output], fontsize=11)
-    plain_grid(axes)
-    axes.tick_params(labelbottom=True, labelleft=True)
+    return lines
 
 
-def _draw_other_physics(axes: Axes, study: Study, output: str) -> None:
-    """Differences of other laws at their cached times, by letters that are below the panel."""
-    for letter, level in zip(ascii_lowercase, study.other_physics, strict=False):
-        place = level.times["cached"], max(level.errors[output], SMALLEST)
-        label = "other physics, cached" if letter == "a" else None
-        axes.plot(*place, "x", color=_PHYSICS, markersize=6, markeredgewidth=1.4, label=label, zorder=6)
-        axes.annotate(
-            letter, place, xytext=(0, 5), textcoords="offset points", ha="center", fontsize=9,
-            color=_PHYSICS, zorder=6,
-        )  # fmt: skip
+def _other_physics(study: Study, output: str) -> list[Line]:
+    """Differences of other laws at their cached times."""
+    return [
+        Line([level.times["cached"]], [max(level.errors[output], SMALLEST)], f"other physics: {level.name}",
+             COLOURS[(2 + number) % len(COLOURS)], "", "x", 6.0)
+        for number, level in enumerate(study.other_physics)
+    ]  # fmt: skip
 
 
-def _mark_cheapest(axes: Axes, study: Study, output: str) -> None:
-    """Stars on the cheapest level of each target; their names below, where nothing is in their way."""
-    lines = []
+def _cheapest(study: Study, output: str) -> tuple[list[Line], list[str]]:
+    """Stars on the cheapest level of each target, and their names."""
+    stars, lines = [], []
     for target in TARGETS:
         names = []
         for when in TIMES:
             level = cheapest(study, when, target, (output,))
             names.append(f"{when}: {level.name} ({level.times[when]:.2g} s)" if level else f"{when}: none")
             if level:
-                place = level.times[when], max(level.errors[output], SMALLEST)
-                axes.plot(
-                    *place, "*", color=_STYLE[when][0], markersize=15, markeredgecolor="white", zorder=5
-                )
+                place = [level.times[when]], [max(level.errors[output], SMALLEST)]
+                stars.append(Line(*place, "", _STYLE[when][0], "", "star", 14.0))
         lines.append(f"{percent(target)}  –  {';  '.join(names)}")
-    names = zip(ascii_lowercase, study.other_physics, strict=False)
-    if others := ", ".join(f"{letter} {level.name}" for letter, level in names):
-        lines.append(f"× {others}")
-    axes.set_xlabel("time [s]\n★ cheapest within\n" + "\n".join(lines), fontsize=8.5)
+    return stars, lines

@@ -101,7 +101,7 @@ def map_case(request: MapRequest, report: Report) -> WrittenMap:
 
 def _followed(case: str | Path, over: str, overrides: Sequence[str], files: dict[str, Path]) -> WrittenMap:
     """A branch with its table and picture."""
-    from flexbearing.report.studies.map_figure import draw_branch
+    from flexbearing.report.studies.branch_figure import draw_branch
 
     wanted = branch.ends(case, over, overrides)
     require_outputs(files.values(), wanted.case.input_files)

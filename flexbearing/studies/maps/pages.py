@@ -1,8 +1,7 @@
 """Tables, picture and page of a map."""
 
 from collections.abc import Iterator
-from dataclasses import replace
-from itertools import product
+from itertools import islice, product
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,9 +9,10 @@ from numpy.typing import NDArray
 
 from flexbearing.findings.running import FILM_RATIO, PRESSED_ENDS, SHORT_LIFE
 from flexbearing.findings.strength import CONTACT_PRESSURE, STATIC_SAFETY
+from flexbearing.report.figure import BLUE, ORANGE, Axis as DrawnAxis, Contour, Figure, Line, Rule, is_wide
 from flexbearing.report.html.document import Document
-from flexbearing.report.html.map import MapPlane, of_map
-from flexbearing.report.studies.map_figure import Contours
+from flexbearing.report.html.map import LEVEL, LIMIT, MapPlane, figures, of_map
+from flexbearing.report.panels import picture as drawn
 from flexbearing.studies.file import Axis
 from flexbearing.studies.maps.axes import MapAxis
 from flexbearing.studies.maps.solution import SolvedMap
@@ -23,15 +23,27 @@ from quasidynamic.maps.sheets import FINEST
 from quasidynamic.outcome.rating_life import ROLLERS
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from matplotlib.figure import Figure as Page
 
 STATE = "state"  # axis of the states of a point
+
+
+def _level(value: float) -> Contour:
+    """A value of what has no limit."""
+    return Contour(value, LEVEL, 1.0)
+
+
+def _limit(value: float) -> Contour:
+    """From where, or below which, the bearing is in danger."""
+    return Contour(value, LIMIT, 2.0)
+
+
 CONTOURS = {
-    "cage_slip [%]": Contours(levels=(0.1, 1.0, 10.0, 50.0)),
-    "life_L10 [h]": Contours(limits=(SHORT_LIFE.limit / 3600.0,)),
-    "peak_pressure.inner [MPa]": Contours(limits=(CONTACT_PRESSURE.limit * ROLLERS / 1e6,)),
-    "static_safety": Contours(limits=(STATIC_SAFETY.limit,)),
-    "minimum_lambda.inner": Contours(limits=(FILM_RATIO.limit * MIXED_FROM,)),
+    "cage_slip [%]": tuple(map(_level, (0.1, 1.0, 10.0, 50.0))),
+    "life_L10 [h]": (_limit(SHORT_LIFE.limit / 3600.0),),
+    "peak_pressure.inner [MPa]": (_limit(CONTACT_PRESSURE.limit * ROLLERS / 1e6),),
+    "static_safety": (_limit(STATIC_SAFETY.limit),),
+    "minimum_lambda.inner": (_limit(FILM_RATIO.limit * MIXED_FROM),),
 }
 LIFE = "life"  # begins the names of lives, which have a level at each power of ten
 DECADES = tuple(10.0**power for power in range(-3, 10))
@@ -146,35 +158,32 @@ def _fold_words(found: SolvedMap) -> Iterator[str]:
         yield f"{folds.cut} fold curves end within the map because they could not be followed further"
 
 
-def picture(found: SolvedMap) -> "Figure":
+def picture(found: SolvedMap) -> "Page":
     """Picture of a map; of three axes at the middle of the first one."""
-    from flexbearing.report.studies.map_figure import (
-        Along,
-        Field,
-        MapLines,
-        StatesOver,
-        draw_fields,
-        draw_states,
-    )
-
     what = f"All equilibria that were found, {found.raceways}"
     if len(found.axes) == 1:
-        (axis,) = found.axes
-        name, values = next(iter(found.outputs.items()))
-        x = Along(axis.words, np.array(axis.numbers)[found.solved.point], axis.logarithmic)
-        ends = np.unique(_at(axis, found.folds.places[:, 0]))
-        return draw_states(found.title, what, x, StatesOver(name, values, found.solved.stable, ends))
-    plane = _planes(found)[len(_planes(found)) // 2]
-    x, y = (
-        Along(label, np.array(values), log)
-        for label, values, log in zip(plane.labels, (plane.x, plane.y), plane.logarithmic, strict=True)
-    )
-    fields = [Field(name, values, plane.contours[name]) for name, values in plane.fields.items()]
-    several = plane.fields[COUNT]
-    unsolved = np.argwhere(several == 0)
-    where = np.array([x.values[unsolved[:, 0]], y.values[unsolved[:, 1]]]).T
+        return drawn(found.title, what, [_states(found)])
+    planes = _planes(found)
+    plane = planes[len(planes) // 2]
     heading = f"{what}, {plane.name}" if plane.name else what
-    return draw_fields(found.title, heading, x, y, fields[:PANELS], MapLines(several, plane.folds, where))
+    return drawn(found.title, heading, [*islice(figures(plane), PANELS)], columns=2, size=(5.0, 3.6))
+
+
+def _states(found: SolvedMap) -> Figure:
+    """Every state over one key."""
+    (axis,), (name, values) = found.axes, next(iter(found.outputs.items()))
+    along, stable = np.array(axis.numbers)[found.solved.point], found.solved.stable
+    points = [
+        Line(along[some].tolist(), values[some].tolist(), words, colour, "", "circle", 3.0)
+        for some, colour, words in ((stable, BLUE, "stable"), (~stable, ORANGE, "unstable"))
+        if some.any()
+    ]
+    folds = [Rule(at, name="fold") for at in np.unique(_at(axis, found.folds.places[:, 0])).tolist()]
+    x, y = (
+        DrawnAxis(label, "log" if log else "linear")
+        for label, log in ((axis.words, axis.logarithmic), (name, is_wide(values)))
+    )
+    return Figure("states", name, x, y, (*points, *folds))
 
 
 COUNT = "stable equilibria"
@@ -219,16 +228,20 @@ def _plane(found: SolvedMap, name: str, fields: dict[str, NDArray], pieces: NDAr
     x, y = found.axes[-2:]
     ends = np.stack([_at(axis, pieces[..., number]) for number, axis in enumerate((x, y))], axis=-1)
     logarithmic = (x.logarithmic, y.logarithmic)
-    drawn = {heading: contours(heading) for heading in fields}
-    return MapPlane(name, (x.words, y.words), x.numbers, y.numbers, fields, ends, logarithmic, drawn)
+    of_fields = {heading: contours(heading) for heading in fields}
+    missing = np.argwhere(fields[COUNT] == 0)
+    unsolved = np.stack([np.array(axis.numbers)[at] for axis, at in zip((x, y), missing.T, strict=True)], -1)
+    return MapPlane(
+        name, (x.words, y.words), x.numbers, y.numbers, fields, ends, logarithmic, of_fields, unsolved
+    )
 
 
-def contours(heading: str) -> Contours:
+def contours(heading: str) -> tuple[Contour, ...]:
     """Limits and levels of an output."""
-    known = CONTOURS.get(heading, Contours())
-    if not heading.startswith(LIFE):
-        return known
-    return replace(known, levels=tuple(level for level in DECADES if level not in known.limits))
+    known = CONTOURS.get(heading, ())
+    limits = [each.value for each in known]
+    decades = (level for level in DECADES if heading.startswith(LIFE) and level not in limits)
+    return (*map(_level, decades), *known)
 
 
 def _at(axis: MapAxis, steps: NDArray) -> NDArray:

@@ -2,20 +2,37 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import groupby
+from itertools import count, groupby
 from typing import TYPE_CHECKING, Any, Protocol
 
+import numpy as np
+
 from flexbearing.case import BadCase
+from flexbearing.printable import excerpt
+from flexbearing.report.figure import (
+    COLOURS,
+    DARK,
+    GREY,
+    Axis as DrawnAxis,
+    Figure,
+    Line as DrawnLine,
+    Rule,
+    is_wide,
+)
+from flexbearing.report.panels import picture
 from flexbearing.studies.file import Axis
 from flexbearing.studies.file.read import ENDS
 from flexbearing.studies.table.column import Column
 from flexbearing.studies.table.marks import Mark
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from matplotlib.figure import Figure as Page
 
-    from flexbearing.report.studies.lines_figure import Line, Printed
-
+LABELLED = 16  # lines at most that the legend names
+STYLES = ("solid", "circle"), ("dash", "square"), ("dot", "diamond")  # one after the other, with all colours
+LONGEST = 100  # characters of a label: longer ones leave no place for the axes
+MARKS = (DARK, "diamond"), (GREY, "x")  # of numbers from elsewhere, one after the other
+EVEN = 1e-6  # by how much ratios of a logarithmic range differ
 MOST = 6  # outputs that are drawn without being named
 
 
@@ -58,7 +75,7 @@ class Plot:
     marks: tuple[Mark, ...] = ()
 
 
-def drawn_over_first_key(table: Table, outputs: Sequence[str]) -> "Figure":
+def drawn_over_first_key(table: Table, outputs: Sequence[str]) -> "Page":
     """Draw outputs over the first key that varies, without names the first ones.
 
     Raises
@@ -75,33 +92,70 @@ def drawn_over_first_key(table: Table, outputs: Sequence[str]) -> "Figure":
     return draw(table, Plot(varied[0], None, tuple(named), (None,) * len(named)))
 
 
-def draw(table: Table, plot: Plot) -> "Figure":
-    """Draw outputs of a table."""
-    from flexbearing.report.studies.lines_figure import Panel, draw_lines
-
-    panels: list[Panel] = [
-        Panel(
-            table[y].heading,
-            tuple(_lines(table, plot, y, rigid)),
-            tuple(_printed(plot, y)),
-            linear=table[y] in table.arrays,
-        )
-        for y, rigid in zip(plot.y, plot.rigid, strict=True)
-    ]
-    return draw_lines(table.name, table[plot.x].heading, panels)
+def draw(table: Table, plot: Plot) -> "Page":
+    """Draw outputs of a table, each in a panel over the same x."""
+    figures = [_figure(table, plot, y, rigid) for y, rigid in zip(plot.y, plot.rigid, strict=True)]
+    return picture(table.name, "", figures, size=(7.0, 2.6))
 
 
-def _printed(plot: Plot, y: str) -> Iterator["Printed"]:
-    from flexbearing.report.studies.lines_figure import Printed
+def _figure(table: Table, plot: Plot, y: str, rigid: str | None) -> Figure:
+    """An output over x, with numbers from elsewhere."""
+    x = table[plot.x]
+    lines = [line for number, each in enumerate(_lines(table, plot, y, rigid)) for line in each.drawn(number)]
+    linear = table[y] in table.arrays  # as loads are, which are next to nothing outside their zone
+    values = np.array([value for line in lines for value in line.y], dtype=float)
+    geometric = all(_is_geometric(line.x) for line in lines)
+    texts = any(isinstance(value, str) for line in lines for value in line.x)
+    step = 60.0 if x in table.arrays and x.unit == "deg" else None
+    along = DrawnAxis(x.heading, "log" if geometric else "category" if texts else "linear", step=step)
+    label = excerpt(table[y].heading.replace("_", " "), LONGEST)
+    up = DrawnAxis(label, "log" if is_wide(values) and not linear else "linear")
+    if rigid is not None:
+        lines.append(DrawnLine([], [], "rigid raceways", DARK, "dash", ""))
+    marks = (mark for mark in plot.marks if mark.y == y)
+    return Figure(y, "", along, up, (*lines, *map(_mark, marks, count())))
 
-    for mark in plot.marks:
-        if mark.y == y:
-            yield Printed(mark.label, mark.low, mark.high, mark.x)
+
+def _mark(mark: Mark, number: int) -> DrawnLine | Rule:
+    """A number from elsewhere: a point, a level across the panel where x is not known, or a range."""
+    label, (grey, form) = excerpt(mark.label, LONGEST), MARKS[number % len(MARKS)]
+    if mark.x is not None:
+        return DrawnLine([mark.x] * 2, [mark.low, mark.high], label, grey, "solid", form, 8.0)
+    if mark.low < mark.high:
+        return Rule(mark.low, to=mark.high, level=True, name=label, colour=grey)
+    return Rule(mark.low, level=True, name=label, colour=grey, dash="dot", width=1.6)
 
 
-def _lines(table: Table, plot: Plot, y: str, rigid: str | None) -> Iterator["Line"]:
-    from flexbearing.report.studies.lines_figure import Line
+def _is_geometric(values: Sequence[Any]) -> bool:
+    """Whether values are those of a logarithmic range."""
+    if len(values) < 3 or isinstance(values[0], str) or min(values) <= 0:
+        return False
+    ratios = np.divide(values[1:], values[:-1])
+    return bool(ratios[0] > 1 and np.ptp(ratios) < EVEN * ratios[0])
 
+
+@dataclass(frozen=True)
+class _Points:
+    """Points that belong together, in the order of x."""
+
+    label: str
+    x: Sequence[Any]  # numbers or texts
+    y: Sequence[float]  # NaN where there is none
+    rigid: Sequence[float] | None = None  # the same between rigid raceways, drawn dashed
+    joined: bool = True  # else points alone
+
+    def drawn(self, number: int) -> Iterator[DrawnLine]:
+        """The same as lines of a figure, the first ones with their names."""
+        colour, style = COLOURS[number % len(COLOURS)], number // len(COLOURS) % len(STYLES)
+        dash, mark = STYLES[style] if self.joined else ("", "circle")
+        name = excerpt(self.label, LONGEST) or ("flexible" if self.rigid is not None else "")
+        yield DrawnLine(self.x, self.y, name if number < LABELLED else "", colour, dash, mark, 3.5)
+        if self.rigid is not None:
+            dash, mark = ("dash", "") if self.joined else ("", "x")
+            yield DrawnLine(self.x, self.rigid, "", colour, dash, mark, 4.0)
+
+
+def _lines(table: Table, plot: Plot, y: str, rigid: str | None) -> Iterator[_Points]:
     if table[plot.x] in table.arrays:
         yield from _rows_of_rollers(table, plot, y, rigid)
         return
@@ -110,7 +164,7 @@ def _lines(table: Table, plot: Plot, y: str, rigid: str | None) -> Iterator["Lin
     rows = sorted(range(len(table)), key=lambda row: (_place(keys, row), x.values[row]))
     for place, group in groupby(rows, key=lambda row: _place(keys, row)):
         places = list(group)
-        yield Line(
+        yield _Points(
             label=_label(keys, place),
             x=[x.values[row] for row in places],
             y=[table[y].values[row] for row in places],
@@ -119,17 +173,15 @@ def _lines(table: Table, plot: Plot, y: str, rigid: str | None) -> Iterator["Lin
         )
 
 
-def _rows_of_rollers(table: Table, plot: Plot, y: str, rigid: str | None) -> Iterator["Line"]:
+def _rows_of_rollers(table: Table, plot: Plot, y: str, rigid: str | None) -> Iterator[_Points]:
     """A line for every row over the rollers, angles from -180 to 180 deg."""
-    from flexbearing.report.studies.lines_figure import Line
-
     keys = [column for column in table.columns if column.varied]
     for row, places in enumerate(table[plot.x].values):
         if table[plot.x].unit == "deg":
             places = [(place + 180) % 360 - 180 for place in places]
         order = sorted(range(len(places)), key=places.__getitem__)
         values, of_rigid = table[y].values[row], None if rigid is None else table[rigid].values[row]
-        yield Line(
+        yield _Points(
             label=_label(keys, _place(keys, row)),
             x=[places[at] for at in order],
             y=[values[at] for at in order],
