@@ -28,14 +28,18 @@ def pictures(result: Result) -> dict[str, Page]:
     """Draw every picture of a fast bearing, by the name of its file."""
     if not result.rigid:
         return {}
-    title, figures = result.attributes["title"], {"ball_loads": stacked(result, WHAT, LOADS)}
-    if "line_count" in result.rigid:
-        figures |= {"rolling_lines": rolling_lines(result), "slip_profiles": slip_profiles(result)}
-    if "subsurface_von_mises" in result.rigid:
-        figures["subsurface"] = subsurface(result.rigid, title, "rigid rings")
-    if "field_ball" in result.rigid:
-        (ball,) = balls(result)
-        figures[f"contacts_of_ball_{ball.number}"] = ball_sheet(result, ball)
+    title, rings = result.attributes["title"], "elastic rings" if result.flexible else "rigid rings"
+    last = replace(result, rigid=result.flexible or result.rigid, flexible={})
+    figures = {"ball_loads": stacked(last, WHAT, LOADS)}
+    if result.flexible:
+        figures["rigid_and_elastic_rings"] = stacked(result, f"{WHAT}, rigid and elastic rings", LOADS)
+    if "line_count" in last.rigid:
+        figures |= {"rolling_lines": rolling_lines(last), "slip_profiles": slip_profiles(last)}
+    if "subsurface_von_mises" in last.rigid:
+        figures["subsurface"] = subsurface(last.rigid, title, rings)
+    if "field_ball" in last.rigid:
+        (ball,) = balls(last)
+        figures[f"contacts_of_ball_{ball.number}"] = ball_sheet(last, ball)
     return figures
 
 
@@ -47,7 +51,7 @@ def balls(result: Result) -> tuple[DrawnBall, ...]:
     BadResult
         where no cells are stored
     """
-    values = result.rigid
+    values = result.flexible or result.rigid
     require_cells(result, values)
     ball = int(values["field_ball"])
     contacts = {
