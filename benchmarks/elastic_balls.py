@@ -1,7 +1,7 @@
 """Balls between elastic rings of any proportions: `python -m benchmarks.elastic_balls --n 400 --seed S`.
 
 Deep groove and angular contact bearings of balls of 3 to 60 mm, grooves of 0.505 to 0.54, every support,
-cages, shafts, rings of 4 to 60 % of a ball thick at the bottom of the groove (cages 12 to 60), loads over
+cages, shafts, rings of 4 to 60 % of a ball thick at the bottom of the groove (cages 20 to 60), loads over
 three decades up to about the static rating, 10 to 25 000 rpm. Each is checked, and what passes is run; the
 forces of the contacts are added up again. `--only K` repeats design K alone.
 """
@@ -54,7 +54,7 @@ def settings(seed: int, number: int) -> tuple[str, str, list[str]]:
     lean = np.radians(rng.uniform(0, 80 if angle == 0 else 60))
     inner, outer = rng.uniform(0.505, 0.54, 2)
     shoulder, width = ball * rng.uniform(0.17, 0.3), ball * rng.uniform(1.3, 2.2)
-    thickness = ball * _log(rng, 0.12 if support == "cage" else 0.04, 0.6)
+    thickness = ball * _log(rng, 0.2 if support == "cage" else 0.04, 0.6)
     given = [
         f"bearing.ball.diameter={ball:.4f} mm", f"bearing.pitch_diameter={pitch:.4f} mm",
         f"bearing.balls={int(rng.integers(max(5, most // 2), most + 1))}",
@@ -81,7 +81,7 @@ def _rings(rng: np.random.Generator, support: str, pitch: float, thickness: floa
         return [
             *ring, "outer.kind=squirrel_cage", f"outer.bars={bars}",
             f"outer.bar_width={0.4 * np.pi * pitch / bars:.4f} mm",
-            f"outer.bar_thickness={thickness * rng.uniform(0.4, 0.9):.4f} mm",
+            f"outer.bar_thickness={thickness * rng.uniform(0.6, 0.95):.4f} mm",
             f"outer.bar_length={width * rng.uniform(0.5, 3):.4f} mm",
             f"outer.flange_length={0.3 * width:.4f} mm",
         ]  # fmt: skip

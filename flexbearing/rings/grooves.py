@@ -59,9 +59,14 @@ def _arguments(case: FastCase, race: Race) -> Arguments | None:
             size=accuracy.mesh_size or MESH * diameter,
             raceway_size=accuracy.element_order * width / FINER,
         ),
-        stations=fem.Stations(angles=tuple(end * np.linspace(-1, 1, accuracy.stations)), width=width),
+        stations=fem.Stations(angles=tuple(end * _spread(accuracy.stations)), width=width),
     )
     return part, SMEARED if isinstance(part, fem.SquirrelCage) else HARMONICS, resolution
+
+
+def _spread(count: int) -> NDArray:
+    """Places from -1 to 1, denser towards the ends: functions through evenly spread ones are steep there."""
+    return np.sin(np.pi / 2 * np.linspace(-1, 1, count))
 
 
 def elastic_grooves(case: FastCase, azimuths: NDArray, report: Report) -> ElasticGrooves | None:
