@@ -10,7 +10,14 @@ from quasidynamic.balance.balls.angular_contact import AngularBalance, BallBalan
 from quasidynamic.balance.balls.ball_position import Vectors, groove_arm, turning
 from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, shape_of
 from quasidynamic.solve.balls.ball_equilibrium import BallsInBalance, along_arc, balance_balls, resolved
-from quasidynamic.solve.balls.ring_on_balls import ANSWERED, BALL_SHARE, TINY, RingSolution, _tolerance, solve
+from quasidynamic.solve.balls.ring_on_balls import (
+    ANSWERED,
+    BALL_SHARE,
+    TINY,
+    RingSolution,
+    solve,
+    tolerance_of,
+)
 from quasidynamic.solve.balls.ring_on_springs import stiffened_step
 from quasidynamic.solve.step_length import SolverOutcome
 
@@ -251,7 +258,7 @@ def _at(
     changes = _on_ring(balance, -by_moves[:, 0], by_traction, felt)
     ring = balance.ring(balls, follow)
     excess = np.where(balance.held, 0.0, ring.excess - balance.on_ring(force, traction))
-    tolerance, left = _tolerance(balance), result.left.max(1)
+    tolerance, left = tolerance_of(balance), result.left.max(1)
     near = left[:, None] <= scales.allowed(tolerance)
     counted = np.abs(np.where(near, ring.excess, excess)).max(1)  # no balance by what balls would do
     misfit_force = np.abs(by_moves).max((1, 2, 3, 4)) * np.abs(closing).max(1)

@@ -191,14 +191,14 @@ def _outcome(
 ) -> SolverOutcome:
     if not np.isfinite(state.imbalance[case]):
         return SolverOutcome.NOT_FINITE
-    if state.balls_done[case] and state.imbalance[case] <= _tolerance(balance):
+    if state.balls_done[case] and state.imbalance[case] <= tolerance_of(balance):
         return SolverOutcome.CONVERGED if _held(balance, state, case) else SolverOutcome.UNDETERMINED
     if damping < SHORTEST or not state.balls_done[case]:
         return SolverOutcome.STALLED
     return SolverOutcome.LIMIT if last else SolverOutcome.RUNNING
 
 
-def _tolerance(balance: AngularBalance) -> float:
+def tolerance_of(balance: AngularBalance) -> float:
     """Part of the largest force that may be left: forces of a race control may be less certain."""
     return max(TOLERANCE, balance.control.noise)
 
@@ -209,7 +209,7 @@ def _held(balance: AngularBalance, state: _RingState, case: int) -> bool:
     if not free.any():
         return True
     scales = np.linalg.svd(state.balance.stiffness[case][np.ix_(free, free)], compute_uv=False)
-    touching = state.pressing[case] > TOUCHING * _tolerance(balance)
+    touching = state.pressing[case] > TOUCHING * tolerance_of(balance)
     return bool(touching and scales.min() > SINGULAR * scales.max())
 
 
@@ -278,7 +278,7 @@ def _at(balance: AngularBalance, ring: NDArray, result: BallsInBalance) -> _Ring
     forces = balance.ring(balls, follow)
     _, force, traction = moved(balls.by_ball, ball_moves)
     excess = np.where(balance.held, 0.0, forces.excess - balance.on_ring(force, traction))
-    tolerance = _tolerance(balance)
+    tolerance = tolerance_of(balance)
     largest = np.maximum(np.maximum(scales.largest, scales.noise / tolerance), TINY)
     left = result.left.max(1)
     near = left[:, None] <= scales.allowed(tolerance)
