@@ -6,6 +6,7 @@ from typing import Literal
 import fem
 from fem.parts.material import in_mm
 from fem.parts.rings import SLENDEREST_SLOT
+from flexbearing.build import held_ring
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
 from flexbearing.case.balls.elastic_rings import groove_end
@@ -62,7 +63,8 @@ def _outer(case: FastCase) -> fem.OuterRing | fem.SquirrelCage:
         "groove": groove,
     }
     if outer.kind == "ring":
-        return fem.OuterRing(**ring, support=_support(case))
+        housing = case.materials.housing and _elastic(case.materials.housing)
+        return fem.OuterRing(**ring, support=held_ring.support(outer, housing))
     names = ("bars", "bar_width", "bar_thickness", "bar_length", "flange_length")
     bars = dict(zip(names, require(outer, names, 'outer.kind = "squirrel_cage"'), strict=True))
     return fem.SquirrelCage(**ring, **bars, two_sided=outer.bar_ends == "both")
@@ -92,30 +94,6 @@ def _require(possible: bool, name: str, length: float, allowed: str) -> None:
     """Refuse a length [m] of a ring in the words of the case."""
     if not possible:
         raise fem.ImpossiblePart(f"{name} = {in_mm(length)} is impossible; allowed is {allowed}")
-
-
-def _support(case: FastCase) -> fem.RigidSeat | fem.Foundation | fem.Housing | fem.ClampedFace:
-    outer = case.outer
-    match outer.support:
-        case "seat":
-            return fem.RigidSeat()
-        case "foundation":
-            return fem.Foundation(
-                axial=outer.foundation_axial,
-                radial=outer.foundation_radial,
-                tangential=outer.foundation_tangential,
-            )
-        case "housing":
-            thickness, width = require(outer, ("housing_thickness", "housing_width"), "a housing")
-            assert case.materials.housing  # checked on reading
-            return fem.Housing(
-                thickness=thickness,
-                width=width,
-                elastic=_elastic(case.materials.housing),
-                support=fem.RigidSeat() if outer.housing_support == "seat" else fem.ClampedFace(),
-            )
-        case "side":
-            return fem.ClampedFace()
 
 
 def _elastic(material: Elastic) -> fem.Elastic:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import fem
 from flexbearing import inputs
+from flexbearing.build import held_ring
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
 from flexbearing.case.read import LONGEST_NAME
 from flexbearing.case.roller import Case
@@ -96,22 +97,6 @@ def _support(case: Case) -> Any:
         return reduced_body(case)
     hot = hot_over_cold(case, "outer_ring")
     match outer.support:
-        case "seat":
-            return fem.RigidSeat()
-        case "foundation":
-            return fem.Foundation(
-                axial=outer.foundation_axial,
-                radial=outer.foundation_radial,
-                tangential=outer.foundation_tangential,
-                pushing=outer.foundation_radial > 0 and not outer.bilateral,
-            )
-        case "housing":
-            return fem.Housing(
-                thickness=outer.housing_thickness * hot,
-                width=outer.housing_width * hot,
-                elastic=_elastic(case, "housing"),
-                support=fem.RigidSeat() if outer.housing_support == "seat" else fem.ClampedFace(),
-            )
         case "lines":
             return fem.LineSupports(azimuths=outer.line_azimuths, pushing=not outer.bilateral)
         case "planet":
@@ -121,7 +106,9 @@ def _support(case: Case) -> Any:
                 radius=outer.tooth_radius and outer.tooth_radius * hot,
             )
         case _:
-            return fem.ClampedFace()
+            housing = _elastic(case, "housing") if outer.support == "housing" else None
+            pushing = outer.foundation_radial > 0 and not outer.bilateral
+            return held_ring.support(outer, housing, hot=hot, pushing=pushing)
 
 
 def _drawn(case: Case, **ring: Any) -> "StepSolid":
