@@ -374,6 +374,10 @@ IMPOSSIBLE = {
     ),
     "bare": ({"bore": "50"}, '--bore 50 has no unit; it must be a length with its unit, such as "50 mm".'),
     "zero": ({"load": "0 N"}, "--load 0 N: it must be above zero."),
+    "rings at the same speed": (
+        {"speed": "500 rpm", "outer_speed": "500 rpm"},
+        "--speed 500 rpm: it must be another one than that of the outer ring.",
+    ),
     "half a roller": ({"elements": "14.5"}, "--elements 14.5: it must be a whole number"),
     "two clearances": (
         {"clearance": "30 um"},

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from flexbearing.case import BadCase
 from flexbearing.catalogue.entries import ENTRIES, LIKES
 from flexbearing.catalogue.page import names
-from flexbearing.catalogue.rexs.operation import CASING, Point, heaviest, points
+from flexbearing.catalogue.rexs.operation import CASING, Point, heaviest, oriented, points
 from flexbearing.catalogue.rexs.parts import Model, Part
 from flexbearing.printable import excerpt
 
@@ -66,6 +66,7 @@ class Bearing:
     options: Mapping[str, str]  # entries as texts with units
     points: tuple[Point, ...]
     point: int  # whose load and speed are among the options
+    side: str  # what an axial force is positive along, in words
     not_used: tuple[str, ...]  # attributes and components
 
 
@@ -97,10 +98,10 @@ def bearing(model: Model, part: Part) -> Bearing:
         raise BadCase(f"bearing_type {kind_of(part)!r} is none of {', '.join(LIKE)}.")
     like, row = LIKE[part.text_of("bearing_type")], _row(model, part)
     element = model.one_of("ordered_assembly", row, "assembly", "part", ELEMENT)
-    known = points(model, part)
+    known, side = oriented(points(model, part), like)
     point = heaviest(known)
     entries = [*_entries(model.loaded(part, point), row, element), *_names(like, part)]
-    entries = [each for each in (*entries, *_application(known[point])) if each[0] in LIKES[like].taken]
+    entries = [each for each in (*entries, *_application(known[point], like)) if each[0] in LIKES[like].taken]
     if any(name in LIKES[like].instead for name, _, _ in entries):  # a class counts more than a clearance
         entries = [each for each in entries if each[0] != "clearance"]
     surroundings, strange = _surroundings(model, part, element, like)
@@ -113,6 +114,7 @@ def bearing(model: Model, part: Part) -> Bearing:
         options={**{name: text for name, text, _ in entries}, **surroundings},
         points=tuple(known),
         point=point,
+        side=side,
         not_used=(*attributes, *_without_entry(known, like), *strange),
     )
 
@@ -165,15 +167,16 @@ def _names(like: str, part: Part) -> Iterator[Entry]:
                 yield entry, CLASSES.get(text, text), attribute
 
 
-def _application(point: Point) -> Iterator[Entry]:
-    """Load, speed and temperature of a load case."""
-    for entry, value, unit in (
-        ("load", point.radial, "N"),
-        ("axial", point.axial, "N"),
-        ("speed", point.speed, "rpm"),
-    ):
+def _application(point: Point, like: str) -> Iterator[Entry]:
+    """Load, speeds and temperature of a load case."""
+    for entry, value in (("load", point.radial), ("axial", point.axial)):
         if value:
-            yield entry, f"{value:.12g} {unit}", ""
+            yield entry, f"{value:.12g} N", ""
+    if point.relative_speed:
+        both = "outer_speed" in LIKES[like].taken
+        yield "speed", f"{point.inner_speed if both else point.relative_speed:.12g} rpm", ""
+        if point.outer_speed:
+            yield "outer_speed", f"{point.outer_speed:.12g} rpm", ""
     if point.temperature is not None:
         yield "temperature", f"{point.temperature:.12g} degC", ""
 

@@ -147,7 +147,7 @@ def _written(found: Bearing, file: Path, order: Order, version: str, tell: Tell)
         if len(found.points) > 1
         else ""
     )
-    words = [alone, cycle, *_listed("assumed", assumed), *_listed("not used", found.not_used)]
+    words = [alone, cycle, found.side, *_listed("assumed", assumed), *_listed("not used", found.not_used)]
     tell(f"{found.name}: {'; '.join(filter(None, words))}")
     return ratings
 

@@ -42,7 +42,7 @@ def _loads(like: str, given: Given) -> Iterator[Guess]:
         if name in LIKES[like].needed and name not in given:
             if name == "load" and "axial" in given:
                 words = "the model has axial load alone, and a case needs some radial load"
-                yield name, f"{SMALL * given['axial']:.4g} N", words
+                yield name, f"{SMALL * abs(given['axial']):.4g} N", words
             elif ratings:
                 words = f"the model has none; {USUAL_LOAD:g} C gives a usual life"
                 yield name, f"{USUAL_LOAD * ratings[0]:.4g} N", words
