@@ -283,6 +283,42 @@ def test_speed_of_a_four_point_bearing_is_that_of_one_ring_over_the_other(tmp_pa
     assert (found.options["speed"], found.options.get("outer_speed")) == ("200 rpm", None)
 
 
+NOT_USED = {
+    "lubricant": {
+        "density_at_15_degree_celsius", "oil_cleanliness", "viscosity_at_100_degree_celsius",
+        "viscosity_at_40_degree_celsius",  # 95 mm^2/s of an oil that is called ISO VG 100
+    },
+    "bearing_ring": {"inner_diameter", "raceway_radius"},
+    "rolling_bearing_cage": {"cage_mass"},
+    "material": {"elastic_modulus", "poisson_ratio"},
+}  # fmt: skip
+
+
+def test_what_is_not_used_of_parts_and_surroundings_is_named_by_kind(written):
+    code, _, messages = written(HERE / "surroundings_1.4.rexs")
+    lines = messages.splitlines()
+    assert code == 0
+    for kind, attributes in NOT_USED.items():
+        (line, *_) = [line for line in lines if line.startswith(f"  not used of {kind}: ")]
+        assert {*line.partition(": ")[2].split(", ")} == attributes
+    assert "not used of gear_unit: application_factor, reliability, required_lifetime" in lines
+
+
+def test_of_two_contact_angles_the_one_that_is_not_used_is_named():
+    model = read(HERE / "surroundings_1.4.rexs")
+    found = bearing_of(model, model.parts["3"])
+    assert (found.options["angle"], found.not_used) == ("40 deg", ("nominal_contact_angle",))
+
+
+def test_a_four_point_bearing_without_load_has_an_assumed_one(written):
+    """It has no ratings in its case, but one in the model."""
+    _, cases, messages = written(HERE / "surroundings_1.4.rexs")
+    case = cases["surroundings_1.4-6.toml"]
+    assert case["operation"]["load"]["axial"] == "5600 N"
+    assert "operation.load.axial" in case["assumed"]
+    assert "6 (QJ208): assumed: axial" in messages
+
+
 def test_a_class_counts_more_than_a_clearance_in_operation(tmp_path):
     clearance = {"operating_radial_bearing_clearance": ("12", "mum")}
     assert of_attributes(tmp_path, **clearance).options["clearance"] == "12 um"
