@@ -304,6 +304,16 @@ def test_what_is_not_used_of_parts_and_surroundings_is_named_by_kind(written):
     assert "not used of gear_unit: application_factor, reliability, required_lifetime" in lines
 
 
+def test_an_oil_of_the_gear_unit_alone_is_named_with_the_unit(written, tmp_path):
+    text = (HERE / "surroundings_1.4.rexs").read_text()
+    (tmp_path / "m.rexs").write_text(
+        text.replace('<ref id="5" role="origin"/>', '<ref id="1" role="origin"/>')
+    )
+    lines = written("m.rexs")[2].splitlines()
+    (line,) = [line for line in lines if line.strip().startswith("not used of lubricant: ")]
+    assert {*line.partition(": ")[2].split(", ")} == NOT_USED["lubricant"]
+
+
 def test_of_two_contact_angles_the_one_that_is_not_used_is_named():
     model = read(HERE / "surroundings_1.4.rexs")
     found = bearing_of(model, model.parts["3"])

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from flexbearing.case import BadCase
 from flexbearing.catalogue.entries import ENTRIES, LIKES
 from flexbearing.catalogue.page import names
-from flexbearing.catalogue.rexs.operation import CASING, Point, heaviest, oriented, points
+from flexbearing.catalogue.rexs.operation import Point, casing_of, heaviest, oriented, points
 from flexbearing.catalogue.rexs.parts import Model, Part
 from flexbearing.catalogue.rexs.unused import belonging, unused, unused_by_kind
 from flexbearing.printable import excerpt
@@ -225,8 +225,7 @@ def _is_called(part: Part, material: Part) -> bool:
 
 def _oils(model: Model, part: Part) -> Iterator[Part]:
     """Lubricants of the bearing, then of the casing that it sits in."""
-    casing = model.one_of("side", part, "assembly", "outer_part", CASING)
-    for owner in (part, casing):
+    for owner in (part, casing_of(model, part)):
         if oil := model.one_of("reference", owner, "origin", "referenced", "lubricant"):
             yield oil
 

@@ -56,7 +56,7 @@ class Point:
 
 def points(model: Model, bearing: Part) -> list[Point]:
     """Operation of a bearing in every load case, or in the model itself, which then has none."""
-    casing = _casing(model, bearing)
+    casing = casing_of(model, bearing)
     return [_point(model, bearing, casing, number) for number in range(max(len(model.load_cases), 1))]
 
 
@@ -131,7 +131,7 @@ def _ring_speed(model: Model, bearing: Part, ring: str, number: int) -> float | 
     return next((n for name in SPEEDS if (n := carrier.number_of(name, RPM)) is not None), None)
 
 
-def _casing(model: Model, bearing: Part) -> Part | None:
+def casing_of(model: Model, bearing: Part) -> Part | None:
     """The casing that a bearing sits in, or the only one."""
     for role in ("outer_part", "inner_part"):
         if found := model.one_of("side", bearing, "assembly", role, CASING):

@@ -62,6 +62,12 @@ def unused_by_kind(
 
 
 def unused_around(model: Model) -> dict[str, tuple[str, ...]]:
-    """Attributes of gear units and casings that no case takes."""
-    parts = [part for part in model.parts.values() if part.kind in AROUND]
-    return unused_by_kind(model, parts, {part.number: AROUND[part.kind] for part in parts})
+    """Attributes of gear units, casings and oils of gear units that no case takes."""
+    parts = [part for part in model.parts.values() if part.kind in AROUND or _is_oil_of_a_unit(model, part)]
+    return unused_by_kind(model, parts, {part.number: AROUND.get(part.kind, ()) for part in parts})
+
+
+def _is_oil_of_a_unit(model: Model, part: Part) -> bool:
+    """Whether a component is a lubricant of neither a bearing nor a casing."""
+    owners = model.all_of("reference", part, "referenced", "origin")
+    return part.kind == "lubricant" and all(owner.kind == "gear_unit" for owner in owners)
