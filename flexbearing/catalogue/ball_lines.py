@@ -14,6 +14,7 @@ from flexbearing.catalogue.lines import (
     entry,
     from_rating,
     mm,
+    speeds,
     usual_number,
 )
 from flexbearing.catalogue.mounting_lines import mounting, surroundings
@@ -101,7 +102,7 @@ def _load(page: Page) -> Iterator[Line]:
 
 
 def _fast(page: Page) -> Iterator[Line]:
-    yield entry(page, "speed", "operation.inner_speed", CHOSEN)
+    yield from speeds(page)
     yield assumed("operation.control", "outer", "usual of fast bearings")
 
 

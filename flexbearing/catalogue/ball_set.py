@@ -3,6 +3,7 @@
 C_0 of ISO 76 holds the product Z D_w^2, so one follows from the other.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from math import asin, floor, pi, sin
@@ -14,6 +15,7 @@ from flexbearing.catalogue.element_set import ElementSet, Pair, Ratings, chosen,
 from flexbearing.catalogue.page import Page
 from flexbearing.runs.ball_life import rated_material
 from quasidynamic.outcome.ball_capacity import (
+    RATED_STEEL,
     ball_dynamic_rating,
     ball_fatigue_load_limit,
     ball_static_rating,
@@ -28,6 +30,7 @@ from quasidynamic.parts.material import Material
 SHARE = (0.56, 0.67)  # ball diameter over (D - d)/2
 FILLING = (178.0, 197.0)  # [deg] arc that touching balls of a deep groove bearing fill, first to last centre
 SPACING = (1.04, 1.25)  # distance of ball centres over the ball diameter, of the other kinds
+Rated = Callable[[int, float], Ratings]  # of a number and a size
 MOST = 200  # balls that are thought of
 USUAL_CONFORMITY = (0.52, 0.53)  # of the inner and the outer groove, ISO 281 and ISO 76
 
@@ -52,15 +55,43 @@ def ball_set(page: Page, angle: float) -> BallSet:
     """
     pitch, half = (page["bore"].si + page["outside"].si) / 2, (page["outside"].si - page["bore"].si) / 2
     _require_room(page, pitch, half)
-    rated = partial(_ratings, pitch, angle, rated_material(_materials(page)))
-    ends = _ends(page, pitch, half)
+    ends, own = _ends(page, pitch, half), rated_material(_materials(page))
+    rated = _as_the_maker(page, [partial(_ratings, pitch, angle, ball) for ball in (own, RATED_STEEL)], ends)
     pairs = _pairs(page, rated, ends)
+    chosen_pair = chosen(pairs, "static_rating" in page)
     return BallSet(
-        chosen=chosen(pairs, "static_rating" in page),
+        chosen=chosen_pair,
         pairs=tuple(pairs),
         plausible=tuple((number, size) for number, sizes in ends.items() for size in sizes),
         rated=rated,
+        about="" if own is RATED_STEEL else _about(rated, partial(_ratings, pitch, angle, own), chosen_pair),
         pitch=pitch,
+    )
+
+
+def _as_the_maker(page: Page, each: list[Rated], ends: dict[int, tuple[float, float]]) -> Rated:
+    """Ratings by the balls of the case or by steel ones, whichever C_0 of the page is closer to.
+
+    Some makers print the C_0 of hybrids for the pressure of ISO 76, others that of steel balls.
+    """
+    if "static_rating" not in page:
+        return each[0]
+
+    def apart(rated: Rated) -> float:
+        static = [rated(number, size).static for number, sizes in ends.items() for size in sizes]
+        return max(min(static) / page["static_rating"].si, page["static_rating"].si / max(static), 1.0)
+
+    return min(each, key=apart)
+
+
+def _about(rated: Rated, own: Rated, pair: Pair) -> str:
+    """What the static rating of hybrids is of."""
+    ratio = own(*pair).static / rated(*pair).static
+    if ratio == 1:
+        return "C_0 and C_u by formula: for the pressure of ISO 76 at these balls."
+    return (
+        "C_0 and C_u by formula: with steel balls, to which the maker's C_0 is closer; the pressure of ISO 76"
+        f" at these balls gives {ratio:.2f} times that."
     )
 
 
@@ -89,7 +120,7 @@ def _ends(page: Page, pitch: float, half: float) -> dict[int, tuple[float, float
     return {fullest: (least, most)}
 
 
-def _pairs(page: Page, rated: partial[Ratings], ends: dict[int, tuple[float, float]]) -> list[Pair]:
+def _pairs(page: Page, rated: Rated, ends: dict[int, tuple[float, float]]) -> list[Pair]:
     """Pairs that have the maker's static rating; without one, or where both are known, every number."""
     if "static_rating" not in page or ("elements" in page and "diameter" in page):
         return [(number, (low + high) / 2) for number, (low, high) in ends.items()]
@@ -118,7 +149,7 @@ def _pairs(page: Page, rated: partial[Ratings], ends: dict[int, tuple[float, flo
     )
 
 
-def _beyond(rated: partial[Ratings], number: int, wanted: float, size: float) -> float:
+def _beyond(rated: Rated, number: int, wanted: float, size: float) -> float:
     """Static rating of balls of a size over the one that is wanted [N]."""
     return rated(number, size).static - wanted
 

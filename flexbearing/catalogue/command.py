@@ -55,6 +55,7 @@ def new(  # noqa: PLR0913  # an argument for each option
     load: Annotated[str | None, _option("load")] = None,
     axial_load: Annotated[str | None, _option("axial")] = None,
     speed: Annotated[str | None, _option("speed")] = None,
+    outer_speed: Annotated[str | None, _option("outer_speed")] = None,
     from_rexs: Annotated[
         Path | None,
         typer.Option(

@@ -24,6 +24,7 @@ class ElementSet:
     pairs: tuple[Pair, ...]  # plausible ones that have the maker's C_0 where it is given, by number
     plausible: tuple[Pair, ...]  # among them those of the least and the greatest ratings
     rated: Callable[[int, float], Ratings]  # ratings by the formulas for a number and a size
+    about: str = ""  # what must be known of these ratings
 
 
 def near(pairs: Sequence[Pair], rated: Callable[[int, float], Ratings], wanted: float) -> list[Pair]:

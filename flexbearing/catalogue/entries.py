@@ -67,6 +67,7 @@ ENTRIES = {
     "load": Entry("--load", "radial load", "", "Force", example="5 kN"),
     "axial": Entry("--axial-load", "axial load", "", "Force", example="3 kN"),
     "speed": Entry("--speed", "speed of the inner ring", "", "Speed", example="3000 rpm"),
+    "outer_speed": Entry("--outer-speed", "speed of the outer ring", "", "Speed", example="500 rpm"),
 }
 
 
@@ -112,21 +113,25 @@ _MOUNTED = ("clearance_class", "shaft", "housing")
 _BALLS = (*_RATINGS, "elements", "diameter", "material", "balls")
 LIKES = {
     "cylindrical_roller": Like(
-        "cylindrical_roller", (*_SIZE, "load", "speed"), _RACEWAYS, (*_ROLLERS, "housing"), _MOUNTED
+        "cylindrical_roller",
+        (*_SIZE, "load", "speed"),
+        _RACEWAYS,
+        (*_ROLLERS, "housing", "outer_speed"),
+        _MOUNTED,
     ),
     "squirrel_cage": Like("cylindrical_roller", (*_SIZE, "load", "speed"), _RACEWAYS, _ROLLERS, _MOUNTED),
     "deep_groove_ball": Like(
         "deep_groove_ball",
         (*_SIZE, "load", "speed"),
         (),
-        (*_BALLS, *_MOUNTED, *_OIL, "clearance", "axial"),
+        (*_BALLS, *_MOUNTED, *_OIL, "clearance", "axial", "outer_speed"),
         _MOUNTED,
     ),
     "angular_contact_ball": Like(
         "angular_contact_ball",
         (*_SIZE, "angle", "axial", "speed"),
         (),
-        (*_BALLS, *_OIL, "shaft", "housing", "load"),
+        (*_BALLS, *_OIL, "shaft", "housing", "load", "outer_speed"),
     ),
     "four_point_ball": Like(  # there are no load ratings of two contacts on a ring
         "four_point_ball",

@@ -20,10 +20,11 @@ def oil(page: Page) -> Iterator[Line]:
 
 def life(page: Page) -> Iterator[Line]:
     """Ratings of the maker where they are given, and what modifies the life."""
+    why = "of the maker, with these balls" if "balls" in page else "of the maker"
     ratings = {"dynamic_rating": "", "static_rating": "", "fatigue_limit": "_load"}
     for name, ending in ratings.items():
         if name in page:
-            yield Line(f"life.{name}{ending}", page[name].text, "of the maker")
+            yield Line(f"life.{name}{ending}", page[name].text, why)
     yield Line("life.lubrication", "a_ISO", "modified life of ISO 281")
     if "cleanliness" in page:
         yield Line("life.cleanliness", page["cleanliness"].text)

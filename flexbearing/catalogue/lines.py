@@ -38,6 +38,13 @@ def entry(page: Page, name: str, key: str, why: str = "") -> Line:
     return Line(key, page[name].text, why)
 
 
+def speeds(page: Page) -> Iterator[Line]:
+    """Speed of the inner ring, and of an outer one that turns."""
+    yield entry(page, "speed", "operation.inner_speed", CHOSEN)
+    if "outer_speed" in page:
+        yield entry(page, "outer_speed", "operation.outer_speed", CHOSEN)
+
+
 def from_rating(page: Page, elements: ElementSet) -> str:
     """Where an assumed size of rolling elements comes from, with a static rating of the maker."""
     ratio = elements.rated(*elements.chosen).static / page["static_rating"].si

@@ -17,6 +17,7 @@ from flexbearing.catalogue.raceways import raceways
 from flexbearing.printable import excerpt
 
 ELEMENTS = 3, 1000  # how many rollers or balls a case may have
+SIGNED = ("clearance", "speed", "outer_speed", "axial")  # a negative clearance is a preload
 
 
 @dataclass(frozen=True)
@@ -79,6 +80,12 @@ def read(like: str, options: Mapping[str, str | None], assumed: Mapping[str, str
             beside
         )
     problems += [f"{words}." for words in missing(wanted, given, like)]
+    if "speed" in values and values["speed"].si == (
+        values["outer_speed"].si if "outer_speed" in values else 0
+    ):
+        problems.append(
+            f"--speed {excerpt(given['speed'])}: it must be another one than that of the outer ring."
+        )
     if problems:
         raise BadCase("\n".join(problems))
     estimates = dict(raceways(wanted.two_of, {name: each.si for name, each in values.items()}))
@@ -112,11 +119,18 @@ def value(name: str, text: str, like: str) -> Value:
     except PydanticCustomError as problem:
         why = (problem.context or {})["why"]
         raise BadCase(f"{given} {why}; it must be {_allowed(entry)}.") from None
-    if si <= 0 and name != "clearance":  # where nothing and less is a preload
-        raise BadCase(f"{given}: it must be above zero.")
-    if name == "angle" and si >= pi / 2:
-        raise BadCase(f"{given}: it must be below 90 deg.")
+    if allowed_sizes := _beyond(name, si):
+        raise BadCase(f"{given}: it must {allowed_sizes}.")
     return Value(text.strip(), si, *_kind(entry).unit_of(text))
+
+
+def _beyond(name: str, si: float) -> str:
+    """What a number must be where it is not; empty where it is."""
+    if si <= 0 and name not in SIGNED:
+        return "be above zero"
+    if si == 0 and name == "axial":
+        return "not be zero"
+    return "be below 90 deg" if name == "angle" and si >= pi / 2 else ""
 
 
 def missing(wanted: Like, given: Mapping[str, object], like: str) -> Iterator[str]:

@@ -30,7 +30,8 @@ def table(page: Page, elements: ElementSet, size: str) -> str:
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     lines = ["  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)) for row in rows]
     lines = ["", *(line.rstrip() for line in lines), ""]
-    return "\n".join([*lines, *notes, *_apart(page, here)])
+    about = [elements.about, ""] if elements.about else []
+    return "\n".join([*lines, *notes, *about, *_apart(page, here)])
 
 
 def _apart(page: Page, here: Ratings) -> list[str]:

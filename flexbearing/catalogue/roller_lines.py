@@ -12,6 +12,7 @@ from flexbearing.catalogue.lines import (
     entry,
     from_rating,
     mm,
+    speeds,
     usual_number,
 )
 from flexbearing.catalogue.mounting_lines import mounting, surroundings
@@ -106,7 +107,7 @@ def _reference_life() -> Iterator[Line]:
 
 def _operation(page: Page, cage: bool) -> Iterator[Line]:
     yield entry(page, "load", "operation.radial_load", CHOSEN)
-    yield entry(page, "speed", "operation.inner_speed", CHOSEN)
+    yield from speeds(page)
     if cage:
         yield assumed("operation.tilt", "fixed", "a stiff shaft keeps the inner ring straight")
     else:

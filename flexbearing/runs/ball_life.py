@@ -23,7 +23,7 @@ from flexbearing.runs.life_of_state import (
     why_none,
 )
 from quasidynamic import OutOfRange
-from quasidynamic.note import Note
+from quasidynamic.note import Note, information
 from quasidynamic.outcome.ball_capacity import (
     RATED_STEEL,
     ball_dynamic_rating,
@@ -138,13 +138,27 @@ def _require_factors(case: FastCase) -> None:
 
 
 def notes(case: FastCase) -> tuple[Note, ...]:
-    """What keeps the life away, and what must be known of the oil."""
+    """What keeps the life away, and what must be known of given ratings and of the oil."""
+    changed = _of_other_balls(case)
     if case.operation.inner_speed == case.operation.outer_speed:
-        return ()
-    lines = no_life(unrated(case), unmodified(case), rated_kappa(case))
+        return changed
+    lines = changed + no_life(unrated(case), unmodified(case), rated_kappa(case))
     if case.life.lubrication and case.lubricant is not None and not unviscous(case):
         lines += kinematic_viscosity(case.lubricant)[1]
     return lines
+
+
+def _of_other_balls(case: FastCase) -> tuple[Note, ...]:
+    """Why given ratings are scaled by the material of the balls."""
+    factors = {LETTERS[name]: factor for name, factor in of_other_balls(case).items() if factor != 1}
+    if not factors:
+        return ()
+    times = ", ".join(f"{letter} times {factor:.2f}" for letter, factor in factors.items())
+    with_static = "" if "C_u" in factors or "C_0r" not in factors else ", and C_u with C_0r"
+    text = (
+        f"given for balls of another material in the file: {times}{with_static}, {BY_PRESSURE}; C_r as given"
+    )
+    return (information("rating-of-other-balls", text),)
 
 
 def row(case: FastCase) -> BallRow:
@@ -160,6 +174,7 @@ def row(case: FastCase) -> BallRow:
     )
 
 
+BY_PRESSURE = "as the load that presses these contacts with 4200 MPa by Hertz"
 PARTS = {part: f"materials.{part}" for part in ("ball", "inner_ring", "outer_ring")}
 
 
@@ -238,6 +253,17 @@ def _rated(case: FastCase, now: RatedBalls, name: str) -> RatedBalls:
     )
     then = RatedBalls(_row_of(now.row, sizes), rated_material(materials))
     return now if then == now else then
+
+
+def of_other_balls(case: FastCase) -> dict[str, float]:
+    """Given ratings of balls of another material, and by what the balls of the case change them [-]."""
+    now = rated_balls(case)
+    found = dict[str, float]()
+    for name in ratings(case):
+        then = now._replace(material=_rated(case, now, name).material)
+        if then != now and not why_none(lambda: FORMULAS["static_rating"](now)):
+            found[name] = FORMULAS[name](now) / FORMULAS[name](then)
+    return found
 
 
 def _row_of(now: BallRow, sizes: Sequence[Any]) -> BallRow:

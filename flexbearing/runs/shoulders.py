@@ -22,8 +22,9 @@ def unusual(materials: MountedMaterials) -> tuple[Note, ...]:
         return (information("rings-as-balls", text),) if rings else ()
     steel = f"{rings}: 100Cr6, as no material is given and the balls are ceramic; " if rings else ""
     rated = (
-        "without given ratings C is that of steel balls, which hybrids need not reduce (DIN ISO 281 "
-        "supplement 5), and C_0 the load of 4200 MPa by Hertz (assumed: ISO 20056-2 allows slightly more)"
+        "given ratings of the file count as those of its balls; by formula C is that of steel balls, which "
+        "hybrids need not reduce (DIN ISO 281 supplement 5), C_0 the load of 4200 MPa by Hertz (assumed: ISO "
+        "20056-2 allows slightly more), and C_u goes with C_0"
         if materials.hybrid
         else "there are no ratings by formulas, and no s_0, for these materials"
     )

@@ -1,7 +1,7 @@
 """The duty cycles of a study from its variants: what bounds a row, and loads as a catalogue has them."""
 
 from collections.abc import Callable, Collection, Sequence
-from math import prod
+from math import nan, prod
 from typing import Any
 
 import numpy as np
@@ -14,6 +14,8 @@ from flexbearing.studies.plan import Plan, Row, Variant
 from flexbearing.studies.table.bounds import Conditions
 from flexbearing.studies.table.duty import Catalogued, Cycles
 from quasidynamic import OutOfRange
+
+IDLE = 0.0, 1.0  # load and a_1 of a row without damage
 
 
 def duty_cycles(
@@ -40,24 +42,26 @@ def duty_cycles(
 def catalogued(
     plan: Plan, family: Family, spectrum: Spectrum, case_of: Callable[[Variant], Any]
 ) -> Catalogued | None:
-    """Equivalent loads of all variants; None where the kind has none, or one is not known beforehand."""
-    first = next(plan.computed, None)
-    if family.catalogue is None or first is None:
+    """Loads and reliabilities of all variants; None of kinds without, or where no load is known."""
+    if family.catalogue is None:
         return None
     of = family.catalogue()
-    try:
-        loads = [0.0 if each.idle else of.load(case_of(each)) for each in plan.variants]
-    except OutOfRange:
+    each = [IDLE if variant.idle else _required(of, case_of(variant)) for variant in plan.variants]
+    loads, reliability = np.array(each).T.reshape(2, -1, len(plan.axes[-1].rows))
+    if not np.any(loads > 0):
         return None
-    found = np.array(loads).reshape(-1, len(plan.axes[-1].rows)) * spectrum.application_factor
-    return Catalogued(found, of.exponent, spectrum.required, _reliability(case_of(first)))
+    return Catalogued(loads, of.exponent, reliability, spectrum.required, spectrum.application_factor)
 
 
-def _reliability(case: Any) -> float:
-    """Factor a_1 of the reliability of a case [-]."""
+def _required(catalogue: Any, case: Any) -> tuple[float, float]:
+    """Equivalent load of a case [N], NaN where it is not known beforehand, and a_1 of its reliability."""
     from flexbearing.runs.life_of_state import of_reliability
 
-    return prod(float(factor.value) for factor in of_reliability(case.life))
+    factor = prod(float(each.value) for each in of_reliability(case.life))
+    try:
+        return catalogue.load(case), factor
+    except OutOfRange:
+        return nan, factor
 
 
 def conditions(keys: Sequence[str], rows: Sequence[Variant]) -> Conditions:

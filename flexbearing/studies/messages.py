@@ -3,7 +3,7 @@
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import islice
-from math import isnan
+from math import isinf, isnan, nan
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -116,22 +116,45 @@ def cycles(lives: Table) -> list[str]:
 
 def _cycle(row: Mapping[str, Any]) -> Iterator[str]:
     """Parts of the line of a duty cycle."""
-    error = f" (error {row[LIFE_ERROR]:.2g} %)" if LIFE_ERROR in row else ""
-    without = " without the rows left out" if row["left_out_time_share [%]"] else ""
-    yield f"{row['kind']} life {row['life [h]']:.6g} h{error}{without}"
-    if "basic_life [h]" in row:
-        yield f"basic L10 life {row['basic_life [h]']:.6g} h"
-    raceways = ", ".join(f"{race} {row[f'{race}_life [h]']:.6g} h" for race in duty.RACEWAYS)
-    yield f"basic L10 life of each raceway: {raceways}"
+    yield _life(row)
+    if not isinf(row["life [h]"]):
+        yield from _basic_lives(row)
     yield f"mean speed {row['mean_speed [rpm]']:.6g} rpm"
-    if "mean_load [N]" in row:
+    if not isnan(row.get("mean_load [N]", nan)):
         yield f"mean equivalent load (ISO 281) {row['mean_load [N]']:.5g} N"
-    if "required_rating [N]" in row:
+    if not isnan(row.get("required_rating [N]", nan)):
         yield f"required C {row['required_rating [N]']:.5g} N"
-    if "binning_error [%]" in row:
+    if not isnan(row.get("binning_error [%]", nan)):
         yield f"error by bins of {row['series_rows']} rows about {row['binning_error [%]']:.2g} %"
     if row["message"]:
         yield row["message"]
+
+
+def _life(row: Mapping[str, Any]) -> str:
+    """The life of a duty cycle with its kind, or why there is none."""
+    if isnan(row["life [h]"]):
+        return f"no {row['kind']} life: {row['status']}"
+    error = "" if isnan(row.get(LIFE_ERROR, nan)) else f" (error {row[LIFE_ERROR]:.2g} %)"
+    without = " without the rows left out" if row["left_out_time_share [%]"] else ""
+    return f"{row['kind']} life{_hours(row['life [h]'])}{error}{without}"
+
+
+def _basic_lives(row: Mapping[str, Any]) -> Iterator[str]:
+    """Lives of loads alone, which rows that are rated without an equilibrium do not have."""
+    lives = {race: row[f"{race}_life [h]"] for race in duty.RACEWAYS}
+    if any(map(isnan, lives.values())):
+        if not isnan(row["life [h]"]):
+            yield "no basic L10 life: rows by ratings, without an equilibrium, have none"
+        return
+    if "basic_life [h]" in row:
+        yield f"basic L10 life{_hours(row['basic_life [h]'])}"
+    raceways = ", ".join(f"{race}{_hours(life)}" for race, life in lives.items())
+    yield f"basic L10 life of each raceway: {raceways}"
+
+
+def _hours(life: float) -> str:
+    """A life [h] behind its name."""
+    return ": no damage" if isinf(life) else f" {life:.6g} h"
 
 
 def scatter(table: Table) -> Iterator[str]:

@@ -197,6 +197,28 @@ def test_given_static_rating_follows_the_material_of_the_balls():
     assert ball_life.static(read_case(place, {"materials.ball": "Si3N4"})) == approx(0.7 * 19e3, rel=0.01)
 
 
+@pytest.mark.parametrize("limit", ["0.8 kN", None])
+def test_a_rating_that_the_balls_change_is_noted_with_its_factor(limit, tmp_path):
+    place = tmp_path / "6208.toml"
+    lines = (DEEP.parent / "catalogue" / "6208.toml").read_text().splitlines()
+    place.write_text("\n".join(line for line in lines if limit or not line.startswith("fatigue_limit_load")))
+    case = read_case(place, {"materials.ball": "Si3N4"})
+    (note,) = [each for each in ball_life.notes(case) if each.code == "rating-of-other-balls"]
+    assert ("C_0r times 0.70, C_u times 0.70" if limit else "C_0r times 0.70, and C_u with C_0r") in note.text
+    assert "C_r as given" in note.text
+    unchanged = read_case(place, {})
+    assert "rating-of-other-balls" not in {each.code for each in ball_life.notes(unchanged)}
+
+
+def test_a_rating_of_a_hybrid_is_noted_where_its_balls_become_steel(tmp_path):
+    place = tmp_path / "hybrid.toml"
+    text = (DEEP.parent / "catalogue" / "6208.toml").read_text()
+    place.write_text(text.replace('ball = "100Cr6"', 'ball = "Si3N4"'))
+    codes = [{each.code for each in ball_life.notes(read_case(place, settings))}
+             for settings in ({}, {"materials.ball": "100Cr6"})]  # fmt: skip
+    assert ["rating-of-other-balls" in each for each in codes] == [False, True]
+
+
 def test_rings_as_balls_of_no_bearing_steel_are_noted():
     """A ring whose material is not given takes that of the balls."""
     settings = {"materials.ball.youngs_modulus": "110 GPa", "life.dynamic_rating": "10 kN"}

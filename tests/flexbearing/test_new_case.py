@@ -374,6 +374,10 @@ IMPOSSIBLE = {
     ),
     "bare": ({"bore": "50"}, '--bore 50 has no unit; it must be a length with its unit, such as "50 mm".'),
     "zero": ({"load": "0 N"}, "--load 0 N: it must be above zero."),
+    "rings at the same speed": (
+        {"speed": "500 rpm", "outer_speed": "500 rpm"},
+        "--speed 500 rpm: it must be another one than that of the outer ring.",
+    ),
     "half a roller": ({"elements": "14.5"}, "--elements 14.5: it must be a whole number"),
     "two clearances": (
         {"clearance": "30 um"},
@@ -523,6 +527,23 @@ def test_balls_of_hybrids_run_between_rings_of_steel(balls):
     assert case["materials"] | rings | {"ball": "Si3N4"} == case["materials"]
     assert {f"materials.{ring}" for ring in rings} < {*case["assumed"]}
     assert balls("deep_groove_ball", SIX208, material="M50")["materials"]["inner_ring"] == "M50"
+
+
+@pytest.mark.parametrize("rating", ["19 kN", "13.3 kN"])
+def test_a_maker_s_static_rating_of_a_hybrid_is_with_or_without_its_stiffer_balls(balls, rating):
+    """Makers print C_0 of hybrids as with steel balls, or 0.70 of that, for the pressure of ISO 76."""
+    case = balls("deep_groove_ball", SIX208, balls="Si3N4", static_rating=rating)
+    assert (case["life"]["static_rating"], case["bearing"]["balls"]) == (rating, 9)
+    assert float(case["bearing"]["ball"]["diameter"].removesuffix(" mm")) == approx(12.36, rel=2e-3)
+
+
+@pytest.mark.parametrize(("rating", "ratio"), [("19 kN", 0.70), ("13.3 kN", 1.0)])
+def test_ratings_by_formula_are_of_the_balls_that_the_maker_s_are_of(rating, ratio):
+    found = ball_set(
+        pages.read("deep_groove_ball", SIX208 | {"balls": "Si3N4", "static_rating": rating}), 0.0
+    )
+    assert found.rated(*found.chosen).static == approx(1e3 * float(rating.split()[0]), rel=1e-6)
+    assert (f"{ratio:.2f} times" in found.about) == (ratio < 1)
 
 
 def test_an_angular_contact_bearing_is_a_case(balls):

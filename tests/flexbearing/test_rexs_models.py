@@ -214,18 +214,56 @@ def of_attributes(tmp_path, kind="radial_grooved_ball_bearing", **attributes):
 
 
 FORCES = {
-    "on the inner side": ("N", 1, [f"force_acting_on_inner_component_{axis}" for axis in "uvw"]),
-    "on the outer side": ("N", 1, [f"force_acting_on_outer_component_{axis}" for axis in "uvw"]),
-    "of 1.0": ("kN", 1000, ["axial_force", "radial_force_in_v", "radial_force_in_w"]),
+    "on the inner side": ("N", 1, -2, [f"force_acting_on_inner_component_{axis}" for axis in "uvw"]),
+    "on the outer side": ("N", 1, 2, [f"force_acting_on_outer_component_{axis}" for axis in "uvw"]),
+    "of 1.0": ("kN", 1000, -2, ["axial_force", "radial_force_in_v", "radial_force_in_w"]),
 }
 
 
-@pytest.mark.parametrize(("unit", "scale", "names"), FORCES.values(), ids=FORCES)
-def test_forces_along_the_shaft_and_across_it(unit, scale, names, tmp_path):
+@pytest.mark.parametrize(("unit", "scale", "axial", "names"), FORCES.values(), ids=FORCES)
+def test_forces_along_the_shaft_and_across_it(unit, scale, axial, names, tmp_path):
+    """The axial force on the inner ring has its sign, positive along u."""
     forces = {name: (text, unit) for name, text in zip(names, ("-2", "3", "-4"), strict=True)}
     found = of_attributes(tmp_path, **forces)
-    assert (found.options["axial"], found.options["load"]) == (f"{2 * scale} N", f"{5 * scale} N")
+    assert (found.options["axial"], found.options["load"]) == (f"{axial * scale} N", f"{5 * scale} N")
     assert found.not_used == ()
+    assert "on the inner ring, positive along u" in found.side
+
+
+@pytest.fixture
+def reversing(tmp_path):
+    """An angular contact bearing with axial forces of -1250 N and 300 N; its rings turn, too."""
+    root = spectrum_of()
+    (part,) = root.iterfind("components/component[@id='3']")
+    part[0].text = "angular_contact_ball_bearing"
+    for case, (force, inner, outer) in zip(
+        root.iter("load_case"), (("-1250", "0", "500"), ("300", "-20", "0")), strict=True
+    ):
+        speeds = {"speed_inner_ring": (inner, "1 / min"), "speed_outer_ring": (outer, "1 / min")}
+        add(case, "3", CATALOGUE, force_acting_on_inner_component_u=(force, "N"), **speeds)
+    (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(root))
+    return tmp_path / "m.rexs"
+
+
+def test_largest_axial_force_presses_the_balls_on_their_shoulders(reversing, written, tmp_path):
+    code, cases, messages = written("m.rexs")
+    assert (code, cases["m.toml"]["operation"]["load"]["axial"]) == (0, "1250 N")
+    heading, *rows = (tmp_path / "m_duty.csv").read_text().splitlines()
+    place = heading.split(",").index("operation.load.axial [N]")
+    assert [float(row.split(",")[place]) for row in rows] == [1250, -300]
+    assert (
+        "positive along -u, assumed to press the balls on their shoulders, as that of load case 1" in messages
+    )
+
+
+def test_rings_turn_as_in_the_model(reversing, written, tmp_path):
+    _, cases, _ = written("m.rexs")
+    operation = cases["m.toml"]["operation"]
+    assert (operation["inner_speed"], operation["outer_speed"]) == ("0 rpm", "500 rpm")
+    heading, *rows = (tmp_path / "m_duty.csv").read_text().splitlines()
+    places = [heading.split(",").index(f"operation.{ring}_speed [rpm]") for ring in ("inner", "outer")]
+    assert [[float(row.split(",")[place]) for place in places] for row in rows] == [[0, 500], [-20, 0]]
+    assert command(["study", "m_cycle.toml", "--check"]) == 0
 
 
 def test_axial_force_of_a_cylindrical_roller_bearing_is_reported(tmp_path):
@@ -239,9 +277,56 @@ def test_what_is_not_used_is_listed_by_name_with_zeros_last(tmp_path):
     assert of_attributes(tmp_path, **given).not_used == ("a", "c", "e", "b", "d")
 
 
-def test_speed_is_that_of_one_ring_over_the_other(tmp_path):
-    found = of_attributes(tmp_path, speed_outer_ring=("-200", "1 / min"))
-    assert found.options["speed"] == "1200 rpm"
+def test_speed_of_a_four_point_bearing_is_that_of_one_ring_over_the_other(tmp_path):
+    kind = "four_point_contact_ball_bearing"
+    found = of_attributes(tmp_path, kind, speed_outer_ring=("1200", "1 / min"))
+    assert (found.options["speed"], found.options.get("outer_speed")) == ("200 rpm", None)
+
+
+NOT_USED = {
+    "lubricant": {
+        "density_at_15_degree_celsius", "oil_cleanliness", "viscosity_at_100_degree_celsius",
+        "viscosity_at_40_degree_celsius",  # 95 mm^2/s of an oil that is called ISO VG 100
+    },
+    "bearing_ring": {"inner_diameter", "raceway_radius"},
+    "rolling_bearing_cage": {"cage_mass"},
+    "material": {"elastic_modulus", "poisson_ratio"},
+}  # fmt: skip
+
+
+def test_what_is_not_used_of_parts_and_surroundings_is_named_by_kind(written):
+    code, _, messages = written(HERE / "surroundings_1.4.rexs")
+    lines = messages.splitlines()
+    assert code == 0
+    for kind, attributes in NOT_USED.items():
+        (line, *_) = [line for line in lines if line.startswith(f"  not used of {kind}: ")]
+        assert {*line.partition(": ")[2].split(", ")} == attributes
+    assert "not used of gear_unit: application_factor, reliability, required_lifetime" in lines
+
+
+def test_an_oil_of_the_gear_unit_alone_is_named_with_the_unit(written, tmp_path):
+    text = (HERE / "surroundings_1.4.rexs").read_text()
+    (tmp_path / "m.rexs").write_text(
+        text.replace('<ref id="5" role="origin"/>', '<ref id="1" role="origin"/>')
+    )
+    lines = written("m.rexs")[2].splitlines()
+    (line,) = [line for line in lines if line.strip().startswith("not used of lubricant: ")]
+    assert {*line.partition(": ")[2].split(", ")} == NOT_USED["lubricant"]
+
+
+def test_of_two_contact_angles_the_one_that_is_not_used_is_named():
+    model = read(HERE / "surroundings_1.4.rexs")
+    found = bearing_of(model, model.parts["3"])
+    assert (found.options["angle"], found.not_used) == ("40 deg", ("nominal_contact_angle",))
+
+
+def test_a_four_point_bearing_without_load_has_an_assumed_one(written):
+    """It has no ratings in its case, but one in the model."""
+    _, cases, messages = written(HERE / "surroundings_1.4.rexs")
+    case = cases["surroundings_1.4-6.toml"]
+    assert case["operation"]["load"]["axial"] == "5600 N"
+    assert "operation.load.axial" in case["assumed"]
+    assert "6 (QJ208): assumed: axial" in messages
 
 
 def test_a_class_counts_more_than_a_clearance_in_operation(tmp_path):

@@ -9,7 +9,9 @@ import pytest
 from pytest import approx
 
 import flexbearing
+from flexbearing.api import check
 from flexbearing.case import BadCase
+from flexbearing.runs import ball_life
 from flexbearing.studies.file.spectrum import Spectrum
 from flexbearing.studies.plan import Row
 from flexbearing.studies.prepare import prepare_source
@@ -348,6 +350,74 @@ def test_a_life_by_ratings_needs_no_equilibrium():
     assert found.values["modified_life [Mrev]"] == approx(expected, rel=1e-9)
     assert found.status == "rated"
     assert found.converged
+
+
+def words_of(cycle):
+    from flexbearing.studies import messages
+
+    return "\n".join(messages.cycles(cycle.cycles))
+
+
+RATED = '"life.loads" = "rating"'
+
+
+@pytest.fixture(scope="module")
+def reliabilities(tmp_path_factory):
+    """Reliabilities of two variants; the application factor is on the loads of the required rating alone."""
+    folder = tmp_path_factory.mktemp("reliabilities")
+    further = [RATED, 'life = "modified_life"', 'required_life = "10000 h"', "application_factor = 1.3"]
+    file = duty_of(folder, (8000, 5000), (3000, 1000), *further)
+    file.write_text(f'{file.read_text()}\n[over]\n"life.reliability" = [0.9, 0.99]\n')
+    return flexbearing.study(file, folder, jobs=1).cycles
+
+
+def test_each_variant_requires_the_rating_of_its_own_reliability(reliabilities):
+    """A life is a_1 (C / f P)^(10/3), with a_1 = 1 and 0.25 (ISO 281, table 12)."""
+    turns = 10000 * 60 * reliabilities["mean_speed"].values[0] / 1e6
+    expected = [
+        1.3 * mean * (turns / a1) ** 0.3
+        for mean, a1 in zip(reliabilities["mean_load"].values, (1.0, 0.25), strict=True)
+    ]
+    assert reliabilities["required_rating"].values == approx(expected, rel=3e-3)  # digits of the table
+
+
+def test_the_mean_load_is_without_the_application_factor(reliabilities):
+    mean = (0.75 * 8000 ** (10 / 3) + 0.25 * 5000 ** (10 / 3)) ** 0.3
+    assert reliabilities["mean_load"].values == approx([mean, mean], rel=1e-12)
+
+
+def test_a_variant_whose_load_is_not_known_leaves_that_of_others(tmp_path):
+    """ISO 281 ends at contact angles of 45 deg."""
+    case = CASE.parent / "harris218.toml"
+    file = study_of(tmp_path, "")
+    file.write_text(
+        f'case = "{case}"\n[over]\n"bearing.contact_angle" = ["40 deg", "46 deg"]\n[duty]\ntime = [1, 1]\n'
+        '"operation.inner_speed" = ["500 rpm", "1000 rpm"]'
+    )
+    table = flexbearing.study(file, tmp_path, jobs=1)
+    load = ball_life.dynamic_load(check(case)).value
+    assert table.cycles["mean_load"].values == approx([load, nan], rel=1e-12, nan_ok=True)
+    assert "nan" not in words_of(table)
+
+
+WITHOUT_A_LIFE = {  # loads [N], speeds [rpm] and what is printed
+    "rated": (
+        (8000, 1), (3000, 1000), [RATED, 'life = "modified_life"'], ["modified life 634", "no basic L10 life"]
+    ),
+    "unsolved": ((8e6, 9e6), (3000, 1000), ['life = "life_L10"'], ["no basic L10 life: no row solved"]),
+    "unloaded": ((0, 0), (3000, 1000), [], ["basic L10 life: no damage"]),
+    "standstill": ((8000, 0), (0, 0), ['life = "modified_life"'], ["modified life: no damage"]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("loads", "speeds", "further", "words"), WITHOUT_A_LIFE.values(), ids=WITHOUT_A_LIFE)
+def test_a_life_that_no_cycle_has_is_no_number(loads, speeds, further, words, tmp_path):
+    """One newton leaves a ring without support; thousands of kilonewtons have no equilibrium."""
+    printed = words_of(
+        flexbearing.study(duty_of(tmp_path, loads, speeds, *further, case=BALLS), tmp_path, jobs=1)
+    )
+    assert not re.search(r"\b(nan|inf)\b", printed)
+    assert all(each in printed for each in words)
 
 
 def series_of(

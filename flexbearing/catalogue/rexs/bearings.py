@@ -6,13 +6,17 @@ from dataclasses import dataclass
 from flexbearing.case import BadCase
 from flexbearing.catalogue.entries import ENTRIES, LIKES
 from flexbearing.catalogue.page import names
-from flexbearing.catalogue.rexs.operation import CASING, Point, heaviest, points
+from flexbearing.catalogue.rexs.operation import Point, casing_of, heaviest, oriented, points
 from flexbearing.catalogue.rexs.parts import Model, Part
+from flexbearing.catalogue.rexs.unused import belonging, unused, unused_by_kind
 from flexbearing.printable import excerpt
 
 KINDS = ("rolling_bearing_with_detailed_geometry", "rolling_bearing_with_catalog_geometry")
 OTHERS = ("concept_bearing", "slide_bearing", "hydrodynamic_radial_plain_bearing")  # without rollers or balls
 ROW, ELEMENT = "rolling_bearing_row", "rolling_element"
+BODIES = (*KINDS, ROW, ELEMENT)
+RATINGS = "dynamic_rating", "static_rating"
+DESIGNATION, VISCOSITY = "material_designation", "viscosity_at_40_degree_celsius"
 LIKE = {  # kinds of bearing that a case can be written for
     "radial_roller_bearing": "cylindrical_roller",
     "radial_cylindrical_roller_bearing": "cylindrical_roller",
@@ -47,12 +51,6 @@ NAMED = {  # entry to attributes with a name of a list of the case
     "shaft": ("shaft_tolerance_class", "pin_tolerance_class"),
     "housing": ("casing_bore_tolerance_class", "boring_tolerance_class"),
 }
-READ = {"bearing_type", "number_of_bearing_rows", "catalogue_designation", "name"}  # that are no entries
-PLACE = {  # of a bearing in its gearbox
-    "u_axis_vector", "w_axis_vector", "support_vector", "reference_component_for_position",
-    "u_coordinate_on_shaft_inner_side", "u_coordinate_on_shaft_outer_side",
-}  # fmt: skip
-
 Entry = tuple[str, str, str]  # name, text, attribute
 
 
@@ -66,7 +64,10 @@ class Bearing:
     options: Mapping[str, str]  # entries as texts with units
     points: tuple[Point, ...]
     point: int  # whose load and speed are among the options
-    not_used: tuple[str, ...]  # attributes and components
+    side: str  # what an axial force is positive along, in words
+    not_used: tuple[str, ...]  # attributes of the bearing, its row and its rolling elements; other components
+    not_used_below: Mapping[str, tuple[str, ...]]  # attributes of other parts and of materials, by their kind
+    ratings: Mapping[str, str]  # load ratings, which options of some kinds do not have
 
 
 def called(part: Part) -> str:
@@ -97,15 +98,20 @@ def bearing(model: Model, part: Part) -> Bearing:
         raise BadCase(f"bearing_type {kind_of(part)!r} is none of {', '.join(LIKE)}.")
     like, row = LIKE[part.text_of("bearing_type")], _row(model, part)
     element = model.one_of("ordered_assembly", row, "assembly", "part", ELEMENT)
-    known = points(model, part)
+    known, side = oriented(points(model, part), like)
     point = heaviest(known)
     entries = [*_entries(model.loaded(part, point), row, element), *_names(like, part)]
-    entries = [each for each in (*entries, *_application(known[point])) if each[0] in LIKES[like].taken]
+    ratings = {name: text for name, text, _ in entries if name in RATINGS}
+    entries = [each for each in (*entries, *_application(known[point], like)) if each[0] in LIKES[like].taken]
     if any(name in LIKES[like].instead for name, _, _ in entries):  # a class counts more than a clearance
         entries = [each for each in entries if each[0] != "clearance"]
-    surroundings, strange = _surroundings(model, part, element, like)
-    used = {attribute for _, _, attribute in entries}.union(*(each.used for each in known))
-    attributes = _not_used(model, [each for each in (part, row, element) if each], used)
+    parts = belonging(model, part, *_oils(model, part))
+    bodies, others = ([each for each in parts if (each.kind in BODIES) is own] for own in (True, False))
+    surroundings, strange, used = _surroundings(model, part, element, like)
+    taken = {*{name: attribute for name, _, attribute in entries}.values()}  # the last of a name
+    used |= {each.number: taken.union(*(of_point.used for of_point in known)) for each in bodies}
+    steel = element and _material(model, element)
+    used |= {each.number: {DESIGNATION} for each in others if steel and _is_called(each, steel)}
     return Bearing(
         name=called(part),
         designation=_designation(part),
@@ -113,7 +119,10 @@ def bearing(model: Model, part: Part) -> Bearing:
         options={**{name: text for name, text, _ in entries}, **surroundings},
         points=tuple(known),
         point=point,
-        not_used=(*attributes, *_without_entry(known, like), *strange),
+        side=side,
+        not_used=(*unused(model, bodies, used), *_without_entry(known, like), *strange),
+        not_used_below=unused_by_kind(model, others, used),
+        ratings=ratings,
     )
 
 
@@ -165,60 +174,60 @@ def _names(like: str, part: Part) -> Iterator[Entry]:
                 yield entry, CLASSES.get(text, text), attribute
 
 
-def _application(point: Point) -> Iterator[Entry]:
-    """Load, speed and temperature of a load case."""
-    for entry, value, unit in (
-        ("load", point.radial, "N"),
-        ("axial", point.axial, "N"),
-        ("speed", point.speed, "rpm"),
-    ):
+def _application(point: Point, like: str) -> Iterator[Entry]:
+    """Load, speeds and temperature of a load case."""
+    for entry, value in (("load", point.radial), ("axial", point.axial)):
         if value:
-            yield entry, f"{value:.12g} {unit}", ""
+            yield entry, f"{value:.12g} N", ""
+    if point.relative_speed:
+        both = "outer_speed" in LIKES[like].taken
+        yield "speed", f"{point.inner_speed if both else point.relative_speed:.12g} rpm", ""
+        if point.outer_speed:
+            yield "outer_speed", f"{point.outer_speed:.12g} rpm", ""
     if point.temperature is not None:
         yield "temperature", f"{point.temperature:.12g} degC", ""
 
 
 def _surroundings(
     model: Model, part: Part, element: Part | None, like: str
-) -> tuple[dict[str, str], list[str]]:
-    """Material and oil where the case knows their names, and those that it does not know."""
-    material = model.one_of("reference", element, "origin", "referenced", "material")
-    oil = next(_oils(model, part), None)
-    viscosity = oil.number_of("viscosity_at_40_degree_celsius", "mm^2 / s") if oil else None
+) -> tuple[dict[str, str], list[str], dict[str, set[str]]]:
+    """Material and oil where the case knows their names, those that it does not know, used attributes."""
+    material, oil = element and _material(model, element), next(_oils(model, part), None)
+    viscosity = oil.number_of(VISCOSITY, "mm^2 / s") if oil else None
+    of_class = f"ISO VG {viscosity:g}" if viscosity else ""
     candidates = (
-        ("material", material, (material.text_of("material_designation"), material.name) if material else ()),
-        ("oil", oil, (oil.text_of("name"), oil.name, f"ISO VG {viscosity or 0:g}") if oil else ()),
+        ("material", material, {DESIGNATION: material.text_of(DESIGNATION)} if material else {}),
+        ("oil", oil, {"name": oil.text_of("name"), VISCOSITY: of_class} if oil else {}),
     )
-    found, strange = dict[str, str](), list[str]()
-    for entry, component, texts in candidates:
+    found, strange, used = dict[str, str](), list[str](), dict[str, set[str]]()
+    for entry, component, of_attributes in candidates:
+        if component is None:
+            continue
+        texts = {**of_attributes, "": component.name}
         known = names(ENTRIES[entry], like) if entry in LIKES[like].taken else ()
-        fitting = [text for text in texts if text in known]
+        fitting = [name for name, text in texts.items() if text in known]
         if fitting:
-            found[entry] = fitting[0]
-        elif component:
-            strange.append(f"{component.kind} {excerpt(' '.join(filter(None, texts)))}")
-    return found, strange
+            found[entry] = texts[fitting[0]]
+        else:
+            strange.append(f"{component.kind} {excerpt(' '.join(filter(None, texts.values())))}")
+        used[component.number] = {*(fitting[:1] or of_attributes)}
+    return found, strange, used
+
+
+def _material(model: Model, element: Part) -> Part | None:
+    return model.one_of("reference", element, "origin", "referenced", "material")
+
+
+def _is_called(part: Part, material: Part) -> bool:
+    """Whether a part is a material of the same designation."""
+    return part.kind == material.kind and part.text_of(DESIGNATION) == material.text_of(DESIGNATION)
 
 
 def _oils(model: Model, part: Part) -> Iterator[Part]:
     """Lubricants of the bearing, then of the casing that it sits in."""
-    casing = model.one_of("side", part, "assembly", "outer_part", CASING)
-    for owner in (part, casing):
+    for owner in (part, casing_of(model, part)):
         if oil := model.one_of("reference", owner, "origin", "referenced", "lubricant"):
             yield oil
-
-
-def _not_used(model: Model, parts: list[Part], used: set[str]) -> Iterator[str]:
-    """Attributes that have no entry, with those of all load cases; those that are zero or empty last."""
-    found: dict[str, bool] = {}
-    for part in parts:
-        for number in range(max(len(model.load_cases), 1)):
-            for name, value in model.loaded(part, number).attributes.items():
-                if name not in used | READ:
-                    found[name] = found.get(name, False) or _has_content(value.text, value.array)
-    if PLACE & {*found}:
-        yield "its place in the gearbox"
-    yield from (excerpt(name) for name in sorted({*found} - PLACE, key=lambda name: (not found[name], name)))
 
 
 def _without_entry(known: list[Point], like: str) -> Iterator[str]:
@@ -227,7 +236,3 @@ def _without_entry(known: list[Point], like: str) -> Iterator[str]:
         yield "axial force"
     if "temperature" not in LIKES[like].taken and any(point.temperature is not None for point in known):
         yield "temperature of the oil"
-
-
-def _has_content(text: str, array: tuple[str, ...]) -> bool:
-    return bool(array) or text.rstrip("0.") not in ("", "false", "none")

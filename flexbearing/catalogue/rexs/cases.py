@@ -3,7 +3,7 @@
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from itertools import accumulate
+from itertools import accumulate, islice
 from pathlib import Path
 
 from flexbearing.case import BadCase
@@ -23,11 +23,13 @@ from flexbearing.catalogue.rexs.bearings import (
 from flexbearing.catalogue.rexs.file import read
 from flexbearing.catalogue.rexs.missing import filled
 from flexbearing.catalogue.rexs.parts import Model, Part
+from flexbearing.catalogue.rexs.unused import unused_around
 from flexbearing.files import BadOutput, require_outputs
 from flexbearing.printable import enumerated, excerpt
 
 MOST = 100  # bearings of a model whose cases are written at once
-LONGEST = 500  # characters of the names of what is not used
+MOST_KINDS = 20  # of components that are named
+LONGEST = 4000  # characters of the names of what is not used
 _PLAIN = re.compile(r"[A-Za-z0-9_-]{1,40}")
 
 Tell = Callable[[str], None]
@@ -73,6 +75,8 @@ def cases(file: Path, order: Order, tell: Tell) -> Iterator[tuple[Path, str]]:
         else:
             count += 1
             yield places[part.number], ratings
+    for line in _not_used(unused_around(model)) if count else ():
+        tell(line)
     if refused and count:
         tell("\n".join(f"no case for {each}" for each in refused))
     if not count:
@@ -129,7 +133,7 @@ def _written(found: Bearing, file: Path, order: Order, version: str, tell: Tell)
     """Write the case of a bearing with its duty cycle; its ratings."""
     if not order.force and (there := [each for each in duty.places(file) if each.exists()]):
         raise BadOutput(f"{there[0]}: is there already; --force replaces it.")
-    options, assumed = filled(found.like, _combined(found, order.given))
+    options, assumed = filled(found.like, _combined(found, order.given), found.ratings)
     if lacking := [ENTRIES[name] for name in ("bore", "outside", "width") if name not in options]:
         raise BadCase(
             f"has no {', '.join(each.meaning for each in lacking)}; give "
@@ -147,9 +151,19 @@ def _written(found: Bearing, file: Path, order: Order, version: str, tell: Tell)
         if len(found.points) > 1
         else ""
     )
-    words = [alone, cycle, *_listed("assumed", assumed), *_listed("not used", found.not_used)]
+    words = [alone, cycle, found.side, *_listed("assumed", assumed), *_listed("not used", found.not_used)]
     tell(f"{found.name}: {'; '.join(filter(None, words))}")
+    for line in _not_used(found.not_used_below):
+        tell(f"  {line}")
     return ratings
+
+
+def _not_used(by_kind: Mapping[str, Iterable[str]]) -> Iterator[str]:
+    """A line for each kind of component; REXS has few of bearings."""
+    for kind, listed in islice(by_kind.items(), MOST_KINDS):
+        yield from _listed(f"not used of {excerpt(kind)}", listed)
+    if len(by_kind) > MOST_KINDS:
+        yield f"not used: {len(by_kind) - MOST_KINDS} further kinds of components"
 
 
 def _combined(found: Bearing, given: Mapping[str, str]) -> dict[str, str]:

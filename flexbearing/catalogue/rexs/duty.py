@@ -16,9 +16,13 @@ COLUMNS = {  # entry to heading
     "load": "operation.load.radial_z [N]",
     "axial": "operation.load.axial [N]",
     "speed": "operation.inner_speed [rpm]",
+    "outer_speed": "operation.outer_speed [rpm]",
     "temperature": "lubricant.inlet_temperature [degC]",
 }
-OF_POINT = {"load": "radial", "axial": "axial", "speed": "speed", "temperature": "temperature"}
+OF_POINT = {
+    "load": "radial", "axial": "axial", "speed": "inner_speed", "outer_speed": "outer_speed",
+    "temperature": "temperature",
+}  # fmt: skip
 OF_ROLLERS = {"load": "operation.radial_load [N]"}
 
 
@@ -64,6 +68,7 @@ def _columns(bearing: Bearing, given: Collection[str]) -> dict[str, list[float |
         if name in LIKES[bearing.like].taken
         and name not in given
         and (name != "temperature" or None not in values)
+        and (name != "outer_speed" or any(values))
     }
 
 

@@ -12,8 +12,12 @@ USUAL_LOAD = 0.1  # of C: a bearing of usual life
 SMALL = 0.01  # of the axial load, where a radial one must be there
 
 
-def filled(like: str, options: Mapping[str, str]) -> tuple[dict[str, str], dict[str, str]]:
+def filled(
+    like: str, options: Mapping[str, str], ratings: Mapping[str, str]
+) -> tuple[dict[str, str], dict[str, str]]:
     """Complete the entries of a page; all of them, and of the assumed ones the reasons.
+
+    Load ratings of the model count for a load even where a page of this kind has none.
 
     Raises
     ------
@@ -21,7 +25,8 @@ def filled(like: str, options: Mapping[str, str]) -> tuple[dict[str, str], dict[
         for a given entry that cannot be read
     """
     numbers = (*LIKES[like].needed, "dynamic_rating", "static_rating", "axial")
-    given = {name: value(name, options[name], like).si for name in numbers if name in options}
+    texts = {**ratings, **options}
+    given = {name: value(name, texts[name], like).si for name in numbers if name in texts}
     found, why = dict(options), dict[str, str]()
     for rule in _RULES:
         for name, text, reason in rule(like, given):
@@ -42,7 +47,7 @@ def _loads(like: str, given: Given) -> Iterator[Guess]:
         if name in LIKES[like].needed and name not in given:
             if name == "load" and "axial" in given:
                 words = "the model has axial load alone, and a case needs some radial load"
-                yield name, f"{SMALL * given['axial']:.4g} N", words
+                yield name, f"{SMALL * abs(given['axial']):.4g} N", words
             elif ratings:
                 words = f"the model has none; {USUAL_LOAD:g} C gives a usual life"
                 yield name, f"{USUAL_LOAD * ratings[0]:.4g} N", words

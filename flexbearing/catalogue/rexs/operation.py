@@ -1,9 +1,10 @@
 """Loads, speed and temperature of a bearing in the load cases of a gearbox model."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from math import hypot
+from dataclasses import dataclass, replace
+from math import copysign, hypot
 
+from flexbearing.catalogue.entries import LIKES
 from flexbearing.catalogue.rexs.parts import Model, Part
 
 CASING, SHAFT, GEAR_UNIT = "gear_casing", "shaft", "gear_unit"
@@ -13,13 +14,12 @@ SHARES = {  # of the time: unit to attributes, whose names changed with 1.3
     "%": ("operating_time_fraction", "load_duration_fraction"),
     "h": ("operating_time", "load_duration"),
 }
-FORCES = (  # along u, the shaft, v and w; those on either component differ in sign alone
-    ("N", tuple(f"force_acting_on_inner_component_{axis}" for axis in "uvw")),
-    ("N", tuple(f"force_acting_on_outer_component_{axis}" for axis in "uvw")),
-    ("kN", ("axial_force", "radial_force_in_v", "radial_force_in_w")),
+FORCES = (  # newtons on the inner ring, unit and attributes along u, the shaft, v and w
+    (1.0, "N", tuple(f"force_acting_on_inner_component_{axis}" for axis in "uvw")),
+    (-1.0, "N", tuple(f"force_acting_on_outer_component_{axis}" for axis in "uvw")),
+    (1e3, "kN", ("axial_force", "radial_force_in_v", "radial_force_in_w")),
 )
 VECTOR = "reaction_force"  # of some programs: an array along u, v, w
-TO_NEWTON = {"N": 1.0, "kN": 1e3}
 
 
 @dataclass(frozen=True)
@@ -28,10 +28,25 @@ class Point:
 
     shares: dict[str, float]  # of the time by unit
     radial: float | None = None  # [N]
-    axial: float | None = None  # [N]
-    speed: float | None = None  # [rpm] of the inner ring over the outer one
+    axial: float | None = None  # [N] on the inner ring, along u
+    speeds: tuple[float, float] | None = None  # [rpm] of the inner and the outer ring, about u
     temperature: float | None = None  # [degC] of the oil
     used: frozenset[str] = frozenset()  # attributes of the bearing
+
+    @property
+    def inner_speed(self) -> float | None:
+        """Speed of the inner ring [rpm]."""
+        return self.speeds and self.speeds[0]
+
+    @property
+    def outer_speed(self) -> float | None:
+        """Speed of the outer ring [rpm]."""
+        return self.speeds and self.speeds[1]
+
+    @property
+    def relative_speed(self) -> float | None:
+        """Speed of one ring over the other [rpm], without its sign."""
+        return self.speeds and abs(self.speeds[0] - self.speeds[1])
 
     @property
     def load(self) -> float:
@@ -41,44 +56,65 @@ class Point:
 
 def points(model: Model, bearing: Part) -> list[Point]:
     """Operation of a bearing in every load case, or in the model itself, which then has none."""
-    casing = _casing(model, bearing)
+    casing = casing_of(model, bearing)
     return [_point(model, bearing, casing, number) for number in range(max(len(model.load_cases), 1))]
 
 
 def heaviest(found: list[Point]) -> int:
     """Place of the load case that a single computation is of: that of most load among those that turn."""
-    return max(range(len(found)), key=lambda place: (bool(found[place].speed), found[place].load))
+    return max(range(len(found)), key=lambda place: (bool(found[place].relative_speed), found[place].load))
+
+
+def oriented(found: list[Point], like: str) -> tuple[list[Point], str]:
+    """Operation with axial forces as the case has them, and in words along what they are positive.
+
+    Balls of an angular contact bearing have shoulders on one side, and no attribute says on which.
+    """
+    forces = [point.axial or 0.0 for point in found]
+    if "axial" not in LIKES[like].taken or not any(forces):
+        return found, ""
+    if like != "angular_contact_ball":
+        return found, "axial force: on the inner ring, positive along u"
+    largest = max(range(len(forces)), key=lambda place: abs(forces[place]))
+    sign = copysign(1.0, forces[largest])
+    case = f" of load case {largest + 1}" if len(forces) > 1 else ""
+    along = "u" if sign > 0 else "-u"
+    words = f"axial force: positive along {along}, assumed to press the balls on their shoulders"
+    turned = [
+        point if point.axial is None else replace(point, axial=sign * point.axial or 0.0) for point in found
+    ]
+    return turned, f"{words}, as that{case} does" if case else words
 
 
 def _point(model: Model, bearing: Part, casing: Part | None, number: int) -> Point:
     loaded = model.loaded(bearing, number)
     axial, radial, of_force = _forces(loaded)
-    speed = _speed(model, loaded, number)
+    speeds = _speeds(model, loaded, number)
     temperature = loaded.number_of("temperature_lubricant", "C")
     if temperature is None and casing:
         temperature = model.loaded(casing, number).number_of("temperature_lubricant", "C")
     used = {*of_force, "temperature_lubricant"}
-    used |= {"speed_inner_ring", "speed_outer_ring"} if speed is not None else set()
-    return Point(_shares(model, number), radial, axial, speed, temperature, frozenset(used))
+    used |= {"speed_inner_ring", "speed_outer_ring"} if speeds else set()
+    return Point(_shares(model, number), radial, axial, speeds, temperature, frozenset(used))
 
 
 def _forces(bearing: Part) -> tuple[float | None, float | None, tuple[str, ...]]:
-    """Axial and radial force [N], from the first form that the model has, and its attributes."""
-    for unit, names in FORCES:
+    """Axial and radial force on the inner ring [N], from the first form of the model, and its attributes."""
+    for newton, unit, names in FORCES:
         given = [bearing.number_of(name, unit) for name in names]
         if any(each is not None for each in given):
-            u, v, w = (TO_NEWTON[unit] * abs(each or 0.0) for each in given)
+            u, v, w = (newton * each if each else 0.0 for each in given)
             return u, hypot(v, w), names
     vector = bearing.vector_of(VECTOR, "N")
     if len(vector) == 3:
-        return abs(vector[0]), hypot(*vector[1:]), (VECTOR,)
+        return vector[0], hypot(*vector[1:]), (VECTOR,)
     return None, None, ()
 
 
-def _speed(model: Model, bearing: Part, number: int) -> float | None:
-    """Speed of the inner ring over the outer one [rpm]."""
+def _speeds(model: Model, bearing: Part, number: int) -> tuple[float, float] | None:
+    """Speeds of the inner and the outer ring [rpm]; None where one is not known."""
     inner, outer = (_ring_speed(model, bearing, ring, number) for ring in ("inner", "outer"))
-    return None if inner is None or outer is None else abs(inner - outer)
+    return None if inner is None or outer is None else (inner, outer)
 
 
 def _ring_speed(model: Model, bearing: Part, ring: str, number: int) -> float | None:
@@ -95,7 +131,7 @@ def _ring_speed(model: Model, bearing: Part, ring: str, number: int) -> float | 
     return next((n for name in SPEEDS if (n := carrier.number_of(name, RPM)) is not None), None)
 
 
-def _casing(model: Model, bearing: Part) -> Part | None:
+def casing_of(model: Model, bearing: Part) -> Part | None:
     """The casing that a bearing sits in, or the only one."""
     for role in ("outer_part", "inner_part"):
         if found := model.one_of("side", bearing, "assembly", role, CASING):

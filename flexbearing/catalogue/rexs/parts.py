@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from flexbearing import inputs
 from flexbearing.case import BadCase
@@ -18,6 +19,11 @@ class Value:
     unit: str
     text: str
     array: tuple[str, ...] = ()
+
+    @property
+    def has_content(self) -> bool:
+        """Whether it is neither empty nor zero."""
+        return bool(self.array) or self.text.rstrip("0.") not in ("", "false", "none")
 
 
 @dataclass(frozen=True)
@@ -68,6 +74,17 @@ class Model:
     related: Mapping[tuple[str, str, str], tuple[Roles, ...]]  # kind, role and number of one that has it
     load_cases: tuple[Mapping[str, Part], ...]
     not_read: tuple[str, ...] = ()  # other files of the archive, further spectra
+
+    @cached_property
+    def contents(self) -> Mapping[str, Mapping[str, bool]]:
+        """Attributes of each component in the model and its load cases, and whether one has content."""
+        found: dict[str, dict[str, bool]] = {}
+        for parts in (self.parts, *self.load_cases):
+            for number, part in parts.items():
+                of_part = found.setdefault(number, {})
+                for name, value in part.attributes.items():
+                    of_part[name] = of_part.get(name, False) or value.has_content
+        return found
 
     def loaded(self, part: Part, number: int) -> Part:
         """A component with its attributes in a load case; the same where there is no such load case."""

@@ -38,17 +38,19 @@ INCOMPLETE = "no row solved"
 class Catalogued:
     """What a catalogue says of the cycles."""
 
-    loads: NDArray  # (C, N) equivalent load of each row, times the application factor [N]
+    loads: NDArray  # (C, N) equivalent load of each row [N]; NaN where it is not known
     exponent: float  # of the life
+    reliability: NDArray  # (C, N) factor a_1 of the reliability that each row requires [-]
     life: float | None = None  # that is required [s]
-    reliability: float = 1.0  # factor a_1 of the reliability that is required [-]
+    application_factor: float = 1.0  # on the loads, for the required rating
 
     def columns(self, revolutions: NDArray, speed: NDArray) -> Iterator[Column]:
         """Mean equivalent load and, where a life is required, that life and the dynamic rating for it."""
-        mean = mean_load(revolutions, self.loads, self.exponent)
-        yield _column("mean_load", "N", mean)
+        yield _column("mean_load", "N", mean_load(revolutions, self.loads, self.exponent))
         if self.life is not None:
-            turns = self.life * speed / (2 * pi) / MREV / self.reliability
+            of_basic_life = self.application_factor * self.loads / self.reliability ** (1 / self.exponent)
+            mean = mean_load(revolutions, of_basic_life, self.exponent)
+            turns = self.life * speed / (2 * pi) / MREV
             yield _column("required_rating", "N", required_rating(mean, turns, self.exponent))
             yield _column("required_life", "h", np.full(mean.shape, self.life / HOUR))
 
