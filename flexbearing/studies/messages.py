@@ -120,7 +120,7 @@ def _cycle(row: Mapping[str, Any]) -> Iterator[str]:
     without = " without the rows left out" if row["left_out_time_share [%]"] else ""
     yield f"{row['kind']} life {row['life [h]']:.6g} h{error}{without}"
     if "basic_life [h]" in row:
-        yield f"basic L10 life {row['basic_life [h]']:.6g} h"
+        yield f"basic L10 life by the loads of the rolling elements {row['basic_life [h]']:.6g} h"
     raceways = ", ".join(f"{race} {row[f'{race}_life [h]']:.6g} h" for race in duty.RACEWAYS)
     yield f"basic L10 life of each raceway: {raceways}"
     yield f"mean speed {row['mean_speed [rpm]']:.6g} rpm"

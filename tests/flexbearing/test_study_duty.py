@@ -311,6 +311,16 @@ def test_a_creeping_row_counts_with_the_least_factor(tmp_path):
     assert "kappa 0.00935 is below 0.1" in table["message"].values[1]
 
 
+def test_a_row_without_load_is_not_among_the_problems_of_a_case(tmp_path):
+    """Once the other fault is repaired, the row is time without damage."""
+    case = tmp_path / "case.toml"
+    text = BALLS.read_text().replace("assumed = [", 'assumed = ["bearing.rows", ') + '\nloads = "rating"\n'
+    case.write_text(text)
+    prepared = prepare_source(duty_of(tmp_path, (1000, 0), (3000, 3000), case=case))
+    loaded, unloaded = prepared.plan.problems
+    assert unloaded.message == loaded.message
+
+
 def test_the_least_factor_is_that_of_kappa_0_1_at_any_load():
     ratios = np.array([1e-3, 0.1, 10.0])
     for elements in (ROLLERS_OF_ISO, BALLS_OF_ISO):
@@ -329,6 +339,7 @@ def test_a_spectrum_with_idling_against_a_calculation_by_hand(tmp_path):
         case=case, shares=("10 %", "20 %", "30 %", "40 %"),
     )  # fmt: skip
     cycle = flexbearing.study(file, tmp_path, jobs=1).cycles
+    assert cycle["kind"].values == ("catalogue L10",)
     assert cycle["revolutions"].values[0] == approx(5.54**3 / 4.6, rel=1e-9)
     assert cycle["revolutions"].values[0] == approx(37.0, rel=2e-3)
     assert cycle["mean_load"].values[0] == approx(1000 * 4.6 ** (1 / 3), rel=1e-9)
