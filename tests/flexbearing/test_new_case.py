@@ -312,6 +312,28 @@ def test_a_designation_stands_for_its_page(named, tmp_path, name):
     assert "SKF Rolling bearings (2018)" in place.read_text()
 
 
+SUFFIXES = {"6208-2RS1/C3": "C3", "6208-2Z": "CN", "6208/C4": "C4", "NU 210 C2": "C2"}
+
+
+@pytest.mark.parametrize(("name", "clearance"), SUFFIXES.items(), ids=SUFFIXES)
+def test_suffixes_of_seals_and_clearance_are_understood(named, tmp_path, name, clearance):
+    code, message = named(name)
+    assert code == 0
+    assert f"{name}: the page of " in message
+    (place,) = tmp_path.glob("*.toml")
+    assert tomllib.loads(place.read_text())["bearing"]["clearance_class"] == clearance
+
+
+def test_an_unknown_designation_with_a_slash_is_named_as_a_whole(named):
+    assert "6999-2RS1/C3 is in no table of designations" in named("6999-2RS1/C3")[1]
+
+
+def test_designations_are_read_with_semicolons_and_decimal_commas(named, tmp_path):
+    (tmp_path / "designations.csv").write_text(OWN.replace(",", ";").replace("60 kN", "60,5 kN"))
+    assert named("NU9")[0] == 0
+    assert tomllib.loads((tmp_path / "nu9.toml").read_text())["life"]["static_rating"] == "60.5 kN"
+
+
 @pytest.mark.parametrize("folder", [".", ".config/flexbearing"])
 def test_users_have_designations_of_their_own(named, tmp_path, folder):
     place = tmp_path / folder / "designations.csv"
