@@ -114,13 +114,14 @@ def _designated(
     from flexbearing.catalogue.designations import designated, plain, unknown
 
     folder, designation = file.parent, file.name
-    if not folder.exists():  # a slash of the designation itself, 6208-2RS1/C3
+    settings = Path(typer.get_app_dir("flexbearing"))
+    found = designated(designation, folder, settings)
+    if found is None and not folder.exists():  # a slash of the designation itself, 6208-2RS1/C3
         folder, designation = folder.parent, f"{folder.name}/{designation}"
-    folders = folder, Path(typer.get_app_dir("flexbearing"))
-    found = designated(designation, *folders)
+        found = designated(designation, folder, settings)
     if found is None:
         if "bore" not in options:  # else it is the file of a whole page
-            tell(unknown(designation, *folders))
+            tell(unknown(designation, folder, settings))
         return file, like, options, about
     if plain(found["designation"]) != plain(designation):
         page = found["designation"]

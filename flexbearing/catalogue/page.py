@@ -78,6 +78,8 @@ def read(like: str, options: Mapping[str, str | None], assumed: Mapping[str, str
         problems += [f"--clearance: it is that in operation; leave out {' and '.join(beside)}."] * bool(
             beside
         )
+    if "load" in values and not values["load"].si and "axial" not in values:
+        problems.append(f"{ENTRIES['load'].option} {values['load'].text}: it must be above zero.")
     problems += [f"{words}." for words in missing(wanted, given, like)]
     if problems:
         raise BadCase("\n".join(problems))
@@ -112,7 +114,8 @@ def value(name: str, text: str, like: str) -> Value:
     except PydanticCustomError as problem:
         why = (problem.context or {})["why"]
         raise BadCase(f"{given} {why}; it must be {_allowed(entry)}.") from None
-    if si <= 0 and name != "clearance":  # where nothing and less is a preload
+    may_be = {"clearance": True, "load": si == 0}  # a preload, thrust alone
+    if si <= 0 and not may_be.get(name):
         raise BadCase(f"{given}: it must be above zero.")
     if name == "angle" and si >= pi / 2:
         raise BadCase(f"{given}: it must be below 90 deg.")
@@ -122,7 +125,7 @@ def value(name: str, text: str, like: str) -> Value:
 def missing(wanted: Like, given: Mapping[str, object], like: str) -> Iterator[str]:
     """What a page lacks, each in the words of a message without its end."""
     for name in wanted.needed:
-        if name not in given:
+        if wanted.must_be_given(name, given):
             yield f"{called(name)} is missing; it is {allowed(name, like)}"
 
 

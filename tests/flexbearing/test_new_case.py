@@ -358,6 +358,19 @@ def test_a_file_without_a_suffix_is_one_where_the_page_is_given(named, tmp_path)
     assert (tmp_path / "mine").exists()
 
 
+@pytest.mark.parametrize("load", [(), ("--load", "0 N")], ids=["none", "0 N"])
+def test_a_deep_groove_bearing_may_have_thrust_alone(named, tmp_path, monkeypatch, capsys, load):
+    monkeypatch.chdir(tmp_path)
+    words = ["new", "6208", "--speed", "3000 rpm", "--axial-load", "1 kN", *load]
+    assert program.command(words) == 0
+    loads = tomllib.loads((tmp_path / "6208.toml").read_text())["operation"]["load"]
+    assert loads == {"axial": "1 kN"} | ({"radial_z": "0 N"} if load else {})
+
+
+def test_no_load_at_all_is_refused(named):
+    assert "--load 0 N: it must be above zero." in named("6208", "--load", "0 N")[1]
+
+
 WRONG_TABLES = {
     OWN.replace("bore", "bohre"): "'bohre' is no column",
     OWN.replace("like", "source"): "has no column like",
