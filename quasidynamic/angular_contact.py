@@ -298,16 +298,18 @@ def _loose(stiffness: NDArray, held: NDArray) -> list[str]:
 
 def _not_solved(operation: RingOperation, solution: RingSolution, case: int, loose: list[str]) -> NotSolved:
     outcome, evaluations = solution.outcomes[case], solution.evaluations[case]
-    where = f"load {operation.load}, inner ring {operation.inner_speed:.5g} rad/s"
+    where = f"load {operation.load}, inner ring {operation.inner_speed * 30 / np.pi:.5g} rpm"
     if outcome is SolverOutcome.UNDETERMINED:
+        on_one_ball = loose in (["along y"], ["along z"])  # which lies in the direction of the load
+        advice = ", or another azimuth of the balls, of which one carries all" if on_one_ball else ""
         return NotSolved(
             f"{where}: nothing holds the inner ring {', '.join(loose) or 'in any direction'}, its place is "
-            "undetermined; give an axial load, or displacements there",
+            f"undetermined; give an axial load, or displacements there{advice}",
             outcome,
         )
     if outcome is SolverOutcome.NOT_FINITE:
         return NotSolved(
-            f"{where}: forces on ring and balls are not finite; is a unit of load, speed or size wrong?",
+            f"{where}: forces on ring and balls are not finite, as from a wrong unit of load, speed or size",
             outcome,
         )
     return NotSolved(

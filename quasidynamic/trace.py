@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
-from math import copysign, exp, isfinite, log
+from math import copysign, exp, isfinite, log, pi
 
 import numpy as np
 from numpy.typing import NDArray
@@ -189,7 +189,8 @@ def logarithms(model: RollerBearing, over: str, span: tuple[float, float]) -> tu
         raise OutOfRange(f"{over} from {first:.6g} to {last:.6g} N: a load is positive")
     if over == "inner_speed" and min(span) <= model.operation.outer_speed <= max(span):
         raise OutOfRange(
-            f"{over} from {first:.6g} to {last:.6g} rad/s goes through the outer speed: nothing rolls there"
+            f"{over} from {first * 30 / pi:.6g} to {last * 30 / pi:.6g} rpm goes through the outer speed: "
+            "nothing rolls there"
         )
     return log(abs(first)), log(abs(last))
 

@@ -112,22 +112,29 @@ def _designated(
     """What a designation in place of a file stands for; options that are given count more."""
     if file.suffix:
         return file, like, options, about
-    from flexbearing.catalogue.designations import designated, unknown
+    from flexbearing.catalogue.designations import designated, plain, unknown
 
-    folders = file.parent, Path(typer.get_app_dir("flexbearing"))
-    found = designated(file.name, *folders)
+    folder, designation = file.parent, file.name
+    settings = Path(typer.get_app_dir("flexbearing"))
+    found = designated(designation, folder, settings)
+    if found is None and not folder.exists():  # a slash of the designation itself, 6208-2RS1/C3
+        folder, designation = folder.parent, f"{folder.name}/{designation}"
+        found = designated(designation, folder, settings)
     if found is None:
         if "bore" not in options:  # else it is the file of a whole page
-            tell(unknown(file.name, *folders))
+            tell(unknown(designation, folder, settings))
         return file, like, options, about
+    if plain(found["designation"]) != plain(designation):
+        page = found["designation"]
+        tell(f"{designation}: the page of {page}; of its suffixes only a clearance class has an effect")
     taken = {name: text for name, text in found.items() if name in ENTRIES}
     about = {
         **about,
-        "title": about["title"] or file.name,
+        "title": about["title"] or designation,
         "source": about["source"] or found.get("source", ""),
     }
-    name = file.with_name(f"{file.name.replace(' ', '').lower()}.toml")
-    return name, found.get("like", like), taken | options, about
+    name = designation.replace(" ", "").replace("/", "-").lower()
+    return folder / f"{name}.toml", found.get("like", like), taken | options, about
 
 
 def _of_page(

@@ -1,9 +1,8 @@
 """Bearings by their designation: tables of catalogue pages that users extend."""
 
-import csv
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from difflib import get_close_matches
-from io import StringIO
 from pathlib import Path
 
 from flexbearing import inputs
@@ -13,29 +12,38 @@ from flexbearing.catalogue.entries import ENTRIES
 TABLE = "designations.csv"
 LARGEST = 2**20  # bytes of a table, some 10 000 bearings
 CLOSE, MOST, LONGEST = 0.6, 5, 40  # share of letters, names and letters of a proposal
+_SUFFIXES = re.compile(
+    r"(?P<bearing>.+?)(?:-?(?:2?RS[1HLR]?|2?RZ|2?Z|ZZ))?(?:[-/ ]+(?P<clearance>C[1-5N]))?", re.I
+)
 ABOUT = ("designation", "like", "source")  # columns besides entries of a page
 
 
 def designated(name: str, *folders: Path) -> dict[str, str] | None:
     """Entries of a bearing with its like and source, from the first folder whose table has it, else shipped.
 
+    Where none has the whole name, suffixes of seals are left out, and one of clearance is its class.
+
     Raises
     ------
     BadCase
         for a table that cannot be read
     """
+    known: dict[str, dict[str, str]] = {}
     for row in _known(folders):
-        if _plain(row["designation"]) == _plain(name):
-            return {key: text for key, text in row.items() if text}
-    return None
+        known.setdefault(plain(row["designation"]), {key: text for key, text in row.items() if text})
+    parts = _SUFFIXES.fullmatch(name)
+    if plain(name) in known or parts is None or plain(parts["bearing"]) not in known:
+        return known.get(plain(name))
+    clearance = {"clearance_class": parts["clearance"].upper()} if parts["clearance"] else {}
+    return known[plain(parts["bearing"])] | clearance
 
 
 def unknown(name: str, *folders: Path) -> str:
     """What to say of a name that no table has: the nearest ones, and where more go."""
     known: dict[str, str] = {}
     for row in _known(folders):
-        known.setdefault(_plain(row["designation"]), row["designation"])
-    near = [known[each] for each in get_close_matches(_plain(name), known, cutoff=CLOSE)]
+        known.setdefault(plain(row["designation"]), row["designation"])
+    near = [known[each] for each in get_close_matches(plain(name), known, cutoff=CLOSE)]
     names = ", ".join(each[:LONGEST] for each in (near or [*known.values()])[:MOST])
     words = f"near {'is' if len(near) == 1 else 'are'}" if near else "it has bearings such as"
     return f"{name} is in no table of designations, {words} {names}; more are rows of a {TABLE} in its folder"
@@ -51,7 +59,7 @@ def _known(folders: Iterable[Path]) -> Iterator[Mapping[str, str]]:
 def _rows(table: Path) -> Iterator[Mapping[str, str]]:
     """Rows of a table by its headings."""
     try:
-        lines = csv.reader(StringIO(inputs.text(table, LARGEST), newline=""), strict=True)
+        lines = inputs.cells(inputs.text(table, LARGEST), LARGEST)
         heads = next(lines, [])
         inputs.require_different(heads)
         if unknown := [head for head in heads if head not in (*ABOUT, *ENTRIES)]:
@@ -61,14 +69,13 @@ def _rows(table: Path) -> Iterator[Mapping[str, str]]:
         if missing := [head for head in ("designation", "like") if head not in heads]:
             raise BadCase(f"{table}: has no column {missing[0]}.")
         for number, cells in enumerate(lines, 2):
-            if len(cells) not in (0, len(heads)):
+            if len(cells) != len(heads):
                 raise BadCase(f"{table}: line {number} has {len(cells)} cells, the first line {len(heads)}.")
-            if cells:
-                yield dict(zip(heads, map(str.strip, cells), strict=True))
-    except (inputs.Unreadable, csv.Error) as problem:
+            yield dict(zip(heads, cells, strict=True))
+    except inputs.Unreadable as problem:
         raise BadCase(f"{table}: {problem}") from problem
 
 
-def _plain(name: str) -> str:
+def plain(name: str) -> str:
     """A designation as makers write it, NU 2210 or nu2210."""
     return name.replace(" ", "").replace("-", "").upper()

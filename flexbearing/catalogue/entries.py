@@ -95,8 +95,9 @@ class Like:
         return not {name, *beside} & {*given}
 
     def must_be_given(self, name: str, given: Collection[str]) -> bool:
-        """Whether an entry must be given; of the raceways those that are not are estimated."""
-        return name in self.needed and name not in given
+        """Whether an entry must be given: of raceways what lacks is estimated, one load of two is enough."""
+        by_thrust = name == "load" and "axial" in given and "axial" in self.taken
+        return name in self.needed and name not in given and not by_thrust
 
     def _known(self, given: Collection[str]) -> list[str]:
         return [each for each in self.two_of if each in given]

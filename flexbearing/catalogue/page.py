@@ -80,18 +80,22 @@ def read(like: str, options: Mapping[str, str | None], assumed: Mapping[str, str
             beside
         )
     problems += [f"{words}." for words in missing(wanted, given, like)]
-    if "speed" in values and values["speed"].si == (
-        values["outer_speed"].si if "outer_speed" in values else 0
-    ):
-        problems.append(
-            f"--speed {excerpt(given['speed'])}: it must be another one than that of the outer ring."
-        )
+    problems += _together(values)
     if problems:
         raise BadCase("\n".join(problems))
     estimates = dict(raceways(wanted.two_of, {name: each.si for name, each in values.items()}))
     values |= {name: value(name, text, like) for name, (text, _) in estimates.items()}
     reasons = {name: why for name, (_, why) in estimates.items()}
     return Page(like, values, {**(assumed or {}), **reasons})
+
+
+def _together(values: Mapping[str, Value]) -> Iterator[str]:
+    """What is wrong with entries that are right alone."""
+    load, speed, outer = (values.get(name) for name in ("load", "speed", "outer_speed"))
+    if load and not load.si and "axial" not in values:
+        yield f"{ENTRIES['load'].option} {load.text}: it must be above zero."
+    if speed and speed.si == (outer.si if outer else 0):
+        yield f"--speed {excerpt(speed.text)}: it must be another one than that of the outer ring."
 
 
 def value(name: str, text: str, like: str) -> Value:
@@ -126,7 +130,8 @@ def value(name: str, text: str, like: str) -> Value:
 
 def _beyond(name: str, si: float) -> str:
     """What a number must be where it is not; empty where it is."""
-    if si <= 0 and name not in SIGNED:
+    thrust_alone = name == "load" and si == 0
+    if si <= 0 and name not in SIGNED and not thrust_alone:
         return "be above zero"
     if si == 0 and name == "axial":
         return "not be zero"
@@ -136,7 +141,7 @@ def _beyond(name: str, si: float) -> str:
 def missing(wanted: Like, given: Mapping[str, object], like: str) -> Iterator[str]:
     """What a page lacks, each in the words of a message without its end."""
     for name in wanted.needed:
-        if name not in given:
+        if wanted.must_be_given(name, given):
             yield f"{called(name)} is missing; it is {allowed(name, like)}"
 
 

@@ -5,6 +5,7 @@ the rooms that know the format.
 """
 
 from flexbearing.inputs.archive import unpacked
+from flexbearing.inputs.cells import cells
 from flexbearing.inputs.file import (
     Stamp,
     Unreadable,
@@ -24,6 +25,7 @@ __all__ = [
     "BadNumber",
     "Stamp",
     "Unreadable",
+    "cells",
     "content",
     "is_folder",
     "is_plain",

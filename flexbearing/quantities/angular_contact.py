@@ -179,8 +179,10 @@ QUANTITIES = (
     Quantity("ring_load", "P", "force", "N, N m", "block",
         f"what the balls carry for the inner ring ({_ORDER}): load or reaction",
         summary=(
-            SummaryValue("ring_load_N", displacements, entries=XYZ),
-            SummaryValue("ring_moment_Nm", tilts, entries=ABOUT_YZ),
+            SummaryValue("ring_load_N", displacements, "load or reaction x, y, z", ",.1f", unit=Unit("N"),
+                entries=XYZ, section=RING),
+            SummaryValue("ring_moment_Nm", tilts, "moment or reaction about y, z", ",.3f",
+                unit=Unit("N m"), section=RING, entries=ABOUT_YZ),
         )),
     Quantity("ring_displacement", "delta", "displacement", "m, rad", "block",
         f"displacement of the inner ring ({_ORDER})", summary=(

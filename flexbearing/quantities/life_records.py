@@ -65,6 +65,7 @@ _CATALOGUE: Form = Record(
                 "life_h": NUMBER,
             },
             optional={
+                "scales": Record({}, optional=dict.fromkeys(RATINGS, NUMBER)),
                 "equivalent_load": Record(
                     {"note": TEXT} | dict.fromkeys(_EQUIVALENT, NUMBER), further=NUMBER
                 ),

@@ -34,7 +34,11 @@ def _ratings(found: dict[str, Any]) -> Iterator[RenderableType]:
     table = right_aligned("load rating [kN]", "used", "by formula")
     table.add_column("source")
     for name, words in _NAMES.items():
-        source = "given by the case" if name in found["given"] else f"formula of {_STANDARDS[name]}"
+        source = (
+            f"given by the case{scaled(found, name)}"
+            if name in found["given"]
+            else f"formula of {_STANDARDS[name]}"
+        )
         used, formula = (_kilonewtons(values[name]) for values in (found["ratings_N"], found["formulas_N"]))
         table.add_row(words, used, formula, source)
     yield table
@@ -50,6 +54,12 @@ def _ratings(found: dict[str, Any]) -> Iterator[RenderableType]:
             f"{found['a_ISO']:.3g} at kappa = {found['viscosity_ratio']:.3g}"
         )
     yield from listed("as a catalogue computes it", rows)
+
+
+def scaled(found: dict[str, Any], name: str) -> str:
+    """What a given rating is multiplied by where settings change sizes of the file; empty elsewhere."""
+    scale = found.get("scales", {}).get(name, 1.0)
+    return "" if scale == 1 else f", times {scale:.4g} by the formula"
 
 
 def _loads(found: dict[str, Any]) -> Iterator[str]:

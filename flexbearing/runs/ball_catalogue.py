@@ -123,10 +123,11 @@ def ratings(case: FastCase, hours: float) -> dict[str, Any]:
     radial, axial = case.operation.forces
     static = ball_life.static(case)
     lived = float(rating_life(ball_life.dynamic(case), load.value, BALL_EXPONENT))
-    balls = ball_life.rated_balls(case)
+    balls, stated = ball_life.rated_balls(case), ball_life.ratings(case)
     return {
         "ratings_N": {"C_r": ball_life.dynamic(case), "C_0r": static, "C_u": ball_life.fatigue_limit(case)},
-        "given": [LETTERS[name] for name in ball_life.ratings(case)],
+        "given": [LETTERS[name] for name in stated],
+        "scales": {LETTERS[name]: rating.scale for name, rating in stated.items()},
         "formulas_N": {LETTERS[name]: _known(of, balls) for name, of in ball_life.FORMULAS.items()},
         "load_N": load.value,
         "equivalent_load": {

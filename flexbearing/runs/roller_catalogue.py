@@ -151,10 +151,12 @@ def ratings(case: Case, hours: float) -> dict[str, Any]:
     lived = float(rating_life(dynamic, load))
     found = {"C_r": dynamic, "C_0r": static, "C_u": life.fatigue_limit(case, bearing)}
     drawn = roller_bearing.nominal(case, bearing)
+    stated = life.ratings(case, bearing)
     formulas = {LETTERS[name]: formula(drawn) for name, formula in life.FORMULAS.items()}
     return {
         "ratings_N": found,
-        "given": [LETTERS[name] for name in life.ratings(case, bearing)],
+        "given": [LETTERS[name] for name in stated],
+        "scales": {LETTERS[name]: rating.scale for name, rating in stated.items()},
         "formulas_N": formulas,
         "load_N": load,
         "static_safety": static_safety(static, load),

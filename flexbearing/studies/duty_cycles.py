@@ -1,6 +1,6 @@
 """The duty cycles of a study from its variants: what bounds a row, and loads as a catalogue has them."""
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from math import nan, prod
 from typing import Any
 
@@ -12,7 +12,7 @@ from flexbearing.studies.file.spectrum import Spectrum
 from flexbearing.studies.idle import is_load
 from flexbearing.studies.plan import Plan, Row, Variant
 from flexbearing.studies.table.bounds import Conditions
-from flexbearing.studies.table.duty import Catalogued, Cycles
+from flexbearing.studies.table.duty import KINDS, Catalogued, Cycles
 from quasidynamic import OutOfRange
 
 IDLE = 0.0, 1.0  # load and a_1 of a row without damage
@@ -37,6 +37,18 @@ def duty_cycles(
         np.array([bool(each.thin) for each in plan.variants]).reshape(-1, length),
         catalogue,
     )
+
+
+def life_kinds(plan: Plan, spectrum: Spectrum, case_of: Callable[[Variant], Any]) -> Iterator[str]:
+    """What life each cycle has: by the case of its first row that is computed."""
+    length = len(plan.axes[-1].rows)
+    for first in range(0, len(plan.variants), length):
+        computed = [each for each in plan.variants[first : first + length] if not each.idle]
+        life = case_of(computed[0]).life if computed else None
+        if life is None or life.loads != "rating" or spectrum.life == "life_L10":
+            yield KINDS[spectrum.life]
+        else:
+            yield "modified catalogue" if life.lubrication or life.reliability else "catalogue L10"
 
 
 def catalogued(

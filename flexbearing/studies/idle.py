@@ -4,7 +4,6 @@ from hashlib import sha256
 from typing import Any
 
 from flexbearing.build import clearance
-from flexbearing.case import BadCase
 from flexbearing.case.declarations import by_path
 from flexbearing.case.variants import Variants
 from flexbearing.studies.plan import Variant
@@ -28,6 +27,11 @@ def idle(read: Variants, values: Values) -> Variant | None:
 
     Cases of rows at standstill, or have no load to be rated by, cannot be read: speeds and loads are then
     taken from the row, everything else from the case without them.
+
+    Raises
+    ------
+    BadCase
+        where the case without them cannot be read
     """
     own = {
         key: value
@@ -36,12 +40,12 @@ def idle(read: Variants, values: Values) -> Variant | None:
     }
     if SPEEDS[1] not in own and not any(map(_is_zero, own.values())):
         return None
+    case: Any = read.case(
+        tuple(None if key in own else value for key, value in zip(read.keys, values, strict=True))
+    )
     try:
-        case: Any = read.case(
-            tuple(None if key in own else value for key, value in zip(read.keys, values, strict=True))
-        )
         own = {key: by_path(type(case))[key].reader(value) for key, value in own.items()}
-    except (BadCase, ValueError):
+    except ValueError:
         return None  # what is wrong is reported of the whole row
     inner, outer = (own.get(key, getattr(case.operation, key.partition(".")[2])) for key in SPEEDS)
     if why := STANDSTILL if inner == outer else NO_LOAD * _is_unloaded(case, own):

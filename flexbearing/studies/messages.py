@@ -10,13 +10,16 @@ from typing import Any
 
 from flexbearing.case.problems import MOST
 from flexbearing.files import require_folder_name
+from flexbearing.printable import excerpt
 from flexbearing.progress import Report
 from flexbearing.studies.placement import ALONE, RING, SIDE_BY_SIDE, Cost, expected
+from flexbearing.studies.plan.task import CONVERGED
 from flexbearing.studies.prepared_study import PreparedStudy, Progress
 from flexbearing.studies.table import Table, duty
 from flexbearing.studies.table.files import PICTURE, SCATTER_PICTURE
 from flexbearing.studies.table.forms import EXTRA, FORMS, missing
 
+LONGEST = 300  # characters of the message of a row
 LIFE_ERROR = "life error [%]"  # column of duty cycles with a target
 ADVICE = "the next study condenses its rings again, FLEXBEARING_CACHE names another folder"
 
@@ -93,7 +96,7 @@ def end(prepared: PreparedStudy, table: Table, folder: Path) -> str:
         return (
             f"{lines[0]}\n{part} is kept in {prepared.journal(folder)}; the study without --part gathers all"
         )
-    lines += cycles(table.cycles) if table.cycles else []
+    lines += [*_noted(table), *(cycles(table.cycles) if table.cycles else [])]
     for suffix in FORMS:
         packages = missing(suffix)
         without = f", not written without {' and '.join(packages)}: {EXTRA}" if packages else ""
@@ -102,6 +105,18 @@ def end(prepared: PreparedStudy, table: Table, folder: Path) -> str:
     if table.scatter:
         lines += [*scatter(table), f"scatter: {folder / table.name}{SCATTER_PICTURE}, tables beside it"]
     return "\n".join(lines)
+
+
+def _noted(table: Table) -> Iterator[str]:
+    """How many converged rows have a message, such as a danger, and the first of them."""
+    rows = zip(table["status"].values, table["message"].values, strict=True)
+    noted = [
+        (number, words) for number, (status, words) in enumerate(rows, 1) if status == CONVERGED and words
+    ]
+    if noted:
+        number, words = noted[0]
+        first = f"the first is variant {number}: {excerpt(words, LONGEST)}"
+        yield f"converged rows with a message: {len(noted)}, {first}"
 
 
 def cycles(lives: Table) -> list[str]:
@@ -147,7 +162,7 @@ def _basic_lives(row: Mapping[str, Any]) -> Iterator[str]:
             yield "no basic L10 life: rows by ratings, without an equilibrium, have none"
         return
     if "basic_life [h]" in row:
-        yield f"basic L10 life{_hours(row['basic_life [h]'])}"
+        yield f"basic L10 life by the loads of the rolling elements{_hours(row['basic_life [h]'])}"
     raceways = ", ".join(f"{race}{_hours(life)}" for race, life in lives.items())
     yield f"basic L10 life of each raceway: {raceways}"
 

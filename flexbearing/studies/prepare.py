@@ -94,13 +94,17 @@ def _variant(read: Variants, values: Values, *, cycle: bool) -> Variant | Imposs
     from flexbearing.studies.rings import levels, rings
     from flexbearing.studies.thin_oil import too_thin
 
-    if cycle and (found := idle(read, values)):
-        return found
+    without_load: BadCase | None = None
+    try:
+        if cycle and (found := idle(read, values)):
+            return found
+    except BadCase as problem:
+        without_load = problem  # once this is repaired, the row may be time without damage
     try:
         case = read.case(values)
         require_possible(case, FAMILIES[case.kind])
     except BadCase as problem:
-        return Impossible(excerpt("; ".join(str(problem).splitlines()), LONGEST))
+        return Impossible(excerpt("; ".join(str(without_load or problem).splitlines()), LONGEST))
     thin = too_thin(case) if cycle else ""
     return Variant(values, identity(case), rings(case), levels(case), read.in_si(case), thin=thin)
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
-from flexbearing.studies.duty_cycles import catalogued, duty_cycles
+from flexbearing.studies.duty_cycles import catalogued, duty_cycles, life_kinds
 from flexbearing.studies.engine import TaskResult
 from flexbearing.studies.file import Study
 from flexbearing.studies.plan import Part, Plan, Row, Variant
@@ -156,7 +156,10 @@ class PreparedStudy:
             return Table(name, (*keys, *outputs, *ends(ordered)), axes, arrays=arrays)
         length, spectrum = len(axes[-1].rows), self.study.spectrum
         catalogue = catalogued(self.plan, FAMILIES[self.study.kind], spectrum, self._case)
-        cycles = duty_cycles(self.plan, spectrum, ordered, self.speeds, self.life_errors, catalogue)
+        cycles = replace(
+            duty_cycles(self.plan, spectrum, ordered, self.speeds, self.life_errors, catalogue),
+            kinds=tuple(life_kinds(self.plan, spectrum, self._case)),
+        )
         ordered = [
             replace(row, message="; ".join(filter(None, (row.message, words))))
             for row, words in zip(ordered, cycles.messages(), strict=True)

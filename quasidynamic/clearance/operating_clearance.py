@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import pairwise
-from math import isfinite
+from math import isfinite, pi
 from typing import Literal
 
 from quasidynamic.clearance.annulus import Annulus, heat_displacement
@@ -237,7 +237,7 @@ def _stages(
         outer_heat += f", housing {outer_fit.outside_rise:+.1f} K"
     body, rise = mounting.rolling_element, conditions.rolling_elements - conditions.reference
     thicker = 2 * float(heat_displacement(body, body.outer_radius, rise))
-    inner_speed, outer_speed = f"{shaft.speed:.1f} rad/s", f"{outer_fit.speed:.1f} rad/s"
+    inner_speed, outer_speed = (f"{fit.speed * 30 / pi:.5g} rpm" for fit in (shaft, outer_fit))
     changes = (
         ("inner fit", f"mounted; {inner.words}", {"inner": inner}),
         ("outer fit", f"mounted; {outer.words}", {"outer": outer}),

@@ -75,6 +75,11 @@ class Equilibrium:
                 "the cage is at rest and the ring position is undetermined"
             )
         force, moment = self.unbalanced
+        if not np.isfinite([force, moment]).all():
+            return (
+                f"{self.status} after {self.number} evaluations without finite forces at an outer force of "
+                f"{self.balance.scales.force[0, 0]:.4g} N, as from a wrong unit of load, speed or size"
+            )
         return (
             f"{self.status} after {self.number} evaluations, "
             f"{force:.2g} N and {moment:.2g} N m unbalanced; "

@@ -256,7 +256,7 @@ class Operation:
 
     def __post_init__(self):
         if self.inner_speed == self.outer_speed:
-            raise ImpossiblePart(f"both rings turn at {self.inner_speed} rad/s: nothing rolls")
+            raise ImpossiblePart(f"both rings turn at {self.inner_speed * 30 / pi:.6g} rpm: nothing rolls")
         if self.radial_load < 0:
             raise ImpossiblePart(f"radial_load = {self.radial_load} N: turn load_direction instead")
         if self.gravity < 0:

@@ -244,6 +244,12 @@ def test_held_ring_reports_the_load_it_takes(run):
     assert loaded.summary()["rigid"]["ring_displacement_um"][0] == approx(1e6 * place, rel=1e-12)
 
 
+def test_reaction_where_the_ring_is_held_is_among_the_printed_results(run):
+    held = run("6209", "operation.displacement.axial=10 um")
+    shown = text(held).split("load or reaction x, y, z [N]")[1].split("\n")[0]
+    assert shown.split()[0] == f"{held.rigid['ring_load'][0]:,.1f},"
+
+
 SETTINGS = {
     "outer control": ("operation.control=outer",),
     "inner control": ("operation.control=inner",),
@@ -375,6 +381,15 @@ def test_ring_that_nothing_holds_is_not_solved_and_says_so(tmp_path, name, setti
     assert result.summary()["rigid"] is None
     assert "NOT CONVERGED: not solved (undetermined)" in text(result)
     assert write_figures(result, tmp_path) == []
+
+
+def test_ring_on_one_ball_names_the_azimuth_and_another_azimuth_holds_it(run):
+    settings = "operation.load.radial_z=1 N", "operation.displacement.axial=0 um"
+    message = run("catalogue/6208", *settings).attributes["message"]
+    assert "3000 rpm" in message
+    assert "another azimuth of the balls" in message
+    other = run("catalogue/6208", *settings, "bearing.first_ball_azimuth=3 deg")
+    assert other.attributes["status"] == "converged"
 
 
 def test_load_beyond_small_contacts_is_not_solved():

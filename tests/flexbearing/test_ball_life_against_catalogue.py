@@ -133,6 +133,7 @@ def test_ratings_of_a_maker_are_shown_beside_the_formulas():
     assert ratings["ratings_N"] == approx({"C_r": 35.1e3, "C_0r": 21.6e3, "C_u": 915.0}, rel=1e-12)
     assert ratings["formulas_N"]["C_r"] == approx(32.72e3, rel=1e-3)
     assert ratings["static_safety"] == approx(21.6e3 / 8.9e3, rel=1e-12)  # 0.6 F_r + 0.5 F_a is less than F_r
+    assert ratings["scales"] == dict.fromkeys(ratings["given"], 1.0)
     assert ratings["modified_Mrev"] == approx(ratings["a_ISO"] * ratings["life_Mrev"], rel=1e-12)
 
 

@@ -68,6 +68,12 @@ def test_every_key_of_the_mounting_changes_the_step_it_is_about(setting, step):
     assert [after[name] for name in earlier] == approx([before[name] for name in earlier], rel=1e-12, abs=0.0)
 
 
+def test_speeds_of_the_steps_are_in_the_unit_of_cases():
+    steps = clearance.record(read_case(FITS))["steps"]
+    (words,) = (found["explanation"] for found in steps if found["name"] == "inner rotation")
+    assert words.startswith("3000 rpm; ")
+
+
 @pytest.mark.parametrize(
     "setting",
     [

@@ -118,3 +118,14 @@ def test_json_carries_grade_code_and_text(paper):
     notes = json.loads(json.dumps(paper.summary()))["notes"]
     assert all(note.keys() == {"grade", "code", "text"} for note in notes)
     assert [note["grade"] for note in notes] == sorted((note["grade"] for note in notes), key=GRADES.index)
+
+
+def test_dangers_of_rows_reach_the_end_of_a_study(tmp_path):
+    from flexbearing.studies import messages
+    from flexbearing.studies.prepare import compute, prepare_source
+
+    case, file = ROOT / "configs" / "catalogue" / "7208.toml", tmp_path / "thrust.toml"
+    file.write_text(f'case = "{case}"\n[over]\n"operation.load.axial" = ["3 kN", "-3 kN"]\n')
+    prepared = prepare_source(file)
+    words = messages.end(prepared, compute(prepared, tmp_path), tmp_path).splitlines()
+    assert words[1].startswith("converged rows with a message: 1, the first is variant 2: danger: ")

@@ -119,3 +119,10 @@ def test_settling_cage_and_spins_ends_with_its_evaluations_of_contacts(monkeypat
     monkeypatch.setattr(settled_time, "MOST_CONTACTS", 3)
     balance = paper_bearing().balance()
     assert settled_time.through_settled_time(balance, static_start(balance)).unknowns is None
+
+
+def test_forces_that_are_not_finite_are_named_without_nan():
+    result = flexbearing.run(PAPER.parent / "catalogue" / "nu210.toml", ["operation.radial_load=1e9 N"])
+    message = result.attributes["message"]
+    assert "without finite forces" in message
+    assert "nan" not in message

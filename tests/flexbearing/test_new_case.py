@@ -312,6 +312,28 @@ def test_a_designation_stands_for_its_page(named, tmp_path, name):
     assert "SKF Rolling bearings (2018)" in place.read_text()
 
 
+SUFFIXES = {"6208-2RS1/C3": "C3", "6208-2Z": "CN", "6208/C4": "C4", "NU 210 C2": "C2"}
+
+
+@pytest.mark.parametrize(("name", "clearance"), SUFFIXES.items(), ids=SUFFIXES)
+def test_suffixes_of_seals_and_clearance_are_understood(named, tmp_path, name, clearance):
+    code, message = named(name)
+    assert code == 0
+    assert f"{name}: the page of " in message
+    (place,) = tmp_path.glob("*.toml")
+    assert tomllib.loads(place.read_text())["bearing"]["clearance_class"] == clearance
+
+
+def test_an_unknown_designation_with_a_slash_is_named_as_a_whole(named):
+    assert "6999-2RS1/C3 is in no table of designations" in named("6999-2RS1/C3")[1]
+
+
+def test_designations_are_read_with_semicolons_and_decimal_commas(named, tmp_path):
+    (tmp_path / "designations.csv").write_text(OWN.replace(",", ";").replace("60 kN", "60,5 kN"))
+    assert named("NU9")[0] == 0
+    assert tomllib.loads((tmp_path / "nu9.toml").read_text())["life"]["static_rating"] == "60.5 kN"
+
+
 @pytest.mark.parametrize("folder", [".", ".config/flexbearing"])
 def test_users_have_designations_of_their_own(named, tmp_path, folder):
     place = tmp_path / folder / "designations.csv"
@@ -334,6 +356,19 @@ def test_a_file_without_a_suffix_is_one_where_the_page_is_given(named, tmp_path)
     code, message = named("mine", *(word for name, text in page for word in (f"--{name}", text)))
     assert (code, message) == (0, "")
     assert (tmp_path / "mine").exists()
+
+
+@pytest.mark.parametrize("load", [(), ("--load", "0 N")], ids=["none", "0 N"])
+def test_a_deep_groove_bearing_may_have_thrust_alone(named, tmp_path, monkeypatch, capsys, load):
+    monkeypatch.chdir(tmp_path)
+    words = ["new", "6208", "--speed", "3000 rpm", "--axial-load", "1 kN", *load]
+    assert program.command(words) == 0
+    loads = tomllib.loads((tmp_path / "6208.toml").read_text())["operation"]["load"]
+    assert loads == {"axial": "1 kN"} | ({"radial_z": "0 N"} if load else {})
+
+
+def test_no_load_at_all_is_refused(named):
+    assert "--load 0 N: it must be above zero." in named("6208", "--load", "0 N")[1]
 
 
 WRONG_TABLES = {

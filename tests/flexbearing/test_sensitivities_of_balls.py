@@ -77,6 +77,12 @@ def test_largest_load_of_balls_alike_has_a_corner_where_the_ring_tilts():
     assert slope.above > 0
 
 
+def test_class_boundary_is_a_jump_without_warnings():
+    case = api.read_case(CONFIGS / "catalogue" / "6208.toml")
+    found = sensitivities(case, ["life_L10"], ["bearing.fits.bore"])  # 40 mm, the end of a class
+    assert found.left_out == (("bearing.fits.bore", "there is a jump of life_L10"),)
+
+
 @pytest.mark.parametrize(
     ("setting", "words"),
     [

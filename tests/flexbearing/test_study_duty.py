@@ -313,6 +313,16 @@ def test_a_creeping_row_counts_with_the_least_factor(tmp_path):
     assert "kappa 0.00935 is below 0.1" in table["message"].values[1]
 
 
+def test_a_row_without_load_is_not_among_the_problems_of_a_case(tmp_path):
+    """Once the other fault is repaired, the row is time without damage."""
+    case = tmp_path / "case.toml"
+    text = BALLS.read_text().replace("assumed = [", 'assumed = ["bearing.rows", ') + '\nloads = "rating"\n'
+    case.write_text(text)
+    prepared = prepare_source(duty_of(tmp_path, (1000, 0), (3000, 3000), case=case))
+    loaded, unloaded = prepared.plan.problems
+    assert unloaded.message == loaded.message
+
+
 def test_the_least_factor_is_that_of_kappa_0_1_at_any_load():
     ratios = np.array([1e-3, 0.1, 10.0])
     for elements in (ROLLERS_OF_ISO, BALLS_OF_ISO):
@@ -331,6 +341,7 @@ def test_a_spectrum_with_idling_against_a_calculation_by_hand(tmp_path):
         case=case, shares=("10 %", "20 %", "30 %", "40 %"),
     )  # fmt: skip
     cycle = flexbearing.study(file, tmp_path, jobs=1).cycles
+    assert cycle["kind"].values == ("catalogue L10",)
     assert cycle["revolutions"].values[0] == approx(5.54**3 / 4.6, rel=1e-9)
     assert cycle["revolutions"].values[0] == approx(37.0, rel=2e-3)
     assert cycle["mean_load"].values[0] == approx(1000 * 4.6 ** (1 / 3), rel=1e-9)
@@ -402,7 +413,7 @@ def test_a_variant_whose_load_is_not_known_leaves_that_of_others(tmp_path):
 
 WITHOUT_A_LIFE = {  # loads [N], speeds [rpm] and what is printed
     "rated": (
-        (8000, 1), (3000, 1000), [RATED, 'life = "modified_life"'], ["modified life 634", "no basic L10 life"]
+        (8000, 1), (3000, 1000), [RATED, 'life = "modified_life"'], ["modified catalogue life 634", "no basic L10 life"]
     ),
     "unsolved": ((8e6, 9e6), (3000, 1000), ['life = "life_L10"'], ["no basic L10 life: no row solved"]),
     "unloaded": ((0, 0), (3000, 1000), [], ["basic L10 life: no damage"]),

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
+from flexbearing.api import read_case
 from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
 from flexbearing.studies.file import read, rows as tables
@@ -335,3 +336,12 @@ def test_longer_tables_of_variants_are_refused_before_they_fill_the_memory(text,
     (tmp_path / "v.csv").write_text(text)
     with pytest.raises(BadValues, match=what):
         tables.rows(tmp_path / "v.csv", bool)
+
+
+def test_an_empty_text_of_set_takes_a_key_out(tmp_path):
+    case, file = CASE.parent / "catalogue" / "nu210.toml", tmp_path / "study.toml"
+    without = '"life.lubrication" = ""\n"life.cleanliness" = ""'
+    file.write_text(f'case = "{case}"\n[set]\n{without}\n[over]\n"operation.radial_load" = ["1 kN"]\n')
+    settings = read(file, FAMILIES).settings
+    assert settings == ("life.lubrication=", "life.cleanliness=")
+    assert read_case(case, settings).life.lubrication is None

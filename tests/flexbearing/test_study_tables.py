@@ -88,6 +88,11 @@ def test_parquet_carries_units(tmp_path):
     assert json.loads(schema.metadata[b"units"])["life [Mrev]"] == "Mrev"
 
 
+def test_angles_are_in_degrees(tmp_path):
+    table = toy(tmp_path, '"operation.misalignment" = ["0 deg", "0.1 deg"]').table({})
+    assert table["operation.misalignment [deg]"].values == (0.0, 0.1)
+
+
 def test_without_the_extra_the_table_is_csv_and_the_rest_says_what_to_install(tmp_path, monkeypatch):
     from flexbearing.studies import messages
 

@@ -3,6 +3,7 @@
 from math import inf, pi
 from typing import Any
 
+from flexbearing.report.catalogue_life import scaled
 from flexbearing.report.html.document import Cell, Number
 from flexbearing.report.html.reader import Reader, once
 from flexbearing.report.html.units import printed
@@ -66,6 +67,6 @@ def rows(reader: Reader) -> list[tuple[Cell, ...]]:
     }
     return [
         (NAMES[name], number, printed(number.unit),
-         "given" if name in rated["given"] else f"formula of {_STANDARDS[name]}")
+         f"given{scaled(rated, name)}" if name in rated["given"] else f"formula of {_STANDARDS[name]}")
         for name, number in numbers.items()
     ]  # fmt: skip

@@ -118,7 +118,8 @@ def connected(address: str, certificates: Certificates | None = None) -> OnDask:
         raise NoConnection("certificates are given, or required; the address must begin with tls://")
     with ThreadPoolExecutor(1) as another:  # a notebook has a loop in this thread
         threads = another.submit(asyncio.run, _threads(address, security)).result()
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # a lost scheduler is reported in a sentence
+    for name in ("distributed", "distributed.client"):  # a lost scheduler is reported in a sentence
+        logging.getLogger(name).setLevel(logging.CRITICAL)
     client = Client(address, timeout=PATIENCE, set_as_default=False, security=security)
     return OnDask(client, max(1, threads))
 

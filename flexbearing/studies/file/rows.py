@@ -1,9 +1,7 @@
 """Variants written as a table: a CSV file whose header holds keys of the case, with units in brackets."""
 
-import csv
 import re
 from collections.abc import Callable
-from io import StringIO
 from itertools import islice
 from pathlib import Path
 from typing import Any
@@ -16,8 +14,6 @@ from flexbearing.studies.file.values import MOST, BadValues
 
 MOST_CELLS = 5_000_000  # each takes some 100 bytes of memory
 HEADING = re.compile(r"\s*(?P<name>[^\[\]]*?)\s*(?:\[(?P<unit>[^\[\]]*)\])?\s*")
-_NAMED = re.compile(r"sep=([,;\t])\s*", re.IGNORECASE)
-_DECIMAL = re.compile(r"^([+-]?[0-9]*),([0-9]+)(?![0-9.,])")  # of a number that has no point
 _HEADER = 'a header holds keys with units, such as "operation.radial_load [kN],operation.inner_speed [rpm]"'
 
 
@@ -36,20 +32,11 @@ def rows(file: Path, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], 
 
 
 def _rows(text: str, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], tuple[tuple[Any, ...], ...]]:
-    text, delimiter = _separated(text.lstrip("\r\n "))
-    if text.count(delimiter) > MOST_CELLS:  # before they fill the memory
-        raise BadValues(f"has more than {MOST_CELLS} cells")
-    lines = csv.reader(StringIO(text), delimiter=delimiter, skipinitialspace=True)
-    filled = ([cell.strip() for cell in line] for line in lines if any(map(str.strip, line)))
-    try:
-        columns = _columns(next(filled, []), has_unit)
-        table = tuple(
-            _row(line, number, columns, delimiter) for number, line in enumerate(islice(filled, MOST), 1)
-        )
-        if next(filled, None) is not None:
-            raise BadValues(f"has more than {MOST} rows below its header, which is the most a study has")
-    except csv.Error as problem:
-        raise BadValues(f"is no table: {problem}") from None
+    filled = inputs.cells(text, MOST_CELLS)
+    columns = _columns(next(filled, []), has_unit)
+    table = tuple(_row(line, number, columns) for number, line in enumerate(islice(filled, MOST), 1))
+    if next(filled, None) is not None:
+        raise BadValues(f"has more than {MOST} rows below its header, which is the most a study has")
     if not table:
         raise BadValues(f"has no rows below its header; a study has 1 to {MOST} variants")
     return tuple(key for key, _ in columns), table
@@ -67,14 +54,6 @@ def _columns(header: list[str], has_unit: Callable[[str], bool]) -> list[tuple[s
     return columns
 
 
-def _separated(text: str) -> tuple[str, str]:
-    """The table without a line that names its separator, as spreadsheets write it, and this separator."""
-    first, _, below = text.partition("\n")
-    if named := _NAMED.fullmatch(first):
-        return below, named[1]
-    return text, next((each for each in "\t;" if each in first), ",")
-
-
 def _heading(cell: str) -> tuple[str, str]:
     parts = HEADING.fullmatch(cell)
     if parts is None or not parts["name"]:
@@ -82,11 +61,9 @@ def _heading(cell: str) -> tuple[str, str]:
     return parts["name"], (parts["unit"] or "").strip()
 
 
-def _row(line: list[str], number: int, columns: list[tuple[str, str]], delimiter: str) -> tuple[Any, ...]:
+def _row(line: list[str], number: int, columns: list[tuple[str, str]]) -> tuple[Any, ...]:
     if len(line) != len(columns):
         raise BadValues(f"row {number} has {len(line)} cells, the header has {len(columns)}")
-    if delimiter != ",":
-        line = [_DECIMAL.sub(r"\1.\2", cell) for cell in line]
     return tuple(_cell(cell, key, unit, number) for cell, (key, unit) in zip(line, columns, strict=True))
 
 

@@ -141,7 +141,10 @@ class StudyFile(Section):
         "the same without iterations; they are computed one by one then",
         "table",
     )
-    set: Keys = key("settings of every variant that differ from the case file, key by key", {})
+    set: Keys = key(
+        "settings of every variant that differ from the case file, key by key; an empty text takes a key out",
+        {},
+    )
     over: Over | None = key("keys that are varied, each over a list, a range or a single value", None)
     sample: Sample | None = key("keys that are drawn from distributions", None)
     duty: Duty | None = key(

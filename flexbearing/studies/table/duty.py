@@ -66,6 +66,7 @@ class Cycles:
     conditions: Conditions | None = None  # of the rows; None: no row bounds another one
     thin: NDArray | None = None  # (C, N) whether a row counts with the least a_ISO
     catalogued: Catalogued | None = None
+    kinds: Sequence[str] = ()  # (C) of the lives, in words
 
     @property
     def texts(self) -> Mapping[str, str]:
@@ -146,7 +147,7 @@ class Cycles:
         yield _column("mean_speed", "rpm", speed / RPM)
         if self.catalogued:
             yield from self.catalogued.columns(self.shares_of_revolutions, speed)
-        yield Column("kind", "", (KINDS[self.spectrum.life],) * len(self.rows))
+        yield Column("kind", "", tuple(self.kinds or (KINDS[self.spectrum.life],) * len(self.rows)))
         yield Column("status", "", tuple(map(self._status, range(len(self.rows)))))
         yield Column("message", "", tuple(map(self._message, range(len(self.rows)))))
         yield Column("seconds", "", tuple(sum(row.seconds for row in cycle) for cycle in self.rows))

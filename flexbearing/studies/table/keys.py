@@ -11,7 +11,7 @@ from flexbearing.studies.plan import Plan
 from flexbearing.studies.table.column import Column
 from flexbearing.units import unit
 
-UNITS = {"N": "N", "N m": "N m", "rad/s": "rpm", "K": "degC"}  # of SI units; all others stay
+UNITS = {"rad/s": "rpm", "rad": "deg", "K": "degC"}  # of SI units; all others stay
 SMALL, LENGTH = ("clearance", "interference"), ("um", "mm")
 DIGITS = 12  # of numbers that went through a conversion
 

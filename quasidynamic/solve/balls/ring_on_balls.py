@@ -155,6 +155,7 @@ def along_path(balance: AngularBalance) -> tuple[RingSolution | None, int]:
     return RingSolution(ring, centres, [outcome], state.imbalance, np.array([count])), count + 1
 
 
+@np.errstate(all="ignore")  # places tried on the way may overflow: such a step is not taken
 def newton(balance: AngularBalance, ring: NDArray, centres: NDArray | None = None) -> RingSolution:
     """Damped Newton on the ring, all cases side by side; a case leaves as soon as it ends."""
     if centres is None:
