@@ -413,7 +413,8 @@ def test_a_variant_whose_load_is_not_known_leaves_that_of_others(tmp_path):
 
 WITHOUT_A_LIFE = {  # loads [N], speeds [rpm] and what is printed
     "rated": (
-        (8000, 1), (3000, 1000), [RATED, 'life = "modified_life"'], ["modified catalogue life 634", "no basic L10 life"]
+        (8000, 1), (3000, 1000), [RATED, 'life = "modified_life"'],
+        ["modified catalogue life 634", "no basic L10 life"],
     ),
     "unsolved": ((8e6, 9e6), (3000, 1000), ['life = "life_L10"'], ["no basic L10 life: no row solved"]),
     "unloaded": ((0, 0), (3000, 1000), [], ["basic L10 life: no damage"]),
