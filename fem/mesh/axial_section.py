@@ -14,6 +14,7 @@ from math import cos, hypot, sin
 
 import ngsolve as ngs
 from netgen import occ
+from netgen.meshing import NgException
 
 from fem.mesh.expense import polygon, require_affordable
 from fem.mesh.moved_nodes import Faces, move_nodes
@@ -146,7 +147,7 @@ def meshed(
     Raises
     ------
     ImpossiblePart
-        when it would have far too many elements
+        when it would have far too many elements, or none fill the section
     """
     if nodes_of is not None:
         mesh = meshed(nodes_of, mesh_size)
@@ -161,7 +162,10 @@ def meshed(
     for edge in plane.edges:
         if edge.name in FINER:
             edge.maxh = mesh_size.raceway_size * MILLIMETRES
-    mesh = ngs.Mesh(occ.OCCGeometry(plane, dim=2).GenerateMesh(maxh=mesh_size.size * MILLIMETRES))
+    try:
+        mesh = ngs.Mesh(occ.OCCGeometry(plane, dim=2).GenerateMesh(maxh=mesh_size.size * MILLIMETRES))
+    except NgException as refusal:
+        raise ImpossiblePart(f"no elements fill the section of such a part: {refusal}") from refusal
     mesh.RefineHP(GRADED_LAYERS, GRADED_RATIO)
     if any(body.bends for body in bodies):
         mesh.Curve(mesh_size.order)

@@ -44,9 +44,8 @@ class OuterRing:
     def __post_init__(self):
         require_positive(self, "raceway_diameter", "thickness", "width")
         if self.groove is not None:
-            _require_room(
-                self.groove, self.raceway_diameter / 2, self.raceway_diameter / 2 + self.thickness, 1
-            )
+            land = self.raceway_diameter / 2
+            _require_room(self.groove, land, land + self.thickness, 1, self.track)
         require(
             self.thickness > SLENDEREST_SLOT, "thickness", in_mm(self.thickness),
             f"above {in_mm(SLENDEREST_SLOT)}",
@@ -137,7 +136,7 @@ class SquirrelCage:
     def __post_init__(self):
         if self.groove is not None:
             land = self.raceway_diameter / 2
-            _require_room(self.groove, land, land + self.thickness, 1)
+            _require_room(self.groove, land, land + self.thickness, 1, self.track)
         require_positive(
             self, "raceway_diameter", "thickness", "width", "bar_width", "bar_thickness", "bar_length",
             "flange_length",
@@ -258,7 +257,7 @@ class RingOnShaft:
 
     def __post_init__(self):
         if self.groove is not None:
-            _require_room(self.groove, self.raceway_diameter / 2, self.bore / 2, -1)
+            _require_room(self.groove, self.raceway_diameter / 2, self.bore / 2, -1, self.track_width)
         require_positive(self, "raceway_diameter", "track_width", "shaft_length")
         require(self.shaft_bore >= 0, "shaft_bore", self.shaft_bore, "zero for a solid shaft, or above")
         wall, ribs = 2 * SLENDEREST_SLOT, self.rib_diameter is not None
@@ -310,14 +309,15 @@ class RingOnShaft:
 Part = SquirrelCage | OuterRing | RingOnShaft
 
 
-def _require_room(groove: Groove, land: float, far: float, outward: int) -> None:
-    """Refuse a groove that leaves no wall between its bottom and the far surface of its ring [m]."""
-    groove.end(land, outward)
-    wall = outward * (far - groove.bottom(outward))
+def _require_room(groove: Groove, land: float, far: float, outward: int, track: float) -> None:
+    """Refuse a groove without a wall below its bottom, or without lands at its sides [m]."""
+    wall, width = outward * (far - groove.bottom(outward)), groove.width(land, outward)
     require(
         wall > SLENDEREST_SLOT, "groove.radius", in_mm(groove.radius),
         f"one that leaves a wall above {in_mm(SLENDEREST_SLOT)}",
     )  # fmt: skip
+    least = width + 2 * SLENDEREST_SLOT
+    require(track >= least, "width", in_mm(track), f"at least {in_mm(least)}, with the lands of its groove")
 
 
 def _at_most(limit: float, instead: str) -> str:

@@ -89,16 +89,28 @@ AT_SPEED = (
 def influences(case: FastCase) -> tuple[Influence, ...]:
     """What may act, in the order in which it enters: clearance, tilt and preload, then what speed does."""
     ring = (CLEARANCE if isinstance(case.bearing, DeepGrooveBearing) else FITS, TILT)
-    preload = case.operation.preload
+    preload, elastic = case.operation.preload, () if case.rigid else (_elastic_rings(case),)
     if preload is None:
-        return (*ring, *AT_SPEED)
+        return (*ring, *elastic, *AT_SPEED)
     of_spring = {"operation.preload": "", "operation.load.axial": f"{preload.force!r} N"}
     preloaded = Influence(
         "rigid preload instead of that of a spring",
         of_spring,
         "A rigid preload changes with the load, one by a spring does not.",
     )
-    return (*ring, preloaded, *AT_SPEED)
+    return (*ring, preloaded, *elastic, *AT_SPEED)
+
+
+def _elastic_rings(case: FastCase) -> Influence:
+    """What elastic rings do; materials that only they need go with them."""
+    rigid = {"outer": "", "outer.kind": "rigid", "inner": "", "inner.kind": "rigid", "accuracy": ""}
+    if case.bearing.fits is None:
+        rigid |= {"materials.shaft": "", "materials.housing": ""}
+    return Influence(
+        "elastic rings",
+        rigid,
+        "Elastic rings change how many balls carry the load, and at which contact angles.",
+    )
 
 
 def require_load(case: FastCase) -> None:

@@ -119,6 +119,7 @@ def test_notes_say_where_patches_and_stations_do_not_suit():
         ({"outer.bar_thickness": "20 mm"}, "bar_thickness"),
         ({"outer.bars": 200}, "bars"),
         ({"accuracy.stations": 4}, "odd"),
+        ({"outer.width": "18 mm"}, r"\[outer\] width = 18 mm is impossible"),
         ({"outer.thickness": "0.1 mm"}, r"\[outer\] thickness = 0.1 mm is impossible"),
     ],
 )
@@ -131,3 +132,11 @@ def test_a_ring_without_its_shoulder_is_refused_in_words_of_the_case():
     given = {key: value for key, value in RING.items() if "shoulder" not in key}
     with pytest.raises(BadCase, match=r"\[bearing.outer\] shoulder is missing"):
         check("configs/harris218.toml", given)
+
+
+def test_lives_against_a_catalogue_name_what_elastic_rings_do():
+    result = flexbearing.run(CAGE, {"outputs.catalogue_life": True})
+    stages = {stage["name"]: stage for stage in result.attributes["catalogue_life"]["stages"]}
+    flexible = flexbearing.run(CAGE, {"materials.ball.density": "0.001 kg/m^3"})
+    gained = flexible.flexible["life_L10"] / flexible.rigid["life_L10"]
+    assert stages["elastic rings"]["factor"] == approx(float(gained), rel=1e-6)
