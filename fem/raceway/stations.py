@@ -2,7 +2,7 @@ r"""The compliance of a groove under balls, by patches at stations of its arc.
 
 The force of a ball passes through the centre of the groove at every contact angle, so that a normal patch
 has no couple about it, and a turn of the section about that centre moves no contact. Stations at K contact
-angles alpha_k carry normal forces and read normal displacements, both outward from the centre of the groove;
+angles alpha_k carry normal forces and read normal displacements, both away from the axis of the bearing;
 what a ball at any angle does follows by interpolation between them.
 """
 
@@ -24,7 +24,7 @@ class GrooveAtBalls:
 
     azimuths: NDArray  # (Z,) [rad]
     angles: NDArray  # (K,) [rad] of the stations
-    absolute: NDArray  # (Z, K, Z, K) [m/N] normal, outward from the groove centre; own half-space left out
+    absolute: NDArray  # (Z, K, Z, K) [m/N] normal, away from the bearing's axis; own half-space left out
 
 
 @dataclass(frozen=True, kw_only=True)

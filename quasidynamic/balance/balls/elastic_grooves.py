@@ -18,7 +18,7 @@ SYMMETRIC = 1e-9  # allowed difference of a compliance from its mirror image, ov
 class ElasticGroove:
     """How one race gives way: normal displacement at stations of its arc per normal force on them.
 
-    Both from ground and outward from the groove centre, on the side of the contacts; the answer of a
+    Both from ground and normal to the arc, away from the axis of the bearing; the answer of a
     half-space to the own force is left out, as the contact law has it.
     """
 
