@@ -23,8 +23,9 @@ EVERY_SIGNAL = pytest.mark.parametrize(
     [signal.SIGINT, *(pytest.param(n, marks=pytest.mark.slow) for n in (signal.SIGTERM, signal.SIGHUP))],
     ids=lambda number: number.name,
 )
-BEAM = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam", "accuracy.slices=8"]
-NEVER_ENDING = ["coupling.method=relaxed", "coupling.relaxation=0.01", "coupling.max_iterations=100000"]
+BEAM = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam", "accuracy.slices=120"]
+# Half a minute: progress is printed every three seconds.
+LONG = ["coupling.method=relaxed", "coupling.relaxation=0.01", "coupling.max_iterations=100000"]
 
 # A signal comes while a module is looked for; what happens then is `act`.
 TRAP = """
@@ -85,10 +86,12 @@ def started(*words):
 
 
 def wait_for(stream, words):
+    read = []
     for line in iter(stream.readline, ""):
+        read.append(line)
         if words in line:
             return
-    raise AssertionError(f"{words!r} was never told")
+    raise AssertionError(f"{words!r} is not in what was written: {''.join(read)}")
 
 
 def last_line(errors):
@@ -112,7 +115,7 @@ def wait_for_iterations(folder):
 
 @EVERY_SIGNAL
 def test_signal_ends_a_run_in_one_line_with_its_exit_code(number, tmp_path):
-    process = started("run", PAPER, "-o", tmp_path / "out.h5", *sets(BEAM + NEVER_ENDING))
+    process = started("run", PAPER, "-o", tmp_path / "out.h5", *sets(BEAM + LONG))
     wait_for(process.stderr, "bearing and rings coupled")
     wait_for_iterations(tmp_path)
     process.send_signal(number)
@@ -214,7 +217,7 @@ def test_interruption_after_a_result_was_written_names_it(tmp_path, monkeypatch)
 @pytest.mark.slow
 def test_progress_bar_is_ended_before_the_line(tmp_path):
     ours, theirs = pty.openpty()
-    words = [*PROGRAM, "run", str(PAPER), "-o", str(tmp_path / "out.h5"), *sets(BEAM + NEVER_ENDING)]
+    words = [*PROGRAM, "run", str(PAPER), "-o", str(tmp_path / "out.h5"), *sets(BEAM + LONG)]
     environment = os.environ | {"TERM": "xterm", "COLUMNS": "200"}
     with subprocess.Popen(
         words, stdin=theirs, stdout=theirs, stderr=theirs, cwd=ROOT, env=environment
