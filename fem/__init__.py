@@ -8,7 +8,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from fem.parts.bolted_ring import BoltedGrooveRing as BoltedGrooveRing
+    from fem.parts.bolted_ring import BoltedRing as BoltedRing
     from fem.parts.boundary_conditions import (
         ClampedFace as ClampedFace,
         Foundation as Foundation,
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     )
 
 EXPORTS = {
-    "parts.bolted_ring": ("BoltedGrooveRing",),
+    "parts.bolted_ring": ("BoltedRing",),
     "parts.boundary_conditions": (
         "ClampedFace",
         "Foundation",

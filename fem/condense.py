@@ -9,9 +9,9 @@ from contextlib import contextmanager
 from dataclasses import replace
 from math import ceil
 from time import process_time
-from typing import TYPE_CHECKING, Any, TypeVar, overload
+from typing import TYPE_CHECKING, Any, TypeVar
 
-from fem.parts.bolted_ring import BoltedGrooveRing
+from fem.parts.bolted_ring import BoltedRing
 from fem.parts.boundary_conditions import ClampedFace, Foundation, LineSupports, PlanetGear, RigidSeat
 from fem.parts.groove import Groove
 from fem.parts.material import ImpossiblePart
@@ -27,7 +27,6 @@ if TYPE_CHECKING:
     from fem.raceway.growth import RacewayGrowth
     from fem.raceway.harmonics import HarmonicCompliance
     from fem.raceway.stations import GrooveCompliance
-    from fem.section.bolted_ring import ArchCompliance
     from fem.section.free_ring import FreeRing
     from fem.section.planet_rim import PlanetRim
     from fem.section.ring_on_foundation import RingOnFoundation
@@ -43,22 +42,17 @@ READING, PER_MEGABYTE = 3.0, 30.0
 _log = logging.getLogger(__name__)
 
 
-@overload
 def condense(
-    part: BoltedGrooveRing, discretisation: Discretisation, resolution: Resolution, report: Report = ...
-) -> "ArchCompliance": ...
-@overload
-def condense(
-    part: Part | StepSolid, discretisation: Discretisation, resolution: Resolution, report: Report = ...
-) -> (
-    "HarmonicCompliance | RingOnFoundation | RingOnLines | PlanetRim | RacewayCompliance | GrooveCompliance"
-): ...
-def condense(part, discretisation, resolution, report=unheard):
+    part: Part | StepSolid | BoltedRing,
+    discretisation: Discretisation,
+    resolution: Resolution,
+    report: Report = unheard,
+) -> "HarmonicCompliance | RingOnFoundation | RingOnLines | PlanetRim | RacewayCompliance | GrooveCompliance":
     """Condense a part to its raceway; what is meshed in space is meshed in a process of its own.
 
     Parameters
     ----------
-    part : OuterRing, SquirrelCage, RingOnShaft, StepSolid or BoltedGrooveRing
+    part : OuterRing, SquirrelCage, RingOnShaft, StepSolid or BoltedRing
         with what holds it
     discretisation : Discretisation
         HARMONICS suits all but a StepSolid, which is a SOLID
@@ -69,9 +63,9 @@ def condense(part, discretisation, resolution, report=unheard):
 
     Returns
     -------
-    HarmonicCompliance, RingOnFoundation, RingOnLines, PlanetRim, RacewayCompliance, ArchCompliance of a
-    bolted ring or GrooveCompliance of a part with a groove
-        whose `at` gives the compliance for rollers at their azimuths, or for balls by their number; that
+    HarmonicCompliance, RingOnFoundation, RingOnLines, PlanetRim, RacewayCompliance, or GrooveCompliance of a
+    part with a groove
+        whose `at` gives the compliance for rollers or balls at their azimuths; that
         of a solid holds for its azimuths alone. With supports that only push it depends on the forces:
         `under_rollers` of RingOnFoundation and RingOnLines
 
@@ -220,11 +214,13 @@ def condense_in_process(
             from fem.solid.condensation import condense_solid
 
             condensed = replace(condense_solid(part, resolution, stage), seconds=seconds)
-        case BoltedGrooveRing(), Discretisation.HARMONICS:
-            from fem.section.bolted_ring import condense_groove
-
-            condensed = condense_groove(part, resolution, stage, seconds)
-        case OuterRing(groove=Groove()) | RingOnShaft(groove=Groove()) | SquirrelCage(groove=Groove()), _:
+        case (
+            BoltedRing()
+            | OuterRing(groove=Groove())
+            | RingOnShaft(groove=Groove())
+            | SquirrelCage(groove=Groove()),
+            _,
+        ):
             condensed = _groove(part, discretisation, resolution, stage, seconds)
         case OuterRing(support=LineSupports() | PlanetGear()), Discretisation.HARMONICS:
             require_on_track(resolution.length, part.track)
@@ -245,7 +241,11 @@ def condense_in_process(
 
 
 def _groove(
-    part: Part, discretisation: Discretisation, resolution: Resolution, stage: Stage, seconds: dict
+    part: Part | BoltedRing,
+    discretisation: Discretisation,
+    resolution: Resolution,
+    stage: Stage,
+    seconds: dict,
 ) -> "GrooveCompliance":
     """Compliance of a groove at stations of its arc, of a ring that is held."""
     from fem.section.grooved import groove_compliance

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.angular_contact import AngularBalance, race_contacts
+from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves
 from quasidynamic.balance.balls.race_control import PrescribedControl, RaceControl
 from quasidynamic.balance.balls.rolling_ball import rolling_ball
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
@@ -22,7 +23,7 @@ from quasidynamic.outcome.fast_balls import FastRollingBalls
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.solve.balls.coulomb_control import CoulombControl, StickingContacts
 from quasidynamic.solve.balls.refined_rolling import RefinedRolling, RollingModel, refined_kept_motion
-from quasidynamic.solve.balls.ring_in_elastic_grooves import ElasticGrooves, solve_elastic
+from quasidynamic.solve.balls.ring_in_elastic_grooves import solve_elastic
 from quasidynamic.solve.balls.ring_on_balls import SINGULAR, RingSolution, solve
 from quasidynamic.solve.step_length import SolverOutcome
 

@@ -8,6 +8,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves
 from quasidynamic.balance.balls.rolling_ball import rolling_ball
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.point_contact import PointContact, point_contact, race_curvatures
@@ -83,7 +84,10 @@ class FourPointBallBearing:
             )
 
     def solve(
-        self, load: RingLoad, compliance: NDArray | None = None, near: FourPointEquilibrium | None = None
+        self,
+        load: RingLoad,
+        grooves: ElasticGrooves | None = None,
+        near: FourPointEquilibrium | None = None,
     ) -> FourPointEquilibrium:
         """Load distribution, then the motion and torque of every ball.
 
@@ -91,8 +95,8 @@ class FourPointBallBearing:
         ----------
         load : RingLoad
             on the inner ring
-        compliance : array (Z, 2, 2, 2, 2), optional
-            of elastic rings, see `elastic_ball_loads` [m/N]; rigid rings without it
+        grooves : ElasticGrooves, optional
+            of elastic rings, see `elastic_ball_loads`; rigid rings without it
         near : FourPointEquilibrium, optional
             of a bearing and a load that differ little: then one step of Newton's method from there, which is
             exact to first order in the difference
@@ -102,7 +106,7 @@ class FourPointBallBearing:
         ImpossiblePart, NotSolved, OutOfRange
             see `ball_loads`, `elastic_ball_loads`, `sliding_motion` and `slide`
         """
-        distribution = self._distribution(load.vector(), compliance, near and near.distribution)
+        distribution = self._distribution(load.vector(), grooves, near and near.distribution)
         both_ends = (len(distribution.loads), 2, 2)
         angles, loads = (
             np.broadcast_to(values[..., None], both_ends)
@@ -111,13 +115,15 @@ class FourPointBallBearing:
         motion = None if near is None else near.balls.sliding.motion
         return FourPointEquilibrium(distribution, self.slide(angles, loads, motion))
 
-    def _distribution(self, load: NDArray, compliance: NDArray | None, near: BallLoads | None) -> BallLoads:
-        if compliance is None:
+    def _distribution(
+        self, load: NDArray, grooves: ElasticGrooves | None, near: BallLoads | None
+    ) -> BallLoads:
+        if grooves is None:
             return ball_loads_near(self.bearing, load, near) if near else ball_loads(self.bearing, load)
         if near is None:
-            return elastic_ball_loads(self.bearing, load, compliance)
+            return elastic_ball_loads(self.bearing, load, grooves)
         assert isinstance(near, ElasticBallLoads)  # as it is between elastic rings
-        return elastic_ball_loads_near(self.bearing, load, compliance, near)
+        return elastic_ball_loads_near(self.bearing, load, grooves, near)
 
     def slide(self, angle: NDArray, load: NDArray, near: NDArray | None = None) -> SlidingBalls:
         """Motion and torque of balls whose contact angles and loads are known.

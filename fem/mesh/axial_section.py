@@ -10,7 +10,7 @@ is in millimetres, as in `fem.mesh.solid`.
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import singledispatch
-from math import cos, hypot, sin
+from math import cos, hypot, isinf, sin
 
 import ngsolve as ngs
 from netgen import occ
@@ -19,6 +19,7 @@ from netgen.meshing import NgException
 from fem.mesh.expense import polygon, require_affordable
 from fem.mesh.moved_nodes import Faces, move_nodes
 from fem.mesh.solid import MILLIMETRES
+from fem.parts.bolted_ring import BoltedRing
 from fem.parts.boundary_conditions import Housing, edge_names
 from fem.parts.groove import Groove
 from fem.parts.rings import ImpossiblePart, MeshSize, OuterRing, RingOnShaft
@@ -51,7 +52,7 @@ def sections(part, length: float) -> list[AxialSection]:
 
     Parameters
     ----------
-    part : OuterRing, RingOnShaft
+    part : OuterRing, RingOnShaft, BoltedRing
         a body of revolution with its seat
     length : float
         axial length of the loaded band, centred on x = 0 [m], at most the track of the part; a groove has
@@ -75,7 +76,7 @@ def _(part: OuterRing, length):
     inner, (left, right) = part.raceway_diameter / 2, part.sides
     outer, half = inner + part.thickness, half_band(part.groove, inner, 1, length)
     bore = (left, inner, None), (-half, inner, None), (half, inner, "raceway"), (right, inner, None)
-    bends = {} if part.groove is None else {2: start_of_arc(part.groove, inner, 1)}
+    bends = {} if part.groove is None else {2: start_of_arc(part.groove.end(inner, 1), 1)}
     if not isinstance(part.support, Housing):
         face, outside = edge_names(part.support)
         return [AxialSection("ring", (*bore, (right, outer, face), (left, outer, outside)), bends)]
@@ -101,7 +102,8 @@ def _(part: RingOnShaft, length):
     half = half_band(part.groove, raceway, -1, length)
     ribs = [[(side, rib, None), (track, rib, None)], [(-track, rib, None), (-side, rib, None)]]
     right, left = ribs if part.rib_diameter is not None else ([], [])
-    bends = {} if part.groove is None else {4 + len(right): start_of_arc(part.groove, raceway, -1)}
+    end = 0.0 if part.groove is None else part.groove.end(raceway, -1)
+    bends = {} if part.groove is None else {4 + len(right): start_of_arc(end, -1)}
     ring = AxialSection("ring", (
         (-side, bore, None), (side, bore, "seat"), *right,
         (track, raceway, None), (half, raceway, None), (-half, raceway, "raceway"), (-track, raceway, None),
@@ -114,15 +116,29 @@ def _(part: RingOnShaft, length):
     return [ring, shaft]
 
 
+@sections.register
+def _(part: BoltedRing, length):
+    groove, outward, land = part.groove, part.outward, part.raceway_diameter / 2
+    first, last = part.ends[::outward]
+    half, far = outward * length / 2, part.far_diameter / 2
+    faces = {part.face_side: "clamped" if isinf(part.normal_stiffness) else "foundation"}
+    between = ((0.0, groove.bottom(outward), "raceway"),) if len(groove.sides) > 1 else ()
+    begin = (groove.end(land, outward), -groove.bottom_angle)[: len(groove.sides)]
+    return [AxialSection("ring", (
+        (first, land, faces.get(-outward)),
+        (-half, land, None), *between, (half, land, "raceway"),
+        (last, land, None), (last, far, faces.get(outward)), (first, far, None),
+    ), {2 + number: start_of_arc(angle, outward) for number, angle in enumerate(begin)})]  # fmt: skip
+
+
 def half_band(groove: Groove | None, land: float, outward: int, length: float) -> float:
     """Half of what is loaded along the axis [m]: the arc of a groove, or a band of some length."""
     return length / 2 if groove is None else groove.width(land, outward) / 2
 
 
-def start_of_arc(groove: Groove, land: float, outward: int) -> tuple[float, float]:
-    """Direction (x, r) in which an arc begins, counter-clockwise around its section."""
-    end = groove.end(land, outward)
-    return outward * cos(end), outward * sin(end)
+def start_of_arc(angle: float, outward: int) -> tuple[float, float]:
+    """Direction (x, r) of an arc where it begins at a contact angle, counter-clockwise around its section."""
+    return outward * cos(angle), outward * sin(angle)
 
 
 def meshed(

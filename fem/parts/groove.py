@@ -1,20 +1,38 @@
 """A groove for balls in a raceway, as frozen data; lengths and directions as in `fem.parts.rings`."""
 
 from dataclasses import dataclass
-from math import acos, pi, sin
+from math import acos, asin, pi, sin, sqrt
 
 from fem.parts.material import in_mm, require, require_positive
 
 
 @dataclass(frozen=True, kw_only=True)
 class Groove:
-    """An arc of a circle in the axial section, turned about the axis; its centre is at x = 0."""
+    """An arc of a circle in the axial section, turned about the axis, its centre at x = 0; or a pair of them.
 
-    radius: float  # [m] of the arc
-    centre_radius: float  # [m] from the axis to the centre of the arc
+    Two arcs mirror each other at x = 0, where they meet; each serves the balls that press to its own side.
+    """
+
+    radius: float  # [m] of an arc
+    centre_radius: float  # [m] from the axis to the centre of an arc
+    aside: float = 0.0  # [m] of the centres of two arcs from x = 0; zero is one arc
 
     def __post_init__(self):
         require_positive(self, "radius", "centre_radius")
+        require(
+            0 <= self.aside < self.radius, "aside", in_mm(self.aside),
+            f"from zero to below the radius of an arc, {in_mm(self.radius)}",
+        )  # fmt: skip
+
+    @property
+    def sides(self) -> tuple[int, ...]:
+        """Sign of the axial direction of the balls' force on each arc: 1 for one arc, 1 and -1 for two."""
+        return (1, -1) if self.aside else (1,)
+
+    @property
+    def bottom_angle(self) -> float:
+        """Contact angle at which two arcs meet [rad]; zero for one."""
+        return asin(self.aside / self.radius)
 
     def end(self, land: float, outward: int) -> float:
         """Contact angle [rad] at which a land of radius `land` [m] cuts the arc; `outward`: -1 inside balls.
@@ -25,27 +43,27 @@ class Groove:
             if the land does not cut the arc
         """
         depth = outward * (land - self.centre_radius)
-        low, high = sorted((self.centre_radius, self.centre_radius + outward * self.radius))
+        low, high = sorted((self.centre_radius, self.bottom(outward)))
         require(
-            0 <= depth < self.radius, "raceway_diameter", in_mm(2 * land),
-            f"a land that cuts the groove, between {in_mm(2 * low)} and {in_mm(2 * high)}",
+            0 <= depth < outward * (self.bottom(outward) - self.centre_radius), "raceway_diameter",
+            in_mm(2 * land), f"a land that cuts the groove, between {in_mm(2 * low)} and {in_mm(2 * high)}",
         )  # fmt: skip
         return acos(depth / self.radius)
 
     def width(self, land: float, outward: int) -> float:
         """Axial width of the groove between its lands [m]."""
-        return 2 * self.radius * sin(self.end(land, outward))
+        return 2 * (self.radius * sin(self.end(land, outward)) - self.aside)
 
     def bottom(self, outward: int) -> float:
         """Radius of the bottom of the groove [m]."""
-        return self.centre_radius + outward * self.radius
+        return self.centre_radius + outward * sqrt(self.radius**2 - self.aside**2)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Stations:
-    """Where balls may press on the arc of a groove, and how: normal Gaussian patches at contact angles."""
+    """Where balls may press on the arcs of a groove, and how: normal Gaussian patches at contact angles."""
 
-    angles: tuple[float, ...]  # (K,) [rad] from the radial plane towards +x for the balls; K odd
+    angles: tuple[float, ...]  # (K,) [rad] from the radial plane to the side of an arc; K odd
     width: float  # [m] standard deviation of a patch, along the arc and around the axis
 
     def __post_init__(self):

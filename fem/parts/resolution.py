@@ -36,14 +36,14 @@ class Shape:
 class Resolution:
     """How finely a raceway and its part are resolved; a beam needs no mesh, a solid needs azimuths."""
 
-    length: float  # l of the loaded band, or of the loaded line across a bolted groove [m]
+    length: float  # l of the loaded band, or width of a groove [m]
     axial_modes: int = 1  # M, Legendre polynomials along a band that carry forces and displacements
     mesh_size: MeshSize | None = None
     harmonics: int | None = None  # N, the highest; None: what part and band need, or the mesh resolves
     azimuths: Sequence[float] | None = None  # (Z,) [rad] of the rollers
     patch_width: float | None = None  # [m] of a loaded patch, standard deviation along the arc
     threads: int = field(default=2, compare=False)  # of NGSolve, for a solid
-    stations: Stations | None = None  # on the arc of a groove, in place of a band and its axial modes
+    stations: Stations | None = None  # on the arcs of a groove, in place of a band and its axial modes
     nodes_of: Shape | None = None  # of the same kind: its mesh is taken, with its nodes moved; None: no other
     first_order: bool = False  # for derivatives: of a cage in space right to first order of what moves alone
 

@@ -1,4 +1,4 @@
-r"""The compliance of a groove under balls, by patches at stations of its arc.
+r"""The compliance of a groove under balls, by patches at stations of its arcs.
 
 The force of a ball passes through the centre of the groove at every contact angle, so that a normal patch
 has no couple about it, and a turn of the section about that centre moves no contact. Stations at K contact
@@ -23,8 +23,9 @@ class GrooveAtBalls:
     """How a groove gives way to balls at given azimuths: displacement from ground per force on the race."""
 
     azimuths: NDArray  # (Z,) [rad]
-    angles: NDArray  # (K,) [rad] of the stations
-    absolute: NDArray  # (Z, K, Z, K) [m/N] normal, away from the bearing's axis; own half-space left out
+    angles: NDArray  # (K,) [rad] of the stations, to the side of their arc
+    absolute: NDArray  # (A Z, K, A Z, K) [m/N] normal, away from the bearing's axis; own half-space left out:
+    # A arcs of the first ball, then those of the next
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,8 +37,9 @@ class GrooveCompliance:
               - \delta_{jj'} h(r\,|\alpha_k - \alpha_l|)
 
     with the contact circles :math:`R_k = R_c \pm r \cos\alpha_k` and the half-space h of
-    `fem.half_space.gaussian_patch`. Patches are divided by their mean of the cosine of the angle from their
-    middle, around and along, so that they read a rigid motion exactly.
+    `fem.half_space.gaussian_patch`, which is left out between stations of one arc. Patches are divided by
+    their mean of the cosine of the angle from their middle, around and along, so that they read a rigid
+    motion exactly.
 
     Source
     ------
@@ -53,7 +55,7 @@ class GrooveCompliance:
     outward: int  # 1 where the race is outside the balls, else -1
     angles: NDArray  # (K,) [rad] of the stations
     width: float  # [m] of their patches, see `fem.parts.groove.Stations`
-    response: NDArray  # (N + 1, K, K) [m/N] W of lines around the axis, n = 0 .. N
+    response: NDArray  # (N + 1, A K, A K) [m/N] W of lines around the axis, n = 0 .. N; arc by arc
     elastic: Elastic  # material below the groove
     unknowns: int
     elements: int
@@ -65,16 +67,18 @@ class GrooveCompliance:
         n = np.arange(len(self.response))
         apart, place = np.unique(np.round(np.abs(phi[:, None] - phi) % (2 * np.pi), 12), return_inverse=True)
         waves = np.cos(np.outer(apart, n)) * np.where(n > 0, 2.0, 1.0)
-        rows = np.tensordot(waves, self.response * self._faded, axes=1)  # (D, K, K)
+        rows = np.tensordot(waves, self.response * self._faded, axes=1)  # (D, A K, A K)
         absolute = rows[place.reshape(len(phi), -1)].transpose(0, 2, 1, 3)
         own = np.arange(len(phi))
-        absolute[own, :, own] -= self._half_space
-        return GrooveAtBalls(azimuths=phi, angles=self.angles, absolute=absolute)
+        absolute[own, :, own] -= np.kron(np.eye(len(self.groove.sides)), self._half_space)
+        each = len(phi) * len(self.groove.sides), len(self.angles)
+        return GrooveAtBalls(azimuths=phi, angles=self.angles, absolute=absolute.reshape(each * 2))
 
     @property
     def _faded(self) -> NDArray:
-        """Share of a line that patches of some width carry in each harmonic (N + 1, K, K) [-]."""
-        radii = self.groove.centre_radius + self.outward * self.groove.radius * np.cos(self.angles)
+        """Share of a line that patches of some width carry in each harmonic (N + 1, A K, A K) [-]."""
+        angles = np.tile(self.angles, len(self.groove.sides))
+        radii = self.groove.centre_radius + self.outward * self.groove.radius * np.cos(angles)
         n, square = np.arange(len(self.response)), (self.width / radii) ** 2 / 2
         return np.exp(-(n[:, None, None] ** 2 - 1) * (square[:, None] + square))
 

@@ -3,6 +3,7 @@
 import numpy as np
 
 from fem.assembly.factorisation import threads
+from fem.parts.bolted_ring import BoltedRing
 from fem.parts.boundary_conditions import FreeMotions
 from fem.parts.material import ImpossiblePart, require
 from fem.parts.resolution import Resolution
@@ -16,12 +17,14 @@ from fem.stages import Stage
 
 
 @threads(1)
-def groove_compliance(part: Part, resolution: Resolution, stage: Stage, seconds: dict) -> GrooveCompliance:
-    """Compliance of the groove of a body of revolution at stations of its arc.
+def groove_compliance(
+    part: Part | BoltedRing, resolution: Resolution, stage: Stage, seconds: dict
+) -> GrooveCompliance:
+    """Compliance of the groove of a body of revolution at stations of its arcs.
 
     Parameters
     ----------
-    part : OuterRing, RingOnShaft, SquirrelCage
+    part : OuterRing, RingOnShaft, SquirrelCage, BoltedRing
         with a groove, held; bars of a cage are spread evenly around it
     resolution : Resolution
         of mesh, with stations; harmonics by default as many as their patches have
@@ -41,15 +44,17 @@ def groove_compliance(part: Part, resolution: Resolution, stage: Stage, seconds:
     NotSolved
         if a solve fails, or the mesh is too coarse for the patches
     """
-    groove, stations, outward = part.groove, resolution.stations, -1 if isinstance(part, RingOnShaft) else 1
+    groove, stations, outward = part.groove, resolution.stations, _outward(part)
     if groove is None or stations is None:
         raise ImpossiblePart(f"groove = {groove} with stations = {stations} is impossible; give both")
     end = groove.end(part.raceway_diameter / 2, outward)
+    first = groove.bottom_angle if groove.aside else -end
+    margin = stations.width / groove.radius
     require(
-        max(map(abs, stations.angles)) + stations.width / groove.radius < end,
-        "angles", stations.angles, f"within {end:.4g} rad, where the lands cut the groove",
+        first + margin < min(stations.angles) and max(stations.angles) + margin < end,
+        "angles", stations.angles, f"between {first:.4g} and {end:.4g} rad, where the arc of the groove ends",
     )  # fmt: skip
-    outermost = groove.centre_radius + max(outward, 0) * groove.radius
+    outermost = max(groove.bottom(outward), groove.centre_radius)
     last = highest_harmonic(outermost, DETAIL * stations.width, resolution.mesh, resolution.harmonics)
     with stage("factor"):
         if isinstance(part, SquirrelCage):
@@ -70,3 +75,10 @@ def groove_compliance(part: Part, resolution: Resolution, stage: Stage, seconds:
         elements=body.space.mesh.ne,
         seconds=seconds,
     )
+
+
+def _outward(part: Part | BoltedRing) -> int:
+    """1 where a part is outside of the balls, else -1."""
+    if isinstance(part, BoltedRing):
+        return part.outward
+    return -1 if isinstance(part, RingOnShaft) else 1

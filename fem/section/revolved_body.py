@@ -128,11 +128,13 @@ def edge_modes(body: Body, edge: str, axial_modes: int, direction: int = 1) -> N
 
 
 def station_modes(body: Body, groove: Groove, outward: int, stations: Stations) -> NDArray:
-    r"""Load vectors of normal Gaussian patches on the arc of a groove, which also read its displacement.
+    r"""Load vectors of normal Gaussian patches on the arcs of a groove, which also read its displacement.
 
-    .. math:: g_k(v) = \frac{\int p_k\,(v_x \sin\alpha + v_r \cos\alpha)\,ds}
+    .. math:: g_k(v) = \frac{\int p_k\,(\pm v_x \sin\alpha + v_r \cos\alpha)\,ds}
               {\int p_k \cos(\alpha - \alpha_k)\,ds}, \quad
               p_k = e^{-r^2 (\alpha - \alpha_k)^2/2 \sigma^2}
+
+    with the sign of the side of the arc; two arcs end where they meet.
 
     Parameters
     ----------
@@ -147,8 +149,9 @@ def station_modes(body: Body, groove: Groove, outward: int, stations: Stations) 
 
     Returns
     -------
-    array (unknowns, K)
-        [-]; for unit forces away from the centre of the groove on an outer race, towards it on an inner one
+    array (unknowns, A K)
+        [-], one arc after the other; for unit forces away from the centre of the groove on an outer race,
+        towards it on an inner one
 
     Source
     ------
@@ -156,15 +159,17 @@ def station_modes(body: Body, groove: Groove, outward: int, stations: Stations) 
     a rigid section exactly.
     """
     edge, v = _edge(body.space.mesh, "raceway"), body.space.TestFunction()
-    sine = outward * ngs.x / (groove.radius * MILLIMETRES)
     cosine = outward * (ngs.y / MILLIMETRES - groove.centre_radius) / groove.radius
-    angle = ngs.atan2(sine, cosine)
     loads = []
-    for station in stations.angles:
-        patch = ngs.exp(-((groove.radius * (angle - station) / stations.width) ** 2) / 2)
-        read = ngs.Integrate(patch * ngs.cos(angle - station), body.space.mesh, ngs.BND, definedon=edge)
-        normal = sine * v[0] + cosine * v[1]
-        loads.append(body.load(forms.edge_pressure(normal, edge, patch / read)))
+    for side in groove.sides:
+        along = outward * side * ngs.x / MILLIMETRES
+        sine = (along + groove.aside) / groove.radius
+        angle, normal = ngs.atan2(sine, cosine), side * sine * v[0] + cosine * v[1]
+        here = ngs.IfPos(along, 1.0, 0.0) if groove.aside else 1.0
+        for station in stations.angles:
+            patch = here * ngs.exp(-((groove.radius * (angle - station) / stations.width) ** 2) / 2)
+            read = ngs.Integrate(patch * ngs.cos(angle - station), body.space.mesh, ngs.BND, definedon=edge)
+            loads.append(body.load(forms.edge_pressure(normal, edge, patch / read)))
     return np.stack(loads, axis=1)
 
 

@@ -5,6 +5,7 @@ where balanced loads leave no reaction: no spring, and nothing that a result cou
 """
 
 from dataclasses import replace
+from math import isfinite
 
 import ngsolve as ngs
 import numpy as np
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 
 from fem.assembly.harmonic_stiffness import HarmonicStiffness, compliances
 from fem.mesh.axial_section import sections
+from fem.parts.bolted_ring import BoltedRing
 from fem.parts.boundary_conditions import Foundation, FreeMotions, Housing
 from fem.parts.resolution import Shape
 from fem.parts.rings import MeshSize, OuterRing, RingOnShaft
@@ -19,13 +21,13 @@ from fem.section.revolved_body import Body, Springs, assembled
 
 
 def body_of(
-    part: OuterRing | RingOnShaft, length: float, mesh: MeshSize, nodes_of: Shape | None = None
+    part: OuterRing | RingOnShaft | BoltedRing, length: float, mesh: MeshSize, nodes_of: Shape | None = None
 ) -> Body:
     """Assemble the sections of a part with the springs that it rests on.
 
     Parameters
     ----------
-    part : OuterRing, RingOnShaft
+    part : OuterRing, RingOnShaft, BoltedRing
         body of revolution
     length : float
         of the loaded band [m]
@@ -42,6 +44,8 @@ def body_of(
     if isinstance(support, Housing):
         support = support.support
     springs = {}
+    if isinstance(part, BoltedRing) and isfinite(part.normal_stiffness):
+        springs["foundation"] = Springs(part.normal_stiffness, part.shear_stiffness, part.shear_stiffness)
     if isinstance(support, Foundation):
         springs["foundation"] = Springs(support.axial, support.radial, support.tangential)
     others = None if nodes_of is None else sections(nodes_of.part, nodes_of.length)

@@ -1,24 +1,26 @@
 """Elastic rings of a bearing with fast balls, with their grooves, as finite elements take them."""
 
-from math import cos
+from math import cos, inf, sin
 from typing import Literal
 
 import fem
+from fem.parts.bolted_ring import BoltedRing
 from fem.parts.material import in_mm
 from fem.parts.rings import SLENDEREST_SLOT
 from flexbearing.build import held_ring
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
 from flexbearing.case.balls.elastic_rings import groove_end
+from flexbearing.case.balls.four_point import FourPointBearing, FourPointCase
 from flexbearing.case.materials import Elastic
 from flexbearing.case.quantity import require
 
 Race = Literal["inner", "outer"]
-GroovePart = fem.OuterRing | fem.RingOnShaft | fem.SquirrelCage
+GroovePart = fem.OuterRing | fem.RingOnShaft | fem.SquirrelCage | BoltedRing
 OUTWARD: dict[Race, int] = {"inner": -1, "outer": 1}
 
 
-def groove_part(case: FastCase, race: Race) -> GroovePart | None:
+def groove_part(case: FastCase | FourPointCase, race: Race) -> GroovePart | None:
     """Part that carries a groove; None where it is rigid.
 
     Raises
@@ -26,21 +28,45 @@ def groove_part(case: FastCase, race: Race) -> GroovePart | None:
     BadCase
         when no such part can exist
     """
-    if getattr(case, race).kind == "rigid":
+    four = isinstance(case, FourPointCase)
+    if getattr(case.rings if four else case, race).kind == "rigid":
         return None
     try:
+        if four:
+            return _bolted(case, race)
         return _outer(case) if race == "outer" else _inner(case)
     except fem.ImpossiblePart as problem:
-        raise BadCase(f"{case.source.path}: [{race}] {problem}") from problem
+        section = f"rings.{race}" if four else race
+        raise BadCase(f"{case.source.path}: [{section}] {problem}") from problem
 
 
-def _groove(case: FastCase, race: Race) -> fem.Groove:
+def _groove(case: FastCase | FourPointCase, race: Race) -> fem.Groove:
     """Groove of a race; clearance and growth, which are far smaller than its radius, do not move it."""
     bearing, diameter = case.bearing, case.bearing.ball.diameter
     conformity = getattr(bearing, race).over(diameter)
-    angle = bearing.contact_angle if isinstance(bearing, AngularBearing) else 0.0
-    aside = OUTWARD[race] * (conformity - 0.5) * diameter * cos(angle)
-    return fem.Groove(radius=conformity * diameter, centre_radius=bearing.pitch_diameter / 2 - aside)
+    angle = bearing.contact_angle if isinstance(bearing, AngularBearing | FourPointBearing) else 0.0
+    offset = (conformity - 0.5) * diameter
+    return fem.Groove(
+        radius=conformity * diameter,
+        centre_radius=bearing.pitch_diameter / 2 - OUTWARD[race] * offset * cos(angle),
+        aside=offset * sin(angle) if isinstance(bearing, FourPointBearing) else 0.0,
+    )
+
+
+def _bolted(case: FourPointCase, race: Race) -> BoltedRing:
+    ring, groove = getattr(case.rings, race), _groove(case, race)
+    return BoltedRing(
+        race=race,
+        groove=groove,
+        raceway_diameter=2 * (groove.centre_radius + OUTWARD[race] * groove.radius * cos(ring.groove_end)),
+        far_diameter=getattr(ring, ring.far),
+        width=ring.width,
+        face_distance=ring.face_distance,
+        face_side=1 if ring.face == "+x" else -1,
+        elastic=_elastic(case.materials.ring(race)),
+        normal_stiffness=ring.face_stiffness or inf,
+        shear_stiffness=ring.face_shear_stiffness or inf,
+    )
 
 
 def _land(case: FastCase, race: Race, groove: fem.Groove) -> float:

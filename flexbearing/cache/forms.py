@@ -226,16 +226,6 @@ RECORDS = {
         "fem.section.bonded_growth",
         {"by_heat": Array(("2 M",), largest=GROWTH), "by_rotation": Array(("2 M",), largest=GROWTH)},
     ),
-    "ArchCompliance": Record(
-        "fem.section.bolted_ring",
-        {
-            "ring": Kept("BoltedGrooveRing"),
-            "length": Number(),
-            "response": Array(("N 4 4",)),
-            "unknowns": Count(),
-            "seconds": Numbers(),
-        },
-    ),
     "GrooveCompliance": Record(
         "fem.raceway.stations",
         {
@@ -243,32 +233,14 @@ RECORDS = {
             "outward": Choice((1, -1)),
             "angles": Array(("K",), largest=HALF_TURN),
             "width": Number(),
-            "response": Array(("N K K",)),
+            "response": Array(("N S S",)),
             "elastic": Kept("Elastic"),
             "unknowns": Count(),
             "elements": Count(),
             "seconds": Numbers(),
         },
     ),
-    "Groove": Record("fem.parts.groove", {"radius": Number(), "centre_radius": Number()}),
-    "BoltedGrooveRing": Record(
-        "fem.parts.bolted_ring",
-        {
-            "race": Choice(("outer", "inner")),
-            "pitch_diameter": Number(),
-            "ball_diameter": Number(),
-            "groove_radius": Number(),
-            "contact_angle": Number(),
-            "groove_end": Number(),
-            "far_diameter": Number(),
-            "width": Number(),
-            "face_distance": Number(),
-            "face_side": Choice((1, -1)),
-            "elastic": Kept("Elastic"),
-            "normal_stiffness": Number(infinite=True),
-            "shear_stiffness": Number(infinite=True),
-        },
-    ),
+    "Groove": Record("fem.parts.groove", {"radius": Number(), "centre_radius": Number(), "aside": Number()}),
     "Elastic": Record("fem.parts.material", {"youngs_modulus": Number(), "poisson_ratio": Number()}),
 }
 

@@ -18,13 +18,13 @@ from flexbearing.derivatives.table import Sensitivities
 from flexbearing.outputs import RequestedOutput, outputs, requested
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.four_point import LAYOUT
-from flexbearing.rings import bolted
+from flexbearing.rings import grooves
 from flexbearing.runs import four_point
+from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves
 
 DEFAULT = ("torque.inner", "max_contact_load", "peak_pressure.inner", "stiffness_zz")
 ALL = "all"
 ESTIMATES = ("torque_grid_error", "max_ball_imbalance")  # no outputs of the bearing
-RACES = ("inner", "outer")
 
 
 def sensitivities(
@@ -48,7 +48,7 @@ def sensitivities(
         )
     keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
     asked, report = _asked(case, of), report or Logged()
-    state = _State(case, _compliance(case, report), asked)
+    state = _State(case, four_point.elastic_rings(case, report), asked)
     found, left_out = columns(state, announced(keys, report))
     raceways = "rigid raceways" if case.rings.rigid else "flexible rings"
     return tabled((case.title, raceways), asked, state.values, found, left_out)
@@ -68,24 +68,19 @@ def _asked(case: FourPointCase, of: Sequence[str]) -> list[RequestedOutput]:
     return found
 
 
-def _compliance(case: FourPointCase, report: Report) -> NDArray | None:
-    """Of elastic rings; None between rigid ones."""
-    return None if case.rings.rigid else four_point.compliance_of_rings(case, report)
-
-
 @dataclass(frozen=True)
 class _State:
     """A case in equilibrium, with the outputs that are differentiated there."""
 
     case: FourPointCase
-    compliance: NDArray | None  # of its rings, which no variant changes
+    rings: ElasticGrooves | None  # which no variant changes
     outputs: Sequence[RequestedOutput]
 
     @cached_property
     def solution(self) -> four_point.Solution:
         """Loads and motion of the balls, to rounding."""
-        found = four_point.solved(self.case, self.compliance)
-        return four_point.solved(self.case, self.compliance, near=found)
+        found = four_point.solved(self.case, self.rings)
+        return four_point.solved(self.case, self.rings, near=found)
 
     @cached_property
     def values(self) -> NDArray:
@@ -95,7 +90,7 @@ class _State:
     def differences(self, key: Key, stencil: Stencil) -> Differences:
         """Outputs of variants, each one step of Newton's method from this state: to first order."""
         ends = [
-            four_point.solved(self._variant(key, change), self.compliance, near=self.solution)
+            four_point.solved(self._variant(key, change), self.rings, near=self.solution)
             for change in stencil.places
         ]
         return Differences(
@@ -103,14 +98,13 @@ class _State:
             self.values,
             np.array([self._numbers(end) for end in ends]),
             self._steps_to_switch(stencil, ends),
-            lambda change: _State(self._variant(key, change), self.compliance, self.outputs),
+            lambda change: _State(self._variant(key, change), self.rings, self.outputs),
         )
 
     def _variant(self, key: Key, change: float) -> FourPointCase:
         """The case with a key changed by so many steps; raises `BadCase` where it changes an elastic ring."""
         variant = with_value(self.case, key.path, key.value + change * key.step)
-        same = all(bolted.ring(variant, name) == bolted.ring(self.case, name) for name in RACES)
-        if not (self.case.rings.rigid or (same and variant.rings == self.case.rings)):
+        if grooves.parts(variant) != grooves.parts(self.case):
             raise BadCase("it changes an elastic ring, which is meshed anew; vary it in a study")
         return variant
 

@@ -13,10 +13,10 @@ from flexbearing.build.groove_parts import OUTWARD, GroovePart, Race, groove_par
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import FastCase
+from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.progress import Report
 from quasidynamic import NotSolved
-from quasidynamic.balance.balls.elastic_grooves import ElasticGroove
-from quasidynamic.solve.balls.ring_in_elastic_grooves import ElasticGrooves
+from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGrooves
 
 PATCH = 0.06  # width over the ball diameter: a/sqrt(5) of steel balls at 2 to 2.5 GPa
 MARGIN = 2.0  # widths of a patch from the outermost station to the end of the groove
@@ -25,9 +25,10 @@ FINER = 6.0  # order of the elements times width of a patch, over the elements o
 
 RACES: tuple[Race, Race] = ("inner", "outer")
 Arguments = tuple[GroovePart, fem.Discretisation, fem.Resolution]
+BallCase = FastCase | FourPointCase
 
 
-def parts(case: FastCase) -> tuple[Arguments | None, Arguments | None]:
+def parts(case: BallCase) -> tuple[Arguments | None, Arguments | None]:
     """What decides the elastic grooves of a case, inner and outer; None where a ring is rigid.
 
     Raises
@@ -39,18 +40,22 @@ def parts(case: FastCase) -> tuple[Arguments | None, Arguments | None]:
     return inner, outer
 
 
-def _arguments(case: FastCase, race: Race) -> Arguments | None:
+def _arguments(case: BallCase, race: Race) -> Arguments | None:
     part = groove_part(case, race)
     if part is None or part.groove is None:
         return None
-    accuracy, diameter, land = case.accuracy, case.bearing.ball.diameter, part.raceway_diameter / 2
+    accuracy, section = (
+        (case.rings, "rings") if isinstance(case, FourPointCase) else (case.accuracy, "accuracy")
+    )
+    diameter, land = case.bearing.ball.diameter, part.raceway_diameter / 2
     width, groove = accuracy.patch_width or PATCH * diameter, part.groove
-    end = groove.end(land, OUTWARD[race]) - MARGIN * width / groove.radius
-    if end <= 0:
-        least = 1e3 * groove.radius * (1 - np.cos(MARGIN * width / groove.radius))
+    end, margin = groove.end(land, OUTWARD[race]), MARGIN * width / groove.radius
+    first, last = groove.bottom_angle + margin if groove.aside else margin - end, end - margin
+    if first >= last:
+        most = width * (end - (groove.bottom_angle if groove.aside else -end)) / (2 * margin)
         raise BadCase(
-            f"{case.source.path}: bearing.{race}.shoulder leaves no room for a patch of "
-            f"accuracy.patch_width = {1e3 * width:.3g} mm; allowed is above {least:.3g} mm"
+            f"{case.source.path}: {section}.patch_width = {1e3 * width:.3g} mm does not fit on the {race} "
+            f"groove; allowed is below {1e3 * most:.3g} mm"
         )
     resolution = fem.Resolution(
         length=groove.width(land, OUTWARD[race]),
@@ -59,17 +64,18 @@ def _arguments(case: FastCase, race: Race) -> Arguments | None:
             size=accuracy.mesh_size or MESH * diameter,
             raceway_size=accuracy.element_order * width / FINER,
         ),
-        stations=fem.Stations(angles=tuple(end * _spread(accuracy.stations)), width=width),
+        stations=fem.Stations(angles=_spread(first, last, accuracy.stations), width=width),
     )
     return part, SMEARED if isinstance(part, fem.SquirrelCage) else HARMONICS, resolution
 
 
-def _spread(count: int) -> NDArray:
-    """Places from -1 to 1, denser towards the ends: functions through evenly spread ones are steep there."""
-    return np.sin(np.pi / 2 * np.linspace(-1, 1, count))
+def _spread(first: float, last: float, count: int) -> tuple[float, ...]:
+    """Places that are denser towards the ends: functions through evenly spread ones are steep there."""
+    places = np.sin(np.pi / 2 * np.linspace(-1, 1, count))
+    return tuple((first + last) / 2 + (last - first) / 2 * places)
 
 
-def elastic_grooves(case: FastCase, azimuths: NDArray, report: Report) -> ElasticGrooves | None:
+def elastic_grooves(case: BallCase, azimuths: NDArray, report: Report) -> ElasticGrooves | None:
     """Both grooves under balls at azimuths (Z) [rad]; None between rigid rings.
 
     Raises
@@ -95,7 +101,7 @@ def _is_of(part: GroovePart, _: fem.Discretisation, resolution: fem.Resolution, 
 
 
 def _condensed(
-    case: FastCase, race: Race, arguments: Arguments, azimuths: NDArray, report: Report
+    case: BallCase, race: Race, arguments: Arguments, azimuths: NDArray, report: Report
 ) -> ElasticGroove:
     name = f"{race} ring"
     report.stage(name, None)
@@ -108,7 +114,7 @@ def _condensed(
             partial(_is_of, *arguments),
         )
     except fem.ImpossiblePart as problem:
-        raise BadCase(f"{case.source.path}: [{race}] {problem}") from problem
+        raise BadCase(f"{case.source.path}: {race} ring: {problem}") from problem
     except RingNotSolved as problem:
         raise NotSolved(f"{name}: {problem}", "not solved") from problem
     at_balls = compliance.at(azimuths)

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 import quasidynamic as qd
-from fem.errors import NotSolved as RingNotSolved
 from flexbearing.build import clearance
 from flexbearing.build.ball_fits import ball, groove
 from flexbearing.case.balls.four_point import FourPointCase
@@ -18,10 +17,12 @@ from flexbearing.program.workers import shared_map
 from flexbearing.progress import Report
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import row, taken
-from flexbearing.rings import bolted
+from flexbearing.rings import grooves
 from flexbearing.runs import judged, neglect, shoulders, subsurface
 from flexbearing.runs.angular_contact import STICK
-from quasidynamic import NotSolved, OutOfRange
+from quasidynamic import OutOfRange
+from quasidynamic.balance.balls.diagonals import SIDE_OF_DIAGONAL
+from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves
 from quasidynamic.four_point import FourPointEquilibrium
 from quasidynamic.note import Note, danger, information, outside
 from quasidynamic.outcome.rating_life import BALLS
@@ -101,14 +102,15 @@ class Solution:
     @property
     def ring_deflection(self) -> NDArray | None:
         """Approach of opposite groove centres by elastic rings (Z, G, 2) [m]; None between rigid ones."""
-        return self.distribution.deflection if isinstance(self.distribution, ElasticBallLoads) else None
+        if not isinstance(self.distribution, ElasticBallLoads):
+            return None
+        return self.distribution.deflection[..., ::-1] * np.stack([[1, 1], SIDE_OF_DIAGONAL], axis=1)
 
 
 def bearing(case: FourPointCase) -> qd.FourPointBallBearing:
     """The bearing of a case; raises `BadCase` when one of its rings cannot be."""
     parts, materials = case.bearing, case.materials
-    for name in ("inner", "outer"):
-        bolted.ring(case, name)
+    grooves.parts(case)
     angle, free_way = _mounted(case)
     return qd.FourPointBallBearing(
         bearing=qd.FourPointBearing(
@@ -161,11 +163,11 @@ def _friction(case: FourPointCase) -> qd.FrictionCurve:
 
 def solved(
     case: FourPointCase,
-    compliance: NDArray | None = None,
+    rings: ElasticGrooves | None = None,
     progress: Callable[[float], None] = lambda _: None,
     near: Solution | None = None,
 ) -> Solution:
-    """Loads and motion of the balls between rigid rings, or between those of a compliance [m/N].
+    """Loads and motion of the balls between rigid rings, or between elastic ones.
 
     The part of the balls whose stick and slip is found goes to `progress`. From a solution in full sliding
     that is `near`, one step of Newton's method is made, which is exact to first order.
@@ -183,7 +185,7 @@ def solved(
                 moment_y=load.moment_y,
                 moment_z=load.moment_z,
             ),
-            compliance,
+            rings,
             known,
         )
         return _rolled(case, model, (equilibrium.balls, equilibrium.distribution), progress)
@@ -201,23 +203,21 @@ def blocks(case: FourPointCase, report: Report) -> Iterator[tuple[Literal["rigid
     report.stage("slow balls between rigid rings", None)
     yield "rigid", solved(case, progress=progress)
     if not case.rings.rigid:
-        compliance = compliance_of_rings(case, report)
+        rings = elastic_rings(case, report)
         report.stage("slow balls between elastic rings", None)
-        yield "flexible", solved(case, compliance, progress)
+        yield "flexible", solved(case, rings, progress)
 
 
-def compliance_of_rings(case: FourPointCase, report: Report) -> NDArray:
-    """Compliance of elastic rings [m/N].
+def elastic_rings(case: FourPointCase, report: Report) -> ElasticGrooves | None:
+    """Elastic rings of a case under its balls; None between rigid ones.
 
     Raises
     ------
     NotSolved
-        where it is not found
+        where they are not found
     """
-    try:
-        return bolted.compliance(case, report)
-    except RingNotSolved as failure:
-        raise NotSolved(str(failure), "rings not solved") from failure
+    azimuths = 2 * np.pi * np.arange(case.balls) / case.balls
+    return grooves.elastic_grooves(case, azimuths, report)
 
 
 def _rolled(

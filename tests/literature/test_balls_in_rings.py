@@ -24,11 +24,10 @@ from fem.raceway.stations import GrooveCompliance
 from fem.section.revolved_body import Springs, assembled, station_modes
 from fem.section.rigid_body_modes import responses
 from quasidynamic import AngularContactBallBearing
-from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, StationShares
+from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGrooves, StationShares
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.parts.ball import Ball, Groove as RaceGroove
 from quasidynamic.parts.material import Material
-from quasidynamic.solve.balls.ring_in_elastic_grooves import ElasticGrooves
 
 RPM = np.pi / 30
 STEEL = Elastic(youngs_modulus=206e9, poisson_ratio=0.3)

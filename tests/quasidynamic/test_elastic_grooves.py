@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from quasidynamic.balance.balls.elastic_grooves import FURTHEST, ElasticGroove, shape_of
+from quasidynamic.balance.balls.elastic_grooves import FURTHEST, ElasticGroove, ElasticGrooves, shape_of
 from quasidynamic.errors import ImpossiblePart
-from quasidynamic.solve.balls.ring_in_elastic_grooves import ElasticGrooves
 from tests.random_balls import drawn, unbalanced
 
 ANGLES = np.radians([-45.0, -30.0, -15.0, 0.0, 15.0, 30.0, 45.0])

@@ -6,6 +6,7 @@ from typing import ClassVar, Literal, NamedTuple, Self
 from pydantic import field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
+from flexbearing.case.balls import groove_accuracy
 from flexbearing.case.balls.parts import AXES_CHANGED
 from flexbearing.case.quantity import Angle, Foundation, Length, Section, impossible, key, require
 
@@ -146,31 +147,10 @@ class Rings(Section):
     inner: BoltedInner = key(
         "the ring inside the balls; its bolted face moves as a rigid body and takes operation.load", {}
     )
-    line: Length | None = key(
-        "length of the line across an arch on which a ball presses; without this key a fifth of the ball",
-        None,
-        example="7 mm",
-        gt=0,
-        only=_ANY_BOLTED,
-    )
-    element_order: int | None = key(
-        "order of the finite elements; without this key 5", None, example=5, ge=2, le=8, only=_ANY_BOLTED
-    )
-    mesh_size: Length | None = key(
-        "largest element; without this key half a ball diameter",
-        None,
-        example="15 mm",
-        gt=0,
-        only=_ANY_BOLTED,
-    )
-    harmonics: int | None = key(
-        "azimuthal harmonics, or what the mesh resolves; without this key 6 times radius over rings.line",
-        None,
-        example=800,
-        ge=8,
-        le=5000,
-        only=_ANY_BOLTED,
-    )
+    patch_width: Length | None = groove_accuracy.patch_width(_ANY_BOLTED)
+    stations: groove_accuracy.Odd = groove_accuracy.stations(5, _ANY_BOLTED)
+    element_order: int = groove_accuracy.element_order(_ANY_BOLTED)
+    mesh_size: Length | None = groove_accuracy.mesh_size(_ANY_BOLTED)
 
     @property
     def rigid(self) -> bool:

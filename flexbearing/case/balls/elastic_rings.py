@@ -6,6 +6,7 @@ from typing import Literal, Self
 from pydantic import model_validator
 
 from flexbearing.case import held_ring
+from flexbearing.case.balls import groove_accuracy
 from flexbearing.case.balls.parts import EndingGroove
 from flexbearing.case.held_ring import ON_SHAFT, RING
 from flexbearing.case.quantity import Foundation, Length, Section, impossible, in_mm, key, needed, require
@@ -98,32 +99,10 @@ class BallInner(Section):
 class GrooveAccuracy(Section):
     """How finely elastic rings with grooves are resolved."""
 
-    patch_width: Length | None = key(
-        "standard deviation of the patches by which balls press on an elastic groove, without their "
-        "half-space indentation; by default 0.06 of the ball diameter, as of contacts at 2 to 2.5 GPa",
-        None,
-        example="1 mm",
-        gt=0,
-        only=ELASTIC,
-    )
-    stations: int = key(
-        "contact angles at which patches are placed along an elastic groove, an odd number", 7, ge=3, le=15,
-        only=ELASTIC,
-    )  # fmt: skip
-    element_order: int = key("polynomial order of the finite elements", 5, ge=2, le=8, only=ELASTIC)
-    mesh_size: Length | None = key(
-        "largest size of the elements; by default a quarter of the ball diameter",
-        None,
-        example="3 mm",
-        gt=0,
-        only=ELASTIC,
-    )
-
-    @model_validator(mode="after")
-    def _odd(self) -> Self:
-        if self.stations % 2 == 0:
-            raise impossible("stations", "an odd number")
-        return self
+    patch_width: Length | None = groove_accuracy.patch_width(ELASTIC)
+    stations: groove_accuracy.Odd = groove_accuracy.stations(7, ELASTIC)
+    element_order: int = groove_accuracy.element_order(ELASTIC)
+    mesh_size: Length | None = groove_accuracy.mesh_size(ELASTIC)
 
 
 def require_shoulder(name: str, groove: EndingGroove) -> None:

@@ -10,17 +10,18 @@ from quasidynamic.contact.ellipse.point_contact import point_contact, race_curva
 from quasidynamic.motion.ball_slip import SIDE
 from quasidynamic.parts.ball import FourPointBearing
 
-SIGN = np.array([1.0, -1.0])  # of the axial direction in which the diagonals point outwards
+SIDE_OF_DIAGONAL = np.array([1.0, -1.0])  # sign of the axial direction in which it points outwards
 
 
 class LoadedDiagonals(NamedTuple):
-    """What the diagonals do at one place of the inner ring; components are (outward, along x)."""
+    """What diagonals do at one place of the inner ring; vectors are axial, to their own side, and radial."""
 
     approach: NDArray  # (Z, 2) [m] of ball and grooves, negative in a gap
     loads: NDArray  # (Z, 2) [N]
     angles: NDArray  # (Z, 2) [rad]
     force: NDArray  # (Z, 2, 2) of the balls on the outer ring [N]; the inner ring has the opposite
     stiffness: NDArray  # (Z, 2, 2, 2) of that force by the distance of the groove centres [N/m]
+    turn: NDArray  # (Z, 2, 2) of the angle by that distance [rad/m]
 
 
 @dataclass(frozen=True)
@@ -29,10 +30,8 @@ class Diagonals:
 
     coefficient: float  # K [N/m^1.5]
     touching: float  # [m] distance of the groove centres at which a diagonal begins to carry
-    start: NDArray  # (2, 2) [m] distance of the groove centres (diagonal, component), rings concentric
-    moves: (
-        NDArray  # (Z, 2, 5) [-] displacement (outward, along x) of the inner ring at each ball by its place
-    )
+    start: NDArray  # (2) [m] distance of the groove centres of a diagonal, rings concentric
+    moves: NDArray  # (Z, 2, 2, 5) [-] displacement of the inner ring along each diagonal by its place
 
     @classmethod
     def of(cls, bearing: FourPointBearing) -> "Diagonals":
@@ -45,8 +44,8 @@ class Diagonals:
         return cls(
             coefficient=diagonal_coefficient(bearing),
             touching=bearing.centre_distance,
-            start=distance * np.stack([np.full(2, np.cos(angle)), np.sin(angle) * SIGN], 1),
-            moves=np.stack([outward, along], 1),
+            start=distance * np.array([np.sin(angle), np.cos(angle)]),
+            moves=np.stack([np.stack([side * along, outward], 1) for side in SIDE_OF_DIAGONAL], 1),
         )
 
     def at(self, place: NDArray, deflection: NDArray | float = 0.0) -> LoadedDiagonals:
@@ -61,8 +60,8 @@ class Diagonals:
         place : array (5)
             x, y, z of the inner ring and its tilts about y and z, times the pitch radius [m]
         deflection : array (Z, 2, 2)
-            by how much elastic rings let the groove centres come closer: of each ball and diagonal, radial
-            and axial part of v that is lost [m]
+            by how much elastic rings let the groove centres of each diagonal come closer: the part of v
+            that is lost [m]
 
         Returns
         -------
@@ -73,7 +72,7 @@ class Diagonals:
         Derivative of a spring force along its own direction; Hertz stiffness K of the two contacts in
         series.
         """
-        v = self.start + (self.moves @ place)[:, None] - deflection
+        v = self.start + self.moves @ place - deflection
         length = np.hypot(v[..., 0], v[..., 1])
         signed = length - self.touching
         approach = np.maximum(signed, 0.0)
@@ -84,18 +83,19 @@ class Diagonals:
         return LoadedDiagonals(
             approach=signed,
             loads=loads,
-            angles=np.arctan2(v[..., 1] * SIGN, v[..., 0]),
+            angles=np.arctan2(v[..., 0], v[..., 1]),
             force=loads[..., None] * e,
             stiffness=normal[..., None, None] * along + turning[..., None, None] * (np.eye(2) - along),
+            turn=np.stack([e[..., 1], -e[..., 0]], -1) / length[..., None],
         )
 
     def carried(self, force: NDArray) -> NDArray:
         """Load (5) [N] that forces (Z, 2, 2) of the diagonals carry."""
-        return np.einsum("jcp,jdc->p", self.moves, force)
+        return np.einsum("jdcp,jdc->p", self.moves, force)
 
     def stiffness(self, each: NDArray) -> NDArray:
         """Stiffness (5, 5) of the ring by those of the diagonals (Z, 2, 2, 2) [N/m]."""
-        return np.einsum("jcp,jcb,jbq->pq", self.moves, each.sum(1), self.moves, optimize=True)
+        return np.einsum("jdcp,jdcb,jdbq->pq", self.moves, each, self.moves, optimize=True)
 
 
 def diagonal_coefficient(bearing: FourPointBearing) -> float:

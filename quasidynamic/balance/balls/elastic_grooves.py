@@ -1,6 +1,6 @@
 """Grooves that give way under the forces of balls, at any contact angle."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -23,7 +23,7 @@ class ElasticGroove:
     """
 
     angles: NDArray  # (K) [rad] contact angles of the stations, K odd
-    compliance: NDArray  # (Z, K, Z, K) [m/N], symmetric
+    compliance: NDArray  # (Z, K, Z, K) [m/N], symmetric; Z contacts, two for each ball on two arcs
 
     def __post_init__(self):
         count, stations = self.compliance.shape[:2]
@@ -53,6 +53,17 @@ class ElasticGroove:
         share, slope, bend = (_waves(at, order, len(self.angles)) @ self._inverse.T for order in range(3))
         inside = (angles > least) & (angles < most)
         return StationShares(at, share, slope, np.where(inside[..., None], share + bend, 0.0))
+
+
+class ElasticGrooves(NamedTuple):
+    """Both grooves of a bearing."""
+
+    inner: ElasticGroove | None  # None: rigid
+    outer: ElasticGroove | None
+
+    def softened(self, part: float) -> "ElasticGrooves":
+        """Grooves of a part of the compliance."""
+        return ElasticGrooves(*(each and replace(each, compliance=part * each.compliance) for each in self))
 
 
 class StationShares(NamedTuple):

@@ -7,10 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.diagonals import Diagonals, LoadedDiagonals
+from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves, shape_of
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.parts.ball import FourPointBearing
-
-SYMMETRIC = 1e-9  # allowed difference of a compliance from its mirror image, over the largest entry
 
 
 class RigidRingState(NamedTuple):
@@ -78,11 +77,11 @@ class RigidRings:
         if size == 0.0:
             return np.zeros(5)
         direction = self.load / np.linalg.norm(self.load)
-        moves = np.hypot(*(diagonals.moves @ direction).T).max()
-        distance = np.hypot(*diagonals.start[0])
+        moves = np.linalg.norm(diagonals.moves[:, 0] @ direction, axis=1).max()
+        distance = np.hypot(*diagonals.start)
         gap = max(diagonals.touching - distance, 0.0)
         squeeze = (size / diagonals.coefficient) ** (2 / 3)
-        return direction * (gap + squeeze) / (moves * diagonals.start[0].min() / distance)
+        return direction * (gap + squeeze) / (moves * diagonals.start.min() / distance)
 
 
 class ElasticRingState(NamedTuple):
@@ -93,6 +92,9 @@ class ElasticRingState(NamedTuple):
     diagonals: LoadedDiagonals
     excess: NDArray  # (5) load less what the balls carry [N]
     misfit: NDArray  # (4 Z) shape less what the forces make of it [m]
+    softness: NDArray  # (4 Z, 4 Z) [-] change of what the forces make of it by the distance of groove centres
+    forces: NDArray  # (4 Z, 6) [N/m, N] change of the forces by the place, and by the misfit once it closes
+    approach: NDArray  # (4 Z, 6) [-, m] and that of the distances of groove centres
 
 
 @dataclass(frozen=True)
@@ -100,14 +102,38 @@ class ElasticRings:
     """Two elastic rings with balls between them."""
 
     rigid: RigidRings  # the same rings without their elasticity
-    compliance: NDArray  # (4 Z, 4 Z) [m/N]
+    grooves: ElasticGrooves  # two arcs each, a ball's contacts side by side
     usual_stiffness: float  # [N/m] that weighs a misfit against forces
 
     def at(self, place: NDArray, shape: NDArray) -> ElasticRingState:
         """Evaluate every diagonal."""
-        loaded = self.rigid.diagonals.at(place, shape.reshape(-1, 2, 2))
-        excess = self.rigid.load - self.rigid.diagonals.carried(loaded.force)
-        return ElasticRingState(place, shape, loaded, excess, shape - self.compliance @ loaded.force.ravel())
+        diagonals = self.rigid.diagonals
+        loaded = diagonals.at(place, shape.reshape(-1, 2, 2))
+        excess = self.rigid.load - diagonals.carried(loaded.force)
+        closed, softness = self._closed(loaded)
+        misfit = shape - closed
+        columns = np.concatenate([diagonals.moves.reshape(-1, 5), misfit[:, None]], axis=1)
+        approach = np.linalg.solve(np.eye(len(softness)) + softness, columns)
+        forces = loaded.stiffness @ approach.reshape(*loaded.force.shape, 6)
+        return ElasticRingState(
+            place, shape, loaded, excess, misfit, softness, forces.reshape(-1, 6), approach
+        )
+
+    def _closed(self, loaded: LoadedDiagonals) -> tuple[NDArray, NDArray]:
+        """What forces close of the distances of groove centres (4 Z) [m], and its change by them [-]."""
+        angles, force = loaded.angles.reshape(1, -1), loaded.force.reshape(-1, 2)
+        vectors = force[None, :, 0] + 1j * force[None, :, 1]
+        contacts = len(force)
+        closed, softness = np.zeros((contacts, 2)), np.zeros((contacts, 2, contacts, 2))
+        for groove, sign in ((self.grooves.outer, 1), (self.grooves.inner, -1)):
+            if groove is None:
+                continue
+            shape = shape_of(groove, angles, sign * vectors)
+            closed += sign * shape.moved[0]
+            by_force = shape.by_force[0].swapaxes(1, 2)  # contact, contact of the force, components
+            softness += (by_force @ loaded.stiffness.reshape(-1, 2, 2)).swapaxes(1, 2)
+            softness += sign * shape.by_angle[0][..., None] * loaded.turn.reshape(-1, 2)
+        return closed.ravel(), softness.reshape(2 * contacts, -1)
 
     def imbalance(self, state: ElasticRingState) -> float:
         """Largest force that balance or the shape of the rings requires, over the largest force [-]."""
@@ -121,59 +147,19 @@ class ElasticRings:
     def _misfit_forces(self, state: ElasticRingState) -> NDArray:
         return self.usual_stiffness * np.abs(state.misfit)
 
-    def responses(self, state: ElasticRingState) -> tuple[NDArray, NDArray]:
-        """Change of the forces by the misfit (4 Z) and by the place of the ring (4 Z, 5) [N, N/m]."""
-        stiffness = state.diagonals.stiffness
-        moves = np.repeat(self.rigid.diagonals.moves, 2, axis=0).reshape(-1, 2, 2, 5)
-        coupled = np.eye(len(self.compliance)) + _by_blocks(stiffness, self.compliance)
-        changes = np.concatenate([state.misfit.reshape(-1, 2, 2, 1), moves], axis=-1)
-        answers = np.linalg.solve(
-            coupled, np.einsum("jdab,jdbq->jdaq", stiffness, changes).reshape(len(coupled), -1)
-        )
-        return answers[:, 0], answers[:, 1:]
-
     def carried(self, forces: NDArray) -> NDArray:
         """Loads (5, ...) that forces (4 Z, ...) carry."""
-        return np.repeat(self.rigid.diagonals.moves, 2, axis=0).reshape(-1, 5).T @ forces
+        return self.rigid.diagonals.moves.reshape(-1, 5).T @ forces
 
     def stiffness(self, state: ElasticRingState) -> NDArray:
         """Tangent stiffness (5, 5) [N/m]: load over the place of the inner face."""
-        tangent = self.carried(self.responses(state)[1])
+        tangent = self.carried(state.forces[:, :5])
         return (tangent + tangent.T) / 2
 
+    def step(self, state: ElasticRingState, place: NDArray) -> NDArray:
+        """Change of the shape (4 Z) [m] that closes the misfit while the ring moves (5) [m]."""
+        return self.rigid.diagonals.moves.reshape(-1, 5) @ place - state.approach @ np.append(place, 1.0)
+
     def lowest_eigenvalue(self, state: ElasticRingState) -> float:
-        """Lowest eigenvalue of 1 + sqrt(K) C sqrt(K); above zero there is one balance only."""
-        stiffness = state.diagonals.stiffness.reshape(-1, 2, 2)
-        product = np.sqrt(np.linalg.det(stiffness).clip(0.0))[:, None, None]
-        trace = np.trace(stiffness, axis1=1, axis2=2)[:, None, None]
-        # the square root of a symmetric 2 x 2 matrix, zero where nothing is pressed
-        root = (stiffness + product * np.eye(2)) / np.sqrt(np.where(trace > 0, trace + 2 * product, 1.0))
-        half = _by_blocks(root, self.compliance)
-        return float(np.linalg.eigvalsh(np.eye(len(half)) + _by_blocks(root, half.T))[0])
-
-
-def dense_compliance(row: NDArray, balls: int) -> NDArray:
-    """Compliance of all balls (4 Z, 4 Z) [m/N] by that of balls so many pitches apart.
-
-    Raises
-    ------
-    ImpossiblePart
-        when it is not finite, of another shape or not symmetric
-    """
-    if row.shape != (balls, 2, 2, 2, 2) or not np.isfinite(row).all():
-        raise ImpossiblePart(
-            f"compliance of shape {row.shape} must be finite, of shape {(balls, 2, 2, 2, 2)}"
-        )
-    apart = np.arange(balls)[:, None] - np.arange(balls)
-    full = row.reshape(balls, 4, 4)[apart % balls].swapaxes(1, 2).reshape(4 * balls, 4 * balls)
-    if not np.abs(full - full.T).max() <= SYMMETRIC * np.abs(full).max():
-        raise ImpossiblePart(
-            "the compliance is not symmetric: forces and displacements do not belong together"
-        )
-    return full
-
-
-def _by_blocks(blocks: NDArray, full: NDArray) -> NDArray:
-    """Product of a matrix of 2 x 2 blocks on the diagonal (Z, 2, 2, 2) with a full one (4 Z, 4 Z)."""
-    rows = full.reshape(-1, 2, len(full))
-    return (blocks.reshape(-1, 2, 2) @ rows).reshape(full.shape)
+        """Lowest eigenvalue of the softness plus one [-]; below zero, contacts and rings snap together."""
+        return 1.0 + float(np.linalg.eigvals(state.softness).real.min())

@@ -5,14 +5,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves
 from quasidynamic.balance.balls.elastic_rings import (
     ElasticRings,
     ElasticRingState,
     RigidRings,
-    dense_compliance,
     ring_levers,
 )
-from quasidynamic.errors import NotSolved
+from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.parts.ball import FourPointBearing
 from quasidynamic.solve.balls.load_distribution import (
     ROUNDED,
@@ -32,19 +32,17 @@ DESCENT = 1e-3  # part of the linear fall of the forces out of balance that a st
 class ElasticBallLoads(BallLoads):
     """How the balls share a load between elastic rings."""
 
-    deflection: (
-        NDArray  # (Z, 2, 2) [m] by how much the groove centres of each diagonal came closer: outward, x
-    )
+    deflection: NDArray  # (Z, 2, 2) [m] by how much groove centres came closer, axial and radial
 
 
-def elastic_ball_loads(bearing: FourPointBearing, load: NDArray, compliance: NDArray) -> ElasticBallLoads:
+def elastic_ball_loads(bearing: FourPointBearing, load: NDArray, grooves: ElasticGrooves) -> ElasticBallLoads:
     r"""Load of every diagonal under five loads on the inner ring, between elastic rings.
 
-    .. math:: v = v_0 + B a - s,\quad s = C F(v),\quad B^T F(v) = P
+    .. math:: v = v_0 + B a - s,\quad s = C(\alpha) F(v),\quad B^T F(v) = P
 
     with the distance v of opposite groove centres, the place a of the inner ring, the load P and the forces
-    F of `Diagonals`. It is the stationary point of the energy of contacts and rings, which is convex as
-    long as contacts and rings together give way to every force. Newton's method from the rigid rings.
+    F of `Diagonals`; the compliance C follows the contact angles. It is a stationary point of the energy of
+    contacts and rings. Newton's method from the rigid rings.
 
     Parameters
     ----------
@@ -53,10 +51,8 @@ def elastic_ball_loads(bearing: FourPointBearing, load: NDArray, compliance: NDA
     load : array (5)
         P on the face of the inner ring, which moves as a rigid body: axial x, radial y and z [N], moments
         about y and z [N m]
-    compliance : array (Z, 2, 2, 2, 2)
-        C by which the groove centres of a diagonal come closer (diagonal, component) for a force of
-        another diagonal so many balls before it (diagonal, component), both rings together, the contacts' own
-        indentation left out [m/N]; diagonals as in `BallLoads`, components outward and along x; symmetric
+    grooves : ElasticGrooves
+        how the arcs of both rings give way, two for each ball, those of its diagonals side by side
 
     Returns
     -------
@@ -66,24 +62,25 @@ def elastic_ball_loads(bearing: FourPointBearing, load: NDArray, compliance: NDA
     Raises
     ------
     ImpossiblePart
-        when a load or a compliance is not finite, or a compliance does not fit or is not symmetric
+        when a load is not finite, or a groove does not fit the balls
     NotSolved
         when nothing holds the ring, no balance is found, or it may not be the only one
 
     Source
     ------
     Daidie, Chaib and Ghosn (2008), J. Mech. Des. 130, 082601, in the idea that groove centres follow the
-    elastic rings; the equations are those of `ball_loads` with the shape of the rings as further unknowns.
+    elastic rings; the equations are those of `ball_loads` with the shape of the rings as further unknowns,
+    derived here.
 
     Valid
     -----
-    As `ball_loads`; rings of revolution with small displacement, balls at equal pitches.
+    As `ball_loads`; small displacement of the rings. The balance is a stable one, though there may be others.
     """
     rigid_rings = RigidRings.of(bearing, load)
-    matrix = dense_compliance(np.asarray(compliance, dtype=float), bearing.balls)
+    _require_fit(bearing, grooves)
     rigid, count = balanced(rigid_rings)
-    rings = ElasticRings(rigid_rings, matrix, rigid_rings.usual_stiffness(rigid.diagonals.loads.max()))
-    state, more = _balanced(rings, rings.at(rigid.place, np.zeros(len(matrix))))
+    rings = ElasticRings(rigid_rings, grooves, rigid_rings.usual_stiffness(rigid.diagonals.loads.max()))
+    state, more = _balanced(rings, rings.at(rigid.place, np.zeros(4 * bearing.balls)))
     lowest = rings.lowest_eigenvalue(state)
     if not lowest > 0:
         raise NotSolved(
@@ -95,7 +92,7 @@ def elastic_ball_loads(bearing: FourPointBearing, load: NDArray, compliance: NDA
 
 
 def elastic_ball_loads_near(
-    bearing: FourPointBearing, load: NDArray, compliance: NDArray, near: ElasticBallLoads
+    bearing: FourPointBearing, load: NDArray, grooves: ElasticGrooves, near: ElasticBallLoads
 ) -> ElasticBallLoads:
     """`elastic_ball_loads` of a bearing and a load that differ little from those of known ones.
 
@@ -107,13 +104,19 @@ def elastic_ball_loads_near(
         where nothing resists some motion of the ring
     """
     rigid = RigidRings.of(bearing, load)
-    matrix = dense_compliance(np.asarray(compliance, dtype=float), bearing.balls)
-    rings = ElasticRings(rigid, matrix, rigid.usual_stiffness(near.loads.max()))
+    rings = ElasticRings(rigid, grooves, rigid.usual_stiffness(near.loads.max()))
     state = rings.at(near.displacement * ring_levers(bearing), near.deflection.ravel())
-    by_misfit, by_place = rings.responses(state)
-    place = resisted(rings.carried(by_place), state.excess - rings.carried(by_misfit))
-    shape = matrix @ (by_misfit + by_place @ place) - state.misfit
-    return _shared(bearing, rings, rings.at(state.place + place, state.shape + shape), 2)
+    carried = rings.carried(state.forces)
+    place = resisted(carried[:, :5], state.excess - carried[:, 5])
+    return _shared(bearing, rings, rings.at(state.place + place, state.shape + rings.step(state, place)), 2)
+
+
+def _require_fit(bearing: FourPointBearing, grooves: ElasticGrooves) -> None:
+    for name, groove in zip(grooves._fields, grooves, strict=True):
+        if groove is not None and len(groove.compliance) != 2 * bearing.balls:
+            raise ImpossiblePart(
+                f"the {name} groove has {len(groove.compliance)} contacts, {2 * bearing.balls} are needed"
+            )
 
 
 def _shared(
@@ -165,8 +168,8 @@ def _newton_step(rings: ElasticRings, state: ElasticRingState) -> tuple[NDArray,
 
     A direction in which hardly anything resists is stiffened as long as forces are out of balance.
     """
-    by_misfit, by_place = rings.responses(state)
-    tangent = rings.carried(by_place)
+    carried = rings.carried(state.forces)
+    tangent = carried[:, :5]
     stiffer = STIFFENING * min(rings.imbalance(state), 1.0) * max(tangent.trace(), rings.usual_stiffness)
-    place = np.linalg.solve(tangent + stiffer * np.eye(5), state.excess - rings.carried(by_misfit))
-    return place, rings.compliance @ (by_misfit + by_place @ place) - state.misfit
+    place = np.linalg.solve(tangent + stiffer * np.eye(5), state.excess - carried[:, 5])
+    return place, rings.step(state, place)

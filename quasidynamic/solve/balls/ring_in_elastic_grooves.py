@@ -1,6 +1,5 @@
 """Newton's method for a ring on balls between grooves that give way."""
 
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -8,7 +7,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.angular_contact import AngularBalance, BallBalance, RingBalance, moved
 from quasidynamic.balance.balls.ball_position import Vectors, groove_arm, turning
-from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, shape_of
+from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves, shape_of
 from quasidynamic.solve.balls.ball_equilibrium import BallsInBalance, along_arc, balance_balls, resolved
 from quasidynamic.solve.balls.ring_on_balls import (
     ANSWERED,
@@ -27,17 +26,6 @@ FLOATING = 1e-9  # of the whole stiffness: what resists every direction of the r
 SHORTEST = 2.0**-10  # part of a Newton step
 LEAST_STEP = 2e-3  # part of the compliance by which grooves become softer at least
 TOLERANCE = 1e-9  # of the largest force: below, balls that only inertia presses may go to and fro
-
-
-class ElasticGrooves(NamedTuple):
-    """Both grooves of a bearing."""
-
-    inner: ElasticGroove | None  # None: rigid
-    outer: ElasticGroove | None
-
-    def softened(self, part: float) -> "ElasticGrooves":
-        """Grooves of a part of the compliance."""
-        return ElasticGrooves(*(each and replace(each, compliance=part * each.compliance) for each in self))
 
 
 class ElasticSolution(NamedTuple):
