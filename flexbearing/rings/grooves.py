@@ -13,6 +13,8 @@ from flexbearing.build.groove_parts import OUTWARD, GroovePart, Race, groove_par
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import FastCase
+from flexbearing.case.balls.bolted_rings import Rings
+from flexbearing.case.balls.elastic_rings import GrooveAccuracy
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.progress import Report
 from quasidynamic import NotSolved
@@ -40,13 +42,16 @@ def parts(case: BallCase) -> tuple[Arguments | None, Arguments | None]:
     return inner, outer
 
 
+def accuracy_of(case: BallCase) -> tuple[str, GrooveAccuracy | Rings]:
+    """How finely grooves are resolved, and the section of the case that says so."""
+    return ("rings", case.rings) if isinstance(case, FourPointCase) else ("accuracy", case.accuracy)
+
+
 def _arguments(case: BallCase, race: Race) -> Arguments | None:
     part = groove_part(case, race)
     if part is None or part.groove is None:
         return None
-    accuracy, section = (
-        (case.rings, "rings") if isinstance(case, FourPointCase) else (case.accuracy, "accuracy")
-    )
+    section, accuracy = accuracy_of(case)
     diameter, land = case.bearing.ball.diameter, part.raceway_diameter / 2
     width, groove = accuracy.patch_width or PATCH * diameter, part.groove
     end, margin = groove.end(land, OUTWARD[race]), MARGIN * width / groove.radius

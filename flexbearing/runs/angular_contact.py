@@ -380,7 +380,9 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
     """What a user must know of the solution, judged by findings before."""
     case, state, of_findings = solution.case, solution.state, judged.notes(found)
     held = [note for note in of_findings if note.code == GYROSCOPIC_MOMENT.code]
-    lines = (*(note for note in of_findings if note not in held), *elastic_grooves.notes(case, state))
+    lines: tuple[Note, ...] = tuple(note for note in of_findings if note not in held)
+    if state.groove_displacement is not None:
+        lines += elastic_grooves.notes(case, state.contact_angles, state.loads, state.semi_axes[0])
     lifted = int((~state.on_inner).sum())
     if lifted:
         lines += (
