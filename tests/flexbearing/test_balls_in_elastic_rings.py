@@ -115,7 +115,7 @@ def test_notes_say_where_patches_and_stations_do_not_suit():
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ({"bearing.outer.shoulder": "0.2 mm"}, "leaves no room for a patch"),
+        ({"bearing.outer.shoulder": "0.2 mm"}, "does not fit on the outer groove"),
         ({"outer.bar_thickness": "20 mm"}, "bar_thickness"),
         ({"outer.bars": 200}, "bars"),
         ({"accuracy.stations": 4}, "odd"),
