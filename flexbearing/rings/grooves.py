@@ -79,11 +79,15 @@ def elastic_grooves(case: FastCase, azimuths: NDArray, report: Report) -> Elasti
     NotSolved
         when the finite elements find none
     """
-    inner, outer = (
-        each and _condensed(case, race, each, azimuths, report)
-        for race, each in zip(RACES, parts(case), strict=True)
-    )
+    inner, outer = (_under_balls(compliance(case, race, report), azimuths) for race in RACES)
     return None if inner is None and outer is None else ElasticGrooves(inner, outer)
+
+
+def _under_balls(groove: Any, azimuths: NDArray) -> ElasticGroove | None:
+    if groove is None:
+        return None
+    at_balls = groove.at(azimuths)
+    return ElasticGroove(at_balls.angles, at_balls.absolute)
 
 
 def _is_of(part: GroovePart, _: fem.Discretisation, resolution: fem.Resolution, kept: Any) -> bool:
@@ -94,13 +98,23 @@ def _is_of(part: GroovePart, _: fem.Discretisation, resolution: fem.Resolution, 
     return same and tuple(kept.angles) == stations.angles
 
 
-def _condensed(
-    case: FastCase, race: Race, arguments: Arguments, azimuths: NDArray, report: Report
-) -> ElasticGroove:
+def compliance(case: FastCase, race: Race, report: Report) -> Any:
+    """Compliance of one groove for balls anywhere; None where its ring is rigid.
+
+    Raises
+    ------
+    BadCase
+        when the part cannot exist
+    NotSolved
+        when the finite elements find none
+    """
+    arguments = _arguments(case, race)
+    if arguments is None:
+        return None
     name = f"{race} ring"
     report.stage(name, None)
     try:
-        compliance: Any = configured().cached(  # of a part with a groove
+        return configured().cached(
             "GrooveCompliance",
             arguments,
             lambda: condense(*arguments),
@@ -111,5 +125,3 @@ def _condensed(
         raise BadCase(f"{case.source.path}: [{race}] {problem}") from problem
     except RingNotSolved as problem:
         raise NotSolved(f"{name}: {problem}", "not solved") from problem
-    at_balls = compliance.at(azimuths)
-    return ElasticGroove(at_balls.angles, at_balls.absolute)

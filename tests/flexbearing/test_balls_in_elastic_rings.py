@@ -1,5 +1,7 @@
 """Cases of fast balls between elastic rings, from the file to the result."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from pytest import approx
@@ -9,6 +11,10 @@ from flexbearing.api import check, read_case
 from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
 from flexbearing.report.output import text
+from flexbearing.rings import grooves
+from flexbearing.rings.grooves import condense
+from flexbearing.studies.placement import Placement
+from flexbearing.studies.prepare import compute, prepare_source
 from tests.flexbearing.noted import codes
 
 CAGE = "configs/harris218_cage.toml"
@@ -105,6 +111,28 @@ def test_rows_of_a_table_are_those_of_runs():
         assert row.numbers[names[1]] == approx(result.rigid["contact_load"][1].max(), rel=1e-9)
         moved = 1e6 * np.abs(result.flexible["groove_displacement"][1]).max()
         assert row.numbers[names[2]] == approx(moved, rel=1e-6)
+
+
+def test_a_study_condenses_each_ring_once_before_its_rows(tmp_path, monkeypatch):
+    ring = "\n".join(f'"{key}" = "{value}"' for key, value in RING.items() if key != "outer.thickness")
+    over = '"outer.thickness" = ["3.65 mm", "5 mm"]\n"operation.load.radial_z" = ["4 kN", "6 kN"]'
+    file = tmp_path / "study.toml"
+    file.write_text(f'case = "{Path("configs/6209.toml").resolve()}"\n[set]\n{ring}\n[over]\n{over}')
+    monkeypatch.setenv("FLEXBEARING_CACHE", "off")
+    condensed, steps = [], []
+
+    def counted(part, *others):
+        condensed.append(part.thickness)
+        return condense(part, *others)
+
+    monkeypatch.setattr(grooves, "condense", counted)
+    prepared = prepare_source(file)
+    table = compute(
+        prepared, tmp_path, Placement(jobs=1), tell=lambda now: steps.append((now.done, len(condensed)))
+    )
+    assert table["status"].values == ("converged",) * 4
+    assert len(set(condensed)) == 2
+    assert {count for done, count in steps if done} == {2}
 
 
 def test_notes_say_where_patches_and_stations_do_not_suit():
