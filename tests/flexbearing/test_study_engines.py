@@ -69,7 +69,12 @@ def test_variants_that_need_runs_of_their_own_are_expected_to_take_longer(first,
 @pytest.mark.parametrize(
     ("case", "load", "plain", "divided"),
     [
-        ("harris218_cage", "load.radial_z", '"operation.control" = "outer"', '"operation.control" = "coulomb"'),
+        (
+            "harris218_cage",
+            "load.radial_z",
+            '"operation.control" = "outer"',
+            '"operation.control" = "coulomb"',
+        ),
         ("harris218_cage", "load.radial_z", "", '"friction.model" = "fastsim"'),
         ("nu209", "radial_load", '"outputs.subsurface_stresses" = true', '"bearing.contact" = "half_space"'),
     ],
