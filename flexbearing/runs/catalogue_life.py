@@ -36,7 +36,7 @@ class Catalogue:
     rated: Callable[[Any], float | None]  # life by ratings alone [rev], where the case has no other
     viscosity_ratio: Callable[[Any], float | None]  # kappa of a life with a_ISO
     load: Callable[[Any], float]  # equivalent load of ISO 281 [N], of a case whose forces are known
-    exponent: float  # of this load in the life
+    exponent: Callable[[Any], float]  # of this load in the life of a case
 
     def acting(self, case: Any, read: Callable[[Sequence[str]], Any]) -> list[Influence]:
         """Influences that a case has anything of, with the settings that change it."""

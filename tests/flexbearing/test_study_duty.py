@@ -392,6 +392,19 @@ def test_each_variant_requires_the_rating_of_its_own_reliability(reliabilities):
     assert reliabilities["required_rating"].values == approx(expected, rel=3e-3)  # digits of the table
 
 
+def test_each_variant_requires_the_rating_by_its_own_exponent(tmp_path):
+    """With P_1 and P_2 for equal times and thrice as many turns under P_1, C = P_m L^(1/p)."""
+    further = [RATED, 'life = "life_L10"', 'required_life = "10000 h"']
+    file = duty_of(tmp_path, (8000, 5000), (3000, 1000), *further)
+    file.write_text(f'{file.read_text()}\n[over]\n"life.load_exponent" = ["10/3", "4"]\n')
+    cycles = flexbearing.study(file, tmp_path, jobs=1).cycles
+    turns = 10000 * 60 * 2000 / 1e6
+    for place, p in enumerate((10 / 3, 4.0)):
+        mean = (0.75 * 8000**p + 0.25 * 5000**p) ** (1 / p)
+        assert cycles["mean_load"].values[place] == approx(mean, rel=1e-9)
+        assert cycles["required_rating"].values[place] == approx(mean * turns ** (1 / p), rel=1e-9)
+
+
 def test_the_mean_load_is_without_the_application_factor(reliabilities):
     mean = (0.75 * 8000 ** (10 / 3) + 0.25 * 5000 ** (10 / 3)) ** 0.3
     assert reliabilities["mean_load"].values == approx([mean, mean], rel=1e-12)
