@@ -15,8 +15,10 @@ from flexbearing.runs import ball_life
 from flexbearing.studies.file.spectrum import Spectrum
 from flexbearing.studies.plan import Row
 from flexbearing.studies.prepare import prepare_source
+from flexbearing.studies.table import Table
 from flexbearing.studies.table.bounds import Conditions
 from flexbearing.studies.table.duty import Cycles, texts
+from flexbearing.studies.table.forms import csv_bytes
 from flexbearing.studies.thin_oil import LEAST_FACTOR
 from quasidynamic.outcome.life import basic_life, raceway_lives
 from quasidynamic.outcome.life_factors import (
@@ -160,6 +162,14 @@ def test_a_cycle_without_any_load_lasts_for_ever():
     found = cycles(inf, inf, inf)
     assert column(found.of_cycles(), "life [h]") == (inf,)
     assert all(isnan(share) for share in column(found.of_rows(), "damage_share [%]"))
+
+
+def test_a_cycle_without_any_load_has_no_damage_and_no_infinite_cells():
+    found = Table("cycle", tuple(cycles(inf, inf, inf).of_cycles()), ())
+    assert found["status"].values == ("no damage",)
+    heads, cells = (line.split(",") for line in csv_bytes(found).decode().splitlines())
+    assert dict(zip(heads, cells, strict=True))["life [h]"] == ""
+    assert "inf" not in cells
 
 
 def test_a_row_without_an_answer_is_left_out_and_its_share_stands_beside_the_life():

@@ -182,8 +182,11 @@ class Cycles:
         lives = self._lives[""]
         if self._to_come[cycle]:
             return NOT_COMPUTED
-        if np.isnan(self._life(lives)[cycle]):
+        life = self._life(lives)[cycle]
+        if np.isnan(life):
             return INCOMPLETE
+        if np.isinf(life):
+            return NO_DAMAGE
         if lives.left_out[cycle].any():
             return LEFT_OUT
         return BOUNDED if self._bounded[cycle].any() else CONVERGED
