@@ -30,7 +30,7 @@ def rings(case: Head) -> tuple[str, ...]:
     return ()
 
 
-def _named(rings: Mapping[Race, Any]) -> tuple[str, ...]:
+def _named(rings: Mapping[str, Any]) -> tuple[str, ...]:
     """Name each elastic ring by its race and all that decides its compliance; None is a rigid one."""
     return tuple(f"{race} {_digest(ring)}" for race, ring in rings.items() if ring is not None)
 
