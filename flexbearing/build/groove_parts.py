@@ -17,10 +17,11 @@ from flexbearing.case.quantity import require
 
 Race = Literal["inner", "outer"]
 GroovePart = fem.OuterRing | fem.RingOnShaft | fem.SquirrelCage | BoltedRing
+BallCase = FastCase | FourPointCase
 OUTWARD: dict[Race, int] = {"inner": -1, "outer": 1}
 
 
-def groove_part(case: FastCase | FourPointCase, race: Race) -> GroovePart | None:
+def groove_part(case: BallCase, race: Race) -> GroovePart | None:
     """Part that carries a groove; None where it is rigid.
 
     Raises
@@ -40,7 +41,7 @@ def groove_part(case: FastCase | FourPointCase, race: Race) -> GroovePart | None
         raise BadCase(f"{case.source.path}: [{section}] {problem}") from problem
 
 
-def _groove(case: FastCase | FourPointCase, race: Race) -> fem.Groove:
+def _groove(case: BallCase, race: Race) -> fem.Groove:
     """Groove of a race; clearance and growth, which are far smaller than its radius, do not move it."""
     bearing, diameter = case.bearing, case.bearing.ball.diameter
     conformity = getattr(bearing, race).over(diameter)

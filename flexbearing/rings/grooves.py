@@ -9,10 +9,9 @@ from numpy.typing import NDArray
 import fem
 from fem.condense import HARMONICS, SMEARED, condense
 from fem.errors import NotSolved as RingNotSolved
-from flexbearing.build.groove_parts import OUTWARD, GroovePart, Race, groove_part
+from flexbearing.build.groove_parts import OUTWARD, BallCase, GroovePart, Race, groove_part
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
-from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.bolted_rings import Rings
 from flexbearing.case.balls.elastic_rings import GrooveAccuracy
 from flexbearing.case.balls.four_point import FourPointCase
@@ -27,7 +26,6 @@ FINER = 6.0  # order of the elements times width of a patch, over the elements o
 
 RACES: tuple[Race, Race] = ("inner", "outer")
 Arguments = tuple[GroovePart, fem.Discretisation, fem.Resolution]
-BallCase = FastCase | FourPointCase
 
 
 def parts(case: BallCase) -> tuple[Arguments | None, Arguments | None]:
@@ -90,11 +88,15 @@ def elastic_grooves(case: BallCase, azimuths: NDArray, report: Report) -> Elasti
     NotSolved
         when the finite elements find none
     """
-    inner, outer = (
-        each and _condensed(case, race, each, azimuths, report)
-        for race, each in zip(RACES, parts(case), strict=True)
-    )
+    inner, outer = (_under_balls(compliance(case, race, report), azimuths) for race in RACES)
     return None if inner is None and outer is None else ElasticGrooves(inner, outer)
+
+
+def _under_balls(groove: Any, azimuths: NDArray) -> ElasticGroove | None:
+    if groove is None:
+        return None
+    at_balls = groove.at(azimuths)
+    return ElasticGroove(at_balls.angles, at_balls.absolute)
 
 
 def _is_of(part: GroovePart, _: fem.Discretisation, resolution: fem.Resolution, kept: Any) -> bool:
@@ -105,13 +107,23 @@ def _is_of(part: GroovePart, _: fem.Discretisation, resolution: fem.Resolution, 
     return same and tuple(kept.angles) == stations.angles
 
 
-def _condensed(
-    case: BallCase, race: Race, arguments: Arguments, azimuths: NDArray, report: Report
-) -> ElasticGroove:
+def compliance(case: BallCase, race: Race, report: Report) -> Any:
+    """Compliance of one groove for balls anywhere; None where its ring is rigid.
+
+    Raises
+    ------
+    BadCase
+        when the part cannot exist
+    NotSolved
+        when the finite elements find none
+    """
+    arguments = _arguments(case, race)
+    if arguments is None:
+        return None
     name = f"{race} ring"
     report.stage(name, None)
     try:
-        compliance: Any = configured().cached(  # of a part with a groove
+        return configured().cached(
             "GrooveCompliance",
             arguments,
             lambda: condense(*arguments),
@@ -122,5 +134,3 @@ def _condensed(
         raise BadCase(f"{case.source.path}: {race} ring: {problem}") from problem
     except RingNotSolved as problem:
         raise NotSolved(f"{name}: {problem}", "not solved") from problem
-    at_balls = compliance.at(azimuths)
-    return ElasticGroove(at_balls.angles, at_balls.absolute)

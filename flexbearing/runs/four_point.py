@@ -202,7 +202,7 @@ def blocks(case: FourPointCase, report: Report) -> Iterator[tuple[Literal["rigid
     progress = partial(report.stage, STICK)
     report.stage("slow balls between rigid rings", None)
     yield "rigid", solved(case, progress=progress)
-    if not case.rings.rigid:
+    if not case.rigid:
         rings = elastic_rings(case, report)
         report.stage("slow balls between elastic rings", None)
         yield "flexible", solved(case, rings, progress)

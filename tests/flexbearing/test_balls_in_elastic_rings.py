@@ -1,5 +1,8 @@
 """Cases of fast balls between elastic rings, from the file to the result."""
 
+from pathlib import Path
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from pytest import approx
@@ -7,8 +10,15 @@ from pytest import approx
 import flexbearing
 from flexbearing.api import check, read_case
 from flexbearing.case import BadCase
+from flexbearing.case.read import written
 from flexbearing.families import FAMILIES
 from flexbearing.report.output import text
+from flexbearing.rings import grooves
+from flexbearing.rings.grooves import condense
+from flexbearing.runs.ball_catalogue import CATALOGUE
+from flexbearing.runs.catalogue_life import against_catalogue
+from flexbearing.studies.placement import Placement
+from flexbearing.studies.prepare import compute, prepare_source
 from tests.flexbearing.noted import codes
 
 CAGE = "configs/harris218_cage.toml"
@@ -107,6 +117,28 @@ def test_rows_of_a_table_are_those_of_runs():
         assert row.numbers[names[2]] == approx(moved, rel=1e-6)
 
 
+def test_a_study_condenses_each_ring_once_before_its_rows(tmp_path, monkeypatch):
+    ring = "\n".join(f'"{key}" = "{value}"' for key, value in RING.items() if key != "outer.thickness")
+    over = '"outer.thickness" = ["3.65 mm", "5 mm"]\n"operation.load.radial_z" = ["4 kN", "6 kN"]'
+    file = tmp_path / "study.toml"
+    file.write_text(f'case = "{Path("configs/6209.toml").resolve()}"\n[set]\n{ring}\n[over]\n{over}')
+    monkeypatch.setenv("FLEXBEARING_CACHE", "off")
+    condensed, steps = [], []
+
+    def counted(part, *others):
+        condensed.append(part.thickness)
+        return condense(part, *others)
+
+    monkeypatch.setattr(grooves, "condense", counted)
+    prepared = prepare_source(file)
+    table = compute(
+        prepared, tmp_path, Placement(jobs=1), tell=lambda now: steps.append((now.done, len(condensed)))
+    )
+    assert table["status"].values == ("converged",) * 4
+    assert len(set(condensed)) == 2
+    assert {count for done, count in steps if done} == {2}
+
+
 def test_notes_say_where_patches_and_stations_do_not_suit():
     result = flexbearing.run(CAGE, {"accuracy.patch_width": "3 mm"})
     assert "patch-width" in codes(result)
@@ -132,6 +164,59 @@ def test_a_ring_without_its_shoulder_is_refused_in_words_of_the_case():
     given = {key: value for key, value in RING.items() if "shoulder" not in key}
     with pytest.raises(BadCase, match=r"\[bearing.outer\] shoulder is missing"):
         check("configs/harris218.toml", given)
+
+
+ON_SHAFT = {
+    "inner.kind": "ring_on_shaft", "inner.bore": "45 mm", "inner.width": "19 mm",
+    "inner.shaft_length": "60 mm", "bearing.inner.shoulder": "2.2 mm", "materials.shaft": "structural steel",
+}  # fmt: skip
+IN_HOUSING = {
+    "outer.support": "housing", "outer.housing_thickness": "10 mm", "outer.housing_width": "19 mm",
+    "materials.housing": "grey cast iron",
+}  # fmt: skip
+FITTED = {
+    "bearing.fits": {"bore": "45 mm", "outer_diameter": "85 mm", "shaft": "k5", "cold_clearance": "15 um"},
+    "bearing.clearance": None, "materials.shaft": "structural steel",
+    "materials.inner_ring": "100Cr6", "materials.outer_ring": "100Cr6",
+}  # fmt: skip
+HOUSED = {
+    "bearing.fits.housing": {"tolerance_class": "H7", "diameter": "120 mm"},
+    "materials.housing": "grey cast iron",
+}
+
+
+@pytest.mark.parametrize("fits", [{}, FITTED, FITTED | HOUSED], ids=["no fits", "on a shaft", "in a housing"])
+@pytest.mark.parametrize("rings", [{}, ON_SHAFT, IN_HOUSING, ON_SHAFT | IN_HOUSING])
+def test_settings_that_leave_an_influence_out_are_those_of_a_case(rings, fits):
+    """Alone, as the card prints them, and with all later ones left out, too."""
+    bare = {key: value for key, value in RING.items() if "foundation" not in f"{key}{value}"}
+    given = written(bare | rings | fits)
+    stages = stages_of("configs/6209.toml", given)
+    for stage in stages:
+        for settings in (stage["settings"], stage["left_out_by"]):
+            check("configs/6209.toml", [*given, *settings])
+    assert sum("bearing.fits=" in stage["left_out_by"] for stage in stages) == bool(fits)
+    without = read_case("configs/6209.toml", [*given, *stages[0]["settings"]]).materials
+    assert (without.shaft, without.housing) == (None, None)
+
+
+def test_a_material_that_rings_need_makes_no_stage_of_fits():
+    given = {
+        "inner.kind": "ring_on_shaft", "inner.bore": "90 mm", "inner.width": "30 mm",
+        "inner.shaft_length": "60 mm", "bearing.inner.shoulder": "5 mm", "materials.shaft": "100Cr6",
+    }  # fmt: skip
+    names = [stage["name"] for stage in stages_of(CAGE, written(given))[2:]]
+    assert names == ["tilt of the inner ring", "elastic rings", "inertia of the balls at speed"]
+
+
+def stages_of(case, given):
+    """The way from the life of a catalogue, all lives of it the same."""
+    lived = {"status": "converged", "life": {"rigid": {"modified_Mrev": 1.0}}}
+    alike = SimpleNamespace(flexible=None, attributes=lived)
+    read = read_case(case, given)
+    return against_catalogue(
+        read, CATALOGUE, lambda settings: read_case(case, [*given, *settings]), lambda case: alike
+    )["stages"]
 
 
 def test_lives_against_a_catalogue_name_what_elastic_rings_do():

@@ -152,11 +152,6 @@ class Rings(Section):
     element_order: int = groove_accuracy.element_order(_ANY_BOLTED)
     mesh_size: Length | None = groove_accuracy.mesh_size(_ANY_BOLTED)
 
-    @property
-    def rigid(self) -> bool:
-        """Whether both rings are rigid."""
-        return self.outer.kind == self.inner.kind == "rigid"
-
     def require_room(self, inner: Groove, outer: Groove) -> None:
         """Raise unless the grooves of the bearing fit into the rings."""
         for name, ring, groove in (("outer", self.outer, outer), ("inner", self.inner, inner)):
