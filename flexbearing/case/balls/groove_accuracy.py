@@ -3,13 +3,14 @@
 from typing import Annotated, Any
 
 from pydantic import AfterValidator
+from pydantic_core import PydanticCustomError
 
-from flexbearing.case.quantity import impossible, key
+from flexbearing.case.quantity import key
 
 
 def _odd(number: int) -> int:
     if number % 2 == 0:
-        raise impossible("", "an odd number")
+        raise PydanticCustomError("quantity", "{why}", {"why": "must be an odd number"})
     return number
 
 
