@@ -73,6 +73,12 @@ class FastBearing(MountedBearing):
         """Contact angle to whose shape elastic rings are cut [rad]: radial, where none is given."""
         return 0.0
 
+    def groove_bottom(self, race: Literal["inner", "outer"]) -> float:
+        """Radius of the bottom of a groove [m]; clearance and growth are far smaller and left out."""
+        conformity = getattr(self, race).over(self.ball.diameter)
+        depth = conformity - (conformity - 0.5) * cos(self.groove_angle)
+        return self.pitch_diameter / 2 + (1 if race == "outer" else -1) * depth * self.ball.diameter
+
     @model_validator(mode="after")
     def _balls_fit(self) -> Self:
         self.require_room(self.balls)

@@ -17,17 +17,13 @@ SHORTEST = 2.5  # widths of a patch in half a groove: on a shorter one, stations
 
 
 def elastic_groove(bearing: "FastBearing", race: Race) -> "tuple[Groove, float]":
-    """Groove in an elastic ring, and radius of its shoulders [m].
-
-    Clearance and growth, which are far smaller than its radius, do not move it.
-    """
+    """Groove in an elastic ring, and radius of its shoulders [m]."""
     from fem.parts.groove import Groove  # not described between rigid rings
 
-    diameter, groove, outward = bearing.ball.diameter, getattr(bearing, race), OUTWARD[race]
-    conformity = groove.over(diameter)
-    aside = outward * (conformity - 0.5) * diameter * cos(bearing.groove_angle)
-    arc = Groove(radius=conformity * diameter, centre_radius=bearing.pitch_diameter / 2 - aside)
-    return arc, arc.bottom(outward) - outward * groove.shoulder
+    groove, outward, bottom = getattr(bearing, race), OUTWARD[race], bearing.groove_bottom(race)
+    radius = groove.over(bearing.ball.diameter) * bearing.ball.diameter
+    arc = Groove(radius=radius, centre_radius=bottom - outward * radius)
+    return arc, bottom - outward * groove.shoulder
 
 
 def require_room(case: "FastCase") -> None:
