@@ -1,10 +1,10 @@
 """Closed forms of stresses below Hertz contacts.
 
 Sources: Johnson, Contact Mechanics (1985): sec. 4.2 for the line (largest shear stress 0.30 p0 at 0.786 b),
-sec. 3.4 for the axis of the circle, with nu = 0.3 0.31 p0 at 0.48 a. Lundberg and Palmgren (1947) for the
-orthogonal shear stress: line 0.25 at 0.5, circle 0.214 at 0.35. Johnson, sec. 7.1, a sliding line (McEwen,
-1949; Smith and Liu, 1953): along the surface 2 mu p0 of tension behind, 2 mu p0 of pressure ahead. Line in plane strain, nu = 0.3: von Mises
-0.558 at 0.704, as textbooks of machine elements have it.
+sec. 3.4 for the axis of the circle, with nu = 0.3 0.31 p0 at 0.48 a, sec. 7.1 for the sliding line of McEwen
+(1949) and Smith and Liu (1953): 2 mu p0 of tension behind it, as much pressure ahead. Lundberg and Palmgren
+(1947) for the orthogonal shear stress: line 0.25 at 0.5, circle 0.214 at 0.35. Line in plane strain,
+nu = 0.3: von Mises 0.558 at 0.704, as textbooks of machine elements have it.
 """
 
 from functools import partial

@@ -8,7 +8,6 @@ from flexbearing.case.quantity import at_least, at_most, impossible, in_mm, loca
 
 if TYPE_CHECKING:
     from fem.parts.groove import Groove
-    from flexbearing.case.balls.angular_contact import FastBearing, FastCase
 
 Race = Literal["inner", "outer"]
 OUTWARD: dict[Race, int] = {"inner": -1, "outer": 1}
@@ -16,7 +15,7 @@ MARGIN = 2.0  # widths of a patch from the outermost station to the end of the g
 SHORTEST = 2.5  # widths of a patch in half a groove: on a shorter one, stations are too close to each other
 
 
-def elastic_groove(bearing: "FastBearing", race: Race) -> "tuple[Groove, float]":
+def elastic_groove(bearing: Any, race: Race) -> "tuple[Groove, float]":
     """Groove in an elastic ring, and radius of its shoulders [m]."""
     from fem.parts.groove import Groove  # not described between rigid rings
 
@@ -26,8 +25,8 @@ def elastic_groove(bearing: "FastBearing", race: Race) -> "tuple[Groove, float]"
     return arc, bottom - outward * groove.shoulder
 
 
-def require_room(case: "FastCase") -> None:
-    """Raise unless elastic rings can have their grooves; names are dotted keys."""
+def require_room(case: Any) -> None:
+    """Raise unless the elastic rings of fast balls can have their grooves; names are dotted keys."""
     races: tuple[Race, Race] = ("inner", "outer")
     for race in races:
         if getattr(case, race).kind != "rigid":
@@ -36,7 +35,7 @@ def require_room(case: "FastCase") -> None:
             _require_patches(case, race)
 
 
-def _require_arc(bearing: "FastBearing", race: Race) -> None:
+def _require_arc(bearing: Any, race: Race) -> None:
     """Raise where a groove reaches the axis, or the centre of its arc lies beyond."""
     from fem.parts.rings import SLENDEREST_SLOT
 
@@ -54,7 +53,7 @@ def _require_arc(bearing: "FastBearing", race: Race) -> None:
     raise impossible(f"bearing.{race}.radius", f"{at_most(largest)} around the axis")
 
 
-def _require_outer(case: "FastCase") -> None:
+def _require_outer(case: Any) -> None:
     from fem.parts.rings import SLENDEREST_SLOT, narrowest_ring
 
     outer, (groove, land) = case.outer, elastic_groove(case.bearing, "outer")
@@ -73,7 +72,7 @@ def _require_outer(case: "FastCase") -> None:
         located("outer", lambda: held_ring.require_room_for_bars(outer, 2 * land, height, keys))
 
 
-def _require_inner(case: "FastCase") -> None:
+def _require_inner(case: Any) -> None:
     from fem.parts.rings import SLENDEREST_SLOT, narrowest_ring
 
     inner, (groove, land) = case.inner, elastic_groove(case.bearing, "inner")
@@ -89,7 +88,7 @@ def _require_wide(race: Race, width: float, least: float) -> None:
         raise impossible(f"{race}.width", f"{at_least(least)}: the groove with a land at each side")
 
 
-def _require_patches(case: "FastCase", race: Race) -> None:
+def _require_patches(case: Any, race: Race) -> None:
     """Raise unless patches fit between the bottom of a groove and its shoulder."""
     diameter, given = case.bearing.ball.diameter, case.accuracy.patch_width
     groove, land = elastic_groove(case.bearing, race)
