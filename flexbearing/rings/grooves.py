@@ -9,17 +9,16 @@ from numpy.typing import NDArray
 import fem
 from fem.condense import HARMONICS, SMEARED, condense
 from fem.errors import NotSolved as RingNotSolved
-from flexbearing.build.groove_parts import OUTWARD, GroovePart, Race, groove_part
+from flexbearing.build.groove_parts import GroovePart, groove_part
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import FastCase
+from flexbearing.case.balls.ring_room import MARGIN, OUTWARD, Race
 from flexbearing.progress import Report
-from quasidynamic import NotSolved
+from quasidynamic import ImpossiblePart, NotSolved
 from quasidynamic.balance.balls.elastic_grooves import ElasticGroove
 from quasidynamic.solve.balls.ring_in_elastic_grooves import ElasticGrooves
 
-PATCH = 0.06  # width over the ball diameter: a/sqrt(5) of steel balls at 2 to 2.5 GPa
-MARGIN = 2.0  # widths of a patch from the outermost station to the end of the groove
 MESH = 0.25  # largest element over the ball diameter
 FINER = 6.0  # order of the elements times width of a patch, over the elements on the groove
 
@@ -44,14 +43,8 @@ def _arguments(case: FastCase, race: Race) -> Arguments | None:
     if part is None or part.groove is None:
         return None
     accuracy, diameter, land = case.accuracy, case.bearing.ball.diameter, part.raceway_diameter / 2
-    width, groove = accuracy.patch_width or PATCH * diameter, part.groove
+    width, groove = accuracy.patch(diameter), part.groove
     end = groove.end(land, OUTWARD[race]) - MARGIN * width / groove.radius
-    if end <= 0:
-        least = 1e3 * groove.radius * (1 - np.cos(MARGIN * width / groove.radius))
-        raise BadCase(
-            f"{case.source.path}: bearing.{race}.shoulder leaves no room for a patch of "
-            f"accuracy.patch_width = {1e3 * width:.3g} mm; allowed is above {least:.3g} mm"
-        )
     resolution = fem.Resolution(
         length=groove.width(land, OUTWARD[race]),
         mesh_size=fem.MeshSize(
@@ -79,15 +72,20 @@ def elastic_grooves(case: FastCase, azimuths: NDArray, report: Report) -> Elasti
     NotSolved
         when the finite elements find none
     """
-    inner, outer = (_under_balls(compliance(case, race, report), azimuths) for race in RACES)
+    inner, outer = (_under_balls(race, compliance(case, race, report), azimuths) for race in RACES)
     return None if inner is None and outer is None else ElasticGrooves(inner, outer)
 
 
-def _under_balls(groove: Any, azimuths: NDArray) -> ElasticGroove | None:
+def _under_balls(race: Race, groove: Any, azimuths: NDArray) -> ElasticGroove | None:
     if groove is None:
         return None
     at_balls = groove.at(azimuths)
-    return ElasticGroove(at_balls.angles, at_balls.absolute)
+    try:
+        return ElasticGroove(at_balls.angles, at_balls.absolute)
+    except ImpossiblePart as problem:  # of a shaft as thin as a wire
+        raise NotSolved(
+            f"{race} ring: so flexible a part is beyond finite elements: {problem}", "not solved"
+        ) from None
 
 
 def _is_of(part: GroovePart, _: fem.Discretisation, resolution: fem.Resolution, kept: Any) -> bool:

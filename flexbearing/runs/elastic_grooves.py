@@ -19,7 +19,7 @@ def notes(case: FastCase, state: AngularContactState) -> tuple[Note, ...]:
         return ()
     from flexbearing.rings import grooves  # finite elements are not described between rigid rings
 
-    found: tuple[Note, ...] = ()
+    race_notes: tuple[Note, ...] = ()
     for race, (name, arguments) in enumerate(zip(grooves.RACES, grooves.parts(case), strict=True)):
         if arguments is None:
             continue
@@ -28,7 +28,7 @@ def notes(case: FastCase, state: AngularContactState) -> tuple[Note, ...]:
         last = max(map(abs, stations.angles))
         beyond = (np.abs(state.contact_angles[race]) > last + FURTHEST) & (state.loads[race] > 0)
         if beyond.any():
-            found += (
+            race_notes += (
                 outside(
                     "beyond-stations",
                     f"{int(beyond.sum())} balls press the {name} groove beyond "
@@ -37,7 +37,7 @@ def notes(case: FastCase, state: AngularContactState) -> tuple[Note, ...]:
             )
         usual = float(across.max()) / GAUSSIAN  # of the heaviest ball
         if usual and not 1 / UNLIKE < stations.width / usual < UNLIKE:
-            found += (
+            race_notes += (
                 information(
                     "patch-width",
                     f"balls press the {name} groove by patches of {1e3 * stations.width:.2g} mm, the largest "
@@ -45,4 +45,4 @@ def notes(case: FastCase, state: AngularContactState) -> tuple[Note, ...]:
                     "what it changes",
                 ),
             )
-    return found
+    return race_notes
