@@ -9,18 +9,17 @@ from numpy.typing import NDArray
 import fem
 from fem.condense import HARMONICS, SMEARED, condense
 from fem.errors import NotSolved as RingNotSolved
-from flexbearing.build.groove_parts import OUTWARD, BallCase, GroovePart, Race, groove_part
+from flexbearing.build.groove_parts import BallCase, GroovePart, groove_part
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
 from flexbearing.case.balls.bolted_rings import Rings
 from flexbearing.case.balls.elastic_rings import GrooveAccuracy
 from flexbearing.case.balls.four_point import FourPointCase
+from flexbearing.case.balls.ring_room import MARGIN, OUTWARD, Race
 from flexbearing.progress import Report
-from quasidynamic import NotSolved
+from quasidynamic import ImpossiblePart, NotSolved
 from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGrooves
 
-PATCH = 0.06  # width over the ball diameter: a/sqrt(5) of steel balls at 2 to 2.5 GPa
-MARGIN = 2.0  # widths of a patch from the outermost station to the end of the groove
 MESH = 0.25  # largest element over the ball diameter
 FINER = 6.0  # order of the elements times width of a patch, over the elements on the groove
 
@@ -49,17 +48,11 @@ def _arguments(case: BallCase, race: Race) -> Arguments | None:
     part = groove_part(case, race)
     if part is None or part.groove is None:
         return None
-    section, accuracy = accuracy_of(case)
+    accuracy = accuracy_of(case)[1]
     diameter, land = case.bearing.ball.diameter, part.raceway_diameter / 2
-    width, groove = accuracy.patch_width or PATCH * diameter, part.groove
+    width, groove = accuracy.patch(diameter), part.groove
     end, margin = groove.end(land, OUTWARD[race]), MARGIN * width / groove.radius
     first, last = groove.bottom_angle + margin if groove.aside else margin - end, end - margin
-    if first >= last:
-        most = width * (end - (groove.bottom_angle if groove.aside else -end)) / (2 * margin)
-        raise BadCase(
-            f"{case.source.path}: {section}.patch_width = {1e3 * width:.3g} mm does not fit on the {race} "
-            f"groove; allowed is below {1e3 * most:.3g} mm"
-        )
     resolution = fem.Resolution(
         length=groove.width(land, OUTWARD[race]),
         mesh_size=fem.MeshSize(
@@ -88,15 +81,20 @@ def elastic_grooves(case: BallCase, azimuths: NDArray, report: Report) -> Elasti
     NotSolved
         when the finite elements find none
     """
-    inner, outer = (_under_balls(compliance(case, race, report), azimuths) for race in RACES)
+    inner, outer = (_under_balls(race, compliance(case, race, report), azimuths) for race in RACES)
     return None if inner is None and outer is None else ElasticGrooves(inner, outer)
 
 
-def _under_balls(groove: Any, azimuths: NDArray) -> ElasticGroove | None:
+def _under_balls(race: Race, groove: Any, azimuths: NDArray) -> ElasticGroove | None:
     if groove is None:
         return None
     at_balls = groove.at(azimuths)
-    return ElasticGroove(at_balls.angles, at_balls.absolute)
+    try:
+        return ElasticGroove(at_balls.angles, at_balls.absolute)
+    except ImpossiblePart as problem:  # of a shaft as thin as a wire
+        raise NotSolved(
+            f"{race} ring: so flexible a part is beyond finite elements: {problem}", "not solved"
+        ) from None
 
 
 def _is_of(part: GroovePart, _: fem.Discretisation, resolution: fem.Resolution, kept: Any) -> bool:

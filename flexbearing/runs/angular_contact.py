@@ -114,12 +114,12 @@ def operation(case: FastCase) -> qd.RingOperation:
 
 def _preload_place(case: FastCase) -> float:
     """Axial displacement at which a preload holds the ring [m]."""
-    preload, own = case.operation.preload, bearing(case).bearing
+    preload, unloaded = case.operation.preload, bearing(case).bearing
     assert preload  # or there is nothing to hold
     if preload.displacement is not None:
-        return own.touching_place + preload.displacement
+        return unloaded.touching_place + preload.displacement
     assert preload.force is not None  # checked on reading
-    return qd.preloaded_place(own, preload.force)
+    return qd.preloaded_place(unloaded, preload.force)
 
 
 def build(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperation]:
@@ -154,8 +154,8 @@ def solved(cases: Sequence[FastCase], report: Report) -> list[dict[Block, Ended]
         rings = _grooves(elastic, models, report)
         report.stage("fast balls between elastic rings", None)
         models = [_preloaded(*each) for each in zip(elastic, models, rings, strict=True)]
-        found = _finished(elastic, _balanced(elastic, models, rings), report)
-        for k, each in zip(some, found, strict=True):
+        flexible = _finished(elastic, _balanced(elastic, models, rings), report)
+        for k, each in zip(some, flexible, strict=True):
             ended[k]["flexible"] = each
     return ended
 
@@ -188,7 +188,7 @@ def _grooves(cases: Sequence[FastCase], built: Sequence[Any], report: Report) ->
     from flexbearing.rings import grooves  # finite elements are not described between rigid rings
 
     known: dict[Any, Any] = {}
-    found = []
+    grooves_of_cases = []
     for case, (model, _) in zip(cases, built, strict=True):
         azimuths = model.bearing.azimuths
         key = named(case, partial(grooves.parts, case))
@@ -200,8 +200,8 @@ def _grooves(cases: Sequence[FastCase], built: Sequence[Any], report: Report) ->
                 if isinstance(key, Exception)
                 else named(case, partial(grooves.elastic_grooves, case, azimuths, report))
             )
-        found.append(known[key])
-    return found
+        grooves_of_cases.append(known[key])
+    return grooves_of_cases
 
 
 def named(case: Head, solve: Callable[[], Any]) -> Any:
@@ -235,11 +235,11 @@ def _balanced(
     for places in alike.values():
         model, operations, ring = built[places[0]][0], [built[k][1] for k in places], rings[places[0]]
         try:
-            found = model.solve_many(operations, ring)
+            states_of_model = model.solve_many(operations, ring)
         except OutOfRange:  # of one of them, which says so by itself
             each = zip(places, operations, strict=True)
-            found = [named(cases[place], partial(model.solve, at, ring)) for place, at in each]
-        for place, state in zip(places, found, strict=True):
+            states_of_model = [named(cases[place], partial(model.solve, at, ring)) for place, at in each]
+        for place, state in zip(places, states_of_model, strict=True):
             states[place] = state
     return states
 

@@ -31,7 +31,7 @@ def notes(
     """
     from flexbearing.rings import grooves  # finite elements are not described between rigid rings
 
-    found: tuple[Note, ...] = ()
+    race_notes: tuple[Note, ...] = ()
     for race, (name, arguments) in enumerate(zip(grooves.RACES, grooves.parts(case), strict=True)):
         if arguments is None:
             continue
@@ -40,7 +40,7 @@ def notes(
         first, last = min(stations.angles) - FURTHEST, max(stations.angles) + FURTHEST
         beyond = ((angles[race] < first) | (angles[race] > last)) & (loads[race] > 0)
         if beyond.any():
-            found += (
+            race_notes += (
                 outside(
                     "beyond-stations",
                     f"{int(beyond.sum())} contacts press the {name} groove outside {degrees(first):.1f} to "
@@ -49,7 +49,7 @@ def notes(
             )
         usual = float(across[race].max()) / GAUSSIAN  # of the heaviest ball
         if usual and not 1 / UNLIKE < stations.width / usual < UNLIKE:
-            found += (
+            race_notes += (
                 information(
                     "patch-width",
                     f"balls press the {name} groove by patches of {1e3 * stations.width:.2g} mm, the largest "
@@ -57,4 +57,4 @@ def notes(
                     f"{grooves.accuracy_of(case)[0]}.patch_width to see what it changes",
                 ),
             )
-    return found
+    return race_notes

@@ -147,17 +147,82 @@ def test_notes_say_where_patches_and_stations_do_not_suit():
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ({"bearing.outer.shoulder": "0.2 mm"}, "does not fit on the outer groove"),
-        ({"outer.bar_thickness": "20 mm"}, "bar_thickness"),
-        ({"outer.bars": 200}, "bars"),
         ({"accuracy.stations": 4}, "odd"),
-        ({"outer.width": "18 mm"}, r"\[outer\] width = 18 mm is impossible"),
-        ({"outer.thickness": "0.1 mm"}, r"\[outer\] thickness = 0.1 mm is impossible"),
+        ({"outer.thickness": "0.3 mm"}, r"\[outer\] thickness = .0.3 mm. cannot be; it must be above 0.3 mm"),
+        ({"outer.bars": 200}, r"\[outer\] bar_width = .5 mm. cannot be; .* leaves 200 slots"),
+        ({"bearing.outer.radius": None, "bearing.outer.conformity": 4.2}, r"\[bearing.outer\] conformity"),
     ],
 )
 def test_what_cannot_be_is_refused_by_check(changes, words):
     with pytest.raises(BadCase, match=words):
         check(CAGE, changes)
+
+
+def test_bars_for_which_no_width_is_narrow_enough_are_too_many():
+    small = {
+        "bearing.pitch_diameter": "12 mm", "bearing.ball.diameter": "2 mm", "bearing.balls": 9,
+        "bearing.outer.radius": "1.05 mm", "bearing.inner.radius": "1.05 mm",
+        "bearing.outer.shoulder": "0.4 mm", "outer.bars": 180, "outer.bar_width": "0.3 mm",
+    }  # fmt: skip
+    with pytest.raises(BadCase, match=r"\[outer\] bars = 180 cannot be; it must be at most \d+, with slots"):
+        check(CAGE, small)
+
+
+STEEL = {"youngs_modulus": "206 GPa", "poisson_ratio": 0.3, "density": "7800 kg/m^3"}
+ON_SHAFT = {
+    "inner.kind": "ring_on_shaft", "inner.bore": "90 mm", "inner.width": "30 mm",
+    "inner.shaft_length": "80 mm",
+    "inner.shaft_thickness": "10 mm", "bearing.inner.shoulder": "5 mm", "materials.shaft": STEEL,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("key", "beyond", "allowed", "because"),
+    [
+        ("outer.width", "19.7 mm", "at least 19.72 mm", "a land at each side"),
+        ("outer.groove_offset", "5.15 mm", "at most 5.144 mm", "the groove leaves outer.width"),
+        ("outer.groove_offset", "-16 mm", "at most 5.144 mm", "to either side"),
+        (
+            "outer.bar_thickness",
+            "10.41 mm",
+            "at most 10.4 mm",
+            "the 10.6 mm of bearing.outer.shoulder and outer.th",
+        ),
+        ("outer.bar_width", "13.85 mm", "at most 13.84 mm", "32 slots of 0.3 mm"),
+        ("bearing.outer.radius", "92.5 mm", "at most 92.48 mm", "around the axis"),
+        ("bearing.outer.shoulder", "0.47 mm", "at least 0.4748 mm", "accuracy.patch_width"),
+        (
+            "accuracy.patch_width",
+            "4.5 mm",
+            "at most 4.485 mm",
+            "of the arc from the bottom of the inner groove",
+        ),
+        ("inner.width", "19.7 mm", "at least 19.72 mm", "a land at each side"),
+        ("inner.bore", "102.2 mm", "at most 102.1 mm", "under the bottom of the groove"),
+        ("inner.bore", "0.59 mm", "at least 0.6 mm", ""),
+        ("inner.shaft_thickness", "0.29 mm", "at least 0.3 mm", "at most 45 mm, half of inner.bore"),
+        ("inner.shaft_thickness", "45.1 mm", "at most 45 mm", "half of inner.bore"),
+        ("inner.shaft_length", "30.59 mm", "at least 30.6 mm", "inner.width and 0.3 mm at each end"),
+    ],
+)
+def test_a_refusal_names_the_key_and_a_limit_that_is_allowed(key, beyond, allowed, because):
+    given = ON_SHAFT | ({"outer.width": "70 mm"} if key == "bearing.outer.radius" else {})
+    if key == "inner.bore":
+        del given["inner.shaft_thickness"]
+    with pytest.raises(BadCase) as refusal:
+        check(CAGE, given | {key: beyond})
+    message, (table, _, name) = str(refusal.value), key.rpartition(".")
+    assert f'[{table}] {name} = "{beyond}" cannot be; it must be' in message
+    assert allowed in message
+    assert because in message
+    check(CAGE, given | {key: allowed.removeprefix("at least ").removeprefix("at most ")})
+
+
+def test_a_shaft_as_thin_as_a_wire_is_not_solved_and_the_ring_is_named():
+    wire = {key: value for key, value in ON_SHAFT.items() if key != "inner.shaft_thickness"}
+    result = flexbearing.run("configs/harris218.toml", wire | {"inner.bore": "0.7 mm"})
+    assert result.attributes["status"] == "not solved"
+    assert "inner ring: so flexible a part" in result.attributes["message"]
 
 
 def test_a_ring_without_its_shoulder_is_refused_in_words_of_the_case():

@@ -33,6 +33,7 @@ from flexbearing.case.balls.parts import (
     Whole,
     require_quarters,
 )
+from flexbearing.case.balls.ring_room import require_room
 from flexbearing.case.head import KIND
 from flexbearing.case.materials import Oil
 from flexbearing.case.outputs import LifeOutputs
@@ -67,6 +68,17 @@ class FastBearing(MountedBearing):
     balls: int = key("number of balls", example=18, ge=3, le=1000)
     first_ball_azimuth: Angle = key("azimuth of a ball, from z towards y", "0 deg")
 
+    @property
+    def groove_angle(self) -> float:
+        """Contact angle to whose shape elastic rings are cut [rad]: radial, where none is given."""
+        return 0.0
+
+    def groove_bottom(self, race: Literal["inner", "outer"]) -> float:
+        """Radius of the bottom of a groove [m]; clearance and growth are far smaller and left out."""
+        conformity = getattr(self, race).over(self.ball.diameter)
+        depth = conformity - (conformity - 0.5) * cos(self.groove_angle)
+        return self.pitch_diameter / 2 + (1 if race == "outer" else -1) * depth * self.ball.diameter
+
     @model_validator(mode="after")
     def _balls_fit(self) -> Self:
         self.require_room(self.balls)
@@ -91,6 +103,11 @@ class AngularBearing(FastBearing):
         ge=0,
         lt=RIGHT_ANGLE,
     )
+
+    @property
+    def groove_angle(self) -> float:
+        """Contact angle to whose shape elastic rings are cut [rad]."""
+        return self.contact_angle
 
     @property
     def stated_clearance(self) -> float:
@@ -276,6 +293,7 @@ class FastCase(MountedCase):
             require_shoulder("inner", self.bearing.inner)
             if self.materials.shaft is None:
                 raise needed(["materials.shaft"], 'inner.kind = "ring_on_shaft"')
+        require_room(self)
         return self
 
     @model_validator(mode="after")

@@ -1,6 +1,5 @@
 """The sections [outer], [inner] and [accuracy] of a bearing with fast balls: what carries its grooves."""
 
-from math import acos
 from typing import Literal, Self
 
 from pydantic import model_validator
@@ -9,7 +8,7 @@ from flexbearing.case import held_ring
 from flexbearing.case.balls import groove_accuracy
 from flexbearing.case.balls.parts import EndingGroove
 from flexbearing.case.held_ring import ON_SHAFT, RING
-from flexbearing.case.quantity import Foundation, Length, Section, impossible, in_mm, key, needed, require
+from flexbearing.case.quantity import Foundation, Length, Section, key, needed, require
 
 ELASTIC = ({"outer.kind": ("ring", "squirrel_cage")}, {"inner.kind": ("ring_on_shaft",)})
 OF_RING = {"kind": ("ring", "squirrel_cage")}
@@ -48,7 +47,9 @@ class BallOuter(Section):
     housing_support: Literal["seat", "side"] = held_ring.housing_support()
     bars: int | None = held_ring.bars()
     bar_width: Length | None = held_ring.of_cage("tangential width of a bar")
-    bar_thickness: Length | None = held_ring.of_cage("radial thickness of a bar")
+    bar_thickness: Length | None = held_ring.bar_thickness(
+        "between the shoulder of the groove and the outside of the ring"
+    )
     bar_length: Length | None = held_ring.of_cage("axial length of the bars")
     flange_length: Length | None = held_ring.of_cage("axial length of the flange behind the bars")
     bar_ends: Literal["one", "both"] = held_ring.bar_ends()
@@ -61,8 +62,7 @@ class BallOuter(Section):
         if self.kind == "ring":
             held_ring.require_support(self)
         else:
-            names = ("bars", "bar_width", "bar_thickness", "bar_length", "flange_length")
-            require(self, names, 'outer.kind = "squirrel_cage"')
+            held_ring.require_bars(self)
         return self
 
 
@@ -88,11 +88,7 @@ class BallInner(Section):
     @model_validator(mode="after")
     def _complete(self) -> Self:
         if self.kind == "ring_on_shaft":
-            _, width, length = require(
-                self, ("bore", "width", "shaft_length"), 'inner.kind = "ring_on_shaft"'
-            )
-            if length <= width:
-                raise impossible("shaft_length", f"above {in_mm(width)}, inner.width")
+            held_ring.require_shaft(self)
         return self
 
 
@@ -104,15 +100,12 @@ class GrooveAccuracy(Section):
     element_order: int = groove_accuracy.element_order(ELASTIC)
     mesh_size: Length | None = groove_accuracy.mesh_size(ELASTIC)
 
+    def patch(self, ball_diameter: float) -> float:
+        """Standard deviation of the patches [m]."""
+        return self.patch_width or groove_accuracy.PATCH * ball_diameter
+
 
 def require_shoulder(name: str, groove: EndingGroove) -> None:
     """Raise unless the shoulder of a groove in an elastic ring is known."""
     if groove.shoulder is None:
         raise needed([f"bearing.{name}.shoulder"], f"an elastic {name} ring, whose section it is part of")
-
-
-def groove_end(groove: EndingGroove, ball_diameter: float) -> float:
-    """Contact angle at which the shoulder cuts the groove [rad]."""
-    radius = groove.over(ball_diameter) * ball_diameter
-    assert groove.shoulder is not None  # checked on reading
-    return acos(1 - groove.shoulder / radius)

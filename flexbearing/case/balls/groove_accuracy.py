@@ -7,6 +7,9 @@ from pydantic_core import PydanticCustomError
 
 from flexbearing.case.quantity import key
 
+PATCH = 0.06  # width over the ball diameter: a/sqrt(5) of steel balls at 2 to 2.5 GPa
+SHORTEST = 2.5  # widths of a patch in half an arc: on a shorter one, stations are too close to each other
+
 
 def _odd(number: int) -> int:
     if number % 2 == 0:

@@ -1,4 +1,4 @@
-"""Newton's method for a ring on balls between grooves that give way."""
+"""Newton's method for a ring on balls between elastic grooves."""
 
 from typing import NamedTuple
 
@@ -62,7 +62,7 @@ class _State(NamedTuple):
     forces: Vectors  # (C, 2, Z) [N] on the races, once the balls have moved
     by_moves: NDArray  # (C, 2, Z, 2, 2) [N/m] their change
     misfit: NDArray  # (C, 2, 2 Z) [m] grooves less where the forces displace them to
-    yielding: NDArray  # (C, 2, 2 Z, 2 Z) change of where the forces displace them to
+    deflection_by_moves: NDArray  # (C, 2, 2 Z, 2 Z) change by moves of where the forces displace them to
     excess: NDArray  # (C, 5) [N] once the balls have moved
     excess_after: NDArray  # (C, 5) [N] once balls and grooves have moved to their balance, the ring held
     stiffness: NDArray  # (C, 5, 5) [N/m] balls and grooves in balance
@@ -99,7 +99,7 @@ def solve_elastic(balance: AngularBalance, grooves: ElasticGrooves) -> ElasticSo
 
     .. math:: v = v_0 + B a + s, \quad s = -C_i F_i(v) - C_o F_o(v), \quad P = B^T F_i(v)
 
-    with the felt place v of the inner groove against the outer one, the ring place a, forces on balls F_i
+    with the place v of the inner groove against the outer one, the ring place a, forces on balls F_i
     and on the outer race F_o with balls in balance, and compliances of grooves C, which follow the contact
     angles.
 
@@ -116,10 +116,12 @@ def solve_elastic(balance: AngularBalance, grooves: ElasticGrooves) -> ElasticSo
             if outcome in ANSWERED or rigid.outcomes[case] is not SolverOutcome.CONVERGED:
                 continue
             one = np.array([case])
-            found, spent = _softening(balance.take(one), grooves, _Places(*(array[one] for array in begin)))
-            if found is not None:
+            softened, spent = _softening(
+                balance.take(one), grooves, _Places(*(array[one] for array in begin))
+            )
+            if softened is not None:
                 outcomes[case] = SolverOutcome.CONVERGED
-                state.put(one, found)
+                state.put(one, softened)
             state.evaluations[case] += spent
         shape = state.places.shape
         balls = balance.balls(balance.grooves(state.ring) + shape, state.centres)
@@ -190,7 +192,7 @@ def _next(balance: AngularBalance, grooves: ElasticGrooves, state: _State) -> tu
     against = moves.view(complex)
     steps = _Places(
         step,
-        ((state.yielding @ moves[:, None, :, None])[..., 0] - state.misfit).view(complex),
+        ((state.deflection_by_moves @ moves[:, None, :, None])[..., 0] - state.misfit).view(complex),
         state.forces - state.pressing + _vectors(state.by_moves @ _pairs(moves)[:, None, ..., None]),
         state.ball_moves + moved(np.moveaxis(state.follow, 1, 0), against),
     )
@@ -211,12 +213,12 @@ def _next(balance: AngularBalance, grooves: ElasticGrooves, state: _State) -> tu
             state.pressing[trying] + pressing,
             along_arc(state.centres[trying], follow),
         )
-        found = _at(some, grooves, at, BALL_SHARE * state.imbalance[trying])
-        found.evaluations[:] += trial.evaluations[trying]
-        trial.put(trying, found)
-        left = found.work(step[trying], steps.grooves[trying])
-        good = (left >= -0.5 * ahead[trying]) | (found.imbalance < 0.5 * state.imbalance[trying])
-        good &= np.isfinite(found.imbalance)
+        candidate = _at(some, grooves, at, BALL_SHARE * state.imbalance[trying])
+        candidate.evaluations[:] += trial.evaluations[trying]
+        trial.put(trying, candidate)
+        left = candidate.work(step[trying], steps.grooves[trying])
+        good = (left >= -0.5 * ahead[trying]) | (candidate.imbalance < 0.5 * state.imbalance[trying])
+        good &= np.isfinite(candidate.imbalance)
         gained[trying] = good
         damping[trying] /= 2
         trying = trying[~good & (damping[trying] >= last[trying])]
@@ -235,15 +237,19 @@ def _at(
     ball_moves[result.left <= scales.allowed()] = 0.0  # slopes of light balls do not reach far
     _, force, traction = moved(balls.by_ball, ball_moves)
     forces, by_moves = _on_races(balance, result, at, ball_moves, follow)
-    displaced, yielding = _displaced(grooves, balls, forces, by_moves, _turns(at, result.centres, follow))
+    displaced, deflection_by_moves = _displaced(
+        grooves, balls, forces, by_moves, _turns(at, result.centres, follow)
+    )
     misfit = places.grooves.view(float).reshape(displaced.shape) - displaced
     to_groove = np.stack([balance.ring_to_groove.real, balance.ring_to_groove.imag], 1).reshape(-1, 5)
     closing = misfit[:, 1] - misfit[:, 0]
     columns = np.concatenate([np.tile(to_groove, (len(at), 1, 1)), closing[..., None]], axis=-1)
-    softness = yielding[:, 1] - yielding[:, 0]
-    felt = np.linalg.solve(np.eye(softness.shape[1]) + np.nan_to_num(softness), columns)
+    relative_deflection = deflection_by_moves[:, 1] - deflection_by_moves[:, 0]
+    relative_moves = np.linalg.solve(
+        np.eye(relative_deflection.shape[1]) + np.nan_to_num(relative_deflection), columns
+    )
     by_traction = balls.by_groove[:, 2] + moved(balls.by_ball[:, 2, None], follow[:, None])[:, 0]
-    changes = _on_ring(balance, -by_moves[:, 0], by_traction, felt)
+    changes = _on_ring(balance, -by_moves[:, 0], by_traction, relative_moves)
     ring = balance.ring(balls, follow)
     excess = np.where(balance.held, 0.0, ring.excess - balance.on_ring(force, traction))
     tolerance, left = tolerance_of(balance), result.left.max(1)
@@ -259,13 +265,13 @@ def _at(
         forces=forces,
         by_moves=by_moves,
         misfit=misfit,
-        yielding=yielding,
+        deflection_by_moves=deflection_by_moves,
         excess=excess,
         excess_after=np.where(balance.held, 0.0, excess - changes[..., 5]),
         stiffness=changes[..., :5],
         carried=ring.carried,
-        by_ring=felt[..., :5],
-        closing=felt[..., 5],
+        by_ring=relative_moves[..., :5],
+        closing=relative_moves[..., 5],
         imbalance=np.where(result.done, imbalance, np.inf),
         evaluations=np.full(len(at), result.evaluations),
     )
@@ -280,12 +286,12 @@ def _on_races(
     """
     balls = result.balls
     on_ball = balls.forces[1] + moved(balls.by_ball[:, 1], ball_moves)
-    by_felt = _real(balls.by_groove[:, 1] + moved(balls.by_ball[:, 1, None], follow[:, None])[:, 0])
+    by_relative_moves = _real(balls.by_groove[:, 1] + moved(balls.by_ball[:, 1, None], follow[:, None])[:, 0])
     pulled, pulled_by_ball = balance.centrifugal_by_place(balls, at, result.centres)
     pull = balls.kinematics.centrifugal + moved(pulled_by_ball, ball_moves)
-    outer = by_felt.copy()
+    outer = by_relative_moves.copy()
     outer[:, :, 1] += np.moveaxis(pulled + moved(pulled_by_ball[:, None], follow), 0, -1)
-    return np.stack([-on_ball, on_ball + 1j * pull], 1), np.stack([-by_felt, outer], 1)
+    return np.stack([-on_ball, on_ball + 1j * pull], 1), np.stack([-by_relative_moves, outer], 1)
 
 
 def _displaced(
@@ -294,7 +300,7 @@ def _displaced(
     """Where forces displace both grooves to (C, 2, 2 Z) [m], and its change by moves (C, 2, 2 Z, 2 Z)."""
     cases, _, count = forces.shape
     displaced = np.zeros((cases, 2, 2 * count))
-    yielding = np.zeros((cases, 2, 2 * count, 2 * count))
+    deflection_by_moves = np.zeros((cases, 2, 2 * count, 2 * count))
     for race, groove in enumerate(grooves):
         if groove is None:
             continue
@@ -302,14 +308,16 @@ def _displaced(
         displaced[:, race] = each.moved.reshape(cases, -1)
         change = each.by_force.swapaxes(2, 3) @ by_moves[:, race, None]
         change += each.by_angle.swapaxes(2, 3)[..., None] * turns[race][:, None, :, None]
-        yielding[:, race] = change.swapaxes(2, 3).reshape(cases, 2 * count, 2 * count)
-    return displaced, yielding
+        deflection_by_moves[:, race] = change.swapaxes(2, 3).reshape(cases, 2 * count, 2 * count)
+    return displaced, deflection_by_moves
 
 
-def _on_ring(balance: AngularBalance, by_felt: NDArray, by_traction: Vectors, moves: NDArray) -> NDArray:
+def _on_ring(
+    balance: AngularBalance, by_relative_moves: NDArray, by_traction: Vectors, moves: NDArray
+) -> NDArray:
     """Change of the load that is carried (C, 5, Q) by moves of grooves against each other (C, 2 Z, Q)."""
     each = moves.reshape(len(moves), -1, 2, moves.shape[-1])
-    force = by_felt @ each
+    force = by_relative_moves @ each
     traction = np.einsum("acz,czaq->czq", by_traction.real, each)
     carried = (balance.groove_to_ring.T @ (force[:, :, 0] + 1j * force[:, :, 1])).real
     return carried - balance.ring_to_lever.T @ traction
