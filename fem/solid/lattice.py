@@ -124,7 +124,7 @@ def located(mesh: ngs.Mesh, body: str, places: NDArray) -> tuple[Spread, NDArray
     array (m,) of int
         which they are
     """
-    inside = np.atleast_1d(mesh(*places.T)) if len(places) else np.zeros(0, dtype=[("nr", int)])
+    inside = np.atleast_1d(mesh(*(places if len(places) else np.zeros((1, mesh.dim))).T))[: len(places)]
     held = np.flatnonzero(np.isin(inside["nr"], [e.nr for e in mesh.Materials(body).Elements()]))
     if not held.size:
         return Spread(inside[:0], np.zeros(0, dtype=int), np.zeros(0, dtype=bool)), held
@@ -177,6 +177,32 @@ def hooke(strain: NDArray, elastic: Elastic) -> NDArray:
     stress = shear * strain
     stress[..., :3] += shear * strain[..., :3] + lame * strain[..., :3].sum(axis=-1, keepdims=True)
     return stress
+
+
+def hooke_reversed(stress: NDArray, elastic: Elastic) -> NDArray:
+    """Strain of an isotropic body that its stress makes, without that of heat.
+
+    Parameters
+    ----------
+    stress : array (..., 6)
+        xx, yy, zz, xy, yz, xz [Pa] in axes at right angles
+    elastic : Elastic
+        of the body
+
+    Returns
+    -------
+    array (..., 6)
+        xx, yy, zz, 2 xy, 2 yz, 2 xz [-]
+
+    Source
+    ------
+    The reverse of `hooke`.
+    """
+    poisson_ratio = elastic.poisson_ratio
+    strain = 2 * (1 + poisson_ratio) * stress
+    strain[..., :3] -= (1 + poisson_ratio) * stress[..., :3]
+    strain[..., :3] -= poisson_ratio * stress[..., :3].sum(axis=-1, keepdims=True)
+    return strain / elastic.youngs_modulus
 
 
 def strain_of(gradient: NDArray) -> NDArray:

@@ -1,0 +1,157 @@
+"""Strain and displacement that gauges and sensors read of a loaded part."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import ceil, cos, sin
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import KDTree
+
+from fem.parts.material import ImpossiblePart
+from fem.parts.probe import Probe, radius
+from fem.parts.rings import Part
+from fem.parts.step_solid import StepSolid
+from fem.solid.extremes import CAUTION, Sampled
+from fem.solid.lattice import hooke_reversed
+
+ON_A_PATCH = 5  # points along a gauge on the width of a load patch, as far as strain varies
+
+
+@dataclass(frozen=True)
+class Readings:
+    """Means over the lengths of P probes."""
+
+    displacement: NDArray  # (P, 3) along x, outward, towards growing azimuth [m]
+    strain: NDArray  # (P, 6) xx, rr, tt, 2 xr, 2 rt, 2 xt [-] that stress makes
+    angle: NDArray  # (P,) of each probe to the circumference [rad]
+    strain_error: NDArray  # (P,) estimated, of the strains [-], >= 0
+
+    @property
+    def axial_displacement(self) -> NDArray:
+        """(P,) [m]."""
+        return self.displacement[:, 0]
+
+    @property
+    def radial_displacement(self) -> NDArray:
+        """(P,) [m], positive outward."""
+        return self.displacement[:, 1]
+
+    @property
+    def tangential_displacement(self) -> NDArray:
+        """(P,) [m], positive towards growing azimuth."""
+        return self.displacement[:, 2]
+
+    @property
+    def axial_strain(self) -> NDArray:
+        """(P,) [-]."""
+        return self.strain[:, 0]
+
+    @property
+    def radial_strain(self) -> NDArray:
+        """(P,) [-]."""
+        return self.strain[:, 1]
+
+    @property
+    def hoop_strain(self) -> NDArray:
+        """(P,) [-]."""
+        return self.strain[:, 2]
+
+    @property
+    def gauge_strain(self) -> NDArray:
+        r"""Strain along each probe (P,) [-].
+
+        .. math:: \varepsilon = \varepsilon_t \cos^2\alpha + \varepsilon_x \sin^2\alpha
+                  + \gamma_{xt} \sin\alpha \cos\alpha
+
+        Source
+        ------
+        Turned axes of a strain; any text on strain gauges.
+        """
+        s, c = np.sin(self.angle), np.cos(self.angle)
+        return self.hoop_strain * c**2 + self.axial_strain * s**2 + self.strain[:, 5] * s * c
+
+    @property
+    def largest_strain(self) -> NDArray:
+        """Larger principal strain in the surface (P,) [-], as a rosette gives it."""
+        return (self.hoop_strain + self.axial_strain) / 2 + self._half_spread
+
+    @property
+    def smallest_strain(self) -> NDArray:
+        """Smaller principal strain in the surface (P,) [-]."""
+        return (self.hoop_strain + self.axial_strain) / 2 - self._half_spread
+
+    @property
+    def _half_spread(self) -> NDArray:
+        return np.hypot(self.hoop_strain - self.axial_strain, self.strain[:, 5]) / 2
+
+
+def readings(sampled: Sampled, part: Part | StepSolid, probes: Sequence[Probe], width: float) -> Readings:
+    """Read probes.
+
+    Parameters
+    ----------
+    sampled : Sampled
+        the loaded part by two orders of displacements
+    part : Part or StepSolid
+        the part itself
+    probes : sequence of Probe (P,)
+        where
+    width : float
+        of the load patches [m]
+
+    Returns
+    -------
+    Readings
+        their error is twice the largest change of a strain from the lower order of displacements
+
+    Raises
+    ------
+    ImpossiblePart
+        where the part has no material
+
+    Valid
+    -----
+    As the loaded part: under a roller the load patch is not its contact, whose strain is another one.
+    """
+    lines = [_line(part, probe, width) for probe in probes]
+    places, weights = np.concatenate([line[0] for line in lines]), [line[1] for line in lines]
+    starts = np.cumsum([0, *map(len, weights[:-1])])
+
+    def means(*, higher: bool) -> NDArray:
+        values = _at(sampled, part, places, higher=higher)
+        found = np.add.reduceat(values * np.concatenate(weights)[:, None], starts)
+        if missing := [str(k + 1) for k in np.flatnonzero(np.isnan(found).any(axis=1))]:
+            raise ImpossiblePart(f"probe {', '.join(missing)}: its length reaches beyond the material")
+        return found
+
+    values, others = means(higher=True), means(higher=False)
+    error = CAUTION * np.abs(values - others)[:, 3:].max(axis=1)
+    return Readings(values[:, :3], values[:, 3:], np.array([probe.angle for probe in probes]), error)
+
+
+def _line(part: Part | StepSolid, probe: Probe, width: float) -> tuple[NDArray, NDArray]:
+    """Places (n, 3) along a probe, and their weights (n,) in its mean."""
+    r = radius(part, probe)
+    intervals = ceil(probe.length / width)
+    nodes, weights = np.polynomial.legendre.leggauss(ON_A_PATCH) if intervals else (np.zeros(1), np.ones(1))
+    intervals = max(intervals, 1)
+    ends = (2 * np.arange(intervals) + 1) / intervals - 1
+    along = (ends[:, None] + nodes / intervals).ravel() * probe.length / 2
+    azimuth = probe.azimuth + along * cos(probe.angle) / r
+    places = np.stack([probe.x + along * sin(probe.angle), r * np.sin(azimuth), r * np.cos(azimuth)], axis=1)
+    return places, np.tile(weights / weights.sum() / intervals, intervals)
+
+
+def _at(sampled: Sampled, part: Part | StepSolid, places: NDArray, *, higher: bool) -> NDArray:
+    """Displacement and strain (n, 9) at places (n, 3), not a number outside of the part."""
+    different, inverse = np.unique(places, axis=0, return_inverse=True)  # gauges of a rosette share theirs
+    found, tree = np.full((len(different), 9), np.nan), KDTree(different)
+    for body, elastic in part.materials.items():
+        for piece in sampled.pieces(body):
+            samples = sampled.at(body, piece, different, higher=higher)
+            which = tree.query(samples.place)[1]
+            strain = hooke_reversed(samples.stress, elastic)
+            new = np.isnan(found[which, 0])  # a place between two bodies reads the first
+            found[which[new]] = np.hstack([samples.displacement, strain])[new]
+    return found[inverse]
