@@ -26,6 +26,7 @@ from fem.cage.half_pitch_stiffness import (
     reduced_under,
 )
 from fem.mesh.half_pitch import half_pitch
+from fem.mesh.moved_nodes import Faces, cage_faces
 from fem.mesh.notches import notches
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.resolution import Shape
@@ -47,6 +48,7 @@ class LoadedCage:
     halves: tuple[
         NDArray, NDArray
     ]  # (2 bars, unknowns) [m] in the axes of the bar, mirrored at smaller azimuth
+    moved: tuple[Faces, Faces] | None = None  # with which nodes of another mesh were moved, before and after
 
     _kept: dict[tuple[str, int], Spread] = field(default_factory=dict, compare=False)
 
@@ -63,7 +65,7 @@ class LoadedCage:
     def at(self, body: str, piece: int, places: NDArray, *, higher: bool = True) -> Samples:
         """Samples at those of some places (n, 3) [m] that lie in half a pitch, in axes x, r, t."""
         mesh, local = self.displacements[0].space.mesh, self._local(places, piece)
-        points, _ = located(mesh, self._mesh_name(body), local * MILLIMETRES)
+        points, _ = located(mesh, self._mesh_name(body), local * MILLIMETRES, self.moved)
         samples = self._of(body, piece, points, higher)
         axes = cylinder_axes(*self._local(samples.place, piece)[:, 1:].T)
         axes[:, 2] *= -1 if piece % 2 else 1  # the mirrored half counts azimuths the other way round
@@ -187,7 +189,12 @@ def loaded_cage(
             _solved(cage, patches, forces, mesh, order) for order in (mesh_size.order - 1, mesh_size.order)
         ]
     (lower, of_lower, radius), (higher, of_higher, _) = solved
-    return LoadedCage(cage=cage, radius=radius, displacements=(lower, higher), halves=(of_lower, of_higher))
+    moved = None
+    if nodes_of is not None:
+        moved = cage_faces(nodes_of.part, nodes_of.length), cage_faces(cage, patches.length)
+    return LoadedCage(
+        cage=cage, radius=radius, displacements=(lower, higher), halves=(of_lower, of_higher), moved=moved
+    )
 
 
 def _solved(

@@ -24,6 +24,8 @@ from numpy.typing import NDArray
 
 from fem.assembly.factorisation import threads
 from fem.assembly.harmonic_stiffness import HarmonicAnswers, answers
+from fem.mesh.axial_section import faces_of, sections
+from fem.mesh.moved_nodes import Faces
 from fem.mesh.notches import notches
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.boundary_conditions import FreeMotions
@@ -62,6 +64,7 @@ class LoadedSection:
     forces: NDArray  # (Z, M) [N] positive outward
     surroundings: Surroundings
     fields: tuple[Field, Field]  # of the lower and the higher order
+    moved: tuple[Faces, Faces] | None = None  # with which nodes of another mesh were moved, before and after
 
     @property
     def radius(self) -> float:
@@ -105,7 +108,7 @@ class LoadedSection:
         kept = (azimuth >= low * step) & (azimuth < high * step)
         flat = np.stack([x, np.hypot(y, z)], axis=1)[kept] * MILLIMETRES
         of_order = self.fields[higher]
-        points, which = located(of_order.body.space.mesh, body, flat)
+        points, which = located(of_order.body.space.mesh, body, flat, self.moved)
         return self._of(of_order, body, points, azimuth[kept][which])
 
     def _at(
@@ -239,8 +242,13 @@ def loaded_section(
         body, rollers = _answered(part, patches.length, patches.axial_modes, mesh, last, nodes_of)
         fields.append(Field(body, rollers, _steady(body, around)))
     lower, higher = fields
+    moved = None
+    if nodes_of is not None:
+        before, after = sections(nodes_of.part, nodes_of.length), sections(part, patches.length)
+        moved = faces_of(before), faces_of(after)
     return LoadedSection(
-        part=part, patches=patches, forces=forces, surroundings=around, fields=(lower, higher)
+        part=part, patches=patches, forces=forces, surroundings=around, fields=(lower, higher),
+        moved=moved,
     )
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.assembly.elasticity import lame_constants
+from fem.mesh.moved_nodes import Faces, unmoved
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.material import Elastic
 
@@ -105,7 +106,9 @@ def spread(
     return points.where(_unfolded(mesh, points))
 
 
-def located(mesh: ngs.Mesh, body: str, places: NDArray) -> tuple[Spread, NDArray]:
+def located(
+    mesh: ngs.Mesh, body: str, places: NDArray, moved: tuple[Faces, Faces] | None = None
+) -> tuple[Spread, NDArray]:
     """Places that lie in a body.
 
     Parameters
@@ -116,6 +119,8 @@ def located(mesh: ngs.Mesh, body: str, places: NDArray) -> tuple[Spread, NDArray
         its name
     places : array (n, dimensions)
         [mm]
+    moved : tuple of Faces, optional
+        with which nodes were moved, before and after: the search for elements knows the mesh before
 
     Returns
     -------
@@ -124,7 +129,11 @@ def located(mesh: ngs.Mesh, body: str, places: NDArray) -> tuple[Spread, NDArray
     array (m,) of int
         which they are
     """
-    inside = np.atleast_1d(mesh(*(places if len(places) else np.zeros((1, mesh.dim))).T))[: len(places)]
+    before = places if moved is None else MILLIMETRES * unmoved(places / MILLIMETRES, *moved)
+    inside = _elements(mesh, before)
+    if moved is not None and (found := inside["nr"] >= 0).any():
+        there = ngs.CF((ngs.x, ngs.y, ngs.z)[: mesh.dim])(inside[found])
+        inside[found] = _elements(mesh, before[found] + places[found] - there)
     held = np.flatnonzero(np.isin(inside["nr"], [e.nr for e in mesh.Materials(body).Elements()]))
     if not held.size:
         return Spread(inside[:0], np.zeros(0, dtype=int), np.zeros(0, dtype=bool)), held
@@ -132,6 +141,11 @@ def located(mesh: ngs.Mesh, body: str, places: NDArray) -> tuple[Spread, NDArray
     around = _lattices(mesh, body, ROUGH, np.unique(points.key))
     good = _unfolded(mesh, points.joined(around))[: held.size]
     return points.where(good), held[good]
+
+
+def _elements(mesh: ngs.Mesh, places: NDArray) -> NDArray:
+    """Places (n, dimensions) [mm] in elements as NGSolve wants them; of number -1 where there is none."""
+    return np.atleast_1d(mesh(*(places if len(places) else np.zeros((1, mesh.dim))).T))[: len(places)]
 
 
 def _lattices(mesh: ngs.Mesh, body: str, intervals: int, keys: NDArray | None) -> Spread:

@@ -1,8 +1,8 @@
 """Strain and displacement that gauges and sensors read of a loaded part."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import ceil, cos, sin
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,10 +18,10 @@ from fem.solid.lattice import hooke_reversed
 ON_A_PATCH = 5  # points along a gauge on the width of a load patch, as far as strain varies
 
 
-@dataclass(frozen=True)
-class Readings:
+class Readings(NamedTuple):
     """Means over the lengths of P probes."""
 
+    azimuth: NDArray  # (P,) [rad]
     displacement: NDArray  # (P, 3) along x, outward, towards growing azimuth [m]
     strain: NDArray  # (P, 6) xx, rr, tt, 2 xr, 2 rt, 2 xt [-] that stress makes
     angle: NDArray  # (P,) of each probe to the circumference [rad]
@@ -127,7 +127,8 @@ def readings(sampled: Sampled, part: Part | StepSolid, probes: Sequence[Probe], 
 
     values, others = means(higher=True), means(higher=False)
     error = CAUTION * np.abs(values - others)[:, 3:].max(axis=1)
-    return Readings(values[:, :3], values[:, 3:], np.array([probe.angle for probe in probes]), error)
+    azimuth, angle = np.array([(probe.azimuth, probe.angle) for probe in probes]).T
+    return Readings(azimuth, values[:, :3], values[:, 3:], angle, error)
 
 
 def _line(part: Part | StepSolid, probe: Probe, width: float) -> tuple[NDArray, NDArray]:

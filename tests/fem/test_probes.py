@@ -197,7 +197,7 @@ def loaded():
 
 
 def test_bending_of_the_bars_balances_the_load(loaded):
-    """Moments of each bar at two sections from strains at four corners; their slopes are forces of the ring."""
+    """Moments of each bar at two sections from strains at four corners; their slopes are the ring's forces."""
     section, start = bar_section(CAGE), CAGE.width / 2
     sections = (start + 5e-3, start + 9e-3)
     off = 0.06
