@@ -247,7 +247,11 @@ def loaded_section(
         before, after = sections(nodes_of.part, nodes_of.length), sections(part, patches.length)
         moved = faces_of(before), faces_of(after)
     return LoadedSection(
-        part=part, patches=patches, forces=forces, surroundings=around, fields=(lower, higher),
+        part=part,
+        patches=patches,
+        forces=forces,
+        surroundings=around,
+        fields=(lower, higher),
         moved=moved,
     )
 

@@ -1,14 +1,14 @@
 """Strain and displacement that gauges and sensors read of a loaded part."""
 
 from collections.abc import Sequence
-from math import ceil, cos, sin
+from math import ceil, cos, degrees, sin
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
-from fem.parts.material import ImpossiblePart
+from fem.parts.material import ImpossiblePart, in_mm
 from fem.parts.probe import Probe, radius
 from fem.parts.rings import Part
 from fem.parts.step_solid import StepSolid
@@ -117,15 +117,13 @@ def readings(sampled: Sampled, part: Part | StepSolid, probes: Sequence[Probe], 
     lines = [_line(part, probe, width) for probe in probes]
     places, weights = np.concatenate([line[0] for line in lines]), [line[1] for line in lines]
     starts = np.cumsum([0, *map(len, weights[:-1])])
-
-    def means(*, higher: bool) -> NDArray:
-        values = _at(sampled, part, places, higher=higher)
-        found = np.add.reduceat(values * np.concatenate(weights)[:, None], starts)
-        if missing := [str(k + 1) for k in np.flatnonzero(np.isnan(found).any(axis=1))]:
-            raise ImpossiblePart(f"probe {', '.join(missing)}: its length reaches beyond the material")
-        return found
-
-    values, others = means(higher=True), means(higher=False)
+    values, others = (
+        np.add.reduceat(each * np.concatenate(weights)[:, None], starts)
+        for each in (_at(sampled, part, places, higher=higher) for higher in (True, False))
+    )
+    for missing in np.flatnonzero(np.isnan(values + others).any(axis=1)):
+        where = f"x = {in_mm(probes[missing].x)}, {degrees(probes[missing].azimuth):.4g} deg"
+        raise ImpossiblePart(f"a probe at {where} reaches beyond the material")
     error = CAUTION * np.abs(values - others)[:, 3:].max(axis=1)
     azimuth, angle = np.array([(probe.azimuth, probe.angle) for probe in probes]).T
     return Readings(azimuth, values[:, :3], values[:, 3:], angle, error)

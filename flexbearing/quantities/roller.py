@@ -31,7 +31,19 @@ from flexbearing.quantities.reductions import (
     touching_both,
 )
 from flexbearing.quantities.stiffness import RADIAL_STIFFNESSES, TOTAL_STIFFNESSES
-from flexbearing.quantities.units import COUNT, DEG, KN_PER_MM, MM, MPA, MRAD, MREV, PERCENT, RPM, UM, UM_PER_M
+from flexbearing.quantities.units import (
+    COUNT,
+    DEG,
+    KN_PER_MM,
+    MM,
+    MPA,
+    MRAD,
+    MREV,
+    PERCENT,
+    RPM,
+    UM,
+    UM_PER_M,
+)
 
 _DEVIATION = "positive outward, without form error, local indentation and rigid translation"
 _DEVIATIONS = ("inner_deviation", "outer_deviation")
@@ -56,7 +68,6 @@ CAGE_SLIP = Quantity(
     summary=(SummaryValue("cage_slip_percent", label="cage slip", digits=".2f",
                           error="cage_slip", error_relative=False),),
 )  # fmt: skip
-
 
 
 def _reading(name: str, symbol: str, meaning: str, people: Unit) -> Quantity:

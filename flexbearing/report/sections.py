@@ -278,7 +278,9 @@ def probes(found: dict[str, list[float]] | None) -> Iterator[RenderableType]:
     """What probes read; nothing without probes."""
     if not found:
         return
-    yield Text("probes: strains [um/m] along the gauge, hoop, axial, principal; outward displacement", style="bold")
+    yield Text(
+        "probes: strains [um/m] along the gauge, hoop, axial, principal; outward displacement", style="bold"
+    )
     table = right_aligned("", *_READINGS)
     for place in range(len(found["azimuth_deg"])):
         cells = (format(found[key][place], form) for key, form in _READINGS.values())

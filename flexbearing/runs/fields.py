@@ -56,13 +56,20 @@ def parts(case: Case) -> dict[Race, Any]:
 def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
     """A part under the roller loads of a state; it is solved for what is asked of it.
 
+    Raises
+    ------
+    NoFields
+        of a part that is computed on its section only
+
     Valid
     -----
     Normal loads only: tractions of the rollers, about a hundredth of them, do not load the part.
     """
     if words := ring_parts.why_no_solid(case, race):
         raise NoFields(f"{NAMES[race]}: {words}")
-    part, loads = parts(case)[race], patches(case, roller_bearing.bearing(case).bearing.azimuths)
+    azimuths = values.get("roller_azimuth")  # iterations have none: their rollers stand where the case says
+    azimuths = roller_bearing.parts(case).azimuths if azimuths is None else azimuths
+    part, loads = parts(case)[race], patches(case, azimuths)
     plain = isinstance(part, fem.OuterRing | fem.RingOnShaft)
     usual = FOR_STRESSES[type(part)] if plain or isinstance(part, fem.SquirrelCage) else IN_SPACE
     sizes = Sizes(

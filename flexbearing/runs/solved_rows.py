@@ -17,8 +17,7 @@ from flexbearing.coupling import LinearPair
 from flexbearing.outputs import RequestedOutput
 from flexbearing.outputs.names import BLOCKS
 from flexbearing.progress import Logged, Report
-from flexbearing.quantities.quantity import Quantity, taken
-from flexbearing.quantities.reductions import RACES
+from flexbearing.quantities.quantity import Quantity, row, taken
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs import half_space, probes, several, skew, subsurface
 from flexbearing.runs.life import LoadedState, edge_stress, modified, static
@@ -180,8 +179,8 @@ class SolvedRows:
         from flexbearing.runs import fields
 
         if race not in self._fields:
-            loads = {f"{each}_slice_load": self.states.slice_loads[0, k] for k, each in enumerate(RACES)}
-            self._fields[race] = fields.fields(self.cases[0], race, "flexible", loads)
+            block = self.block(QUANTITIES[name] for name in ("roller_azimuth", f"{race}_slice_load"))
+            self._fields[race] = fields.fields(self.cases[0], race, "flexible", row(block, 0))
         return self._fields[race]
 
     @cached_property
@@ -207,7 +206,8 @@ class SolvedRows:
         if len(self) > 1:  # one by one, as the fields of a squirrel cage take much memory
             each = zip(self.cases, self.models, self.each, self.rings, strict=True)
             return [SolvedRows.of(*one)._probes[0] for one in each]
-        return [probes.readings(self)]
+        self.report.stage("strains at the probes", None)
+        return [probes.readings(self.cases[0], self.fields)]
 
     @property
     def _friction_of_worst(self) -> NDArray:

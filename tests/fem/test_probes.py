@@ -197,7 +197,7 @@ def loaded():
 
 
 def test_bending_of_the_bars_balances_the_load(loaded):
-    """Moments of each bar at two sections from strains at four corners; their slopes are the ring's forces."""
+    """Moments of each bar at two sections from strains at four corners; their slopes are forces."""
     section, start = bar_section(CAGE), CAGE.width / 2
     sections = (start + 5e-3, start + 9e-3)
     off = 0.06
@@ -291,8 +291,8 @@ def test_a_place_without_material_is_refused(part, probe, words):
 
 
 def test_a_gauge_that_reaches_beyond_the_material_is_refused(uneven):
-    with pytest.raises(ImpossiblePart, match="probe 2: its length reaches beyond the material"):
-        read(uneven, THICK, POINT, replace(POINT, angle=pi / 2, length=6e-3))
+    with pytest.raises(ImpossiblePart, match="a probe at x = 0 mm, 90 deg reaches beyond the material"):
+        read(uneven, THICK, POINT, replace(POINT, azimuth=pi / 2, angle=pi / 2, length=6e-3))
 
 
 def test_heat_alone_strains_nothing_that_may_expand():
