@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 import ngsolve as ngs
 import numpy as np
@@ -145,7 +146,8 @@ def located(
 
 def _elements(mesh: ngs.Mesh, places: NDArray) -> NDArray:
     """Places (n, dimensions) [mm] in elements as NGSolve wants them; of number -1 where there is none."""
-    return np.atleast_1d(mesh(*(places if len(places) else np.zeros((1, mesh.dim))).T))[: len(places)]
+    one_or_more: Any = places if len(places) else np.zeros((1, mesh.dim))
+    return np.atleast_1d(mesh(*one_or_more.T))[: len(places)]
 
 
 def _lattices(mesh: ngs.Mesh, body: str, intervals: int, keys: NDArray | None) -> Spread:

@@ -22,40 +22,10 @@ class Readings(NamedTuple):
     """Means over the lengths of P probes."""
 
     azimuth: NDArray  # (P,) [rad]
-    displacement: NDArray  # (P, 3) along x, outward, towards growing azimuth [m]
-    strain: NDArray  # (P, 6) xx, rr, tt, 2 xr, 2 rt, 2 xt [-] that stress makes
+    displacement: NDArray  # (3, P) along x, outward, towards growing azimuth [m]
+    strain: NDArray  # (6, P) xx, rr, tt, 2 xr, 2 rt, 2 xt [-] that stress makes
     angle: NDArray  # (P,) of each probe to the circumference [rad]
     strain_error: NDArray  # (P,) estimated, of the strains [-], >= 0
-
-    @property
-    def axial_displacement(self) -> NDArray:
-        """(P,) [m]."""
-        return self.displacement[:, 0]
-
-    @property
-    def radial_displacement(self) -> NDArray:
-        """(P,) [m], positive outward."""
-        return self.displacement[:, 1]
-
-    @property
-    def tangential_displacement(self) -> NDArray:
-        """(P,) [m], positive towards growing azimuth."""
-        return self.displacement[:, 2]
-
-    @property
-    def axial_strain(self) -> NDArray:
-        """(P,) [-]."""
-        return self.strain[:, 0]
-
-    @property
-    def radial_strain(self) -> NDArray:
-        """(P,) [-]."""
-        return self.strain[:, 1]
-
-    @property
-    def hoop_strain(self) -> NDArray:
-        """(P,) [-]."""
-        return self.strain[:, 2]
 
     @property
     def gauge_strain(self) -> NDArray:
@@ -68,22 +38,14 @@ class Readings(NamedTuple):
         ------
         Turned axes of a strain; any text on strain gauges.
         """
-        s, c = np.sin(self.angle), np.cos(self.angle)
-        return self.hoop_strain * c**2 + self.axial_strain * s**2 + self.strain[:, 5] * s * c
+        (axial, _, hoop, *_, shear), s, c = self.strain, np.sin(self.angle), np.cos(self.angle)
+        return hoop * c**2 + axial * s**2 + shear * s * c
 
     @property
-    def largest_strain(self) -> NDArray:
-        """Larger principal strain in the surface (P,) [-], as a rosette gives it."""
-        return (self.hoop_strain + self.axial_strain) / 2 + self._half_spread
-
-    @property
-    def smallest_strain(self) -> NDArray:
-        """Smaller principal strain in the surface (P,) [-]."""
-        return (self.hoop_strain + self.axial_strain) / 2 - self._half_spread
-
-    @property
-    def _half_spread(self) -> NDArray:
-        return np.hypot(self.hoop_strain - self.axial_strain, self.strain[:, 5]) / 2
+    def principal_strains(self) -> NDArray:
+        """Larger and smaller principal strain in the surface (2, P) [-], as a rosette gives them."""
+        axial, _, hoop, *_, shear = self.strain
+        return (hoop + axial) / 2 + np.multiply.outer([0.5, -0.5], np.hypot(hoop - axial, shear))
 
 
 def readings(sampled: Sampled, part: Part | StepSolid, probes: Sequence[Probe], width: float) -> Readings:
@@ -121,12 +83,13 @@ def readings(sampled: Sampled, part: Part | StepSolid, probes: Sequence[Probe], 
         np.add.reduceat(each * np.concatenate(weights)[:, None], starts)
         for each in (_at(sampled, part, places, higher=higher) for higher in (True, False))
     )
-    for missing in np.flatnonzero(np.isnan(values + others).any(axis=1)):
-        where = f"x = {in_mm(probes[missing].x)}, {degrees(probes[missing].azimuth):.4g} deg"
-        raise ImpossiblePart(f"a probe at {where} reaches beyond the material")
+    for probe, row in zip(probes, values + others, strict=True):
+        if np.isnan(row).any():
+            where = f"x = {in_mm(probe.x)}, {degrees(probe.azimuth):.4g} deg"
+            raise ImpossiblePart(f"a probe at {where} reaches beyond the material")
     error = CAUTION * np.abs(values - others)[:, 3:].max(axis=1)
     azimuth, angle = np.array([(probe.azimuth, probe.angle) for probe in probes]).T
-    return Readings(azimuth, values[:, :3], values[:, 3:], angle, error)
+    return Readings(azimuth, values[:, :3].T, values[:, 3:].T, angle, error)
 
 
 def _line(part: Part | StepSolid, probe: Probe, width: float) -> tuple[NDArray, NDArray]:
@@ -149,7 +112,7 @@ def _at(sampled: Sampled, part: Part | StepSolid, places: NDArray, *, higher: bo
     for body, elastic in part.materials.items():
         for piece in sampled.pieces(body):
             samples = sampled.at(body, piece, different, higher=higher)
-            which = tree.query(samples.place)[1]
+            which = np.asarray(tree.query(samples.place)[1])
             strain = hooke_reversed(samples.stress, elastic)
             new = np.isnan(found[which, 0])  # a place between two bodies reads the first
             found[which[new]] = np.hstack([samples.displacement, strain])[new]

@@ -28,4 +28,4 @@ def readings(case: Case, fields: "Callable[[Race], PartFields]") -> "Readings | 
             except NoFields as problem:
                 return str(problem)
     order = np.argsort(numbers)
-    return Readings(*(np.concatenate(column)[order] for column in zip(*read, strict=True)))
+    return Readings(*(np.concatenate(column, axis=-1)[..., order] for column in zip(*read, strict=True)))

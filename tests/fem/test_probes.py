@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from math import cos, pi, radians, sin
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -48,7 +49,15 @@ def pulled(turned=0.0):
 
 
 def read(sampled, part, *probes, width=1e-3):
-    return readings(sampled, part, probes, width)
+    """Readings by name, the probes first."""
+    found = readings(sampled, part, probes, width)
+    largest, smallest = found.principal_strains
+    return SimpleNamespace(
+        displacement=found.displacement.T, strain=found.strain.T, axial_strain=found.strain[0],
+        hoop_strain=found.strain[2], radial_displacement=found.displacement[1],
+        gauge_strain=found.gauge_strain, strain_error=found.strain_error, largest_strain=largest,
+        smallest_strain=smallest,
+    )  # fmt: skip
 
 
 @pytest.fixture(scope="module")

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -34,6 +35,7 @@ PROBES = {
     "outputs.probes.gauge_angles": ["0 deg", "0 deg", "90 deg"],
 }
 CASE = Case(PAPER, RING | PROBES)
+HEAD: Any = CASE.head
 GAUGE, OUTWARD = "probe_gauge_strain.1", "probe_radial_displacement.1"
 
 
@@ -59,12 +61,12 @@ def test_readings_are_those_of_the_stored_fields(result):
     """Largest von Mises stress of the ring, by Hooke's law from a probe at its place."""
     (outer,) = stored_fields.of_result(result)
     largest = outer.extremes["ring"].von_mises
-    probe = probes(CASE.head, "outer")[0]
+    probe = probes(HEAD, "outer")[0]
     depth = outer.part.raceway_diameter / 2 + outer.part.thickness - largest.radius
     there = replace(probe, azimuth=largest.azimuth, x=largest.x, depth=max(depth, 0.0), length=0.0)
-    strain = outer.readings([there]).strain
+    strain = outer.readings([there]).strain.T
     assert von_mises(hooke(strain, outer.part.elastic)) == approx(largest.value, rel=1e-3)
-    again = outer.readings(list(probes(CASE.head, "outer").values()))
+    again = outer.readings(list(probes(HEAD, "outer").values()))
     assert again.gauge_strain == approx(result.flexible["probe_gauge_strain"], rel=1e-9)
 
 
@@ -79,7 +81,7 @@ def test_a_study_has_a_column_for_a_probe(result):
 
 
 def test_a_map_has_probes(result):
-    case = CASE.head
+    case = HEAD
     found = solved_map(
         case, axes(["operation.radial_load=15 kN..19.6211 kN,2"], type(case)), [GAUGE], Logged()
     )
@@ -138,7 +140,8 @@ def test_rings_are_read_in_the_order_of_their_probes():
     })  # fmt: skip
     outward = both.run().flexible["probe_radial_displacement"]
     assert outward[2] > 10e-6 > abs(outward[1])  # in the load and opposite to it
-    assert probes(both.head, "inner")[0].outside is False
+    head: Any = both.head
+    assert not probes(head, "inner")[0].outside
 
 
 @pytest.mark.parametrize(

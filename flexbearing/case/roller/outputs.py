@@ -1,6 +1,6 @@
 """The section [outputs] of roller bearings, with its probes."""
 
-from typing import Literal, NamedTuple, Self
+from typing import Any, Literal, NamedTuple, Self
 
 from pydantic import model_validator
 
@@ -22,54 +22,39 @@ class Row(NamedTuple):
     gauge_length: float  # [m]
 
 
+def _listed(meaning: str, default: Any = ..., *, example: list[str], **limits: Any) -> Any:
+    """Declare a list with an entry for every probe, or for all."""
+    return key(meaning, default, example=example, strict=False, max_length=MOST, **limits)
+
+
 class Probes(Section):
     """Places on the rings where strain and displacement are read, one after the other."""
 
-    azimuths: tuple[Angle, ...] = key(
-        "azimuths of the probes, from z towards y",
-        example=["0 deg", "90 deg"],
-        strict=False,
-        min_length=1,
-        max_length=MOST,
+    azimuths: tuple[Angle, ...] = _listed(
+        "azimuths of the probes, from z towards y", example=["0 deg", "90 deg"], min_length=1
     )
-    parts: tuple[Literal["outer", "inner"], ...] = key(
-        "on what carries which raceway", ("outer",), example=["outer"], strict=False, max_length=MOST
+    parts: tuple[Literal["outer", "inner"], ...] = _listed(
+        "on what carries which raceway", ("outer",), example=["outer"]
     )
-    places: tuple[Length, ...] = key(
-        "axial places x, 0 in the middle of the rollers",
-        ("0 mm",),
-        example=["0 mm", "12 mm"],
-        strict=False,
-        max_length=MOST,
+    places: tuple[Length, ...] = _listed(
+        "axial places x, 0 in the middle of the rollers", ("0 mm",), example=["0 mm", "12 mm"]
     )
-    surfaces: tuple[Literal["outside", "inside"], ...] = key(
+    surfaces: tuple[Literal["outside", "inside"], ...] = _listed(
         "on the outermost or on the innermost surface of ring, housing, shaft, bar or flange at that place",
         ("outside",),
         example=["inside"],
-        strict=False,
-        max_length=MOST,
     )
-    depths: tuple[Length, ...] = key(
-        "radial depths below that surface",
-        ("0 mm",),
-        example=["0.5 mm"],
-        strict=False,
-        max_length=MOST,
-    )
-    gauge_angles: tuple[Angle, ...] = key(
+    depths: tuple[Length, ...] = _listed("radial depths below that surface", ("0 mm",), example=["0.5 mm"])
+    gauge_angles: tuple[Angle, ...] = _listed(
         "angles of the gauges to the circumference, positive where the end at larger azimuth is at larger x; "
         "three probes at one place are a rosette",
         ("0 deg",),
         example=["0 deg", "45 deg", "90 deg"],
-        strict=False,
-        max_length=MOST,
     )
-    gauge_lengths: tuple[Length, ...] = key(
+    gauge_lengths: tuple[Length, ...] = _listed(
         "lengths of the gauges, along which every reading is a mean; 0 reads a point",
         ("0 mm",),
         example=["3 mm"],
-        strict=False,
-        max_length=MOST,
     )
 
     @model_validator(mode="after")

@@ -51,11 +51,13 @@ def stresses(reader: Reader) -> Table | None:
 
 def probes(reader: Reader) -> Table | None:
     """Strains and radial displacement that probes read."""
-    count = len(reader.blocks.get(reader.last, {}).get("probe_azimuth", ()))
+    block = reader.blocks.get(reader.last, {})
+    if "probe_azimuth" not in block:
+        return None
     units = (reader.units.of(reader.layout[name].unit_for_people.name) for name in _READINGS)
     head = [with_unit(words, unit) for words, unit in zip(_READINGS.values(), units, strict=True)]
-    rows = tuple(
+    rows = (
         (f"{place + 1}", *(reader.element(reader.last, name, place) for name in _READINGS))
-        for place in range(count)
+        for place in range(len(block["probe_azimuth"]))
     )
-    return Table(("probe", *head), rows) if rows else None
+    return Table(("probe", *head), tuple(rows))
