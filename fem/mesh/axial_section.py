@@ -151,7 +151,7 @@ def meshed(
     """
     if nodes_of is not None:
         mesh = meshed(nodes_of, mesh_size)
-        move_nodes(mesh, _faces(nodes_of), _faces(bodies))
+        move_nodes(mesh, faces_of(nodes_of), faces_of(bodies))
         return mesh
     loaded = sum(body.loaded for body in bodies)
     require_affordable(
@@ -172,7 +172,8 @@ def meshed(
     return mesh
 
 
-def _faces(bodies: list[AxialSection]) -> Faces:
+def faces_of(bodies: list[AxialSection]) -> Faces:
+    """Faces that nodes are moved with."""
     x, radii, _ = zip(*(corner for body in bodies for corner in body.corners), strict=True)
     return Faces(x=x, radii=radii)
 
