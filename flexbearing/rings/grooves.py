@@ -1,5 +1,6 @@
 """Elastic rings with grooves of a case, meshed and condensed, or taken from the cache."""
 
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -27,6 +28,22 @@ RACES: tuple[Race, Race] = ("inner", "outer")
 Arguments = tuple[GroovePart, fem.Discretisation, fem.Resolution]
 
 
+@dataclass(frozen=True, kw_only=True)
+class GrooveShape:
+    """A part with the patches on its groove."""
+
+    race: Race
+    part: GroovePart
+    end: float  # [rad] contact angle of the outermost stations
+    width: float  # [m] of a patch
+
+    @property
+    def length(self) -> float:
+        """Axial width of the groove [m]."""
+        assert self.part.groove
+        return self.part.groove.width(self.part.raceway_diameter / 2, OUTWARD[self.race])
+
+
 def parts(case: FastCase) -> tuple[Arguments | None, Arguments | None]:
     """What decides the elastic grooves of a case, inner and outer; None where a ring is rigid.
 
@@ -35,16 +52,23 @@ def parts(case: FastCase) -> tuple[Arguments | None, Arguments | None]:
     BadCase
         when no such part can exist
     """
-    inner, outer = (_arguments(case, race) for race in RACES)
+    inner, outer = (shape and _arguments(case, shape) for shape in (shape_of(case, race) for race in RACES))
     return inner, outer
 
 
-def _arguments(case: FastCase, race: Race) -> Arguments | None:
+def shape_of(case: FastCase, race: Race) -> GrooveShape | None:
+    """Part that carries a groove, with the patches on it; None where a ring is rigid.
+
+    Raises
+    ------
+    BadCase
+        when no such part can exist
+    """
     part = groove_part(case, race)
     if part is None or part.groove is None:
         return None
-    accuracy, diameter, land = case.accuracy, case.bearing.ball.diameter, part.raceway_diameter / 2
-    width, groove = accuracy.patch_width or PATCH * diameter, part.groove
+    land, groove = part.raceway_diameter / 2, part.groove
+    width = case.accuracy.patch_width or PATCH * case.bearing.ball.diameter
     end = groove.end(land, OUTWARD[race]) - MARGIN * width / groove.radius
     if end <= 0:
         least = 1e3 * groove.radius * (1 - np.cos(MARGIN * width / groove.radius))
@@ -52,14 +76,19 @@ def _arguments(case: FastCase, race: Race) -> Arguments | None:
             f"{case.source.path}: bearing.{race}.shoulder leaves no room for a patch of "
             f"accuracy.patch_width = {1e3 * width:.3g} mm; allowed is above {least:.3g} mm"
         )
+    return GrooveShape(race=race, part=part, end=end, width=width)
+
+
+def _arguments(case: FastCase, shape: GrooveShape) -> Arguments:
+    accuracy, part = case.accuracy, shape.part
     resolution = fem.Resolution(
-        length=groove.width(land, OUTWARD[race]),
+        length=shape.length,
         mesh_size=fem.MeshSize(
             order=accuracy.element_order,
-            size=accuracy.mesh_size or MESH * diameter,
-            raceway_size=accuracy.element_order * width / FINER,
+            size=accuracy.mesh_size or MESH * case.bearing.ball.diameter,
+            raceway_size=accuracy.element_order * shape.width / FINER,
         ),
-        stations=fem.Stations(angles=tuple(end * _spread(accuracy.stations)), width=width),
+        stations=fem.Stations(angles=tuple(shape.end * _spread(accuracy.stations)), width=shape.width),
     )
     return part, SMEARED if isinstance(part, fem.SquirrelCage) else HARMONICS, resolution
 
@@ -79,10 +108,8 @@ def elastic_grooves(case: FastCase, azimuths: NDArray, report: Report) -> Elasti
     NotSolved
         when the finite elements find none
     """
-    inner, outer = (
-        each and _condensed(case, race, each, azimuths, report)
-        for race, each in zip(RACES, parts(case), strict=True)
-    )
+    shapes = (shape_of(case, race) for race in RACES)
+    inner, outer = (shape and groove_of_shape(case, shape, azimuths, report) for shape in shapes)
     return None if inner is None and outer is None else ElasticGrooves(inner, outer)
 
 
@@ -94,10 +121,10 @@ def _is_of(part: GroovePart, _: fem.Discretisation, resolution: fem.Resolution, 
     return same and tuple(kept.angles) == stations.angles
 
 
-def _condensed(
-    case: FastCase, race: Race, arguments: Arguments, azimuths: NDArray, report: Report
-) -> ElasticGroove:
-    name = f"{race} ring"
+def groove_of_shape(case: FastCase, shape: GrooveShape, azimuths: NDArray, report: Report) -> ElasticGroove:
+    """A groove of some shape, as finely resolved as a case has it; see `elastic_grooves`."""
+    arguments = _arguments(case, shape)
+    race, name = shape.race, f"{shape.race} ring"
     report.stage(name, None)
     try:
         compliance: Any = configured().cached(  # of a part with a groove
