@@ -113,7 +113,7 @@ class _Variant:
         return self.model.equations([self.operation]), self.grooves
 
     def block(self, places: Places) -> dict[str, NDArray]:
-        """Quantities with ring, grooves and balls at places; raises `NotSolved` where friction is not known."""
+        """Quantities at places of ring, grooves and balls; raises `NotSolved` where friction is not known."""
         balance, grooves = self.equations
         solution = as_solution(balance, unmoved(balance, grooves, places), [SolverOutcome.CONVERGED])
         moved = None if self.case.rigid else solution.moved
@@ -168,7 +168,7 @@ class _State:
         if self.rest is None or variant.at_rest is None:
             return variant
         step = newton_step(variant.at_rest.equations, self.rest.places)
-        return variant.held_where(self.rest.places.shifted(variant.at_rest.equations[0], step, 1.0))
+        return variant.held_where(self.rest.places.further(1.0, step))
 
 
 @dataclass(frozen=True)
@@ -190,7 +190,7 @@ class _Differentiated:
         equations = [variant.equations for variant in variants]
         by_step = moved_places(state.places, equations, stencil.weights)
         blocks = [
-            variant.block(state.places.shifted(variant.equations[0], by_step, change))
+            variant.block(state.places.further(change, by_step).held(variant.equations[0]))
             for variant, change in zip(variants, stencil.places, strict=True)
         ]
         return Differences(

@@ -18,7 +18,7 @@ from flexbearing.derivatives.stencil import STENCILS
 from flexbearing.rings.condensed import named_failures
 
 STEP = 1e-4  # of the dimension that changes most: differences on moved nodes are exact to about 1e-6
-SAME = 1e-6  # between directions of change that are taken as one: some digits are lost in small steps
+SAME = 1e-5  # between directions of change that are taken as one: some digits are lost in small steps
 
 Raceway = TypeVar("Raceway")
 

@@ -122,7 +122,15 @@ def _is_of(part: GroovePart, _: fem.Discretisation, resolution: fem.Resolution, 
 
 
 def groove_of_shape(case: FastCase, shape: GrooveShape, azimuths: NDArray, report: Report) -> ElasticGroove:
-    """A groove of some shape, as finely resolved as a case has it; see `elastic_grooves`."""
+    """A groove of some shape, as finely resolved as a case has it.
+
+    Raises
+    ------
+    BadCase
+        when the part cannot exist
+    NotSolved
+        when the finite elements find none
+    """
     arguments = _arguments(case, shape)
     race, name = shape.race, f"{shape.race} ring"
     report.stage(name, None)

@@ -43,7 +43,7 @@ def moved_places(places: Places, variants: Sequence[Equations], weights: Sequenc
     Returns
     -------
     Places
-        derivatives
+        derivatives, in m and N by the unit of the parameter
 
     Source
     ------
@@ -54,9 +54,8 @@ def moved_places(places: Places, variants: Sequence[Equations], weights: Sequenc
     Where the slopes of race control are exact, which those of Coulomb friction are not.
     """
     total = Places(*(np.zeros_like(each) for each in places))
-    for (balance, grooves), weight in zip(variants, weights, strict=True):
-        held = places._replace(ring=np.where(balance.held, balance.place, places.ring))
-        step = newton_step((balance, grooves), held)
-        step = step._replace(ring=np.where(balance.held, balance.place, step.ring))
-        total = Places(*(sum_ + weight * each for sum_, each in zip(total, step, strict=True)))
+    for variant, weight in zip(variants, weights, strict=True):
+        balance, _ = variant
+        step = newton_step(variant, places.held(balance))
+        total = total.further(weight, step.held(balance))  # whose places where it is held add up, too
     return total

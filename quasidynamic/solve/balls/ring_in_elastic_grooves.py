@@ -59,10 +59,18 @@ class Places(NamedTuple):
         """Inner grooves less outer ones beyond those of rigid rings (C, Z) [m]."""
         return self.grooves[:, 0] - self.grooves[:, 1]
 
-    def shifted(self, balance: AngularBalance, by: "Places", steps: float) -> "Places":
-        """Places some steps away; a ring that is held is where another case holds it."""
-        ring, *others = (here + steps * step for here, step in zip(self, by, strict=True))
-        return Places(np.where(balance.held, balance.place, ring), *others)
+    def further(self, steps: float, step: "Places") -> "Places":
+        """Places so many steps away."""
+        return Places(
+            self.ring + steps * step.ring,
+            self.grooves + steps * step.grooves,
+            self.pressing + steps * step.pressing,
+            self.centres + steps * step.centres,
+        )
+
+    def held(self, balance: AngularBalance) -> "Places":
+        """The same with a ring that is held where a case holds it."""
+        return self._replace(ring=np.where(balance.held, balance.place, self.ring))
 
 
 class ElasticSolution(NamedTuple):
