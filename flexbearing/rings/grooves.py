@@ -1,5 +1,6 @@
 """Elastic rings with grooves of a case, meshed and condensed, or taken from the cache."""
 
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -26,6 +27,22 @@ RACES: tuple[Race, Race] = ("inner", "outer")
 Arguments = tuple[GroovePart, fem.Discretisation, fem.Resolution]
 
 
+@dataclass(frozen=True, kw_only=True)
+class GrooveShape:
+    """A part with the patches on its groove."""
+
+    race: Race
+    part: GroovePart
+    end: float  # [rad] contact angle of the outermost stations
+    width: float  # [m] of a patch
+
+    @property
+    def length(self) -> float:
+        """Axial width of the groove [m]."""
+        assert self.part.groove
+        return self.part.groove.width(self.part.raceway_diameter / 2, OUTWARD[self.race])
+
+
 def parts(case: FastCase) -> tuple[Arguments | None, Arguments | None]:
     """What decides the elastic grooves of a case, inner and outer; None where a ring is rigid.
 
@@ -34,25 +51,36 @@ def parts(case: FastCase) -> tuple[Arguments | None, Arguments | None]:
     BadCase
         when no such part can exist
     """
-    inner, outer = (_arguments(case, race) for race in RACES)
+    inner, outer = (shape and _arguments(case, shape) for shape in (shape_of(case, race) for race in RACES))
     return inner, outer
 
 
-def _arguments(case: FastCase, race: Race) -> Arguments | None:
+def shape_of(case: FastCase, race: Race) -> GrooveShape | None:
+    """Part that carries a groove, with the patches on it; None where a ring is rigid.
+
+    Raises
+    ------
+    BadCase
+        when no such part can exist
+    """
     part = groove_part(case, race)
     if part is None or part.groove is None:
         return None
-    accuracy, diameter, land = case.accuracy, case.bearing.ball.diameter, part.raceway_diameter / 2
-    width, groove = accuracy.patch(diameter), part.groove
-    end = groove.end(land, OUTWARD[race]) - MARGIN * width / groove.radius
+    width, groove = case.accuracy.patch(case.bearing.ball.diameter), part.groove
+    end = groove.end(part.raceway_diameter / 2, OUTWARD[race]) - MARGIN * width / groove.radius
+    return GrooveShape(race=race, part=part, end=end, width=width)
+
+
+def _arguments(case: FastCase, shape: GrooveShape) -> Arguments:
+    accuracy, part = case.accuracy, shape.part
     resolution = fem.Resolution(
-        length=groove.width(land, OUTWARD[race]),
+        length=shape.length,
         mesh_size=fem.MeshSize(
             order=accuracy.element_order,
-            size=accuracy.mesh_size or MESH * diameter,
-            raceway_size=accuracy.element_order * width / FINER,
+            size=accuracy.mesh_size or MESH * case.bearing.ball.diameter,
+            raceway_size=accuracy.element_order * shape.width / FINER,
         ),
-        stations=fem.Stations(angles=tuple(end * _spread(accuracy.stations)), width=width),
+        stations=fem.Stations(angles=tuple(shape.end * _spread(accuracy.stations)), width=shape.width),
     )
     return part, SMEARED if isinstance(part, fem.SquirrelCage) else HARMONICS, resolution
 
@@ -72,20 +100,9 @@ def elastic_grooves(case: FastCase, azimuths: NDArray, report: Report) -> Elasti
     NotSolved
         when the finite elements find none
     """
-    inner, outer = (_under_balls(race, compliance(case, race, report), azimuths) for race in RACES)
+    shapes = (shape_of(case, race) for race in RACES)
+    inner, outer = (shape and groove_of_shape(case, shape, azimuths, report) for shape in shapes)
     return None if inner is None and outer is None else ElasticGrooves(inner, outer)
-
-
-def _under_balls(race: Race, groove: Any, azimuths: NDArray) -> ElasticGroove | None:
-    if groove is None:
-        return None
-    at_balls = groove.at(azimuths)
-    try:
-        return ElasticGroove(at_balls.angles, at_balls.absolute)
-    except ImpossiblePart as problem:  # of a shaft as thin as a wire
-        raise NotSolved(
-            f"{race} ring: so flexible a part is beyond finite elements: {problem}", "not solved"
-        ) from None
 
 
 def _is_of(part: GroovePart, _: fem.Discretisation, resolution: fem.Resolution, kept: Any) -> bool:
@@ -96,8 +113,8 @@ def _is_of(part: GroovePart, _: fem.Discretisation, resolution: fem.Resolution, 
     return same and tuple(kept.angles) == stations.angles
 
 
-def compliance(case: FastCase, race: Race, report: Report) -> Any:
-    """Compliance of one groove for balls anywhere; None where its ring is rigid.
+def groove_of_shape(case: FastCase, shape: GrooveShape, azimuths: NDArray, report: Report) -> ElasticGroove:
+    """A groove of some shape under balls at azimuths (Z) [rad], as finely resolved as a case has it.
 
     Raises
     ------
@@ -106,10 +123,27 @@ def compliance(case: FastCase, race: Race, report: Report) -> Any:
     NotSolved
         when the finite elements find none
     """
-    arguments = _arguments(case, race)
-    if arguments is None:
-        return None
-    name = f"{race} ring"
+    at_balls = compliance(case, shape, report).at(azimuths)
+    try:
+        return ElasticGroove(at_balls.angles, at_balls.absolute)
+    except ImpossiblePart as problem:  # of a shaft as thin as a wire
+        raise NotSolved(
+            f"{shape.race} ring: so flexible a part is beyond finite elements: {problem}", "not solved"
+        ) from None
+
+
+def compliance(case: FastCase, shape: GrooveShape, report: Report) -> Any:
+    """Compliance of a groove for balls anywhere.
+
+    Raises
+    ------
+    BadCase
+        when the part cannot exist
+    NotSolved
+        when the finite elements find none
+    """
+    arguments = _arguments(case, shape)
+    race, name = shape.race, f"{shape.race} ring"
     report.stage(name, None)
     try:
         return configured().cached(
