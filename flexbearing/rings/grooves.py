@@ -1,5 +1,6 @@
 """Elastic rings with grooves of a case, meshed and condensed, or taken from the cache."""
 
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -27,6 +28,27 @@ RACES: tuple[Race, Race] = ("inner", "outer")
 Arguments = tuple[GroovePart, fem.Discretisation, fem.Resolution]
 
 
+@dataclass(frozen=True, kw_only=True)
+class GrooveShape:
+    """A part with the patches on its groove."""
+
+    race: Race
+    part: GroovePart
+    reach: tuple[float, float]  # [rad] contact angles of the outermost stations
+    width: float  # [m] of a patch
+
+    @property
+    def length(self) -> float:
+        """Axial width of the groove [m]."""
+        assert self.part.groove
+        return self.part.groove.width(self.part.raceway_diameter / 2, OUTWARD[self.race])
+
+
+def accuracy_of(case: BallCase) -> tuple[str, GrooveAccuracy | Rings]:
+    """How finely grooves are resolved, and the section of the case that says so."""
+    return ("rings", case.rings) if isinstance(case, FourPointCase) else ("accuracy", case.accuracy)
+
+
 def parts(case: BallCase) -> tuple[Arguments | None, Arguments | None]:
     """What decides the elastic grooves of a case, inner and outer; None where a ring is rigid.
 
@@ -35,32 +57,37 @@ def parts(case: BallCase) -> tuple[Arguments | None, Arguments | None]:
     BadCase
         when no such part can exist
     """
-    inner, outer = (_arguments(case, race) for race in RACES)
+    inner, outer = (shape and _arguments(case, shape) for shape in (shape_of(case, race) for race in RACES))
     return inner, outer
 
 
-def accuracy_of(case: BallCase) -> tuple[str, GrooveAccuracy | Rings]:
-    """How finely grooves are resolved, and the section of the case that says so."""
-    return ("rings", case.rings) if isinstance(case, FourPointCase) else ("accuracy", case.accuracy)
+def shape_of(case: BallCase, race: Race) -> GrooveShape | None:
+    """Part that carries a groove, with the patches on it; None where a ring is rigid.
 
-
-def _arguments(case: BallCase, race: Race) -> Arguments | None:
+    Raises
+    ------
+    BadCase
+        when no such part can exist
+    """
     part = groove_part(case, race)
     if part is None or part.groove is None:
         return None
-    accuracy = accuracy_of(case)[1]
-    diameter, land = case.bearing.ball.diameter, part.raceway_diameter / 2
-    width, groove = accuracy.patch(diameter), part.groove
-    end, margin = groove.end(land, OUTWARD[race]), MARGIN * width / groove.radius
-    first, last = groove.bottom_angle + margin if groove.aside else margin - end, end - margin
+    width, groove = accuracy_of(case)[1].patch(case.bearing.ball.diameter), part.groove
+    end, margin = groove.end(part.raceway_diameter / 2, OUTWARD[race]), MARGIN * width / groove.radius
+    first = groove.bottom_angle if groove.aside else -end
+    return GrooveShape(race=race, part=part, reach=(first + margin, end - margin), width=width)
+
+
+def _arguments(case: BallCase, shape: GrooveShape) -> Arguments:
+    accuracy, part = accuracy_of(case)[1], shape.part
     resolution = fem.Resolution(
-        length=groove.width(land, OUTWARD[race]),
+        length=shape.length,
         mesh_size=fem.MeshSize(
             order=accuracy.element_order,
-            size=accuracy.mesh_size or MESH * diameter,
-            raceway_size=accuracy.element_order * width / FINER,
+            size=accuracy.mesh_size or MESH * case.bearing.ball.diameter,
+            raceway_size=accuracy.element_order * shape.width / FINER,
         ),
-        stations=fem.Stations(angles=_spread(first, last, accuracy.stations), width=width),
+        stations=fem.Stations(angles=_spread(*shape.reach, accuracy.stations), width=shape.width),
     )
     return part, SMEARED if isinstance(part, fem.SquirrelCage) else HARMONICS, resolution
 
@@ -81,20 +108,9 @@ def elastic_grooves(case: BallCase, azimuths: NDArray, report: Report) -> Elasti
     NotSolved
         when the finite elements find none
     """
-    inner, outer = (_under_balls(race, compliance(case, race, report), azimuths) for race in RACES)
+    shapes = (shape_of(case, race) for race in RACES)
+    inner, outer = (shape and groove_of_shape(case, shape, azimuths, report) for shape in shapes)
     return None if inner is None and outer is None else ElasticGrooves(inner, outer)
-
-
-def _under_balls(race: Race, groove: Any, azimuths: NDArray) -> ElasticGroove | None:
-    if groove is None:
-        return None
-    at_balls = groove.at(azimuths)
-    try:
-        return ElasticGroove(at_balls.angles, at_balls.absolute)
-    except ImpossiblePart as problem:  # of a shaft as thin as a wire
-        raise NotSolved(
-            f"{race} ring: so flexible a part is beyond finite elements: {problem}", "not solved"
-        ) from None
 
 
 def _is_of(part: GroovePart, _: fem.Discretisation, resolution: fem.Resolution, kept: Any) -> bool:
@@ -105,8 +121,8 @@ def _is_of(part: GroovePart, _: fem.Discretisation, resolution: fem.Resolution, 
     return same and tuple(kept.angles) == stations.angles
 
 
-def compliance(case: BallCase, race: Race, report: Report) -> Any:
-    """Compliance of one groove for balls anywhere; None where its ring is rigid.
+def groove_of_shape(case: BallCase, shape: GrooveShape, azimuths: NDArray, report: Report) -> ElasticGroove:
+    """A groove of some shape under balls at azimuths (Z) [rad], as finely resolved as a case has it.
 
     Raises
     ------
@@ -115,10 +131,27 @@ def compliance(case: BallCase, race: Race, report: Report) -> Any:
     NotSolved
         when the finite elements find none
     """
-    arguments = _arguments(case, race)
-    if arguments is None:
-        return None
-    name = f"{race} ring"
+    at_balls = compliance(case, shape, report).at(azimuths)
+    try:
+        return ElasticGroove(at_balls.angles, at_balls.absolute)
+    except ImpossiblePart as problem:  # of a shaft as thin as a wire
+        raise NotSolved(
+            f"{shape.race} ring: so flexible a part is beyond finite elements: {problem}", "not solved"
+        ) from None
+
+
+def compliance(case: BallCase, shape: GrooveShape, report: Report) -> Any:
+    """Compliance of a groove for balls anywhere.
+
+    Raises
+    ------
+    BadCase
+        when the part cannot exist
+    NotSolved
+        when the finite elements find none
+    """
+    arguments = _arguments(case, shape)
+    race, name = shape.race, f"{shape.race} ring"
     report.stage(name, None)
     try:
         return configured().cached(

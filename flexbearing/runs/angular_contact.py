@@ -162,16 +162,27 @@ def solved(cases: Sequence[FastCase], report: Report) -> list[dict[Block, Ended]
 
 def _preloaded(case: FastCase, built: Any, rings: Any) -> Any:
     """Bearing and operation, the ring held where the force of a preload brings it between elastic rings."""
-    preload = case.operation.preload
-    if preload is None or preload.force is None or isinstance(rings, Exception):
+    rest = preload_at_rest(case)
+    if rest is None or isinstance(rings, Exception):
         return built
     model, loaded = built
-    at_rest = qd.RingOperation(load=(preload.force, 0.0, 0.0, 0.0, 0.0))
-    state = named(case, partial(model.solve, at_rest, rings))
+    state = named(case, partial(model.solve, rest, rings))
     if isinstance(state, Exception):
         return state
-    places = (float(state.ring_displacement[0]), *loaded.displacement[1:])
-    return model, replace(loaded, displacement=places)
+    return model, held_at(loaded, float(state.ring_displacement[0]))
+
+
+def preload_at_rest(case: FastCase) -> qd.RingOperation | None:
+    """A preload force at rest, which brings elastic rings to the place where it holds them; None without."""
+    preload = case.operation.preload
+    if preload is None or preload.force is None or case.rigid:
+        return None
+    return qd.RingOperation(load=(preload.force, 0.0, 0.0, 0.0, 0.0))
+
+
+def held_at(operation: qd.RingOperation, place: float) -> qd.RingOperation:
+    """The same operation, the ring held at an axial displacement [m]."""
+    return replace(operation, displacement=(place, *operation.displacement[1:]))
 
 
 def _finished(cases: Sequence[FastCase], states: Sequence[Any], report: Report) -> list[Ended]:

@@ -132,8 +132,9 @@ def _is_side_by_side(case: Head | None) -> bool:
 
     if not isinstance(case, Case) or needs_own_run(case):
         return False
-    # A roller on half-spaces or a field below takes as long as a run, however many states are side by side.
-    return case.bearing.contact == "slices" and not case.outputs.subsurface_stresses
+    # Half-spaces, fields below and probes take as long as a run, however many states are side by side.
+    fields = case.outputs.subsurface_stresses or case.outputs.probes is not None
+    return case.bearing.contact == "slices" and not fields
 
 
 def _is_in_cells(case: Head | None) -> bool:

@@ -90,9 +90,10 @@ def _keep(ring: Ring, cache: str | None, *, here: bool) -> None:
     race: Race = "inner" if ring.race == "inner" else "outer"
     with rings_in(cache), suppress(BadCase, NotSolved, PartnerFailed), linear_algebra_alone():
         if isinstance(case, FastCase | FourPointCase):
-            from flexbearing.rings.grooves import compliance
+            from flexbearing.rings.grooves import compliance, shape_of
 
-            compliance(case, race, Logged())
+            if shape := shape_of(case, race):
+                compliance(case, shape, Logged())
         elif isinstance(case, Case):
             _keep_raceway(case, race, here=here)
 

@@ -231,7 +231,7 @@ def test_a_ring_without_its_shoulder_is_refused_in_words_of_the_case():
         check("configs/harris218.toml", given)
 
 
-ON_SHAFT = {
+ON_A_SHAFT = {
     "inner.kind": "ring_on_shaft", "inner.bore": "45 mm", "inner.width": "19 mm",
     "inner.shaft_length": "60 mm", "bearing.inner.shoulder": "2.2 mm", "materials.shaft": "structural steel",
 }  # fmt: skip
@@ -251,7 +251,7 @@ HOUSED = {
 
 
 @pytest.mark.parametrize("fits", [{}, FITTED, FITTED | HOUSED], ids=["no fits", "on a shaft", "in a housing"])
-@pytest.mark.parametrize("rings", [{}, ON_SHAFT, IN_HOUSING, ON_SHAFT | IN_HOUSING])
+@pytest.mark.parametrize("rings", [{}, ON_A_SHAFT, IN_HOUSING, ON_A_SHAFT | IN_HOUSING])
 def test_settings_that_leave_an_influence_out_are_those_of_a_case(rings, fits):
     """Alone, as the card prints them, and with all later ones left out, too."""
     bare = {key: value for key, value in RING.items() if "foundation" not in f"{key}{value}"}

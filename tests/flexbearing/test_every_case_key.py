@@ -106,6 +106,7 @@ def _elastic(shoulder, bore):
 
 CONTEXTS = {  # file and settings in which a key belongs to the case
     "cage": ("mao2016", {}),
+    "probed": ("mao2016", {"outputs.probes.azimuths": ["0 deg", "90 deg"]}),
     "rigid": ("nu209", {}),
     "mounted": ("nu209_fits", {}),
     "floating cage": ("mao2016", {"bearing.cage.centre": "free"}),

@@ -6,13 +6,13 @@ from typing import Literal, Self
 from pydantic import model_validator
 
 from flexbearing.case.head import KIND, Head
-from flexbearing.case.outputs import Outputs
 from flexbearing.case.quantity import impossible, in_mm, key, located, needed
 from flexbearing.case.ratings import FEWEST_SLICES, Life
 from flexbearing.case.roller.bearing import Bearing
 from flexbearing.case.roller.lubricant import Lubricant
 from flexbearing.case.roller.mounting import bands, require_known, require_mounting, require_solids
 from flexbearing.case.roller.numerics import Accuracy, Coupling
+from flexbearing.case.roller.outputs import Outputs
 from flexbearing.case.roller.profile import Generatrix
 from flexbearing.case.roller.rings import Inner, Outer
 from flexbearing.case.roller.surroundings import Materials, Operation

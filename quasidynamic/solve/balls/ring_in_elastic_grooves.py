@@ -8,7 +8,13 @@ from numpy.typing import NDArray
 from quasidynamic.balance.balls.angular_contact import AngularBalance, BallBalance, RingBalance, moved
 from quasidynamic.balance.balls.ball_position import Vectors, groove_arm, turning
 from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves, shape_of
-from quasidynamic.solve.balls.ball_equilibrium import BallsInBalance, along_arc, balance_balls, resolved
+from quasidynamic.solve.balls.ball_equilibrium import (
+    BallsInBalance,
+    along_arc,
+    at_places,
+    balance_balls,
+    resolved,
+)
 from quasidynamic.solve.balls.ring_on_balls import (
     ANSWERED,
     BALL_SHARE,
@@ -28,15 +34,7 @@ LEAST_STEP = 2e-3  # part of the compliance by which grooves become softer at le
 TOLERANCE = 1e-9  # of the largest force: below, balls that only inertia presses may go to and fro
 
 
-class ElasticSolution(NamedTuple):
-    """Balance between elastic grooves; C cases, Z balls, inner then outer race."""
-
-    rings: RingSolution  # with the stiffness of grooves and balls
-    shape: Vectors  # (C, Z) [m] inner groove less outer groove beyond those of rigid rings
-    moved: NDArray  # (C, 2, Z, 2) [m] axial and radial displacement of the grooves under the balls
-
-
-class _Places(NamedTuple):
+class Places(NamedTuple):
     """Places of C cases, inner then outer race."""
 
     ring: NDArray  # (C, 5) [m] of the inner ring, rotations times R_i
@@ -49,11 +47,37 @@ class _Places(NamedTuple):
         """Inner grooves less outer ones beyond those of rigid rings (C, Z) [m]."""
         return self.grooves[:, 0] - self.grooves[:, 1]
 
+    def further(self, steps: float, step: "Places") -> "Places":
+        """Places so many steps away."""
+        return Places(
+            self.ring + steps * step.ring,
+            self.grooves + steps * step.grooves,
+            self.pressing + steps * step.pressing,
+            self.centres + steps * step.centres,
+        )
 
-class _State(NamedTuple):
+    def held(self, balance: AngularBalance) -> "Places":
+        """The same with a ring that is held where a case holds it."""
+        return self._replace(ring=np.where(balance.held, balance.place, self.ring))
+
+
+class ElasticSolution(NamedTuple):
+    """Balance between elastic grooves; C cases, Z balls, inner then outer race."""
+
+    rings: RingSolution  # with the stiffness of grooves and balls
+    moved: NDArray  # (C, 2, Z, 2) [m] axial and radial displacement of the grooves under the balls
+
+    @property
+    def places(self) -> Places:
+        """Of ring, grooves and balls; without the forces that would displace the grooves so."""
+        grooves = self.moved.view(complex)[..., 0]
+        return Places(self.rings.ring, grooves, np.zeros_like(grooves), self.rings.centres)
+
+
+class State(NamedTuple):
     """Forces and derivatives at one place; moves are those of grooves against each other (2 Z)."""
 
-    ring: NDArray  # (C, 5), as the next three of `_Places`
+    ring: NDArray  # (C, 5), as the next three of `Places`
     grooves: Vectors
     pressing: Vectors
     centres: Vectors
@@ -72,19 +96,33 @@ class _State(NamedTuple):
     imbalance: NDArray  # (C)
     evaluations: NDArray  # (C) of all balls
 
-    def of(self, cases: NDArray) -> "_State":
+    def of(self, cases: NDArray) -> "State":
         """Some of the cases."""
-        return _State(*(array[cases] for array in self))
+        return State(*(array[cases] for array in self))
 
-    def put(self, cases: NDArray, others: "_State") -> None:
+    def put(self, cases: NDArray, others: "State") -> None:
         """Replace some of the cases."""
         for array, other in zip(self, others, strict=True):
             array[cases] = other
 
     @property
-    def places(self) -> _Places:
+    def places(self) -> Places:
         """Where ring, grooves and balls are."""
-        return _Places(*self[: len(_Places._fields)])
+        return Places(*self[: len(Places._fields)])
+
+    def moves(self, ring: NDArray) -> NDArray:
+        """Newton step (C, 2 Z) of the grooves against each other, given that of the ring (C, 5)."""
+        return (self.by_ring @ ring[..., None])[..., 0] + self.closing
+
+    def steps(self, ring: NDArray) -> Places:
+        """Newton steps of all places, given that of the ring (C, 5)."""
+        moves = self.moves(ring)
+        return Places(
+            ring,
+            ((self.deflection_by_moves @ moves[:, None, :, None])[..., 0] - self.misfit).view(complex),
+            self.forces - self.pressing + _vectors(self.by_moves @ _pairs(moves)[:, None, ..., None]),
+            self.ball_moves + moved(np.moveaxis(self.follow, 1, 0), moves.view(complex)),
+        )
 
     def work(self, step: NDArray, moves: Vectors) -> NDArray:
         """Work (C) [N m] of unbalanced forces on a step of the ring (C, 5) and of the grooves (C, 2, Z).
@@ -110,34 +148,37 @@ def solve_elastic(balance: AngularBalance, grooves: ElasticGrooves) -> ElasticSo
     with np.errstate(all="ignore"):  # places tried on the way may overflow: such a step is not taken
         rigid = solve(balance)
         rest = np.zeros((len(rigid.ring), 2, rigid.centres.shape[1]), complex)
-        begin = _Places(rigid.ring, rest, rest, rigid.centres)
+        begin = Places(rigid.ring, rest, rest, rigid.centres)
         state, outcomes = _newton(balance, grooves, begin)
         for case, outcome in enumerate(outcomes):
             if outcome in ANSWERED or rigid.outcomes[case] is not SolverOutcome.CONVERGED:
                 continue
             one = np.array([case])
-            softened, spent = _softening(
-                balance.take(one), grooves, _Places(*(array[one] for array in begin))
-            )
+            softened, spent = _softening(balance.take(one), grooves, Places(*(array[one] for array in begin)))
             if softened is not None:
                 outcomes[case] = SolverOutcome.CONVERGED
                 state.put(one, softened)
             state.evaluations[case] += spent
-        shape = state.places.shape
-        balls = balance.balls(balance.grooves(state.ring) + shape, state.centres)
     ended = [
         each if known is SolverOutcome.CONVERGED else known
         for each, known in zip(outcomes, rigid.outcomes, strict=True)
     ]
+    state.evaluations[:] += rigid.evaluations
+    return as_solution(balance, state, ended)
+
+
+@np.errstate(all="ignore")  # a case that ended not finite has no forces
+def as_solution(balance: AngularBalance, state: State, outcomes: list[SolverOutcome]) -> ElasticSolution:
+    """Forces and displacements of a state in balance."""
+    balls = balance.balls(balance.grooves(state.ring) + state.places.shape, state.centres)
     forces = balls, RingBalance(state.excess_after, state.stiffness, state.carried)
-    counts = state.evaluations + rigid.evaluations
-    rings = RingSolution(state.ring, state.centres, ended, state.imbalance, counts, forces)
-    return ElasticSolution(rings, shape, state.grooves[..., None].view(float))
+    rings = RingSolution(state.ring, state.centres, outcomes, state.imbalance, state.evaluations, forces)
+    return ElasticSolution(rings, state.grooves[..., None].view(float))
 
 
 def _softening(
-    balance: AngularBalance, grooves: ElasticGrooves, places: "_Places"
-) -> tuple[_State | None, int]:
+    balance: AngularBalance, grooves: ElasticGrooves, places: "Places"
+) -> tuple[State | None, int]:
     """Balance of one case by grooves that become softer step by step, and evaluations before the last."""
     part, step, count = 0.0, 0.25, 0
     while step >= LEAST_STEP:
@@ -157,8 +198,8 @@ def _softening(
 
 
 def _newton(
-    balance: AngularBalance, grooves: ElasticGrooves, start: _Places
-) -> tuple[_State, list[SolverOutcome]]:
+    balance: AngularBalance, grooves: ElasticGrooves, start: Places
+) -> tuple[State, list[SolverOutcome]]:
     """Damped Newton of ring and grooves, all cases side by side; a case leaves as soon as it ends."""
     outcomes, cases = [SolverOutcome.RUNNING] * len(start.ring), np.arange(len(start.ring))
     state, gained = _at(balance, grooves, start, BALL_SHARE), np.full(len(cases), True)
@@ -185,17 +226,10 @@ def _outcome(balance: AngularBalance, left: float, gained: bool, last: bool) -> 
     return SolverOutcome.LIMIT if last else SolverOutcome.RUNNING
 
 
-def _next(balance: AngularBalance, grooves: ElasticGrooves, state: _State) -> tuple[_State, NDArray]:
+def _next(balance: AngularBalance, grooves: ElasticGrooves, state: State) -> tuple[State, NDArray]:
     """State after a Newton step, each case halving it until it does not run far past the balance."""
     step = stiffened_step(balance, state.excess_after, state.stiffness, FLOATING)
-    moves = (state.by_ring @ step[..., None])[..., 0] + state.closing
-    against = moves.view(complex)
-    steps = _Places(
-        step,
-        ((state.deflection_by_moves @ moves[:, None, :, None])[..., 0] - state.misfit).view(complex),
-        state.forces - state.pressing + _vectors(state.by_moves @ _pairs(moves)[:, None, ..., None]),
-        state.ball_moves + moved(np.moveaxis(state.follow, 1, 0), against),
-    )
+    steps, against = state.steps(step), state.moves(step).view(complex)
     longest = LONGEST * min(balance.bearing.inner_reach, balance.bearing.outer_reach)
     damping = 1 / np.maximum(np.abs(against).max(1) / longest, 1.0)
     last, trial = SHORTEST * damping, state.of(np.arange(len(damping)))
@@ -207,7 +241,7 @@ def _next(balance: AngularBalance, grooves: ElasticGrooves, state: _State) -> tu
             (part * array[trying].T).T
             for array in steps  # along the cases
         )
-        at = _Places(
+        at = Places(
             state.ring[trying] + ring,
             state.grooves[trying] + moved_grooves,
             state.pressing[trying] + pressing,
@@ -226,20 +260,39 @@ def _next(balance: AngularBalance, grooves: ElasticGrooves, state: _State) -> tu
 
 
 def _at(
-    balance: AngularBalance, grooves: ElasticGrooves, places: _Places, share: NDArray | float = 0.0
-) -> _State:
+    balance: AngularBalance, grooves: ElasticGrooves, places: Places, share: NDArray | float = 0.0
+) -> State:
     """Ring and grooves at a place, balls in balance up to a share (C) of the largest force."""
     at = balance.grooves(places.ring) + places.shape
     result = balance_balls(balance, at, places.centres, share)
-    balls, scales = result.balls, result.scales
+    return _with_balls(balance, grooves, places, result, exact=False)
+
+
+def unmoved(balance: AngularBalance, grooves: ElasticGrooves, places: Places) -> State:
+    """Ring, grooves and balls near their balance, where they are."""
+    result = at_places(balance, balance.grooves(places.ring) + places.shape, places.centres)
+    return _with_balls(balance, grooves, places, result, exact=True)
+
+
+def _with_balls(
+    balance: AngularBalance, grooves: ElasticGrooves, places: Places, result: BallsInBalance, *, exact: bool
+) -> State:
+    """Forces and derivatives with balls as they are; `exact` to first order in what they still have to move.
+
+    Newton's method needs light balls that stay and contact angles that wait for the balls: slopes do not
+    reach far there.
+    """
+    at, balls, scales = balance.grooves(places.ring) + places.shape, result.balls, result.scales
     moves = -resolved(balls, np.concatenate([balls.excess[None], balls.by_groove[:, 0]]))
+    if not exact:
+        moves[0, result.left <= scales.allowed()] = 0.0
+    turns = _turns(at, result.centres, moves)
+    if not exact:
+        turns[..., 0] = 0.0
     ball_moves, follow = moves[0], moves[1:]
-    ball_moves[result.left <= scales.allowed()] = 0.0  # slopes of light balls do not reach far
     _, force, traction = moved(balls.by_ball, ball_moves)
     forces, by_moves = _on_races(balance, result, at, ball_moves, follow)
-    displaced, deflection_by_moves = _displaced(
-        grooves, balls, forces, by_moves, _turns(at, result.centres, follow)
-    )
+    displaced, deflection_by_moves = _displaced(grooves, balls, forces, by_moves, turns)
     misfit = places.grooves.view(float).reshape(displaced.shape) - displaced
     to_groove = np.stack([balance.ring_to_groove.real, balance.ring_to_groove.imag], 1).reshape(-1, 5)
     closing = misfit[:, 1] - misfit[:, 0]
@@ -258,7 +311,7 @@ def _at(
     misfit_force = np.abs(by_moves).max((1, 2, 3, 4)) * np.abs(closing).max(1)
     largest = np.maximum(np.maximum(scales.largest, scales.noise / tolerance), TINY)
     imbalance = np.maximum.reduce([counted, misfit_force, left]) / largest
-    return _State(
+    return State(
         *places._replace(centres=result.centres),
         ball_moves=ball_moves,
         follow=follow.swapaxes(0, 1),
@@ -297,7 +350,10 @@ def _on_races(
 def _displaced(
     grooves: ElasticGrooves, balls: BallBalance, forces: Vectors, by_moves: NDArray, turns: NDArray
 ) -> tuple[NDArray, NDArray]:
-    """Where forces displace both grooves to (C, 2, 2 Z) [m], and its change by moves (C, 2, 2 Z, 2 Z)."""
+    """Where forces displace both grooves to (C, 2, 2 Z) [m], and its change by moves (C, 2, 2 Z, 2 Z).
+
+    Forces are those once the balls have moved; `turns` are as `_turns` gives them.
+    """
     cases, _, count = forces.shape
     displaced = np.zeros((cases, 2, 2 * count))
     deflection_by_moves = np.zeros((cases, 2, 2 * count, 2 * count))
@@ -305,9 +361,9 @@ def _displaced(
         if groove is None:
             continue
         each = shape_of(groove, balls.contacts.angles[race], forces[:, race])
-        displaced[:, race] = each.moved.reshape(cases, -1)
-        change = each.by_force.swapaxes(2, 3) @ by_moves[:, race, None]
-        change += each.by_angle.swapaxes(2, 3)[..., None] * turns[race][:, None, :, None]
+        turned = each.by_angle.swapaxes(2, 3)[..., None] * turns[race][:, None, :, None]
+        displaced[:, race] = (each.moved + turned[..., 0].sum(2)).reshape(cases, -1)
+        change = each.by_force.swapaxes(2, 3) @ by_moves[:, race, None] + turned[..., 1:]
         deflection_by_moves[:, race] = change.swapaxes(2, 3).reshape(cases, 2 * count, 2 * count)
     return displaced, deflection_by_moves
 
@@ -323,10 +379,14 @@ def _on_ring(
     return carried - balance.ring_to_lever.T @ traction
 
 
-def _turns(grooves: Vectors, centres: Vectors, follow: Vectors) -> NDArray:
-    """Change of the contact angles (2, C, Z, 2) [rad/m] by an axial and by a radial move of the groove."""
-    turns = []
-    for arm, moves in ((grooves - centres, np.array([1, 1j])[:, None, None] - follow), (centres, follow)):
+def _turns(grooves: Vectors, centres: Vectors, ball_moves: Vectors) -> NDArray:
+    """Change of the contact angles (2, C, Z, 3) by moves of the balls (3, C, Z).
+
+    The first [rad] is what the balls still have to move, then follow those that come with an axial and with a
+    radial move of the groove [rad/m].
+    """
+    groove_moves, turns = np.array([0, 1, 1j])[:, None, None], []
+    for arm, moves in ((grooves - centres, groove_moves - ball_moves), (centres, ball_moves)):
         along = groove_arm(arm)
         length = np.abs(along)
         tangent = (along / length) * -1j  # e^(-i alpha), towards growing angles
