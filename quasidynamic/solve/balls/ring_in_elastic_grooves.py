@@ -1,5 +1,6 @@
 """Newton's method for a ring on balls between elastic grooves."""
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -32,6 +33,9 @@ FLOATING = 1e-9  # of the whole stiffness: what resists every direction of the r
 SHORTEST = 2.0**-10  # part of a Newton step
 LEAST_STEP = 2e-3  # part of the compliance by which grooves become softer at least
 TOLERANCE = 1e-9  # of the largest force: below, balls that only inertia presses may go to and fro
+
+
+Equations = Callable[[float], tuple[AngularBalance, ElasticGrooves]]  # by a part of what is continued
 
 
 class Places(NamedTuple):
@@ -133,7 +137,7 @@ class State(NamedTuple):
 
 
 def solve_elastic(balance: AngularBalance, grooves: ElasticGrooves) -> ElasticSolution:
-    r"""Balance of all cases between elastic grooves, from that between rigid ones.
+    r"""Balance of all cases between elastic grooves, from that between rigid and round ones.
 
     .. math:: v = v_0 + B a + s, \quad s = -C_i F_i(v) - C_o F_o(v), \quad P = B^T F_i(v)
 
@@ -146,25 +150,57 @@ def solve_elastic(balance: AngularBalance, grooves: ElasticGrooves) -> ElasticSo
     Virtual work, balls eliminated from the ring and the grooves; derived here.
     """
     with np.errstate(all="ignore"):  # places tried on the way may overflow: such a step is not taken
-        rigid = solve(balance)
+        is_round = not balance.bearing.approaches
+        first = balance if is_round else balance.out_of_round(0.0)
+        rigid = solve(first)
         rest = np.zeros((len(rigid.ring), 2, rigid.centres.shape[1]), complex)
         begin = Places(rigid.ring, rest, rest, rigid.centres)
-        state, outcomes = _newton(balance, grooves, begin)
-        for case, outcome in enumerate(outcomes):
-            if outcome in ANSWERED or rigid.outcomes[case] is not SolverOutcome.CONVERGED:
-                continue
-            one = np.array([case])
-            softened, spent = _softening(balance.take(one), grooves, Places(*(array[one] for array in begin)))
-            if softened is not None:
-                outcomes[case] = SolverOutcome.CONVERGED
-                state.put(one, softened)
-            state.evaluations[case] += spent
-    ended = [
-        each if known is SolverOutcome.CONVERGED else known
-        for each, known in zip(outcomes, rigid.outcomes, strict=True)
-    ]
+        state, outcomes = _newton(first, grooves, begin)
+        ended = rigid.outcomes, outcomes
+        _by_parts(lambda part: (first, grooves.softened(part)), begin, state, ended, softening=True)
+        if not is_round:
+            known, begin = outcomes, state.places
+            spent = state.evaluations
+            state, outcomes = _newton(balance, grooves, begin)
+            ended = known, outcomes
+            _by_parts(
+                lambda part: (balance.out_of_round(part), grooves), begin, state, ended, softening=False
+            )
+            outcomes = _after(known, outcomes)
+            state.evaluations[:] += spent
     state.evaluations[:] += rigid.evaluations
-    return as_solution(balance, state, ended)
+    return as_solution(balance, state, _after(rigid.outcomes, outcomes))
+
+
+def _after(known: list[SolverOutcome], outcomes: list[SolverOutcome]) -> list[SolverOutcome]:
+    """Outcomes of what began where others ended: theirs, where they found no balance."""
+    return [
+        each if before is SolverOutcome.CONVERGED else before
+        for each, before in zip(outcomes, known, strict=True)
+    ]
+
+
+def _by_parts(
+    equations: Equations, begin: Places, state: State,
+    outcomes: tuple[list[SolverOutcome], list[SolverOutcome]], *, softening: bool,
+) -> None:  # fmt: skip
+    """Find what Newton's method did not, from where the cases began, by `equations` of growing parts."""
+    known, ended = outcomes
+    for case, outcome in enumerate(ended):
+        if outcome in ANSWERED or known[case] is not SolverOutcome.CONVERGED:
+            continue
+        one = np.array([case])
+
+        def of_case(part: float, one: NDArray = one) -> tuple[AngularBalance, ElasticGrooves]:
+            balance, grooves = equations(part)
+            return balance.take(one), grooves
+
+        places = Places(*(array[one] for array in begin))
+        found, spent = _continuation(of_case, places, softening=softening)
+        if found is not None:
+            ended[case] = SolverOutcome.CONVERGED
+            state.put(one, found)
+        state.evaluations[case] += spent
 
 
 @np.errstate(all="ignore")  # a case that ended not finite has no forces
@@ -176,17 +212,14 @@ def as_solution(balance: AngularBalance, state: State, outcomes: list[SolverOutc
     return ElasticSolution(rings, state.grooves[..., None].view(float))
 
 
-def _softening(
-    balance: AngularBalance, grooves: ElasticGrooves, places: "Places"
-) -> tuple[State | None, int]:
-    """Balance of one case by grooves that become softer step by step, and evaluations before the last."""
+def _continuation(equations: Equations, places: Places, *, softening: bool) -> tuple[State | None, int]:
+    """Balance of one case by parts of its equations, step by step, and evaluations before the last."""
     part, step, count = 0.0, 0.25, 0
     while step >= LEAST_STEP:
         further = min(1.0, part + step)
-        softer = places._replace(
-            pressing=part / further * places.pressing
-        )  # what bends softer grooves as far
-        trial, (outcome,) = _newton(balance, grooves.softened(further), softer)
+        balance, grooves = equations(further)
+        kept = part / further if softening else 1.0  # what bends softer grooves as far
+        trial, (outcome,) = _newton(balance, grooves, places._replace(pressing=kept * places.pressing))
         if outcome is not SolverOutcome.CONVERGED:
             count, step = count + int(trial.evaluations[0]), step / 2
             continue
