@@ -18,7 +18,7 @@ BallCase = FastCase | FourPointCase
 
 
 def groove_part(case: BallCase, race: Race) -> GroovePart | None:
-    """Part that carries a groove; None where it is rigid.
+    """Part that carries a groove; None where it is rigid, or on a cam.
 
     Raises
     ------
@@ -26,7 +26,7 @@ def groove_part(case: BallCase, race: Race) -> GroovePart | None:
         when no such part can exist
     """
     four = isinstance(case, FourPointCase)
-    if getattr(case.rings if four else case, race).kind == "rigid":
+    if getattr(case.rings if four else case, race).kind in ("rigid", "cam"):
         return None
     try:
         if four:

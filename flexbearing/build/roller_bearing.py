@@ -7,6 +7,7 @@ import quasidynamic as qd
 from flexbearing.build import clearance, profiles, ring_parts
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
 from flexbearing.build.lubrication import lubrication
+from flexbearing.build.out_of_round import raceway_waves
 from flexbearing.build.probes import require_probes
 from flexbearing.case.roller import Case
 from quasidynamic import CylindricalRollerBearing
@@ -103,7 +104,7 @@ def _waves(case: Case, race: Literal["inner", "outer"]) -> RacewayWaves | None:
     waves = None if form is None else getattr(form, race)
     if waves is None:
         return None
-    return RacewayWaves(numbers=waves.numbers, amplitudes=waves.amplitudes, crests=waves.crests)
+    return raceway_waves(waves)
 
 
 def _cage(case: Case) -> qd.Cage:

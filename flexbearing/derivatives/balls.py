@@ -96,7 +96,8 @@ class _Variant:
 
     @classmethod
     def of(cls, case: FastCase, grooves: ElasticGrooves) -> "_Variant":
-        return cls(case, grooves, angular_contact.bearing(case), angular_contact.operation(case))
+        model = angular_contact.on_cam(case, angular_contact.bearing(case))
+        return cls(case, grooves, model, angular_contact.operation(case))
 
     @property
     def at_rest(self) -> "_Variant | None":

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import quasidynamic as qd
-from flexbearing.build import clearance
+from flexbearing.build import clearance, out_of_round
 from flexbearing.build.ball_fits import ball, groove
 from flexbearing.case import BadCase, Head
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
@@ -20,7 +20,16 @@ from flexbearing.program.workers import shared_map
 from flexbearing.progress import Report
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import row, taken
-from flexbearing.runs import ball_life, elastic_grooves, judged, life_of_state, neglect, shoulders, subsurface
+from flexbearing.runs import (
+    ball_life,
+    elastic_grooves,
+    judged,
+    life_of_state,
+    neglect,
+    not_round,
+    shoulders,
+    subsurface,
+)
 from flexbearing.runs.ball_life import BallLives
 from flexbearing.runs.life_of_state import MREV
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
@@ -62,18 +71,20 @@ Block = Literal["rigid", "flexible"]  # the rings between which there is a solut
 
 
 def bearing(case: FastCase) -> qd.AngularContactBallBearing:
-    """The bearing of a case."""
+    """The bearing of a case; without the cam that only an elastic outer ring follows."""
     parts, materials = case.bearing, case.materials
+    round_one = qd.AngularContactBearing(
+        ball=ball(parts, materials.ball),
+        inner=groove(parts, "inner", materials.ring("inner")),
+        outer=groove(parts, "outer", materials.ring("outer")),
+        balls=parts.balls,
+        pitch_diameter=parts.pitch_diameter,
+        **_angle_and_clearance(case),
+        first_ball_azimuth=parts.first_ball_azimuth,
+    )
+    waves = out_of_round.approaches(case, round_one.azimuths)
     return qd.AngularContactBallBearing(
-        bearing=qd.AngularContactBearing(
-            ball=ball(parts, materials.ball),
-            inner=groove(parts, "inner", materials.ring("inner")),
-            outer=groove(parts, "outer", materials.ring("outer")),
-            balls=parts.balls,
-            pitch_diameter=parts.pitch_diameter,
-            **_angle_and_clearance(case),
-            first_ball_azimuth=parts.first_ball_azimuth,
-        ),
+        bearing=round_one if waves is None else replace(round_one, approaches=tuple(waves)),
         control=case.operation.control,
         friction=case.friction.coefficient,
         spin=case.friction.spin,
@@ -160,12 +171,22 @@ def solved(cases: Sequence[FastCase], report: Report) -> list[dict[Block, Ended]
     return ended
 
 
+def on_cam(case: FastCase, model: qd.AngularContactBallBearing) -> qd.AngularContactBallBearing:
+    """A bearing whose inner ring a cam shapes; as it is where there is none."""
+    if case.inner.kind != "cam":
+        return model
+    waves = np.array(model.bearing.approaches or 0.0)
+    both = out_of_round.approaches_on_cam(case, model.bearing.azimuths) + waves
+    return replace(model, bearing=replace(model.bearing, approaches=tuple(both)))
+
+
 def _preloaded(case: FastCase, built: Any, rings: Any) -> Any:
     """Bearing and operation, the ring held where the force of a preload brings it between elastic rings."""
-    rest = preload_at_rest(case)
-    if rest is None or isinstance(rings, Exception):
+    if isinstance(built, Exception) or isinstance(rings, Exception):
         return built
-    model, loaded = built
+    rest, (model, loaded) = preload_at_rest(case), built
+    if rest is None:
+        return on_cam(case, model), loaded
     state = named(case, partial(model.solve, rest, rings))
     if isinstance(state, Exception):
         return state
@@ -394,6 +415,7 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
     lines: tuple[Note, ...] = tuple(note for note in of_findings if note not in held)
     if state.groove_displacement is not None:
         lines += elastic_grooves.notes(case, state.contact_angles, state.loads, state.semi_axes[0])
+    lines += not_round.notes(case)
     lifted = int((~state.on_inner).sum())
     if lifted:
         lines += (

@@ -8,9 +8,10 @@ from flexbearing.case import held_ring
 from flexbearing.case.balls import groove_accuracy
 from flexbearing.case.balls.parts import EndingGroove
 from flexbearing.case.held_ring import ON_SHAFT, RING
-from flexbearing.case.quantity import Foundation, Length, Section, key, needed, require
+from flexbearing.case.quantity import Angle, Foundation, Length, Section, key, needed, require
 
 ELASTIC = ({"outer.kind": ("ring", "squirrel_cage")}, {"inner.kind": ("ring_on_shaft",)})
+ON_CAM = {"kind": ("cam",)}
 OF_RING = {"kind": ("ring", "squirrel_cage")}
 
 
@@ -69,8 +70,10 @@ class BallOuter(Section):
 class BallInner(Section):
     """What carries the inner groove."""
 
-    kind: Literal["rigid", "ring_on_shaft"] = key(
-        "rigid; or a ring bonded on a shaft with both ends clamped, which move with the ring", "rigid"
+    kind: Literal["rigid", "ring_on_shaft", "cam"] = key(
+        "rigid; a ring bonded on a shaft with both ends clamped, which move with the ring; or a thin ring "
+        "that a rigid cam shapes, as in a strain-wave gear, to which an elastic outer ring gives way",
+        "rigid",
     )
     bore: Length | None = key(
         "bore of the ring, outside of the shaft", None, example="45 mm", gt=0, only=ON_SHAFT
@@ -78,6 +81,19 @@ class BallInner(Section):
     width: Length | None = key("axial width of the ring", None, example="19 mm", gt=0, only=ON_SHAFT)
     shaft_thickness: Length | None = held_ring.shaft_thickness()
     shaft_length: Length | None = held_ring.shaft_length()
+
+    cam_amplitude: Length | None = key(
+        "by how much the cam raises the raceway on its major axis", None, example="0.2 mm", gt=0, only=ON_CAM
+    )
+    cam_curve: Literal["ellipse", "cosine", "length_kept"] = key(
+        "curve of the raceway on the cam: an ellipse, radii like cos 2 phi, or these on a curve as long as "
+        "the circle",
+        "ellipse",
+        only=ON_CAM,
+    )
+    cam_crest: Angle = key(
+        "azimuth of the major axis, from z towards y, at the moment that is solved", "0 deg", only=ON_CAM
+    )
 
     @property
     def shaft_bore(self) -> float:
@@ -89,6 +105,8 @@ class BallInner(Section):
     def _complete(self) -> Self:
         if self.kind == "ring_on_shaft":
             held_ring.require_shaft(self)
+        if self.kind == "cam":
+            require(self, ("cam_amplitude",), 'inner.kind = "cam"')
         return self
 
 

@@ -29,7 +29,7 @@ def require_room(case: Any) -> None:
     """Raise unless the elastic rings of fast balls can have their grooves; names are dotted keys."""
     races: tuple[Race, Race] = ("inner", "outer")
     for race in races:
-        if getattr(case, race).kind != "rigid":
+        if getattr(case, race).kind not in ("rigid", "cam"):
             _require_arc(case.bearing, race)
             (_require_inner if race == "inner" else _require_outer)(case)
             _require_patches(case, race)

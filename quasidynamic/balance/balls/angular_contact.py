@@ -111,7 +111,7 @@ class AngularBalance:
 
     @cached_property
     def unloaded_groove(self) -> complex | Vectors:
-        """Inner groove centres from the outer ones where the ring is not displaced, of all or each ball [m]."""
+        """Inner groove centres from the outer ones where the ring is not displaced: of all or each ball."""
         approaches = np.array(self.bearing.approaches or 0.0)
         return complex(*self.bearing.groove_offset) + 1j * approaches
 
