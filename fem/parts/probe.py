@@ -2,11 +2,14 @@
 
 from dataclasses import dataclass
 from math import degrees, pi, sin
+from typing import TYPE_CHECKING
 
 from fem.parts.boundary_conditions import Housing
 from fem.parts.material import ImpossiblePart, in_mm
 from fem.parts.rings import OuterRing, Part, RingOnShaft, SquirrelCage
-from fem.parts.step_solid import StepSolid
+
+if TYPE_CHECKING:
+    from fem.parts.step_solid import StepSolid
 
 INSIDE = 1e-6  # of the wall, by which readings stay away from its surface, where a mesh may end by rounding
 
@@ -27,7 +30,7 @@ class Probe:
     length: float  # [m] 0 reads a point
 
 
-def radius(part: Part | StepSolid, probe: Probe) -> float:
+def radius(part: "Part | StepSolid", probe: Probe) -> float:
     """Radius at which a probe reads [m].
 
     Raises
@@ -35,7 +38,7 @@ def radius(part: Part | StepSolid, probe: Probe) -> float:
     ImpossiblePart
         where the part has no material, or no known surfaces
     """
-    if isinstance(part, StepSolid):
+    if not isinstance(part, Part):
         raise ImpossiblePart("surfaces of a drawn solid are not known; allowed are rings and squirrel cages")
     there = [wall for wall in walls(part) if wall[0] <= probe.x <= wall[1]]
     if not there:

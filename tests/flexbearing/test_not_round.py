@@ -88,4 +88,4 @@ def test_derivative_by_the_amplitude_of_a_cam():
     up, down = (
         run(CAM, {key: f"{amplitude} mm"}).flexible["contact_load"][1].max() for amplitude in (0.1001, 0.0999)
     )
-    assert table.slopes[0, 0] == approx((up - down) / 0.2, rel=1e-3)  # [N/um]
+    assert table.slopes[0, 0] == approx((up - down) / 0.2e-3, rel=1e-3)  # [N/mm]

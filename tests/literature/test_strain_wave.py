@@ -1,9 +1,9 @@
 """Loads of 23 balls between an elliptic cam and a thin ring, against a planar beam of another program.
 
 Source: an independent program, a planar beam (R 28.3815 mm, 2 mm by 8 mm, E I 1.0987 N m^2) around balls
-of 4.763 mm on a pitch circle of 50 mm, conformities 0.52, no clearance, contacts in series; linear, and nonlinear with
-finite rotations (Fourier, 40 harmonics, contact along the normal of the deformed ring). Loads [N] of balls 0, 1, 2, 3,
-4, 9, 10 and 11 from the major axis.
+of 4.763 mm on a pitch circle of 50 mm, conformities 0.52, no clearance, contacts in series; linear, and
+nonlinear with finite rotations (Fourier, 40 harmonics, contact along the normal of the deformed ring). Loads
+[N] of balls 0, 1, 2, 3, 4, 9, 10 and 11 from the major axis.
 """
 
 import numpy as np
