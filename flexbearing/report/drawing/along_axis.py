@@ -149,7 +149,7 @@ def _contours_of_balls(case: Any, pitch: float, size: float) -> Iterator[tuple[f
         outside, lands[0] = 2 * (bottom + outer.thickness), bottom - bearing.outer.shoulder
         if outer.kind == "ring" and outer.support == "housing":
             yield outside / 2 + outer.housing_thickness, {"fc": HOUSING}
-    if not rings and case.inner.kind != "rigid":
+    if not rings and case.inner.kind == "ring_on_shaft":
         lands[1] = bearing.groove_bottom("inner") + bearing.inner.shoulder
         bore, shaft, hollow = case.inner.bore, SHAFT, case.inner.shaft_bore / 2
     for radius, usual, colour in (

@@ -117,7 +117,7 @@ def _inner(sheet: Sheet, case: Any, groove: NDArray) -> None:
     """Inner ring on its shaft; what has no dimensions is schematic."""
     bearing, inner, fits = case.bearing, case.inner, case.bearing.fits
     groove, half = _shouldered(bearing, "inner", groove), WIDTH * bearing.ball.diameter
-    if inner.kind == "rigid":
+    if inner.kind != "ring_on_shaft":
         bore = fits and fits.bore / 2
         edge = bore or bearing.pitch_diameter / 2 - (0.5 + WALL) * bearing.ball.diameter
         _ring(sheet, "inner", groove, (-half, half), edge, fc=INNER, **SCHEMATIC)
