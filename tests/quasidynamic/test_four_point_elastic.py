@@ -6,6 +6,8 @@ from hypothesis import given, settings, strategies as st
 from pytest import approx
 
 from quasidynamic.balance.balls.diagonals import Diagonals, diagonal_coefficient
+from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGrooves
+from quasidynamic.balance.balls.elastic_rings import ElasticRings, RigidRings
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.four_point import RingLoad
 from quasidynamic.solve.balls.elastic_load_distribution import elastic_ball_loads
@@ -16,6 +18,7 @@ from tests.reference import plain_elastic_rings as plain
 BALLS = 24
 TIGHT = slow_bearing(clearance=-10e-6, balls=BALLS, ball=30e-3, pitch=0.5)
 LOOSE = slow_bearing(clearance=10e-6, balls=BALLS, ball=30e-3, pitch=0.5)
+LOAD = np.array([2e4, 1e4, 3e4, 1e3, -2e3])
 part = st.floats(-1.0, 1.0)
 cases = st.tuples(part, part, part, part, part, st.floats(2.0, 5.5)).map(
     lambda c: np.array([*c[:3], 0.25 * c[3], 0.25 * c[4]]) * 10 ** c[5]
@@ -23,70 +26,89 @@ cases = st.tuples(part, part, part, part, part, st.floats(2.0, 5.5)).map(
 bearings = st.sampled_from([TIGHT.bearing, LOOSE.bearing])
 
 
-def soft(balls=BALLS, size=4e-10, reach=2.0):
-    """Some compliance: positive, falling away from the ball, arches and components coupled."""
+def soft(balls=BALLS, size=4e-10, reach=2.0, seed=1):
+    """Random rings: positive, falling away from the ball, arcs coupled; an arc moves and, less, bends."""
+    angles, draw = np.radians([20.0, 32.0, 45.0, 58.0, 70.0]), np.random.default_rng(seed)
     n = np.minimum(np.arange(balls), balls - np.arange(balls))
     waves = np.exp(-0.5 * (reach * 2 * np.pi * n / balls) ** 2)
     apart = np.fft.fft(waves).real / waves.sum()
-    own = np.array([[3, 1, 1, 0.5], [1, 2, 0.2, 0.6], [1, 0.2, 2, -0.5], [0.5, 0.6, -0.5, 1.5]]) / 3
-    return size * (apart[:, None, None] * own).reshape(balls, 2, 2, 2, 2)
+    around = apart[np.subtract.outer(np.arange(balls), np.arange(balls)) % balls]
+    moves = np.kron(np.eye(2), np.stack([np.sin(angles), np.cos(angles)], axis=1))
+    bends = np.kron(np.eye(2), np.exp(-0.5 * (np.subtract.outer(angles, angles) / 0.4) ** 2))
+
+    def groove():
+        mixed = moves @ draw.normal(size=(4, 4))
+        own = mixed @ mixed.T / np.square(mixed).sum(1).max() + 0.2 * bends
+        return ElasticGroove(angles, size * np.kron(around, own).reshape((2 * balls, len(angles)) * 2))
+
+    return ElasticGrooves(groove(), groove())
+
+
+def forces(found):
+    """Of the diagonals on the outer ring (Z, 2) [N]: axial to their own side, plus i radial."""
+    return 1j * found.loads * np.exp(-1j * found.angles)
 
 
 @settings(max_examples=20)
 @given(bearings, cases)
 def test_balls_carry_the_load_and_shape_the_rings(bearing, load):
-    found = elastic_ball_loads(bearing, load, soft())
-    lever = np.array([1, 1, 1, 0.25, 0.25])
-    pressed = Diagonals.of(bearing).at(found.displacement * lever, found.deflection)
+    grooves = soft()
+    found = elastic_ball_loads(bearing, load, grooves)
     largest = max(np.abs(load).max(), found.loads.max())
     cosine, sine = np.cos(bearing.azimuths), np.sin(bearing.azimuths)
-    outward, along = (
-        (found.loads[..., None] * pressed.force / np.where(found.loads > 0, found.loads, 1)[..., None])
-        .sum(1)
-        .T
-    )
+    along, outward = forces(found).real @ [1.0, -1.0], forces(found).imag.sum(1)
     carried = [along.sum(), outward @ sine, outward @ cosine, 0.25 * along @ cosine, -0.25 * along @ sine]
     assert carried == approx(load, abs=1e-9 * largest)
-    apart = np.arange(BALLS)[:, None] - np.arange(BALLS)
-    made = np.einsum("jkacbd,kbd->jac", soft()[apart % BALLS], pressed.force)
-    assert found.deflection == approx(made, abs=1e-9 * np.abs(made).max())
-    assert pressed.loads == approx(found.loads, abs=1e-9 * largest)
+    share, slope = (plain.shares(grooves.outer.angles, found.angles.ravel(), order) for order in (0, 1))
+    pressed = found.loads.reshape(-1, 1) * share
+    u = sum(np.tensordot(groove.compliance, pressed, axes=2) for groove in grooves)
+    made = ((1j * share + slope) * u).sum(1) * np.exp(-1j * found.angles.ravel())
+    assert found.deflection @ [1, 1j] == approx(made.reshape(-1, 2), abs=1e-9 * np.abs(made).max())
+    again = Diagonals.of(bearing).at(found.displacement * [1, 1, 1, 0.25, 0.25], found.deflection)
+    assert again.loads == approx(found.loads, abs=1e-9 * largest)
+    assert again.angles == approx(found.angles, abs=1e-12)
 
 
 @settings(max_examples=15)
 @given(bearings, cases)
 def test_rings_without_compliance_are_rigid(bearing, load):
-    found, rigid = elastic_ball_loads(bearing, load, 0 * soft()), ball_loads(bearing, load)
+    found, rigid = elastic_ball_loads(bearing, load, soft().softened(0.0)), ball_loads(bearing, load)
     assert found.loads == approx(rigid.loads, rel=1e-13, abs=1e-13 * rigid.loads.max())
     assert found.displacement == approx(rigid.displacement, rel=1e-13)
     assert found.stiffness == approx(rigid.stiffness, rel=1e-12, abs=1e-12 * np.abs(rigid.stiffness).max())
 
 
 def test_nearly_rigid_rings_change_loads_in_proportion_to_their_compliance():
-    load = np.array([2e4, 1e4, 3e4, 1e3, -2e3])
-    rigid = ball_loads(TIGHT.bearing, load).loads
-    small, smaller = (
-        elastic_ball_loads(TIGHT.bearing, load, soft(size=size)).loads - rigid for size in (1e-13, 1e-14)
-    )
+    rigid, *elastic = (elastic_ball_loads(TIGHT.bearing, LOAD, soft(size=C)).loads for C in (0, 1e-13, 1e-14))
+    small, smaller = elastic - rigid
     assert smaller == approx(small / 10, rel=1e-2, abs=1e-4 * np.abs(smaller).max())
     assert np.abs(small).max() > 1e-6 * rigid.max()
 
 
 def test_work_of_the_load_is_kept_in_contacts_and_rings():
     """Clapeyron along a path: the energy that a little more load brings is its work."""
-    load, more = np.array([2e4, 1e4, 3e4, 1e3, -2e3]), 1e-4
-    states = [elastic_ball_loads(LOOSE.bearing, load * (1 + k * more), soft()) for k in (-1, 1)]
-    stored = [energy(LOOSE.bearing, state) for state in states]
+    more, K = 1e-4, diagonal_coefficient(LOOSE.bearing)
+    states = [elastic_ball_loads(LOOSE.bearing, LOAD * (1 + k * more), soft()) for k in (-1, 1)]
+    contacts = [0.4 * K * ((state.loads / K) ** (5 / 3)).sum() for state in states]
+    rings = [(forces(state) * (state.deflection @ [1, -1j])).real.sum() / 2 for state in states]
     moved = states[1].displacement - states[0].displacement
-    assert stored[1] - stored[0] == approx(load @ moved, rel=1e-6)
+    stored = np.add(contacts, rings)
+    assert stored[1] - stored[0] == approx(LOAD @ moved, rel=1e-6)
+    assert rings[1] > 0.1 * contacts[1]
 
 
-def energy(bearing, state):
-    """2/5 K delta^(5/2) of every diagonal, and half the work of the forces on the rings [J]."""
-    K = diagonal_coefficient(bearing)
-    sign = np.array([1.0, -1.0])
-    force = np.stack([state.loads * np.cos(state.angles), state.loads * np.sin(state.angles) * sign], -1)
-    return 0.4 * K * ((state.loads / K) ** (5 / 3)).sum() + 0.5 * (force * state.deflection).sum()
+@pytest.mark.parametrize("seed", range(3))
+def test_softness_is_that_of_differences_of_the_distances(seed):
+    draw = np.random.default_rng(seed)
+    rings = ElasticRings(RigidRings.of(TIGHT.bearing, LOAD), soft(seed=seed), 1.0)
+    place, shape = 2e-5 * draw.normal(size=5), 1e-5 * draw.normal(size=4 * BALLS)
+    state = rings.at(place, shape)
+    assert 0.5 < (state.diagonals.loads > 0).mean() < 1
+    change = draw.normal(size=(10, 4 * BALLS))
+    nearer, farther = (shape + step * change for step in (1e-9, -1e-9))  # groove centres
+    closed = [[each - rings.at(place, each).misfit for each in shapes] for shapes in (farther, nearer)]
+    by_difference = np.subtract(*closed) / 2e-9
+    assert change @ state.softness.T == approx(by_difference, abs=1e-6 * np.abs(by_difference).max())
 
 
 @settings(max_examples=8)
@@ -112,26 +134,29 @@ def test_elastic_rings_are_softer_and_lose_interference():
 def test_load_turned_by_some_balls_turns_the_distribution():
     angle = 2 * np.pi * 5 / BALLS
     turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
-    load = np.array([2e4, 1e4, 3e4, 1e3, -2e3])
-    turned = load.copy()
-    turned[[2, 1]], turned[[4, 3]] = turn @ load[[2, 1]], turn @ load[[4, 3]]  # azimuths grow from z to y
-    before, after = (elastic_ball_loads(LOOSE.bearing, given, soft()) for given in (load, turned))
+    turned = LOAD.copy()
+    turned[[2, 1]], turned[[4, 3]] = turn @ LOAD[[2, 1]], turn @ LOAD[[4, 3]]  # azimuths grow from z to y
+    before, after = (elastic_ball_loads(LOOSE.bearing, given, soft()) for given in (LOAD, turned))
     assert after.loads == approx(np.roll(before.loads, 5, axis=0), abs=1e-8 * before.loads.max())
 
 
-@pytest.mark.parametrize("clearance", [-10e-6, 10e-6], ids=["tight", "loose"])
-def test_distribution_is_that_of_the_plain_model(clearance):
-    """A bearing of six balls on one page, its energy lowered by SciPy."""
+@pytest.mark.parametrize(
+    ("clearance", "rigid"), [(-10e-6, None), (10e-6, None), (0.0, "inner"), (0.0, "outer")]
+)
+def test_distribution_is_that_of_the_plain_model(clearance, rigid):
+    """A bearing of six balls on one page, its potential lowered by SciPy."""
     bearing = slow_bearing(clearance=clearance, balls=6, ball=30e-3, pitch=0.2).bearing
-    load = np.array([1e4, 5e3, 2e4, 400.0, -300.0])
-    found = elastic_ball_loads(bearing, load, soft(6, 4e-9))
+    load, grooves = np.array([1e4, 5e3, 2e4, 400.0, -300.0]), soft(6, 4e-9)
+    grooves = grooves._replace(**({rigid: None} if rigid else {}))
+    found = elastic_ball_loads(bearing, load, grooves)
     loads, place = plain.solve(
         balls=6, pitch=0.2, angle=np.radians(45), touching=1.5e-3, clearance=clearance,
-        coefficient=diagonal_coefficient(bearing), compliance=soft(6, 4e-9), load=load,
+        coefficient=diagonal_coefficient(bearing), stations=soft(6).inner.angles,
+        compliance=sum(groove.compliance for groove in grooves if groove), load=load,
     )  # fmt: skip
-    assert found.loads == approx(loads, abs=1e-5 * loads.max())
-    assert found.displacement == approx(place, rel=1e-4, abs=1e-9)
-    assert np.abs(ball_loads(bearing, load).loads - loads).max() > 0.02 * loads.max()
+    assert found.loads == approx(loads, abs=1e-6 * loads.max())
+    assert found.displacement == approx(place, rel=1e-5)
+    assert np.abs(ball_loads(bearing, load).loads - loads).max() > 0.01 * loads.max()
 
 
 @pytest.mark.parametrize("load", [[0, 0, 100.0, 0, 0], [0, 0, 1e4, 0, 0]])
@@ -148,44 +173,39 @@ def test_ring_that_a_single_ball_carries_is_not_pushed_aside(load):
 def test_torque_follows_the_loads_of_elastic_rings():
     load = RingLoad(radial_z=2e4, axial=1e4, moment_y=-1e3)
     state = TIGHT.solve(load, soft())
-    assert state.distribution.loads == approx(
-        elastic_ball_loads(TIGHT.bearing, load.vector(), soft()).loads, rel=1e-12
-    )
-    assert state.balls.load[:, :, 0] == approx(state.distribution.loads, rel=1e-12)
+    loads = elastic_ball_loads(TIGHT.bearing, load.vector(), soft()).loads
+    assert state.distribution.loads == approx(loads, rel=1e-12)
+    assert state.balls.load[:, :, 0] == approx(loads, rel=1e-12)
     assert state.torque < TIGHT.solve(load).torque
 
 
-def test_compliance_that_cannot_be_is_refused():
+def test_grooves_that_cannot_be_are_refused():
     load = np.array([1e4, 0, 0, 0, 0])
-    for broken in (soft(12), soft() * np.nan):
-        with pytest.raises(ImpossiblePart, match="must be finite, of shape"):
+    for name, broken in (("inner", soft(12)), ("outer", ElasticGrooves(None, soft(12).outer))):
+        with pytest.raises(ImpossiblePart, match=f"the {name} groove has 24 contacts, 48 are needed"):
             elastic_ball_loads(TIGHT.bearing, load, broken)
-    with pytest.raises(ImpossiblePart, match="not symmetric"):
-        elastic_ball_loads(TIGHT.bearing, load, soft() + np.arange(16.0).reshape(2, 2, 2, 2) * 1e-11)
-    with pytest.raises(NotSolved):
-        elastic_ball_loads(TIGHT.bearing, load, -20 * soft())
+    few = slow_bearing(clearance=-10e-6, balls=6, ball=30e-3, pitch=0.5).bearing
+    for part, why in ((-3.0, "may be one of several"), (-8.0, "found no balance")):
+        with pytest.raises(NotSolved, match=why):
+            elastic_ball_loads(few, load, soft(6).softened(part))
 
 
 @pytest.mark.parametrize("number", [30, pytest.param(600, marks=pytest.mark.slow)])
 def test_random_bearings_find_their_balance(number):
     """Three balls to a full ring, clearance to interference, loads and rings over several decades."""
     rng = np.random.default_rng(number)
-    for _ in range(number):
+    for seed in range(number):
         ball = 10 ** rng.uniform(-3, -1)
         pitch = ball * 10 ** rng.uniform(0.6, 1.4)
         balls = int(rng.integers(3, int(0.95 * np.pi * pitch / ball)))
+        conformity, outer = rng.uniform(0.505, 0.6, 2)
         bearing = slow_bearing(
-            ball,
-            pitch,
-            balls=balls,
-            angle=rng.uniform(5, 75),
-            conformity=rng.uniform(0.505, 0.6),
-            outer_conformity=rng.uniform(0.505, 0.6),
+            ball, pitch, balls=balls, angle=rng.uniform(5, 75), conformity=conformity, outer_conformity=outer,
             clearance=ball * rng.uniform(-1, 1) * 10 ** rng.uniform(-5, -2.5),
-        ).bearing
+        ).bearing  # fmt: skip
         load = rng.normal(size=5) * (rng.random(5) < 0.7) + 1e-3
         load *= 8e6 * ball**2 * balls * 10 ** rng.uniform(-5, 0)
         load[3:] *= pitch / 2
         size = 10 ** rng.uniform(-1.5, 1.5) / (210e9 * ball)
-        found = elastic_ball_loads(bearing, load, soft(balls, size, 10 ** rng.uniform(-1, 1)))
+        found = elastic_ball_loads(bearing, load, soft(balls, size, 10 ** rng.uniform(-1, 1), seed))
         assert found.imbalance < 1e-9

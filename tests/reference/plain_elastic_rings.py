@@ -1,54 +1,66 @@
 """Balls between two elastic rings on one page: slow, plain, with nothing from the package.
 
-The forces of the diagonals are those of the lowest complementary energy among all that carry the load,
-found by SciPy: contacts 3/5 K^(-2/3) Q^(5/3) + A Q, rings F C F/2, less the distance that is there, v0 F.
+Along normals n = (sin, cos) of the contact angle the rings take w(alpha) of the distance d of opposite groove
+centres: the length l = d n - w is left. A ball is where l is largest, with 2/5 K (l - A)^(5/2) of energy.
+Through the displacements u of stations w goes as a sum of waves. They are those of both rings in series, with
+u C^-1 u/2 of energy, C the sum of theirs; u = G y with C = G G^T. Place of the ring and y are those of the
+lowest potential, found by SciPy.
 """
 
 import numpy as np
 from scipy.optimize import minimize
 
 
-def solve(balls, pitch, angle, touching, clearance, coefficient, compliance, load):
+def waves(angles, count, order):
+    """Derivatives (..., count) of cos, sin, 1, cos 2a, sin 2a, ... ; count is odd."""
+    a, i = np.asarray(angles, dtype=float)[..., None], 1j
+    n = np.arange(1, count // 2 + 1)
+    terms = (i * n) ** order * np.exp(i * n * a)
+    pairs = np.stack([terms.real, terms.imag], axis=-1).reshape(*a.shape[:-1], -1)
+    return np.concatenate([pairs, np.full(a.shape, float(order == 0))], axis=-1)
+
+
+def shares(stations, angles, order=0):
+    """Shares (..., K) of stations in a displacement at contact angles, or their derivatives."""
+    K = len(stations)
+    return waves(angles, K, order) @ np.linalg.inv(waves(stations, K, 0))
+
+
+def solve(balls, pitch, angle, touching, clearance, coefficient, stations, compliance, load):
     """Loads of the diagonals (Z, 2) [N] and place of the inner ring (5) [m, rad]."""
-    C = np.zeros((balls, 2, 2, balls, 2, 2))
-    carry = np.zeros((5, balls, 2, 2))
-    start = np.zeros((balls, 2, 2))
-    for j in range(balls):
-        phi = 2 * np.pi * j / balls
-        for k in range(balls):
-            C[j, :, :, k] = compliance[(j - k) % balls]
-        for diagonal, lean in enumerate((1, -1)):
-            start[j, diagonal] = (touching - clearance) * np.array([np.cos(angle), lean * np.sin(angle)])
-            carry[0, j, diagonal, 1] = 1
-            carry[1, j, diagonal, 0], carry[2, j, diagonal, 0] = np.sin(phi), np.cos(phi)
-            carry[3, j, diagonal, 1], carry[4, j, diagonal, 1] = (
-                np.cos(phi) * pitch / 2,
-                -np.sin(phi) * pitch / 2,
-            )
-    C, carry, start = C.reshape(4 * balls, -1), carry.reshape(5, -1), start.ravel()
-    weight = np.array([1, 1, 1, 2 / pitch, 2 / pitch])  # moments as forces
-    unit = np.abs(load * weight).max()  # [N], with lengths in micrometres energies are of the order of one
+    phi, side = np.repeat(2 * np.pi * np.arange(balls) / balls, 2), np.tile([1.0, -1.0], balls)
+    zero, arm = np.zeros(2 * balls), side * pitch / 2
+    axial = np.stack([side, zero, zero, arm * np.cos(phi), -arm * np.sin(phi)], 1)
+    radial = np.stack([zero, np.sin(phi), np.cos(phi), zero, zero], 1)
+    weight = np.array([1, 1, 1, 2 / pitch, 2 / pitch])  # of moments as forces
+    unit = np.abs(load * weight).max()  # [N]; with lengths in micrometres energies are of the order of one
+    size = 2 * balls * len(stations)
+    root = np.linalg.cholesky(1e-6 * unit * compliance.reshape(size, size))
 
-    def energy(x):
-        F = unit * x
-        Q = np.sqrt((F.reshape(-1, 2) ** 2).sum(1) + 1e-14 * unit**2)  # rounded at zero load
-        own = touching * Q + 0.6 * coefficient ** (-2 / 3) * Q ** (5 / 3)
-        slope = (touching + (Q / coefficient) ** (2 / 3)) / Q
-        total = own.sum() + F @ C @ F / 2 - start @ F
-        gradient = (slope[:, None] * F.reshape(-1, 2)).ravel() + C @ F - start
-        return 1e6 * total / unit, 1e6 * gradient
+    def potential(x):
+        place, u = 1e-6 * weight * x[:5], (root @ x[5:]).reshape(2 * balls, -1)
+        across = (touching - clearance) * np.sin(angle) + axial @ place
+        up = (touching - clearance) * np.cos(angle) + radial @ place
 
-    constraint = {
-        "type": "eq",
-        "fun": lambda x: weight * (carry @ x - load / unit),
-        "jac": lambda x: weight[:, None] * carry,
-    }
-    first = np.linalg.lstsq(carry, load / unit, rcond=None)[0]
+        def length(a, order):
+            quarter, lost = order * np.pi / 2, (shares(stations, a, order) * u).sum(1)
+            return across * np.sin(a + quarter) + up * np.cos(a + quarter) - lost
+
+        a = np.arctan2(across, up)
+        for _ in range(20):
+            a = a - length(a, 1) / length(a, 2)
+        approach = np.maximum(length(a, 0) - touching, 0.0)
+        Q = coefficient * approach**1.5
+        excess = axial.T @ (Q * np.sin(a)) + radial.T @ (Q * np.cos(a)) - load
+        pressed = (Q[:, None] * shares(stations, a)).ravel()
+        total = 1e6 / unit * (0.4 * (Q * approach).sum() - load @ place) + 0.5 * x[5:] @ x[5:]
+        gradient = np.append(weight * excess / unit, x[5:] - 1e6 / unit * root.T @ pressed)
+        return total, gradient, Q, place
+
     found = minimize(
-        energy, first, jac=True, method="SLSQP", constraints=[constraint],
-        options={"ftol": 1e-15, "maxiter": 3000},
+        lambda x: potential(x)[:2], np.zeros(5 + size), jac=True, method="BFGS",
+        options={"gtol": 1e-9, "maxiter": 5000},
     )  # fmt: skip
-    assert found.success, found.message
-    # the place of the ring is what the constraint resists with
-    place = np.linalg.lstsq(carry.T, 1e-6 * energy(found.x)[1], rcond=None)[0]
-    return unit * np.linalg.norm(found.x.reshape(-1, 2), axis=1).reshape(balls, 2), place
+    _, gradient, loads, place = potential(found.x)
+    assert np.abs(gradient).max() < 1e-6, found.message
+    return loads.reshape(balls, 2), place
