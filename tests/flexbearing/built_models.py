@@ -1,7 +1,7 @@
 """Everything that a case is built into, without solving: fields of the models by dotted names."""
 
 from contextlib import suppress
-from dataclasses import fields, is_dataclass
+from dataclasses import fields, is_dataclass, replace
 from functools import partial
 from unittest.mock import patch
 
@@ -167,8 +167,10 @@ def _elastic_grooves(case):
 
 
 def _angular(case):
+    model = angular_contact.on_cam(case, angular_contact.bearing(case))
     return _elastic_grooves(case) | {
-        "model": angular_contact.bearing(case),
+        "model": replace(model, bearing=replace(model.bearing, approaches=())),
+        "approach": dict(zip(("first", "second"), model.bearing.approaches, strict=False)),
         "operation": angular_contact.operation(case),
         "viscosity": None if case.lubricant is None else kinematic_viscosity(case.lubricant)[0],
     }

@@ -651,7 +651,7 @@ EFFECTS += (
     *(
         (context, f"{race}.kind", {f"{race}.kind": kind, **dict(sizes)}, f"case.bearing.{race}.shoulder "
          f"{race}.{{last,length,stations,width}} {race}.mesh.{{is,order,raceway_size,size}} "
-         f"{race}.part.groove.{{centre_radius,is,radius}} {race}.part.{{{fields}}}")
+         f"{race}.part.groove.{{aside,centre_radius,is,radius}} {race}.part.{{{fields}}}")
         for context in ("fast balls", "deep groove")
         for race, kind, sizes, fields in (
             ("outer", "ring", {
@@ -664,6 +664,23 @@ EFFECTS += (
                     "youngs_modulus": "206 GPa", "poisson_ratio": 0.3, "density": "7800 kg/m^3"}},
              "bore,is,raceway_diameter,rib_diameter,ring.is,ring.poisson_ratio,ring.youngs_modulus,shaft.is,"
              "shaft.poisson_ratio,shaft.youngs_modulus,shaft_bore,shaft_length,track_width,width"),
+        )
+    ),
+    *(
+        (f"{family}, {context}", key, value, "approach.{first,second}")
+        for family in ("fast", "deep groove")
+        for context, key, value in (
+            *(
+                ("not round", f"bearing.form_error.{race}.{name}", value)
+                for race in ("inner", "outer")
+                for name, value in (
+                    ("waves", 4), ("amplitude", "5 um"), ("crest", "12 deg"), ("further_waves", [6]),
+                    ("further_amplitudes", ["3 um"]), ("further_crests", ["25 deg"]),
+                )
+            ),
+            ("on a cam", "inner.cam_amplitude", "0.11 mm"),
+            ("on a cam", "inner.cam_crest", "12 deg"),
+            ("on a cam", "inner.cam_curve", "cosine"),
         )
     ),
 )  # fmt: skip

@@ -96,6 +96,7 @@ KINDS = {
     "free cage": ("nu209.toml", CAGE),
     "angular contact": ("catalogue/7208.toml", SHOULDERS),
     "deep groove": ("6209.toml", []),
+    "cam": ("strain_wave.toml", []),
     "four points": ("joshi2015_qj309.toml", []),
     "one ball": ("heras2017_a1.toml", []),
     "bolted": ("slewing_bolted.toml", []),
