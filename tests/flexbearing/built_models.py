@@ -16,7 +16,7 @@ from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
 from flexbearing.families import FAMILIES
 from flexbearing.progress import Logged
-from flexbearing.rings import bolted, condensed, grooves, resolution
+from flexbearing.rings import condensed, grooves, resolution
 from flexbearing.runs import angular_contact, four_point
 
 OIL = qd.Lubricant(
@@ -30,7 +30,7 @@ DIRECT = (  # tables and keys that are read where they are used, without a model
     "accuracy.threads", "accuracy.harmonics", "rolling_lines.", "fields.", "friction.torque",
     "friction.model", "friction.cells", "operation.mode",
     "operation.roller_positions", "operation.contact_loads", "operation.speed", "bearing.inner.shoulder",
-    "bearing.outer.shoulder", "rings.harmonics",
+    "bearing.outer.shoulder",
 )  # fmt: skip
 
 
@@ -113,34 +113,14 @@ def _fit(condense):
 
 
 def _four_point(case):
-    wanted = {}
-
-    def kept(kind, key, compute, note, fits):
-        part, _, resolution = key
-        wanted[part.race] = {
-            "part": part,
-            "balls": case.balls,
-            "line": resolution.length,
-            "mesh": resolution.mesh_size,
-            "harmonics": resolution.harmonics,
-        }
-        raise Stop
-
-    for name in ("inner", "outer"):
-        part = bolted.ring(case, name)
-        if part is not None:
-            with patch.object(bolted, "configured") as cache:
-                cache.return_value.cached = kept
-                with suppress(Stop):
-                    bolted._row(case, name, part, Logged())
-    return {"model": four_point.bearing(case), "rings": wanted, "load": _given_load(case)}
+    return _elastic_grooves(case) | {"model": four_point.bearing(case), "load": _given_load(case)}
 
 
 def _given_load(case):
     """Load that the solution would begin with."""
     seen = []
 
-    def solve(self, load, compliance, near=None):
+    def solve(self, load, rings, near=None):
         seen.append(load)
         raise Stop
 
@@ -151,8 +131,6 @@ def _given_load(case):
 
 def _elastic_grooves(case):
     """Parts with grooves, and how they are resolved."""
-    if case.rigid:
-        return {}
     found = {}
     for race, arguments in zip(grooves.RACES, grooves.parts(case), strict=True):
         if arguments is None:

@@ -331,10 +331,12 @@ EFFECTS = (
     ("three balls", "bearing.ball.diameter", "7.2114 mm", "model.bearing.ball.diameter"),
     ("three balls", "bearing.inner.conformity", 0.5757, "model.bearing.inner.conformity"),
     ("groove radii", "bearing.inner.radius", "18.584 mm",
-     "model.bearing.inner.conformity rings.inner.part.groove_radius"),
+     "model.bearing.inner.conformity inner.{last,length} "
+     "inner.part.{raceway_diameter,groove.aside,groove.centre_radius,groove.radius}"),
     ("three balls", "bearing.outer.conformity", 0.5757, "model.bearing.outer.conformity"),
     ("groove radii", "bearing.outer.radius", "18.685 mm",
-     "model.bearing.outer.conformity rings.outer.part.groove_radius"),
+     "model.bearing.outer.conformity outer.{last,length} "
+     "outer.part.{raceway_diameter,groove.aside,groove.centre_radius,groove.radius}"),
     ("three balls", "bearing.balls", 4, "model.bearing.balls"),
     ("three balls", "bearing.contact_angle", "15.15 deg", "model.bearing.contact_angle"),
     ("three balls", "bearing.clearance", "-15 um", "model.bearing.clearance"),
@@ -345,13 +347,13 @@ EFFECTS = (
      "model.bearing.ball.material.poisson_ratio model.bearing.inner.material.poisson_ratio "
      "model.bearing.outer.material.poisson_ratio"),
     ("ball materials", "materials.inner_ring.youngs_modulus", "207.05 GPa",
-     "model.bearing.inner.material.youngs_modulus rings.inner.part.elastic.youngs_modulus"),
+     "model.bearing.inner.material.youngs_modulus inner.part.elastic.youngs_modulus"),
     ("ball materials", "materials.inner_ring.poisson_ratio", 0.2929,
-     "model.bearing.inner.material.poisson_ratio rings.inner.part.elastic.poisson_ratio"),
+     "model.bearing.inner.material.poisson_ratio inner.part.elastic.poisson_ratio"),
     ("ball materials", "materials.outer_ring.youngs_modulus", "208.06 GPa",
-     "model.bearing.outer.material.youngs_modulus rings.outer.part.elastic.youngs_modulus"),
+     "model.bearing.outer.material.youngs_modulus outer.part.elastic.youngs_modulus"),
     ("ball materials", "materials.outer_ring.poisson_ratio", 0.28280000000000005,
-     "model.bearing.outer.material.poisson_ratio rings.outer.part.elastic.poisson_ratio"),
+     "model.bearing.outer.material.poisson_ratio outer.part.elastic.poisson_ratio"),
     ("three balls", "friction.coefficient", 0.1212, "model.friction.coefficients.0"),
     ("friction curve", "friction.pressures", ["1.01 GPa", "3.03 GPa"], "model.friction.pressures.{0,1}"),
     ("friction curve", "friction.coefficients", [0.1212, 0.101], "model.friction.coefficients.{0,1}"),
@@ -377,45 +379,41 @@ EFFECTS = (
     ("three balls", "operation.contact_loads", ["780.46841 N"], "case.operation.contact_loads.0"),
     ("three balls", "operation.speed", "1.01 rad/s", "case.operation.speed"),
     ("groove radii", "rings.outer.kind", "rigid",
-     "rings.outer.{balls,harmonics,line} rings.outer.mesh.{is,order,raceway_size,size} "
-     "rings.outer.part.{ball_diameter,contact_angle,face_distance,face_side,far_diameter} "
-     "model.bearing.groove_ends.1 "
-     "rings.outer.part.{groove_end,groove_radius,is,normal_stiffness,pitch_diameter,race} "
-     "rings.outer.part.{shear_stiffness,width} "
-     "rings.outer.part.elastic.{is,poisson_ratio,youngs_modulus}"),
-    ("balls in bolted rings", "rings.outer.width", "80.8 mm", "rings.outer.part.width"),
-    ("balls in bolted rings", "rings.outer.face_distance", "45.45 mm", "rings.outer.part.face_distance"),
-    ("balls in bolted rings", "rings.outer.face", "+x", "rings.outer.part.face_side"),
+     "outer.{last,length,stations,width} outer.mesh.{is,order,raceway_size,size} "
+     "outer.part.groove.{aside,centre_radius,is,radius} outer.part.elastic.{is,poisson_ratio,youngs_modulus} "
+     "outer.part.{face_distance,face_side,far_diameter,is,normal_stiffness,race,raceway_diameter} "
+     "outer.part.{shear_stiffness,width} model.bearing.groove_ends.1"),
+    ("balls in bolted rings", "rings.outer.width", "80.8 mm", "outer.part.width"),
+    ("balls in bolted rings", "rings.outer.face_distance", "45.45 mm", "outer.part.face_distance"),
+    ("balls in bolted rings", "rings.outer.face", "+x", "outer.part.face_side"),
     ("balls in bolted rings", "rings.outer.face_stiffness", "505 N/mm^3",
-     "rings.outer.part.normal_stiffness"),
+     "outer.part.normal_stiffness"),
     ("balls in bolted rings", "rings.outer.face_shear_stiffness", "202 N/mm^3",
-     "rings.outer.part.shear_stiffness"),
+     "outer.part.shear_stiffness"),
     ("balls in bolted rings", "rings.outer.groove_end", "75.75 deg",
-     "model.bearing.groove_ends.1 rings.outer.part.groove_end"),
-    ("balls in bolted rings", "rings.outer.outside_diameter", "2080.6 mm", "rings.outer.part.far_diameter"),
+     "model.bearing.groove_ends.1 outer.{last,length} outer.part.raceway_diameter"),
+    ("balls in bolted rings", "rings.outer.outside_diameter", "2080.6 mm", "outer.part.far_diameter"),
     ("groove radii", "rings.inner.kind", "rigid",
-     "rings.inner.{balls,harmonics,line} rings.inner.mesh.{is,order,raceway_size,size} "
-     "rings.inner.part.{ball_diameter,contact_angle,face_distance,face_side,far_diameter} "
-     "model.bearing.groove_ends.0 "
-     "rings.inner.part.{groove_end,groove_radius,is,normal_stiffness,pitch_diameter,race} "
-     "rings.inner.part.{shear_stiffness,width} "
-     "rings.inner.part.elastic.{is,poisson_ratio,youngs_modulus}"),
-    ("balls in bolted rings", "rings.inner.width", "80.8 mm", "rings.inner.part.width"),
-    ("balls in bolted rings", "rings.inner.face_distance", "45.45 mm", "rings.inner.part.face_distance"),
-    ("balls in bolted rings", "rings.inner.face", "-x", "rings.inner.part.face_side"),
+     "inner.{last,length,stations,width} inner.mesh.{is,order,raceway_size,size} "
+     "inner.part.groove.{aside,centre_radius,is,radius} inner.part.elastic.{is,poisson_ratio,youngs_modulus} "
+     "inner.part.{face_distance,face_side,far_diameter,is,normal_stiffness,race,raceway_diameter} "
+     "inner.part.{shear_stiffness,width} model.bearing.groove_ends.0"),
+    ("balls in bolted rings", "rings.inner.width", "80.8 mm", "inner.part.width"),
+    ("balls in bolted rings", "rings.inner.face_distance", "45.45 mm", "inner.part.face_distance"),
+    ("balls in bolted rings", "rings.inner.face", "-x", "inner.part.face_side"),
     ("balls in bolted rings", "rings.inner.face_stiffness", "404 N/mm^3",
-     "rings.inner.part.normal_stiffness"),
+     "inner.part.normal_stiffness"),
     ("balls in bolted rings", "rings.inner.face_shear_stiffness", "151.5 N/mm^3",
-     "rings.inner.part.shear_stiffness"),
+     "inner.part.shear_stiffness"),
     ("balls in bolted rings", "rings.inner.groove_end", "75.75 deg",
-     "model.bearing.groove_ends.0 rings.inner.part.groove_end"),
-    ("balls in bolted rings", "rings.inner.bore", "1757.4 mm", "rings.inner.part.far_diameter"),
-    ("balls in bolted rings", "rings.line", "7 mm",
-     "rings.inner.line rings.inner.mesh.raceway_size rings.outer.line rings.outer.mesh.raceway_size"),
-    ("balls in bolted rings", "rings.element_order", 6, "rings.inner.mesh.order rings.outer.mesh.order"),
-    ("balls in bolted rings", "rings.mesh_size", "15 mm", "rings.inner.mesh.size rings.outer.mesh.size"),
-    ("balls in bolted rings", "rings.harmonics", 800,
-     "case.rings.harmonics rings.inner.harmonics rings.outer.harmonics"),
+     "model.bearing.groove_ends.0 inner.{last,length} inner.part.raceway_diameter"),
+    ("balls in bolted rings", "rings.inner.bore", "1757.4 mm", "inner.part.far_diameter"),
+    ("balls in bolted rings", "rings.patch_width", "2.2 mm",
+     "inner.{last,width,mesh.raceway_size} outer.{last,width,mesh.raceway_size}"),
+    ("balls in bolted rings", "rings.stations", 7, "inner.stations outer.stations"),
+    ("balls in bolted rings", "rings.element_order", 6,
+     "inner.mesh.{order,raceway_size} outer.mesh.{order,raceway_size}"),
+    ("balls in bolted rings", "rings.mesh_size", "15 mm", "inner.mesh.size outer.mesh.size"),
     ("balls in bolted rings", "fields.balls", [0, 3], "case.fields.balls case.fields.balls.{0,1}"),
     ("three balls", "fields.points", 22, "case.fields.points"),
     ("three balls", "outputs.subsurface_stresses", True, "case.outputs.subsurface_stresses"),
