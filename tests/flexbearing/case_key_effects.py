@@ -673,7 +673,7 @@ EFFECTS += (
                 for race in ("inner", "outer")
                 for name, value in (
                     ("waves", 4), ("amplitude", "5 um"), ("crest", "12 deg"), ("further_waves", [6]),
-                    ("further_amplitudes", ["3 um"]), ("further_crests", ["25 deg"]),
+                    ("further_amplitudes", ["3 um"]), ("further_crests", ["27 deg"]),
                 )
             ),
             ("on a cam", "inner.cam_amplitude", "0.11 mm"),

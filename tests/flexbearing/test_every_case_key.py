@@ -243,7 +243,8 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
                   "further_amplitudes": ["1 um"], "further_crests": ["5 deg"]}}})
        for name, file in (("fast", "harris218"), ("deep groove", "6209"))},
     **{f"{name}, on a cam": (file, {
-        "inner.kind": "cam", "inner.cam_amplitude": "0.1 mm", "inner.cam_crest": "10 deg", "outer.kind": "ring",
+        "inner.kind": "cam", "inner.cam_amplitude": "0.1 mm", "inner.cam_crest": "10 deg",
+        "outer.kind": "ring",
         "outer.thickness": "5 mm", "outer.width": "30 mm", "bearing.outer.shoulder": "3 mm"})
        for name, file in (("fast", "harris218"), ("deep groove", "6209"))},
     "deep groove, rated": ("6209", _RATED),
