@@ -73,13 +73,15 @@ Block = Literal["rigid", "flexible"]  # the rings between which there is a solut
 def bearing(case: FastCase) -> qd.AngularContactBallBearing:
     """The bearing of a case; without the cam that only an elastic outer ring follows."""
     parts, materials = case.bearing, case.materials
+    contact_angle, change = _angle_and_clearance(case)
     round_one = qd.AngularContactBearing(
         ball=ball(parts, materials.ball),
         inner=groove(parts, "inner", materials.ring("inner")),
         outer=groove(parts, "outer", materials.ring("outer")),
         balls=parts.balls,
         pitch_diameter=parts.pitch_diameter,
-        **_angle_and_clearance(case),
+        contact_angle=contact_angle,
+        clearance=change,
         first_ball_azimuth=parts.first_ball_azimuth,
     )
     waves = out_of_round.approaches(case, round_one.azimuths)
@@ -93,15 +95,15 @@ def bearing(case: FastCase) -> qd.AngularContactBallBearing:
     )
 
 
-def _angle_and_clearance(case: FastCase) -> dict[str, float]:
+def _angle_and_clearance(case: FastCase) -> tuple[float, float]:
     """Contact angle before mounting, and what fits add to its clearance.
 
     A deep groove bearing has no angle but that of its clearance.
     """
     if isinstance(case.bearing, AngularBearing):
         change = clearance.operating(case) - case.stated_clearance
-        return {"contact_angle": case.bearing.contact_angle, "clearance": change}
-    return {"contact_angle": 0.0, "clearance": clearance.operating(case)}
+        return case.bearing.contact_angle, change
+    return 0.0, clearance.operating(case)
 
 
 def _sticking(case: FastCase) -> tuple[int, int] | None:
