@@ -33,7 +33,8 @@ def test_rings_are_rigid_unless_they_are_described():
         (["rings.outer.groove_end=40 deg"], "[rings.outer] groove_end", "above bearing.contact_angle"),
         (["rings.outer.kind=free"], "[rings.outer] kind", '"rigid" or "bolted"'),
         (["rings.outer.face_stiffness=5 N/mm^3"], "[rings.outer] face_shear_stiffness is missing", "springs"),
-        (["rings.line=0 mm"], "[rings] line", "above 0 m"),
+        (["rings.patch_width=0 mm"], "[rings] patch_width", "above 0 m"),
+        (["rings.stations=4"], "stations", "an odd number"),
         (["rings.outer.bore=2 m"], "[rings.outer] bore", "not a key"),
         (
             ["operation.mode=contact_loads", 'operation.contact_loads=["5 kN"]'],
@@ -48,6 +49,11 @@ def test_impossible_ring_is_refused(settings, place, allowed):
     assert place in message
     assert allowed in message
     assert len(message.splitlines()) == 1
+
+
+def test_patch_that_does_not_fit_on_its_arc_is_refused():
+    with pytest.raises(BadCase, match=r"rings.patch_width = 9 mm .* inner groove; allowed is below 5.86 mm"):
+        check(SLEWING, ["rings.patch_width=9 mm"])
 
 
 def test_described_ring_is_described_completely(tmp_path):
