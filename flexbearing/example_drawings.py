@@ -77,6 +77,8 @@ EXAMPLES = (
             page="ball-bearing"),
     Example("four-point-axis", "Axes, azimuth, sense of rotation, load and moments", "slewing_bolted.toml",
             "along-axis", page="ball-bearing"),
+    Example("ball-cage", "Squirrel cage around the balls of an angular-contact bearing",
+            "harris218_cage.toml", "section", page="rings"),
     Example("bolted-ring", "Ball of a four-point bearing between bolted rings",
             "slewing_bolted.toml", "section", page="rings"),
     Example("angular-contact", "Ball of an angular-contact bearing with fits",

@@ -1,7 +1,7 @@
 """The angular-contact ball bearing at speed."""
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Literal, NamedTuple, cast
 
@@ -97,17 +97,19 @@ class AngularContactBallBearing:
         if grooves is None:
             return self.states(operations, balance, solve(balance))
         solution = solve_elastic(balance, grooves)
-        return [
-            state if isinstance(state, NotSolved) else replace(state, groove_displacement=moved)
-            for state, moved in zip(
-                self.states(operations, balance, solution.rings), solution.moved, strict=True
-            )
-        ]
+        return self.states(operations, balance, solution.rings, solution.moved)
 
     def states(
-        self, operations: Sequence[RingOperation], balance: AngularBalance, solution: RingSolution
+        self,
+        operations: Sequence[RingOperation],
+        balance: AngularBalance,
+        solution: RingSolution,
+        groove_displacements: NDArray | None = None,
     ) -> list[AngularContactState | NotSolved]:
-        """What bearings do at operating points whose `equations` are solved; an error takes its place."""
+        """What bearings do at operating points whose `equations` are solved; an error takes its place.
+
+        Displacements of grooves (C, 2, Z, 2) [m] are None between rigid rings.
+        """
         balls, ring = solution.forces(balance)
         kinematics, scale, control, heat = balls.kinematics, self._scale, self._race_control, None
         if isinstance(control, CoulombControl):
@@ -149,6 +151,7 @@ class AngularContactBallBearing:
                     sliding_heat=None if heat is None else heat[case],
                     sticking=self.sticking is not None,
                     imbalance=float(solution.imbalance[case]),
+                    groove_displacement=None if groove_displacements is None else groove_displacements[case],
                 )
             )
         return states

@@ -26,10 +26,12 @@ from fem.cage.half_pitch_stiffness import (
     reduced_under,
 )
 from fem.mesh.half_pitch import half_pitch
+from fem.mesh.moved_nodes import Faces, cage_faces
 from fem.mesh.notches import notches
 from fem.mesh.solid import MILLIMETRES
+from fem.parts.resolution import Shape
 from fem.parts.rings import MeshSize, Patches, SquirrelCage
-from fem.solid.extremes import Samples
+from fem.solid.extremes import Samples, cylinder_axes, in_axes
 from fem.solid.lattice import Spread, hooke, located, spread, strain_of
 
 FEET, IN_FILLET = 0.23, 0.8  # size of elements at the feet over the thickness of a bar, over a fillet
@@ -46,6 +48,7 @@ class LoadedCage:
     halves: tuple[
         NDArray, NDArray
     ]  # (2 bars, unknowns) [m] in the axes of the bar, mirrored at smaller azimuth
+    moved: tuple[Faces, Faces] | None = None  # with which nodes of another mesh were moved, before and after
 
     _kept: dict[tuple[str, int], Spread] = field(default_factory=dict, compare=False)
 
@@ -60,10 +63,13 @@ class LoadedCage:
         return self._of(body, piece, self._spread(body, intervals, keys), higher)
 
     def at(self, body: str, piece: int, places: NDArray, *, higher: bool = True) -> Samples:
-        """Samples at those of some places (n, 3) [m] that lie in half a pitch."""
+        """Samples at those of some places (n, 3) [m] that lie in half a pitch, in axes x, r, t."""
         mesh, local = self.displacements[0].space.mesh, self._local(places, piece)
-        points, _ = located(mesh, self._mesh_name(body), local * MILLIMETRES)
-        return self._of(body, piece, points, higher)
+        points, _ = located(mesh, self._mesh_name(body), local * MILLIMETRES, self.moved)
+        samples = self._of(body, piece, points, higher)
+        axes = cylinder_axes(*self._local(samples.place, piece)[:, 1:].T)
+        axes[:, 2] *= -1 if piece % 2 else 1  # the mirrored half counts azimuths the other way round
+        return in_axes(samples, axes)
 
     def _of(self, body: str, piece: int, points: Spread, higher: bool) -> Samples:
         displacement, values = self.displacements[higher], self.halves[higher][piece]
@@ -73,9 +79,7 @@ class LoadedCage:
         points, place = points.where(within := self._within(body, place[:, 0])), place[within]
         gradient, moved = ngs.Grad(displacement)(points.mapped), displacement(points.mapped)
         stress = hooke(strain_of(gradient), self.cage.materials[body])
-        return Samples(
-            points.key, points.even, self._placed(place, piece), np.linalg.norm(moved, axis=1), stress
-        )
+        return Samples(points.key, points.even, self._placed(place, piece), moved, stress)
 
     def _within(self, body: str, x: NDArray) -> NDArray:
         """Whether places at x (n,) [m] belong to a body."""
@@ -139,7 +143,12 @@ def feet_size(cage: SquirrelCage) -> float:
 
 
 def loaded_cage(
-    cage: SquirrelCage, patches: Patches, forces: NDArray, mesh_size: MeshSize, feet: float | None = None
+    cage: SquirrelCage,
+    patches: Patches,
+    forces: NDArray,
+    mesh_size: MeshSize,
+    feet: float | None = None,
+    nodes_of: Shape | None = None,
 ) -> LoadedCage:
     """Solve a squirrel cage under roller forces, by two orders of displacements.
 
@@ -155,6 +164,8 @@ def loaded_cage(
         the higher order, 2 or more, and element sizes
     feet : float, optional
         largest element edge at the feet of the bars [m]; None: that of `feet_size`
+    nodes_of : Shape, optional
+        another cage and band, whose mesh is taken with its nodes moved to these
 
     Returns
     -------
@@ -173,12 +184,17 @@ def loaded_cage(
     """
     with threads(1):  # half a pitch is small: a second thread would only wait
         feet = min(feet or feet_size(cage), mesh_size.size)
-        mesh = half_pitch(cage, patches.length, mesh_size, feet, graded_clamp=True)
+        mesh = half_pitch(cage, patches.length, mesh_size, feet, graded_clamp=True, nodes_of=nodes_of)
         solved = [
             _solved(cage, patches, forces, mesh, order) for order in (mesh_size.order - 1, mesh_size.order)
         ]
     (lower, of_lower, radius), (higher, of_higher, _) = solved
-    return LoadedCage(cage=cage, radius=radius, displacements=(lower, higher), halves=(of_lower, of_higher))
+    moved = None
+    if nodes_of is not None:
+        moved = cage_faces(nodes_of.part, nodes_of.length), cage_faces(cage, patches.length)
+    return LoadedCage(
+        cage=cage, radius=radius, displacements=(lower, higher), halves=(of_lower, of_higher), moved=moved
+    )
 
 
 def _solved(

@@ -102,8 +102,7 @@ def _(part: RingOnShaft, length):
     half = half_band(part.groove, raceway, -1, length)
     ribs = [[(side, rib, None), (track, rib, None)], [(-track, rib, None), (-side, rib, None)]]
     right, left = ribs if part.rib_diameter is not None else ([], [])
-    end = 0.0 if part.groove is None else part.groove.end(raceway, -1)
-    bends = {} if part.groove is None else {4 + len(right): start_of_arc(end, -1)}
+    bends = {} if part.groove is None else {4 + len(right): start_of_arc(part.groove.end(raceway, -1), -1)}
     ring = AxialSection("ring", (
         (-side, bore, None), (side, bore, "seat"), *right,
         (track, raceway, None), (half, raceway, None), (-half, raceway, "raceway"), (-track, raceway, None),
@@ -167,7 +166,7 @@ def meshed(
     """
     if nodes_of is not None:
         mesh = meshed(nodes_of, mesh_size)
-        move_nodes(mesh, _faces(nodes_of), _faces(bodies))
+        move_nodes(mesh, faces_of(nodes_of), faces_of(bodies))
         return mesh
     loaded = sum(body.loaded for body in bodies)
     require_affordable(
@@ -188,7 +187,8 @@ def meshed(
     return mesh
 
 
-def _faces(bodies: list[AxialSection]) -> Faces:
+def faces_of(bodies: list[AxialSection]) -> Faces:
+    """Faces that nodes are moved with."""
     x, radii, _ = zip(*(corner for body in bodies for corner in body.corners), strict=True)
     return Faces(x=x, radii=radii)
 

@@ -80,17 +80,32 @@ def move_nodes(mesh: ngs.Mesh, before: Faces, after: Faces) -> None:
         if faces that are one would come apart, or others would meet
     """
     places = vertex_places(mesh)
+    mesh.SetDeformation(_deformation(mesh, places, *_moved(places, before, after)))
+
+
+def unmoved(places: NDArray, before: Faces, after: Faces) -> NDArray:
+    """Where places (n, dimensions) [m] of the moved part were, but for what elements do between their nodes.
+
+    Raises
+    ------
+    ImpossiblePart
+        as for `move_nodes`
+    """
+    return _moved(places, after, before)[0]
+
+
+def _moved(places: NDArray, before: Faces, after: Faces) -> tuple[NDArray, NDArray]:
+    """Places (n, dimensions) [m] moved with the faces, and their turn (n) about the axis [rad]."""
     x, across = places[:, 0], places[:, 1:]
-    moved_x = _stretched(x, before.x, after.x)
     radius = np.linalg.norm(across, axis=1)
     moved_radius = _stretched(radius, before.radii, after.radii)
     moved, turn = (moved_radius / radius)[:, None] * across, np.zeros_like(radius)
-    if mesh.dim == 3:
+    if places.shape[1] == 3:
         azimuth = np.arctan2(*across.T)
         moved_azimuth = _turned(azimuth, (radius, moved_radius), (before, after))
         moved = moved_radius[:, None] * np.stack([np.sin(moved_azimuth), np.cos(moved_azimuth)], axis=1)
         turn = moved_azimuth - azimuth
-    mesh.SetDeformation(_deformation(mesh, places, np.column_stack([moved_x, moved]), turn))
+    return np.column_stack([_stretched(x, before.x, after.x), moved]), turn
 
 
 def _deformation(mesh: ngs.Mesh, places: NDArray, moved: NDArray, turn: NDArray) -> ngs.GridFunction:

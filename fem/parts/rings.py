@@ -6,7 +6,7 @@ phi turns from z towards y, so that the outward normal of a raceway is (0, sin p
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import isfinite, pi, sin
+from math import ceil, isfinite, pi, sin
 
 from fem.parts.boundary_conditions import (
     FreeMotions,
@@ -27,6 +27,7 @@ from fem.parts.material import (
 
 SLENDEREST_SLOT = 0.3e-3  # [m] the mesher may abort on narrower gaps and thinner walls
 SMALLEST_FILLET = 0.1e-3  # [m] smaller ones need too many elements to matter
+ROUNDING = 1e-12  # [m] of sums of lengths: a length at its limit is allowed
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,7 +46,7 @@ class OuterRing:
         require_positive(self, "raceway_diameter", "thickness", "width")
         if self.groove is not None:
             land = self.raceway_diameter / 2
-            _require_room(self.groove, land, land + self.thickness, 1, self.track)
+            _require_room(self.groove, land, land + self.thickness, 1, self.width, self.offset)
         require(
             self.thickness > SLENDEREST_SLOT, "thickness", in_mm(self.thickness),
             f"above {in_mm(SLENDEREST_SLOT)}",
@@ -82,6 +83,21 @@ class OuterRing:
     def free_motions(self) -> FreeMotions:
         """Rigid motions that nothing holds."""
         return free_motions(self.support)
+
+
+def most_bars(inner_radius: float) -> int:
+    """Largest number of narrow bars that leave slots of `SLENDEREST_SLOT` along their inner radius [m]."""
+    return ceil(2 * pi * inner_radius / SLENDEREST_SLOT) - 1
+
+
+def thickest_bar(thickness: float) -> float:
+    """Radially thickest bar in a ring of a thickness [m], which leaves its inner surface whole."""
+    return thickness - 2 * SLENDEREST_SLOT / 3 + ROUNDING
+
+
+def narrowest_ring(groove: Groove, land: float, outward: int, offset: float) -> float:
+    """Axially narrowest ring [m] around a groove between lands of a radius, off the ring's middle [m]."""
+    return groove.width(land, outward) + 2 * SLENDEREST_SLOT + 2 * abs(offset) - ROUNDING
 
 
 def widest_bar(bars: int, inner_radius: float) -> float:
@@ -136,13 +152,13 @@ class SquirrelCage:
     def __post_init__(self):
         if self.groove is not None:
             land = self.raceway_diameter / 2
-            _require_room(self.groove, land, land + self.thickness, 1, self.track)
+            _require_room(self.groove, land, land + self.thickness, 1, self.width, self.offset)
         require_positive(
             self, "raceway_diameter", "thickness", "width", "bar_width", "bar_thickness", "bar_length",
             "flange_length",
         )  # fmt: skip
         require(self.bars >= 1, "bars", self.bars, "1 or more")
-        thickest = self.thickness - 2 * SLENDEREST_SLOT / 3
+        thickest = thickest_bar(self.thickness)
         require(
             self.bar_thickness <= thickest, "bar_thickness", in_mm(self.bar_thickness),
             f"at most {in_mm(thickest)}, less than the thickness of the ring, which leaves the raceway whole",
@@ -257,7 +273,7 @@ class RingOnShaft:
 
     def __post_init__(self):
         if self.groove is not None:
-            _require_room(self.groove, self.raceway_diameter / 2, self.bore / 2, -1, self.track_width)
+            _require_room(self.groove, self.raceway_diameter / 2, self.bore / 2, -1, self.track_width, 0.0)
         require_positive(self, "raceway_diameter", "track_width", "shaft_length")
         require(self.shaft_bore >= 0, "shaft_bore", self.shaft_bore, "zero for a solid shaft, or above")
         wall, ribs = 2 * SLENDEREST_SLOT, self.rib_diameter is not None
@@ -270,7 +286,8 @@ class RingOnShaft:
             ("width", "shaft_length"),
         ):
             limit, value = getattr(self, outside) - wall, getattr(self, inside)
-            require(value <= limit, inside, in_mm(value), f"at most {in_mm(limit)}, inside {outside}")
+            allowed = f"at most {in_mm(limit)}, inside {outside}"
+            require(value <= limit + ROUNDING, inside, in_mm(value), allowed)
 
     @property
     def track(self) -> float:
@@ -309,15 +326,18 @@ class RingOnShaft:
 Part = SquirrelCage | OuterRing | RingOnShaft
 
 
-def _require_room(groove: Groove, land: float, far: float, outward: int, track: float) -> None:
+def _require_room(groove: Groove, land: float, far: float, outward: int, width: float, offset: float) -> None:
     """Refuse a groove without a wall below its bottom, or without lands at its sides [m]."""
-    wall, width = outward * (far - groove.bottom(outward)), groove.width(land, outward)
+    wall, least = outward * (far - groove.bottom(outward)), narrowest_ring(groove, land, outward, offset)
     require(
-        wall > SLENDEREST_SLOT, "groove.radius", in_mm(groove.radius),
+        wall > SLENDEREST_SLOT - ROUNDING, "groove.radius", in_mm(groove.radius),
         f"one that leaves a wall above {in_mm(SLENDEREST_SLOT)}",
     )  # fmt: skip
-    least = width + 2 * SLENDEREST_SLOT
-    require(track >= least, "width", in_mm(track), f"at least {in_mm(least)}, with the lands of its groove")
+    aside = f" {in_mm(abs(offset))} off its middle" if offset else ""
+    require(
+        width >= least, "width", in_mm(width),
+        f"at least {in_mm(least)}, with the lands of its groove{aside}",
+    )  # fmt: skip
 
 
 def _at_most(limit: float, instead: str) -> str:

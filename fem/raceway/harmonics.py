@@ -147,8 +147,8 @@ def _usual(needed: int, limit: int) -> int:
     last = max(FEWEST, min(needed, limit))
     if last > MOST:
         raise NotSolved(
-            f"{last} harmonics resolve what rollers load on so large a raceway, allowed are {MOST} or fewer: "
-            "longer rollers or a smaller ring need less"
+            f"{last} harmonics resolve so small a loaded patch on so large a raceway, allowed are {MOST} or "
+            "fewer: a larger patch or a smaller ring needs less"
         )
     return last
 

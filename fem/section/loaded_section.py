@@ -14,6 +14,7 @@ Fourier series of Gaussian patches on a body of revolution; derived here.
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from math import ceil, pi
 from typing import Any
 
@@ -23,9 +24,12 @@ from numpy.typing import NDArray
 
 from fem.assembly.factorisation import threads
 from fem.assembly.harmonic_stiffness import HarmonicAnswers, answers
+from fem.mesh.axial_section import faces_of, sections
+from fem.mesh.moved_nodes import Faces
 from fem.mesh.notches import notches
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.boundary_conditions import FreeMotions
+from fem.parts.resolution import Shape
 from fem.parts.rings import MeshSize, OuterRing, Patches, RingOnShaft
 from fem.parts.surroundings import Surroundings
 from fem.section.expansion import heating, rotation
@@ -60,6 +64,7 @@ class LoadedSection:
     forces: NDArray  # (Z, M) [N] positive outward
     surroundings: Surroundings
     fields: tuple[Field, Field]  # of the lower and the higher order
+    moved: tuple[Faces, Faces] | None = None  # with which nodes of another mesh were moved, before and after
 
     @property
     def radius(self) -> float:
@@ -95,14 +100,15 @@ class LoadedSection:
         return Samples(*(np.concatenate(column) for column in zip(*parts, strict=True)))
 
     def at(self, body: str, piece: int, places: NDArray, *, higher: bool = True) -> Samples:
-        """Samples at those of some places (n, 3) [m] that lie in a sector."""
+        """Samples at those of some places (n, 3) [m] that lie in a sector, in axes x, r, t."""
         x, y, z = places.T
-        azimuth, step = np.arctan2(y, z) % (2 * pi), self.azimuths[1]
+        step = self.azimuths[1]
+        azimuth = (np.arctan2(y, z) + step / 2) % (2 * pi) - step / 2
         low, high = ((piece + k) * CHUNK - 0.5 for k in (0, 1))
         kept = (azimuth >= low * step) & (azimuth < high * step)
         flat = np.stack([x, np.hypot(y, z)], axis=1)[kept] * MILLIMETRES
         of_order = self.fields[higher]
-        points, which = located(of_order.body.space.mesh, body, flat)
+        points, which = located(of_order.body.space.mesh, body, flat, self.moved)
         return self._of(of_order, body, points, azimuth[kept][which])
 
     def _at(
@@ -142,8 +148,7 @@ class LoadedSection:
         x, r = (x[:, None], r[:, None]) if everywhere else (x, r)
         place = np.stack(np.broadcast_arrays(x, r * s, r * c), axis=-1)
         return Samples(
-            points.key, points.even, place.reshape(-1, 3), np.linalg.norm(shift, axis=-1).ravel(),
-            stress.reshape(-1, 6),
+            points.key, points.even, place.reshape(-1, 3), shift.reshape(-1, 3), stress.reshape(-1, 6)
         )  # fmt: skip
 
     def _waves(self, rollers: HarmonicAnswers, azimuth: NDArray) -> tuple[NDArray, NDArray]:
@@ -194,6 +199,7 @@ def loaded_section(
     forces: NDArray,
     mesh_size: MeshSize,
     surroundings: Surroundings | None = None,
+    nodes_of: Shape | None = None,
 ) -> LoadedSection:
     """Solve a body of revolution under roller forces, by two orders of displacements.
 
@@ -209,6 +215,8 @@ def loaded_section(
         the higher order, 2 or more, and element sizes
     surroundings : Surroundings
         heat and rotation; None: neither
+    nodes_of : Shape, optional
+        another part and band, whose mesh is taken with its nodes moved to these
 
     Returns
     -------
@@ -228,27 +236,43 @@ def loaded_section(
     """
     around = surroundings or Surroundings()
     last = ceil(SMOOTH * part.raceway_diameter / 2 / patches.width)
-    lower, higher = (
-        _field(part, patches, replace(mesh_size, order=order), last, around)
-        for order in (mesh_size.order - 1, mesh_size.order)
-    )
+    fields = []
+    for order in (mesh_size.order - 1, mesh_size.order):
+        mesh = replace(mesh_size, order=order)
+        body, rollers = _answered(part, patches.length, patches.axial_modes, mesh, last, nodes_of)
+        fields.append(Field(body, rollers, _steady(body, around)))
+    lower, higher = fields
+    moved = None
+    if nodes_of is not None:
+        before, after = sections(nodes_of.part, nodes_of.length), sections(part, patches.length)
+        moved = faces_of(before), faces_of(after)
     return LoadedSection(
-        part=part, patches=patches, forces=forces, surroundings=around, fields=(lower, higher)
+        part=part,
+        patches=patches,
+        forces=forces,
+        surroundings=around,
+        fields=(lower, higher),
+        moved=moved,
     )
 
 
-def _field(part: Any, patches: Patches, mesh: MeshSize, last: int, around: Surroundings) -> Field:
-    body = body_of(part, patches.length, mesh)
-    modes = edge_modes(body, "raceway", patches.axial_modes)
+@lru_cache(maxsize=4)  # both orders of both rings: only the forces differ from row to row of a study
+def _answered(
+    part: Any, length: float, modes: int, mesh: MeshSize, last: int, nodes_of: Shape | None
+) -> tuple[Body, HarmonicAnswers]:
+    body = body_of(part, length, mesh, nodes_of)
+    return body, answers(body.stiffness, edge_modes(body, "raceway", modes), last)
+
+
+def _steady(body: Body, around: Surroundings) -> NDArray:
+    """Displacement (unknowns,) by heat and rotation [m]."""
     load = np.zeros(body.stiffness.unknowns)
     if any(around.thermal_strains.values()):
         load += heating(body, around.thermal_strains)
     if around.speed:
         load += rotation(body, around.densities, around.speed)
-    steady = np.zeros_like(load)
-    if load.any():
-        free = replace(body, stiffness=replace(body.stiffness, clamped=np.zeros_like(body.stiffness.clamped)))
-        steady = held_on_points(free, FreeMotions(axial=True, turning=True, across=True), 0).solve(
-            0, load[:, None]
-        )[:, 0]
-    return Field(body, answers(body.stiffness, modes, last), steady)
+    if not load.any():
+        return np.zeros_like(load)
+    free = replace(body, stiffness=replace(body.stiffness, clamped=np.zeros_like(body.stiffness.clamped)))
+    held = held_on_points(free, FreeMotions(axial=True, turning=True, across=True), 0)
+    return held.solve(0, load[:, None])[:, 0]

@@ -175,7 +175,7 @@ def _sections(cage: SquirrelCage, length: float) -> list[AxialSection]:
     """Ring, sleeves and flanges as polygons that touch along whole edges."""
     inner, (left, right) = cage.raceway_diameter / 2, cage.sides
     half = half_band(cage.groove, inner, 1, length)
-    bends = {} if cage.groove is None else {2: start_of_arc(cage.groove, inner, 1)}
+    bends = {} if cage.groove is None else {2: start_of_arc(cage.groove.end(inner, 1), 1)}
     low, high = cage.bar_radii
     feet = [[(right, low, None), (right, high, None)], [(left, high, None), (left, low, None)]]
     at_right, at_left = feet if cage.two_sided else (feet[0], [])

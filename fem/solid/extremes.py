@@ -22,8 +22,30 @@ class Samples(NamedTuple):
     key: NDArray  # (n,) of the element in its piece
     even: NDArray  # (n,) bool: those that half as many intervals would have
     place: NDArray  # (n, 3) x, y, z [m]
-    shift: NDArray  # (n,) size of the displacement [m]
-    stress: NDArray  # (n, 6) [Pa] xx, yy, zz, xy, yz, xz in any axes at right angles
+    displacement: NDArray  # (n, 3) [m] in any axes at right angles
+    stress: NDArray  # (n, 6) [Pa] xx, yy, zz, xy, yz, xz in the same axes
+
+
+def in_axes(samples: Samples, axes: NDArray) -> Samples:
+    """Samples in other axes: their directions (n, 3, 3) in the axes of the samples, one after the other."""
+    a, b = np.array([(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2)]).T
+    stress = axes @ _tensors(samples.stress) @ axes.swapaxes(1, 2)
+    moved = np.einsum("nij,nj->ni", axes, samples.displacement)
+    return samples._replace(displacement=moved, stress=stress[:, a, b])
+
+
+def cylinder_axes(y: NDArray, z: NDArray) -> NDArray:
+    """Directions x, r, t (n, 3, 3) at places off the x axis, r outwards, t towards growing azimuth."""
+    s, c = np.array([y, z]) / np.hypot(y, z)
+    axes = np.zeros((s.size, 3, 3))
+    axes[:, 0, 0] = 1.0
+    axes[:, 1, 1], axes[:, 1, 2], axes[:, 2, 1], axes[:, 2, 2] = s, c, c, -s
+    return axes
+
+
+def _tensors(stress: NDArray) -> NDArray:
+    """Stresses (n, 6) as tensors (n, 3, 3)."""
+    return stress[:, [[0, 3, 5], [3, 1, 4], [5, 4, 2]]]
 
 
 class Sampled(Protocol):
@@ -40,7 +62,7 @@ class Sampled(Protocol):
         ...
 
     def at(self, body: str, piece: int, places: NDArray, *, higher: bool = True) -> Samples:
-        """Samples at those of some places (n, 3) [m] that lie in a piece; half of them are even."""
+        """Samples at those of some places (n, 3) [m] that lie in a piece, in axes x, r, t; half are even."""
         ...
 
 
@@ -109,7 +131,7 @@ def extremes(sampled: Sampled, body: str, clear: Clearing) -> BodyExtremes:
     shift = 0.0
     for piece in sampled.pieces(body):
         samples = sampled.samples(body, piece, COARSE)
-        shift = max(shift, float(samples.shift.max()))
+        shift = max(shift, float(np.linalg.norm(samples.displacement, axis=1).max()))
         far = clear(samples.place)
         for name, measure in MEASURES.items():
             values = np.where(far, measure(samples.stress), -np.inf)
@@ -231,7 +253,7 @@ def principal(stress: NDArray) -> NDArray:
     ------
     Eigenvalues of the symmetric tensor.
     """
-    return np.linalg.eigvalsh(stress[:, [[0, 3, 5], [3, 1, 4], [5, 4, 2]]])[:, ::-1]
+    return np.linalg.eigvalsh(_tensors(stress))[:, ::-1]
 
 
 def _tension(stress: NDArray) -> NDArray:

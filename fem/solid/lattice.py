@@ -2,12 +2,14 @@
 
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 import ngsolve as ngs
 import numpy as np
 from numpy.typing import NDArray
 
 from fem.assembly.elasticity import lame_constants
+from fem.mesh.moved_nodes import Faces, unmoved
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.material import Elastic
 
@@ -105,7 +107,9 @@ def spread(
     return points.where(_unfolded(mesh, points))
 
 
-def located(mesh: ngs.Mesh, body: str, places: NDArray) -> tuple[Spread, NDArray]:
+def located(
+    mesh: ngs.Mesh, body: str, places: NDArray, moved: tuple[Faces, Faces] | None = None
+) -> tuple[Spread, NDArray]:
     """Places that lie in a body.
 
     Parameters
@@ -116,6 +120,8 @@ def located(mesh: ngs.Mesh, body: str, places: NDArray) -> tuple[Spread, NDArray
         its name
     places : array (n, dimensions)
         [mm]
+    moved : tuple of Faces, optional
+        with which nodes were moved, before and after: the search for elements knows the mesh before
 
     Returns
     -------
@@ -124,7 +130,11 @@ def located(mesh: ngs.Mesh, body: str, places: NDArray) -> tuple[Spread, NDArray
     array (m,) of int
         which they are
     """
-    inside = np.atleast_1d(mesh(*places.T)) if len(places) else np.zeros(0, dtype=[("nr", int)])
+    before = places if moved is None else MILLIMETRES * unmoved(places / MILLIMETRES, *moved)
+    inside = _elements(mesh, before)
+    if moved is not None and (found := inside["nr"] >= 0).any():
+        there = ngs.CF((ngs.x, ngs.y, ngs.z)[: mesh.dim])(inside[found])
+        inside[found] = _elements(mesh, before[found] + places[found] - there)
     held = np.flatnonzero(np.isin(inside["nr"], [e.nr for e in mesh.Materials(body).Elements()]))
     if not held.size:
         return Spread(inside[:0], np.zeros(0, dtype=int), np.zeros(0, dtype=bool)), held
@@ -132,6 +142,12 @@ def located(mesh: ngs.Mesh, body: str, places: NDArray) -> tuple[Spread, NDArray
     around = _lattices(mesh, body, ROUGH, np.unique(points.key))
     good = _unfolded(mesh, points.joined(around))[: held.size]
     return points.where(good), held[good]
+
+
+def _elements(mesh: ngs.Mesh, places: NDArray) -> NDArray:
+    """Places (n, dimensions) [mm] in elements as NGSolve wants them; of number -1 where there is none."""
+    one_or_more: Any = places if len(places) else np.zeros((1, mesh.dim))
+    return np.atleast_1d(mesh(*one_or_more.T))[: len(places)]
 
 
 def _lattices(mesh: ngs.Mesh, body: str, intervals: int, keys: NDArray | None) -> Spread:
@@ -177,6 +193,32 @@ def hooke(strain: NDArray, elastic: Elastic) -> NDArray:
     stress = shear * strain
     stress[..., :3] += shear * strain[..., :3] + lame * strain[..., :3].sum(axis=-1, keepdims=True)
     return stress
+
+
+def hooke_reversed(stress: NDArray, elastic: Elastic) -> NDArray:
+    """Strain of an isotropic body that its stress makes, without that of heat.
+
+    Parameters
+    ----------
+    stress : array (..., 6)
+        xx, yy, zz, xy, yz, xz [Pa] in axes at right angles
+    elastic : Elastic
+        of the body
+
+    Returns
+    -------
+    array (..., 6)
+        xx, yy, zz, 2 xy, 2 yz, 2 xz [-]
+
+    Source
+    ------
+    The reverse of `hooke`.
+    """
+    poisson_ratio = elastic.poisson_ratio
+    strain = 2 * (1 + poisson_ratio) * stress
+    strain[..., :3] -= (1 + poisson_ratio) * stress[..., :3]
+    strain[..., :3] -= poisson_ratio * stress[..., :3].sum(axis=-1, keepdims=True)
+    return strain / elastic.youngs_modulus
 
 
 def strain_of(gradient: NDArray) -> NDArray:

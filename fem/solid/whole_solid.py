@@ -4,11 +4,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import ngsolve as ngs
-import numpy as np
 from numpy.typing import NDArray
 
 from fem.mesh.solid import MILLIMETRES
-from fem.solid.extremes import Samples
+from fem.solid.extremes import Samples, cylinder_axes, in_axes
 from fem.solid.fields import LoadedSolid
 from fem.solid.lattice import Spread, hooke, located, spread, strain_of
 
@@ -32,13 +31,14 @@ class WholeSolid:
         return self._of(solid, body, spread(solid.mesh, body, intervals, keys))
 
     def at(self, body: str, piece: int, places: NDArray, *, higher: bool = True) -> Samples:
-        """Samples at those of some places (n, 3) [m] that lie in a body."""
+        """Samples at those of some places (n, 3) [m] that lie in a body, in axes x, r, t."""
         solid = self.higher if higher else self.lower
         points, _ = located(solid.mesh, body, places * MILLIMETRES)
-        return self._of(solid, body, points)
+        samples = self._of(solid, body, points)
+        return in_axes(samples, cylinder_axes(*samples.place[:, 1:].T))
 
     def _of(self, solid: LoadedSolid, body: str, points: Spread) -> Samples:
         gradient, moved = ngs.Grad(solid.displacement)(points.mapped), solid.displacement(points.mapped)
         place = ngs.CF((ngs.x, ngs.y, ngs.z))(points.mapped) / MILLIMETRES
         stress = hooke(strain_of(gradient), solid.part.materials[body])
-        return Samples(points.key, points.even, place, np.linalg.norm(moved, axis=1), stress)
+        return Samples(points.key, points.even, place, moved, stress)

@@ -1,9 +1,7 @@
 """Points of a profile, read from a CSV file."""
 
-import csv
 import re
 from functools import lru_cache
-from io import StringIO
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +19,7 @@ _HEADER = 'a header holds "position [mm]" and "drop [um]", each with a unit of l
 
 
 def points(file: Path) -> tuple[NDArray, NDArray]:
-    """Positions and drops (n) [m] of a file with two columns, parted by commas or semicolons.
+    """Positions and drops (n) [m] of a file with two columns, a table as `inputs.cells` reads it.
 
     Raises
     ------
@@ -36,7 +34,8 @@ def points(file: Path) -> tuple[NDArray, NDArray]:
 
 @lru_cache(maxsize=64)  # variants of a case have it in common
 def _read(stamp: inputs.Stamp) -> tuple[NDArray, NDArray]:
-    header, rows = _cells(inputs.text(stamp.path, POINTS))
+    lines = inputs.cells(inputs.text(stamp.path, POINTS), POINTS)
+    header, rows = next(lines, []), [*lines]
     scales = dict(map(_heading, header))
     if len(header) != len(COLUMNS) or set(scales) != set(COLUMNS):
         raise ImpossiblePart(f"has {len(header)} columns: {_HEADER}")
@@ -45,16 +44,6 @@ def _read(stamp: inputs.Stamp) -> tuple[NDArray, NDArray]:
     table = np.array([[inputs.number(cell) for cell in row] for row in rows]).reshape(-1, len(COLUMNS))
     of = dict(zip((_heading(cell)[0] for cell in header), table.T, strict=True))
     return of["position"] * scales["position"], of["drop"] * scales["drop"]
-
-
-def _cells(text: str) -> tuple[list[str], list[list[str]]]:
-    """Header and rows."""
-    try:
-        lines = csv.reader(StringIO(text), delimiter=";" if ";" in text else ",")
-        header, *rows = (line for line in lines if any(map(str.strip, line)))
-    except (ValueError, csv.Error):
-        raise ImpossiblePart(f"is no table: {_HEADER}") from None
-    return header, rows
 
 
 def _heading(cell: str) -> tuple[str, float]:

@@ -223,6 +223,21 @@ def _without_effect(case: Case) -> tuple[Note, ...]:
     return (information("inner-thickness", words),)
 
 
+def why_no_solid(case: Case, race: Race) -> str:
+    """Why a part is computed on its section only; empty where its solid is known."""
+    if race == "inner" and case.inner.fit != "bonded":
+        return f'inner.fit = "{case.inner.fit}" has no solid, only a bonded ring has one'
+    if race == "outer" and case.outer.kind == "matrix":
+        return 'outer.kind = "matrix" has no solid: its body is known by a matrix alone'
+    if race == "inner" or case.outer.kind != "ring":
+        return ""
+    if case.lifts_off:
+        return "bearing.fits.housing has no solid, only a bonded ring has one"
+    if case.outer.support not in ("side", "seat", "housing"):
+        return f'outer.support = "{case.outer.support}" has no solid; "side", "seat" and "housing" have one'
+    return ""
+
+
 def require_shoulder(case: Case) -> None:
     """Refuse a shoulder of the shaft that does not end on the side of the ring."""
     part = inner_part(case)

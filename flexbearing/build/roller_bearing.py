@@ -7,6 +7,8 @@ import quasidynamic as qd
 from flexbearing.build import clearance, profiles, ring_parts
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
 from flexbearing.build.lubrication import lubrication
+from flexbearing.build.out_of_round import raceway_waves
+from flexbearing.build.probes import require_probes
 from flexbearing.case.roller import Case
 from quasidynamic import CylindricalRollerBearing
 from quasidynamic.parts.raceway_waves import RacewayWaves
@@ -102,7 +104,7 @@ def _waves(case: Case, race: Literal["inner", "outer"]) -> RacewayWaves | None:
     waves = None if form is None else getattr(form, race)
     if waves is None:
         return None
-    return RacewayWaves(numbers=waves.numbers, amplitudes=waves.amplitudes, crests=waves.crests)
+    return raceway_waves(waves)
 
 
 def _cage(case: Case) -> qd.Cage:
@@ -140,3 +142,4 @@ def require_around(case: Case, bearing: CylindricalRollerBearing) -> None:
     ring_parts.require_shoulder(case)
     ring_parts.require_held_in_housing(case)
     ring_parts.require_held_on_lines(case)
+    require_probes(case)

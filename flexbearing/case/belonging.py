@@ -18,14 +18,14 @@ def foreign(raw: Raw, model: type[Section]) -> dict[str, str]:
         if _value(raw, item.path) is not None:
             broken = [_broken(choices, item, raw, model) for choices in item.only]
             if all(broken):
-                foreign_keys[item.path] = f"it belongs to {belonging(item)}; this case has {broken[0]}"
+                foreign_keys[item.path] = f"it belongs {belonging(item, 'to')}; this case has {broken[0]}"
     return foreign_keys
 
 
-def belonging(item: Declaration) -> str:
-    """Choices that a key belongs to, such as `outer.kind = "ring"`; empty for a key of every choice."""
-    return ", or to ".join(
-        " with ".join(_named(key, values) for key, values in _absolute(choices, item))
+def belonging(item: Declaration, word: str) -> str:
+    """Choices that a key belongs to, each after a word: `with outer.kind = "ring"`; empty for one of all."""
+    return ", or ".join(
+        f"{word} {' with '.join(_named(key, values) for key, values in _absolute(choices, item))}"
         for choices in item.only
     )
 
@@ -38,7 +38,10 @@ def chosen(item: Declaration) -> str:
 
 
 def _named(key: str, values: tuple) -> str:
-    return f"a given {key}" if values == GIVEN else f"{key} = {' or '.join(map(toml, values))}"
+    if values == GIVEN:
+        return f"a given {key}"
+    *others, last = map(toml, values)
+    return f"{key} = {', '.join(others)} or {last}" if others else f"{key} = {last}"
 
 
 def _absolute(choices: Mapping[str, tuple], item: Declaration) -> Iterator[tuple[str, tuple]]:

@@ -79,6 +79,8 @@ class Declaration:
         """The values that may stand there, of a table those besides it; empty when they are not a few."""
         if self.section:
             return list(self.section.by_name)
+        if self.listed:
+            return []
         return list(self.names) or [
             choice for part in _parts(self.field.annotation) for choice in _choices(part)
         ]
@@ -149,7 +151,10 @@ class Declaration:
 
     @property
     def _each(self) -> str:
-        return "of texts" if str in _parts(self.field.annotation) else "of numbers"
+        parts = list(_parts(self.field.annotation))
+        if choices := [choice for part in parts for choice in _choices(part)]:
+            return f"each {' or '.join(map(toml, choices))}"
+        return "of texts" if str in parts else "of numbers"
 
     @property
     def range(self) -> str:

@@ -82,7 +82,7 @@ def _rows(item: Declaration) -> list[str]:
 
 def _full(item: Declaration) -> str:
     """Meaning, and the choices that the key belongs to."""
-    return f"{item.meaning}; only with {belonging(item)}" if item.only else item.meaning
+    return f"{item.meaning}; only {belonging(item, 'with')}" if item.only else item.meaning
 
 
 def _explained(item: Declaration, model: type[Section]) -> str:
@@ -112,7 +112,7 @@ def _entries(item: Declaration) -> list[tuple[str, str]]:
     return [
         ("key", item.path),
         ("meaning", item.meaning),
-        ("only", f"with {belonging(item)}" if item.only else ""),
+        ("only", belonging(item, "with")),
         ("unit", f"{item.kind.unit} (any unit of {item.kind.name} is converted)" if item.kind else ""),
         ("allowed", item.allowed),
         ("size", f"{item.kind.sizes}, or zero, where that is allowed" if item.kind else ""),

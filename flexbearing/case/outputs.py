@@ -1,4 +1,4 @@
-"""The section [outputs], of every kind of bearing, of those with a rating life, of roller bearings."""
+"""The section [outputs] of every kind of bearing, and of those with a rating life."""
 
 from flexbearing.case.quantity import Section, key
 
@@ -25,15 +25,5 @@ class LifeOutputs(ContactOutputs):
     catalogue_life: bool = key(
         "whether the way from the life of a catalogue to that of the case is stored, as `flexbearing life` "
         "prints it: a further solution for each of its lines",
-        False,
-    )
-
-
-class Outputs(LifeOutputs):
-    """What is computed beside the solution."""
-
-    stresses: bool = key(
-        "whether the largest stresses of the flexible parts at the end state, and the stiffness of their "
-        "supports, are stored: a full solid for each part costs seconds",
         False,
     )

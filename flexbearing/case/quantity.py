@@ -1,11 +1,11 @@
 """Quantities with units: text in the case file, a float in SI inside."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
-from math import isfinite
+from math import ceil, floor, isfinite, log10
 from typing import Annotated, Any, ClassVar
 
 from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler
@@ -197,6 +197,31 @@ def key(
 def in_mm(length: float) -> str:
     """A length [m] as messages tell it, rounded."""
     return f"{length * 1e3:.4g} mm"
+
+
+def at_least(length: float) -> str:
+    """A lower limit [m] as messages tell it, rounded so that what they print is allowed."""
+    return f"at least {in_mm(_rounded(length, ceil))}"
+
+
+def at_most(length: float) -> str:
+    """An upper limit [m], rounded likewise."""
+    return f"at most {in_mm(_rounded(length, floor))}"
+
+
+def _rounded(length: float, towards: Callable[[float], int]) -> float:
+    """Length [m] to the digits of `in_mm`."""
+    step = 10.0 ** (floor(log10(abs(length))) - 3) if length else 1.0
+    return towards(round(length / step, 6)) * step  # 45 mm, not 44.99 mm, of 0.09 m / 2
+
+
+def located(section: str, check: Callable[[], None]) -> None:
+    """Run a check of one section that needs numbers of another; a problem is located in the section."""
+    try:
+        check()
+    except PydanticCustomError as problem:
+        context = problem.context or {}
+        raise impossible(f"{section}.{context['names'][0]}", context["allowed"]) from None
 
 
 def impossible(name: str, allowed: str) -> PydanticCustomError:

@@ -99,8 +99,8 @@ def _leave_out_former_kinds(
 
 
 def written(values: Mapping[str, object]) -> tuple[str, ...]:
-    """Write values of keys as settings, "key=value"; None takes a key out."""
-    return tuple(f"{key}={'' if value is None else toml(value)}" for key, value in values.items())
+    """Write values of keys as settings, "key=value"; None or an empty text takes a key out."""
+    return tuple(f"{key}={'' if value in (None, '') else toml(value)}" for key, value in values.items())
 
 
 def _settings(overrides: Sequence[str] | Mapping[str, object]) -> tuple[str, ...]:

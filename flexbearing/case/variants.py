@@ -63,9 +63,8 @@ class Variants:
         if near is None:
             return self._in_full(given)
         try:
-            read = {
-                key: self._validators[key](value) for key, value in given.items() if key in self._validators
-            }
+            alone = [key for key, value in given.items() if key in self._validators and value != ""]
+            read = {key: self._validators[key](given[key]) for key in alone}
             case = _with(near.case, near.changed, read, checked=True)
         except (ValueError, AssertionError):
             return self._in_full(given)  # which says what is wrong
@@ -96,7 +95,7 @@ class Variants:
         alone = [key for key in self.keys if self._is_value_alone(key, type(case))]
         self._validators = {key: by_path(type(case))[key].reader for key in alone}
         if len(self._read) < MOST_KINDS:
-            tree = _tree([key for key in alone if key in given])
+            tree = _tree([key for key in alone if given.get(key, "") != ""])
             self._read.setdefault(self._choices(given), _Read(case, tree))
         return case
 
@@ -104,8 +103,9 @@ class Variants:
         return Source(str(self.path), self.text, (*self.settings, *written(given)))
 
     def _choices(self, given: Mapping[str, Any]) -> str:
-        """Which keys are given, and values that decide which keys belong to the case, as a text."""
-        return repr([key if key in self._validators else (key, value) for key, value in given.items()])
+        """Which keys are given or taken out, and values that decide which belong to the case, as a text."""
+        alone = {key for key, value in given.items() if key in self._validators and value != ""}
+        return repr([key if key in alone else (key, value) for key, value in given.items()])
 
     def _is_value_alone(self, key: str, model: type[Section]) -> bool:
         """Whether a key is a value in a table that stays, and no other key belongs to the case by it."""

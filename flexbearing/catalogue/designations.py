@@ -59,8 +59,8 @@ def _known(folders: Iterable[Path]) -> Iterator[Mapping[str, str]]:
 def _rows(table: Path) -> Iterator[Mapping[str, str]]:
     """Rows of a table by its headings."""
     try:
-        lines = inputs.cells(inputs.text(table, LARGEST), LARGEST)
-        heads = next(lines, [])
+        lines = inputs.numbered_cells(inputs.text(table, LARGEST), LARGEST)
+        _, heads = next(lines, (1, []))
         inputs.require_different(heads)
         if unknown := [head for head in heads if head not in (*ABOUT, *ENTRIES)]:
             raise BadCase(
@@ -68,9 +68,9 @@ def _rows(table: Path) -> Iterator[Mapping[str, str]]:
             )
         if missing := [head for head in ("designation", "like") if head not in heads]:
             raise BadCase(f"{table}: has no column {missing[0]}.")
-        for number, cells in enumerate(lines, 2):
+        for number, cells in lines:
             if len(cells) != len(heads):
-                raise BadCase(f"{table}: line {number} has {len(cells)} cells, the first line {len(heads)}.")
+                raise BadCase(f"{table}: line {number} has {len(cells)} cells, its header {len(heads)}.")
             yield dict(zip(heads, cells, strict=True))
     except inputs.Unreadable as problem:
         raise BadCase(f"{table}: {problem}") from problem

@@ -1,8 +1,9 @@
-"""Sensitivities of a bearing with fast balls between rigid rings."""
+"""Sensitivities of a bearing with fast balls."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +13,7 @@ from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.derivatives.by_keys import Differences, columns
 from flexbearing.derivatives.key_messages import announced
 from flexbearing.derivatives.keys import Key, given_keys, keys_of, with_value
-from flexbearing.derivatives.sides import tabled
+from flexbearing.derivatives.sides import require_elastic, tabled
 from flexbearing.derivatives.stencil import Stencil
 from flexbearing.derivatives.table import Sensitivities
 from flexbearing.outputs import RequestedOutput, outputs, requested
@@ -20,14 +21,23 @@ from flexbearing.progress import Logged, Report
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.runs import angular_contact
 from quasidynamic import AngularContactBallBearing, NotSolved, RingOperation
-from quasidynamic.balance.balls.angular_contact import AngularBalance
-from quasidynamic.solve.balls.implicit_derivative import Places, moved_places
-from quasidynamic.solve.balls.ring_on_balls import RingSolution, newton, solve
+from quasidynamic.solve.balls.implicit_derivative import Equations, moved_places, newton_step
+from quasidynamic.solve.balls.ring_in_elastic_grooves import (
+    ElasticGrooves,
+    Places,
+    as_solution,
+    solve_elastic,
+    unmoved,
+)
 from quasidynamic.solve.step_length import SolverOutcome
+
+if TYPE_CHECKING:
+    from flexbearing.derivatives.near_grooves import NearGrooves
 
 DEFAULT = ("life", "contact_load_range.inner.largest", "peak_pressure.inner", "stiffness_zz")
 ALL, LIFE = "all", "life"
 ESTIMATES = ("torque_grid_error",)
+RIGID = ElasticGrooves(None, None)
 RELATIVE_STEP = 1e-7  # of a value: balls are a thousand times larger than their approaches to the races
 
 
@@ -39,7 +49,8 @@ def sensitivities(
     Raises
     ------
     BadCase
-        for keys that are none, and cases whose friction has no derivatives
+        for keys that are none, outputs of rigid rings where rings are elastic, and cases whose friction has
+        no derivatives
     UnknownOutput, WrongUnit
         for texts that name no output
     NotSolved
@@ -53,17 +64,14 @@ def sensitivities(
                 f"{case.source.path}: {key} is found by separate iterations without known derivatives; "
                 f"derivatives need another one, see flexbearing explain {key}"
             )
-    if not case.rigid:
-        raise BadCase(
-            f"{case.source.path}: derivatives of ball bearings are those between rigid rings; allowed are "
-            'outer.kind = "rigid" and inner.kind = "rigid"'
-        )
     keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
     asked = _asked(case, of)
-    state = _Differentiated(_State.solved(case), asked)
+    report = report or Logged()
+    state = _Differentiated(_State.of(case, report), asked)
     shorter = [replace(key, relative_step=RELATIVE_STEP) for key in keys]
-    found, left_out = columns(state, announced(shorter, report or Logged()))
-    return tabled((case.title, "rigid raceways"), asked, state.values, found, left_out)
+    found, left_out = columns(state, announced(shorter, report))
+    raceways = "rigid raceways" if case.rigid else "flexible rings"
+    return tabled((case.title, raceways), asked, state.values, found, left_out)
 
 
 def _asked(case: FastCase, of: Sequence[str]) -> list[RequestedOutput]:
@@ -71,29 +79,46 @@ def _asked(case: FastCase, of: Sequence[str]) -> list[RequestedOutput]:
     if ALL in texts:
         texts = [each.name for each in outputs(LAYOUT) if each.name not in ESTIMATES]
     life = "life_L10" if case.life.is_basic else "modified_life"
-    return [requested(LAYOUT, life if text == LIFE else text) for text in dict.fromkeys(texts)]
+    found = [requested(LAYOUT, life if text == LIFE else text) for text in dict.fromkeys(texts)]
+    if not case.rigid:
+        require_elastic(found, "inner.kind and outer.kind")
+    return found
 
 
 @dataclass(frozen=True)
 class _Variant:
-    """A case with its bearing at its operating point."""
+    """A case with its bearing at an operating point, and its grooves."""
 
     case: FastCase
+    grooves: ElasticGrooves
     model: AngularContactBallBearing
     operation: RingOperation
 
     @classmethod
-    def of(cls, case: FastCase) -> "_Variant":
-        return cls(case, *angular_contact.build(case))
+    def of(cls, case: FastCase, grooves: ElasticGrooves) -> "_Variant":
+        model = angular_contact.on_cam(case, angular_contact.bearing(case))
+        return cls(case, grooves, model, angular_contact.operation(case))
+
+    @property
+    def at_rest(self) -> "_Variant | None":
+        """Under the preload force that decides where elastic rings are held; None without."""
+        rest = angular_contact.preload_at_rest(self.case)
+        return rest and replace(self, operation=rest)
+
+    def held_where(self, places: Places) -> "_Variant":
+        """The ring held where it is at other places."""
+        return replace(self, operation=angular_contact.held_at(self.operation, float(places.ring[0, 0])))
 
     @cached_property
-    def balance(self) -> AngularBalance:
-        return self.model.equations([self.operation])
+    def equations(self) -> Equations:
+        return self.model.equations([self.operation]), self.grooves
 
     def block(self, places: Places) -> dict[str, NDArray]:
-        """Quantities with ring and balls at places; raises `NotSolved` where friction is not known."""
-        solution = RingSolution(*places, [SolverOutcome.CONVERGED], np.zeros(1), np.zeros(1, int))
-        (state,) = self.model.states([self.operation], self.balance, solution)
+        """Quantities at places of ring, grooves and balls; raises `NotSolved` where friction is not known."""
+        balance, grooves = self.equations
+        solution = as_solution(balance, unmoved(balance, grooves, places), [SolverOutcome.CONVERGED])
+        moved = None if self.case.rigid else solution.moved
+        (state,) = self.model.states([self.operation], balance, solution.rings, moved)
         if isinstance(state, NotSolved):
             raise state
         return angular_contact.block(angular_contact.followed(self.case, state))
@@ -101,35 +126,50 @@ class _Variant:
 
 @dataclass(frozen=True)
 class _State:
-    """A case in equilibrium."""
+    """A case in equilibrium, and at rest under the force that decides where its elastic rings are held."""
 
     base: _Variant
     places: Places
+    near: "NearGrooves | None"  # None between rigid rings
+    rest: "_State | None"
 
     @classmethod
-    def solved(cls, case: FastCase) -> "_State":
-        base = _Variant.of(case)
-        base.model.solve(base.operation)  # which says why there is none
-        solution = solve(base.balance)
-        return cls(base, Places(solution.ring, solution.centres))
+    def of(cls, case: FastCase, report: Report) -> "_State":
+        if case.rigid:
+            return cls.solved(_Variant.of(case, RIGID), None)
+        from flexbearing.derivatives.near_grooves import NearGrooves  # rigid rings need no finite elements
+        from flexbearing.rings.grooves import elastic_grooves
+
+        azimuths = angular_contact.bearing(case).bearing.azimuths
+        grooves = elastic_grooves(case, azimuths, report)
+        assert grooves  # as one is elastic
+        return cls.solved(_Variant.of(case, grooves), NearGrooves(case, grooves, azimuths))
+
+    @classmethod
+    def solved(cls, variant: _Variant, near: "NearGrooves | None") -> "_State":
+        """Raises `NotSolved`."""
+        rest = variant.at_rest and cls._balanced(variant.at_rest, near)
+        return cls._balanced(variant.held_where(rest.places) if rest else variant, near, rest)
+
+    @classmethod
+    def _balanced(cls, base: _Variant, near: "NearGrooves | None", rest: "_State | None" = None) -> "_State":
+        base.model.solve(base.operation, base.grooves)  # which says why there is none
+        return cls(base, solve_elastic(*base.equations).places, near, rest)
 
     @cached_property
     def block(self) -> dict[str, NDArray]:
         return self.base.block(self.places)
 
     def variant(self, key: Key, change: float) -> _Variant:
-        """The case with a key changed by so many steps."""
+        """The case with a key changed by so many steps, held to first order where it is at rest."""
         if change == 0.0:
             return self.base
-        return _Variant.of(with_value(self.base.case, key.path, key.value + change * key.step))
-
-    def moved(self, key: Key, change: float, by_step: Places) -> "_State":
-        """The equilibrium with a key changed by so many steps; raises `NotSolved`."""
-        variant = self.variant(key, change)
-        solution = newton(variant.balance, *self.places.shifted(variant.balance, by_step, change))
-        if solution.outcomes[0] is not SolverOutcome.CONVERGED:
-            raise NotSolved(f"no equilibrium near {key.path}", solution.outcomes[0])
-        return _State(variant, Places(solution.ring, solution.centres))
+        case = with_value(self.base.case, key.path, key.value + change * key.step)
+        variant = _Variant.of(case, self.near.of(case) if self.near else RIGID)
+        if self.rest is None or variant.at_rest is None:
+            return variant
+        step = newton_step(variant.at_rest.equations, self.rest.places)
+        return variant.held_where(self.rest.places.further(1.0, step))
 
 
 @dataclass(frozen=True)
@@ -148,10 +188,10 @@ class _Differentiated:
         """Outputs of variants and unknowns together, at the places of a stencil."""
         state = self.state
         variants = [state.variant(key, change) for change in stencil.places]
-        balances = [variant.balance for variant in variants]
-        by_step = moved_places(state.base.balance, state.places, balances, stencil.weights)
+        equations = [variant.equations for variant in variants]
+        by_step = moved_places(state.places, equations, stencil.weights)
         blocks = [
-            variant.block(state.places.shifted(variant.balance, by_step, change))
+            variant.block(state.places.further(change, by_step).held(variant.equations[0]))
             for variant, change in zip(variants, stencil.places, strict=True)
         ]
         return Differences(
@@ -159,11 +199,14 @@ class _Differentiated:
             self.values,
             np.array([self._numbers(block) for block in blocks]),
             self._steps_to_lift(stencil, blocks),
-            lambda change: _Differentiated(state.moved(key, change, by_step), self.outputs),
+            lambda change: _Differentiated(
+                _State.solved(state.variant(key, change), state.near), self.outputs
+            ),
         )
 
     def _numbers(self, block: dict[str, NDArray]) -> NDArray:
-        return np.array([output.number({"rigid": block}) for output in self.outputs])
+        name = "rigid" if self.state.base.case.rigid else "flexible"
+        return np.array([output.number({name: block}) for output in self.outputs])
 
     def _steps_to_lift(self, stencil: Stencil, blocks: Sequence[dict[str, NDArray]]) -> float:
         """Steps after which a ball lifts off the inner race, linearly: loads go with the 3/2 power."""

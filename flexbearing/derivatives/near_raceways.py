@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.parts.resolution import Shape
+from fem.raceway.compliance import combined
 from flexbearing.build.ring_parts import Race
 from flexbearing.case.roller import Case
 from flexbearing.coupling import LinearPair
@@ -85,4 +86,4 @@ class NearRaceways:
         def of_shape(other: Shape) -> "RacewayCompliance":
             return raceway_of_shape(self.case, race, other, outward, self.azimuths, Silent())
 
-        return RingSlopes(shape, with_growth(linear, self.case, race, Silent(), -1.0), of_shape)
+        return RingSlopes(shape, with_growth(linear, self.case, race, Silent(), -1.0), of_shape, combined)

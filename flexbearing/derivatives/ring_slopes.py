@@ -1,14 +1,14 @@
 """How a raceway changes with the dimensions and moduli of its part, near given forces."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from fem.parts.material import ImpossiblePart
 from fem.parts.resolution import Shape
-from fem.raceway.compliance import RacewayCompliance, combined
 from flexbearing.build.expansion import roller_length
 from flexbearing.build.ring_parts import NAMES, Race, part_of
 from flexbearing.case import BadCase
@@ -17,11 +17,13 @@ from flexbearing.derivatives.shape_numbers import numbers, with_numbers
 from flexbearing.derivatives.stencil import STENCILS
 from flexbearing.rings.condensed import named_failures
 
-STEP = 1e-4  # of the dimension that changes most: differences are exact to about 1e-6
-SAME = 1e-6  # between directions of change that are taken as one: some digits are lost in small steps
+STEP = 1e-4  # of the dimension that changes most: differences on moved nodes are exact to about 1e-6
+SAME = 1e-5  # between directions of change that are taken as one: some digits are lost in small steps
+
+Raceway = TypeVar("Raceway")
 
 
-class RingChanged(Exception):
+class RingChanged(BadCase):
     """A key gives a flexible ring other faces, so that it is another ring."""
 
 
@@ -39,15 +41,17 @@ def shape_of(case: Case, race: Race) -> Shape | None:
 
 
 @dataclass(frozen=True)
-class RingSlopes:
+class RingSlopes(Generic[Raceway]):
     """A raceway and its derivatives along changes of its shape, each computed when it is first wanted."""
 
-    shape: Shape
-    raceway: RacewayCompliance
-    of_shape: Callable[[Shape], RacewayCompliance]  # the raceway of another shape, on moved nodes
-    _known: list[tuple[NDArray, list[float], list[RacewayCompliance]]] = field(default_factory=list)
+    shape: Any  # frozen, of a part and of where it is loaded, over a `length`
+    raceway: Raceway
+    of_shape: Callable[[Any], Raceway]  # the raceway of another shape
+    combined: Callable[[Sequence[Raceway], Sequence[float]], Raceway]  # weighted sum
+    step: float = STEP  # of the differences
+    _known: list[tuple[NDArray, list[float], list[Raceway]]] = field(default_factory=list)
 
-    def near(self, shape: Shape) -> RacewayCompliance:
+    def near(self, shape: Any) -> Raceway:
         """The raceway of a shape near by, to first order.
 
         Raises
@@ -62,20 +66,21 @@ class RingSlopes:
         change = self._change(shape)
         size = np.abs(change).max()
         weights, raceways = self._slope(change / size)
-        return combined([self.raceway, *raceways], [1.0, *(size / STEP * weight for weight in weights)])
+        change_of = [size / self.step * weight for weight in weights]
+        return self.combined([self.raceway, *raceways], [1.0, *change_of])
 
-    def _change(self, shape: Shape) -> NDArray:
+    def _change(self, shape: Any) -> NDArray:
         """Change of every number, over the number."""
         old, new = numbers(self.shape), numbers(shape)
         if old.keys() != new.keys() or with_numbers(self.shape, new) != shape:
-            raise RingChanged
+            raise RingChanged("it gives a flexible ring other faces")
         return np.array([(new[name] - value) / self._size(value) for name, value in old.items()])
 
     def _size(self, value: float) -> float:
         return abs(value) or self.shape.length
 
-    def _slope(self, direction: NDArray) -> tuple[list[float], list[RacewayCompliance]]:
-        """Weights of raceways whose sum is the change along a direction by `STEP`; they add up to zero."""
+    def _slope(self, direction: NDArray) -> tuple[list[float], list[Raceway]]:
+        """Weights of raceways whose sum is the change along a direction by `step`; they add up to zero."""
         for known, weights, raceways in self._known:
             for sign in (1.0, -1.0):
                 if np.abs(known - sign * direction).max() <= SAME:
@@ -84,18 +89,18 @@ class RingSlopes:
         self._known.append((direction, weights, raceways))
         return weights, raceways
 
-    def _differences(self, direction: NDArray) -> tuple[list[float], list[RacewayCompliance]]:
+    def _differences(self, direction: NDArray) -> tuple[list[float], list[Raceway]]:
         why: Exception | None = None
         for stencil in STENCILS:
             try:
-                shapes = [self._moved(place * STEP * direction) for place in stencil.places]
+                shapes = [self._moved(place * self.step * direction) for place in stencil.places]
                 return list(stencil.weights), [self.of_shape(each) for each in shapes]
             except (ImpossiblePart, BadCase) as refusal:
                 why = refusal
         assert why  # there is a stencil
         raise why
 
-    def _moved(self, change: NDArray) -> Shape:
+    def _moved(self, change: NDArray) -> Any:
         """The shape with every number changed by a share of it."""
         old = numbers(self.shape)
         pairs = zip(old.items(), change, strict=True)

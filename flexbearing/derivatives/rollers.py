@@ -11,10 +11,9 @@ from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
 from flexbearing.derivatives.key_messages import announced
 from flexbearing.derivatives.keys import Key, given_keys, keys_of
-from flexbearing.derivatives.ring_slopes import RingChanged
 from flexbearing.derivatives.roller_slopes import Difference, OutputSlopes, RollerSlopes, numbers
 from flexbearing.derivatives.roller_state import SolvedState, solved
-from flexbearing.derivatives.sides import tabled, with_sides
+from flexbearing.derivatives.sides import require_elastic, tabled, with_sides
 from flexbearing.derivatives.stencil import STENCILS
 from flexbearing.derivatives.table import Sensitivities
 from flexbearing.outputs import RequestedOutput, outputs, requested
@@ -73,13 +72,8 @@ def requested_of(case: Case, of: Sequence[str]) -> list[RequestedOutput]:
         texts = [each.name for each in outputs(LAYOUT) if each.name.partition(".")[0] not in ESTIMATES]
     life = "life_L10" if case.life.is_basic else "modified_life"
     found = [requested(LAYOUT, life if text == LIFE else text) for text in dict.fromkeys(texts)]
-    flexible = case.inner.kind != "rigid" or case.outer.kind != "rigid"
-    for output in found:
-        if output.block == "rigid" and flexible:
-            raise BadCase(
-                f"output {output.name}: derivatives are those of the answer between flexible rings; for "
-                "rigid raceways set inner.kind and outer.kind to rigid"
-            )
+    if case.inner.kind != "rigid" or case.outer.kind != "rigid":
+        require_elastic(found, "inner.kind and outer.kind")
     return found
 
 
@@ -124,7 +118,7 @@ class _Differentiated:
         """Derivatives (O) by a step on one side of a contact switch; NaN where no equilibrium is there."""
         try:
             moved = self.state.moved(key, change, by_step)
-        except (NotSolved, ImpossiblePart, OutOfRange, BadCase, PartnerFailed, RingChanged):
+        except (NotSolved, ImpossiblePart, OutOfRange, BadCase, PartnerFailed):
             return np.full(len(self.outputs), np.nan)
         there = replace(key, value=key.value + change * key.step)
         differences, _ = _differences(moved, [there])
@@ -152,8 +146,6 @@ def difference(state: SolvedState, key: Key) -> Difference | str:
         if all(map(key.allows, stencil.places)):
             try:
                 return Difference(key, stencil, tuple(state.variant(key, place) for place in stencil.places))
-            except RingChanged:
-                return "it gives a flexible ring other faces"
             except (ImpossiblePart, OutOfRange, BadCase, PartnerFailed) as problem:
                 why = str(problem)
     return why

@@ -24,6 +24,22 @@ def with_sides(key: Key, values: NDArray, slope: NDArray, below: NDArray, above:
     return np.where(apart > JUMP * floor, np.nan, [slope, *sides])
 
 
+def require_elastic(outputs: Sequence[RequestedOutput], kinds: str) -> None:
+    """Refuse outputs of rigid rings where rings are elastic, which the keys `kinds` decide.
+
+    Raises
+    ------
+    BadCase
+        for the first of them
+    """
+    for output in outputs:
+        if output.block == "rigid":
+            raise BadCase(
+                f"output {output.name}: derivatives are those of the answer between elastic rings; for "
+                f"rigid ones set {kinds} to rigid"
+            )
+
+
 def tabled(
     heading: tuple[str, str],
     outputs: Sequence[RequestedOutput],

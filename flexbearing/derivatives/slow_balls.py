@@ -12,7 +12,7 @@ from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.derivatives.by_keys import Differences, columns
 from flexbearing.derivatives.key_messages import announced
 from flexbearing.derivatives.keys import Key, given_keys, keys_of, with_value
-from flexbearing.derivatives.sides import tabled
+from flexbearing.derivatives.sides import require_elastic, tabled
 from flexbearing.derivatives.stencil import Stencil
 from flexbearing.derivatives.table import Sensitivities
 from flexbearing.outputs import RequestedOutput, outputs, requested
@@ -50,7 +50,7 @@ def sensitivities(
     asked, report = _asked(case, of), report or Logged()
     state = _State(case, four_point.elastic_rings(case, report), asked)
     found, left_out = columns(state, announced(keys, report))
-    raceways = "rigid raceways" if case.rings.rigid else "flexible rings"
+    raceways = "rigid raceways" if case.rigid else "flexible rings"
     return tabled((case.title, raceways), asked, state.values, found, left_out)
 
 
@@ -59,12 +59,8 @@ def _asked(case: FourPointCase, of: Sequence[str]) -> list[RequestedOutput]:
     if ALL in texts:
         texts = [each.name for each in outputs(LAYOUT) if each.name not in ESTIMATES]
     found = [requested(LAYOUT, text) for text in dict.fromkeys(texts)]
-    for output in found:
-        if output.block == "rigid" and not case.rings.rigid:
-            raise BadCase(
-                f"output {output.name}: derivatives are those of the answer between elastic rings; for "
-                "rigid ones set rings.inner.kind and rings.outer.kind to rigid"
-            )
+    if not case.rigid:
+        require_elastic(found, "rings.inner.kind and rings.outer.kind")
     return found
 
 
@@ -109,7 +105,7 @@ class _State:
         return variant
 
     def _numbers(self, solution: four_point.Solution) -> NDArray:
-        block = {"rigid" if self.case.rings.rigid else "flexible": four_point.block(solution)}
+        block = {"rigid" if self.case.rigid else "flexible": four_point.block(solution)}
         return np.array([output.number(block) for output in self.outputs])
 
     def _steps_to_switch(self, stencil: Stencil, ends: Sequence[four_point.Solution]) -> float:

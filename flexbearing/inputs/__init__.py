@@ -5,7 +5,7 @@ the rooms that know the format.
 """
 
 from flexbearing.inputs.archive import unpacked
-from flexbearing.inputs.cells import cells
+from flexbearing.inputs.cells import cells, numbered_cells
 from flexbearing.inputs.file import (
     Stamp,
     Unreadable,
@@ -31,6 +31,7 @@ __all__ = [
     "is_plain",
     "lines",
     "number",
+    "numbered_cells",
     "opened",
     "require_different",
     "size",

@@ -4,6 +4,8 @@ import csv
 import re
 from collections.abc import Iterator
 from io import StringIO
+from itertools import islice
+from typing import Any
 
 from flexbearing.inputs.file import Unreadable
 
@@ -12,28 +14,38 @@ _DECIMAL = re.compile(r"^([+-]?[0-9]*),([0-9]+)(?![0-9.,])")  # of a number that
 
 
 def cells(text: str, most: int) -> Iterator[list[str]]:
-    """Yield the lines that are not empty; beside semicolons and tabs numbers may have decimal commas.
+    """Yield the lines that are not empty, see `numbered_cells`."""
+    return (line for _, line in numbered_cells(text, most))
+
+
+def numbered_cells(text: str, most: int) -> Iterator[tuple[int, list[str]]]:
+    """Yield the lines that are not empty, each with its number in the file, from 1.
+
+    Beside semicolons and tabs numbers may have decimal commas. A line that names the separator, as
+    spreadsheets write it in front, is none of the table.
 
     Raises
     ------
     Unreadable
         for more cells than `most`, and a text that is no table
     """
-    text, delimiter = _separated(text.lstrip("\r\n "))
+    first = text.lstrip("\r\n ").partition("\n")[0]
+    named = _NAMED.fullmatch(first)
+    delimiter = named[1] if named else next((each for each in "\t;" if each in first), ",")
     if text.count(delimiter) > most:  # before they fill the memory
         raise Unreadable(f"has more than {most} cells")
     try:
-        for line in csv.reader(StringIO(text, newline=""), delimiter=delimiter, skipinitialspace=True):
-            if any(map(str.strip, line)):
-                each = (cell.strip() for cell in line)
-                yield [*each] if delimiter == "," else [_DECIMAL.sub(r"\1.\2", cell) for cell in each]
+        lines = _filled(csv.reader(StringIO(text, newline=""), delimiter=delimiter, skipinitialspace=True))
+        for number, line in islice(lines, 1 if named else 0, None):
+            yield number, line if delimiter == "," else [_DECIMAL.sub(r"\1.\2", cell) for cell in line]
     except csv.Error as problem:
         raise Unreadable(f"is no table: {problem}") from None
 
 
-def _separated(text: str) -> tuple[str, str]:
-    """The table without a line that names its separator, as spreadsheets write it, and this separator."""
-    first, _, below = text.partition("\n")
-    if named := _NAMED.fullmatch(first):
-        return below, named[1]
-    return text, next((each for each in "\t;" if each in first), ",")
+def _filled(reader: Any) -> Iterator[tuple[int, list[str]]]:
+    """Number of the first line of each row that is not empty, with its cells."""
+    number = 1
+    for row in reader:
+        if any(map(str.strip, row)):
+            yield number, [cell.strip() for cell in row]
+        number = reader.line_num + 1  # a cell in quotes may go over several lines

@@ -186,7 +186,7 @@ def _bearings(problem: Problem, folder: Path) -> Workers:
 def _peaks(problem: Problem) -> tuple[Measure, ...]:
     """Peak pressures that half-spaces check; none of balls, and none that they have anyway."""
     contact = problem.fixed.get("bearing.contact", value_at(tables(problem.study.text), "bearing.contact"))
-    if problem.study.kind != ROLLERS or contact not in (None, "slices"):
+    if problem.study.kind != ROLLERS or contact not in (None, "", "slices"):
         return ()
     names = (f"peak_pressure.{race}" for race in ("inner", "outer"))
     return tuple(Measure(name, f"{name} [MPa]", "MPa") for name in names)

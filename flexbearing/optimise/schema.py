@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any, Literal
 
 from flexbearing.case.quantity import Section, key
-from flexbearing.studies.file.schema import Duty, Keys, Over
+from flexbearing.studies.file.schema import SETTINGS, Duty, Keys, Over
 
 DUTY_LIFE = "duty_life"  # life that the rows of [duty] cumulate to, beside the outputs of a row
 
@@ -65,7 +65,7 @@ class OptimisationFile(Section):
 
     case: str = key("case file, by its path from the folder of this file", example="nu209.toml")
     name: str | None = key("of the outputs, such as NAME.csv; without it that of this file", None)
-    set: Keys = key("settings of every design that differ from the case file, key by key", {})
+    set: Keys = key(SETTINGS.format("design"), {})
     vary: Keys = key(
         'keys that are found, each with its bounds, "0.5 um .. 20 um"; in front of them log for a '
         'logarithmic scale; an entry of a list by its number, "bearing.roller.point_drops.3"',

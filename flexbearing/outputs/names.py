@@ -17,10 +17,10 @@ from flexbearing.quantities.layout import FIXED, Layout
 from flexbearing.quantities.quantity import unchanged, with_defaults
 
 Block = Mapping[str, NDArray]  # the arrays of an end state, in SI units
-ROLLER = "roller"  # dimension of arrays
+ROLLER, PROBE = "roller", "probe"  # dimensions of arrays
 BLOCKS = ("flexible", "rigid")  # a bare name means the first of them that there is
 _WANTED = re.compile(r"\s*(?:(?P<block>rigid|flexible)\.)?(?P<name>[\w.]+)\s*(?:\[(?P<unit>[^]]*)\]\s*)?")
-_OF_ROLLER = re.compile(r"(?P<quantity>\w+)\.(?P<number>[1-9][0-9]{0,3})")
+_OF_ONE = re.compile(r"(?P<quantity>\w+)\.(?P<number>[1-9][0-9]{0,3})")
 _PLAIN = "1"  # the unit of plain numbers
 
 
@@ -48,13 +48,17 @@ class Output:
         named = filter(None, (self.declared.parts, self.declared.entries))
         return ".".join([self.declared.key, *(names[n] for names, n in zip(named, self.place, strict=True))])
 
+    def is_beyond(self, block: Block) -> bool:
+        """Whether the case has fewer rollers or probes."""
+        one_of_many = self.declared.reduction is unchanged and self.place
+        return bool(one_of_many) and self.place[-1] >= block[self.declared.of[0]].shape[-1]
+
     def numbers(self, block: Block) -> Any:
         """Its number in `unit`, an array (C) of a block of C cases; NaN where the case does not give it."""
         entry = self.declared
-        try:
-            arrays = [block[name] for name in entry.of]
-        except KeyError:
+        if any(name not in block for name in entry.of) or self.is_beyond(block):
             return float("nan")
+        arrays = [block[name] for name in entry.of]
         value = entry.reduction(*arrays)
         if self.place:
             value = value[(..., *self.place)]
@@ -128,6 +132,8 @@ class RequestedOutput:
             raise AbsentOutput(f"{self.name}: there is no {self.block or 'solved'} block.")
         if missing := [name for name in self.output.declared.of if name not in block]:
             raise AbsentOutput(f"{self.name}: the case does not give {missing[0]}.")
+        if self.output.is_beyond(block):
+            raise AbsentOutput(f"{self.name}: the case has fewer.")
         turning = self.output.declared.speed and not self.conversion.per_speed
         speed = float(block[self.output.declared.speed]) if turning else None
         return Value(self.number(blocks), self.unit, speed)
@@ -151,14 +157,20 @@ def outputs(layout: Layout) -> tuple[Output, ...]:
 
 def of_rollers(layout: Layout) -> Mapping[str, Quantity]:
     """Quantities with a number for every roller, by name; `requested` takes each, "inner_load.1"."""
-    symbols = {axis.symbol for axis in layout.axes if axis.name == ROLLER}
+    return numbered_by(layout, ROLLER)
+
+
+def numbered_by(layout: Layout, dimension: str) -> Mapping[str, Quantity]:
+    """Quantities with a number for every roller, or every probe, by name."""
+    symbols = {axis.symbol for axis in layout.axes if axis.name == dimension}
     return {entry.name: entry for entry in layout.quantities if entry.axes in symbols}
 
 
-def _of_roller(layout: Layout, name: str) -> Output | None:
-    """The number of one roller, counted from 1."""
-    parts = _OF_ROLLER.fullmatch(name)
-    quantity = of_rollers(layout).get(parts["quantity"]) if parts else None
+def _of_one(layout: Layout, name: str) -> Output | None:
+    """The number of one roller or probe, counted from 1."""
+    parts = _OF_ONE.fullmatch(name)
+    numbered = {**numbered_by(layout, ROLLER), **numbered_by(layout, PROBE)}
+    quantity = numbered.get(parts["quantity"]) if parts else None
     if parts is None or quantity is None:
         return None
     unit, place = quantity.unit_for_people, (int(parts["number"]) - 1,)
@@ -180,7 +192,7 @@ def requested(layout: Layout, text: str) -> RequestedOutput:
     known = _by_name(layout)
     parts = _WANTED.fullmatch(text)
     name = parts["name"] if parts else text[:100]  # the nearest name takes time with its length
-    output = known.get(name) or _of_roller(layout, name)
+    output = known.get(name) or _of_one(layout, name)
     if parts is None or output is None:
         near = get_close_matches(name, known, n=1, cutoff=0.4)
         hint = f" Did you mean {near[0]}?" if near else ""

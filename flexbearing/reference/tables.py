@@ -19,7 +19,7 @@ RARE = (
     "operation.gravity*", "operation.roller_positions", "operation.temperatures.*_along.*",
     "operation.temperatures.outer_seat", "outer.raceway_offset", "friction.pressures",
     "friction.coefficients", "friction.torque", "friction.interface_compliance", "rolling_lines.*",
-    "fields.*", "rings.line", "rings.element_order", "rings.mesh_size", "rings.harmonics",
+    "fields.*", "rings.patch_width", "rings.stations", "rings.element_order", "rings.mesh_size",
     "life.stress_reduction", "life.load_exponent", "life.roller_body", "life.steel", "life.melting",
     "coupling.fallback", "coupling.structure", "coupling.max_iterations", "coupling.relaxation",
     "accuracy.element_order", "accuracy.*mesh_size", "accuracy.harmonics", "accuracy.patch_width",

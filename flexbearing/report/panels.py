@@ -180,21 +180,29 @@ def _draw_rule(axes: Axes, rule: Rule) -> None:
 
 def _shape(axes: Axes, side: str, declared: Axis, places: dict[str, int]) -> None:
     """Label, scale, ends and ticks of an axis."""
-    from matplotlib.ticker import MultipleLocator
-
     axis, (low, high) = getattr(axes, f"{side}axis"), getattr(axes.dataLim, f"interval{side}")
     axis.set_label_text(declared.label, parse_math=False)
     if declared.scale == "log":
         axes.set(**{f"{side}scale": "log"})
-    elif places:
-        axis.set_ticks([*places.values()], [*places], parse_math=False, fontsize=8)
-    elif max(map(abs, (low, high))) > SMALL:
-        axis.set_major_formatter(NUMBERS)
-    if declared.step:
-        axis.set_major_locator(MultipleLocator(declared.step))
+    _ticks(axis, declared, places, max(map(abs, (low, high))))
     if declared.from_zero and low >= 0:
         axes.set(**{f"{side}lim": (0, None)})
     if declared.ends:
         axes.set(**{f"{side}lim": declared.ends})
     if declared.falling:
         axis.set_inverted(True)
+
+
+def _ticks(axis: Any, declared: Axis, places: dict[str, int], largest: float) -> None:
+    """Ticks of an axis: categories, those declared, or usual ones up to a largest number."""
+    from matplotlib.ticker import FixedLocator, MultipleLocator, NullLocator
+
+    if places and declared.scale != "log":
+        axis.set_ticks([*places.values()], [*places], parse_math=False, fontsize=8)
+    elif declared.ticks or (declared.scale != "log" and largest > SMALL):
+        axis.set_major_formatter(NUMBERS)
+    if declared.step:
+        axis.set_major_locator(MultipleLocator(declared.step))
+    if declared.ticks:
+        axis.set_major_locator(FixedLocator(declared.ticks))
+        axis.set_minor_locator(NullLocator())

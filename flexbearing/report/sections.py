@@ -262,6 +262,32 @@ def stresses(parts: dict[str, Any] | None) -> Iterator[RenderableType]:
     yield from listed("loads, cost; stiffness of the supports alone", _lines(parts))
 
 
+_READINGS = {  # column of the table to its key
+    "deg": ("azimuth_deg", ".1f"),
+    "gauge": ("gauge_strain_um_per_m", ",.1f"),
+    "+-": ("strain_error_um_per_m", ".2g"),
+    "hoop": ("hoop_strain_um_per_m", ",.1f"),
+    "axial": ("axial_strain_um_per_m", ",.1f"),
+    "largest": ("largest_strain_um_per_m", ",.1f"),
+    "smallest": ("smallest_strain_um_per_m", ",.1f"),
+    "um": ("radial_displacement_um", ",.2f"),
+}
+
+
+def probes(found: dict[str, list[float]] | None) -> Iterator[RenderableType]:
+    """What probes read; nothing without probes."""
+    if not found:
+        return
+    yield Text(
+        "probes: strains [um/m] along the gauge, hoop, axial, principal; outward displacement", style="bold"
+    )
+    table = right_aligned("", *_READINGS)
+    for place in range(len(found["azimuth_deg"])):
+        cells = (format(found[key][place], form) for key, form in _READINGS.values())
+        table.add_row(Text(f"{place + 1}"), *cells)
+    yield table
+
+
 def _cells(most: dict[str, float]) -> Iterator[str]:
     """A row of the stresses of a body, with their errors."""
     for _, key, form, error in _STRESSES:

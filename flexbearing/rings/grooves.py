@@ -1,5 +1,6 @@
 """Elastic rings with grooves of a case, meshed and condensed, or taken from the cache."""
 
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -9,23 +10,43 @@ from numpy.typing import NDArray
 import fem
 from fem.condense import HARMONICS, SMEARED, condense
 from fem.errors import NotSolved as RingNotSolved
-from flexbearing.build.groove_parts import OUTWARD, GroovePart, Race, groove_part
+from flexbearing.build.groove_parts import BallCase, GroovePart, groove_part
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
-from flexbearing.case.balls.angular_contact import FastCase
+from flexbearing.case.balls.bolted_rings import Rings
+from flexbearing.case.balls.elastic_rings import GrooveAccuracy
 from flexbearing.case.balls.four_point import FourPointCase
+from flexbearing.case.balls.ring_room import MARGIN, OUTWARD, Race
 from flexbearing.progress import Report
-from quasidynamic import NotSolved
+from quasidynamic import ImpossiblePart, NotSolved
 from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGrooves
 
-PATCH = 0.06  # width over the ball diameter: a/sqrt(5) of steel balls at 2 to 2.5 GPa
-MARGIN = 2.0  # widths of a patch from the outermost station to the end of the groove
 MESH = 0.25  # largest element over the ball diameter
 FINER = 6.0  # order of the elements times width of a patch, over the elements on the groove
 
 RACES: tuple[Race, Race] = ("inner", "outer")
 Arguments = tuple[GroovePart, fem.Discretisation, fem.Resolution]
-BallCase = FastCase | FourPointCase
+
+
+@dataclass(frozen=True, kw_only=True)
+class GrooveShape:
+    """A part with the patches on its groove."""
+
+    race: Race
+    part: GroovePart
+    reach: tuple[float, float]  # [rad] contact angles of the outermost stations
+    width: float  # [m] of a patch
+
+    @property
+    def length(self) -> float:
+        """Axial width of the groove [m]."""
+        assert self.part.groove
+        return self.part.groove.width(self.part.raceway_diameter / 2, OUTWARD[self.race])
+
+
+def accuracy_of(case: BallCase) -> tuple[str, GrooveAccuracy | Rings]:
+    """How finely grooves are resolved, and the section of the case that says so."""
+    return ("rings", case.rings) if isinstance(case, FourPointCase) else ("accuracy", case.accuracy)
 
 
 def parts(case: BallCase) -> tuple[Arguments | None, Arguments | None]:
@@ -36,35 +57,37 @@ def parts(case: BallCase) -> tuple[Arguments | None, Arguments | None]:
     BadCase
         when no such part can exist
     """
-    inner, outer = (_arguments(case, race) for race in RACES)
+    inner, outer = (shape and _arguments(case, shape) for shape in (shape_of(case, race) for race in RACES))
     return inner, outer
 
 
-def _arguments(case: BallCase, race: Race) -> Arguments | None:
+def shape_of(case: BallCase, race: Race) -> GrooveShape | None:
+    """Part that carries a groove, with the patches on it; None where a ring is rigid.
+
+    Raises
+    ------
+    BadCase
+        when no such part can exist
+    """
     part = groove_part(case, race)
     if part is None or part.groove is None:
         return None
-    accuracy, section = (
-        (case.rings, "rings") if isinstance(case, FourPointCase) else (case.accuracy, "accuracy")
-    )
-    diameter, land = case.bearing.ball.diameter, part.raceway_diameter / 2
-    width, groove = accuracy.patch_width or PATCH * diameter, part.groove
-    end, margin = groove.end(land, OUTWARD[race]), MARGIN * width / groove.radius
-    first, last = groove.bottom_angle + margin if groove.aside else margin - end, end - margin
-    if first >= last:
-        most = width * (end - (groove.bottom_angle if groove.aside else -end)) / (2 * margin)
-        raise BadCase(
-            f"{case.source.path}: {section}.patch_width = {1e3 * width:.3g} mm does not fit on the {race} "
-            f"groove; allowed is below {1e3 * most:.3g} mm"
-        )
+    width, groove = accuracy_of(case)[1].patch(case.bearing.ball.diameter), part.groove
+    end, margin = groove.end(part.raceway_diameter / 2, OUTWARD[race]), MARGIN * width / groove.radius
+    first = groove.bottom_angle if groove.aside else -end
+    return GrooveShape(race=race, part=part, reach=(first + margin, end - margin), width=width)
+
+
+def _arguments(case: BallCase, shape: GrooveShape) -> Arguments:
+    accuracy, part = accuracy_of(case)[1], shape.part
     resolution = fem.Resolution(
-        length=groove.width(land, OUTWARD[race]),
+        length=shape.length,
         mesh_size=fem.MeshSize(
             order=accuracy.element_order,
-            size=accuracy.mesh_size or MESH * diameter,
-            raceway_size=accuracy.element_order * width / FINER,
+            size=accuracy.mesh_size or MESH * case.bearing.ball.diameter,
+            raceway_size=accuracy.element_order * shape.width / FINER,
         ),
-        stations=fem.Stations(angles=_spread(first, last, accuracy.stations), width=width),
+        stations=fem.Stations(angles=_spread(*shape.reach, accuracy.stations), width=shape.width),
     )
     return part, SMEARED if isinstance(part, fem.SquirrelCage) else HARMONICS, resolution
 
@@ -85,10 +108,8 @@ def elastic_grooves(case: BallCase, azimuths: NDArray, report: Report) -> Elasti
     NotSolved
         when the finite elements find none
     """
-    inner, outer = (
-        each and _condensed(case, race, each, azimuths, report)
-        for race, each in zip(RACES, parts(case), strict=True)
-    )
+    shapes = (shape_of(case, race) for race in RACES)
+    inner, outer = (shape and groove_of_shape(case, shape, azimuths, report) for shape in shapes)
     return None if inner is None and outer is None else ElasticGrooves(inner, outer)
 
 
@@ -100,13 +121,40 @@ def _is_of(part: GroovePart, _: fem.Discretisation, resolution: fem.Resolution, 
     return same and tuple(kept.angles) == stations.angles
 
 
-def _condensed(
-    case: BallCase, race: Race, arguments: Arguments, azimuths: NDArray, report: Report
-) -> ElasticGroove:
-    name = f"{race} ring"
+def groove_of_shape(case: BallCase, shape: GrooveShape, azimuths: NDArray, report: Report) -> ElasticGroove:
+    """A groove of some shape under balls at azimuths (Z) [rad], as finely resolved as a case has it.
+
+    Raises
+    ------
+    BadCase
+        when the part cannot exist
+    NotSolved
+        when the finite elements find none
+    """
+    at_balls = compliance(case, shape, report).at(azimuths)
+    try:
+        return ElasticGroove(at_balls.angles, at_balls.absolute)
+    except ImpossiblePart as problem:  # of a shaft as thin as a wire
+        raise NotSolved(
+            f"{shape.race} ring: so flexible a part is beyond finite elements: {problem}", "not solved"
+        ) from None
+
+
+def compliance(case: BallCase, shape: GrooveShape, report: Report) -> Any:
+    """Compliance of a groove for balls anywhere.
+
+    Raises
+    ------
+    BadCase
+        when the part cannot exist
+    NotSolved
+        when the finite elements find none
+    """
+    arguments = _arguments(case, shape)
+    race, name = shape.race, f"{shape.race} ring"
     report.stage(name, None)
     try:
-        compliance: Any = configured().cached(  # of a part with a groove
+        return configured().cached(
             "GrooveCompliance",
             arguments,
             lambda: condense(*arguments),
@@ -117,5 +165,3 @@ def _condensed(
         raise BadCase(f"{case.source.path}: {race} ring: {problem}") from problem
     except RingNotSolved as problem:
         raise NotSolved(f"{name}: {problem}", "not solved") from problem
-    at_balls = compliance.at(azimuths)
-    return ElasticGroove(at_balls.angles, at_balls.absolute)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import quasidynamic as qd
-from flexbearing.build import clearance
+from flexbearing.build import clearance, out_of_round
 from flexbearing.build.ball_fits import ball, groove
 from flexbearing.case import BadCase, Head
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
@@ -20,7 +20,16 @@ from flexbearing.program.workers import shared_map
 from flexbearing.progress import Report
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import row, taken
-from flexbearing.runs import ball_life, elastic_grooves, judged, life_of_state, neglect, shoulders, subsurface
+from flexbearing.runs import (
+    ball_life,
+    elastic_grooves,
+    judged,
+    life_of_state,
+    neglect,
+    not_round,
+    shoulders,
+    subsurface,
+)
 from flexbearing.runs.ball_life import BallLives
 from flexbearing.runs.life_of_state import MREV
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
@@ -62,18 +71,20 @@ Block = Literal["rigid", "flexible"]  # the rings between which there is a solut
 
 
 def bearing(case: FastCase) -> qd.AngularContactBallBearing:
-    """The bearing of a case."""
+    """The bearing of a case; without the cam that only an elastic outer ring follows."""
     parts, materials = case.bearing, case.materials
+    round_one = qd.AngularContactBearing(
+        ball=ball(parts, materials.ball),
+        inner=groove(parts, "inner", materials.ring("inner")),
+        outer=groove(parts, "outer", materials.ring("outer")),
+        balls=parts.balls,
+        pitch_diameter=parts.pitch_diameter,
+        **_angle_and_clearance(case),
+        first_ball_azimuth=parts.first_ball_azimuth,
+    )
+    waves = out_of_round.approaches(case, round_one.azimuths)
     return qd.AngularContactBallBearing(
-        bearing=qd.AngularContactBearing(
-            ball=ball(parts, materials.ball),
-            inner=groove(parts, "inner", materials.ring("inner")),
-            outer=groove(parts, "outer", materials.ring("outer")),
-            balls=parts.balls,
-            pitch_diameter=parts.pitch_diameter,
-            **_angle_and_clearance(case),
-            first_ball_azimuth=parts.first_ball_azimuth,
-        ),
+        bearing=round_one if waves is None else replace(round_one, approaches=tuple(waves)),
         control=case.operation.control,
         friction=case.friction.coefficient,
         spin=case.friction.spin,
@@ -114,12 +125,12 @@ def operation(case: FastCase) -> qd.RingOperation:
 
 def _preload_place(case: FastCase) -> float:
     """Axial displacement at which a preload holds the ring [m]."""
-    preload, own = case.operation.preload, bearing(case).bearing
+    preload, unloaded = case.operation.preload, bearing(case).bearing
     assert preload  # or there is nothing to hold
     if preload.displacement is not None:
-        return own.touching_place + preload.displacement
+        return unloaded.touching_place + preload.displacement
     assert preload.force is not None  # checked on reading
-    return qd.preloaded_place(own, preload.force)
+    return qd.preloaded_place(unloaded, preload.force)
 
 
 def build(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperation]:
@@ -154,24 +165,45 @@ def solved(cases: Sequence[FastCase], report: Report) -> list[dict[Block, Ended]
         rings = _grooves(elastic, models, report)
         report.stage("fast balls between elastic rings", None)
         models = [_preloaded(*each) for each in zip(elastic, models, rings, strict=True)]
-        found = _finished(elastic, _balanced(elastic, models, rings), report)
-        for k, each in zip(some, found, strict=True):
+        flexible = _finished(elastic, _balanced(elastic, models, rings), report)
+        for k, each in zip(some, flexible, strict=True):
             ended[k]["flexible"] = each
     return ended
 
 
+def on_cam(case: FastCase, model: qd.AngularContactBallBearing) -> qd.AngularContactBallBearing:
+    """A bearing whose inner ring a cam shapes; as it is where there is none."""
+    if case.inner.kind != "cam":
+        return model
+    waves = np.array(model.bearing.approaches or 0.0)
+    both = out_of_round.approaches_on_cam(case, model.bearing.azimuths) + waves
+    return replace(model, bearing=replace(model.bearing, approaches=tuple(both)))
+
+
 def _preloaded(case: FastCase, built: Any, rings: Any) -> Any:
     """Bearing and operation, the ring held where the force of a preload brings it between elastic rings."""
-    preload = case.operation.preload
-    if preload is None or preload.force is None or isinstance(rings, Exception):
+    if isinstance(built, Exception) or isinstance(rings, Exception):
         return built
-    model, loaded = built
-    at_rest = qd.RingOperation(load=(preload.force, 0.0, 0.0, 0.0, 0.0))
-    state = named(case, partial(model.solve, at_rest, rings))
+    rest, (model, loaded) = preload_at_rest(case), built
+    if rest is None:
+        return on_cam(case, model), loaded
+    state = named(case, partial(model.solve, rest, rings))
     if isinstance(state, Exception):
         return state
-    places = (float(state.ring_displacement[0]), *loaded.displacement[1:])
-    return model, replace(loaded, displacement=places)
+    return model, held_at(loaded, float(state.ring_displacement[0]))
+
+
+def preload_at_rest(case: FastCase) -> qd.RingOperation | None:
+    """A preload force at rest, which brings elastic rings to the place where it holds them; None without."""
+    preload = case.operation.preload
+    if preload is None or preload.force is None or case.rigid:
+        return None
+    return qd.RingOperation(load=(preload.force, 0.0, 0.0, 0.0, 0.0))
+
+
+def held_at(operation: qd.RingOperation, place: float) -> qd.RingOperation:
+    """The same operation, the ring held at an axial displacement [m]."""
+    return replace(operation, displacement=(place, *operation.displacement[1:]))
 
 
 def _finished(cases: Sequence[FastCase], states: Sequence[Any], report: Report) -> list[Ended]:
@@ -188,7 +220,7 @@ def _grooves(cases: Sequence[FastCase], built: Sequence[Any], report: Report) ->
     from flexbearing.rings import grooves  # finite elements are not described between rigid rings
 
     known: dict[Any, Any] = {}
-    found = []
+    grooves_of_cases = []
     for case, (model, _) in zip(cases, built, strict=True):
         azimuths = model.bearing.azimuths
         key = named(case, partial(grooves.parts, case))
@@ -200,8 +232,8 @@ def _grooves(cases: Sequence[FastCase], built: Sequence[Any], report: Report) ->
                 if isinstance(key, Exception)
                 else named(case, partial(grooves.elastic_grooves, case, azimuths, report))
             )
-        found.append(known[key])
-    return found
+        grooves_of_cases.append(known[key])
+    return grooves_of_cases
 
 
 def named(case: Head, solve: Callable[[], Any]) -> Any:
@@ -235,11 +267,11 @@ def _balanced(
     for places in alike.values():
         model, operations, ring = built[places[0]][0], [built[k][1] for k in places], rings[places[0]]
         try:
-            found = model.solve_many(operations, ring)
+            states_of_model = model.solve_many(operations, ring)
         except OutOfRange:  # of one of them, which says so by itself
             each = zip(places, operations, strict=True)
-            found = [named(cases[place], partial(model.solve, at, ring)) for place, at in each]
-        for place, state in zip(places, found, strict=True):
+            states_of_model = [named(cases[place], partial(model.solve, at, ring)) for place, at in each]
+        for place, state in zip(places, states_of_model, strict=True):
             states[place] = state
     return states
 
@@ -380,7 +412,10 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
     """What a user must know of the solution, judged by findings before."""
     case, state, of_findings = solution.case, solution.state, judged.notes(found)
     held = [note for note in of_findings if note.code == GYROSCOPIC_MOMENT.code]
-    lines = (*(note for note in of_findings if note not in held), *elastic_grooves.notes(case, state))
+    lines: tuple[Note, ...] = tuple(note for note in of_findings if note not in held)
+    if state.groove_displacement is not None:
+        lines += elastic_grooves.notes(case, state.contact_angles, state.loads, state.semi_axes[0])
+    lines += not_round.notes(case)
     lifted = int((~state.on_inner).sum())
     if lifted:
         lines += (

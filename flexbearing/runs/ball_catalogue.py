@@ -1,6 +1,7 @@
 """What the life of a ball bearing has that a catalogue leaves out."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 from flexbearing.build.ball_fits import kinematic_viscosity
@@ -32,20 +33,23 @@ RATING = (
 MOUNTING = {
     "bearing.fits": "",
     "operation.temperatures": "",
-    "materials.shaft": "",
-    "materials.housing": "",
     **{f"materials.{ring}.density": "" for ring in ("inner_ring", "outer_ring")},
     **{f"materials.{part}.expansion": "" for part in ("ball", "inner_ring", "outer_ring")},
 }
 FITS = Influence(
     "fits and heat, which change the contact angle",
-    MOUNTING,
+    {},
     "Fits and heat change the clearance, and with it the angle at which the balls carry.",
 )
 CLEARANCE = Influence(
     "operating clearance",
-    {"bearing.clearance": "0 um", "bearing.clearance_class": "", **MOUNTING},
+    {"bearing.clearance": "0 um", "bearing.clearance_class": ""},
     "Clearance leaves fewer balls to carry a radial load, and gives an axial load a steeper contact angle.",
+)
+ELASTIC_RINGS = Influence(
+    "elastic rings",
+    {"outer": "", "outer.kind": "rigid", "inner": "", "inner.kind": "rigid", "accuracy": ""},
+    "Elastic rings change how many balls carry the load, and at which contact angles.",
 )
 TILT = Influence(
     "tilt of the inner ring",
@@ -88,29 +92,35 @@ AT_SPEED = (
 
 def influences(case: FastCase) -> tuple[Influence, ...]:
     """What may act, in the order in which it enters: clearance, tilt and preload, then what speed does."""
-    ring = (CLEARANCE if isinstance(case.bearing, DeepGrooveBearing) else FITS, TILT)
-    preload, elastic = case.operation.preload, () if case.rigid else (_elastic_rings(case),)
+    clearance, elastic = _with_materials(case)
+    preload, first = case.operation.preload, (clearance, TILT)
     if preload is None:
-        return (*ring, *elastic, *AT_SPEED)
+        return (*first, *elastic, *AT_SPEED)
     of_spring = {"operation.preload": "", "operation.load.axial": f"{preload.force!r} N"}
     preloaded = Influence(
         "rigid preload instead of that of a spring",
         of_spring,
         "A rigid preload changes with the load, one by a spring does not.",
     )
-    return (*ring, preloaded, *elastic, *AT_SPEED)
+    return (*first, preloaded, *elastic, *AT_SPEED)
 
 
-def _elastic_rings(case: FastCase) -> Influence:
-    """What elastic rings do; materials that only they need go with them."""
-    rigid = {"outer": "", "outer.kind": "rigid", "inner": "", "inner.kind": "rigid", "accuracy": ""}
-    if case.bearing.fits is None:
-        rigid |= {"materials.shaft": "", "materials.housing": ""}
-    return Influence(
-        "elastic rings",
-        rigid,
-        "Elastic rings change how many balls carry the load, and at which contact angles.",
+def _with_materials(case: FastCase) -> tuple[Influence, tuple[Influence, ...]]:
+    """Clearance or fits, and elastic rings; materials of shaft and housing go with what needs them."""
+    fits, first = case.bearing.fits, CLEARANCE if isinstance(case.bearing, DeepGrooveBearing) else FITS
+    by_fits = {"shaft": fits is not None, "housing": fits is not None and bool(fits.housing)}
+    by_rings = {"shaft": case.inner.kind != "rigid", "housing": case.outer.support == "housing"}
+
+    def without(of_fits: bool, of_rings: bool) -> dict[str, str]:
+        needed = (of_fits, of_rings)
+        return {f"materials.{name}": "" for name in by_fits if (by_fits[name], by_rings[name]) == needed}
+
+    mounting = {} if fits is None else MOUNTING
+    first = replace(
+        first, out={**first.out, **mounting, **without(True, False)}, also_out=without(True, True)
     )
+    rings = replace(ELASTIC_RINGS, out={**ELASTIC_RINGS.out, **without(False, True)})
+    return first, () if case.rigid else (rings,)
 
 
 def require_load(case: FastCase) -> None:
@@ -204,5 +214,5 @@ def load(case: FastCase) -> float:
 
 CATALOGUE = Catalogue(
     RATING, influences, require_load, ratings, ball_life.ratings, oil,
-    ball_life.rated, ball_life.rated_kappa, load, BALL_EXPONENT,
+    ball_life.rated, ball_life.rated_kappa, load, lambda case: BALL_EXPONENT,
 )  # fmt: skip

@@ -1,7 +1,7 @@
 """Why the life of a case is not that of a catalogue: one setting after the other."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from math import pi
 from typing import Any
 
@@ -21,6 +21,7 @@ class Influence:
     name: str
     out: Settings
     meaning: str  # why it changes the life, a sentence
+    also_out: Settings = field(default_factory=dict)  # what later influences need, once they are out too
 
 
 @dataclass(frozen=True)
@@ -36,19 +37,20 @@ class Catalogue:
     rated: Callable[[Any], float | None]  # life by ratings alone [rev], where the case has no other
     viscosity_ratio: Callable[[Any], float | None]  # kappa of a life with a_ISO
     load: Callable[[Any], float]  # equivalent load of ISO 281 [N], of a case whose forces are known
-    exponent: float  # of this load in the life
+    exponent: Callable[[Any], float]  # of this load in the life of a case
 
     def acting(self, case: Any, read: Callable[[Sequence[str]], Any]) -> list[Influence]:
         """Influences that a case has anything of, with the settings that change it."""
         influences = self.influences(case)
-        bare = read(_written(*(influence.out for influence in influences))).to_json()
-        full = case.to_json()
-        changing = [
-            {key: value for key, value in influence.out.items() if _at(full, key) != _at(bare, key)}
-            for influence in influences
-        ]
-        pairs = zip(influences, changing, strict=True)
-        return [replace(influence, out=out) for influence, out in pairs if out]
+        bare, full = read(_together(influences)).to_json(), case.to_json()
+
+        def changing(settings: Settings) -> Settings:
+            return {key: value for key, value in settings.items() if _at(full, key) != _at(bare, key)}
+
+        changed = (
+            replace(each, out=changing(each.out), also_out=changing(each.also_out)) for each in influences
+        )
+        return [each for each in changed if each.out]
 
 
 @dataclass(frozen=True)
@@ -119,9 +121,14 @@ def _way(
 ) -> Iterator[tuple[Influence, tuple[str, ...], tuple[str, ...]]]:
     """What every life is named after, the settings that give it, and those that leave that out."""
     for rating in ratings:
-        yield rating, _written(rating.out, *(influence.out for influence in acting)), ()
+        yield rating, (*_written(rating.out), *_together(acting)), ()
     for place, influence in enumerate(acting):
-        yield influence, _written(*(later.out for later in acting[place + 1 :])), _written(influence.out)
+        yield influence, _together(acting[place + 1 :]), _written(influence.out)
+
+
+def _together(influences: Sequence[Influence]) -> tuple[str, ...]:
+    """Settings that leave out some influences and all later ones."""
+    return _written(*({**each.out, **each.also_out} for each in influences))
 
 
 def _written(*settings: Settings) -> tuple[str, ...]:

@@ -2,10 +2,10 @@
 
 from math import degrees, sqrt
 
-import numpy as np
+from numpy.typing import NDArray
 
 from flexbearing.case.balls.angular_contact import FastCase
-from quasidynamic import AngularContactState
+from flexbearing.case.balls.four_point import FourPointCase
 from quasidynamic.balance.balls.elastic_grooves import FURTHEST
 from quasidynamic.note import Note, information, outside
 
@@ -13,36 +13,48 @@ GAUSSIAN = sqrt(5.0)  # semi-axis of an ellipse of Hertz over the standard devia
 UNLIKE = 1.5  # width of patches over that of the largest contact, or the inverse, from which there is a note
 
 
-def notes(case: FastCase, state: AngularContactState) -> tuple[Note, ...]:
-    """Notes on the elastic grooves of a state; none between rigid rings."""
-    if state.groove_displacement is None:
-        return ()
+def notes(
+    case: FastCase | FourPointCase, angles: NDArray, loads: NDArray, across: NDArray
+) -> tuple[Note, ...]:
+    """Notes on elastic grooves under contacts.
+
+    Parameters
+    ----------
+    case : FastCase, FourPointCase
+        solved between elastic rings
+    angles : array (2, ...)
+        contact angles, by race [rad]
+    loads : array (2, ...)
+        of the contacts [N]
+    across : array (2, ...)
+        their semi-axes along the arc [m]
+    """
     from flexbearing.rings import grooves  # finite elements are not described between rigid rings
 
-    found: tuple[Note, ...] = ()
+    race_notes: tuple[Note, ...] = ()
     for race, (name, arguments) in enumerate(zip(grooves.RACES, grooves.parts(case), strict=True)):
         if arguments is None:
             continue
-        stations, across = arguments[2].stations, state.semi_axes[0][race]
+        stations = arguments[2].stations
         assert stations  # of every part with a groove
-        last = max(map(abs, stations.angles))
-        beyond = (np.abs(state.contact_angles[race]) > last + FURTHEST) & (state.loads[race] > 0)
+        first, last = min(stations.angles) - FURTHEST, max(stations.angles) + FURTHEST
+        beyond = ((angles[race] < first) | (angles[race] > last)) & (loads[race] > 0)
         if beyond.any():
-            found += (
+            race_notes += (
                 outside(
                     "beyond-stations",
-                    f"{int(beyond.sum())} balls press the {name} groove beyond "
-                    f"{degrees(last + FURTHEST):.1f} deg, where it is taken as stiff as there",
+                    f"{int(beyond.sum())} contacts press the {name} groove outside {degrees(first):.1f} to "
+                    f"{degrees(last):.1f} deg, where it is taken as stiff as there",
                 ),
             )
-        usual = float(across.max()) / GAUSSIAN  # of the heaviest ball
+        usual = float(across[race].max()) / GAUSSIAN  # of the heaviest ball
         if usual and not 1 / UNLIKE < stations.width / usual < UNLIKE:
-            found += (
+            race_notes += (
                 information(
                     "patch-width",
                     f"balls press the {name} groove by patches of {1e3 * stations.width:.2g} mm, the largest "
-                    f"contact is like one of {1e3 * usual:.2g} mm: give that as accuracy.patch_width to see "
-                    "what it changes",
+                    f"contact is like one of {1e3 * usual:.2g} mm: give that as "
+                    f"{grooves.accuracy_of(case)[0]}.patch_width to see what it changes",
                 ),
             )
-    return found
+    return race_notes

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 import fem
 from fem.parts.surroundings import Surroundings
 from flexbearing.build import expansion, ring_parts, roller_bearing
-from flexbearing.build.mesh_sizes import IN_SPACE, mesh_size
+from flexbearing.build.expansion import roller_length
+from flexbearing.build.mesh_sizes import IN_SPACE, mesh_size, nodes_of
 from flexbearing.case.roller import Case
 from flexbearing.program.threads import of_solids
 from flexbearing.rings.resolution import patches
@@ -55,18 +56,26 @@ def parts(case: Case) -> dict[Race, Any]:
 def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
     """A part under the roller loads of a state; it is solved for what is asked of it.
 
+    Raises
+    ------
+    NoFields
+        of a part that is computed on its section only
+
     Valid
     -----
     Normal loads only: tractions of the rollers, about a hundredth of them, do not load the part.
     """
-    _require_solid(case, race)
-    part, loads = parts(case)[race], patches(case, roller_bearing.bearing(case).bearing.azimuths)
+    if words := ring_parts.why_no_solid(case, race):
+        raise NoFields(f"{NAMES[race]}: {words}")
+    azimuths = values.get("roller_azimuth")  # iterations have none: their rollers stand where the case says
+    azimuths = roller_bearing.parts(case).azimuths if azimuths is None else azimuths
+    part, loads = parts(case)[race], patches(case, azimuths)
     plain = isinstance(part, fem.OuterRing | fem.RingOnShaft)
     usual = FOR_STRESSES[type(part)] if plain or isinstance(part, fem.SquirrelCage) else IN_SPACE
     sizes = Sizes(
         solid=mesh_size(case, WITHOUT_BARS if plain else IN_SPACE),
         stresses=(stresses := _of_two_orders(mesh_size(case, usual))),
-        coarseness=stresses.size / (usual[1] * loads.length),
+        coarseness=stresses.size / (usual[1] * roller_length(case.nodes_of or case)),
         threads=of_solids(case.accuracy.threads),
     )
     turning = case.operation.outer_speed != 0 and not plain and race == "outer"
@@ -74,7 +83,7 @@ def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
         race=race, state=state, part=part, patches=loads,
         forces=forces(values[f"{race}_slice_load"], race, loads.length, loads.axial_modes),
         sizes=sizes, surroundings=surroundings(case, race) if plain else Surroundings(),
-        left_out="rotation" if turning else "",
+        left_out="rotation" if turning else "", nodes_of=nodes_of(case, race),
     )  # fmt: skip
 
 
@@ -101,27 +110,6 @@ def surroundings(case: Case, race: Race) -> Surroundings:
         },
         speed=speed,
     )
-
-
-def _require_solid(case: Case, race: Race) -> None:
-    """Refuse parts that are computed on their section only."""
-    if race == "inner" and case.inner.fit != "bonded":
-        raise NoFields(
-            f'{NAMES[race]}: inner.fit = "{case.inner.fit}" has no solid, only a bonded ring has one'
-        )
-    if race == "outer" and case.outer.kind == "matrix":
-        raise NoFields(
-            f'{NAMES[race]}: outer.kind = "matrix" has no solid: its body is known by a matrix alone'
-        )
-    if race == "inner" or case.outer.kind != "ring":
-        return
-    if case.lifts_off:
-        raise NoFields(f"{NAMES[race]}: bearing.fits.housing has no solid, only a bonded ring has one")
-    if case.outer.support not in ("side", "seat", "housing"):
-        raise NoFields(
-            f'{NAMES[race]}: outer.support = "{case.outer.support}" has no solid; '
-            '"side", "seat" and "housing" have one'
-        )
 
 
 def forces(slice_loads: NDArray, race: Race, length: float, shapes: int) -> NDArray:

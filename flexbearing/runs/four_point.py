@@ -18,7 +18,7 @@ from flexbearing.progress import Report
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import row, taken
 from flexbearing.rings import grooves
-from flexbearing.runs import judged, neglect, shoulders, subsurface
+from flexbearing.runs import elastic_grooves, judged, neglect, shoulders, subsurface
 from flexbearing.runs.angular_contact import STICK
 from quasidynamic import OutOfRange
 from quasidynamic.balance.balls.diagonals import SIDE_OF_DIAGONAL
@@ -202,7 +202,7 @@ def blocks(case: FourPointCase, report: Report) -> Iterator[tuple[Literal["rigid
     progress = partial(report.stage, STICK)
     report.stage("slow balls between rigid rings", None)
     yield "rigid", solved(case, progress=progress)
-    if not case.rings.rigid:
+    if not case.rigid:
         rings = elastic_rings(case, report)
         report.stage("slow balls between elastic rings", None)
         yield "flexible", solved(case, rings, progress)
@@ -307,6 +307,9 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
                 "contact loads are given: every ball carries them, at the contact angle without load",
             ),
         )
+    if solution.ring_deflection is not None:
+        contacts = balls.contacts.angle, balls.load, balls.ellipse.across
+        lines += elastic_grooves.notes(case, *(np.moveaxis(each, -1, 0) for each in contacts))
     lines += _on_shoulders(case, balls) + shoulders.unrolled(solution.unrolled)
     lines += subsurface.notes(case, solution.worst)
     idle = int((~balls.sliding.driven).sum())

@@ -147,8 +147,12 @@ def _slice_factors(case: Case, state: LoadedState) -> Iterator[dict[str, Any]]:
 def _by_rating(case: Case, bearing: CylindricalRollerBearing) -> float:
     """L10 of the radial load [10^6 revolutions]."""
     rating = dynamic(case, bearing) / (1.0 if case.life.stress_reduction else STRESS_REDUCTION)
-    exponent = ROLLER_EXPONENT if case.life.load_exponent == "10/3" else LINE_EXPONENT
-    return float(rating_life(rating, case.operation.radial_load, exponent))
+    return float(rating_life(rating, case.operation.radial_load, exponent(case)))
+
+
+def exponent(case: Case) -> float:
+    """Exponent of the load in a life by ratings [-]."""
+    return ROLLER_EXPONENT if case.life.load_exponent == "10/3" else LINE_EXPONENT
 
 
 def _lubrication_factors(case: Case, state: LoadedState) -> Iterator[LifeFactor]:

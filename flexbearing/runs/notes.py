@@ -13,6 +13,7 @@ from flexbearing.case.roller import Case
 from flexbearing.findings.running import PRESSED_ENDS
 from flexbearing.runs import life, several, skew
 from flexbearing.runs.life_of_state import no_life
+from flexbearing.runs.not_round import turning
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import CylindricalRollerBearing, Equilibrium, NotSolved, OutOfRange
 from quasidynamic.note import Note, danger, information, outside
@@ -63,14 +64,10 @@ def _turning_waves(case: Case) -> tuple[Note, ...]:
     """Say so when a raceway that is not round turns."""
     form, operation = case.bearing.form_error, case.operation
     speeds = {"inner": operation.inner_speed, "outer": operation.outer_speed}
-    turning = [race for race, speed in speeds.items() if form and getattr(form, race) and speed]
     return tuple(
-        information(
-            "turning-waves",
-            f"bearing.form_error.{race}: the {race} ring turns; loads and life are those of one moment, with "
-            f"its crests at bearing.form_error.{race}.crest: other crests give those of other moments",
-        )
-        for race in turning
+        turning(race, f"bearing.form_error.{race}.crest")
+        for race, speed in speeds.items()
+        if form and getattr(form, race) and speed
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
@@ -18,11 +18,14 @@ from fem.parts.surroundings import Surroundings
 from flexbearing.program.threads import linear_algebra_alone
 
 if TYPE_CHECKING:
+    from fem.parts.probe import Probe
+    from fem.parts.resolution import Shape
     from fem.parts.rings import Part
     from fem.parts.step_solid import StepSolid
     from fem.solid.extremes import BodyExtremes, Sampled
     from fem.solid.factored_solid import FactoredSolid
     from fem.solid.fields import LoadedSolid
+    from fem.solid.probes import Readings
 
 Race = Literal["inner", "outer"]
 
@@ -46,6 +49,7 @@ class PartFields:
     sizes: Sizes
     surroundings: Surroundings  # heat and rotation, which the largest stresses hold
     left_out: str  # what they do not hold; empty: nothing
+    nodes_of: Shape | None = None  # whose mesh for stresses is taken with its nodes moved
 
     @cached_property
     def solid(self) -> FactoredSolid:
@@ -70,23 +74,33 @@ class PartFields:
         from fem.solid.extremes import extremes
 
         with self._solving():
-            radius, sampled = self._sampled()
+            radius, sampled = self._sampled
             clear = clearing(self.part, self.patches, self.forces, radius)
             return {body: extremes(sampled, body, clear) for body in self.part.materials}
 
+    def readings(self, probes: Sequence[Probe]) -> Readings:
+        """What probes read; raises `NoFields`."""
+        from fem.solid.probes import readings
+
+        with self._solving():
+            return readings(self._sampled[1], self.part, probes, self.patches.width)
+
+    @cached_property
     def _sampled(self) -> tuple[float, Sampled]:
         """Radius of the raceway [m], and the part by two orders of displacements on a mesh for stresses."""
         loads = self.patches, self.forces
         if isinstance(self.part, fem.SquirrelCage):
             from fem.cage.loaded_cage import feet_size, loaded_cage
 
-            feet = feet_size(self.part) * self.sizes.coarseness
-            cage = loaded_cage(self.part, *loads, self.sizes.stresses, feet)
+            meshed = self.part if self.nodes_of is None else self.nodes_of.part
+            feet = feet_size(meshed) * self.sizes.coarseness
+            cage = loaded_cage(self.part, *loads, self.sizes.stresses, feet, self.nodes_of)
             return cage.radius, cage
         if isinstance(self.part, fem.OuterRing | fem.RingOnShaft):
             from fem.section.loaded_section import loaded_section
 
-            section = loaded_section(self.part, *loads, self.sizes.stresses, self.surroundings)
+            sizes = self.sizes.stresses
+            section = loaded_section(self.part, *loads, sizes, self.surroundings, self.nodes_of)
             return section.radius, section
         from fem.solid.whole_solid import WholeSolid
 

@@ -12,6 +12,7 @@ from flexbearing.coupled.coupled import BearingPartner, CoupledBearing
 from flexbearing.coupled.states import EndStates, InitialState, flat, unknowns
 from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.outputs import outputs
+from flexbearing.outputs.names import PROBE, numbered_by
 from flexbearing.progress import Report
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs.solved_rows import QUANTITIES, SolvedRows
@@ -27,6 +28,7 @@ SHOWN = [  # on the page of a result; the error of a life is that of its case
     for output in outputs(LAYOUT)
     if output.declared.label and not output.declared.section and output.declared.of != ("life_error",)
 ]
+READ = {name: each for name, each in numbered_by(LAYOUT, PROBE).items() if name != "probe_azimuth"}
 TOLD = 0.01  # change of load or life over a pitch that is reported in a case without accuracy.target
 JUDGED = {"max_roller_load_N": "largest roller load", "life_L10_Mrev": "life"}
 
@@ -228,9 +230,16 @@ def _values(case: Case, model: RollerBearing, state: Equilibrium, rings: Raceway
     """Every single number that the page of a result shows, by its name in the summary."""
     tangent = RIGID if rings.rigid else rings.linearised(state.forces)
     names = dict.fromkeys(name for output in SHOWN for name in output.declared.of)
-    block = SolvedRows.of(case, model, state, tangent).block(QUANTITIES[name] for name in names)
+    block = SolvedRows.of(case, model, state, tangent).block(QUANTITIES[name] for name in (*names, *READ))
     known = (output for output in SHOWN if all(name in block for name in output.declared.of))
-    return {output.key: float(output.numbers(block)[0]) for output in known}
+    return {output.key: float(output.numbers(block)[0]) for output in known} | dict(_readings(block))
+
+
+def _readings(block: Mapping[str, NDArray]) -> Iterator[tuple[str, float]]:
+    """Yield what each probe reads, by the names of the summary with its number from 1."""
+    for name, quantity in READ.items():
+        for number, value in enumerate(block.get(name, np.zeros((1, 0)))[0], 1):
+            yield f"{quantity.summary[0].key}.{number}", float(quantity.for_people(value))
 
 
 def _finite(value: float | None) -> float | None:

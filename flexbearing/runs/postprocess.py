@@ -71,18 +71,19 @@ class Postprocessing:
         self.of_state[name] = notes.of_solution(rows)
         self.values[name] = roller_findings.values(rows)
         if name == "flexible" and self.case.outputs.stresses:
-            self._add_stresses(self.blocks[name])
+            self._add_stresses(rows)
+        self.notes.extend(rows.notes_of_probes)
         if self.record.others == "searched":
             self.several[name] = rows.other_equilibria(0)
 
-    def _add_stresses(self, block: Arrays) -> None:
+    def _add_stresses(self, rows: SolvedRows) -> None:
         """Stresses come on top of a solution: what keeps them away is a note, and the solution stays."""
         from flexbearing.runs import fields
         from flexbearing.runs.part_fields import NoFields
 
         for race in fields.parts(self.case):
             try:
-                record = fields.fields(self.case, race, "flexible", block).record()
+                record = rows.fields(race).record()
             except NoFields as problem:
                 self.notes.append(information("no-stresses", f"no stresses: {problem}"))
             else:

@@ -212,5 +212,5 @@ def given(case: Case) -> dict[str, Rating]:
 
 CATALOGUE = Catalogue(
     RATING, influences, require_load, ratings, given, oil,
-    rated, viscosity_ratio, attrgetter("operation.radial_load"), ROLLER_EXPONENT,
+    rated, viscosity_ratio, attrgetter("operation.radial_load"), life.exponent,
 )  # fmt: skip

@@ -17,15 +17,15 @@ from flexbearing.coupling import LinearPair
 from flexbearing.outputs import RequestedOutput
 from flexbearing.outputs.names import BLOCKS
 from flexbearing.progress import Logged, Report
-from flexbearing.quantities.quantity import Quantity, taken
+from flexbearing.quantities.quantity import Quantity, row, taken
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.runs import half_space, several, skew, subsurface
+from flexbearing.runs import half_space, probes, several, skew, subsurface
 from flexbearing.runs.life import LoadedState, edge_stress, modified, static
 from flexbearing.runs.life_error import LifeErrors, estimated
 from flexbearing.runs.life_of_state import MREV, LifeOfState
 from flexbearing.runs.several import SeveralEquilibria
 from quasidynamic import Equilibrium, RollerBearing, SolverOutcome
-from quasidynamic.note import Note
+from quasidynamic.note import Note, information
 from quasidynamic.outcome.acting_forces import Losses
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.pressed_ends import sliced_peak_error
@@ -36,10 +36,12 @@ from quasidynamic.several.indicator import each_several_likely
 
 if TYPE_CHECKING:
     from fem.cage.bar_forces import NominalStresses
+    from fem.solid.probes import Readings
+    from flexbearing.runs.part_fields import PartFields, Race
     from quasidynamic.outcome.subsurface import Subsurface
     from quasidynamic.outcome.whole_roller import WholeRoller
 
-OF_SOLUTIONS = ("life", "skew", "whole", "bars", "subsurface")  # parts that no other state has
+OF_SOLUTIONS = ("life", "skew", "whole", "bars", "subsurface", "probes")  # parts that no other state has
 QUANTITIES = LAYOUT.datasets("block")
 
 
@@ -171,6 +173,41 @@ class SolvedRows:
         bearings, worst = [model.bearing for model in self.models], self.worst
         contacts = (worst.pressure, worst.half_width, self._friction_of_worst)
         return [subsurface.of_rollers(*each) for each in zip(self.cases, bearings, *contacts, strict=True)]
+
+    def fields(self, race: "Race") -> "PartFields":
+        """Displacement and stress of a flexible part of the only case; raises `NoFields`."""
+        from flexbearing.runs import fields
+
+        if race not in self._fields:
+            block = self.block(QUANTITIES[name] for name in ("roller_azimuth", f"{race}_slice_load"))
+            self._fields[race] = fields.fields(self.cases[0], race, "flexible", row(block, 0))
+        return self._fields[race]
+
+    @cached_property
+    def _fields(self) -> "dict[Race, PartFields]":
+        return {}
+
+    @property
+    def probes(self) -> "list[Readings | None]":
+        """What probes read; None where a case has none, or its fields are not known."""
+        return [None if isinstance(each, str) else each for each in self._probes]
+
+    @property
+    def notes_of_probes(self) -> list[Note]:
+        """Why there are no readings."""
+        return [
+            information("no-probes", f"no probes: {each}") for each in self._probes if isinstance(each, str)
+        ]
+
+    @cached_property
+    def _probes(self) -> "list[Readings | str | None]":
+        if self.rings[0].rigid or all(case.outputs.probes is None for case in self.cases):
+            return [None] * len(self)
+        if len(self) > 1:  # one by one, as the fields of a squirrel cage take much memory
+            each = zip(self.cases, self.models, self.each, self.rings, strict=True)
+            return [SolvedRows.of(*one)._probes[0] for one in each]
+        self.report.stage("strains at the probes", None)
+        return [probes.readings(self.cases[0], self.fields)]
 
     @property
     def _friction_of_worst(self) -> NDArray:

@@ -15,7 +15,7 @@ from flexbearing.studies.table.bounds import Conditions
 from flexbearing.studies.table.duty import KINDS, Catalogued, Cycles
 from quasidynamic import OutOfRange
 
-IDLE = 0.0, 1.0  # load and a_1 of a row without damage
+IDLE = 0.0, 1.0, 1.0  # load, a_1 and exponent of a row without damage; other exponents are larger
 
 
 def duty_cycles(
@@ -59,21 +59,22 @@ def catalogued(
         return None
     of = family.catalogue()
     each = [IDLE if variant.idle else _required(of, case_of(variant)) for variant in plan.variants]
-    loads, reliability = np.array(each).T.reshape(2, -1, len(plan.axes[-1].rows))
+    loads, reliability, exponents = np.array(each).T.reshape(3, -1, len(plan.axes[-1].rows))
     if not np.any(loads > 0):
         return None
-    return Catalogued(loads, of.exponent, reliability, spectrum.required, spectrum.application_factor)
+    exponent = exponents.max(axis=1)
+    return Catalogued(loads, exponent, reliability, spectrum.required, spectrum.application_factor)
 
 
-def _required(catalogue: Any, case: Any) -> tuple[float, float]:
-    """Equivalent load of a case [N], NaN where it is not known beforehand, and a_1 of its reliability."""
+def _required(catalogue: Any, case: Any) -> tuple[float, float, float]:
+    """Equivalent load [N], NaN where not known beforehand, a_1 of the reliability, exponent of the life."""
     from flexbearing.runs.life_of_state import of_reliability
 
     factor = prod(float(each.value) for each in of_reliability(case.life))
     try:
-        return catalogue.load(case), factor
+        return catalogue.load(case), factor, catalogue.exponent(case)
     except OutOfRange:
-        return nan, factor
+        return nan, factor, catalogue.exponent(case)
 
 
 def conditions(keys: Sequence[str], rows: Sequence[Variant]) -> Conditions:

@@ -12,7 +12,7 @@ from flexbearing.case.problems import MOST
 from flexbearing.files import require_folder_name
 from flexbearing.printable import excerpt
 from flexbearing.progress import Report
-from flexbearing.studies.placement import ALONE, RING, SIDE_BY_SIDE, Cost, expected
+from flexbearing.studies.placement import RING, Cost, costs, expected
 from flexbearing.studies.plan.task import CONVERGED
 from flexbearing.studies.prepared_study import PreparedStudy, Progress
 from flexbearing.studies.table import Table, duty
@@ -61,8 +61,7 @@ def _choices(prepared: PreparedStudy) -> list[str]:
 def _expected(prepared: PreparedStudy) -> str:
     """Expected time by a rule that is said with it."""
     plan = prepared.plan
-    costs = SIDE_BY_SIDE if plan.side_by_side else ALONE
-    elastic, rigid = _of_a_variant(costs[True]), _of_a_variant(costs[False])
+    elastic, rigid = map(_of_a_variant, (costs(plan)[True], costs(plan)[False]))
     together = "solved side by side" if plan.side_by_side else "in a run of its own"
     search = ", without the search for other equilibria" if prepared.study.search else ""
     return (

@@ -34,6 +34,7 @@ class Cost:
 # By whether the rings are elastic: solved side by side, or each in a run of its own.
 SIDE_BY_SIDE = {True: Cost(0.04, 0.004), False: Cost(0.01, 0.0015)}
 ALONE = {True: Cost(0.0, 0.1), False: Cost(0.0, 0.02)}
+IN_CELLS = {True: Cost(0.0, 0.6), False: Cost(0.0, 0.15)}  # with half-spaces, or friction that is solved for
 
 
 @dataclass(frozen=True)
@@ -90,10 +91,17 @@ def _connected(address: str, found: Certificates | None, tasks: int) -> Engine:
         raise BadCase(f"--scheduler {excerpt(address)}: {problem}") from problem
 
 
+def costs(plan: Plan) -> dict[bool, Cost]:
+    """Usual costs of the variants of a study, by whether their rings are elastic."""
+    if plan.side_by_side:
+        return SIDE_BY_SIDE
+    return IN_CELLS if plan.in_cells else ALONE
+
+
 def expected(plan: Plan) -> float:
     """Usual processor time of all variants of a study [s]."""
-    costs, time = SIDE_BY_SIDE if plan.side_by_side else ALONE, RING * len(plan.rings())
+    of, time = costs(plan), RING * len(plan.rings())
     for elastic, variants, tasks in plan.sizes:
-        time += costs[elastic].task * tasks + costs[elastic].variant * variants
+        time += of[elastic].task * tasks + of[elastic].variant * variants
     choices = sum(len(corners.variants) for corners in plan.corners)  # some solves each
     return time + ALONE[True].variant * choices

@@ -8,6 +8,8 @@ from pathlib import Path
 
 from flexbearing.cache import Cache, configured
 from flexbearing.case import BadCase, Head
+from flexbearing.case.balls.angular_contact import FastCase
+from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.case.roller import Case
 from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
@@ -60,7 +62,9 @@ def prepare(
     if study.spectrum and study.spectrum.measure == "revolutions":
         _require_turning(study, planned)
     elastic, first = any(variant.rings for variant in planned.variants), _first(planned)
-    planned = replace(planned, side_by_side=not study.full and _is_side_by_side(first))
+    planned = replace(
+        planned, side_by_side=not study.full and _is_side_by_side(first), in_cells=_is_in_cells(first)
+    )
     rollers = 0 if "bearing.rollers" in planned.base.keys else _rollers(first)
     columns = collected(study, FAMILIES, elastic=elastic, rollers=rollers)
     plot, columns = drawn(study, columns, FAMILIES)
@@ -128,8 +132,18 @@ def _is_side_by_side(case: Head | None) -> bool:
 
     if not isinstance(case, Case) or needs_own_run(case):
         return False
-    # A roller on half-spaces or a field below takes as long as a run, however many states are side by side.
-    return case.bearing.contact == "slices" and not case.outputs.subsurface_stresses
+    # Half-spaces, fields below and probes take as long as a run, however many states are side by side.
+    fields = case.outputs.subsurface_stresses or case.outputs.probes is not None
+    return case.bearing.contact == "slices" and not fields
+
+
+def _is_in_cells(case: Head | None) -> bool:
+    """Whether contacts of cases like this one are divided into cells, or their friction is in the balance."""
+    if isinstance(case, FastCase):
+        return case.operation.control == "coulomb" or case.friction.model != "full_sliding"
+    if isinstance(case, Case):
+        return case.bearing.contact == "half_space"
+    return isinstance(case, FourPointCase) and case.bearing.balls is not None
 
 
 def compute(

@@ -1,17 +1,16 @@
 """Which elastic rings a case has, and which choices of levels: variants with the same ones go together."""
 
+from collections.abc import Mapping
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import Any
 
 from flexbearing.accuracy.levels import ladders
 from flexbearing.build.ring_parts import Race, part_of
 from flexbearing.cache.key import digest
 from flexbearing.case import Head
+from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.case.roller import Case
-
-if TYPE_CHECKING:
-    from flexbearing.build.ring_parts import Part
 
 RACES: tuple[Race, Race] = ("inner", "outer")
 
@@ -21,15 +20,22 @@ def rings(case: Head) -> tuple[str, ...]:
     if isinstance(case, Case):
         parts = {race: part_of(case, race) for race in RACES}
         accuracy = case.accuracy.model_dump_json()
-        return tuple(f"{race} {_name(part, accuracy)}" for race, part in parts.items() if part is not None)
-    if isinstance(case, FourPointCase) and not case.rings.rigid:
-        return (f"bolted {digest(case.model_dump(include={'bearing', 'materials', 'rings'}))}",)
+        return _named({race: part and (part, accuracy) for race, part in parts.items()})
+    if isinstance(case, FastCase | FourPointCase) and not case.rigid:
+        from flexbearing.rings import grooves  # finite elements are not described between rigid rings
+
+        return _named(dict(zip(grooves.RACES, grooves.parts(case), strict=True)))
     return ()
 
 
+def _named(rings: Mapping[str, Any]) -> tuple[str, ...]:
+    """Name each elastic ring by its race and all that decides its compliance; None is a rigid one."""
+    return tuple(f"{race} {_digest(ring)}" for race, ring in rings.items() if ring is not None)
+
+
 @lru_cache(maxsize=64)  # most variants of a study have the rings of the one before
-def _name(part: "Part", accuracy: str) -> str:
-    return digest([part, accuracy])
+def _digest(ring: Any) -> str:
+    return digest(ring)
 
 
 def levels(case: Head) -> str:

@@ -15,6 +15,8 @@ from flexbearing.build.ring_parts import Race, part_of
 from flexbearing.cache import complaints
 from flexbearing.cache.store import VARIABLE
 from flexbearing.case import BadCase, Head
+from flexbearing.case.balls.angular_contact import FastCase
+from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
 from flexbearing.families import FAMILIES
@@ -31,7 +33,7 @@ from flexbearing.studies.prepared_study import variants_of
 from flexbearing.studies.table.collected import errors, numbers
 from flexbearing.studies.table.duty import MODIFIED, MREV
 from flexbearing.studies.thin_oil import bounded, without_factor
-from quasidynamic import ImpossiblePart, OutOfRange
+from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.note import Note
 
 LONGEST = 500  # characters of a message
@@ -85,15 +87,24 @@ def _cases(corners: Corners) -> list[Case]:
 def _keep(ring: Ring, cache: str | None, *, here: bool) -> None:
     """Put a ring into the cache."""
     case = variants_of(ring.base).known(ring.variant.values, ring.variant.in_si)
-    if not isinstance(case, Case):
-        return  # not kept
+    race: Race = "inner" if ring.race == "inner" else "outer"
+    with rings_in(cache), suppress(BadCase, NotSolved, PartnerFailed), linear_algebra_alone():
+        if isinstance(case, FastCase | FourPointCase):
+            from flexbearing.rings.grooves import compliance, shape_of
+
+            if shape := shape_of(case, race):
+                compliance(case, shape, Logged())
+        elif isinstance(case, Case):
+            _keep_raceway(case, race, here=here)
+
+
+def _keep_raceway(case: Case, race: Race, *, here: bool) -> None:
     from fem.condense import condense_in_process
     from flexbearing.build.roller_bearing import bearing
     from flexbearing.rings.condensed import raceway
     from flexbearing.rings.fits import is_in_fit
     from flexbearing.rings.resolution import resolved
 
-    race: Race = "inner" if ring.race == "inner" else "outer"
     part = part_of(case, race)
     if part is None or is_in_fit(case, race):
         return
@@ -101,8 +112,7 @@ def _keep(ring: Ring, cache: str | None, *, here: bool) -> None:
     def meshed_here() -> Any:
         return condense_in_process(*resolved(part, case))
 
-    with rings_in(cache), suppress(BadCase, PartnerFailed), linear_algebra_alone():
-        raceway(case, race, bearing(case).bearing.azimuths, Logged(), meshed_here if here else None)
+    raceway(case, race, bearing(case).bearing.azimuths, Logged(), meshed_here if here else None)
 
 
 @contextmanager

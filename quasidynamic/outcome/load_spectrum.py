@@ -191,7 +191,7 @@ def cumulated_life_error(revolutions: ArrayLike, lives: ArrayLike, errors: Array
         return np.where(each > 0, each * errors, 0.0).sum(axis=-1) / each.sum(axis=-1)
 
 
-def mean_load(revolutions: ArrayLike, loads: ArrayLike, exponent: float) -> Any:
+def mean_load(revolutions: ArrayLike, loads: ArrayLike, exponent: ArrayLike) -> Any:
     r"""Constant load with the basic rating life of all rows together.
 
     .. math:: P_m = \left(\sum_i \varphi_i P_i^p\right)^{1/p}
@@ -202,7 +202,7 @@ def mean_load(revolutions: ArrayLike, loads: ArrayLike, exponent: float) -> Any:
         phi, share of the revolutions, whose sum is 1 [-], >= 0
     loads : array (..., N)
         P, equivalent load of each row [N], >= 0
-    exponent : float
+    exponent : float or array (...)
         p of the rating life [-]
 
     Returns
@@ -222,5 +222,5 @@ def mean_load(revolutions: ArrayLike, loads: ArrayLike, exponent: float) -> Any:
     1651.0
     """
     shares, largest = np.asarray(revolutions), np.max(loads, axis=-1, keepdims=True)
-    relative = np.asarray(loads) / np.where(largest > 0, largest, 1.0)
-    return largest[..., 0] * (shares * relative**exponent).sum(axis=-1) ** (1 / exponent)
+    relative, power = np.asarray(loads) / np.where(largest > 0, largest, 1.0), np.asarray(exponent)
+    return largest[..., 0] * (shares * relative ** power[..., None]).sum(axis=-1) ** (1 / power)

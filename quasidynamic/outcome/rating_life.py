@@ -44,7 +44,7 @@ def rating_life(rating: float, load: ArrayLike, exponent: float = ROLLER_EXPONEN
         return (rating / np.asarray(load, dtype=float))[()] ** exponent
 
 
-def required_rating(load: ArrayLike, life: ArrayLike, exponent: float = ROLLER_EXPONENT) -> Any:
+def required_rating(load: ArrayLike, life: ArrayLike, exponent: ArrayLike = ROLLER_EXPONENT) -> Any:
     r"""Dynamic load rating that a basic rating life requires.
 
     .. math:: C_r = P_r L_{10}^{1/p}
@@ -55,7 +55,7 @@ def required_rating(load: ArrayLike, life: ArrayLike, exponent: float = ROLLER_E
         P_r, equivalent radial load [N], >= 0
     life : float or array (...)
         L10 [10^6 revolutions], >= 0
-    exponent : float
+    exponent : float or array (...)
         p [-]
 
     Returns
@@ -74,7 +74,7 @@ def required_rating(load: ArrayLike, life: ArrayLike, exponent: float = ROLLER_E
     >>> round(float(required_rating(1000.0, 8.0, 3.0)), 9)
     2000.0
     """
-    return np.asarray(load) * np.asarray(life) ** (1 / exponent)
+    return np.asarray(load) * np.asarray(life) ** (1 / np.asarray(exponent))
 
 
 def static_safety(rating: ArrayLike, load: ArrayLike) -> Any:

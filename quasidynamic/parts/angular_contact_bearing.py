@@ -25,6 +25,7 @@ class AngularContactBearing:
     contact_angle: float  # [rad] without load, from the radial plane, the clearance below left out
     clearance: float = 0.0  # [m] of the diameter beyond that of contact_angle; negative is an interference
     first_ball_azimuth: float = 0.0  # [rad] from z towards y
+    approaches: tuple[float, ...] = ()  # (Z) [m] by how much raceways are closer to each ball than round ones
 
     def __post_init__(self):
         require_positive("bearing.pitch_diameter", self.pitch_diameter)
@@ -34,6 +35,8 @@ class AngularContactBearing:
             raise ImpossiblePart(f"bearing.balls = {self.balls}: a ring needs at least 3")
         if self.ball.diameter >= self.pitch_diameter * np.sin(np.pi / self.balls):
             raise ImpossiblePart(f"{self.balls} balls do not fit on the pitch circle")
+        if len(self.approaches) not in (0, self.balls) or not np.isfinite(self.approaches).all():
+            raise ImpossiblePart(f"approaches = {self.approaches} must be {self.balls} finite numbers")
         most = 2 * self.centre_distance * np.cos(self.contact_angle)
         if not abs(self.clearance) < most:
             raise ImpossiblePart(

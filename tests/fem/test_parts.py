@@ -4,7 +4,17 @@ from dataclasses import replace
 
 import pytest
 
-from fem import ClampedFace, Elastic, ImpossiblePart, MeshSize, OuterRing, Patches, RingOnShaft, SquirrelCage
+from fem import (
+    ClampedFace,
+    Elastic,
+    Groove,
+    ImpossiblePart,
+    MeshSize,
+    OuterRing,
+    Patches,
+    RingOnShaft,
+    SquirrelCage,
+)
 from fem.mesh.solid import meshed
 
 STEEL = Elastic(youngs_modulus=203e9, poisson_ratio=0.28)
@@ -46,6 +56,15 @@ def test_impossible_value_is_named(part, name, value):
     expected = "bar_width" if (name, value) == ("bars", 100) else name
     with pytest.raises(ImpossiblePart, match=expected):
         replace(part, **{name: value})
+
+
+def test_a_groove_off_the_middle_of_a_narrow_ring_is_refused_with_the_width_of_the_ring():
+    groove = Groove(radius=5e-3, centre_radius=35e-3)
+    with pytest.raises(ImpossiblePart, match=r"width = 10 mm .* at least 12\.6 mm.* 2 mm off its middle"):
+        OuterRing(
+            raceway_diameter=76e-3, thickness=6e-3, width=10e-3, elastic=STEEL, support=ClampedFace(),
+            groove=groove, offset=2e-3,
+        )  # fmt: skip
 
 
 def test_band_longer_than_the_track():

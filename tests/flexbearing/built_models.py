@@ -1,7 +1,7 @@
 """Everything that a case is built into, without solving: fields of the models by dotted names."""
 
 from contextlib import suppress
-from dataclasses import fields, is_dataclass
+from dataclasses import fields, is_dataclass, replace
 from functools import partial
 from unittest.mock import patch
 
@@ -11,6 +11,7 @@ import quasidynamic as qd
 from flexbearing.build import expansion, ring_parts, roller_bearing, seat_growth
 from flexbearing.build.ball_fits import kinematic_viscosity
 from flexbearing.build.mesh_sizes import IN_SPACE, mesh_size
+from flexbearing.build.probes import probes
 from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
 from flexbearing.families import FAMILIES
@@ -24,7 +25,8 @@ OIL = qd.Lubricant(
 )  # fmt: skip
 CONTACT = {"radius": 2e-3, "modulus": 2e11, "length": 5e-3, "oil": OIL}
 DIRECT = (  # tables and keys that are read where they are used, without a model between
-    "title", "life.", "outputs.", "coupling.", "accuracy.target", "accuracy.structure",
+    "title", "life.", "outputs.stresses", "outputs.subsurface_stresses", "outputs.assumed_effects",
+    "outputs.catalogue_life", "coupling.", "accuracy.target", "accuracy.structure",
     "accuracy.threads", "accuracy.harmonics", "rolling_lines.", "fields.", "friction.torque",
     "friction.model", "friction.cells", "operation.mode",
     "operation.roller_positions", "operation.contact_loads", "operation.speed", "bearing.inner.shoulder",
@@ -89,6 +91,7 @@ def _roller(case: Case):
         else None,
         "seat": {"strain": seat_growth.seat_strain(case)},
         "running": {"roller_length": expansion.roller_length(case)},
+        "probes": {race: probes(case, race) for race in ring_parts.NAMES},
     }
 
 
@@ -142,8 +145,10 @@ def _elastic_grooves(case):
 
 
 def _angular(case):
+    model = angular_contact.on_cam(case, angular_contact.bearing(case))
     return _elastic_grooves(case) | {
-        "model": angular_contact.bearing(case),
+        "model": replace(model, bearing=replace(model.bearing, approaches=())),
+        "approach": dict(zip(("first", "second"), model.bearing.approaches, strict=False)),
         "operation": angular_contact.operation(case),
         "viscosity": None if case.lubricant is None else kinematic_viscosity(case.lubricant)[0],
     }

@@ -314,6 +314,16 @@ EFFECTS = (
     ("cage", "accuracy.patch_width", "0.5 mm", "patches.width"),
     ("cage", "accuracy.threads", 3, "case.accuracy.threads"),
     ("cage", "outputs.stresses", True, "case.outputs.stresses"),
+    ("probed", "outputs.probes.azimuths", ["1 deg", "90 deg"], "probes.outer.0.azimuth"),
+    ("probed", "outputs.probes.parts", ["outer", "inner"],
+     "probes.{inner.1.angle,inner.1.azimuth,inner.1.depth,inner.1.is,inner.1.length} "
+     "probes.{inner.1.outside,inner.1.x,outer.1.angle,outer.1.azimuth,outer.1.depth,outer.1.is} "
+     "probes.{outer.1.length,outer.1.outside,outer.1.x}"),
+    ("probed", "outputs.probes.places", ["1 mm"], "probes.outer.{0.x,1.x}"),
+    ("probed", "outputs.probes.surfaces", ["inside"], "probes.outer.{0.outside,1.outside}"),
+    ("probed", "outputs.probes.depths", ["1 mm"], "probes.outer.{0.depth,1.depth}"),
+    ("probed", "outputs.probes.gauge_angles", ["45 deg"], "probes.outer.{0.angle,1.angle}"),
+    ("probed", "outputs.probes.gauge_lengths", ["3 mm"], "probes.outer.{0.length,1.length}"),
     ("cage", "outputs.subsurface_stresses", True, "case.outputs.subsurface_stresses"),
     ("cage", "outputs.assumed_effects", True, "case.outputs.assumed_effects"),
     ("three balls", "title", "ED20 bearing of Joshi et al. (2015)x", "case.title"),
@@ -652,6 +662,23 @@ EFFECTS += (
                     "youngs_modulus": "206 GPa", "poisson_ratio": 0.3, "density": "7800 kg/m^3"}},
              "bore,is,raceway_diameter,rib_diameter,ring.is,ring.poisson_ratio,ring.youngs_modulus,shaft.is,"
              "shaft.poisson_ratio,shaft.youngs_modulus,shaft_bore,shaft_length,track_width,width"),
+        )
+    ),
+    *(
+        (f"{family}, {context}", key, value, "approach.{first,second}")
+        for family in ("fast", "deep groove")
+        for context, key, value in (
+            *(
+                ("not round", f"bearing.form_error.{race}.{name}", value)
+                for race in ("inner", "outer")
+                for name, value in (
+                    ("waves", 4), ("amplitude", "5 um"), ("crest", "12 deg"), ("further_waves", [6]),
+                    ("further_amplitudes", ["3 um"]), ("further_crests", ["27 deg"]),
+                )
+            ),
+            ("on a cam", "inner.cam_amplitude", "0.11 mm"),
+            ("on a cam", "inner.cam_crest", "12 deg"),
+            ("on a cam", "inner.cam_curve", "cosine"),
         )
     ),
 )  # fmt: skip

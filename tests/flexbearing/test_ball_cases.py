@@ -494,6 +494,12 @@ def test_friction_decides_what_balls_do(run):
 
 
 @pytest.mark.sampled(2)
+def test_contacts_stick_in_the_balance_on_half_the_cells_along_and_across():
+    sticking = {"operation.control": "coulomb", "friction.model": "fastsim", "friction.cells": [24, 80]}
+    case = read_case(CONFIGS / "harris218.toml", sticking)
+    assert angular_contact.bearing(case).sticking == (12, 40)
+
+
 @pytest.mark.parametrize("control", ["outer", "inner", "equal", "coulomb"])
 def test_every_control_has_one_friction_torque_by_one_coefficient(run, control):
     """The heat over the speed; the sum of Eq. (24) is another number, by the same coefficient."""

@@ -1,5 +1,8 @@
 """Cases of fast balls between elastic rings, from the file to the result."""
 
+from pathlib import Path
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from pytest import approx
@@ -7,8 +10,15 @@ from pytest import approx
 import flexbearing
 from flexbearing.api import check, read_case
 from flexbearing.case import BadCase
+from flexbearing.case.read import written
 from flexbearing.families import FAMILIES
 from flexbearing.report.output import text
+from flexbearing.rings import grooves
+from flexbearing.rings.grooves import condense
+from flexbearing.runs.ball_catalogue import CATALOGUE
+from flexbearing.runs.catalogue_life import against_catalogue
+from flexbearing.studies.placement import Placement
+from flexbearing.studies.prepare import compute, prepare_source
 from tests.flexbearing.noted import codes
 
 CAGE = "configs/harris218_cage.toml"
@@ -107,6 +117,28 @@ def test_rows_of_a_table_are_those_of_runs():
         assert row.numbers[names[2]] == approx(moved, rel=1e-6)
 
 
+def test_a_study_condenses_each_ring_once_before_its_rows(tmp_path, monkeypatch):
+    ring = "\n".join(f'"{key}" = "{value}"' for key, value in RING.items() if key != "outer.thickness")
+    over = '"outer.thickness" = ["3.65 mm", "5 mm"]\n"operation.load.radial_z" = ["4 kN", "6 kN"]'
+    file = tmp_path / "study.toml"
+    file.write_text(f'case = "{Path("configs/6209.toml").resolve()}"\n[set]\n{ring}\n[over]\n{over}')
+    monkeypatch.setenv("FLEXBEARING_CACHE", "off")
+    condensed, steps = [], []
+
+    def counted(part, *others):
+        condensed.append(part.thickness)
+        return condense(part, *others)
+
+    monkeypatch.setattr(grooves, "condense", counted)
+    prepared = prepare_source(file)
+    table = compute(
+        prepared, tmp_path, Placement(jobs=1), tell=lambda now: steps.append((now.done, len(condensed)))
+    )
+    assert table["status"].values == ("converged",) * 4
+    assert len(set(condensed)) == 2
+    assert {count for done, count in steps if done} == {2}
+
+
 def test_notes_say_where_patches_and_stations_do_not_suit():
     result = flexbearing.run(CAGE, {"accuracy.patch_width": "3 mm"})
     assert "patch-width" in codes(result)
@@ -115,12 +147,10 @@ def test_notes_say_where_patches_and_stations_do_not_suit():
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ({"bearing.outer.shoulder": "0.2 mm"}, "leaves no room for a patch"),
-        ({"outer.bar_thickness": "20 mm"}, "bar_thickness"),
-        ({"outer.bars": 200}, "bars"),
         ({"accuracy.stations": 4}, "odd"),
-        ({"outer.width": "18 mm"}, r"\[outer\] width = 18 mm is impossible"),
-        ({"outer.thickness": "0.1 mm"}, r"\[outer\] thickness = 0.1 mm is impossible"),
+        ({"outer.thickness": "0.3 mm"}, r"\[outer\] thickness = .0.3 mm. cannot be; it must be above 0.3 mm"),
+        ({"outer.bars": 200}, r"\[outer\] bar_width = .5 mm. cannot be; .* leaves 200 slots"),
+        ({"bearing.outer.radius": None, "bearing.outer.conformity": 4.2}, r"\[bearing.outer\] conformity"),
     ],
 )
 def test_what_cannot_be_is_refused_by_check(changes, words):
@@ -128,10 +158,130 @@ def test_what_cannot_be_is_refused_by_check(changes, words):
         check(CAGE, changes)
 
 
+def test_bars_for_which_no_width_is_narrow_enough_are_too_many():
+    small = {
+        "bearing.pitch_diameter": "12 mm", "bearing.ball.diameter": "2 mm", "bearing.balls": 9,
+        "bearing.outer.radius": "1.05 mm", "bearing.inner.radius": "1.05 mm",
+        "bearing.outer.shoulder": "0.4 mm", "outer.bars": 180, "outer.bar_width": "0.3 mm",
+    }  # fmt: skip
+    with pytest.raises(BadCase, match=r"\[outer\] bars = 180 cannot be; it must be at most \d+, with slots"):
+        check(CAGE, small)
+
+
+STEEL = {"youngs_modulus": "206 GPa", "poisson_ratio": 0.3, "density": "7800 kg/m^3"}
+ON_SHAFT = {
+    "inner.kind": "ring_on_shaft", "inner.bore": "90 mm", "inner.width": "30 mm",
+    "inner.shaft_length": "80 mm",
+    "inner.shaft_thickness": "10 mm", "bearing.inner.shoulder": "5 mm", "materials.shaft": STEEL,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("key", "beyond", "allowed", "because"),
+    [
+        ("outer.width", "19.7 mm", "at least 19.72 mm", "a land at each side"),
+        ("outer.groove_offset", "5.15 mm", "at most 5.144 mm", "the groove leaves outer.width"),
+        ("outer.groove_offset", "-16 mm", "at most 5.144 mm", "to either side"),
+        (
+            "outer.bar_thickness",
+            "10.41 mm",
+            "at most 10.4 mm",
+            "the 10.6 mm of bearing.outer.shoulder and outer.th",
+        ),
+        ("outer.bar_width", "13.85 mm", "at most 13.84 mm", "32 slots of 0.3 mm"),
+        ("bearing.outer.radius", "92.5 mm", "at most 92.48 mm", "around the axis"),
+        ("bearing.outer.shoulder", "0.47 mm", "at least 0.4748 mm", "accuracy.patch_width"),
+        (
+            "accuracy.patch_width",
+            "4.5 mm",
+            "at most 4.485 mm",
+            "of the arc from the bottom of the inner groove",
+        ),
+        ("inner.width", "19.7 mm", "at least 19.72 mm", "a land at each side"),
+        ("inner.bore", "102.2 mm", "at most 102.1 mm", "under the bottom of the groove"),
+        ("inner.bore", "0.59 mm", "at least 0.6 mm", ""),
+        ("inner.shaft_thickness", "0.29 mm", "at least 0.3 mm", "at most 45 mm, half of inner.bore"),
+        ("inner.shaft_thickness", "45.1 mm", "at most 45 mm", "half of inner.bore"),
+        ("inner.shaft_length", "30.59 mm", "at least 30.6 mm", "inner.width and 0.3 mm at each end"),
+    ],
+)
+def test_a_refusal_names_the_key_and_a_limit_that_is_allowed(key, beyond, allowed, because):
+    given = ON_SHAFT | ({"outer.width": "70 mm"} if key == "bearing.outer.radius" else {})
+    if key == "inner.bore":
+        del given["inner.shaft_thickness"]
+    with pytest.raises(BadCase) as refusal:
+        check(CAGE, given | {key: beyond})
+    message, (table, _, name) = str(refusal.value), key.rpartition(".")
+    assert f'[{table}] {name} = "{beyond}" cannot be; it must be' in message
+    assert allowed in message
+    assert because in message
+    check(CAGE, given | {key: allowed.removeprefix("at least ").removeprefix("at most ")})
+
+
+def test_a_shaft_as_thin_as_a_wire_is_not_solved_and_the_ring_is_named():
+    wire = {key: value for key, value in ON_SHAFT.items() if key != "inner.shaft_thickness"}
+    result = flexbearing.run("configs/harris218.toml", wire | {"inner.bore": "0.7 mm"})
+    assert result.attributes["status"] == "not solved"
+    assert "inner ring: so flexible a part" in result.attributes["message"]
+
+
 def test_a_ring_without_its_shoulder_is_refused_in_words_of_the_case():
     given = {key: value for key, value in RING.items() if "shoulder" not in key}
     with pytest.raises(BadCase, match=r"\[bearing.outer\] shoulder is missing"):
         check("configs/harris218.toml", given)
+
+
+ON_A_SHAFT = {
+    "inner.kind": "ring_on_shaft", "inner.bore": "45 mm", "inner.width": "19 mm",
+    "inner.shaft_length": "60 mm", "bearing.inner.shoulder": "2.2 mm", "materials.shaft": "structural steel",
+}  # fmt: skip
+IN_HOUSING = {
+    "outer.support": "housing", "outer.housing_thickness": "10 mm", "outer.housing_width": "19 mm",
+    "materials.housing": "grey cast iron",
+}  # fmt: skip
+FITTED = {
+    "bearing.fits": {"bore": "45 mm", "outer_diameter": "85 mm", "shaft": "k5", "cold_clearance": "15 um"},
+    "bearing.clearance": None, "materials.shaft": "structural steel",
+    "materials.inner_ring": "100Cr6", "materials.outer_ring": "100Cr6",
+}  # fmt: skip
+HOUSED = {
+    "bearing.fits.housing": {"tolerance_class": "H7", "diameter": "120 mm"},
+    "materials.housing": "grey cast iron",
+}
+
+
+@pytest.mark.parametrize("fits", [{}, FITTED, FITTED | HOUSED], ids=["no fits", "on a shaft", "in a housing"])
+@pytest.mark.parametrize("rings", [{}, ON_A_SHAFT, IN_HOUSING, ON_A_SHAFT | IN_HOUSING])
+def test_settings_that_leave_an_influence_out_are_those_of_a_case(rings, fits):
+    """Alone, as the card prints them, and with all later ones left out, too."""
+    bare = {key: value for key, value in RING.items() if "foundation" not in f"{key}{value}"}
+    given = written(bare | rings | fits)
+    stages = stages_of("configs/6209.toml", given)
+    for stage in stages:
+        for settings in (stage["settings"], stage["left_out_by"]):
+            check("configs/6209.toml", [*given, *settings])
+    assert sum("bearing.fits=" in stage["left_out_by"] for stage in stages) == bool(fits)
+    without = read_case("configs/6209.toml", [*given, *stages[0]["settings"]]).materials
+    assert (without.shaft, without.housing) == (None, None)
+
+
+def test_a_material_that_rings_need_makes_no_stage_of_fits():
+    given = {
+        "inner.kind": "ring_on_shaft", "inner.bore": "90 mm", "inner.width": "30 mm",
+        "inner.shaft_length": "60 mm", "bearing.inner.shoulder": "5 mm", "materials.shaft": "100Cr6",
+    }  # fmt: skip
+    names = [stage["name"] for stage in stages_of(CAGE, written(given))[2:]]
+    assert names == ["tilt of the inner ring", "elastic rings", "inertia of the balls at speed"]
+
+
+def stages_of(case, given):
+    """The way from the life of a catalogue, all lives of it the same."""
+    lived = {"status": "converged", "life": {"rigid": {"modified_Mrev": 1.0}}}
+    alike = SimpleNamespace(flexible=None, attributes=lived)
+    read = read_case(case, given)
+    return against_catalogue(
+        read, CATALOGUE, lambda settings: read_case(case, [*given, *settings]), lambda case: alike
+    )["stages"]
 
 
 def test_lives_against_a_catalogue_name_what_elastic_rings_do():

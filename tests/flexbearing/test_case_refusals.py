@@ -83,10 +83,10 @@ IMPOSSIBLE = {
     "no ribs": ("inner.thickness=2 mm", "[inner] thickness", "more than 2.662 mm"),
     "track wider than the ring": ("inner.track_width=12.1 mm", "[inner] track_width", "at most inner.width"),
     "shaft shorter than the ring": (
-        "inner.shaft_length=11 mm", "[inner] shaft_length", "at least inner.width",
+        "inner.shaft_length=11 mm", "[inner] shaft_length", "inner.width and 0.3 mm at each end",
     ),
     "shaft thicker than its radius": (
-        "inner.shaft_thickness=29.9 mm", "[inner] shaft_thickness", "at most half of inner.bore",
+        "inner.shaft_thickness=29.9 mm", "[inner] shaft_thickness", "at most 29.8 mm, half of inner.bore",
     ),
     "clearance in the wrong unit": (
         "bearing.clearance=50 mm", "[bearing] clearance",

@@ -139,6 +139,19 @@ def test_below_the_surface_of_rollers(tilted):
     assert block["subsurface_friction"][0] == approx(friction, rel=1e-12)
 
 
+@pytest.mark.parametrize("race", ["inner", "outer"])
+def test_shear_just_below_the_surface_balances_the_traction_of_the_roller(tilted, race):
+    """Its sign is that of the traction: the field lies as its axis says, not mirrored."""
+    block, number = tilted.rigid, ("inner", "outer").index(race)
+    worst = block[f"{race}_pressure"].max(axis=1).argmax()
+    share = block[f"{race}_traction"][worst] / block[f"{race}_load"][worst]  # of the raceway on the roller
+    assert abs(share) > 1e-4
+    width = np.diff(block["subsurface_position"][number])[0]
+    sheared = block["subsurface_shear"][number, 0].sum() * width
+    load = np.pi / 2 * block["peak_pressure"][number] * block["contact_half_width"][number]
+    assert sheared / load == approx(share, rel=0.02)
+
+
 @pytest.mark.parametrize("name", BALLS.values(), ids=BALLS)
 def test_below_the_surface_of_balls(name):
     result = flexbearing.run(CONFIGS / name, BELOW)

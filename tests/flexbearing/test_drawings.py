@@ -62,6 +62,21 @@ CLAMPED = [
     "inner.fit=friction", "inner.shoulder_diameter=52 mm", "inner.clamping=5 kN", "operation.tilt=free",
 ]  # fmt: skip
 SHOULDERS = ["bearing.inner.shoulder=2 mm", "bearing.outer.shoulder=1.5 mm", "bearing.fits.shaft_bore=20 mm"]
+BALLS_ON_SHAFT = [
+    "inner.kind=ring_on_shaft", "inner.bore=45 mm", "inner.width=19 mm", "inner.shaft_length=45 mm",
+    "bearing.inner.shoulder=2 mm", "materials.shaft=structural steel",
+]  # fmt: skip
+HOLLOW = ["inner.shaft_thickness=8 mm"]
+BALL_RING = [
+    "outer.kind=ring", "outer.thickness=3.65 mm", "outer.width=19 mm", "bearing.outer.shoulder=2.2 mm",
+]  # fmt: skip
+BALL_HOUSING = [
+    "outer.support=housing", "outer.housing_thickness=8 mm", "outer.housing_width=24 mm",
+    "materials.housing=grey cast iron",
+]  # fmt: skip
+BALL_SPRINGS = [
+    "outer.support=foundation", "outer.foundation_radial=300 N/mm^3", "outer.foundation_axial=50 N/mm^3",
+]  # fmt: skip
 KINDS = {
     "squirrel cage": ("mao2016.toml", []),
     "collars": ("mao2016.toml", COLLARS),
@@ -81,9 +96,19 @@ KINDS = {
     "free cage": ("nu209.toml", CAGE),
     "angular contact": ("catalogue/7208.toml", SHOULDERS),
     "deep groove": ("6209.toml", []),
+    "cam": ("strain_wave.toml", []),
     "four points": ("joshi2015_qj309.toml", []),
     "one ball": ("heras2017_a1.toml", []),
     "bolted": ("slewing_bolted.toml", []),
+    "balls on a cage": ("harris218_cage.toml", ["outer.groove_offset=2 mm"]),
+    "balls on two cages": ("harris218_cage.toml", ["outer.bar_ends=both"]),
+    "balls in a housing": ("6209.toml", BALL_RING + BALL_HOUSING),
+    "balls on springs": ("6209.toml", BALL_RING + BALL_SPRINGS),
+    "balls in a seat on a shaft": (
+        "6209.toml",
+        [*BALL_RING, "outer.support=seat", *BALLS_ON_SHAFT, *HOLLOW],
+    ),
+    "balls held at the side on a solid shaft": ("6209.toml", BALL_RING + BALLS_ON_SHAFT),
 }
 QUICK = (
     "squirrel cage", "planet rim", "profiled raceways", "angular contact", "bolted",
@@ -144,6 +169,37 @@ def test_dimensions_are_the_values_of_the_case(kind):
             assert [in_si(each) for each in text.split("; ")] == pytest.approx(values, rel=1e-5, abs=1e-12), (
                 key
             )
+
+
+ELASTIC = [kind for kind in KINDS if kind.startswith("balls")] + ["squirrel cage", "collars", "clamped"]
+
+
+@pytest.mark.parametrize("kind", ELASTIC)
+def test_every_length_of_an_elastic_ring_is_a_dimension(kind):
+    case, sheets = drawn(kind)
+    written = {key for sheet in sheets.values() for key in dimensions(sheet.svg)}
+    given = {
+        key
+        for key, item in by_path(type(case)).items()
+        if (table := key.partition(".")[0]) in ("outer", "inner") and item.kind and item.kind.unit == "m"
+        if key.rpartition(".")[2] in getattr(case, table).model_fields_set
+    }
+    assert given
+    assert given <= written
+
+
+def test_ring_and_bars_of_balls_are_to_scale():
+    case, sheets = drawn("balls on a cage")
+    svg, outer, shoulder = sheets["section"].svg, case.outer, case.bearing.outer.shoulder
+    scale = np.ptp(path(svg, "section-ball")[:, 0]) / case.bearing.ball.diameter
+    ring, bar = path(svg, "section-outer-ring"), path(svg, "section-bar")
+    assert np.ptp(ring, axis=0) / scale == pytest.approx([outer.width, outer.thickness + shoulder], rel=1e-3)
+    assert np.ptp(bar, axis=0) / scale == pytest.approx([outer.bar_length, outer.bar_thickness], rel=1e-3)
+    ring_middle, bar_middle = (np.add(*(each.min(axis=0), each.max(axis=0))) / 2 for each in (ring, bar))
+    assert bar_middle[1] == pytest.approx(ring_middle[1], abs=1e-3 * scale * shoulder)
+    land, top = ring[:, 1].min(), ring[:, 1].max()
+    groove = ring[(ring[:, 1] > land + 0.1 * scale * shoulder) & (ring[:, 1] < top)]
+    assert (groove[:, 0].mean() - ring_middle[0]) / scale == pytest.approx(outer.groove_offset, rel=0.01)
 
 
 def test_marks_tell_what_is_assumed_and_calibrated():

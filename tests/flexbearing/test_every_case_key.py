@@ -106,6 +106,7 @@ def _elastic(shoulder, bore):
 
 CONTEXTS = {  # file and settings in which a key belongs to the case
     "cage": ("mao2016", {}),
+    "probed": ("mao2016", {"outputs.probes.azimuths": ["0 deg", "90 deg"]}),
     "rigid": ("nu209", {}),
     "mounted": ("nu209_fits", {}),
     "floating cage": ("mao2016", {"bearing.cage.centre": "free"}),
@@ -235,6 +236,17 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
     "fast, rated": ("harris218", _RATED),
     "fast, oil by its data": ("harris218", _BY_DATA),
     "fast, data sheet": ("harris218", _THIN_SHEET),
+    **{f"{name}, not round": (file, {"bearing.form_error": {
+        "inner": {"waves": 2, "amplitude": "4 um", "crest": "10 deg", "further_waves": [3],
+                  "further_amplitudes": ["2 um"], "further_crests": ["20 deg"]},
+        "outer": {"waves": 2, "amplitude": "10 um", "crest": "15 deg", "further_waves": [5],
+                  "further_amplitudes": ["1 um"], "further_crests": ["5 deg"]}}})
+       for name, file in (("fast", "harris218"), ("deep groove", "6209"))},
+    **{f"{name}, on a cam": (file, {
+        "inner.kind": "cam", "inner.cam_amplitude": "0.1 mm", "inner.cam_crest": "10 deg",
+        "outer.kind": "ring",
+        "outer.thickness": "5 mm", "outer.width": "30 mm", "bearing.outer.shoulder": "3 mm"})
+       for name, file in (("fast", "harris218"), ("deep groove", "6209"))},
     "deep groove, rated": ("6209", _RATED),
     "deep groove, oil by its data": ("6209", _BY_DATA),
     "deep groove, data sheet": ("6209", _THIN_SHEET),

@@ -50,6 +50,7 @@ COARSE = (
     "accuracy.mesh_size=8 mm", "accuracy.raceway_mesh_size=3.5 mm", "accuracy.patch_width=1.5 mm",
     "accuracy.slices=8", "accuracy.axial_shapes=2", "accuracy.threads=1", "outputs.stresses=true",
     "accuracy.element_order=2", "outer.bars=8", "outer.bar_width=10 mm", "inner.kind=rigid",
+    'outputs.probes.azimuths=["0 deg", "90 deg"]',
 )  # fmt: skip
 SLOW = {"squirrel cage": ("mao2016.toml", COARSE)}
 QUICK = ("roller with fits", "fast ball", "slow balls")

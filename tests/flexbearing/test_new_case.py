@@ -375,6 +375,7 @@ WRONG_TABLES = {
     OWN.replace("bore", "bohre"): "'bohre' is no column",
     OWN.replace("like", "source"): "has no column like",
     OWN.replace(",60 kN", ""): "line 2 has 5 cells",
+    "\nsep=,\n" + OWN.replace(",60 kN", "").replace("\n", "\n\n ,\n"): "line 6 has 5 cells",
     OWN.replace("outside", "bore"): "several columns 'bore'",
 }
 

@@ -20,7 +20,7 @@ from flexbearing.files import BadOutput
 from flexbearing.optimise import messages, run
 from flexbearing.optimise.answer import Optimum
 from flexbearing.optimise.case_file import case_text
-from flexbearing.optimise.evaluations import Workers
+from flexbearing.optimise.evaluations import Workers, designs_of
 from flexbearing.optimise.file import read as read_problem
 from flexbearing.optimise.goals import Terms
 from flexbearing.optimise.gradients import CENTRAL, EXACT
@@ -35,6 +35,7 @@ from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs import life
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan import Row
+from flexbearing.studies.prepared_study import variants_of
 from flexbearing.studies.run import Work
 from tests.flexbearing.toy_studies import CASE, no_ring
 
@@ -264,6 +265,27 @@ def test_best_case_is_read_as_it_was_searched(tmp_path):
     case = read_case(tmp_path / "out" / "hill_optimum.toml")
     assert case.bearing.clearance == pytest.approx(1e-6 * optimum.best.point[0])
     assert case.bearing.roller.drop == pytest.approx(1e-6 * optimum.best.point[1])
+
+
+def test_an_empty_text_takes_a_key_out_of_every_design(tmp_path):
+    case, file = CASE.parent / "catalogue" / "nu210.toml", tmp_path / "drop.toml"
+    out = {
+        "set": ("life.lubrication", "life.cleanliness"),
+        "surrogate": ("life.fatigue_limit_load",),
+        "[verify]": ("life.static_rating",),
+    }
+    tables = (f"[{name}]\n" + "\n".join(f'"{key}" = ""' for key in keys) for name, keys in out.items())
+    vary = '[vary]\n"bearing.cage.thickness" = "4 mm .. 6 mm"\n[maximise]\noutput = "life_L10 [h]"\n'
+    file.write_text(f'case = "{case}"\n{vary}' + "\n".join(tables))
+    problem = read_problem(file, FAMILIES)
+    prepared = designs_of(
+        problem, [problem.fixed | more for more in ({}, problem.surrogate, *problem.verify)]
+    )
+    prepared.plan.require_sound()
+    read = variants_of(prepared.plan.base)
+    for variant, more in zip(prepared.plan.variants, ((), out["surrogate"], out["[verify]"]), strict=True):
+        life = read_case(case, [f"{key}=" for key in (*out["set"], *more)]).life
+        assert read.case(variant.values).life == read.known(variant.values, variant.in_si).life == life
 
 
 def test_an_edited_case_of_the_best_is_kept(tmp_path):

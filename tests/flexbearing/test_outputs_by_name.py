@@ -21,7 +21,11 @@ LISTS = {  # what the summary holds one by one for rollers, balls or directions
         "roller_loads_N", "outer_loads_N", "roller_azimuths_deg", "stiffness_matrix_SI",
         "compliance_matrix_SI",
         "lambda_ratios", "skew.roller_skew_mrad", "skew.skew_moments_Nm", "skew.roller_thrusts_N",
-        "skew.flange_forces_N",
+        "skew.flange_forces_N", "probes.azimuth_deg",
+        *(f"probes.{along}_displacement_um" for along in ("axial", "radial", "tangential")),
+        *(f"probes.{name}_um_per_m" for name in (
+            "gauge_strain", "hoop_strain", "axial_strain", "radial_strain", "largest_strain",
+            "smallest_strain", "strain_error")),
     },
     "four_point_ball": {
         "max_contact_loads_N", "contact_loads_N", "ball_azimuths_deg", "contact_angles_deg",

@@ -63,13 +63,20 @@ def test_width_of_the_contact_is_that_of_the_raceway_and_of_rollers_the_inner_on
     assert of["outer_raceway"].end_drop == approx(of["roller"].end_drop - shallower, rel=1e-9)
 
 
-@pytest.mark.parametrize("separator", [",", ";"])
+TABLES = {
+    "commas": "drop [um],position [mm]\n0,0\n1.5,3\n12,4.8005\n\n",
+    "semicolons, decimal commas": "drop [um]; position [mm]\n0; 0\n1,5; 3\n12; 4,8005\n",
+    "tabs, decimal commas": "drop [um]\tposition [mm]\n0\t0\n1,5\t3\n12\t4,8005\n",
+    "of a spreadsheet": "sep=;\n\ndrop [um];position [mm]\n0;0\n1.5;3\n12;4.8005\n",
+}
+
+
+@pytest.mark.parametrize("table", TABLES.values(), ids=TABLES)
 @pytest.mark.parametrize("part", PARTS)
-def test_points_come_from_a_file_beside_the_case_or_from_lists(part, separator, tmp_path):
+def test_points_come_from_a_file_beside_the_case_or_from_lists(part, table, tmp_path):
     case = tmp_path / "case.toml"
     case.write_text(PLAIN.read_text())
-    rows = ["drop [um],position [mm]", "0,0", "1.5,3", "12,4.8005"]
-    (tmp_path / "measured.csv").write_text("\n".join(rows).replace(",", separator) + "\n\n")
+    (tmp_path / "measured.csv").write_text(table)
     read = read_case(case, settings(part, profile="points", points_file="measured.csv"))
     assert read.named_files == (tmp_path / "measured.csv",)
     bearing = roller_bearing.parts(read)
@@ -103,7 +110,7 @@ def test_content_of_the_file_belongs_to_the_case(tmp_path):
     ("text", "words"),
     [
         (None, r'bearing.roller: "p.csv": there is no such file'),
-        ("", r'"p.csv": is no table'),
+        ("", r'"p.csv": has 0 columns: a header holds "position'),
         ("position,drop\n0,0\n", r"""has a column 'position': a header holds "position \[mm\]" and"""),
         ("position [mm],drop [kg]\n0,0\n", r"has a column 'drop \[kg\]'"),
         ("position [mm],position [mm]\n0,0\n", r"has 2 columns"),

@@ -256,6 +256,22 @@ def test_largest_axial_force_presses_the_balls_on_their_shoulders(reversing, wri
     )
 
 
+def test_a_deep_groove_bearing_under_thrust_has_no_radial_load(written, tmp_path):
+    root = spectrum_of(forces=(None, None))
+    for case, force in zip(root.iter("load_case"), ("1250", "300"), strict=True):
+        add(case, "3", CATALOGUE, force_acting_on_inner_component_u=(force, "N"))
+    (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(root))
+    _, cases, messages = written("m.rexs")
+    case = cases["m.toml"]
+    assert case["operation"]["load"] == {"axial": "1250 N"}
+    assert not any("load" in key for key in case["assumed"])
+    assert "assumed: load" not in messages
+    heading, *rows = (tmp_path / "m_duty.csv").read_text().splitlines()
+    place = heading.split(",").index("operation.load.axial [N]")
+    assert [float(row.split(",")[place]) for row in rows] == [1250, 300]
+    assert command(["study", "m_cycle.toml", "--check"]) == 0
+
+
 def test_rings_turn_as_in_the_model(reversing, written, tmp_path):
     _, cases, _ = written("m.rexs")
     operation = cases["m.toml"]["operation"]

@@ -15,8 +15,10 @@ from flexbearing.runs import ball_life
 from flexbearing.studies.file.spectrum import Spectrum
 from flexbearing.studies.plan import Row
 from flexbearing.studies.prepare import prepare_source
+from flexbearing.studies.table import Table
 from flexbearing.studies.table.bounds import Conditions
 from flexbearing.studies.table.duty import Cycles, texts
+from flexbearing.studies.table.forms import csv_bytes
 from flexbearing.studies.thin_oil import LEAST_FACTOR
 from quasidynamic.outcome.life import basic_life, raceway_lives
 from quasidynamic.outcome.life_factors import (
@@ -160,6 +162,14 @@ def test_a_cycle_without_any_load_lasts_for_ever():
     found = cycles(inf, inf, inf)
     assert column(found.of_cycles(), "life [h]") == (inf,)
     assert all(isnan(share) for share in column(found.of_rows(), "damage_share [%]"))
+
+
+def test_a_cycle_without_any_load_has_no_damage_and_no_infinite_cells():
+    found = Table("cycle", tuple(cycles(inf, inf, inf).of_cycles()), ())
+    assert found["status"].values == ("no damage",)
+    heads, cells = (line.split(",") for line in csv_bytes(found).decode().splitlines())
+    assert dict(zip(heads, cells, strict=True))["life [h]"] == ""
+    assert "inf" not in cells
 
 
 def test_a_row_without_an_answer_is_left_out_and_its_share_stands_beside_the_life():
@@ -390,6 +400,19 @@ def test_each_variant_requires_the_rating_of_its_own_reliability(reliabilities):
         for mean, a1 in zip(reliabilities["mean_load"].values, (1.0, 0.25), strict=True)
     ]
     assert reliabilities["required_rating"].values == approx(expected, rel=3e-3)  # digits of the table
+
+
+def test_each_variant_requires_the_rating_by_its_own_exponent(tmp_path):
+    """With P_1 and P_2 for equal times and thrice as many turns under P_1, C = P_m L^(1/p)."""
+    further = [RATED, 'life = "life_L10"', 'required_life = "10000 h"']
+    file = duty_of(tmp_path, (8000, 5000), (3000, 1000), *further)
+    file.write_text(f'{file.read_text()}\n[over]\n"life.load_exponent" = ["10/3", "4"]\n')
+    cycles = flexbearing.study(file, tmp_path, jobs=1).cycles
+    turns = 10000 * 60 * 2000 / 1e6
+    for place, p in enumerate((10 / 3, 4.0)):
+        mean = (0.75 * 8000**p + 0.25 * 5000**p) ** (1 / p)
+        assert cycles["mean_load"].values[place] == approx(mean, rel=1e-9)
+        assert cycles["required_rating"].values[place] == approx(mean * turns ** (1 / p), rel=1e-9)
 
 
 def test_the_mean_load_is_without_the_application_factor(reliabilities):

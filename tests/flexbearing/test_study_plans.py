@@ -11,6 +11,7 @@ import pytest
 from flexbearing.api import read_case
 from flexbearing.case import BadCase
 from flexbearing.quantities.attributes import FORMAT
+from flexbearing.studies.placement import RING, expected
 from flexbearing.studies.plan import plan
 from flexbearing.studies.plan.identity import identity
 from flexbearing.studies.plan.plan import MOST_PROBLEMS
@@ -147,6 +148,33 @@ def test_the_plan_names_the_rings_that_are_condensed(tmp_path):
     assert [len(task.variants) for task in settled.plan.tasks(lambda variant: True)] == [1] * 6
     again = replace(settled.plan, variants=tuple(replace(each, rings=()) for each in settled.plan.variants))
     assert again.rings() == ()
+
+
+ON_SHAFT = (
+    '"inner.kind" = "ring_on_shaft"\n"inner.bore" = "80 mm"\n"inner.width" = "30 mm"\n'
+    '"inner.shaft_length" = "60 mm"\n"bearing.inner.shoulder" = "5 mm"\n"materials.shaft" = "100Cr6"'
+)
+
+
+@pytest.mark.parametrize(("inner", "races"), [("", ["outer"] * 2), (ON_SHAFT, ["inner", "outer", "outer"])])
+def test_elastic_rings_of_balls_are_rings_of_the_plan(inner, races, tmp_path):
+    loads = '"operation.load.radial_z" = ["1 kN", "2 kN", "3 kN"]'
+
+    def planned(settings):
+        text = f'[set]\n{settings}\n[over]\n"outer.thickness" = ["4 mm", "5 mm"]\n{loads}'
+        file = tmp_path / "thin.toml"
+        file.write_text(f'case = "{CONFIGS / "harris218_cage.toml"}"\n{text}')
+        return prepare_source(file)
+
+    settled = planned(inner)
+    assert sorted(ring.race for ring in settled.plan.rings()) == races
+    assert [len(task.variants) for task in settled.plan.tasks(lambda variant: True)] == [1] * 6
+    assert expected(settled.plan) > RING * len(races)
+    columns = {column.column for column in settled.columns}
+    assert {"rigid.life_L10", "flexible.life_L10"} <= columns
+    finer = planned(f'{inner}\n"accuracy.mesh_size" = "4 mm"')
+    names = [{ring.name for ring in each.plan.rings()} for each in (settled, finer)]
+    assert not names[0] & names[1]
 
 
 def test_a_plan_needs_no_bearing():

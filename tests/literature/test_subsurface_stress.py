@@ -1,9 +1,10 @@
 """Closed forms of stresses below Hertz contacts.
 
 Sources: Johnson, Contact Mechanics (1985): sec. 4.2 for the line (largest shear stress 0.30 p0 at 0.786 b),
-sec. 3.4 for the axis of the circle, with nu = 0.3 0.31 p0 at 0.48 a. Lundberg and Palmgren (1947) for the
-orthogonal shear stress: line 0.25 at 0.5, circle 0.214 at 0.35. Line in plane strain, nu = 0.3: von Mises
-0.558 at 0.704, as textbooks of machine elements have it.
+sec. 3.4 for the axis of the circle, with nu = 0.3 0.31 p0 at 0.48 a, sec. 7.1 for the sliding line of McEwen
+(1949) and Smith and Liu (1953): 2 mu p0 of tension behind it, as much pressure ahead. Lundberg and Palmgren
+(1947) for the orthogonal shear stress: line 0.25 at 0.5, circle 0.214 at 0.35. Line in plane strain,
+nu = 0.3: von Mises 0.558 at 0.704, as textbooks of machine elements have it.
 """
 
 from functools import partial
@@ -38,6 +39,13 @@ def test_axis_of_a_line():
     assert stress.along == approx(2 * DEPTH - (1 + 2 * DEPTH**2) / root, rel=0, abs=1e-13)
     assert stress.normal == approx(-1 / root, rel=0, abs=1e-13)
     assert stress.shear == approx(0.0, rel=0, abs=1e-13)
+
+
+def test_surface_behind_a_sliding_line_is_pulled():
+    friction = 0.2  # traction on the body towards +x, in which what slides on it moves
+    behind, ahead = (line_contact_stress(x, 1e-12, 0.3, friction).along for x in (-1.0, 1.0))
+    assert behind == approx(2 * friction, rel=0, abs=1e-5)
+    assert ahead == approx(-2 * friction, rel=0, abs=1e-5)
 
 
 @pytest.mark.slow

@@ -33,6 +33,7 @@ from flexbearing.case.balls.parts import (
     Whole,
     require_quarters,
 )
+from flexbearing.case.balls.ring_room import require_room
 from flexbearing.case.head import KIND
 from flexbearing.case.materials import Oil
 from flexbearing.case.outputs import LifeOutputs
@@ -47,6 +48,7 @@ from flexbearing.case.quantity import (
     key,
     needed,
 )
+from flexbearing.case.raceway_waves import Waves
 from flexbearing.case.ratings import BallLife
 
 PLANE = "about the point of the bearing axis in the plane of the inner groove centres"
@@ -59,6 +61,13 @@ DIRECTIONS = {  # name of a load, and of the displacement that may be held inste
 }
 
 
+class BallFormError(Section):
+    """Form errors of both raceways."""
+
+    inner: Waves | None = key("form error of the inner raceway", None)
+    outer: Waves | None = key("form error of the outer raceway", None)
+
+
 class FastBearing(MountedBearing):
     """Balls between one groove in each ring."""
 
@@ -66,6 +75,18 @@ class FastBearing(MountedBearing):
     outer: EndingGroove = key("groove of the outer ring")
     balls: int = key("number of balls", example=18, ge=3, le=1000)
     first_ball_azimuth: Angle = key("azimuth of a ball, from z towards y", "0 deg")
+    form_error: BallFormError | None = key("form errors: raceways that are not round", None)
+
+    @property
+    def groove_angle(self) -> float:
+        """Contact angle to whose shape elastic rings are cut [rad]: radial, where none is given."""
+        return 0.0
+
+    def groove_bottom(self, race: Literal["inner", "outer"]) -> float:
+        """Radius of the bottom of a groove [m]; clearance and growth are far smaller and left out."""
+        conformity = getattr(self, race).over(self.ball.diameter)
+        depth = conformity - (conformity - 0.5) * cos(self.groove_angle)
+        return self.pitch_diameter / 2 + (1 if race == "outer" else -1) * depth * self.ball.diameter
 
     @model_validator(mode="after")
     def _balls_fit(self) -> Self:
@@ -91,6 +112,11 @@ class AngularBearing(FastBearing):
         ge=0,
         lt=RIGHT_ANGLE,
     )
+
+    @property
+    def groove_angle(self) -> float:
+        """Contact angle to whose shape elastic rings are cut [rad]."""
+        return self.contact_angle
 
     @property
     def stated_clearance(self) -> float:
@@ -272,10 +298,23 @@ class FastCase(MountedCase):
             require_shoulder("outer", self.bearing.outer)
             if self.outer.support == "housing" and self.materials.housing is None:
                 raise needed(["materials.housing"], 'outer.support = "housing"')
-        if self.inner.kind != "rigid":
+        if self.inner.kind == "ring_on_shaft":
             require_shoulder("inner", self.bearing.inner)
             if self.materials.shaft is None:
                 raise needed(["materials.shaft"], 'inner.kind = "ring_on_shaft"')
+        require_room(self)
+        return self
+
+    @model_validator(mode="after")
+    def _out_of_round(self) -> Self:
+        on_cam = self.inner.kind == "cam"
+        if on_cam and self.outer.kind == "rigid":
+            raise impossible("outer.kind", 'another one than "rigid" around a cam, which it follows')
+        if self.operation.preload and (on_cam or self.bearing.form_error):
+            reason = "a cam" if on_cam else "bearing.form_error"
+            raise impossible(
+                "operation.preload", f"left out beside {reason}; give operation.displacement.axial"
+            )
         return self
 
     @model_validator(mode="after")

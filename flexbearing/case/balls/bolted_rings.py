@@ -1,6 +1,6 @@
 """The section [rings] of a four-point bearing: rings that are on a bolted face."""
 
-from math import acos, cos, pi, sin, sqrt
+from math import acos, asin, cos, pi, sin, sqrt
 from typing import ClassVar, Literal, NamedTuple, Self
 
 from pydantic import field_validator, model_validator
@@ -8,7 +8,17 @@ from pydantic_core import PydanticCustomError
 
 from flexbearing.case.balls import groove_accuracy
 from flexbearing.case.balls.parts import AXES_CHANGED
-from flexbearing.case.quantity import Angle, Foundation, Length, Section, impossible, key, require
+from flexbearing.case.quantity import (
+    Angle,
+    Foundation,
+    Length,
+    Section,
+    at_most,
+    impossible,
+    key,
+    needed,
+    require,
+)
 
 _BOLTED = {"kind": ("bolted",)}
 _ANY_BOLTED = ({"rings.outer.kind": ("bolted",)}, {"rings.inner.kind": ("bolted",)})
@@ -32,13 +42,22 @@ class Groove(NamedTuple):
         return self._offset * sin(self.angle)
 
     @property
+    def inward(self) -> float:
+        """Of the centres of the arches from the pitch circle, to the axis from the outer race [m]."""
+        return self._offset * cos(self.angle)
+
+    def arc(self, end: float) -> float:
+        """Length of an arch that ends at a contact angle [m]."""
+        return self.radius * (end - asin(self.aside / self.radius))
+
+    @property
     def depth(self) -> float:
         """From the centres of the arches to where both arches meet, along the radius [m]."""
         return sqrt(self.radius**2 - self.aside**2)
 
     def bottom_diameter(self, outward: int) -> float:
         """Diameter where both arches meet [m]."""
-        return self.pitch_diameter + 2 * outward * (self.depth - self._offset * cos(self.angle))
+        return self.pitch_diameter + 2 * outward * (self.depth - self.inward)
 
     def end_at(self, shoulder: float) -> float:
         """Contact angle at which arches end on a shoulder of a height above where they meet [rad]."""
@@ -152,13 +171,23 @@ class Rings(Section):
     element_order: int = groove_accuracy.element_order(_ANY_BOLTED)
     mesh_size: Length | None = groove_accuracy.mesh_size(_ANY_BOLTED)
 
-    @property
-    def rigid(self) -> bool:
-        """Whether both rings are rigid."""
-        return self.outer.kind == self.inner.kind == "rigid"
+    def patch(self, ball_diameter: float) -> float:
+        """Standard deviation of the patches [m]."""
+        return self.patch_width or groove_accuracy.PATCH * ball_diameter
 
     def require_room(self, inner: Groove, outer: Groove) -> None:
-        """Raise unless the grooves of the bearing fit into the rings."""
+        """Raise unless the grooves of the bearing fit into the rings, and patches on their arches."""
         for name, ring, groove in (("outer", self.outer, outer), ("inner", self.inner, inner)):
-            if ring.kind == "bolted" and (found := ring.misfit(groove)):
-                raise impossible(f"rings.{name}.{found[0]}", found[1])
+            if ring.kind == "rigid":
+                continue
+            if misfit := ring.misfit(groove):
+                raise impossible(f"rings.{name}.{misfit[0]}", misfit[1])
+            widest = groove.arc(ring.groove_end) / (2 * groove_accuracy.SHORTEST)
+            if self.patch(groove.ball_diameter) <= widest:
+                continue
+            if self.patch_width is not None:
+                part = f"{1 / (2 * groove_accuracy.SHORTEST):g} of an arch of the {name} groove"
+                raise impossible("rings.patch_width", f"{at_most(widest)}, {part}")
+            raise needed(
+                ["rings.patch_width"], f"arches of the {name} ring as short as rings.{name}.groove_end"
+            )

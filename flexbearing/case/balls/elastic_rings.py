@@ -1,6 +1,5 @@
 """The sections [outer], [inner] and [accuracy] of a bearing with fast balls: what carries its grooves."""
 
-from math import acos
 from typing import Literal, Self
 
 from pydantic import model_validator
@@ -9,9 +8,10 @@ from flexbearing.case import held_ring
 from flexbearing.case.balls import groove_accuracy
 from flexbearing.case.balls.parts import EndingGroove
 from flexbearing.case.held_ring import ON_SHAFT, RING
-from flexbearing.case.quantity import Foundation, Length, Section, impossible, in_mm, key, needed, require
+from flexbearing.case.quantity import Angle, Foundation, Length, Section, key, needed, require
 
 ELASTIC = ({"outer.kind": ("ring", "squirrel_cage")}, {"inner.kind": ("ring_on_shaft",)})
+ON_CAM = {"kind": ("cam",)}
 OF_RING = {"kind": ("ring", "squirrel_cage")}
 
 
@@ -48,7 +48,9 @@ class BallOuter(Section):
     housing_support: Literal["seat", "side"] = held_ring.housing_support()
     bars: int | None = held_ring.bars()
     bar_width: Length | None = held_ring.of_cage("tangential width of a bar")
-    bar_thickness: Length | None = held_ring.of_cage("radial thickness of a bar")
+    bar_thickness: Length | None = held_ring.bar_thickness(
+        "between the shoulder of the groove and the outside of the ring"
+    )
     bar_length: Length | None = held_ring.of_cage("axial length of the bars")
     flange_length: Length | None = held_ring.of_cage("axial length of the flange behind the bars")
     bar_ends: Literal["one", "both"] = held_ring.bar_ends()
@@ -61,16 +63,17 @@ class BallOuter(Section):
         if self.kind == "ring":
             held_ring.require_support(self)
         else:
-            names = ("bars", "bar_width", "bar_thickness", "bar_length", "flange_length")
-            require(self, names, 'outer.kind = "squirrel_cage"')
+            held_ring.require_bars(self)
         return self
 
 
 class BallInner(Section):
     """What carries the inner groove."""
 
-    kind: Literal["rigid", "ring_on_shaft"] = key(
-        "rigid; or a ring bonded on a shaft with both ends clamped, which move with the ring", "rigid"
+    kind: Literal["rigid", "ring_on_shaft", "cam"] = key(
+        "rigid; a ring bonded on a shaft with both ends clamped, which move with the ring; or a thin ring "
+        "that a rigid cam shapes, as in a strain-wave gear, to which an elastic outer ring gives way",
+        "rigid",
     )
     bore: Length | None = key(
         "bore of the ring, outside of the shaft", None, example="45 mm", gt=0, only=ON_SHAFT
@@ -78,6 +81,19 @@ class BallInner(Section):
     width: Length | None = key("axial width of the ring", None, example="19 mm", gt=0, only=ON_SHAFT)
     shaft_thickness: Length | None = held_ring.shaft_thickness()
     shaft_length: Length | None = held_ring.shaft_length()
+
+    cam_amplitude: Length | None = key(
+        "by how much the cam raises the raceway on its major axis", None, example="0.2 mm", gt=0, only=ON_CAM
+    )
+    cam_curve: Literal["ellipse", "cosine", "length_kept"] = key(
+        "curve of the raceway on the cam: an ellipse, radii like cos 2 phi, or these on a curve as long as "
+        "the circle",
+        "ellipse",
+        only=ON_CAM,
+    )
+    cam_crest: Angle = key(
+        "azimuth of the major axis, from z towards y, at the moment that is solved", "0 deg", only=ON_CAM
+    )
 
     @property
     def shaft_bore(self) -> float:
@@ -88,11 +104,9 @@ class BallInner(Section):
     @model_validator(mode="after")
     def _complete(self) -> Self:
         if self.kind == "ring_on_shaft":
-            _, width, length = require(
-                self, ("bore", "width", "shaft_length"), 'inner.kind = "ring_on_shaft"'
-            )
-            if length <= width:
-                raise impossible("shaft_length", f"above {in_mm(width)}, inner.width")
+            held_ring.require_shaft(self)
+        if self.kind == "cam":
+            require(self, ("cam_amplitude",), 'inner.kind = "cam"')
         return self
 
 
@@ -104,15 +118,12 @@ class GrooveAccuracy(Section):
     element_order: int = groove_accuracy.element_order(ELASTIC)
     mesh_size: Length | None = groove_accuracy.mesh_size(ELASTIC)
 
+    def patch(self, ball_diameter: float) -> float:
+        """Standard deviation of the patches [m]."""
+        return self.patch_width or groove_accuracy.PATCH * ball_diameter
+
 
 def require_shoulder(name: str, groove: EndingGroove) -> None:
     """Raise unless the shoulder of a groove in an elastic ring is known."""
     if groove.shoulder is None:
         raise needed([f"bearing.{name}.shoulder"], f"an elastic {name} ring, whose section it is part of")
-
-
-def groove_end(groove: EndingGroove, ball_diameter: float) -> float:
-    """Contact angle at which the shoulder cuts the groove [rad]."""
-    radius = groove.over(ball_diameter) * ball_diameter
-    assert groove.shoulder is not None  # checked on reading
-    return acos(1 - groove.shoulder / radius)

@@ -224,9 +224,14 @@ class FourPointCase(MountedCase):
 
     @model_validator(mode="after")
     def _fits_are_those_of_rigid_rings(self) -> Self:
-        if self.bearing.fits and not self.rings.rigid:
+        if self.bearing.fits and not self.rigid:
             raise impossible("bearing.fits", "left out beside elastic rings, which are bolted")
         return self
+
+    @property
+    def rigid(self) -> bool:
+        """Whether both rings are rigid."""
+        return self.rings.outer.kind == self.rings.inner.kind == "rigid"
 
     @property
     def balls(self) -> int:
@@ -237,7 +242,7 @@ class FourPointCase(MountedCase):
     def _balls_are_known(self) -> Self:
         if self.operation.mode == "ring_load" and self.bearing.balls is None:
             raise needed(["bearing.balls"], 'operation.mode = "ring_load"')
-        if self.operation.mode == "contact_loads" and not self.rings.rigid:
+        if self.operation.mode == "contact_loads" and not self.rigid:
             raise impossible(
                 "operation.mode", '"ring_load" beside elastic rings, which change how balls share it'
             )

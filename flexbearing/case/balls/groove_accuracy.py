@@ -3,13 +3,17 @@
 from typing import Annotated, Any
 
 from pydantic import AfterValidator
+from pydantic_core import PydanticCustomError
 
-from flexbearing.case.quantity import impossible, key
+from flexbearing.case.quantity import key
+
+PATCH = 0.06  # width over the ball diameter: a/sqrt(5) of steel balls at 2 to 2.5 GPa
+SHORTEST = 2.5  # widths of a patch in half an arc: on a shorter one, stations are too close to each other
 
 
 def _odd(number: int) -> int:
     if number % 2 == 0:
-        raise impossible("", "an odd number")
+        raise PydanticCustomError("quantity", "{why}", {"why": "must be an odd number"})
     return number
 
 

@@ -114,7 +114,7 @@ class Outer(Section):
     )
     bars: int | None = held_ring.bars()
     bar_width: Length | None = held_ring.of_cage("tangential width of a bar")
-    bar_thickness: Length | None = held_ring.of_cage("radial thickness of a bar")
+    bar_thickness: Length | None = held_ring.bar_thickness("in the thickness of the ring, a collar left out")
     bar_length: Length | None = held_ring.of_cage("axial length of the bars")
     fillet: Length = key("fillet radius where bars meet ring and flange", "0 mm", ge=0, only=_CAGE)
     flange_length: Length | None = held_ring.of_cage("axial length of the flange behind the bars")
@@ -188,14 +188,14 @@ class Outer(Section):
                 raise impossible("clamps", "one face or more: a drawing without any can move freely")
             self._require_directions()
             return self
-        thickness, _ = require(self, ("thickness", "width"), f'outer.kind = "{self.kind}"')
+        require(self, ("thickness", "width"), f'outer.kind = "{self.kind}"')
         if self.kind == "matrix":
             require(self, ("matrix", "nodes"), 'outer.kind = "matrix"')
             self._require_directions()
         if self.kind == "ring":
             self._require_support()
         if self.kind == "squirrel_cage":
-            held_ring.require_bars(self, thickness)
+            held_ring.require_bars(self)
             self._require_collar()
         return self
 
@@ -240,7 +240,7 @@ class Outer(Section):
             allowed = f"{-most * 1e3:.4g} to {most * 1e3:.4g} mm, or the rollers leave the ring"
             raise impossible("raceway_offset", allowed)
         if self.kind == "squirrel_cage":
-            held_ring.require_slots(self, raceway_diameter, thickness)
+            held_ring.require_room_for_bars(self, raceway_diameter, thickness, "outer.thickness")
         outside = raceway_diameter / 2 + thickness
         if self.tooth_radius is not None and self.tooth_radius < outside:
             raise impossible("tooth_radius", f"at least {outside * 1e3:.4g} mm, the outer surface of the rim")
@@ -311,17 +311,12 @@ class Inner(Section):
     def _complete(self) -> Self:
         if self.kind == "rigid":
             return self
-        bore, width, track_width, shaft_length = require(
-            self, self._dimensions, 'inner.kind = "ring_on_shaft"'
-        )
-        if self.shaft_thickness is not None and self.shaft_thickness > bore / 2:
-            raise impossible("shaft_thickness", "at most half of inner.bore, which is a solid shaft")
+        _, width, track_width, _ = require(self, self._dimensions, 'inner.kind = "ring_on_shaft"')
+        held_ring.require_shaft(self)
         if track_width > width:
             raise impossible("track_width", "at most inner.width, which is a ring without ribs")
         if self.ribbed:
             require(self, ("thickness",), "a ring with ribs")
-        if shaft_length < width:
-            raise impossible("shaft_length", "at least inner.width")
         return self
 
     def require_room(self, raceway_diameter: float, roller_length: float) -> None:

@@ -1,20 +1,18 @@
 """A cylindrical roller bearing between its rings, as a case."""
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import Literal, Self
 
 from pydantic import model_validator
-from pydantic_core import PydanticCustomError
 
 from flexbearing.case.head import KIND, Head
-from flexbearing.case.outputs import Outputs
-from flexbearing.case.quantity import impossible, in_mm, key, needed
+from flexbearing.case.quantity import impossible, in_mm, key, located, needed
 from flexbearing.case.ratings import FEWEST_SLICES, Life
 from flexbearing.case.roller.bearing import Bearing
 from flexbearing.case.roller.lubricant import Lubricant
 from flexbearing.case.roller.mounting import bands, require_known, require_mounting, require_solids
 from flexbearing.case.roller.numerics import Accuracy, Coupling
+from flexbearing.case.roller.outputs import Outputs
 from flexbearing.case.roller.profile import Generatrix
 from flexbearing.case.roller.rings import Inner, Outer
 from flexbearing.case.roller.surroundings import Materials, Operation
@@ -132,10 +130,10 @@ class Case(Head):
     @model_validator(mode="after")
     def _parts_fit(self) -> Self:
         raceway, roller = self.bearing.outer_raceway_diameter, self.bearing.roller
-        _at("bearing", lambda: self.bearing.require_room(self.stated_clearance))
-        _at("outer", lambda: self.outer.require_room(raceway, roller.length))
+        located("bearing", lambda: self.bearing.require_room(self.stated_clearance))
+        located("outer", lambda: self.outer.require_room(raceway, roller.length))
         inner_raceway = raceway - 2 * roller.diameter - self.stated_clearance
-        _at("inner", lambda: self.inner.require_room(inner_raceway, roller.length))
+        located("inner", lambda: self.inner.require_room(inner_raceway, roller.length))
         if self.bearing.cage.thickness >= roller.diameter:
             allowed = f"below {in_mm(roller.diameter)}, bearing.roller.diameter"
             raise impossible("bearing.cage.thickness", allowed)
@@ -218,12 +216,3 @@ class Case(Head):
         clearance, temperatures = self.stated_clearance, self.operation.temperatures
         require_mounting(self.bearing, clearance, self.materials, temperatures, self.inner, self.outer)
         return self
-
-
-def _at(section: str, check: Callable[[], None]) -> None:
-    """Run a check of one section that needs numbers of another; a problem is located in the section."""
-    try:
-        check()
-    except PydanticCustomError as problem:
-        context = problem.context or {}
-        raise impossible(f"{section}.{context['names'][0]}", context["allowed"]) from None

@@ -9,7 +9,6 @@ Given = Mapping[str, float]  # entries in SI units
 Guess = tuple[str, str, str]  # name, text and reason of an entry
 
 USUAL_LOAD = 0.1  # of C: a bearing of usual life
-SMALL = 0.01  # of the axial load, where a radial one must be there
 
 
 def filled(
@@ -36,7 +35,7 @@ def filled(
 
 
 def _angle(like: str, given: Given) -> Iterator[Guess]:
-    if "angle" in LIKES[like].needed and "angle" not in given:
+    if LIKES[like].must_be_given("angle", given):
         yield "angle", "40 deg", "usual of angular contact bearings"
 
 
@@ -44,17 +43,13 @@ def _loads(like: str, given: Given) -> Iterator[Guess]:
     """A tenth of C, or of C_0 without it, along the direction that the kind needs."""
     ratings = [given[name] for name in ("dynamic_rating", "static_rating") if name in given]
     for name in ("axial", "load"):
-        if name in LIKES[like].needed and name not in given:
-            if name == "load" and "axial" in given:
-                words = "the model has axial load alone, and a case needs some radial load"
-                yield name, f"{SMALL * abs(given['axial']):.4g} N", words
-            elif ratings:
-                words = f"the model has none; {USUAL_LOAD:g} C gives a usual life"
-                yield name, f"{USUAL_LOAD * ratings[0]:.4g} N", words
+        if ratings and LIKES[like].must_be_given(name, given):
+            words = f"the model has none; {USUAL_LOAD:g} C gives a usual life"
+            yield name, f"{USUAL_LOAD * ratings[0]:.4g} N", words
 
 
 def _speed(like: str, given: Given) -> Iterator[Guess]:
-    if "speed" in LIKES[like].needed and "speed" not in given:
+    if LIKES[like].must_be_given("speed", given):
         yield "speed", "1000 rpm", "the model has none"
 
 

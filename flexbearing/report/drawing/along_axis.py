@@ -1,5 +1,6 @@
 """A bearing seen along its axis: rolling elements with their numbers, azimuth, load, what holds the ring."""
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -8,6 +9,7 @@ from flexbearing.report.drawing.sheet import Drawing, Sheet
 from flexbearing.report.drawing.words import (
     AXES,
     ELEMENT,
+    HOUSING,
     INNER,
     LOAD,
     OUTER,
@@ -135,18 +137,30 @@ def _rings_of_rollers(sheet: Sheet, case: Any) -> None:
         sheet.circle(hollow / 2, fc="white")
 
 
-def _contours_of_balls(case: Any, pitch: float, size: float) -> list[tuple[float, dict[str, Any]]]:
+def _contours_of_balls(case: Any, pitch: float, size: float) -> Iterator[tuple[float, dict[str, Any]]]:
     """Circles of the rings from the outside inwards, with what fills them; unknown ones dashed."""
-    rings, fits = getattr(case, "rings", None), getattr(case.bearing, "fits", None)
-    outside = rings.outer.outside_diameter if rings else fits and fits.outer_diameter
-    bore = rings.inner.bore if rings else fits and fits.bore
-    known = {"ec": "0.1", "lw": 0.8}
-    return [
-        (outside / 2 if outside else pitch + size, {"fc": OUTER} | (known if outside else SCHEMATIC)),
-        (pitch + 0.25 * size, {"fc": "white"} | SCHEMATIC),
-        (pitch - 0.25 * size, {"fc": INNER} | SCHEMATIC),
-        (bore / 2 if bore else pitch - size, {"fc": "white"} | (known if bore else SCHEMATIC)),
-    ]
+    rings, bearing = getattr(case, "rings", None), case.bearing
+    fits = getattr(bearing, "fits", None)
+    outside = (rings.outer.outside_diameter if rings else fits and fits.outer_diameter) or 0.0
+    bore = (rings.inner.bore if rings else fits and fits.bore) or 0.0
+    lands, shaft, hollow = [0.0, 0.0], "white", 0.0
+    if not rings and case.outer.kind != "rigid":
+        outer, bottom = case.outer, bearing.groove_bottom("outer")
+        outside, lands[0] = 2 * (bottom + outer.thickness), bottom - bearing.outer.shoulder
+        if outer.kind == "ring" and outer.support == "housing":
+            yield outside / 2 + outer.housing_thickness, {"fc": HOUSING}
+    if not rings and case.inner.kind == "ring_on_shaft":
+        lands[1] = bearing.groove_bottom("inner") + bearing.inner.shoulder
+        bore, shaft, hollow = case.inner.bore, SHAFT, case.inner.shaft_bore / 2
+    for radius, usual, colour in (
+        (outside / 2, pitch + size, OUTER),
+        (lands[0], pitch + 0.25 * size, "white"),
+        (lands[1], pitch - 0.25 * size, INNER),
+        (bore / 2, pitch - size, shaft),
+    ):
+        yield radius or usual, {"fc": colour} | ({"ec": "0.1", "lw": 0.8} if radius else SCHEMATIC)
+    if hollow:
+        yield hollow, {"fc": "white"}
 
 
 def _elements(sheet: Sheet, pitch: float, radius: float, azimuths: np.ndarray) -> None:
@@ -228,7 +242,7 @@ def _finished(sheet: Sheet, case: Any, element: str) -> Drawing:
     sheet.notes.extend(NOTES)
     teeth = ", tooth forces" if sheet.words.value("outer.tooth_azimuths") else ""
     sheet.notes.append(f"Red: load on the inner ring{teeth}. Green: rotation. {NUMBERS}")
-    if any(style.get("ls") == SCHEMATIC["ls"] for _, _, style in sheet.shapes):
+    if sheet.is_schematic:
         sheet.notes.append("Dashed: schematic, the case has no dimensions of it.")
     number = case.bearing.rollers if element == "roller" else case.bearing.balls
     return sheet.drawn(

@@ -6,6 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.report.drawing.inner_ring import ring_on_shaft
+from flexbearing.report.drawing.outer_ring import elastic_ring
 from flexbearing.report.drawing.sheet import Drawing, Sheet
 from flexbearing.report.drawing.words import ELEMENT, HOUSING, INNER, LOAD, OUTER, SCHEMATIC, SHAFT, Words
 
@@ -25,7 +27,8 @@ def one_groove(words: Words) -> Drawing:
         side: _groove(getattr(bearing, side).over(diameter) * diameter, diameter, (angle,), sign)
         for side, sign in (("outer", 1), ("inner", -1))
     }
-    _plain_rings(sheet, case, lines)
+    _outer(sheet, case, lines["outer"])
+    _inner(sheet, case, lines["inner"])
     _ball(sheet, case, ((1, angle),))
     stated = "bearing.contact_angle"
     if words.value(stated) is None:
@@ -83,45 +86,68 @@ def _cut(groove: NDArray, height: float) -> NDArray:
     return groove[depth >= depth.max() - height]
 
 
-def _plain_rings(sheet: Sheet, case: Any, grooves: dict[str, NDArray]) -> None:
-    """Rings with a groove each: outside and bore as [bearing.fits] says, widths schematic."""
-    bearing, fits = case.bearing, case.bearing.fits
-    diameter, pitch = bearing.ball.diameter, bearing.pitch_diameter / 2
-    for side, sign, colour in (("outer", 1, OUTER), ("inner", -1, INNER)):
-        given = getattr(bearing, side).shoulder
-        groove = _cut(grooves[side], given or DEPTH * diameter / 2) + np.array([0.0, pitch])
-        far = {"outer": fits and fits.outer_diameter / 2, "inner": fits and fits.bore / 2}[side]
-        edge = far or pitch + sign * (0.5 + WALL) * diameter
-        _ring(sheet, side, groove, (-WIDTH * diameter, WIDTH * diameter), edge, fc=colour, **SCHEMATIC)
-        if far:
-            sheet.line([(-WIDTH * diameter, far), (WIDTH * diameter, far)], f"{side}-surface")
-            sheet.label(
-                {"outer": "bearing.fits.outer_diameter", "inner": "bearing.fits.bore"}[side],
-                (WIDTH * diameter, far),
-                "Ø ",
-            )
-        _shoulder(sheet, side, groove, sign)
-    if fits:
-        _mounted(sheet, fits, WIDTH * diameter)
-
-
-def _mounted(sheet: Sheet, fits: Any, half: float) -> None:
-    """Shaft and housing, their widths schematic."""
-    inside = fits.shaft_bore / 2 if fits.shaft_bore else fits.bore / 2 - 0.3 * half
-    sheet.rectangle((-1.2 * half, 1.2 * half), (inside, fits.bore / 2), fc=SHAFT, **SCHEMATIC)
-    sheet.label("bearing.fits.shaft_bore", (half, inside), "Ø ")
-    for name in ("shaft", "shaft_interference"):
-        sheet.label(f"bearing.fits.{name}", (half, fits.bore / 2))
-    if fits.housing:
-        sheet.rectangle(
-            (-1.2 * half, 1.2 * half),
-            (fits.outer_diameter / 2, fits.housing.diameter / 2),
-            fc=HOUSING,
-            **SCHEMATIC,
-        )
-        sheet.label("bearing.fits.housing.diameter", (1.2 * half, fits.housing.diameter / 2), "Ø ")
+def _outer(sheet: Sheet, case: Any, groove: NDArray) -> None:
+    """Outer ring with what holds it, or its housing by the fits; what has no dimensions is schematic."""
+    bearing, outer = case.bearing, case.outer
+    groove, half = _shouldered(bearing, "outer", groove), WIDTH * bearing.ball.diameter
+    outside = bearing.fits and bearing.fits.outer_diameter / 2
+    if outer.kind == "rigid":
+        edge = outside or bearing.pitch_diameter / 2 + (0.5 + WALL) * bearing.ball.diameter
+        _ring(sheet, "outer", groove, (-half, half), edge, fc=OUTER, **SCHEMATIC)
+    else:
+        centre = _bottom(groove)
+        left, right = (centre - outer.groove_offset + side * outer.width / 2 for side in (-1, 1))
+        ends = (left, groove[0, 1]), (right, groove[-1, 1])
+        elastic_ring(sheet, outer, np.concatenate([ends[:1], groove, ends[1:]]), "groove")
+        if outer.groove_offset:
+            sheet.length("outer.groove_offset", centre, centre - outer.groove_offset, groove[0, 1])
+    _shoulder(sheet, "outer", groove, 1)
+    if outside:
+        sheet.line([(-half, outside), (half, outside)], "outer-surface")
+        sheet.label("bearing.fits.outer_diameter", (half, outside), "Ø ")
+    if bearing.fits and (housing := bearing.fits.housing):
+        edges = outside, housing.diameter / 2
+        sheet.rectangle((-1.2 * half, 1.2 * half), edges, fc=HOUSING, **SCHEMATIC)
+        sheet.label("bearing.fits.housing.diameter", (1.2 * half, housing.diameter / 2), "Ø ")
         for name in ("tolerance_class", "interference"):
-            sheet.label(f"bearing.fits.housing.{name}", (half, fits.outer_diameter / 2))
+            sheet.label(f"bearing.fits.housing.{name}", (half, outside))
+
+
+def _inner(sheet: Sheet, case: Any, groove: NDArray) -> None:
+    """Inner ring on its shaft; what has no dimensions is schematic."""
+    bearing, inner, fits = case.bearing, case.inner, case.bearing.fits
+    groove, half = _shouldered(bearing, "inner", groove), WIDTH * bearing.ball.diameter
+    if inner.kind != "ring_on_shaft":
+        bore = fits and fits.bore / 2
+        edge = bore or bearing.pitch_diameter / 2 - (0.5 + WALL) * bearing.ball.diameter
+        _ring(sheet, "inner", groove, (-half, half), edge, fc=INNER, **SCHEMATIC)
+        if bore:
+            inside = fits.shaft_bore / 2 if fits.shaft_bore else bore - 0.3 * half
+            sheet.rectangle((-1.2 * half, 1.2 * half), (inside, bore), fc=SHAFT, **SCHEMATIC)
+            sheet.line([(-half, bore), (half, bore)], "inner-surface")
+            sheet.label("bearing.fits.shaft_bore", (half, inside), "Ø ")
+            for name in ("shaft", "shaft_interference"):
+                sheet.label(f"bearing.fits.{name}", (half, bore))
+    else:
+        left, right = (_bottom(groove) + side * inner.width / 2 for side in (-1, 1))
+        ends = (left, groove[0, 1]), (right, groove[-1, 1])
+        outside = np.concatenate([ends[:1], groove, ends[1:]])
+        ring_on_shaft(sheet, inner, outside, bearing.ball.diameter)
+        sheet.line(groove, "inner-groove")
+        sheet.label("bearing.fits.shaft_bore", (right, inner.shaft_bore / 2), "Ø ")
+    sheet.label("bearing.fits.bore", (half, fits.bore / 2 if fits else 0.0), "Ø ")
+    _shoulder(sheet, "inner", groove, -1)
+
+
+def _shouldered(bearing: Any, side: str, groove: NDArray) -> NDArray:
+    """A groove up to its shoulders, from the axis of the bearing [m]."""
+    height = getattr(bearing, side).shoulder or DEPTH * bearing.ball.diameter / 2
+    return _cut(groove, height) + np.array([0.0, bearing.pitch_diameter / 2])
+
+
+def _bottom(groove: NDArray) -> float:
+    """Axial place of the bottom of a groove between two shoulders of one height [m]."""
+    return float(groove[0, 0] + groove[-1, 0]) / 2
 
 
 def _bolted_rings(sheet: Sheet, case: Any, grooves: dict[str, NDArray]) -> None:
@@ -220,9 +246,8 @@ def _at(bearing: Any, part: float, angle: float) -> tuple[float, float]:
 
 
 def _finished(sheet: Sheet, what: str) -> Drawing:
-    sheet.notes.append(
-        "Dashed: schematic, the case has no dimensions of it. Red: lines of contact without load."
-    )
+    schematic = "Dashed: schematic, the case has no dimensions of it. " if sheet.is_schematic else ""
+    sheet.notes.append(f"{schematic}Red: lines of contact without load.")
     sheet.notes.append("Conformity: groove radius over ball diameter.")
     return sheet.drawn(
         f"Axial section of a ball and its grooves to scale, touching at {what}.",

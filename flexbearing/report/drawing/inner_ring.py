@@ -8,10 +8,57 @@ from flexbearing.report.drawing.words import INNER, LOAD, RIGID_WALL, RIGID_WIDT
 
 def inner_ring(sheet: Sheet, case: Any, raceway: float) -> None:
     """Draw what carries the inner raceway of a roller bearing, of a radius [m]."""
-    if case.inner.kind == "rigid":
+    inner = case.inner
+    if inner.kind == "rigid":
         _rigid(sheet, case, raceway)
-    else:
-        _on_shaft(sheet, case, raceway)
+        return
+    side, track, bore = inner.width / 2, inner.track_width / 2, inner.bore / 2
+    rib = bore + inner.thickness if inner.ribbed else raceway
+    outside = [(-side, rib), (-track, rib), (-track, raceway), (track, raceway), (track, rib), (side, rib)]
+    ring_on_shaft(sheet, inner, outside, 1.5 * case.bearing.roller.diameter)
+    sheet.line([(-track, raceway), (track, raceway)], "inner-raceway")
+    if inner.ribbed:
+        sheet.height("inner.thickness", bore, rib, -side)
+        sheet.length("inner.track_width", -track, track, raceway)
+    sheet.label("inner.fit", (side, bore))
+    if inner.fit == "friction":
+        sheet.label("inner.fit_friction", (side, bore))
+    _clamped(sheet, inner, (bore + rib) / 2)
+
+
+def ring_on_shaft(sheet: Sheet, inner: Any, outside: Any, depth: float) -> None:
+    """Draw a ring by its outer surface from -x to +x (n, 2) [m] on a shaft with both ends clamped.
+
+    A solid shaft is drawn down to a depth [m].
+    """
+    left, right = outside[0][0], outside[-1][0]
+    middle, bore, hollow = (left + right) / 2, inner.bore / 2, inner.shaft_bore / 2
+    start, end = (middle + side * inner.shaft_length / 2 for side in (-1, 1))
+    inside = hollow or max(bore - depth, 0.0)
+    shoulder = sheet.words.value("inner.shoulder_diameter")
+    top = [(end, bore)] if shoulder is None else [(end, shoulder / 2), (right, shoulder / 2)]
+    sheet.area([(start, inside), (end, inside), *top, (right, bore), (start, bore)], "shaft", fc=SHAFT)
+    sheet.area([(right, bore), (left, bore), *outside], "inner-ring", fc=INNER)
+    sheet.held(top[0], (end, inside))
+    sheet.held((start, inside), (start, bore))
+    sheet.label("inner.bore", (end, bore), "Ø ")
+    if hollow:
+        sheet.height("inner.shaft_thickness", inside, bore, start)
+    sheet.length("inner.width", left, right, bore)
+    sheet.length("inner.shaft_length", start, end, inside)
+    sheet.label("inner.shoulder_diameter", (end, (shoulder or 0) / 2), "Ø ")
+    for path in ("shaft_interference", "shaft"):
+        sheet.label(f"bearing.fits.{path}", (right, bore))
+
+
+def _clamped(sheet: Sheet, inner: Any, radius: float) -> None:
+    """Force of the nut that presses the ring on the shoulder; nothing without."""
+    if not inner.clamping:
+        return
+    tip = (-inner.width / 2, radius)
+    sheet.line([(-0.75 * inner.width, radius), tip], ec=LOAD, arrowstyle="-|>", lw=1.6)
+    sheet.label("inner.clamping", tip)
+    sheet.notes.append("Red arrow: force of the nut, which presses the ring on the shoulder.")
 
 
 def _rigid(sheet: Sheet, case: Any, raceway: float) -> None:
@@ -33,53 +80,3 @@ def _rigid(sheet: Sheet, case: Any, raceway: float) -> None:
     for path in ("shaft_interference", "shaft"):
         sheet.label(f"bearing.fits.{path}", (width, bore))
     sheet.label("bearing.fits.shaft_bore", (1.3 * width, inside), "Ø ")
-
-
-def _on_shaft(sheet: Sheet, case: Any, raceway: float) -> None:
-    """Ring with its ribs on a shaft that is clamped at both ends."""
-    inner = case.inner
-    side, track, end = inner.width / 2, inner.track_width / 2, inner.shaft_length / 2
-    bore, rib = (
-        inner.bore / 2,
-        inner.bore / 2 + (inner.thickness if inner.ribbed else raceway - inner.bore / 2),
-    )
-    hollow = inner.shaft_bore / 2
-    solid = inner.shaft_thickness is None or hollow == 0
-    inside = max(bore - 1.5 * case.bearing.roller.diameter, 0.0) if solid else hollow
-    shoulder = (
-        []
-        if inner.shoulder_diameter is None
-        else [(end, inner.shoulder_diameter / 2), (side, inner.shoulder_diameter / 2)]
-    )
-    top = shoulder or [(end, bore)]
-    sheet.area([(-end, inside), (end, inside), *top, (side, bore), (-end, bore)], "shaft", fc=SHAFT)
-    ribs = [(side, rib), (track, rib), (track, raceway), (-track, raceway), (-track, rib), (-side, rib)]
-    sheet.area([(-side, bore), (side, bore), *ribs], "inner-ring", fc=INNER)
-    sheet.line([(-track, raceway), (track, raceway)], "inner-raceway")
-    sheet.held(top[0], (end, inside))
-    sheet.held((-end, inside), (-end, bore))
-    sheet.label("inner.bore", (end, bore), "Ø ")
-    if inner.ribbed:
-        sheet.height("inner.thickness", bore, rib, -side)
-        sheet.length("inner.track_width", -track, track, raceway)
-    if not solid:
-        sheet.height("inner.shaft_thickness", inside, bore, -end)
-    sheet.length("inner.width", -side, side, bore)
-    sheet.length("inner.shaft_length", -end, end, inside)
-    sheet.label("inner.shoulder_diameter", (end, (inner.shoulder_diameter or 0) / 2), "Ø ")
-    sheet.label("inner.fit", (side, bore))
-    if inner.fit == "friction":
-        sheet.label("inner.fit_friction", (side, bore))
-    _clamped(sheet, inner, (bore + rib) / 2)
-    for path in ("shaft_interference", "shaft"):
-        sheet.label(f"bearing.fits.{path}", (side, bore))
-
-
-def _clamped(sheet: Sheet, inner: Any, radius: float) -> None:
-    """Force of the nut that presses the ring on the shoulder; nothing without."""
-    if not inner.clamping:
-        return
-    tip = (-inner.width / 2, radius)
-    sheet.line([(-0.75 * inner.width, radius), tip], ec=LOAD, arrowstyle="-|>", lw=1.6)
-    sheet.label("inner.clamping", tip)
-    sheet.notes.append("Red arrow: force of the nut, which presses the ring on the shoulder.")

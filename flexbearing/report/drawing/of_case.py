@@ -36,7 +36,7 @@ def of_rollers(words: Words) -> Iterator[Drawing]:
     yield roller_section.section(words)
     yield along_axis.rollers(words)
     if words.case.outer.kind == "squirrel_cage":
-        yield squirrel_cage.bars(words)
+        yield squirrel_cage.bars(words, words.case.bearing.outer_raceway_diameter / 2)
     if drops := words.profiles and words.profiles(words.case):
         yield profiles.profiles(words, drops)
     if words.case.bearing.cage.thickness:
@@ -44,9 +44,12 @@ def of_rollers(words: Words) -> Iterator[Drawing]:
 
 
 def of_fast_balls(words: Words) -> Iterator[Drawing]:
-    """Section and view along the axis of an angular-contact or deep groove bearing."""
+    """Section, view along the axis, bars of a squirrel cage of an angular-contact or deep groove bearing."""
     yield ball_section.one_groove(words)
     yield along_axis.balls(words)
+    if words.case.outer.kind == "squirrel_cage":
+        bearing = words.case.bearing
+        yield squirrel_cage.bars(words, bearing.groove_bottom("outer"), bearing.outer.shoulder)
 
 
 def of_slow_balls(words: Words) -> Iterator[Drawing]:

@@ -2,49 +2,52 @@
 
 from typing import Any
 
+import numpy as np
+
 from flexbearing.report.drawing.sheet import Sheet
 from flexbearing.report.drawing.words import HOUSING, OUTER, RIGID_WALL, RIGID_WIDTH, SCHEMATIC
 
 
 def outer_ring(sheet: Sheet, case: Any) -> None:
     """Draw what carries the outer raceway of a roller bearing."""
-    if case.outer.kind in ("rigid", "step"):
-        _rigid(sheet, case)
-    else:
-        _elastic(sheet, case)
-
-
-def _elastic(sheet: Sheet, case: Any) -> None:
-    """Ring with its raceway, and its bars or what holds it."""
     outer, raceway = case.outer, case.bearing.outer_raceway_diameter / 2
+    if outer.kind in ("rigid", "step"):
+        _rigid(sheet, case)
+        return
     left, right = (side * outer.width / 2 - outer.raceway_offset for side in (-1, 1))
-    top = raceway + outer.thickness
-    sheet.height("outer.thickness", raceway, top, left)
+    elastic_ring(sheet, outer, [(left, raceway), (right, raceway)], "raceway")
     if outer.raceway_offset:
         sheet.length("outer.raceway_offset", 0.0, -outer.raceway_offset, raceway)
+
+
+def elastic_ring(sheet: Sheet, outer: Any, inside: Any, surface: str) -> None:
+    """Draw an elastic ring by its inner surface from -x to +x (n, 2) [m], and its bars or what holds it."""
+    inside = np.array(inside)
+    (left, land), (right, _) = inside[0], inside[-1]
+    bottom = inside[np.argmax(inside[:, 1])]  # of a groove; of rollers the raceway
+    top = bottom[1] + outer.thickness
+    sheet.height("outer.thickness", bottom[1], top, bottom[0])
+    sheet.area([(left, top), *inside, (right, top)], "outer-ring", fc=OUTER)
+    sheet.line(inside, f"outer-{surface}")
     if outer.kind == "squirrel_cage":
-        _bars(sheet, outer, raceway, (left, right))
-        sheet.length("outer.width", left, right, raceway)
-        return
-    sheet.rectangle((left, right), (raceway, top), "outer-ring", fc=OUTER)
-    sheet.line([(left, raceway), (right, raceway)], "outer-raceway")
-    sheet.length("outer.width", left, right, raceway)
+        _bars(sheet, outer, (land, top), (left, right))
+    sheet.length("outer.width", left, right, land)
     if outer.kind == "matrix":  # its file has a stiffness, no shape
         sheet.rectangle((left, right), (top, top + outer.thickness), fc=HOUSING, **SCHEMATIC)
         sheet.label("outer.matrix", (right, top + outer.thickness / 2))
-    else:
-        _support(sheet, outer, (left, right), top)
+    elif outer.kind == "ring":
+        _support(sheet, outer, (left, right), (land, top))
 
 
-def _support(sheet: Sheet, outer: Any, sides: tuple[float, float], top: float) -> None:
+def _support(sheet: Sheet, outer: Any, sides: tuple[float, float], radii: tuple[float, float]) -> None:
     """What holds a plain ring: side, outer surface, housing, springs, lines or teeth."""
-    left, right = sides
+    (left, right), (land, top) = sides, radii
     if outer.support == "side":
-        sheet.held((right, top), (right, top - outer.thickness))
+        sheet.held((right, top), (right, land))
     elif outer.support == "seat":
         sheet.held((left, top), (right, top))
     elif outer.support == "housing":
-        _housing(sheet, outer, top)
+        _housing(sheet, outer, (left + right) / 2, top)
     elif outer.support == "foundation":
         _springs(sheet, left, right, top)
         for path in ("radial", "axial", "tangential"):
@@ -53,44 +56,42 @@ def _support(sheet: Sheet, outer: Any, sides: tuple[float, float], top: float) -
     else:  # lines, or the teeth of a planet gear: the view along the axis shows where
         sheet.line([(left, top), (right, top)], ec="#0b5394", lw=2)
         sheet.label("outer.support", (right, top))
-    if outer.tooth_radius is not None:
+    if sheet.words.value("outer.tooth_radius") is not None:
         sheet.line([(left, outer.tooth_radius), (right, outer.tooth_radius)], ec="#0b5394", ls="-.")
         sheet.label("outer.tooth_radius", (right, outer.tooth_radius), "r ")
 
 
-def _bars(sheet: Sheet, outer: Any, raceway: float, sides: tuple[float, float]) -> None:
-    """Ring with its collars, bars and clamped flanges."""
-    left, right = sides
-    top, middle = raceway + outer.thickness, raceway + outer.thickness / 2
-    collar = raceway + (outer.collar_thickness or outer.thickness)
+def _bars(sheet: Sheet, outer: Any, radii: tuple[float, float], sides: tuple[float, float]) -> None:
+    """Collars of a ring, bars and clamped flanges."""
+    (left, right), (land, top), middle = sides, radii, sum(radii) / 2
     ends = (1, -1) if outer.bar_ends == "both" else (1,)
-    sheet.rectangle(sides, (raceway, top), "outer-ring", fc=OUTER)
-    sheet.line([(left, raceway), (right, raceway)], "outer-raceway")
     for end in ends:
         start = right if end > 0 else left
         foot = start + end * outer.bar_length
         face = foot + end * outer.flange_length
         half = outer.bar_thickness / 2
         sheet.rectangle((start, foot), (middle - half, middle + half), "bar", fc="#dde8f3")
-        sheet.rectangle((foot, face), (raceway, top), "flange", fc=OUTER)
-        sheet.held(*((face, r) for r in ((top, raceway) if end > 0 else (raceway, top))))
-        if outer.collar_length:
-            sheet.rectangle((start - end * outer.collar_length, start), (top, collar), "collar", fc=OUTER)
+        sheet.rectangle((foot, face), (land, top), "flange", fc=OUTER)
+        sheet.held(*((face, r) for r in ((top, land) if end > 0 else (land, top))))
     foot, face = right + outer.bar_length, right + outer.bar_length + outer.flange_length
-    if outer.collar_length:
-        sheet.length("outer.collar_length", right - outer.collar_length, right, collar)
-        sheet.height("outer.collar_thickness", raceway, collar, right)
+    if length := sheet.words.value("outer.collar_length"):
+        collar = land + (outer.collar_thickness or outer.thickness)
+        for end in ends:
+            start = right if end > 0 else left
+            sheet.rectangle((start - end * length, start), (top, collar), "collar", fc=OUTER)
+        sheet.length("outer.collar_length", right - length, right, collar)
+        sheet.height("outer.collar_thickness", land, collar, right)
     sheet.length("outer.bar_length", right, foot, middle)
-    sheet.length("outer.flange_length", foot, face, raceway)
+    sheet.length("outer.flange_length", foot, face, land)
     sheet.label("outer.bar_thickness", (foot - outer.bar_length / 3, middle))
     sheet.label("outer.bars", (foot - outer.bar_length / 2, middle + outer.bar_thickness / 2))
-    if outer.fillet:
+    if sheet.words.value("outer.fillet"):
         sheet.label("outer.fillet", (foot, middle - outer.bar_thickness / 2), "R ")
 
 
-def _housing(sheet: Sheet, outer: Any, bottom: float) -> None:
+def _housing(sheet: Sheet, outer: Any, middle: float, bottom: float) -> None:
     """Housing around the ring, centred on the ring, and what holds it."""
-    left, right = (side * outer.housing_width / 2 - outer.raceway_offset for side in (-1, 1))
+    left, right = (middle + side * outer.housing_width / 2 for side in (-1, 1))
     top = bottom + outer.housing_thickness
     sheet.rectangle((left, right), (bottom, top), "housing", fc=HOUSING)
     sheet.held(

@@ -25,7 +25,7 @@ from flexbearing.report.drawing.page import (
     Page,
     width_of,
 )
-from flexbearing.report.drawing.words import MARKS, Words
+from flexbearing.report.drawing.words import MARKS, SCHEMATIC, Words
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -127,6 +127,11 @@ class Sheet:
     def word(self, text: str, point: tuple[float, float], **style: Any) -> None:
         """Write a text at a point [m]."""
         self.placed.append((text, point, style))
+
+    @property
+    def is_schematic(self) -> bool:
+        """Whether there are shapes without dimensions."""
+        return any(style.get("ls") == SCHEMATIC["ls"] for _, _, style in self.shapes)
 
     @property
     def box(self) -> tuple[NDArray, NDArray]:

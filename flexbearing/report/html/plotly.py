@@ -72,10 +72,12 @@ def _contours(drawn: Map) -> Iterator[dict[str, Any]]:
 def layout(figure: Figure) -> dict[str, Any]:
     """Axes of a figure, lines across it."""
     rules = [item for item in figure.items if isinstance(item, Rule)]
-    named = sum(bool(item.name) for item in figure.items if isinstance(item, Line | Bars))
+    names = [rule.name for rule in rules]
+    lines = [item.name for item in figure.items if isinstance(item, Line | Bars)]
+    named = len([*filter(None, [*lines, *dict.fromkeys(names)])])
     y = _axis(figure.y) | ({"scaleanchor": "x"} if figure.equal else {})
     parts = {
-        "shapes": [*map(_rule, rules)],
+        "shapes": [_rule(rule) | _named(rule, names.index(rule.name) == k) for k, rule in enumerate(rules)],
         "annotations": [_word(rule) for rule in rules if rule.word],
         **(
             {"barmode": "overlay", "bargap": 0}
@@ -112,6 +114,11 @@ def _rule(rule: Rule) -> dict[str, Any]:
     if rule.to is None:
         return {"type": "line", **_ends(rule), "line": line}
     return {"type": "rect", **_ends(rule), "fillcolor": rule.colour, "opacity": BAND, "line": {"width": 0}}
+
+
+def _named(rule: Rule, first: bool) -> dict[str, Any]:
+    """Place of a rule in the legend, one for all rules of a name."""
+    return {"name": rule.name, "legendgroup": rule.name, "showlegend": first} if rule.name else {}
 
 
 def _word(rule: Rule) -> dict[str, Any]:

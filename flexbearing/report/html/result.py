@@ -117,6 +117,7 @@ def _of_solution(reader: Reader) -> dict[str, Any]:
         "deformed": bent if bent and shows_something(bent) else None,
         "bars": _bars(reader),
         "stresses": rings.stresses(reader),
+        "probes": rings.probes(reader),
         "translations": rings.translations(reader),
         "held": others.held(reader),
         "equilibria": others.equilibria(reader),

@@ -1,4 +1,4 @@
-"""Elastic rings: largest stresses of every body, translation on their supports."""
+"""Elastic rings: largest stresses of every body, readings of probes, translation on their supports."""
 
 from flexbearing.report.html.document import Cell, Table
 from flexbearing.report.html.reader import Reader
@@ -9,6 +9,17 @@ _STRESSES = (
     ("compression_MPa", "MPa", ",.0f"), ("x_mm", "mm", ".1f"), ("radius_mm", "mm", ".1f"),
     ("azimuth_deg", "deg", ".1f"),
 )  # fmt: skip
+
+_READINGS = {  # quantities of probes, and their headings
+    "probe_azimuth": "azimuth",
+    "probe_gauge_strain": "along the gauge",
+    "probe_strain_error": "±",
+    "probe_hoop_strain": "hoop",
+    "probe_axial_strain": "axial",
+    "probe_largest_strain": "largest",
+    "probe_smallest_strain": "smallest",
+    "probe_radial_displacement": "outward",
+}
 
 
 def translations(reader: Reader) -> Table | None:
@@ -36,3 +47,17 @@ def stresses(reader: Reader) -> Table | None:
     head = ("body", f"von Mises [{stress}]", f"± [{stress}]", f"tension [{stress}]", f"pressure [{stress}]",
             f"at x [{length}]", f"radius [{length}]", "azimuth [°]")  # fmt: skip
     return Table(head, tuple(rows)) if rows else None
+
+
+def probes(reader: Reader) -> Table | None:
+    """Strains and radial displacement that probes read."""
+    block = reader.blocks.get(reader.last, {})
+    if "probe_azimuth" not in block:
+        return None
+    units = (reader.units.of(reader.layout[name].unit_for_people.name) for name in _READINGS)
+    head = [with_unit(words, unit) for words, unit in zip(_READINGS.values(), units, strict=True)]
+    rows = (
+        (f"{place + 1}", *(reader.element(reader.last, name, place) for name in _READINGS))
+        for place in range(len(block["probe_azimuth"]))
+    )
+    return Table(("probe", *head), tuple(rows))

@@ -24,6 +24,7 @@ from flexbearing.report.sections import (
     matrices,
     opening,
     ordered_levels,
+    probes,
     regimes,
     right_aligned,
     skew,
@@ -69,6 +70,7 @@ def page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
     yield from life_factors(by_state(numbers, numbers["life"]))
     yield from against_catalogue(numbers["catalogue_life"])
     yield from stresses(numbers["stresses"])
+    yield from probes((numbers["flexible"] or {}).get("probes"))
     yield from closing(numbers, ending(numbers))
 
 

@@ -94,8 +94,7 @@ def study_of(given: StudyFile, file: Path, families: Families, of: Head | None =
     case = file.parent / given.case if of is None else Path(of.source.path)
     text = _text(case) if of is None else of.source.text
     stated = _parsed(text, case, "case")
-    extra = given.set.model_extra or {}
-    fixed = {key: None if value == "" else value for key, value in extra.items()}  # which takes it out
+    fixed = given.set.model_extra or {}
     settings = (*(of.source.overrides if of else ()), *written(fixed))
     model = model_of(stated, settings, excerpt(case.name, LONGEST_NAME), families)
     find = partial(declared, model=model, families=families)

@@ -8,6 +8,8 @@ from pydantic import ConfigDict
 from flexbearing.case.quantity import Section, key
 from flexbearing.sampling.design import Method
 
+SETTINGS = "settings of every {} that differ from the case file, key by key; an empty text takes a key out"
+
 
 class Keys(Section):
     """Keys of the case; every name in the table is one."""
@@ -141,10 +143,7 @@ class StudyFile(Section):
         "the same without iterations; they are computed one by one then",
         "table",
     )
-    set: Keys = key(
-        "settings of every variant that differ from the case file, key by key; an empty text takes a key out",
-        {},
-    )
+    set: Keys = key(SETTINGS.format("variant"), {})
     over: Over | None = key("keys that are varied, each over a list, a range or a single value", None)
     sample: Sample | None = key("keys that are drawn from distributions", None)
     duty: Duty | None = key(

@@ -54,6 +54,7 @@ class Plan:
     corners: tuple[Corners, ...] = ()  # where levels are chosen that variants share
     fewest: int = FEWEST  # tasks into which a small study is cut
     side_by_side: bool = False  # whether the variants of a task are solved together
+    in_cells: bool = False  # whether contacts of a variant are divided into cells, which takes far longer
     unchecked: int = 0  # variants, after so many that cannot be computed that the study is refused anyway
 
     def tasks(self, wanted: Callable[[Variant], bool]) -> tuple[Task, ...]:

@@ -39,7 +39,7 @@ class Catalogued:
     """What a catalogue says of the cycles."""
 
     loads: NDArray  # (C, N) equivalent load of each row [N]; NaN where it is not known
-    exponent: float  # of the life
+    exponent: NDArray  # (C) of the loads in the life [-]
     reliability: NDArray  # (C, N) factor a_1 of the reliability that each row requires [-]
     life: float | None = None  # that is required [s]
     application_factor: float = 1.0  # on the loads, for the required rating
@@ -48,7 +48,9 @@ class Catalogued:
         """Mean equivalent load and, where a life is required, that life and the dynamic rating for it."""
         yield _column("mean_load", "N", mean_load(revolutions, self.loads, self.exponent))
         if self.life is not None:
-            of_basic_life = self.application_factor * self.loads / self.reliability ** (1 / self.exponent)
+            of_basic_life = (
+                self.application_factor * self.loads / self.reliability ** (1 / self.exponent[:, None])
+            )
             mean = mean_load(revolutions, of_basic_life, self.exponent)
             turns = self.life * speed / (2 * pi) / MREV
             yield _column("required_rating", "N", required_rating(mean, turns, self.exponent))
@@ -180,8 +182,11 @@ class Cycles:
         lives = self._lives[""]
         if self._to_come[cycle]:
             return NOT_COMPUTED
-        if np.isnan(self._life(lives)[cycle]):
+        life = self._life(lives)[cycle]
+        if np.isnan(life):
             return INCOMPLETE
+        if np.isinf(life):
+            return NO_DAMAGE
         if lives.left_out[cycle].any():
             return LEFT_OUT
         return BOUNDED if self._bounded[cycle].any() else CONVERGED

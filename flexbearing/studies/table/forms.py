@@ -1,19 +1,31 @@
 """The forms of a table: the bytes of each file, with units in all of them."""
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from importlib.util import find_spec
+from math import inf
+from typing import Any
 
 from flexbearing.files import as_csv
+from flexbearing.studies.plan.task import NO_DAMAGE
 from flexbearing.studies.table.table import Table
 
 EXTRA = 'pip install "flexbearing[studies]"'
 
 
 def csv_bytes(table: Table) -> bytes:
-    """A table as CSV: headings with units, then the rows; nothing stands where there is no number."""
+    """A table as CSV: headings with units, then the rows; nothing stands where there is no number.
+
+    Infinite lives of rows without damage are none either: their status says it.
+    """
     headings = [column.heading for column in table.columns]
-    return as_csv([headings, *zip(*(column.values for column in table.columns), strict=True)]).encode()
+    return as_csv(
+        [headings, *map(_cells, zip(*(column.values for column in table.columns), strict=True))]
+    ).encode()
+
+
+def _cells(row: Sequence[Any]) -> Sequence[Any]:
+    return [None if value == inf else value for value in row] if NO_DAMAGE in row else row
 
 
 def parquet_bytes(table: Table) -> bytes:

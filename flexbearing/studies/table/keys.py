@@ -26,7 +26,8 @@ def key_columns(plan: Plan, model: type[Section]) -> tuple[Column, ...]:
 
 
 def _key_column(declaration: Declaration, values: Sequence[Any], in_si: Sequence[Any]) -> Column:
-    """Column of a varied key; NaN or an empty text where a row leaves the key as the case has it."""
+    """Column of a varied key; NaN or an empty text where a row leaves it as the case has it, or out."""
+    values = [None if value == "" else value for value in values]
     if declaration.kind is None or declaration.listed:
         if None not in values and (declaration.number or bool in {*map(type, values)}):
             return Column(declaration.path, "", tuple(values), varied=True)

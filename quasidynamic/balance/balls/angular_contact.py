@@ -110,9 +110,15 @@ class AngularBalance:
         return self.unloaded_groove + ring @ self.ring_to_groove.T
 
     @cached_property
-    def unloaded_groove(self) -> complex:
-        """Inner groove centre from the outer one where the ring is not displaced [m]."""
-        return complex(*self.bearing.groove_offset)
+    def unloaded_groove(self) -> complex | Vectors:
+        """Inner groove centres from the outer ones where the ring is not displaced: of all or each ball."""
+        approaches = np.array(self.bearing.approaches or 0.0)
+        return complex(*self.bearing.groove_offset) + 1j * approaches
+
+    def out_of_round(self, part: float) -> "AngularBalance":
+        """The same with a part of what makes raceways approach the balls."""
+        approaches = tuple(part * each for each in self.bearing.approaches) if part else ()
+        return replace(self, bearing=replace(self.bearing, approaches=approaches))
 
     @cached_property
     def free_centrifugal(self) -> NDArray:

@@ -126,7 +126,7 @@ def shape_of(groove: ElasticGroove, angles: NDArray, force: Vectors) -> GrooveSh
     answers = (groove.by_ball @ pressed).reshape(cases, balls, balls, -1, 3)  # by ball, at ball, at station
     displaced = np.einsum("cyzka,cya->czk", answers[..., :2], vectors)
     moves = np.moveaxis(by_vector.swapaxes(-1, -2)[:, None] @ answers, 1, 3)  # (C, Z, 2, Z, 3)
-    own = np.arange(balls)
-    moves[:, own, :, own, 2] += (displaced[:, :, None] @ by_turn)[:, :, 0].swapaxes(0, 1)
+    ball = np.arange(balls)  # its angle also moves the place where its displacement is taken
+    moves[:, ball, :, ball, 2] += (displaced[:, :, None] @ by_turn)[:, :, 0].swapaxes(0, 1)
     moved = (displaced[:, :, None] @ by_vector)[:, :, 0]
     return GrooveShape(moved, moves[..., :2], moves[..., 2])

@@ -1,80 +1,62 @@
 """Derivatives of a ring on balls by parameters: implicit differentiation, nothing is solved again."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.angular_contact import AngularBalance, moved
-from quasidynamic.balance.balls.ball_position import Vectors
-from quasidynamic.solve.balls.ball_equilibrium import resolved
-from quasidynamic.solve.balls.ring_on_balls import followed
+from quasidynamic.balance.balls.angular_contact import AngularBalance
+from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves
+from quasidynamic.solve.balls.ring_in_elastic_grooves import Places, unmoved
+from quasidynamic.solve.balls.ring_on_springs import stiffened_step
 
-
-class Places(NamedTuple):
-    """Places of ring and balls of one case."""
-
-    ring: NDArray  # (1, 5) [m] rotations times R_i
-    centres: Vectors  # (1, Z) [m] axial + i radial, from the outer groove centres
-
-    def shifted(self, balance: AngularBalance, by: "Places", steps: float) -> "Places":
-        """Places some steps away; a ring that is held is where another case holds it."""
-        ring = np.where(balance.held, balance.place, self.ring + steps * by.ring)
-        return Places(ring, self.centres + steps * by.centres)
+Equations = tuple[AngularBalance, ElasticGrooves]
 
 
-def moved_places(
-    balance: AngularBalance, places: Places, variants: Sequence[AngularBalance], weights: Sequence[float]
-) -> Places:
-    r"""Change of the places of an equilibrium by a parameter.
+def newton_step(equations: Equations, places: Places) -> Places:
+    """Newton step of ring, grooves and balls of one case; not a number where nothing holds the ring."""
+    balance, grooves = equations
+    state = unmoved(balance, grooves, places)
+    return state.steps(stiffened_step(balance, state.excess_after, state.stiffness, 0.0))
 
-    Balls move by what the parameter leaves unbalanced on them, the ring by what it and they leave on it, and
-    the balls follow the ring:
 
-    .. math:: \Delta c = -E_c^{-1} E_p,\quad \Delta q = K^{-1} (R_p + R_c \Delta c),\quad
-              c' = \Delta c + \frac{dc}{dq} \Delta q
+def moved_places(places: Places, variants: Sequence[Equations], weights: Sequence[float]) -> Places:
+    r"""Change of the places of an equilibrium by a parameter: the weighted sum of Newton steps of variants.
+
+    Balls move by what the parameter leaves unbalanced on them, grooves by what it and they leave between them
+    and the displacement by the forces of the balls, the ring by what all leave on it; then grooves and balls
+    follow it, see `ring_in_elastic_grooves`:
+
+    .. math:: x' = -J^{-1} \frac{\partial r}{\partial p}
+              = -\sum_k w_k\,J_k^{-1} r(x, p_k) + O(\Delta p^2)
+
+    with the residual r of all, and its derivatives J by their places x, which the variants p_k have.
 
     Parameters
     ----------
-    balance : AngularBalance
-        of one case
     places : Places
-        its equilibrium
-    variants : sequence of AngularBalance
-        the same case with other values of the parameter
+        of one case in equilibrium
+    variants : sequence of pairs
+        balance and grooves of the same case with other values of the parameter; rigid rings are grooves of
+        no compliance
     weights : sequence of float
         whose sum of values of the variants is a derivative
 
     Returns
     -------
     Places
-        derivatives; not a number where nothing holds the ring
+        derivatives, in m and N by the unit of the parameter
 
     Source
     ------
-    The implicit function theorem, balls eliminated from the ring; derived here.
+    The implicit function theorem, balls eliminated from the grooves, both from the ring; derived here.
 
     Valid
     -----
     Where the slopes of race control are exact, which those of Coulomb friction are not.
     """
-    balls = balance.balls(balance.grooves(places.ring), places.centres)
-    follow = followed(balls)
-    ring = balance.ring(balls, follow)
-    on_balls, on_ring, held = 0.0, 0.0, 0.0
+    total = Places(*(np.zeros_like(each) for each in places))
     for variant, weight in zip(variants, weights, strict=True):
-        there = np.where(variant.held, variant.place, places.ring)
-        forces = variant.balls(variant.grooves(there), places.centres)
-        on_balls = on_balls + weight * forces.excess
-        on_ring = on_ring + weight * variant.ring(forces, follow).excess
-        held = held + weight * np.where(variant.held, variant.place, 0.0)
-    alone = -resolved(balls, np.asarray(on_balls))
-    _, force, traction = moved(balls.by_ball, alone)
-    left = np.where(balance.held, 0.0, on_ring - balance.on_ring(force, traction.real))
-    step = np.array(held)
-    free = np.flatnonzero(~balance.held[0])
-    if len(free):
-        step[0, free] = np.linalg.solve(ring.stiffness[0][np.ix_(free, free)], left[0, free])
-    by_ring = np.where(balance.held, 0.0, step) @ balance.ring_to_groove.T
-    return Places(step, alone + moved(follow, by_ring))
+        balance, _ = variant
+        step = newton_step(variant, places.held(balance))
+        total = total.further(weight, step.held(balance))  # whose places where it is held add up, too
+    return total

@@ -1,5 +1,6 @@
-"""Newton's method for a ring on balls between grooves that give way."""
+"""Newton's method for a ring on balls between elastic grooves."""
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -8,7 +9,13 @@ from numpy.typing import NDArray
 from quasidynamic.balance.balls.angular_contact import AngularBalance, BallBalance, RingBalance, moved
 from quasidynamic.balance.balls.ball_position import Vectors, groove_arm, turning
 from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves, shape_of
-from quasidynamic.solve.balls.ball_equilibrium import BallsInBalance, along_arc, balance_balls, resolved
+from quasidynamic.solve.balls.ball_equilibrium import (
+    BallsInBalance,
+    along_arc,
+    at_places,
+    balance_balls,
+    resolved,
+)
 from quasidynamic.solve.balls.ring_on_balls import (
     ANSWERED,
     BALL_SHARE,
@@ -28,15 +35,10 @@ LEAST_STEP = 2e-3  # part of the compliance by which grooves become softer at le
 TOLERANCE = 1e-9  # of the largest force: below, balls that only inertia presses may go to and fro
 
 
-class ElasticSolution(NamedTuple):
-    """Balance between elastic grooves; C cases, Z balls, inner then outer race."""
-
-    rings: RingSolution  # with the stiffness of grooves and balls
-    shape: Vectors  # (C, Z) [m] inner groove less outer groove beyond those of rigid rings
-    moved: NDArray  # (C, 2, Z, 2) [m] axial and radial displacement of the grooves under the balls
+Equations = Callable[[float], tuple[AngularBalance, ElasticGrooves]]  # by a part of what is continued
 
 
-class _Places(NamedTuple):
+class Places(NamedTuple):
     """Places of C cases, inner then outer race."""
 
     ring: NDArray  # (C, 5) [m] of the inner ring, rotations times R_i
@@ -49,11 +51,37 @@ class _Places(NamedTuple):
         """Inner grooves less outer ones beyond those of rigid rings (C, Z) [m]."""
         return self.grooves[:, 0] - self.grooves[:, 1]
 
+    def further(self, steps: float, step: "Places") -> "Places":
+        """Places so many steps away."""
+        return Places(
+            self.ring + steps * step.ring,
+            self.grooves + steps * step.grooves,
+            self.pressing + steps * step.pressing,
+            self.centres + steps * step.centres,
+        )
 
-class _State(NamedTuple):
+    def held(self, balance: AngularBalance) -> "Places":
+        """The same with a ring that is held where a case holds it."""
+        return self._replace(ring=np.where(balance.held, balance.place, self.ring))
+
+
+class ElasticSolution(NamedTuple):
+    """Balance between elastic grooves; C cases, Z balls, inner then outer race."""
+
+    rings: RingSolution  # with the stiffness of grooves and balls
+    moved: NDArray  # (C, 2, Z, 2) [m] axial and radial displacement of the grooves under the balls
+
+    @property
+    def places(self) -> Places:
+        """Of ring, grooves and balls; without the forces that would displace the grooves so."""
+        grooves = self.moved.view(complex)[..., 0]
+        return Places(self.rings.ring, grooves, np.zeros_like(grooves), self.rings.centres)
+
+
+class State(NamedTuple):
     """Forces and derivatives at one place; moves are those of grooves against each other (2 Z)."""
 
-    ring: NDArray  # (C, 5), as the next three of `_Places`
+    ring: NDArray  # (C, 5), as the next three of `Places`
     grooves: Vectors
     pressing: Vectors
     centres: Vectors
@@ -62,7 +90,7 @@ class _State(NamedTuple):
     forces: Vectors  # (C, 2, Z) [N] on the races, once the balls have moved
     by_moves: NDArray  # (C, 2, Z, 2, 2) [N/m] their change
     misfit: NDArray  # (C, 2, 2 Z) [m] grooves less where the forces displace them to
-    yielding: NDArray  # (C, 2, 2 Z, 2 Z) change of where the forces displace them to
+    deflection_by_moves: NDArray  # (C, 2, 2 Z, 2 Z) change by moves of where the forces displace them to
     excess: NDArray  # (C, 5) [N] once the balls have moved
     excess_after: NDArray  # (C, 5) [N] once balls and grooves have moved to their balance, the ring held
     stiffness: NDArray  # (C, 5, 5) [N/m] balls and grooves in balance
@@ -72,19 +100,33 @@ class _State(NamedTuple):
     imbalance: NDArray  # (C)
     evaluations: NDArray  # (C) of all balls
 
-    def of(self, cases: NDArray) -> "_State":
+    def of(self, cases: NDArray) -> "State":
         """Some of the cases."""
-        return _State(*(array[cases] for array in self))
+        return State(*(array[cases] for array in self))
 
-    def put(self, cases: NDArray, others: "_State") -> None:
+    def put(self, cases: NDArray, others: "State") -> None:
         """Replace some of the cases."""
         for array, other in zip(self, others, strict=True):
             array[cases] = other
 
     @property
-    def places(self) -> _Places:
+    def places(self) -> Places:
         """Where ring, grooves and balls are."""
-        return _Places(*self[: len(_Places._fields)])
+        return Places(*self[: len(Places._fields)])
+
+    def moves(self, ring: NDArray) -> NDArray:
+        """Newton step (C, 2 Z) of the grooves against each other, given that of the ring (C, 5)."""
+        return (self.by_ring @ ring[..., None])[..., 0] + self.closing
+
+    def steps(self, ring: NDArray) -> Places:
+        """Newton steps of all places, given that of the ring (C, 5)."""
+        moves = self.moves(ring)
+        return Places(
+            ring,
+            ((self.deflection_by_moves @ moves[:, None, :, None])[..., 0] - self.misfit).view(complex),
+            self.forces - self.pressing + _vectors(self.by_moves @ _pairs(moves)[:, None, ..., None]),
+            self.ball_moves + moved(np.moveaxis(self.follow, 1, 0), moves.view(complex)),
+        )
 
     def work(self, step: NDArray, moves: Vectors) -> NDArray:
         """Work (C) [N m] of unbalanced forces on a step of the ring (C, 5) and of the grooves (C, 2, Z).
@@ -95,11 +137,11 @@ class _State(NamedTuple):
 
 
 def solve_elastic(balance: AngularBalance, grooves: ElasticGrooves) -> ElasticSolution:
-    r"""Balance of all cases between elastic grooves, from that between rigid ones.
+    r"""Balance of all cases between elastic grooves, from that between rigid and round ones.
 
     .. math:: v = v_0 + B a + s, \quad s = -C_i F_i(v) - C_o F_o(v), \quad P = B^T F_i(v)
 
-    with the felt place v of the inner groove against the outer one, the ring place a, forces on balls F_i
+    with the place v of the inner groove against the outer one, the ring place a, forces on balls F_i
     and on the outer race F_o with balls in balance, and compliances of grooves C, which follow the contact
     angles.
 
@@ -108,42 +150,76 @@ def solve_elastic(balance: AngularBalance, grooves: ElasticGrooves) -> ElasticSo
     Virtual work, balls eliminated from the ring and the grooves; derived here.
     """
     with np.errstate(all="ignore"):  # places tried on the way may overflow: such a step is not taken
-        rigid = solve(balance)
+        is_round = not balance.bearing.approaches
+        first = balance if is_round else balance.out_of_round(0.0)
+        rigid = solve(first)
         rest = np.zeros((len(rigid.ring), 2, rigid.centres.shape[1]), complex)
-        begin = _Places(rigid.ring, rest, rest, rigid.centres)
-        state, outcomes = _newton(balance, grooves, begin)
-        for case, outcome in enumerate(outcomes):
-            if outcome in ANSWERED or rigid.outcomes[case] is not SolverOutcome.CONVERGED:
-                continue
-            one = np.array([case])
-            found, spent = _softening(balance.take(one), grooves, _Places(*(array[one] for array in begin)))
-            if found is not None:
-                outcomes[case] = SolverOutcome.CONVERGED
-                state.put(one, found)
-            state.evaluations[case] += spent
-        shape = state.places.shape
-        balls = balance.balls(balance.grooves(state.ring) + shape, state.centres)
-    ended = [
-        each if known is SolverOutcome.CONVERGED else known
-        for each, known in zip(outcomes, rigid.outcomes, strict=True)
+        begin = Places(rigid.ring, rest, rest, rigid.centres)
+        state, outcomes = _newton(first, grooves, begin)
+        ended = rigid.outcomes, outcomes
+        _by_parts(lambda part: (first, grooves.softened(part)), begin, state, ended, softening=True)
+        if not is_round:
+            known, begin = outcomes, state.places
+            spent = state.evaluations
+            state, outcomes = _newton(balance, grooves, begin)
+            ended = known, outcomes
+            _by_parts(
+                lambda part: (balance.out_of_round(part), grooves), begin, state, ended, softening=False
+            )
+            outcomes = _after(known, outcomes)
+            state.evaluations[:] += spent
+    state.evaluations[:] += rigid.evaluations
+    return as_solution(balance, state, _after(rigid.outcomes, outcomes))
+
+
+def _after(known: list[SolverOutcome], outcomes: list[SolverOutcome]) -> list[SolverOutcome]:
+    """Outcomes of what began where others ended: theirs, where they found no balance."""
+    return [
+        each if before is SolverOutcome.CONVERGED else before
+        for each, before in zip(outcomes, known, strict=True)
     ]
+
+
+def _by_parts(
+    equations: Equations, begin: Places, state: State,
+    outcomes: tuple[list[SolverOutcome], list[SolverOutcome]], *, softening: bool,
+) -> None:  # fmt: skip
+    """Find what Newton's method did not, from where the cases began, by `equations` of growing parts."""
+    known, ended = outcomes
+    for case, outcome in enumerate(ended):
+        if outcome in ANSWERED or known[case] is not SolverOutcome.CONVERGED:
+            continue
+        one = np.array([case])
+
+        def of_case(part: float, one: NDArray = one) -> tuple[AngularBalance, ElasticGrooves]:
+            balance, grooves = equations(part)
+            return balance.take(one), grooves
+
+        places = Places(*(array[one] for array in begin))
+        found, spent = _continuation(of_case, places, softening=softening)
+        if found is not None:
+            ended[case] = SolverOutcome.CONVERGED
+            state.put(one, found)
+        state.evaluations[case] += spent
+
+
+@np.errstate(all="ignore")  # a case that ended not finite has no forces
+def as_solution(balance: AngularBalance, state: State, outcomes: list[SolverOutcome]) -> ElasticSolution:
+    """Forces and displacements of a state in balance."""
+    balls = balance.balls(balance.grooves(state.ring) + state.places.shape, state.centres)
     forces = balls, RingBalance(state.excess_after, state.stiffness, state.carried)
-    counts = state.evaluations + rigid.evaluations
-    rings = RingSolution(state.ring, state.centres, ended, state.imbalance, counts, forces)
-    return ElasticSolution(rings, shape, state.grooves[..., None].view(float))
+    rings = RingSolution(state.ring, state.centres, outcomes, state.imbalance, state.evaluations, forces)
+    return ElasticSolution(rings, state.grooves[..., None].view(float))
 
 
-def _softening(
-    balance: AngularBalance, grooves: ElasticGrooves, places: "_Places"
-) -> tuple[_State | None, int]:
-    """Balance of one case by grooves that become softer step by step, and evaluations before the last."""
+def _continuation(equations: Equations, places: Places, *, softening: bool) -> tuple[State | None, int]:
+    """Balance of one case by parts of its equations, step by step, and evaluations before the last."""
     part, step, count = 0.0, 0.25, 0
     while step >= LEAST_STEP:
         further = min(1.0, part + step)
-        softer = places._replace(
-            pressing=part / further * places.pressing
-        )  # what bends softer grooves as far
-        trial, (outcome,) = _newton(balance, grooves.softened(further), softer)
+        balance, grooves = equations(further)
+        kept = part / further if softening else 1.0  # what bends softer grooves as far
+        trial, (outcome,) = _newton(balance, grooves, places._replace(pressing=kept * places.pressing))
         if outcome is not SolverOutcome.CONVERGED:
             count, step = count + int(trial.evaluations[0]), step / 2
             continue
@@ -155,8 +231,8 @@ def _softening(
 
 
 def _newton(
-    balance: AngularBalance, grooves: ElasticGrooves, start: _Places
-) -> tuple[_State, list[SolverOutcome]]:
+    balance: AngularBalance, grooves: ElasticGrooves, start: Places
+) -> tuple[State, list[SolverOutcome]]:
     """Damped Newton of ring and grooves, all cases side by side; a case leaves as soon as it ends."""
     outcomes, cases = [SolverOutcome.RUNNING] * len(start.ring), np.arange(len(start.ring))
     state, gained = _at(balance, grooves, start, BALL_SHARE), np.full(len(cases), True)
@@ -183,17 +259,10 @@ def _outcome(balance: AngularBalance, left: float, gained: bool, last: bool) -> 
     return SolverOutcome.LIMIT if last else SolverOutcome.RUNNING
 
 
-def _next(balance: AngularBalance, grooves: ElasticGrooves, state: _State) -> tuple[_State, NDArray]:
+def _next(balance: AngularBalance, grooves: ElasticGrooves, state: State) -> tuple[State, NDArray]:
     """State after a Newton step, each case halving it until it does not run far past the balance."""
     step = stiffened_step(balance, state.excess_after, state.stiffness, FLOATING)
-    moves = (state.by_ring @ step[..., None])[..., 0] + state.closing
-    against = moves.view(complex)
-    steps = _Places(
-        step,
-        ((state.yielding @ moves[:, None, :, None])[..., 0] - state.misfit).view(complex),
-        state.forces - state.pressing + _vectors(state.by_moves @ _pairs(moves)[:, None, ..., None]),
-        state.ball_moves + moved(np.moveaxis(state.follow, 1, 0), against),
-    )
+    steps, against = state.steps(step), state.moves(step).view(complex)
     longest = LONGEST * min(balance.bearing.inner_reach, balance.bearing.outer_reach)
     damping = 1 / np.maximum(np.abs(against).max(1) / longest, 1.0)
     last, trial = SHORTEST * damping, state.of(np.arange(len(damping)))
@@ -205,18 +274,18 @@ def _next(balance: AngularBalance, grooves: ElasticGrooves, state: _State) -> tu
             (part * array[trying].T).T
             for array in steps  # along the cases
         )
-        at = _Places(
+        at = Places(
             state.ring[trying] + ring,
             state.grooves[trying] + moved_grooves,
             state.pressing[trying] + pressing,
             along_arc(state.centres[trying], follow),
         )
-        found = _at(some, grooves, at, BALL_SHARE * state.imbalance[trying])
-        found.evaluations[:] += trial.evaluations[trying]
-        trial.put(trying, found)
-        left = found.work(step[trying], steps.grooves[trying])
-        good = (left >= -0.5 * ahead[trying]) | (found.imbalance < 0.5 * state.imbalance[trying])
-        good &= np.isfinite(found.imbalance)
+        candidate = _at(some, grooves, at, BALL_SHARE * state.imbalance[trying])
+        candidate.evaluations[:] += trial.evaluations[trying]
+        trial.put(trying, candidate)
+        left = candidate.work(step[trying], steps.grooves[trying])
+        good = (left >= -0.5 * ahead[trying]) | (candidate.imbalance < 0.5 * state.imbalance[trying])
+        good &= np.isfinite(candidate.imbalance)
         gained[trying] = good
         damping[trying] /= 2
         trying = trying[~good & (damping[trying] >= last[trying])]
@@ -224,26 +293,49 @@ def _next(balance: AngularBalance, grooves: ElasticGrooves, state: _State) -> tu
 
 
 def _at(
-    balance: AngularBalance, grooves: ElasticGrooves, places: _Places, share: NDArray | float = 0.0
-) -> _State:
+    balance: AngularBalance, grooves: ElasticGrooves, places: Places, share: NDArray | float = 0.0
+) -> State:
     """Ring and grooves at a place, balls in balance up to a share (C) of the largest force."""
     at = balance.grooves(places.ring) + places.shape
     result = balance_balls(balance, at, places.centres, share)
-    balls, scales = result.balls, result.scales
+    return _with_balls(balance, grooves, places, result, exact=False)
+
+
+def unmoved(balance: AngularBalance, grooves: ElasticGrooves, places: Places) -> State:
+    """Ring, grooves and balls near their balance, where they are."""
+    result = at_places(balance, balance.grooves(places.ring) + places.shape, places.centres)
+    return _with_balls(balance, grooves, places, result, exact=True)
+
+
+def _with_balls(
+    balance: AngularBalance, grooves: ElasticGrooves, places: Places, result: BallsInBalance, *, exact: bool
+) -> State:
+    """Forces and derivatives with balls as they are; `exact` to first order in what they still have to move.
+
+    Newton's method needs light balls that stay and contact angles that wait for the balls: slopes do not
+    reach far there.
+    """
+    at, balls, scales = balance.grooves(places.ring) + places.shape, result.balls, result.scales
     moves = -resolved(balls, np.concatenate([balls.excess[None], balls.by_groove[:, 0]]))
+    if not exact:
+        moves[0, result.left <= scales.allowed()] = 0.0
+    turns = _turns(at, result.centres, moves)
+    if not exact:
+        turns[..., 0] = 0.0
     ball_moves, follow = moves[0], moves[1:]
-    ball_moves[result.left <= scales.allowed()] = 0.0  # slopes of light balls do not reach far
     _, force, traction = moved(balls.by_ball, ball_moves)
     forces, by_moves = _on_races(balance, result, at, ball_moves, follow)
-    displaced, yielding = _displaced(grooves, balls, forces, by_moves, _turns(at, result.centres, follow))
+    displaced, deflection_by_moves = _displaced(grooves, balls, forces, by_moves, turns)
     misfit = places.grooves.view(float).reshape(displaced.shape) - displaced
     to_groove = np.stack([balance.ring_to_groove.real, balance.ring_to_groove.imag], 1).reshape(-1, 5)
     closing = misfit[:, 1] - misfit[:, 0]
     columns = np.concatenate([np.tile(to_groove, (len(at), 1, 1)), closing[..., None]], axis=-1)
-    softness = yielding[:, 1] - yielding[:, 0]
-    felt = np.linalg.solve(np.eye(softness.shape[1]) + np.nan_to_num(softness), columns)
+    relative_deflection = deflection_by_moves[:, 1] - deflection_by_moves[:, 0]
+    relative_moves = np.linalg.solve(
+        np.eye(relative_deflection.shape[1]) + np.nan_to_num(relative_deflection), columns
+    )
     by_traction = balls.by_groove[:, 2] + moved(balls.by_ball[:, 2, None], follow[:, None])[:, 0]
-    changes = _on_ring(balance, -by_moves[:, 0], by_traction, felt)
+    changes = _on_ring(balance, -by_moves[:, 0], by_traction, relative_moves)
     ring = balance.ring(balls, follow)
     excess = np.where(balance.held, 0.0, ring.excess - balance.on_ring(force, traction))
     tolerance, left = tolerance_of(balance), result.left.max(1)
@@ -252,20 +344,20 @@ def _at(
     misfit_force = np.abs(by_moves).max((1, 2, 3, 4)) * np.abs(closing).max(1)
     largest = np.maximum(np.maximum(scales.largest, scales.noise / tolerance), TINY)
     imbalance = np.maximum.reduce([counted, misfit_force, left]) / largest
-    return _State(
+    return State(
         *places._replace(centres=result.centres),
         ball_moves=ball_moves,
         follow=follow.swapaxes(0, 1),
         forces=forces,
         by_moves=by_moves,
         misfit=misfit,
-        yielding=yielding,
+        deflection_by_moves=deflection_by_moves,
         excess=excess,
         excess_after=np.where(balance.held, 0.0, excess - changes[..., 5]),
         stiffness=changes[..., :5],
         carried=ring.carried,
-        by_ring=felt[..., :5],
-        closing=felt[..., 5],
+        by_ring=relative_moves[..., :5],
+        closing=relative_moves[..., 5],
         imbalance=np.where(result.done, imbalance, np.inf),
         evaluations=np.full(len(at), result.evaluations),
     )
@@ -280,45 +372,54 @@ def _on_races(
     """
     balls = result.balls
     on_ball = balls.forces[1] + moved(balls.by_ball[:, 1], ball_moves)
-    by_felt = _real(balls.by_groove[:, 1] + moved(balls.by_ball[:, 1, None], follow[:, None])[:, 0])
+    by_relative_moves = _real(balls.by_groove[:, 1] + moved(balls.by_ball[:, 1, None], follow[:, None])[:, 0])
     pulled, pulled_by_ball = balance.centrifugal_by_place(balls, at, result.centres)
     pull = balls.kinematics.centrifugal + moved(pulled_by_ball, ball_moves)
-    outer = by_felt.copy()
+    outer = by_relative_moves.copy()
     outer[:, :, 1] += np.moveaxis(pulled + moved(pulled_by_ball[:, None], follow), 0, -1)
-    return np.stack([-on_ball, on_ball + 1j * pull], 1), np.stack([-by_felt, outer], 1)
+    return np.stack([-on_ball, on_ball + 1j * pull], 1), np.stack([-by_relative_moves, outer], 1)
 
 
 def _displaced(
     grooves: ElasticGrooves, balls: BallBalance, forces: Vectors, by_moves: NDArray, turns: NDArray
 ) -> tuple[NDArray, NDArray]:
-    """Where forces displace both grooves to (C, 2, 2 Z) [m], and its change by moves (C, 2, 2 Z, 2 Z)."""
+    """Where forces displace both grooves to (C, 2, 2 Z) [m], and its change by moves (C, 2, 2 Z, 2 Z).
+
+    Forces are those once the balls have moved; `turns` are as `_turns` gives them.
+    """
     cases, _, count = forces.shape
     displaced = np.zeros((cases, 2, 2 * count))
-    yielding = np.zeros((cases, 2, 2 * count, 2 * count))
+    deflection_by_moves = np.zeros((cases, 2, 2 * count, 2 * count))
     for race, groove in enumerate(grooves):
         if groove is None:
             continue
         each = shape_of(groove, balls.contacts.angles[race], forces[:, race])
-        displaced[:, race] = each.moved.reshape(cases, -1)
-        change = each.by_force.swapaxes(2, 3) @ by_moves[:, race, None]
-        change += each.by_angle.swapaxes(2, 3)[..., None] * turns[race][:, None, :, None]
-        yielding[:, race] = change.swapaxes(2, 3).reshape(cases, 2 * count, 2 * count)
-    return displaced, yielding
+        turned = each.by_angle.swapaxes(2, 3)[..., None] * turns[race][:, None, :, None]
+        displaced[:, race] = (each.moved + turned[..., 0].sum(2)).reshape(cases, -1)
+        change = each.by_force.swapaxes(2, 3) @ by_moves[:, race, None] + turned[..., 1:]
+        deflection_by_moves[:, race] = change.swapaxes(2, 3).reshape(cases, 2 * count, 2 * count)
+    return displaced, deflection_by_moves
 
 
-def _on_ring(balance: AngularBalance, by_felt: NDArray, by_traction: Vectors, moves: NDArray) -> NDArray:
+def _on_ring(
+    balance: AngularBalance, by_relative_moves: NDArray, by_traction: Vectors, moves: NDArray
+) -> NDArray:
     """Change of the load that is carried (C, 5, Q) by moves of grooves against each other (C, 2 Z, Q)."""
     each = moves.reshape(len(moves), -1, 2, moves.shape[-1])
-    force = by_felt @ each
+    force = by_relative_moves @ each
     traction = np.einsum("acz,czaq->czq", by_traction.real, each)
     carried = (balance.groove_to_ring.T @ (force[:, :, 0] + 1j * force[:, :, 1])).real
     return carried - balance.ring_to_lever.T @ traction
 
 
-def _turns(grooves: Vectors, centres: Vectors, follow: Vectors) -> NDArray:
-    """Change of the contact angles (2, C, Z, 2) [rad/m] by an axial and by a radial move of the groove."""
-    turns = []
-    for arm, moves in ((grooves - centres, np.array([1, 1j])[:, None, None] - follow), (centres, follow)):
+def _turns(grooves: Vectors, centres: Vectors, ball_moves: Vectors) -> NDArray:
+    """Change of the contact angles (2, C, Z, 3) by moves of the balls (3, C, Z).
+
+    The first [rad] is what the balls still have to move, then follow those that come with an axial and with a
+    radial move of the groove [rad/m].
+    """
+    groove_moves, turns = np.array([0, 1, 1j])[:, None, None], []
+    for arm, moves in ((grooves - centres, groove_moves - ball_moves), (centres, ball_moves)):
         along = groove_arm(arm)
         length = np.abs(along)
         tangent = (along / length) * -1j  # e^(-i alpha), towards growing angles

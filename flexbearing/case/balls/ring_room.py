@@ -1,0 +1,105 @@
+"""Room for grooves, bars and patches of balls in the elastic rings of a case."""
+
+from math import cos
+from typing import TYPE_CHECKING, Any, Literal
+
+from flexbearing.case import held_ring
+from flexbearing.case.balls.groove_accuracy import SHORTEST
+from flexbearing.case.quantity import at_least, at_most, impossible, in_mm, located, require
+
+if TYPE_CHECKING:
+    from fem.parts.groove import Groove
+
+Race = Literal["inner", "outer"]
+OUTWARD: dict[Race, int] = {"inner": -1, "outer": 1}
+MARGIN = 2.0  # widths of a patch from the outermost station to the end of the groove
+
+
+def elastic_groove(bearing: Any, race: Race) -> "tuple[Groove, float]":
+    """Groove in an elastic ring, and radius of its shoulders [m]."""
+    from fem.parts.groove import Groove  # not described between rigid rings
+
+    groove, outward, bottom = getattr(bearing, race), OUTWARD[race], bearing.groove_bottom(race)
+    radius = groove.over(bearing.ball.diameter) * bearing.ball.diameter
+    arc = Groove(radius=radius, centre_radius=bottom - outward * radius)
+    return arc, bottom - outward * groove.shoulder
+
+
+def require_room(case: Any) -> None:
+    """Raise unless the elastic rings of fast balls can have their grooves; names are dotted keys."""
+    races: tuple[Race, Race] = ("inner", "outer")
+    for race in races:
+        if getattr(case, race).kind not in ("rigid", "cam"):
+            _require_arc(case.bearing, race)
+            (_require_inner if race == "inner" else _require_outer)(case)
+            _require_patches(case, race)
+
+
+def _require_arc(bearing: Any, race: Race) -> None:
+    """Raise where a groove reaches the axis, or the centre of its arc lies beyond."""
+    from fem.parts.rings import SLENDEREST_SLOT
+
+    diameter, pitch, slope = bearing.ball.diameter, bearing.pitch_diameter, cos(bearing.groove_angle)
+    groove: Any = getattr(bearing, race)
+    if race == "outer":
+        largest = diameter / 2 + (pitch / 2 - SLENDEREST_SLOT) / slope
+    else:  # with a shaft below
+        room = pitch / 2 - diameter / 2 * slope - 3 * SLENDEREST_SLOT
+        largest = room / (1 - slope) if slope < 1 else float("inf")
+    if groove.over(diameter) * diameter <= largest:
+        return
+    if groove.conformity is not None:
+        raise impossible(f"bearing.{race}.conformity", f"at most {largest / diameter:.3f} around the axis")
+    raise impossible(f"bearing.{race}.radius", f"{at_most(largest)} around the axis")
+
+
+def _require_outer(case: Any) -> None:
+    from fem.parts.rings import SLENDEREST_SLOT, narrowest_ring
+
+    outer, (groove, land) = case.outer, elastic_groove(case.bearing, "outer")
+    thickness, width = require(outer, ("thickness", "width"), f'outer.kind = "{outer.kind}"')
+    if thickness <= SLENDEREST_SLOT:
+        raise impossible("outer.thickness", f"above {in_mm(SLENDEREST_SLOT)}")
+    _require_wide("outer", width, narrowest_ring(groove, land, 1, 0.0))
+    least = narrowest_ring(groove, land, 1, outer.groove_offset)
+    if width < least:
+        most = max(abs(outer.groove_offset) - (least - width) / 2, 0.0)
+        raise impossible(
+            "outer.groove_offset", f"{at_most(most)} to either side, or the groove leaves outer.width"
+        )
+    if outer.kind == "squirrel_cage":
+        height, keys = groove.bottom(1) + thickness - land, "bearing.outer.shoulder and outer.thickness"
+        located("outer", lambda: held_ring.require_room_for_bars(outer, 2 * land, height, keys))
+
+
+def _require_inner(case: Any) -> None:
+    from fem.parts.rings import SLENDEREST_SLOT, narrowest_ring
+
+    inner, (groove, land) = case.inner, elastic_groove(case.bearing, "inner")
+    bore, width = require(inner, ("bore", "width"), 'inner.kind = "ring_on_shaft"')
+    largest = 2 * (groove.bottom(-1) - SLENDEREST_SLOT)
+    if bore > largest:
+        raise impossible("inner.bore", f"{at_most(largest)}, under the bottom of the groove")
+    _require_wide("inner", width, narrowest_ring(groove, land, -1, 0.0))
+
+
+def _require_wide(race: Race, width: float, least: float) -> None:
+    if width < least:
+        raise impossible(f"{race}.width", f"{at_least(least)}: the groove with a land at each side")
+
+
+def _require_patches(case: Any, race: Race) -> None:
+    """Raise unless patches fit between the bottom of a groove and its shoulder."""
+    diameter, given = case.bearing.ball.diameter, case.accuracy.patch_width
+    groove, land = elastic_groove(case.bearing, race)
+    width, arc = case.accuracy.patch(diameter), groove.radius * groove.end(land, OUTWARD[race])
+    if SHORTEST * width <= arc:
+        return
+    if given is not None:
+        part = f"{1 / SHORTEST:g} of the arc from the bottom of the {race} groove to bearing.{race}.shoulder"
+        raise impossible("accuracy.patch_width", f"{at_most(arc / SHORTEST)}, {part}")
+    least = groove.radius * (1 - cos(SHORTEST * width / groove.radius))
+    raise impossible(
+        f"bearing.{race}.shoulder",
+        f"{at_least(least)}: accuracy.patch_width, by default {in_mm(width)}, needs that height",
+    )

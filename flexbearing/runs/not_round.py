@@ -1,0 +1,52 @@
+"""What a user must know of raceways that are not round."""
+
+from itertools import chain
+from typing import TYPE_CHECKING
+
+from quasidynamic.note import Note, information, outside
+
+if TYPE_CHECKING:
+    from flexbearing.case.balls.angular_contact import FastCase
+
+# Error of the largest load by small displacements over displacement over radius, calibrated: at most 3.8 on
+# three curves of a strain-wave bearing up to 1.4 % of its radius (tests/literature/test_strain_wave.py).
+LARGE = 4.0
+NOTABLE = 0.02  # of the largest load
+
+
+def notes(case: "FastCase") -> tuple[Note, ...]:
+    """Notes on cams and on waves of raceways."""
+    form, inner, operation = case.bearing.form_error, case.inner, case.operation
+    crests = {"inner": "bearing.form_error.inner.crest", "outer": "bearing.form_error.outer.crest"}
+    shaped = {race: crests[race] for race in crests if form and getattr(form, race)}
+    if inner.kind == "cam":
+        shaped["inner"] = "inner.cam_crest"
+    speeds = {"inner": operation.inner_speed, "outer": operation.outer_speed}
+    found = tuple(turning(race, crest) for race, crest in shaped.items() if speeds[race])
+    return (*found, *_large(case))
+
+
+def turning(race: str, crest: str) -> Note:
+    """The note on a raceway that is not round and turns, its crest at a key."""
+    return information(
+        "turning-waves",
+        f"the {race} raceway is not round and turns; loads and life are those of one moment, with its crests "
+        f"at {crest}: other crests give those of other moments",
+    )
+
+
+def _large(case: "FastCase") -> tuple[Note, ...]:
+    """How far displacements are from small ones."""
+    form = case.bearing.form_error
+    waves = [race.amplitudes for race in (form and form.inner, form and form.outer) if race]
+    largest = sum(map(abs, chain(*waves))) + (case.inner.cam_amplitude or 0.0)
+    error = LARGE * largest / (case.bearing.pitch_diameter / 2)
+    if error < NOTABLE:
+        return ()
+    return (
+        outside(
+            "large-deflection",
+            f"raceways are {1e3 * largest:.3g} mm out of round: small displacements leave an error of about "
+            f"{error:.1%} of the largest load, calibrated on a strain-wave bearing",
+        ),
+    )

@@ -1,0 +1,313 @@
+"""Readings of probes against closed forms, the fields that they are read of, and each other."""
+
+from dataclasses import replace
+from math import cos, pi, radians, sin
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from fem import (
+    ClampedFace,
+    Elastic,
+    Foundation,
+    Housing,
+    ImpossiblePart,
+    MeshSize,
+    OuterRing,
+    Patches,
+    RingOnShaft,
+    SquirrelCage,
+)
+from fem.cage.loaded_cage import loaded_cage
+from fem.parts.bar_section import bar_section
+from fem.parts.probe import Probe, radius
+from fem.parts.surroundings import Surroundings
+from fem.section.loaded_section import loaded_section
+from fem.solid.clearing import clearing
+from fem.solid.extremes import extremes, von_mises
+from fem.solid.lattice import hooke, hooke_reversed
+from fem.solid.probes import readings
+
+STEEL = Elastic(youngs_modulus=203e9, poisson_ratio=0.28)
+POINT = Probe(azimuth=0.0, x=0.0, outside=True, depth=0.0, angle=0.0, length=0.0)
+# A square bar bent to a circle, on springs that are soft beside it: under balanced loads a free ring.
+SOFT = Foundation(axial=2e4, radial=2e4, tangential=2e4)
+BAR = OuterRing(raceway_diameter=75e-3, thickness=1.2e-3, width=1.2e-3, elastic=STEEL, support=SOFT)
+PULL = 10.0  # [N] outward at both ends of a diameter
+
+
+def patches(part, azimuths, width):
+    return Patches(azimuths=azimuths, length=part.width, axial_modes=2, width=width)
+
+
+def pulled(turned=0.0):
+    loads = patches(BAR, (turned, turned + pi), 0.3e-3)
+    size = MeshSize(order=4, size=0.6e-3, raceway_size=0.3e-3)
+    return loaded_section(BAR, loads, np.array([[PULL, 0.0]] * 2), size)
+
+
+def read(sampled, part, *probes, width=1e-3):
+    """Readings by name, the probes first."""
+    found = readings(sampled, part, probes, width)
+    largest, smallest = found.principal_strains
+    return SimpleNamespace(
+        displacement=found.displacement.T, strain=found.strain.T, axial_strain=found.strain[0],
+        hoop_strain=found.strain[2], radial_displacement=found.displacement[1],
+        gauge_strain=found.gauge_strain, strain_error=found.strain_error, largest_strain=largest,
+        smallest_strain=smallest,
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def pulled_ring():
+    return pulled()
+
+
+def test_hoop_strain_of_a_ring_pulled_at_a_diameter_is_that_of_a_curved_bar(pulled_ring):
+    r"""M = P R (|sin|/2 - 1/pi), N = P |sin|/2 on the middle line, stress by Winkler, Timoshenko part II."""
+    t = BAR.thickness
+    middle, area = BAR.raceway_diameter / 2 + t / 2, t * BAR.width
+    for degrees in (15.0, 60.0, 90.0, 155.0, 300.0):
+        s = abs(sin(radians(degrees)))
+        neutral = t / np.log((middle + t / 2) / (middle - t / 2))
+        force, moment = PULL * s / 2, -PULL * middle * (s / 2 - 1 / pi)
+        both = read(
+            pulled_ring,
+            BAR,
+            *(replace(POINT, azimuth=radians(degrees), outside=side) for side in (True, False)),
+        )
+        for place, r in enumerate((middle + t / 2, middle - t / 2)):
+            bending = moment * (r - neutral) / (area * (middle - neutral) * r)
+            expected = (force / area + bending) / STEEL.youngs_modulus
+            assert both.hoop_strain[place] == approx(expected, rel=0.01), (degrees, place)
+
+
+def test_diameters_of_the_pulled_ring_change_as_those_of_a_thin_one(pulled_ring):
+    t = BAR.thickness
+    middle, stiffness = (BAR.raceway_diameter + t) / 2, STEEL.youngs_modulus * BAR.width * t**3 / 12
+    found = read(pulled_ring, BAR, *(replace(POINT, azimuth=a) for a in (0.0, pi / 2, pi, -pi / 2)))
+    along, across = found.radial_displacement.reshape(2, 2).sum(axis=0)
+    assert along == approx(PULL * middle**3 / stiffness * (pi / 4 - 2 / pi), rel=0.01)
+    assert across == approx(-PULL * middle**3 / stiffness * (2 / pi - 1 / 2), rel=0.01)
+
+
+def lame(outside, pressure):
+    """Hoop strain of a ring under inner pressure at one of its surfaces, plane stress, Timoshenko part II."""
+    a, b = THICK.raceway_diameter / 2, THICK.raceway_diameter / 2 + THICK.thickness
+    sum_of_stresses = 2 * pressure * a**2 / (b**2 - a**2)
+    radial = 0.0 if outside else -pressure
+    return (sum_of_stresses - radial * (1 + STEEL.poisson_ratio)) / STEEL.youngs_modulus
+
+
+THICK = OuterRing(raceway_diameter=40e-3, thickness=10e-3, width=5e-3, elastic=STEEL, support=SOFT)
+SIZE = MeshSize(order=4, size=4e-3, raceway_size=2e-3)
+AROUND = tuple(2 * pi * np.arange(20) / 20)
+EVEN = np.cos(np.array(AROUND) - 0.1) ** 2  # in balance without the springs
+
+
+@pytest.mark.parametrize("outside", [True, False])
+def test_hoop_strain_under_inner_pressure_is_that_of_lame(outside):
+    evenly = loaded_section(THICK, patches(THICK, AROUND, 10e-3), np.tile([1e3, 0.0], (20, 1)), SIZE)
+    found = read(evenly, THICK, *(replace(POINT, azimuth=a, outside=outside) for a in (0.2, 1.7)))
+    pressure = 20e3 / (pi * THICK.raceway_diameter * THICK.width)
+    assert found.hoop_strain == approx(lame(outside, pressure), rel=2e-3)
+    assert found.largest_strain == approx(found.hoop_strain, rel=1e-6)
+    assert found.strain_error == approx(0, abs=1e-2 * lame(outside, pressure))
+
+
+@pytest.fixture(scope="module")
+def uneven():
+    forces = EVEN[:, None] * [1000.0, 50.0]
+    return loaded_section(THICK, patches(THICK, AROUND, 2e-3), forces, SIZE)
+
+
+def test_mean_around_the_ring_is_that_of_the_mean_pressure(uneven):
+    """Every harmonic but the one without waves has no mean, however the load is spread."""
+    radius = THICK.raceway_diameter / 2 + THICK.thickness
+    found = read(uneven, THICK, replace(POINT, length=2 * pi * radius))
+    pressure = 1e3 * EVEN.sum() / (pi * THICK.raceway_diameter * THICK.width)
+    assert found.hoop_strain == approx(lame(True, pressure), rel=2e-3)
+
+
+def test_mean_along_a_gauge_tends_to_the_point_with_the_square_of_its_length(uneven):
+    for angle in (0.0, 0.6, pi / 2):
+        lengths = (0.0, 0.5e-3, 1e-3, 2e-3)
+        found = read(uneven, THICK, *(replace(POINT, azimuth=0.5, angle=angle, length=s) for s in lengths))
+        off = np.abs(found.gauge_strain[1:] - found.gauge_strain[0])
+        assert off[1:] / off[:-1] == approx(4, rel=0.15)
+
+
+def test_strains_are_slopes_of_the_displacements(uneven):
+    """Hoop, axial and shear strain of a cylinder from displacements of neighbouring probes."""
+    step, r, x = 1e-5, 30e-3, 0.7e-3
+    at = replace(POINT, azimuth=0.35, x=x)
+    turned = (replace(at, azimuth=at.azimuth + side * step / r) for side in (-1, 1))
+    shifted = (replace(at, x=x + side * step) for side in (-1, 1))
+    found = read(uneven, THICK, at, *turned, *shifted)
+    moved = found.displacement
+    by_arc, by_x = (moved[2] - moved[1]) / (2 * step), (moved[4] - moved[3]) / (2 * step)
+    size = np.abs(found.strain[0]).max()
+    assert found.hoop_strain[0] == approx(by_arc[2] + moved[0, 1] / r, rel=0, abs=1e-4 * size)
+    assert found.axial_strain[0] == approx(by_x[0], rel=0, abs=1e-4 * size)
+    assert found.strain[0, 5] == approx(by_arc[0] + by_x[2], rel=0, abs=1e-4 * size)
+
+
+def test_stress_of_a_probe_is_the_largest_that_the_fields_have(pulled_ring):
+    """At the place of the largest von Mises stress, by Hooke's law."""
+    clear = clearing(BAR, pulled_ring.patches, pulled_ring.forces, pulled_ring.radius)
+    largest = extremes(pulled_ring, "ring", clear).von_mises
+    depth = BAR.raceway_diameter / 2 + BAR.thickness - largest.radius
+    found = read(
+        pulled_ring, BAR, replace(POINT, azimuth=largest.azimuth, x=largest.x, depth=max(depth, 0.0))
+    )
+    stress = hooke(found.strain, STEEL)
+    assert von_mises(stress) == approx(largest.value, rel=1e-4)
+    assert hooke_reversed(stress, STEEL) == approx(found.strain, rel=1e-9, abs=1e-15)
+
+
+def test_a_turned_load_is_read_alike_at_a_turned_probe(pulled_ring):
+    for turn in (0.3, 5.9):
+        turned = read(pulled(turn), BAR, replace(POINT, azimuth=1.1 + turn, angle=0.4, length=1e-3))
+        found = read(pulled_ring, BAR, replace(POINT, azimuth=1.1, angle=0.4, length=1e-3))
+        assert turned.strain == approx(found.strain, rel=1e-9, abs=1e-12)
+        assert turned.displacement == approx(found.displacement, rel=1e-9, abs=1e-15)
+
+
+def test_a_rosette_of_three_probes_gives_the_principal_strains(uneven):
+    """Readings at 0, 45 and 90 degrees, by the formula of rosettes."""
+    at = replace(POINT, azimuth=0.9, x=1e-3)
+    found = read(uneven, THICK, *(replace(at, angle=radians(angle)) for angle in (0, 45, 90)))
+    a, b, c = found.gauge_strain
+    spread = np.hypot(a - b, b - c) / 2**0.5
+    assert found.largest_strain[0] == approx((a + c) / 2 + spread, rel=1e-9)
+    assert found.smallest_strain[0] == approx((a + c) / 2 - spread, rel=1e-9)
+
+
+# -- squirrel cages --------------------------------------------------------------------------
+
+CAGE = SquirrelCage(
+    raceway_diameter=75e-3, thickness=5e-3, width=8e-3, bars=8, bar_width=6e-3, bar_thickness=2e-3,
+    bar_length=14e-3, flange_length=4e-3, elastic=STEEL,
+)  # fmt: skip
+FORCE = 900.0
+ON_CAGE = MeshSize(order=3, size=8e-3, raceway_size=4e-3)
+
+
+def loaded_at(azimuth):
+    loads = Patches(azimuths=(azimuth,), length=5e-3, axial_modes=2, width=1.5e-3)
+    return loaded_cage(CAGE, loads, np.array([[FORCE, 0.0]]), ON_CAGE, feet=4e-3)
+
+
+@pytest.fixture(scope="module")
+def loaded():
+    return loaded_at(0.25)
+
+
+def test_bending_of_the_bars_balances_the_load(loaded):
+    """Moments of each bar at two sections from strains at four corners; their slopes are forces."""
+    section, start = bar_section(CAGE), CAGE.width / 2
+    sections = (start + 5e-3, start + 9e-3)
+    off = 0.06
+    corners = [(r, side * off) for r in CAGE.bar_radii for side in (-1, 1)]
+    bars = 2 * pi * np.arange(CAGE.bars) / CAGE.bars
+    probes = [
+        replace(POINT, azimuth=bar + at, x=x, outside=r == CAGE.bar_radii[1])
+        for bar in bars for x in sections for r, at in corners
+    ]  # fmt: skip
+    stress = STEEL.youngs_modulus * read(loaded, CAGE, *probes).axial_strain.reshape(-1, 2, 4)
+    inertia = np.asarray(section.inertia)
+    beam = np.array([
+        [1 / section.area, (r * cos(at) - section.centre) / inertia[0], r * sin(at) / inertia[1]]
+        for r, at in corners
+    ])  # fmt: skip
+    forces = np.linalg.lstsq(beam, stress.reshape(-1, 4).T, rcond=None)[0].T.reshape(-1, 2, 3)
+    outward, around = -(np.diff(forces[..., 1:], axis=1)[:, 0] / (sections[1] - sections[0])).T
+    along_z, along_y = (
+        (outward * np.cos(bars) - around * np.sin(bars)).sum(),
+        (outward * np.sin(bars) + around * np.cos(bars)).sum(),
+    )
+    assert along_z == approx(FORCE * cos(0.25), rel=0.01)
+    assert along_y == approx(FORCE * sin(0.25), rel=0.01)
+    assert forces[..., 0].sum(axis=0) == approx(0, abs=0.01 * FORCE)  # no axial load
+
+
+def test_readings_of_a_cage_are_mirrored_with_its_load(loaded):
+    """Across the middle of a bar, where one half pitch ends, too."""
+    places = (0.3, 0.05, -0.4)
+    found = read(loaded, CAGE, *(replace(POINT, azimuth=a, x=1e-3) for a in places))
+    other = read(loaded_at(-0.25), CAGE, *(replace(POINT, azimuth=-a, x=1e-3) for a in places))
+    assert other.displacement == approx(found.displacement * [1, 1, -1], rel=1e-7, abs=1e-12)
+    assert other.strain == approx(found.strain * [1, 1, 1, 1, -1, -1], rel=1e-6, abs=1e-10)
+    middle = read(loaded, CAGE, *(replace(POINT, azimuth=a, x=1e-3) for a in (-1e-7, 1e-7)))
+    assert middle.displacement[0] == approx(middle.displacement[1], rel=1e-5, abs=1e-12)
+
+
+def test_displacements_of_a_cage_have_the_slopes_of_its_strains(loaded):
+    step, r = 1e-5, CAGE.raceway_diameter / 2 + CAGE.thickness
+    for azimuth in (0.35, -0.2):
+        at = replace(POINT, azimuth=azimuth, x=0.5e-3)
+        found = read(loaded, CAGE, at, *(replace(at, azimuth=azimuth + s * step / r) for s in (-1, 1)))
+        moved = found.displacement
+        slope = (moved[2] - moved[1])[2] / (2 * step)
+        assert found.hoop_strain[0] == approx(slope + moved[0, 1] / r, rel=1e-3)
+
+
+# -- places ----------------------------------------------------------------------------------
+
+HOUSED = replace(
+    THICK, support=Housing(thickness=3e-3, width=4e-3, elastic=STEEL, support=ClampedFace()), offset=0.5e-3
+)
+SHAFT = RingOnShaft(
+    raceway_diameter=65e-3, track_width=19e-3, rib_diameter=66.5e-3, bore=59.6e-3, width=21e-3,
+    shaft_bore=51.6e-3, shaft_length=40e-3, ring=STEEL, shaft=STEEL,
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("part", "x", "outside", "expected"),
+    [
+        (HOUSED, 0.0, True, 33e-3),
+        (HOUSED, 1.8e-3, True, 30e-3),
+        (HOUSED, -2.4e-3, True, 33e-3),
+        (SHAFT, 0.0, False, 25.8e-3),
+        (SHAFT, 10e-3, True, 33.25e-3),
+        (SHAFT, -15e-3, True, 29.8e-3),
+        (CAGE, 10e-3, True, 41e-3),
+        (CAGE, 20e-3, False, 37.5e-3),
+        (replace(CAGE, collar_length=2e-3, collar_thickness=7e-3), 3e-3, True, 44.5e-3),
+    ],
+)
+def test_a_probe_lies_on_the_surface_at_its_place(part, x, outside, expected):
+    assert radius(part, replace(POINT, x=x, outside=outside)) == approx(expected, rel=1e-5)
+    deeper = radius(part, replace(POINT, x=x, outside=outside, depth=1e-3))
+    assert deeper == approx(expected - (1e-3 if outside else -1e-3), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("part", "probe", "words"),
+    [
+        (CAGE, {"x": -5e-3}, "x = -5 mm is beside the part"),
+        (CAGE, {"x": 10e-3, "azimuth": 0.3}, "x = 10 mm at 17.19 deg is in a slot between bars"),
+        (THICK, {"depth": 11e-3}, "depth = 11 mm; allowed is up to the wall, 10 mm"),
+        (replace(SHAFT, shaft_bore=0.0), {"outside": False}, "a solid shaft has no inner surface"),
+    ],
+)
+def test_a_place_without_material_is_refused(part, probe, words):
+    with pytest.raises(ImpossiblePart, match=words):
+        radius(part, replace(POINT, **probe))
+
+
+def test_a_gauge_that_reaches_beyond_the_material_is_refused(uneven):
+    with pytest.raises(ImpossiblePart, match="a probe at x = 0 mm, 90 deg reaches beyond the material"):
+        read(uneven, THICK, POINT, replace(POINT, azimuth=pi / 2, angle=pi / 2, length=6e-3))
+
+
+def test_heat_alone_strains_nothing_that_may_expand():
+    """A gauge that is compensated for its body reads what stress makes."""
+    turning = Surroundings(thermal_strains={"ring": 1e-3}, densities={"ring": 7800.0}, speed=0.0)
+    free = loaded_section(THICK, patches(THICK, (0.0,), 1e-3), np.zeros((1, 2)), SIZE, turning)
+    found = read(free, THICK, POINT)
+    assert found.strain == approx(0, abs=1e-7)
+    assert found.radial_displacement == approx(30e-6, rel=1e-3)
