@@ -116,7 +116,7 @@ VARIANTS: dict[str, tuple[str, tuple[str, ...]]] = {
         "bearing.balls=40")),
     "slewing on springs": ("slewing_bolted", ("rings.inner.kind=rigid", "bearing.balls=30",
         "rings.outer.face_stiffness=500 N/mm^3", "rings.outer.face_shear_stiffness=200 N/mm^3",
-        "rings.element_order=3", "rings.mesh_size=25 mm")),
+        "rings.element_order=3", "rings.mesh_size=25 mm", "rings.patch_width=4 mm", "rings.stations=3")),
     "four-point under a load": ("joshi2015_fag", (
         "operation.mode=ring_load", "operation.load.axial=400 N", "friction.hysteresis_loss=0.01",
     )),
@@ -135,7 +135,8 @@ COARSER = {
         "accuracy.raceway_mesh_size=4 mm"),
     "step_ring": (*COARSE, "accuracy.element_order=2", "accuracy.mesh_size=20 mm",
         "accuracy.raceway_mesh_size=8 mm"),
-    "slewing_bolted": ("bearing.balls=60", "rings.element_order=3", "rings.mesh_size=25 mm"),
+    "slewing_bolted": ("bearing.balls=60", "rings.element_order=3", "rings.mesh_size=25 mm",
+        "rings.patch_width=4 mm", "rings.stations=3"),
 }  # fmt: skip
 
 Raw = dict[str, Any]

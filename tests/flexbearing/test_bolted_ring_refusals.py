@@ -16,8 +16,9 @@ def test_example_is_possible():
 
 
 def test_rings_are_rigid_unless_they_are_described():
-    assert read_case(SLEWING.with_name("joshi2015_fourpoint.toml"), ()).rings.rigid
-    assert not read_case(SLEWING, ()).rings.rigid
+    for file, kind in ((SLEWING.with_name("joshi2015_fourpoint.toml"), "rigid"), (SLEWING, "bolted")):
+        rings = read_case(file, ()).rings
+        assert rings.inner.kind == rings.outer.kind == kind
     assert "rings.outer.face_distance" in explain("rings")
 
 
@@ -33,7 +34,9 @@ def test_rings_are_rigid_unless_they_are_described():
         (["rings.outer.groove_end=40 deg"], "[rings.outer] groove_end", "above bearing.contact_angle"),
         (["rings.outer.kind=free"], "[rings.outer] kind", '"rigid" or "bolted"'),
         (["rings.outer.face_stiffness=5 N/mm^3"], "[rings.outer] face_shear_stiffness is missing", "springs"),
-        (["rings.line=0 mm"], "[rings] line", "above 0 m"),
+        (["rings.patch_width=0 mm"], "[rings] patch_width", "above 0 m"),
+        (["rings.patch_width=9 mm"], "[rings] patch_width", "at most 4.686 mm, 0.2 of an arch of the outer"),
+        (["rings.stations=4"], "stations", "an odd number"),
         (["rings.outer.bore=2 m"], "[rings.outer] bore", "not a key"),
         (
             ["operation.mode=contact_loads", 'operation.contact_loads=["5 kN"]'],

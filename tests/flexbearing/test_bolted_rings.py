@@ -12,7 +12,7 @@ from fem.errors import NotSolved
 from flexbearing.families import FAMILIES
 from flexbearing.report.output import text
 from flexbearing.results import NotInLayout, ResultFile
-from flexbearing.rings import bolted
+from flexbearing.rings import grooves
 from tests.flexbearing.noted import texts
 
 SLEWING = Path(__file__).parents[2] / "configs" / "slewing_bolted.toml"
@@ -22,7 +22,7 @@ SMALL = (
     "operation.load.moment_z=0 N m", "operation.load.moment_y=-2 kN m", "fields.points=5",
     "rings.outer.outside_diameter=400 mm", "rings.outer.width=50 mm", "rings.outer.face_distance=27 mm",
     "rings.inner.bore=200 mm", "rings.inner.width=50 mm", "rings.inner.face_distance=27 mm",
-    "rings.element_order=4", "rings.harmonics=80", "rings.mesh_size=20 mm",
+    "rings.element_order=3", "rings.mesh_size=20 mm", "rings.patch_width=2 mm", "rings.stations=3",
 )  # fmt: skip
 STIFF = ("materials.outer_ring.youngs_modulus=1e9 GPa", "materials.outer_ring.poisson_ratio=0.3")
 
@@ -35,8 +35,8 @@ def run(tmp_path_factory):
     def computed(*settings):
         if settings not in known:
             rigid = tuple(key.removesuffix("kind=rigid") for key in settings if key.endswith(".kind=rigid"))
-            both = ("rings.element_order", "rings.harmonics", "rings.mesh_size") if len(rigid) == 2 else ()
-            used = [key for key in SMALL if not key.startswith((*rigid, *both) or ("-",))]
+            numerics = SMALL[-4:] if len(rigid) == 2 else ()
+            used = [key for key in SMALL if not key.startswith((*rigid, *numerics, "-"))]
             known[settings] = flexbearing.run(SLEWING, (*used, *settings), output=place / f"{len(known)}.h5")
         return known[settings]
 
@@ -146,14 +146,17 @@ def test_pictures_put_rigid_beside_elastic_rings(run, tmp_path):
 
 
 @pytest.mark.slow
-def test_line_length_hardly_matters(run):
-    shorter = run("rings.line=3.5 mm").flexible
-    assert shorter["contact_load"].max() == approx(run().flexible["contact_load"].max(), rel=2e-3)
+@pytest.mark.parametrize("other", ["rings.patch_width=1.5 mm", "rings.stations=5"])
+def test_patches_hardly_matter(run, other):
+    """A width of 1.5 mm changes the deflection of the rings, 6 um, by 2 %."""
+    usual, changed, rigid = run().flexible, run(other).flexible, run().rigid["ring_displacement"][0]
+    assert changed["contact_load"].max() == approx(usual["contact_load"].max(), rel=1e-3)
+    assert changed["ring_displacement"][0] - rigid == approx(usual["ring_displacement"][0] - rigid, rel=0.03)
 
 
 @pytest.mark.slow
 def test_contacts_that_reach_over_the_shoulders_are_told(run):
-    cut = run("rings.outer.groove_end=58 deg", "rings.line=3.5 mm")
+    cut = run("rings.outer.groove_end=58 deg")
     assert any("outer ring reach over its shoulders" in note for note in texts(cut))
     assert not any("shoulders" in note for note in texts(run()))
 
@@ -162,10 +165,10 @@ def test_finite_elements_without_answer_leave_the_rigid_block(tmp_path, monkeypa
     def refuse(*_):
         raise NotSolved("relative residual 1")
 
-    monkeypatch.setattr(bolted, "compliance", refuse)
+    monkeypatch.setattr(grooves, "condense", refuse)
+    monkeypatch.setenv("FLEXBEARING_CACHE", str(tmp_path / "rings"))
     result = flexbearing.run(SLEWING, SMALL, output=tmp_path / "r.h5")
-    assert result.attributes["status"] == "not solved"
-    assert result.attributes["ending"] == "rings not solved"
+    assert result.attributes["status"] == result.attributes["ending"] == "not solved"
     assert result.rigid
     assert not result.flexible
 
