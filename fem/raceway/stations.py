@@ -37,9 +37,8 @@ class GrooveCompliance:
               - \delta_{jj'} h(r\,|\alpha_k - \alpha_l|)
 
     with the contact circles :math:`R_k = R_c \pm r \cos\alpha_k` and the half-space h of
-    `fem.half_space.gaussian_patch`, which is left out between stations of one arc. Patches are divided by
-    their mean of the cosine of the angle from their middle, around and along, so that they read a rigid
-    motion exactly.
+    `fem.half_space.gaussian_patch`, which is left out between stations of one arc.Patches are divided by
+    their mean of the cosine of the angle from their middle, around and along, to read rigid motions.
 
     Source
     ------

@@ -58,11 +58,11 @@ BROKEN = {
     ),
     "bars that touch": (
         'bar_width = "4 mm"', 'bar_width = "9.8 mm"',
-        ["broken.toml", "[outer] bar_width", '"9.8 mm"', "at most", "touch"],
+        ["broken.toml", "[outer] bar_width", '"9.8 mm"', "at most 9.622 mm", "24 slots"],
     ),
     "bars thicker than the ring": (
         'bar_thickness = "2.6 mm"', 'bar_thickness = "3.6 mm"',
-        ["broken.toml", "[outer] bar_thickness", "below 3.6 mm, outer.thickness"],
+        ["broken.toml", "[outer] bar_thickness", "at most 3.4 mm", "3.6 mm of outer.thickness"],
     ),
     "bore outside the raceway": (
         'bore = "59.6 mm"', 'bore = "66 mm"',
