@@ -139,7 +139,7 @@ def rings(own):
     return (middle, before, after, sides), np.array(matrix)
 
 
-BY_LAPACK = pytest.mark.parametrize("many", [0, elastic_system.MANY], ids=["LAPACK", "sweep"])
+BY_LAPACK = pytest.mark.parametrize("many", [0, elastic_system.MANY], ids=["LAPACK", "full"])
 
 
 @BY_LAPACK
@@ -152,9 +152,10 @@ def test_ring_of_spins_is_solved_case_by_case(many, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    "own", [-np.ones(5), np.array([0.0, -1, -1, -1, -1])], ids=["closed ring", "first spin of the open ring"]
+    ("own", "many"),
+    [(-np.ones(5), elastic_system.MANY), (-np.ones(5), 0), (np.array([0.0, -1, -1, -1, -1]), 0)],
+    ids=["closed ring, full", "closed ring, LAPACK", "first spin of the open ring, LAPACK"],
 )
-@BY_LAPACK
 def test_singular_ring_of_spins_is_no_number_and_spoils_no_other(own, many, monkeypatch):
     """The first only hands on its spin, so that it solves to any; warnings are errors here."""
     monkeypatch.setattr(elastic_system, "MANY", many)

@@ -1,6 +1,5 @@
 """Linear solve between elastic raceways: what acts on rollers of them, where contacts are closed."""
 
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -18,14 +17,28 @@ FELT = 1 + BORDER  # first column of felt deviations, first row of contact force
 def cyclic_tridiagonal(middle: NDArray, before: NDArray, after: NDArray, sides: NDArray) -> NDArray:
     """Solve middle s_j + before s_(j-1) + after s_(j+1) = sides (R, C, Z), cyclic in j, for all cases.
 
-    Not a number for cases whose system is singular, closed or cut open: such as that of rollers which only
-    hand on their spin, where the speed of all of them together is undetermined.
+    Not a number for cases whose system is singular: such as that of rollers which only hand on their spin,
+    where the speed of all of them together is undetermined. Up to `MANY` rollers full matrices are quicker.
     """
-    count, cases, rollers = sides.shape
-    rows = np.zeros((rollers, count + 5, cases))  # the diagonal, two after it, and the right-hand sides
-    rows[:, 0], rows[:-1, 1], rows[:, 3:-2] = middle.T, after[:, 0], sides.transpose(2, 0, 1)
-    rows[0, -2], rows[-1, -1] = before[:, 0], after[:, 0]  # last spin in the first equation, the reverse
-    solved = _tridiagonal(rows, before[:, 0]).transpose(1, 2, 0)
+    rollers = sides.shape[2]
+    if rollers > MANY:
+        return _by_lapack(middle, before, after, sides)
+    matrix, here = np.zeros((*middle.shape, rollers)), np.arange(rollers)
+    matrix[:, here, here] = middle
+    matrix[:, here, here - 1] += before
+    matrix[:, here - 1, here] += after
+    return dense(matrix, sides.transpose(1, 2, 0)).transpose(2, 0, 1)
+
+
+def _by_lapack(middle: NDArray, before: NDArray, after: NDArray, sides: NDArray) -> NDArray:
+    """The same as a chain that is cut open; not a number where that is singular, too."""
+    count, (cases, rollers) = len(sides), middle.shape
+    ends = np.zeros((2, cases, rollers))  # last spin in the first equation, the reverse
+    ends[0, :, 0], ends[1, :, -1] = before[:, 0], after[:, 0]
+    solved = np.array([
+        _chain_by_lapack(*each)
+        for each in zip(middle, before, after, np.concatenate([sides, ends]).swapaxes(0, 1), strict=True)
+    ]).swapaxes(0, 1)  # fmt: skip
     opened, (first, last) = solved[:count], solved[count:]
     # Both ends of the chain from each other: s_last = opened_last - first s_last - last s_first, ...
     a, b, c, d = 1 + first[:, -1], last[:, -1], first[:, 0], 1 + last[:, 0]
@@ -35,38 +48,13 @@ def cyclic_tridiagonal(middle: NDArray, before: NDArray, after: NDArray, sides: 
     return opened - first * end[..., None] - last * begin[..., None]
 
 
-def _tridiagonal(rows: NDArray, lower: NDArray) -> NDArray:
-    """Solve rows (Z, 3 + R, C) with `lower` (C) before the diagonal, in place: (Z, R, C).
-
-    Gauss with the larger of two pivots, as LAPACK's gtsv: loading `scipy.linalg` takes longer than solving
-    for few rollers.
-    """
-    if len(rows) > MANY:
-        return _by_lapack(rows, lower)
-    for row, below in pairwise(rows):
-        under = np.concatenate([lower[None], below[:2], below[3:]])
-        if (larger := np.abs(lower) > np.abs(row[0])).any():
-            row[:], under = np.where(larger, under, row), np.where(larger, row, under)
-        under -= under[0] / _nonzero(row[0]) * row
-        below[:2], below[3:] = under[1:3], under[3:]
-    solved = np.zeros((len(rows) + 2, *rows[0, 3:].shape))
-    for number in reversed(range(len(rows))):
-        diagonal, after, beyond = rows[number, :3]
-        left = rows[number, 3:] - after * solved[number + 1] - beyond * solved[number + 2]
-        solved[number] = left / _nonzero(diagonal)
-    return solved[:-2]
-
-
-def _by_lapack(rows: NDArray, lower: NDArray) -> NDArray:
+def _chain_by_lapack(middle: NDArray, before: NDArray, after: NDArray, sides: NDArray) -> NDArray:
+    """Solve one open chain for sides (R, Z)."""
     from scipy.linalg.lapack import dgtsv  # pyright: ignore[reportAttributeAccessIssue]  # made at import
 
-    solved = np.empty(rows[:, 3:].shape)
-    for case, below in enumerate(np.repeat(lower[:, None], len(rows) - 1, axis=1)):
-        diagonal, after = rows[:, 0, case], rows[:-1, 1, case]
-        *_, solved[:, :, case], fault = dgtsv(below, diagonal, after, rows[:, 3:, case])
-        if fault:
-            solved[:, :, case] = np.nan
-    return solved
+    beside = len(middle) - 1
+    *_, solved, fault = dgtsv(np.repeat(before, beside), middle, np.repeat(after, beside), sides.T)
+    return np.full(sides.shape, np.nan) if fault else solved.T
 
 
 def _nonzero(divisor: NDArray) -> NDArray:
