@@ -20,10 +20,20 @@ def raceway_waves(waves: Waves) -> RacewayWaves:
 
 
 def approaches(case: "FastCase", azimuths: NDArray) -> NDArray | None:
-    """By how much waves bring both raceways closer to balls at azimuths (Z) [rad]: (Z) [m]; None: round."""
-    form = case.bearing.form_error
-    both = [waves for waves in (form and form.inner, form and form.outer) if waves]
-    return np.sum([raceway_waves(each).height(azimuths) for each in both], axis=0) if both else None
+    """By how much waves bring both raceways closer to balls at azimuths (Z) [rad]: (Z) [m]; None: round.
+
+    Raises
+    ------
+    ImpossiblePart
+        if waves are too steep or too much curved
+    """
+    bearing = case.bearing
+    shapes = {race: raceway_waves(waves) for race, waves in bearing.waves.items()}
+    for race, waves in shapes.items():
+        waves.require_gentle(
+            f"bearing.form_error.{race}", bearing.groove_bottom(race), bearing.ball.diameter / 2
+        )
+    return np.sum([each.height(azimuths) for each in shapes.values()], axis=0) if shapes else None
 
 
 def approaches_on_cam(case: "FastCase", azimuths: NDArray) -> NDArray:

@@ -134,7 +134,7 @@ def groove_of_shape(case: BallCase, shape: GrooveShape, azimuths: NDArray, repor
     at_balls = compliance(case, shape, report).at(azimuths)
     try:
         return ElasticGroove(at_balls.angles, at_balls.absolute)
-    except ImpossiblePart as problem:  # of a shaft as thin as a wire
+    except ImpossiblePart as problem:  # of a part that hardly anything holds
         raise NotSolved(
             f"{shape.race} ring: so flexible a part is beyond finite elements: {problem}", "not solved"
         ) from None

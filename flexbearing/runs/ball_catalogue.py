@@ -61,6 +61,11 @@ TILT = Influence(
     },
     "A moment, or a ring that is held askew or straight, loads the balls unevenly.",
 )
+NOT_ROUND = Influence(
+    "form errors of the raceways",
+    {"bearing.form_error": ""},
+    "Raceways that are not round change which balls carry the load.",
+)
 AT_SPEED = (
     Influence(
         "inertia of the balls at speed",
@@ -93,7 +98,7 @@ AT_SPEED = (
 def influences(case: FastCase) -> tuple[Influence, ...]:
     """What may act, in the order in which it enters: clearance, tilt and preload, then what speed does."""
     clearance, elastic = _with_materials(case)
-    preload, first = case.operation.preload, (clearance, TILT)
+    preload, first = case.operation.preload, (clearance, TILT, NOT_ROUND)
     if preload is None:
         return (*first, *elastic, *AT_SPEED)
     of_spring = {"operation.preload": "", "operation.load.axial": f"{preload.force!r} N"}

@@ -16,14 +16,12 @@ NOTABLE = 0.02  # of the largest load
 
 def notes(case: "FastCase") -> tuple[Note, ...]:
     """Notes on cams and on waves of raceways."""
-    form, inner, operation = case.bearing.form_error, case.inner, case.operation
-    crests = {"inner": "bearing.form_error.inner.crest", "outer": "bearing.form_error.outer.crest"}
-    shaped = {race: crests[race] for race in crests if form and getattr(form, race)}
-    if inner.kind == "cam":
-        shaped["inner"] = "inner.cam_crest"
+    operation = case.operation
+    crests: dict[str, str] = {race: f"bearing.form_error.{race}.crest" for race in case.bearing.waves}
+    if case.inner.kind == "cam":
+        crests["inner"] = "inner.cam_crest"
     speeds = {"inner": operation.inner_speed, "outer": operation.outer_speed}
-    found = tuple(turning(race, crest) for race, crest in shaped.items() if speeds[race])
-    return (*found, *_large(case))
+    return (*(turning(race, crest) for race, crest in crests.items() if speeds[race]), *_large(case))
 
 
 def turning(race: str, crest: str) -> Note:
@@ -31,14 +29,14 @@ def turning(race: str, crest: str) -> Note:
     return information(
         "turning-waves",
         f"the {race} raceway is not round and turns; loads and life are those of one moment, with its crests "
-        f"at {crest}: other crests give those of other moments",
+        f"at {crest}: other crests give those of other moments; lives are rated as if the load did not turn "
+        "with it",
     )
 
 
 def _large(case: "FastCase") -> tuple[Note, ...]:
     """How far displacements are from small ones."""
-    form = case.bearing.form_error
-    waves = [race.amplitudes for race in (form and form.inner, form and form.outer) if race]
+    waves = (each.amplitudes for each in case.bearing.waves.values())
     largest = sum(map(abs, chain(*waves))) + (case.inner.cam_amplitude or 0.0)
     error = LARGE * largest / (case.bearing.pitch_diameter / 2)
     if error < NOTABLE:
@@ -47,6 +45,6 @@ def _large(case: "FastCase") -> tuple[Note, ...]:
         outside(
             "large-deflection",
             f"raceways are {1e3 * largest:.3g} mm out of round: small displacements leave an error of about "
-            f"{error:.1%} of the largest load, calibrated on a strain-wave bearing",
+            f"{error:.1%} of the largest load, calibrated on the cam of a strain-wave bearing",
         ),
     )

@@ -67,12 +67,21 @@ def test_a_turned_cam_turns_the_loads():
     [
         ({"outer": {"kind": "rigid"}}, r"\[outer\] kind .* around a cam"),
         ({"inner.cam_amplitude": None}, r"cam_amplitude is missing"),
-        ({"operation.displacement.axial": None, "operation.preload.force": "5 N"}, "left out beside a cam"),
+        (
+            {"operation.displacement.axial": None, "operation.preload.force": "5 N"},
+            'another one than "cam" beside operation.preload',
+        ),
+        ({"inner.cam_amplitude": "0.8 mm"}, r"cam_amplitude .* at most 0.75 mm"),
     ],
 )
 def test_what_a_cam_cannot_have_is_refused(changes, words):
     with pytest.raises(BadCase, match=words):
         check(CAM, changes)
+
+
+def test_waves_that_are_too_many_are_refused_as_those_of_rollers_are():
+    with pytest.raises(BadCase, match=r"bearing.form_error.outer: 200 waves of 4 um; at most"):
+        check(DEEP, OVAL | {"bearing.form_error.outer.waves": 200})
 
 
 def test_notes_on_large_shapes_and_on_those_that_turn():

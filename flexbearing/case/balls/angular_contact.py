@@ -33,7 +33,7 @@ from flexbearing.case.balls.parts import (
     Whole,
     require_quarters,
 )
-from flexbearing.case.balls.ring_room import require_room
+from flexbearing.case.balls.ring_room import Race, require_room
 from flexbearing.case.head import KIND
 from flexbearing.case.materials import Oil
 from flexbearing.case.outputs import LifeOutputs
@@ -44,14 +44,18 @@ from flexbearing.case.quantity import (
     Moment,
     Section,
     Speed,
+    at_most,
     impossible,
     key,
     needed,
+    require,
 )
 from flexbearing.case.raceway_waves import Waves
 from flexbearing.case.ratings import BallLife
 
 PLANE = "about the point of the bearing axis in the plane of the inner groove centres"
+HIGHEST = 0.03  # of the pitch radius: cam whose largest load is still known to some 10 %, assumed
+PRELOAD = "operation.preload; give operation.displacement.axial instead"
 DIRECTIONS = {  # name of a load, and of the displacement that may be held instead
     "axial": "axial",
     "radial_y": "radial_y",
@@ -82,7 +86,14 @@ class FastBearing(MountedBearing):
         """Contact angle to whose shape elastic rings are cut [rad]: radial, where none is given."""
         return 0.0
 
-    def groove_bottom(self, race: Literal["inner", "outer"]) -> float:
+    @property
+    def waves(self) -> dict[Race, Waves]:
+        """Form errors of the raceways that are not round."""
+        form = self.form_error
+        both: dict[Race, Waves | None] = {"inner": form and form.inner, "outer": form and form.outer}
+        return {race: waves for race, waves in both.items() if waves}
+
+    def groove_bottom(self, race: Race) -> float:
         """Radius of the bottom of a groove [m]; clearance and growth are far smaller and left out."""
         conformity = getattr(self, race).over(self.ball.diameter)
         depth = conformity - (conformity - 0.5) * cos(self.groove_angle)
@@ -310,11 +321,15 @@ class FastCase(MountedCase):
         on_cam = self.inner.kind == "cam"
         if on_cam and self.outer.kind == "rigid":
             raise impossible("outer.kind", 'another one than "rigid" around a cam, which it follows')
-        if self.operation.preload and (on_cam or self.bearing.form_error):
-            reason = "a cam" if on_cam else "bearing.form_error"
-            raise impossible(
-                "operation.preload", f"left out beside {reason}; give operation.displacement.axial"
-            )
+        if self.operation.preload and self.bearing.waves:
+            raise impossible("bearing.form_error", f"left out beside {PRELOAD}")
+        if not on_cam:
+            return self
+        if self.operation.preload:
+            raise impossible("inner.kind", f'another one than "cam" beside {PRELOAD}')
+        if require(self.inner, ("cam_amplitude",), "a cam")[0] > HIGHEST * self.bearing.pitch_diameter / 2:
+            most = at_most(HIGHEST * self.bearing.pitch_diameter / 2)
+            raise impossible("inner.cam_amplitude", f"{most}, {HIGHEST:.0%} of the pitch radius")
         return self
 
     @model_validator(mode="after")

@@ -11,7 +11,7 @@ from quasidynamic.balance.balls.ball_position import Vectors
 from quasidynamic.errors import ImpossiblePart
 
 FURTHEST = 0.15  # [rad] beyond its outermost station a groove answers as it does there
-SYMMETRIC = 1e-9  # allowed difference of a compliance from its mirror image, over the largest entry
+SYMMETRIC = 1e-7  # allowed difference of a compliance from its mirror image, over the largest entry: rounding
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,15 +42,11 @@ class ElasticGroove:
         """Displacements of all stations by forces on those of each ball (Z, Z K, K) [m/N]."""
         return np.moveaxis(self.compliance.reshape(-1, *self.compliance.shape[2:]), 1, 0).copy()
 
-    @cached_property
-    def _inverse(self) -> NDArray:
-        return np.linalg.inv(_waves(self.angles, 0).T)
-
     def shares(self, angles: NDArray) -> "StationShares":
         """Shares of the stations at contact angles (C, Z) [rad]."""
         least, most = self.angles.min() - FURTHEST, self.angles.max() + FURTHEST
         at = np.clip(angles, least, most)
-        share, slope, bend = (_waves(at, order, len(self.angles)) @ self._inverse.T for order in range(3))
+        share, slope, bend = lagrange(self.angles, at)
         inside = (angles > least) & (angles < most)
         return StationShares(at, share, slope, np.where(inside[..., None], share + bend, 0.0))
 
@@ -101,12 +97,24 @@ class StationShares(NamedTuple):
         return np.stack([self.turn * cosine, -self.turn * sine], axis=-1)
 
 
-def _waves(angles: NDArray, order: int, count: int | None = None) -> NDArray:
-    """Derivatives of (cos, sin, 1, cos 2a, sin 2a, ...) at angles (..., count)."""
-    number = np.array([1, 1, 0, *np.repeat(np.arange(2, (count or len(angles)) // 2 + 1), 2)])
-    quarter = np.pi / 2 * (order - np.array([0, 1, 0, *np.arange(len(number) - 3) % 2]))
-    constant = np.asarray(angles)[..., None] * number + quarter
-    return number ** float(order) * np.cos(constant)
+def lagrange(nodes: NDArray, at: NDArray) -> tuple[NDArray, NDArray, NDArray]:
+    r"""Shares of values at K nodes in a trigonometric polynomial through them, and two derivatives (..., K).
+
+    .. math:: c_k(\alpha) = \prod_{j \ne k} \frac{\sin((\alpha - \alpha_j)/2)}{\sin((\alpha_k - \alpha_j)/2)}
+
+    Source
+    ------
+    Gauss (1866), Theoria interpolationis methodo nova tractata; exact for 1, cos, sin, ..., K odd.
+    """
+    share = np.ones((*at.shape, len(nodes)))
+    slope, bend = np.zeros_like(share), np.zeros_like(share)
+    for step in range(1, len(nodes)):
+        other = np.roll(nodes, step)
+        half, scale = (at[..., None] - other) / 2, np.sin((nodes - other) / 2)
+        factor, turn = np.sin(half) / scale, np.cos(half) / (2 * scale)
+        bend = bend * factor + 2 * slope * turn - share * factor / 4
+        slope, share = slope * factor + share * turn, share * factor
+    return share, slope, bend
 
 
 class GrooveShape(NamedTuple):
