@@ -319,4 +319,7 @@ def _check(angle: NDArray, load: NDArray) -> None:
     if not np.all((load >= 0.0) & np.isfinite(load)):
         raise ImpossiblePart("contact loads must be finite and >= 0")
     if not np.all(np.abs(angle) < STEEPEST):
-        raise ImpossiblePart("contact angles must lie between -90 and 90 degrees")
+        raise OutOfRange(
+            f"contact angles of up to {np.degrees(np.abs(angle).max()):.1f} deg: balls leave their grooves, "
+            "the load is far too high"
+        )
