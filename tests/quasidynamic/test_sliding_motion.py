@@ -243,7 +243,7 @@ def test_impossible_balls_are_refused():
         BEARING.slide(np.zeros((1, 2)), np.zeros((1, 2)))
     with pytest.raises(ImpossiblePart, match=">= 0"):
         one_ball(BEARING, [45.0], [-1.0])
-    with pytest.raises(ImpossiblePart, match="90 degrees"):
+    with pytest.raises(OutOfRange, match=r"95.0 deg: balls leave their grooves"):
         one_ball(BEARING, [95.0], [1.0])
     with pytest.raises(OutOfRange, match="far too high"):
         one_ball(slow_bearing(conformity=0.501), [45.0], [1e8])
