@@ -10,6 +10,7 @@ from quasidynamic.parts.raceway_waves import RacewayWaves
 
 if TYPE_CHECKING:
     from flexbearing.case.balls.angular_contact import FastCase
+    from flexbearing.case.balls.ring_room import Race
 
 LOBES = 2  # of a cam
 
@@ -28,7 +29,7 @@ def approaches(case: "FastCase", azimuths: NDArray) -> NDArray | None:
         if waves are too steep or too much curved
     """
     bearing = case.bearing
-    shapes = {race: raceway_waves(waves) for race, waves in bearing.waves.items()}
+    shapes: dict[Race, RacewayWaves] = {race: raceway_waves(each) for race, each in bearing.waves.items()}
     for race, waves in shapes.items():
         waves.require_gentle(
             f"bearing.form_error.{race}", bearing.groove_bottom(race), bearing.ball.diameter / 2
