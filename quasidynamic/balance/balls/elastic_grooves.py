@@ -106,12 +106,15 @@ def lagrange(nodes: NDArray, at: NDArray) -> tuple[NDArray, NDArray, NDArray]:
     ------
     Gauss (1866), Theoria interpolationis methodo nova tractata; exact for 1, cos, sin, ..., K odd.
     """
-    share = np.ones((*at.shape, len(nodes)))
+    count = len(nodes)
+    other = nodes[(np.arange(count) + np.arange(1, count)[:, None]) % count]
+    half = (at[..., None, None] - other) / 2
+    scale = np.sin((nodes - other) / 2)
+    factors, turns = np.sin(half) / scale, np.cos(half) / (2 * scale)
+    share = np.ones((*at.shape, count))
     slope, bend = np.zeros_like(share), np.zeros_like(share)
-    for step in range(1, len(nodes)):
-        other = np.roll(nodes, step)
-        half, scale = (at[..., None] - other) / 2, np.sin((nodes - other) / 2)
-        factor, turn = np.sin(half) / scale, np.cos(half) / (2 * scale)
+    for step in range(count - 1):
+        factor, turn = factors[..., step, :], turns[..., step, :]
         bend = bend * factor + 2 * slope * turn - share * factor / 4
         slope, share = slope * factor + share * turn, share * factor
     return share, slope, bend

@@ -89,26 +89,41 @@ def _newton_of_balls(
     if far.any():  # where they were is no better than a closed form
         centres = np.where(far, balance.places.resting(grooves), centres)
         state = at_places(balance, grooves, centres, share, 2)
-    moving, good, size, count = state.moving, np.True_, state.left, state.evaluations
-    if not moving.any():
-        return state
+    return _damped(balance, grooves, state, share) if state.moving.any() else state
+
+
+def _damped(
+    balance: AngularBalance, grooves: Vectors, state: BallsInBalance, share: NDArray | float
+) -> BallsInBalance:
+    """Damped Newton of balls from a state; cases that have ended are left out as soon as they are half."""
+    places, unbalanced, count = state.centres.copy(), state.moving.copy(), state.evaluations
+    cases, some, shares = np.arange(len(grooves)), balance, np.broadcast_to(share, len(grooves))
+    at, centres, size, moving, good = grooves, state.centres, state.left, state.moving, ~state.moving
     step, damping = _ball_step(balance, state.balls), np.ones(centres.shape)
     ahead = _along(state.balls.excess, step)
-    while moving.any() and count < LIMIT and not (damping < SHORTEST).any():
-        trial = along_arc(centres, np.where(moving, damping, 0.0) * step)
-        state, count = at_places(balance, grooves, trial, share), count + 1
-        trial_balls = state.balls
-        left = _along(trial_balls.excess, step)
+    while count < LIMIT:
+        running = moving.any(axis=1) & (damping >= SHORTEST).all(axis=1)
+        if not running.any():
+            break
+        if 2 * running.sum() <= len(running):
+            places[cases], unbalanced[cases] = centres, moving
+            cases, some, shares = cases[running], some.take(running), shares[running]
+            at, centres, size, moving = at[running], centres[running], size[running], moving[running]
+            step, damping, ahead, running = step[running], damping[running], ahead[running], running[running]
+        trial = along_arc(centres, np.where(moving & running[:, None], damping, 0.0) * step)
+        state, count = at_places(some, at, trial, shares), count + 1
+        left = _along(state.balls.excess, step)
         good = (left >= -0.5 * np.abs(ahead)) | (state.left < 0.5 * size)
         centres = np.where(good, trial, centres)
-        step = np.where(good, _ball_step(balance, trial_balls), step)
-        ahead = np.where(good, _along(trial_balls.excess, step), ahead)
+        step = np.where(good, _ball_step(some, state.balls), step)
+        ahead = np.where(good, _along(state.balls.excess, step), ahead)
         size = np.where(good, state.left, size)
         damping = np.where(good, 1.0, damping / 2)
-        moving = ~good | state.moving
-    if not good.all():
-        state, count = at_places(balance, grooves, centres, share), count + 1
-    return state._replace(moving=moving, evaluations=count)
+        moving = np.where(running[:, None], ~good | state.moving, moving)
+    places[cases], unbalanced[cases] = centres, moving
+    if len(cases) < len(places) or not good.all():
+        state, count = at_places(balance, grooves, places, share), count + 1
+    return state._replace(moving=unbalanced, evaluations=count)
 
 
 def along_arc(centres: Vectors, step: Vectors) -> Vectors:

@@ -244,7 +244,7 @@ def _newton(
         if not running.any():
             break
         cases, balance = cases[running], balance if running.all() else balance.take(running)
-        state, gained = _next(balance, grooves, state.of(running))
+        state, gained = _next(balance, grooves, state if running.all() else state.of(running))
         whole.put(cases, state)
     return whole, outcomes
 
@@ -265,7 +265,7 @@ def _next(balance: AngularBalance, grooves: ElasticGrooves, state: State) -> tup
     steps, against = state.steps(step), state.moves(step).view(complex)
     longest = LONGEST * min(balance.bearing.inner_reach, balance.bearing.outer_reach)
     damping = 1 / np.maximum(np.abs(against).max(1) / longest, 1.0)
-    last, trial = SHORTEST * damping, state.of(np.arange(len(damping)))
+    last, trial = SHORTEST * damping, state
     ahead = np.abs(state.work(step, steps.grooves))
     trying, gained = np.arange(len(damping)), np.zeros(len(damping), bool)
     while len(trying):
@@ -282,7 +282,10 @@ def _next(balance: AngularBalance, grooves: ElasticGrooves, state: State) -> tup
         )
         candidate = _at(some, grooves, at, BALL_SHARE * state.imbalance[trying])
         candidate.evaluations[:] += trial.evaluations[trying]
-        trial.put(trying, candidate)
+        if len(trying) == len(damping):
+            trial = candidate
+        else:
+            trial.put(trying, candidate)
         left = candidate.work(step[trying], steps.grooves[trying])
         good = (left >= -0.5 * ahead[trying]) | (candidate.imbalance < 0.5 * state.imbalance[trying])
         good &= np.isfinite(candidate.imbalance)
