@@ -7,16 +7,16 @@ from numpy.typing import NDArray
 
 from quasidynamic.errors import ImpossiblePart
 
-FLATTEST = 0.01  # [-] steepest slope with which rollers still run on a circle (assumed)
-STRAIGHTEST = 0.1  # [-] most that waves may change the curvature of a contact, over a roller's (assumed)
+FLATTEST = 0.01  # [-] steepest slope with which elements still run on a circle (assumed)
+STRAIGHTEST = 0.1  # [-] most that waves may change the curvature of a contact, over an element's (assumed)
 
 
 @dataclass(frozen=True, kw_only=True)
 class RacewayWaves:
-    """Waves that add up, each the same all along the rollers."""
+    """Waves that add up, each the same all across the raceway."""
 
     numbers: tuple[int, ...]  # around the circumference, >= 2
-    amplitudes: tuple[float, ...]  # [m] positive: towards the rollers at the crest
+    amplitudes: tuple[float, ...]  # [m] positive: towards rollers or balls at the crest
     crests: tuple[float, ...]  # [rad] azimuth of a crest of each
 
     def __post_init__(self):
@@ -34,7 +34,7 @@ class RacewayWaves:
             raise ImpossiblePart("form error: amplitudes and crests must be finite")
 
     def height(self, azimuths: NDArray) -> NDArray:
-        r"""Form error where rollers are.
+        r"""Form error where rollers or balls are.
 
         .. math:: h_j = \sum_k a_k \cos n_k (\varphi_j - \psi_k)
 
@@ -46,7 +46,7 @@ class RacewayWaves:
         Returns
         -------
         array (..., Z)
-            h, towards the rollers [m]
+            h, towards rollers or balls [m]
 
         Source
         ------
@@ -57,8 +57,8 @@ class RacewayWaves:
             height = height + amplitude * np.cos(number * (azimuths - crest))
         return height
 
-    def require_gentle(self, name: str, radius: float, roller_radius: float) -> None:
-        """Refuse waves that a roller would not run over as on a round raceway.
+    def require_gentle(self, name: str, radius: float, element_radius: float) -> None:
+        """Refuse waves that an element would not run over as on a round raceway.
 
         Raises
         ------
@@ -66,10 +66,10 @@ class RacewayWaves:
             if a wave is too steep, or too much more or less curved than the raceway; radii in m
         """
         for number, amplitude in zip(self.numbers, self.amplitudes, strict=True):
-            steep, curved = FLATTEST * radius / number, STRAIGHTEST * radius**2 / number**2 / roller_radius
+            steep, curved = FLATTEST * radius / number, STRAIGHTEST * radius**2 / number**2 / element_radius
             largest = min(steep, curved)
             if abs(amplitude) > largest:
                 raise ImpossiblePart(
-                    f"{name}: {number} waves of {amplitude * 1e6:.4g} um; at most {largest * 1e6:.4g} um: a "
-                    "roller would not run over them as on a round raceway"
+                    f"{name}: {number} waves of {amplitude * 1e6:.4g} um; at most {largest * 1e6:.4g} um: an "
+                    "element would not run over them as on a round raceway"
                 )
