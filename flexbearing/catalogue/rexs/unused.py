@@ -69,10 +69,16 @@ def around(model: Model, bearings: Sequence[Part], belongings: Collection[str]) 
 
     Parameters
     ----------
+    model : Model
+        with its relations
     bearings : sequence of Part
         all of the model
     belongings : collection of str
         numbers of the bearings, their parts, materials and oils, which are named with them
+
+    Returns
+    -------
+    list of Part
     """
     seats = [each for part in bearings for ring in ("inner", "outer") for each in carriers(model, part, ring)]
     units = [each for each in model.parts.values() if each.kind in (*USED, "lubricant")]
