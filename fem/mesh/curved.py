@@ -18,13 +18,18 @@ from fem.parts.rings import MeshSize
 
 LEAST = 0.02  # of the volume of a straight element that is left where it does not count as folded
 FOLDED = 1e-3  # share of a volume that may fold beside fillets; that changes compliances by 1e-3 at most
-FINER = (1.0, 0.85, 0.7)  # sizes over those requested, one after the other
+FINER = (1.0, 0.85, 0.7, 0.5, 0.35, 0.25, 0.18, 0.125)  # sizes over those requested, one after the other
+AT_ANY_COST = 0.7  # of the sizes requested: 3 times the elements
+MOST = 10_000  # elements of sizes below that: seconds for half a pitch of a cage
 
 _log = logging.getLogger(__name__)
 
 
 def curved(generate: Callable[[MeshSize], ngs.Mesh], mesh_size: MeshSize, allowed: float = 0.0) -> ngs.Mesh:
     """Curve a mesh; where that turns elements inside out, take a finer one.
+
+    An edge of length :math:`h` is up to :math:`h^2 / 8 R` away from the face of radius :math:`R`: walls
+    thinner than that need shorter ones.
 
     Parameters
     ----------
@@ -42,12 +47,17 @@ def curved(generate: Callable[[MeshSize], ngs.Mesh], mesh_size: MeshSize, allowe
     Raises
     ------
     NotSolved
-        if elements are inside out on the finest mesh, too
+        if elements are inside out on the finest mesh of at most `MOST` elements, too
     """
+    folded, elements, tried = 0.0, 0, 1.0
     for share in FINER:
+        if share < AT_ANY_COST and elements * (tried / share) ** 3 > MOST:
+            break
+        tried = share
         mesh = generate(
             replace(mesh_size, size=share * mesh_size.size, raceway_size=share * mesh_size.raceway_size)
         )
+        elements = mesh.ne
         folded = _curve(mesh, mesh_size.order)
         _log.debug("%d elements of order %d, %.2g of the volume folded", mesh.ne, mesh_size.order, folded)
         if folded <= allowed:
@@ -55,7 +65,7 @@ def curved(generate: Callable[[MeshSize], ngs.Mesh], mesh_size: MeshSize, allowe
     raise NotSolved(
         f"elements of {in_mm(mesh_size.size)}, on the raceway of {in_mm(mesh_size.raceway_size)}, and of "
         f"order {mesh_size.order} are impossible: curved edges turn {folded:.2g} of the volume inside "
-        f"out, also on elements {FINER[-1]:g} times as large; allowed is {allowed:g}, by other sizes or a "
+        f"out, also on elements {tried:g} times as large; allowed is {allowed:g}, by other sizes or a "
         "lower order"
     )
 

@@ -176,6 +176,12 @@ QUANTITIES = (
         "free contact angle, 2 A (1 - cos(alpha_0)); negative is an interference",
         source="state.bearing.radial_clearance", people=UM,
         summary=(SummaryValue("radial_clearance_um", label="radial clearance", digits=".2f"),)),
+    Quantity("end_play", "", "", "m", "block",
+        "axial clearance: way of the inner ring between the places where balls just touch on either side, "
+        "2 A sin(alpha_0), of rigid rings; zero with an interference; absent of an angular-contact bearing, "
+        "whose shoulders are on one side",
+        source="state.bearing.end_play", people=UM, optional=True,
+        summary=(SummaryValue("end_play_um", label="end play", digits=".2f"),)),
     Quantity("ring_load", "P", "force", "N, N m", "block",
         f"what the balls carry for the inner ring ({_ORDER}): load or reaction",
         summary=(

@@ -92,6 +92,14 @@ class AngularContactBearing:
         return self.centre_distance * np.sin(self.free_contact_angle) - self.groove_offset[0]
 
     @property
+    def end_play(self) -> float | None:
+        """Axial way of the ring from balls that touch on one side to the other, 2 A sin(alpha_0) [m].
+
+        Zero with an interference; none in a bearing with a contact angle, whose shoulders are on one side.
+        """
+        return None if self.contact_angle > 0 else 2 * float(self.touching_place)
+
+    @property
     def inner_groove_radius(self) -> float:
         """From the shaft axis to the inner groove centre, R_i = d_m/2 + (f_i - 1/2) D cos(alpha) [m]."""
         return self.pitch_diameter / 2 + self.inner_reach * np.cos(self.contact_angle)

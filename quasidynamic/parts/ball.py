@@ -111,6 +111,16 @@ class FourPointBearing:
         return (self.inner.conformity + self.outer.conformity - 1.0) * self.ball.diameter
 
     @property
+    def end_play(self) -> float:
+        """Axial way of the ring from balls that touch on one diagonal to the other [m].
+
+        2 (sqrt(A^2 - r^2) - x), opposite centres being x and r apart before; zero with an interference.
+        """
+        apart = self.centre_distance - max(self.clearance, 0.0)
+        x, r = apart * np.sin(self.contact_angle), apart * np.cos(self.contact_angle)
+        return 2 * float(np.sqrt(self.centre_distance**2 - r**2) - x)
+
+    @property
     def groove_radii(self) -> NDArray:
         """Groove radii r_i and r_o (2) [m]."""
         return np.array([self.inner.conformity, self.outer.conformity]) * self.ball.diameter

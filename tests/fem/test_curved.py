@@ -47,6 +47,31 @@ def test_elements_that_fold_at_any_size_are_refused():
         curved(lambda sizes: plate(COARSE), COARSE)
 
 
+def test_bars_thinner_than_arcs_are_high_get_finer_elements():
+    """Bars of 0.16 mm on a ring of 0.51 mm: edges on the raceway, 5 mm long, are 0.2 mm away from the arc."""
+    thin = replace(
+        CAGE, raceway_diameter=38.2e-3, thickness=0.514e-3, width=22.5e-3, bars=11, bar_width=5.63e-3,
+        bar_thickness=0.157e-3, bar_length=16.9e-3, flange_length=1.9e-3,
+    )  # fmt: skip
+    mesh = half_pitch(thin, 20.5e-3, MeshSize(order=3, size=12.3e-3, raceway_size=8.2e-3))
+    ring = 3.14159265 * ((19.1 + 0.514) ** 2 - 19.1**2) * 22.5 / 22
+    assert ngs.Integrate(ngs.CF(1), mesh, definedon=mesh.Materials("ring")) == approx(ring, rel=1e-4)
+    assert mesh.ne < 3000
+
+
+def test_finer_elements_are_not_tried_where_they_would_be_far_too_many(monkeypatch):
+    tried = []
+
+    def many(sizes):
+        tried.append(sizes.size / COARSE.size)
+        return plate(COARSE)
+
+    monkeypatch.setattr("fem.mesh.curved.MOST", 10)
+    with pytest.raises(NotSolved, match=r"also on elements 0.7 times as large"):
+        curved(many, COARSE)
+    assert tried == approx([1.0, 0.85, 0.7])
+
+
 def test_few_elements_fold_beside_fillets():
     rounded = replace(CAGE, fillet=0.3e-3)
     mesh = half_pitch(rounded, 5e-3, MeshSize(order=3, size=3e-3, raceway_size=2e-3))

@@ -44,6 +44,14 @@ def test_summary_has_the_free_contact_angle(radial):
     assert any("4 of 9 balls do not touch the inner race" in note for note in texts(radial))
 
 
+def test_end_play_is_an_output_of_bearings_that_have_one(radial):
+    """2 A sin(alpha_0) of A = 0.5 mm and 9.936 deg; shoulders on one side leave none."""
+    assert radial.summary()["rigid"]["end_play_um"] == approx(2 * 500 * np.sin(np.radians(9.936)), rel=1e-3)
+    angular = flexbearing.run(CONFIG.with_name("harris218.toml"), ["operation.inner_speed=0 rpm"])
+    assert "end_play" not in angular.rigid
+    assert angular.summary()["rigid"]["end_play_um"] is None
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("control", ["outer", "inner", "equal", "coulomb"])
 @pytest.mark.parametrize("model", ["full_sliding", "fastsim"])

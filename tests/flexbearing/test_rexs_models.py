@@ -14,6 +14,7 @@ from flexbearing.__main__ import command
 from flexbearing.catalogue import page as pages
 from flexbearing.catalogue.rexs.bearings import bearing as bearing_of
 from flexbearing.catalogue.rexs.file import ENDINGS, read
+from flexbearing.catalogue.rexs.unused import unused_around
 
 HERE = Path(__file__).parent / "rexs"
 OLD, NEW = (HERE / f"gearbox_{version}.rexs" for version in ("1.0", "1.4"))
@@ -112,6 +113,12 @@ def add(place, number, kind, **attributes):
     part = ElementTree.SubElement(place, "component", id=number, type=kind)
     for name, (text, unit) in attributes.items():
         ElementTree.SubElement(part, "attribute", id=name, unit=unit).text = text
+
+
+def of_name(name, text, unit):
+    attribute = ElementTree.Element("attribute", id=name, unit=unit)
+    attribute.text = text
+    return attribute
 
 
 def as_json(root):
@@ -318,6 +325,46 @@ def test_what_is_not_used_of_parts_and_surroundings_is_named_by_kind(written):
         (line, *_) = [line for line in lines if line.startswith(f"  not used of {kind}: ")]
         assert {*line.partition(": ")[2].split(", ")} == attributes
     assert "not used of gear_unit: application_factor, reliability, required_lifetime" in lines
+
+
+def test_shafts_with_sections_and_materials_and_whole_components_are_named(written, tmp_path):
+    """What bearings sit on, by attributes; gears, load cases' own components and relations by their kinds."""
+    root = ElementTree.parse(HERE / "surroundings_1.4.rexs").getroot()
+    components, relations = root.find("components"), root.find("relations")
+    add(components, "20", "shaft_section", shaft_bore=("20", "mm"))
+    add(components, "21", "material", material_designation=("42CrMo4", "none"))
+    add(components, "22", "cylindrical_gear", number_of_teeth=("31", "none"))
+    components.find("component[@id='2']").extend(
+        [of_name("shaft_bore", "12", "mm"), of_name("speed", "7", "1 / min")]
+    )
+    for kind, roles in (
+        ("ordered_assembly", {"2": "assembly", "20": "part"}),
+        ("reference", {"20": "origin", "21": "referenced"}),
+        ("assembly", {"2": "assembly", "22": "part"}),
+        ("stage", {"22": "gear_1"}),
+    ):
+        relation = ElementTree.SubElement(relations, "relation", type=kind, id="99")
+        for number, role in roles.items():
+            ElementTree.SubElement(relation, "ref", id=number, role=role)
+    add(ElementTree.SubElement(ElementTree.SubElement(root, "load_spectrum"), "load_case"), "77", "motor")
+    (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(root))
+    lines = written("m.rexs")[2].splitlines()
+    assert "not used of shaft: shaft_bore, speed" in lines
+    assert "not used of shaft_section: shaft_bore" in lines
+    assert "not used of material: material_designation" in lines
+    assert "not used: cylindrical_gear (1), motor (1), relation stage" in lines
+
+
+def test_attributes_of_rows_are_not_used_by_their_namesakes_of_the_bearing(tmp_path):
+    root = ElementTree.parse(HERE / "surroundings_1.4.rexs").getroot()
+    root.find("components/component[@id='12']").append(of_name("inner_diameter", "41", "mm"))
+    root.find("components/component[@id='3']").append(of_name("speed_inner_ring", "9", "1 / min"))
+    (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(root))
+    model = read(tmp_path / "m.rexs")
+    found = bearing_of(model, model.parts["3"])
+    assert {*found.not_used} == {"inner_diameter", "nominal_contact_angle"}
+    left = unused_around(model, [model.parts["3"]], [model.parts["2"]])
+    assert left == {"shaft": ("rotational_speed",)}  # the ring has its own speed
 
 
 def test_an_oil_of_the_gear_unit_alone_is_named_with_the_unit(written, tmp_path):

@@ -34,6 +34,10 @@ def test_free_contact_angle_follows_from_the_clearance(clearance):
     if clearance:
         light = solved(bearing, (1e-6, 0.0, 0.0, 0.0, 0.0))
         assert light.ring_displacement[0] == approx(touching, rel=1e-3)
+        other = solved(bearing, (-1e-6, 0.0, 0.0, 0.0, 0.0))
+        both = light.ring_displacement[0] - other.ring_displacement[0]
+        assert bearing.end_play == approx(both, rel=1e-3)
+    assert deep_groove(-clearance).end_play == 0.0
 
 
 def test_clearance_of_an_angular_contact_bearing_changes_its_angle():
@@ -44,6 +48,7 @@ def test_clearance_of_an_angular_contact_bearing_changes_its_angle():
     change = np.cos(tighter.free_contact_angle) - np.cos(np.radians(25.0))
     assert change == approx(20e-6 / (2 * bearing.centre_distance), rel=1e-12)
     assert tighter.touching_place < 0.0
+    assert tighter.end_play is None
 
 
 @pytest.mark.parametrize("clearance", [1.1e-3, -1.1e-3, np.nan])

@@ -46,6 +46,15 @@ def test_balls_carry_the_load(bearing, load):
     assert carried(bearing, found) == approx(load, abs=1e-10 * largest)
 
 
+@pytest.mark.parametrize("clearance", [10e-6, 200e-6])
+@pytest.mark.parametrize("angle", [20.0, 45.0])
+def test_end_play_is_the_way_between_light_thrusts(clearance, angle):
+    bearing = slow_bearing(clearance=clearance, angle=angle, balls=24, ball=30e-3, pitch=0.5).bearing
+    up, down = (ball_loads(bearing, np.array([sign * 1e-3, 0, 0, 0, 0])) for sign in (1, -1))
+    assert up.displacement[0] - down.displacement[0] == approx(bearing.end_play, rel=2e-3)
+    assert TIGHT.bearing.end_play == approx(0.0, abs=1e-15)
+
+
 @settings(max_examples=15)
 @given(cases)
 def test_stiffness_is_that_of_small_further_loads(load):

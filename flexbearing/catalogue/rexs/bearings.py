@@ -14,7 +14,7 @@ from flexbearing.printable import excerpt
 KINDS = ("rolling_bearing_with_detailed_geometry", "rolling_bearing_with_catalog_geometry")
 OTHERS = ("concept_bearing", "slide_bearing", "hydrodynamic_radial_plain_bearing")  # without rollers or balls
 ROW, ELEMENT = "rolling_bearing_row", "rolling_element"
-BODIES = (*KINDS, ROW, ELEMENT)
+BODIES = (*KINDS, ROW, ELEMENT)  # whose attributes are named with those of the bearing
 RATINGS = "dynamic_rating", "static_rating"
 DESIGNATION, VISCOSITY = "material_designation", "viscosity_at_40_degree_celsius"
 LIKE = {  # kinds of bearing that a case can be written for
@@ -51,7 +51,7 @@ NAMED = {  # entry to attributes with a name of a list of the case
     "shaft": ("shaft_tolerance_class", "pin_tolerance_class"),
     "housing": ("casing_bore_tolerance_class", "boring_tolerance_class"),
 }
-Entry = tuple[str, str, str]  # name, text, attribute
+Entry = tuple[str, str, str, str]  # name, text, number of the component, attribute
 
 
 @dataclass(frozen=True)
@@ -86,6 +86,11 @@ def is_computable(part: Part) -> bool:
     return part.kind in KINDS and part.text_of("bearing_type") in LIKE
 
 
+def belongings(model: Model, part: Part) -> list[Part]:
+    """A bearing with its parts, their materials and its oils."""
+    return belonging(model, part, *_oils(model, part))
+
+
 def bearing(model: Model, part: Part) -> Bearing:
     """A bearing as entries of a page, under the load and the speed of its heaviest load case.
 
@@ -101,22 +106,23 @@ def bearing(model: Model, part: Part) -> Bearing:
     known, side = oriented(points(model, part), like)
     point = heaviest(known)
     entries = [*_entries(model.loaded(part, point), row, element), *_names(like, part)]
-    ratings = {name: text for name, text, _ in entries if name in RATINGS}
+    ratings = {name: text for name, text, *_ in entries if name in RATINGS}
     entries = [each for each in (*entries, *_application(known[point], like)) if each[0] in LIKES[like].taken]
-    if any(name in LIKES[like].instead for name, _, _ in entries):  # a class counts more than a clearance
+    if any(name in LIKES[like].instead for name, *_ in entries):  # a class counts more than a clearance
         entries = [each for each in entries if each[0] != "clearance"]
-    parts = belonging(model, part, *_oils(model, part))
+    parts = belongings(model, part)
     bodies, others = ([each for each in parts if (each.kind in BODIES) is own] for own in (True, False))
     surroundings, strange, used = _surroundings(model, part, element, like)
-    taken = {*{name: attribute for name, _, attribute in entries}.values()}  # the last of a name
-    used |= {each.number: taken.union(*(of_point.used for of_point in known)) for each in bodies}
+    used[part.number] = set[str]().union(*(of_point.used for of_point in known))
+    for number, attribute in {name: source for name, _, *source in entries}.values():  # the last of a name
+        used.setdefault(number, set()).add(attribute)
     steel = element and _material(model, element)
     used |= {each.number: {DESIGNATION} for each in others if steel and _is_called(each, steel)}
     return Bearing(
         name=called(part),
         designation=_designation(part),
         like=like,
-        options={**{name: text for name, text, _ in entries}, **surroundings},
+        options={**{name: text for name, text, *_ in entries}, **surroundings},
         points=tuple(known),
         point=point,
         side=side,
@@ -150,7 +156,7 @@ def _entries(part: Part, row: Part | None, element: Part | None) -> Iterator[Ent
         pitch = row.number_of("reference_diameter", "mm")
         diameter = element.number_of("diameter_of_rolling_element", "mm")
         if pitch and diameter:
-            yield "outer_raceway", f"{pitch + diameter:.12g} mm", "reference_diameter"
+            yield "outer_raceway", f"{pitch + diameter:.12g} mm", row.number, "reference_diameter"
 
 
 def _numbers(part: Part, wanted: Mapping[str, tuple[str, str, tuple[str, ...]]]) -> Iterator[Entry]:
@@ -159,7 +165,7 @@ def _numbers(part: Part, wanted: Mapping[str, tuple[str, str, tuple[str, ...]]])
         for attribute in attributes:
             if value := part.number_of(attribute, unit):
                 value = abs(value) if entry == "angle" else value
-                yield entry, f"{value:.12g} {ours}".strip(), attribute
+                yield entry, f"{value:.12g} {ours}".strip(), part.number, attribute
                 break
 
 
@@ -171,21 +177,21 @@ def _names(like: str, part: Part) -> Iterator[Entry]:
         for attribute in attributes:
             text = part.text_of(attribute)
             if CLASSES.get(text, text) in names(ENTRIES[entry], like):
-                yield entry, CLASSES.get(text, text), attribute
+                yield entry, CLASSES.get(text, text), part.number, attribute
 
 
 def _application(point: Point, like: str) -> Iterator[Entry]:
     """Load, speeds and temperature of a load case."""
     for entry, value in (("load", point.radial), ("axial", point.axial)):
         if value:
-            yield entry, f"{value:.12g} N", ""
+            yield entry, f"{value:.12g} N", "", ""
     if point.relative_speed:
         both = "outer_speed" in LIKES[like].taken
-        yield "speed", f"{point.inner_speed if both else point.relative_speed:.12g} rpm", ""
+        yield "speed", f"{point.inner_speed if both else point.relative_speed:.12g} rpm", "", ""
         if point.outer_speed:
-            yield "outer_speed", f"{point.outer_speed:.12g} rpm", ""
+            yield "outer_speed", f"{point.outer_speed:.12g} rpm", "", ""
     if point.temperature is not None:
-        yield "temperature", f"{point.temperature:.12g} degC", ""
+        yield "temperature", f"{point.temperature:.12g} degC", "", ""
 
 
 def _surroundings(

@@ -16,6 +16,7 @@ from flexbearing.catalogue.rexs.bearings import (
     OTHERS,
     Bearing,
     bearing,
+    belongings,
     called,
     is_computable,
     kind_of,
@@ -23,7 +24,7 @@ from flexbearing.catalogue.rexs.bearings import (
 from flexbearing.catalogue.rexs.file import read
 from flexbearing.catalogue.rexs.missing import filled
 from flexbearing.catalogue.rexs.parts import Model, Part
-from flexbearing.catalogue.rexs.unused import unused_around
+from flexbearing.catalogue.rexs.unused import around, kinds_not_read, unused_around
 from flexbearing.files import BadOutput, require_outputs
 from flexbearing.printable import enumerated, excerpt
 
@@ -75,7 +76,7 @@ def cases(file: Path, order: Order, tell: Tell) -> Iterator[tuple[Path, str]]:
         else:
             count += 1
             yield places[part.number], ratings
-    for line in _not_used(unused_around(model)) if count else ():
+    for line in _not_used_around(model) if count else ():
         tell(line)
     if refused and count:
         tell("\n".join(f"no case for {each}" for each in refused))
@@ -156,6 +157,15 @@ def _written(found: Bearing, file: Path, order: Order, version: str, tell: Tell)
     for line in _not_used(found.not_used_below):
         tell(f"  {line}")
     return ratings
+
+
+def _not_used_around(model: Model) -> Iterator[str]:
+    """Lines of what no case takes of all that is no bearing and belongs to none."""
+    bearings = [part for part in model.parts.values() if part.kind in (*KINDS, *OTHERS)]
+    of_bearings = {each.number for part in bearings for each in belongings(model, part)}
+    parts = around(model, bearings, of_bearings)
+    yield from _not_used(unused_around(model, bearings, parts))
+    yield from _listed("not used", kinds_not_read(model, {*of_bearings, *(part.number for part in parts)}))
 
 
 def _not_used(by_kind: Mapping[str, Iterable[str]]) -> Iterator[str]:

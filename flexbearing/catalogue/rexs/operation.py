@@ -122,13 +122,30 @@ def _ring_speed(model: Model, bearing: Part, ring: str, number: int) -> float | 
     own = bearing.number_of(f"speed_{ring}_ring", RPM)
     if own is not None:
         return own
-    carriers = [*model.all_of("side", bearing, "assembly", f"{ring}_part")]
-    if not carriers:
+    carrier = next(carriers(model, bearing, ring), None)
+    if carrier is None:
         return 0.0 if ring == "outer" else None
-    carrier = model.loaded(carriers[0], number)
+    carrier = model.loaded(carrier, number)
     if carrier.kind == CASING:
         return 0.0
     return next((n for name in SPEEDS if (n := carrier.number_of(name, RPM)) is not None), None)
+
+
+def carriers(model: Model, bearing: Part, ring: str) -> Iterator[Part]:
+    """What the inner or the outer ring sits on or in; the first one turns with it."""
+    return model.all_of("side", bearing, "assembly", f"{ring}_part")
+
+
+def used_speeds(model: Model, bearing: Part) -> Iterator[tuple[str, str]]:
+    """Numbers of carriers with the attributes that speeds of rings without their own are read from."""
+    for ring in ("inner", "outer"):
+        carrier, own = next(carriers(model, bearing, ring), None), f"speed_{ring}_ring"
+        parts = (case.get(bearing.number) for case in model.load_cases)
+        if own in bearing.attributes or (model.load_cases and all(p and own in p.attributes for p in parts)):
+            continue
+        if carrier and carrier.kind != CASING:
+            given = model.contents[carrier.number]
+            yield from ((carrier.number, name) for name in [name for name in SPEEDS if name in given][:1])
 
 
 def casing_of(model: Model, bearing: Part) -> Part | None:

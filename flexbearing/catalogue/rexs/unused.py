@@ -1,8 +1,9 @@
 """What a gearbox model has of a bearing, its parts and its surroundings that no case takes, by name."""
 
+from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
-from flexbearing.catalogue.rexs.operation import SHARES
+from flexbearing.catalogue.rexs.operation import CASING, GEAR_UNIT, SHARES, carriers, used_speeds
 from flexbearing.catalogue.rexs.parts import Model, Part
 from flexbearing.printable import excerpt
 
@@ -19,18 +20,20 @@ PLACE = {  # of a component in its gearbox
     "u_axis_vector", "w_axis_vector", "support_vector", "reference_component_for_position",
     "u_coordinate_on_shaft_inner_side", "u_coordinate_on_shaft_outer_side",
 }  # fmt: skip
-AROUND = {  # components around all bearings, with what is read of them
-    "gear_unit": {name for names in SHARES.values() for name in names},
-    "gear_casing": {"temperature_lubricant"},
+USED = {  # of components around all bearings
+    GEAR_UNIT: {name for names in SHARES.values() for name in names},
+    CASING: {"temperature_lubricant"},
 }
+SECTIONS = BELOW[0], BELOW[2]  # relations to what a shaft or a casing is made of, not to gears on it
+READ = {"side", *(relation for relation, _, _ in BELOW)}  # relations
 
 
-def belonging(model: Model, *parts: Part) -> list[Part]:
-    """Components with all that belongs to them, each once."""
+def belonging(model: Model, *parts: Part, below: Sequence[tuple[str, str, str]] = BELOW) -> list[Part]:
+    """Components with all that belongs to them by some relations, each once."""
     found, left = {part.number: part for part in parts}, [*parts]
     while left:
         owner = left.pop()
-        for relation, own_role, role in BELOW:
+        for relation, own_role, role in below:
             for each in model.all_of(relation, owner, own_role, role):
                 if each.number not in found:
                     found[each.number] = each
@@ -61,13 +64,47 @@ def unused_by_kind(
     return {kind: names for kind, names in listed.items() if names}
 
 
-def unused_around(model: Model) -> dict[str, tuple[str, ...]]:
-    """Attributes of gear units, casings and oils of gear units that no case takes."""
-    parts = [part for part in model.parts.values() if part.kind in AROUND or _is_oil_of_a_unit(model, part)]
-    return unused_by_kind(model, parts, {part.number: AROUND.get(part.kind, ()) for part in parts})
+def around(model: Model, bearings: Sequence[Part], belongings: Collection[str]) -> list[Part]:
+    """Gear units, casings, oils, and what bearings sit on or in, with their sections and materials.
+
+    Parameters
+    ----------
+    model : Model
+        with its relations
+    bearings : sequence of Part
+        all of the model
+    belongings : collection of str
+        numbers of the bearings, their parts, materials and oils, which are named with them
+
+    Returns
+    -------
+    list of Part
+    """
+    seats = [each for part in bearings for ring in ("inner", "outer") for each in carriers(model, part, ring)]
+    units = [each for each in model.parts.values() if each.kind in (*USED, "lubricant")]
+    found = belonging(model, *units, *seats, below=SECTIONS)
+    return [each for each in found if each.number not in belongings]
 
 
-def _is_oil_of_a_unit(model: Model, part: Part) -> bool:
-    """Whether a component is a lubricant of neither a bearing nor a casing."""
-    owners = model.all_of("reference", part, "referenced", "origin")
-    return part.kind == "lubricant" and all(owner.kind == "gear_unit" for owner in owners)
+def unused_around(
+    model: Model, bearings: Sequence[Part], parts: Sequence[Part]
+) -> dict[str, tuple[str, ...]]:
+    """Attributes of the components `around` bearings that no case takes."""
+    used = {part.number: {*USED.get(part.kind, ())} for part in parts}
+    for bearing in bearings:
+        for number, attribute in used_speeds(model, bearing):
+            used.setdefault(number, set()).add(attribute)
+    return unused_by_kind(model, parts, used)
+
+
+def kinds_not_read(model: Model, known: Collection[str]) -> Iterator[str]:
+    """Kinds of components, with their count, and of relations that nothing is read of."""
+    components = {
+        number: part.kind
+        for parts in (*model.load_cases, model.parts)
+        for number, part in parts.items()
+        if number not in known
+    }
+    counted = Counter(components.values())
+    yield from (f"{excerpt(kind)} ({count})" for kind, count in sorted(counted.items()))
+    yield from (f"relation {excerpt(kind)}" for kind in sorted({key[0] for key in model.related} - READ))
