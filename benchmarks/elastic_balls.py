@@ -219,6 +219,9 @@ def main() -> None:
             rows.append(row)
             if row.status != "converged" or row.imbalance > SUMMED:
                 print(*row[:4], f"{row.imbalance:.1e}", f"{row.seconds:.1f} s", flush=True)
+            if len(rows) % 20 == 0:
+                worst = max(each.imbalance for each in rows)
+                print(f"{len(rows)} of {asked.n}, forces within {worst:.1e}", flush=True)
     possible = [row for row in rows if row.status != "refused"]
     good = [row for row in possible if row.status == "converged"]
     print(Counter(row.status for row in rows))
