@@ -5,7 +5,8 @@ of its section, bonded in a rubber-like layer whose outside is clamped; at rest,
 that does not tilt, and under a combined one on a ring that does. Both programs start from the same case.
 
 CalculiX takes the whole at once: half of ring and layer of quadratic hexahedra (C3D20), large displacements
-(and small ones, under the radial load, where no contact turns: `benchmarks.calculix_springs` has how), every ball a nonlinear spring (SPRINGA) between the groove centres, which carries only where it is pulled:
+(under the radial load, where no contact turns, small ones, too, in the way of `benchmarks.calculix_springs`),
+every ball a nonlinear spring (SPRINGA) between the groove centres, which carries only where it is pulled:
 
 .. math:: L - A = (Q / K)^{2/3} - h Q
 
@@ -254,7 +255,7 @@ def deck(model: Model, grid: Grid, angles: NDArray, place: NDArray, large: bool)
         "*NSET, NSET=MIDDLE", *(f"{n}," for n in grid.number[:, :-1, [0, -1]].ravel() if n),
         "*BOUNDARY", "SEAT, 1, 3", "MIDDLE, 3, 3",
     ]  # fmt: skip
-    for node, azimuth, angle in zip(outer, model.azimuths, angles, strict=True):
+    for node, azimuth, angle in zip(outer.tolist(), model.azimuths, angles, strict=True):
         axial, radial = model.centre(grid, azimuth, angle)
         lines += follows(node, 1, axial)
         lines += follows(node, 2, np.cos(azimuth) * radial)
