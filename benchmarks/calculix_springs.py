@@ -167,18 +167,14 @@ def deck(springs: Springs, mesh: Hexahedra, dead: NDArray) -> str:
     steel, load = springs.ring.materials["ring"], patches(springs, mesh)
     count, last = springs.azimuths.size, int(mesh.number.max())
     outer, inner = last + 1 + np.arange(count), last + 1 + count + np.arange(count)
-    cube, elements = inner[-1] + 1 + np.arange(8), len(mesh.elements)
+    elements = len(mesh.elements)
     x = np.tile(springs.slices.all_centres, springs.bearing.rollers)[:, None] * [1, 0, 0]
-    corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
     lines = [
         *clamped(mesh, steel.youngs_modulus / MM**2, steel.poisson_ratio),
         "*NODE, NSET=OUTER", *rows(outer, x + springs.radius * springs.normal),
         "*NODE, NSET=INNER", *rows(inner, x + (springs.radius - SPRING) * springs.normal),
-        "*NODE, NSET=CUBE", *rows(cube, np.array(corners, dtype=float)),
-        "*ELEMENT, TYPE=C3D8, ELSET=CUBE", ", ".join(map(str, [elements + 1, *cube])),
-        "*MATERIAL, NAME=PLASTIC", "*ELASTIC", "2e5, 0.3", "*PLASTIC", "1000., 0.", "1100., 0.1",
-        "*SOLID SECTION, ELSET=CUBE, MATERIAL=PLASTIC",
-        "*BOUNDARY", "CUBE, 1, 3", "OUTER, 1, 1", "INNER, 1, 1", "INNER, 3, 3",
+        *plastic_cube(int(inner[-1]) + 1, elements + 1),
+        "*BOUNDARY", "OUTER, 1, 1", "INNER, 1, 1", "INNER, 3, 3",
     ]  # fmt: skip
     for spring, node in enumerate(outer):
         lines += mean(int(node), load[[spring]].tocoo())
@@ -195,6 +191,18 @@ def deck(springs: Springs, mesh: Hexahedra, dead: NDArray) -> str:
         "*NODE PRINT, NSET=INNER", "RF", "*NODE PRINT, NSET=OUTER", "U", "*END STEP",
     ]  # fmt: skip
     return "\n".join(lines) + "\n"
+
+
+def plastic_cube(node: int, element: int) -> list[str]:
+    """A clamped cube beside a linear model, for which CalculiX iterates."""
+    corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+    nodes = node + np.arange(8)
+    return [
+        "*NODE, NSET=CUBE", *rows(nodes, np.array(corners, dtype=float)),
+        "*ELEMENT, TYPE=C3D8, ELSET=CUBE", ", ".join(map(str, [element, *nodes])),
+        "*MATERIAL, NAME=PLASTIC", "*ELASTIC", "2e5, 0.3", "*PLASTIC", "1000., 0.", "1100., 0.1",
+        "*SOLID SECTION, ELSET=CUBE, MATERIAL=PLASTIC", "*BOUNDARY", "CUBE, 1, 3",
+    ]  # fmt: skip
 
 
 def mean(node: int, share: sparse.coo_array) -> list[str]:

@@ -1,9 +1,10 @@
 """Balls between elastic rings of any proportions: `python -m benchmarks.elastic_balls --n 400 --seed S`.
 
-Deep groove and angular contact bearings of balls of 3 to 60 mm, grooves of 0.505 to 0.54, every support,
-cages, shafts, rings of 4 to 60 % of a ball thick at the bottom of the groove (cages 20 to 60), loads over
-three decades up to about the static rating, 10 to 25 000 rpm. Each is checked, and what passes is run; the
-forces of the contacts are added up again. `--only K` repeats design K alone.
+Deep groove, angular contact and four-point bearings of balls of 3 to 60 mm, grooves of 0.505 to 0.54, every
+support, cages, shafts, bolted faces, rings of 4 to 60 % of a ball thick at the bottom of the groove (cages 20
+to 60), loads over three decades up to about the static rating. The first two turn with 10 to 25 000 rpm, the
+balls of the third have no inertia. Each is checked, and what passes is run; the forces of the contacts are
+added up again. `--only K` repeats design K alone.
 """
 
 import argparse
@@ -24,8 +25,13 @@ from flexbearing.api import check
 from flexbearing.case import BadCase
 from flexbearing.results import Result
 
-CASES = {"deep_groove_ball": "configs/6209.toml", "angular_contact_ball": "configs/harris218.toml"}
+CASES = {
+    "deep_groove_ball": "configs/6209.toml",
+    "angular_contact_ball": "configs/harris218.toml",
+    "four_point_ball": "configs/joshi2015_fourpoint.toml",
+}
 SUPPORTS = ("side", "seat", "foundation", "housing", "cage", "shaft", "shaft in housing")
+BOLTED = ("outer", "inner", "both rings", "both rings on springs")
 STEEL = ("youngs_modulus=206 GPa", "poisson_ratio=0.3", "density=7800 kg/m^3")
 SUMMED = 1e-6  # of the largest load: forces added up again from what is stored
 
@@ -44,22 +50,27 @@ class Row(NamedTuple):
 def settings(seed: int, number: int) -> tuple[str, str, list[str]]:
     """Case, support and settings of a design; lengths in mm, forces in N."""
     rng = np.random.default_rng([seed, number])
-    kind = ("deep_groove_ball", "angular_contact_ball")[number % 2]
-    support = SUPPORTS[number % len(SUPPORTS)]
+    kind = tuple(CASES)[number % len(CASES)]
     ball = _log(rng, 3, 60)
     pitch = ball / rng.uniform(0.08, 0.3)
     most = int(np.pi / np.arcsin(ball / pitch) * 0.98)
-    angle = 0.0 if kind == "deep_groove_ball" else rng.uniform(12, 40)
     size = most * ball**2 * _log(rng, 0.015, 15)  # of a load, up to about the static rating
-    lean = np.radians(rng.uniform(0, 80 if angle == 0 else 60))
     inner, outer = rng.uniform(0.505, 0.54, 2)
-    shoulder, width = ball * rng.uniform(0.17, 0.3), ball * rng.uniform(1.3, 2.2)
-    thickness = ball * _log(rng, 0.2 if support == "cage" else 0.04, 0.6)
     given = [
         f"bearing.ball.diameter={ball:.4f} mm", f"bearing.pitch_diameter={pitch:.4f} mm",
         f"bearing.balls={int(rng.integers(max(5, most // 2), most + 1))}",
         "bearing.inner.radius=", f"bearing.inner.conformity={inner:.4f}",
         "bearing.outer.radius=", f"bearing.outer.conformity={outer:.4f}",
+    ]  # fmt: skip
+    if kind == "four_point_ball":
+        support, further = BOLTED[number % len(BOLTED)], _slow(rng, ball, pitch, size)
+        return CASES[kind], support, given + further + _bolted(rng, support, ball, pitch)
+    support = SUPPORTS[number % len(SUPPORTS)]
+    angle = 0.0 if kind == "deep_groove_ball" else rng.uniform(12, 40)
+    lean = np.radians(rng.uniform(0, 80 if angle == 0 else 60))
+    shoulder, width = ball * rng.uniform(0.17, 0.3), ball * rng.uniform(1.3, 2.2)
+    thickness = ball * _log(rng, 0.2 if support == "cage" else 0.04, 0.6)
+    given += [
         f"bearing.outer.shoulder={shoulder:.4f} mm", f"bearing.inner.shoulder={shoulder:.4f} mm",
         f"bearing.first_ball_azimuth={rng.uniform(0, 360):.2f} deg",
         f"operation.inner_speed={min(_log(rng, 10, 25000), 1.2e6 / pitch):.1f} rpm",
@@ -72,6 +83,37 @@ def settings(seed: int, number: int) -> tuple[str, str, list[str]]:
     else:
         given += [f"bearing.clearance={1e3 * ball * rng.uniform(-2e-4, 2e-3):.3f} um"]
     return CASES[kind], support, given + _rings(rng, support, pitch, thickness, width)
+
+
+def _slow(rng: np.random.Generator, ball: float, pitch: float, size: float) -> list[str]:
+    """Angle, clearance and loads of balls without inertia."""
+    lean, moment = rng.uniform(0, np.pi / 2), size * pitch / 4 * rng.uniform(-1, 1)
+    return [
+        f"bearing.contact_angle={rng.uniform(30, 50):.2f} deg",
+        f"bearing.clearance={1e3 * ball * rng.uniform(-4e-4, 1e-3):.3f} um",
+        f"operation.load.axial={size * np.sin(lean):.5g} N", "operation.load.radial_y=0 N",
+        f"operation.load.radial_z={size * np.cos(lean):.5g} N",
+        f"operation.load.moment_y={1e-3 * moment:.5g} N m", "operation.load.moment_z=0 N m",
+    ]  # fmt: skip
+
+
+def _bolted(rng: np.random.Generator, support: str, ball: float, pitch: float) -> list[str]:
+    """Rings on one of their faces; those of a bearing on opposite ones."""
+    given = []
+    for ring, side, face, far in (("outer", 1, "-x", "outside_diameter"), ("inner", -1, "+x", "bore")):
+        if "both" not in support and ring != support:
+            continue
+        bottom = pitch + 1.1 * side * ball  # where both arcs meet, about
+        given += [
+            f"rings.{ring}.kind=bolted", f"rings.{ring}.face={face}",
+            f"rings.{ring}.{far}={bottom + 2 * side * ball * _log(rng, 0.04, 0.6):.4f} mm",
+            f"rings.{ring}.width={ball * rng.uniform(1.6, 2.6):.4f} mm",
+            f"rings.{ring}.face_distance={ball * rng.uniform(0.7, 0.95):.4f} mm",
+        ]  # fmt: skip
+        if "springs" in support:
+            names = ("face_stiffness", "face_shear_stiffness")
+            given += [f"rings.{ring}.{name}={_log(rng, 30, 1e4):.4g} N/mm^3" for name in names]
+    return given
 
 
 def _rings(rng: np.random.Generator, support: str, pitch: float, thickness: float, width: float) -> list[str]:
@@ -142,13 +184,20 @@ def ended(seed: int, number: int) -> Row:
 
 
 def summed(result: Result) -> float:
-    """Force left on the worst ball, or on the inner ring along x, over the largest load."""
+    """Force left on the worst ball, or on the inner ring along x, y and z, over the largest load."""
     block = result.flexible
-    normal = np.exp(1j * (np.pi / 2 - block["contact_angle"]))  # axial + i radial
-    force = block["contact_load"] * normal + block["traction"] * np.exp(-1j * block["contact_angle"])
-    ball = np.abs(force[0] - force[1] + 1j * block["centrifugal_force"]).max()
-    ring = abs(force[0].real.sum() - block["ring_load"][0])
-    return float(max(ball, ring) / block["contact_load"].max())
+    load, across = block["contact_load"], np.exp(-1j * block["contact_angle"])
+    left, slow = 0.0, load.ndim == 3
+    if slow:
+        force = ((load * 1j * across)[..., 0] * [1, 1]).T  # diagonal by diagonal, to their own side
+        force = (force.real * np.array([[1], [-1]]) + 1j * force.imag).sum(0)
+    else:
+        force = load * 1j * across + block["traction"] * across  # axial + i radial
+        left = np.abs(force[0] - force[1] + 1j * block["centrifugal_force"]).max()
+        force = force[0]
+    azimuth = block["ball_azimuth"]
+    carried = [force.real.sum(), force.imag @ np.sin(azimuth), force.imag @ np.cos(azimuth)]
+    return float(max(left, np.abs(carried - block["ring_load"][:3]).max()) / load.max())
 
 
 def main() -> None:
@@ -170,6 +219,9 @@ def main() -> None:
             rows.append(row)
             if row.status != "converged" or row.imbalance > SUMMED:
                 print(*row[:4], f"{row.imbalance:.1e}", f"{row.seconds:.1f} s", flush=True)
+            if len(rows) % 20 == 0:
+                worst = max(each.imbalance for each in rows)
+                print(f"{len(rows)} of {asked.n}, forces within {worst:.1e}", flush=True)
     possible = [row for row in rows if row.status != "refused"]
     good = [row for row in possible if row.status == "converged"]
     print(Counter(row.status for row in rows))

@@ -32,7 +32,8 @@ LONGEST = 0.3  # of the smaller reach: step of a groove against a ball
 FLOATING = 1e-9  # of the whole stiffness: what resists every direction of the ring, soft supports or none
 SHORTEST = 2.0**-10  # part of a Newton step
 LEAST_STEP = 2e-3  # part of the compliance by which grooves become softer at least
-TOLERANCE = 1e-9  # of the largest force: below, balls that only inertia presses may go to and fro
+TOLERANCE = 1e-10  # of the largest force: unbalanced force
+ROUNDED = 1e-9  # the same, where a step no longer halves it: balls that only inertia presses go to and fro
 
 
 Equations = Callable[[float], tuple[AngularBalance, ElasticGrooves]]  # by a part of what is continued
@@ -236,23 +237,30 @@ def _newton(
     """Damped Newton of ring and grooves, all cases side by side; a case leaves as soon as it ends."""
     outcomes, cases = [SolverOutcome.RUNNING] * len(start.ring), np.arange(len(start.ring))
     state, gained = _at(balance, grooves, start, BALL_SHARE), np.full(len(cases), True)
+    halved = gained
     whole = state.of(cases)  # arrays of its own
     for number in range(LIMIT + 1):
-        for case, left, gain in zip(cases, state.imbalance, gained, strict=True):
-            outcomes[case] = _outcome(balance, left, gain, number == LIMIT)
+        for case, left, gain, better in zip(cases, state.imbalance, gained, halved, strict=True):
+            outcomes[case] = _outcome(balance, left, TOLERANCE if better else ROUNDED, gain, number == LIMIT)
         running = np.array([outcomes[case] is SolverOutcome.RUNNING for case in cases])
         if not running.any():
             break
         cases, balance = cases[running], balance if running.all() else balance.take(running)
-        state, gained = _next(balance, grooves, state if running.all() else state.of(running))
+        last = state if running.all() else state.of(running)
+        state, gained = _next(balance, grooves, last)
+        halved = state.imbalance < last.imbalance / 2
+        rounded = ~halved & (last.imbalance <= ROUNDED)
+        state.put(rounded, last.of(rounded))
         whole.put(cases, state)
     return whole, outcomes
 
 
-def _outcome(balance: AngularBalance, left: float, gained: bool, last: bool) -> SolverOutcome:
+def _outcome(
+    balance: AngularBalance, left: float, tolerance: float, gained: bool, last: bool
+) -> SolverOutcome:
     if not np.isfinite(left):
         return SolverOutcome.NOT_FINITE
-    if left <= max(TOLERANCE, balance.control.noise):
+    if left <= max(tolerance, balance.control.noise):
         return SolverOutcome.CONVERGED
     if not gained:
         return SolverOutcome.STALLED
