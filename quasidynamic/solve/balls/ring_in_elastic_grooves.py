@@ -250,8 +250,12 @@ def _newton(
         state, gained = _next(balance, grooves, last)
         halved = state.imbalance < last.imbalance / 2
         rounded = ~halved & (last.imbalance <= ROUNDED)
-        state.put(rounded, last.of(rounded))
-        whole.put(cases, state)
+        if rounded.any():
+            state.put(rounded, last.of(rounded))
+        if len(cases) == len(outcomes):
+            whole = state
+        else:
+            whole.put(cases, state)
     return whole, outcomes
 
 
