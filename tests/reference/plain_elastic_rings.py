@@ -8,7 +8,7 @@ lowest potential, found by SciPy.
 """
 
 import numpy as np
-from scipy.optimize import minimize
+from scipy.optimize import minimize, root
 
 
 def waves(angles, count, order):
@@ -35,10 +35,10 @@ def solve(balls, pitch, angle, touching, clearance, coefficient, stations, compl
     weight = np.array([1, 1, 1, 2 / pitch, 2 / pitch])  # of moments as forces
     unit = np.abs(load * weight).max()  # [N]; with lengths in micrometres energies are of the order of one
     size = 2 * balls * len(stations)
-    root = np.linalg.cholesky(1e-6 * unit * compliance.reshape(size, size))
+    factor = np.linalg.cholesky(1e-6 * unit * compliance.reshape(size, size))
 
     def potential(x):
-        place, u = 1e-6 * weight * x[:5], (root @ x[5:]).reshape(2 * balls, -1)
+        place, u = 1e-6 * weight * x[:5], (factor @ x[5:]).reshape(2 * balls, -1)
         across = (touching - clearance) * np.sin(angle) + axial @ place
         up = (touching - clearance) * np.cos(angle) + radial @ place
 
@@ -54,13 +54,14 @@ def solve(balls, pitch, angle, touching, clearance, coefficient, stations, compl
         excess = axial.T @ (Q * np.sin(a)) + radial.T @ (Q * np.cos(a)) - load
         pressed = (Q[:, None] * shares(stations, a)).ravel()
         total = 1e6 / unit * (0.4 * (Q * approach).sum() - load @ place) + 0.5 * x[5:] @ x[5:]
-        gradient = np.append(weight * excess / unit, x[5:] - 1e6 / unit * root.T @ pressed)
+        gradient = np.append(weight * excess / unit, x[5:] - 1e6 / unit * factor.T @ pressed)
         return total, gradient, Q, place
 
-    found = minimize(
+    lowest = minimize(
         lambda x: potential(x)[:2], np.zeros(5 + size), jac=True, method="BFGS",
-        options={"gtol": 1e-9, "maxiter": 5000},
+        options={"gtol": 1e-6, "maxiter": 5000},
     )  # fmt: skip
+    found = root(lambda x: potential(x)[1], lowest.x, tol=1e-12)  # rounding of the energy stops the search
     _, gradient, loads, place = potential(found.x)
-    assert np.abs(gradient).max() < 1e-6, found.message
+    assert np.abs(gradient).max() < 1e-9, found.message
     return loads.reshape(balls, 2), place
