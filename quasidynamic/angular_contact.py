@@ -305,10 +305,17 @@ def _not_solved(operation: RingOperation, solution: RingSolution, case: int, loo
     where = f"load {operation.load}, inner ring {operation.inner_speed * 30 / np.pi:.5g} rpm"
     if outcome is SolverOutcome.UNDETERMINED:
         on_one_ball = loose in (["along y"], ["along z"])  # which lies in the direction of the load
-        advice = ", or another azimuth of the balls, of which one carries all" if on_one_ball else ""
+        advice = "give an axial load, or displacements there"
+        if on_one_ball:
+            advice += ", or another azimuth of the balls, of which one carries all"
+        elif operation.load[0]:
+            advice = (
+                "contact angles near 90 degrees carry no radial load: give a smaller bearing.contact_angle "
+            )
+            advice += "or bearing.clearance, or displacements there"
         return NotSolved(
             f"{where}: nothing holds the inner ring {', '.join(loose) or 'in any direction'}, its place is "
-            f"undetermined; give an axial load, or displacements there{advice}",
+            f"undetermined; {advice}",
             outcome,
         )
     if outcome is SolverOutcome.NOT_FINITE:

@@ -14,8 +14,14 @@ from numpy.typing import NDArray
 from fem.half_space.gaussian_patch import patch_answers
 from fem.parts.groove import Groove
 from fem.parts.material import Elastic
+from fem.raceway.harmonics import FINENESS, MOST
 
 DETAIL = 5 / 3  # length over the width of a patch that harmonics resolve: beyond, exp(-13) of it is left
+
+
+def narrowest_patch(radius: float) -> float:
+    """Width of a patch that the most harmonics resolve, on a groove of largest radius R [m]; [m]."""
+    return FINENESS * radius / (DETAIL * MOST)
 
 
 @dataclass(frozen=True, kw_only=True)

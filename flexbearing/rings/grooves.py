@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 import fem
 from fem.condense import HARMONICS, SMEARED, condense
 from fem.errors import NotSolved as RingNotSolved
+from fem.raceway.stations import narrowest_patch
 from flexbearing.build.groove_parts import BallCase, GroovePart, groove_part
 from flexbearing.cache import configured
 from flexbearing.case import BadCase
@@ -17,6 +18,7 @@ from flexbearing.case.balls.bolted_rings import Rings
 from flexbearing.case.balls.elastic_rings import GrooveAccuracy
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.case.balls.ring_room import MARGIN, OUTWARD, Race
+from flexbearing.case.quantity import at_least, in_mm
 from flexbearing.progress import Report
 from quasidynamic import ImpossiblePart, NotSolved
 from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGrooves
@@ -75,7 +77,17 @@ def shape_of(case: BallCase, race: Race) -> GrooveShape | None:
     width, groove = accuracy_of(case)[1].patch(case.bearing.ball.diameter), part.groove
     end, margin = groove.end(part.raceway_diameter / 2, OUTWARD[race]), MARGIN * width / groove.radius
     first = groove.bottom_angle if groove.aside else -end
+    _require_harmonics(case, race, width, max(groove.bottom(OUTWARD[race]), groove.centre_radius))
     return GrooveShape(race=race, part=part, reach=(first + margin, end - margin), width=width)
+
+
+def _require_harmonics(case: BallCase, race: Race, width: float, radius: float) -> None:
+    """Raise where patches are too narrow for all harmonics on a groove of largest radius [m]."""
+    if width < narrowest_patch(radius):
+        raise BadCase(
+            f'{case.source.path}: [{accuracy_of(case)[0]}] patch_width = "{in_mm(width)}" cannot be; it must '
+            f"be {at_least(narrowest_patch(radius))} on an {race} groove of so large a radius."
+        )
 
 
 def _arguments(case: BallCase, shape: GrooveShape) -> Arguments:

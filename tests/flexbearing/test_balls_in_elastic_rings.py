@@ -197,6 +197,7 @@ ON_SHAFT = {
             "at most 4.485 mm",
             "of the arc from the bottom of the inner groove",
         ),
+        ("accuracy.patch_width", "0.0265 mm", "at least 0.0266 mm", "an outer groove of so large a radius"),
         ("inner.width", "19.7 mm", "at least 19.72 mm", "a land at each side"),
         ("inner.bore", "102.2 mm", "at most 102.1 mm", "under the bottom of the groove"),
         ("inner.bore", "0.59 mm", "at least 0.6 mm", ""),

@@ -53,6 +53,12 @@ def test_impossible_ring_is_refused(settings, place, allowed):
     assert len(message.splitlines()) == 1
 
 
+def test_patches_too_narrow_for_all_harmonics_are_refused():
+    check(SLEWING, ["rings.patch_width=0.3484 mm"])
+    with pytest.raises(BadCase, match=r'\[rings\] patch_width = "0.34 mm" cannot be; .* at least 0.3423 mm'):
+        check(SLEWING, ["rings.patch_width=0.34 mm"])
+
+
 def test_described_ring_is_described_completely(tmp_path):
     file = tmp_path / "broken.toml"
     file.write_text(SLEWING.read_text().replace('face = "-x"\n', "").replace('    "rings.outer.width",', ""))

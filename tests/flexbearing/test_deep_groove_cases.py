@@ -99,6 +99,13 @@ def test_tilt_that_nothing_holds_is_told():
     assert "nothing holds the inner ring" in text(result)
 
 
+def test_contacts_that_a_thrust_at_speed_turns_upright_name_the_angle():
+    """Inertia takes the inner contacts of a 7008 with 80 degrees to 90, where they carry no radial load."""
+    steep = ["bearing.contact_angle=80 deg"]
+    result = flexbearing.run(CONFIG.with_name("rivera2021_7008.toml"), steep)
+    assert "carry no radial load: give a smaller bearing.contact_angle" in result.attributes["message"]
+
+
 def test_preload_by_force_and_by_displacement_are_one(tmp_path):
     """100 N at rest hold the ring where the same displacement beyond touching does."""
     unloaded = ["operation.load.radial_z=0 N", "operation.inner_speed=0 rpm"]
