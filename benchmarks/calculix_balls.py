@@ -354,7 +354,7 @@ def ours(settings: list[str]) -> tuple[Found, NDArray]:
     return Found(loads, angles, np.empty(0), block["ring_load"]), place
 
 
-def under(name: str, carried: Sequence[float]) -> tuple[Found, NDArray]:
+def under(name: str, carried: Sequence[float] | NDArray) -> tuple[Found, NDArray]:
     """The same under a load (5) that CalculiX finds in one of its cases."""
     settings, free, _ = LOAD_CASES[name]
     held = [each for each in settings if each in HELD]

@@ -14,7 +14,7 @@ NEIGHBOURS = {
 
 
 class Balls(NamedTuple):
-    """What `python -m benchmarks.calculix_balls` prints for a mesh; balls of one half, the first below the load."""
+    """What `python -m benchmarks.calculix_balls` prints; balls of one half, the first below the load."""
 
     elements: int  # quadratic hexahedra (C3D20)
     carried: tuple[float, ...]  # load on the inner ring at its place: Fx, Fy, Fz, My, Mz [N, N m]
@@ -23,6 +23,7 @@ class Balls(NamedTuple):
 
 
 AT_REST = (0.0,) * 5
+# fmt: off
 BALLS = {
     "radial": (
         Balls(648, (0, 0, 8019.971, 0, 0), (3477.0, 2791.5, 766.1, 0, 0), AT_REST),
@@ -34,5 +35,12 @@ BALLS = {
         Balls(1728, (0, 0, 8029.765, 0, 0), (3488.7, 2791.1, 762.5, 0, 0), AT_REST),
         Balls(3150, (0, 0, 8021.893, 0, 0), (3485.5, 2788.4, 761.4, 0, 0), AT_REST),
     ),
+    "combined": (
+        Balls(648, (3058.204, 0, 5002.341, -0.629, 0), (2722.9, 2277.1, 1365.4, 743.8, 601.7),
+              (5.746, 8.675, 16.520, 26.284, 33.460)),
+        Balls(1728, (3017.610, 0, 4991.175, -0.415, 0), (2708.9, 2264.4, 1354.2, 733.6, 591.2),
+              (5.689, 8.647, 16.479, 26.238, 33.422)),
+    ),
 }
+# fmt: on
 PLACE = 0.110682  # [mm] along z, to which the inner ring was moved under the radial load
