@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 
 from benchmarks.calculix import OURS, REFERENCE, ours as of_clamped_ring
+from benchmarks.calculix_balls import under
 from evidence.case import Case, Findings, Number, estimate, number, numbers, over, trend
 from evidence.drawing import legend_beside, one
 from fem import LineForce, MeshSize, PlanetGear
@@ -120,6 +121,37 @@ def neighbours() -> Findings:
     apart = float(np.abs(coarse - found).max() / np.abs(found).max())
     return Findings(
         numbers=tuple(rows), errors=(estimate("a coarser mesh of lower order, over the largest", apart),)
+    )
+
+
+def balls_in_calculix() -> Findings:
+    """A 6209 in a soft housing against whole models in CalculiX, each under the load that it finds."""
+    rows: list[Number] = []
+    for name in ("radial", "combined"):
+        known = calculix.BALLS[name][-1]
+        found, _ = under(name, known.carried)
+        places = [f"{name}, ball {ball}" for ball, load in enumerate(known.loads) if load > 0]
+        count, scale = len(places), max(known.loads)
+        loads = numbers(places, known.loads[:count], found.loads[:count], "N", digit=0.015 * scale)
+        rows += over(scale, loads)
+        if name == "combined":
+            angles = numbers(places, known.angles, np.degrees(found.angles), "deg", digit=0.1)
+            rows += over(max(known.angles), angles)
+    name = "radial, small displacements"
+    further = [
+        1e3 * (under(name, known.carried)[1][2] - 1e-3 * calculix.PLACE) for known in calculix.BALLS[name]
+    ]
+    return Findings(
+        numbers=tuple(rows),
+        trends=(
+            trend(
+                "small displacements, same radial load: our ring moves further by less the finer CalculiX's mesh is",
+                (f"{known.elements} elements" for known in calculix.BALLS[name]),
+                1e3 * np.array(further),
+                all(0 < fine < coarse for coarse, fine in pairwise(further)),
+                "µm",
+            ),
+        ),
     )
 
 
@@ -450,6 +482,19 @@ CASES: Sequence[Case] = (
         numbers_from="tests/literature/calculix.py",
         compute=against_calculix,
         error="Both programs on finer and coarser meshes. 0.5 % of the largest is allowed, which is what CalculiX's meshes leave open; misfits are shares of the largest.",
+        slow=True,
+    ),
+    Case(
+        name="balls-calculix",
+        title="A deep groove bearing in a soft housing in CalculiX",
+        subject=SUBJECT,
+        source="CalculiX 2.20: half a ring of up to 3150 quadratic hexahedra with its groove and shoulders, nonlinear springs as balls between the groove centres, large displacements.",
+        known="Loads and contact angles of a 6209 in a rubber-like layer, under a radial load on a ring that does not tilt and under a combined one on a ring that does, computed as one system.",
+        run="The same loads, as harmonics with stations on the groove. CalculiX's numbers, its mean normal displacements of Gaussian patches of 1 mm and the half-space that is left out: `python -m benchmarks.calculix_balls`.",
+        numbers_from="tests/literature/calculix.py",
+        case_files=("configs/6209.toml",),
+        compute=balls_in_calculix,
+        error="Allowed are 1.5 % of the largest load and 0.1 deg. Radial loads stay 0.27 % apart on finer meshes: large displacements of the layer, which is compressed by about 1 %; with small ones in CalculiX, too, it is 0.06 %.",
         slow=True,
     ),
     Case(

@@ -95,7 +95,7 @@ def test_random_bearings_are_in_balance_between_random_grooves(seed):
     load = max(np.abs(operation.load).max(), 1.0)
     inner, outer = (random_groove(seed + k, balls, 0.02 * reach / load) for k in (0, 100))
     state = model.solve(operation, ElasticGrooves(inner, outer))
-    assert unbalanced(state) < 1e-8
+    assert unbalanced(state) < 1e-10
     for race, groove in enumerate((inner, outer)):
         normals = np.exp(-1j * state.contact_angles[race])
         force = (1j * state.loads[race] + state.tractions[race]) * normals
