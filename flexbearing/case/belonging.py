@@ -1,6 +1,7 @@
 """Which keys belong to the choices of a case: keys of another kind of part are refused, not ignored."""
 
 from collections.abc import Iterator, Mapping
+from functools import cache
 from typing import Any
 
 from flexbearing.case.declarations import Declaration, by_path, find, toml
@@ -12,14 +13,29 @@ Raw = Mapping[str, Any]
 def foreign(raw: Raw, model: type[Section]) -> dict[str, str]:
     """Keys of a raw case that belong to another choice than the one made."""
     foreign_keys: dict[str, str] = {}
-    for item in by_path(model).values():
-        if not item.only or any(item.path.startswith(f"{table}.") for table in foreign_keys):
+    stated = set(_stated(raw))
+    for item in _of_choices(model):
+        if item.path not in stated or any(item.path.startswith(f"{table}.") for table in foreign_keys):
             continue
-        if _value(raw, item.path) is not None:
-            broken = [_broken(choices, item, raw, model) for choices in item.only]
-            if all(broken):
-                foreign_keys[item.path] = f"it belongs {belonging(item, 'to')}; this case has {broken[0]}"
+        broken = [_broken(choices, item, raw, model) for choices in item.only]
+        if all(broken):
+            foreign_keys[item.path] = f"it belongs {belonging(item, 'to')}; this case has {broken[0]}"
     return foreign_keys
+
+
+@cache
+def _of_choices(model: type[Section]) -> list[Declaration]:
+    """Keys and tables of a schema that belong to some choices only, in its order."""
+    return [item for item in by_path(model).values() if item.only]
+
+
+def _stated(raw: Raw, prefix: str = "") -> Iterator[str]:
+    """Yield keys and tables that a raw case gives."""
+    for name, value in raw.items():
+        if value is not None:
+            yield f"{prefix}{name}"
+            if isinstance(value, Mapping):
+                yield from _stated(value, f"{prefix}{name}.")
 
 
 def belonging(item: Declaration, word: str) -> str:

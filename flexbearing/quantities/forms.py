@@ -1,6 +1,6 @@
 """Forms of JSON attributes: what a record holds, declared once for writer, reader and reference page."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
@@ -8,8 +8,8 @@ from typing import Any, Protocol
 class Form(Protocol):
     """What a value must be."""
 
-    def problems(self, value: Any, where: str) -> Iterator[str]:
-        """Say what is wrong with a value at a place of its record."""
+    def problem(self, value: Any) -> str:
+        """Say what is wrong with a value, after its place in the record; empty where nothing is."""
         ...
 
     @property
@@ -25,10 +25,9 @@ class Simple:
     words: str
     types: tuple[type, ...]
 
-    def problems(self, value: Any, where: str) -> Iterator[str]:
+    def problem(self, value: Any) -> str:
         """Say what is wrong with a value."""
-        if type(value) not in self.types:
-            yield f"{where} is {_shown(value)}; allowed is {self.words}"
+        return "" if type(value) in self.types else f" is {_shown(value)}; allowed is {self.words}"
 
 
 TEXT = Simple("text", (str,))
@@ -49,10 +48,9 @@ class OneOf:
         """The form for the reference page."""
         return " or ".join(f'"{text}"' for text in self.texts)
 
-    def problems(self, value: Any, where: str) -> Iterator[str]:
+    def problem(self, value: Any) -> str:
         """Say what is wrong with a value."""
-        if value not in self.texts:
-            yield f"{where} is {_shown(value)}; allowed is {self.words}"
+        return "" if value in self.texts else f" is {_shown(value)}; allowed is {self.words}"
 
 
 @dataclass(frozen=True)
@@ -61,9 +59,9 @@ class Anything:
 
     words: str = "any value"
 
-    def problems(self, value: Any, where: str) -> Iterator[str]:
+    def problem(self, value: Any) -> str:
         """Nothing is wrong with any value."""
-        yield from ()
+        return ""
 
 
 @dataclass(frozen=True)
@@ -77,13 +75,14 @@ class ListOf:
         """The form for the reference page."""
         return f"[{self.form.words}, ...]"
 
-    def problems(self, value: Any, where: str) -> Iterator[str]:
+    def problem(self, value: Any) -> str:
         """Say what is wrong with a value."""
         if not isinstance(value, list):
-            yield f"{where} is {_shown(value)}; allowed is a list"
-            return
+            return f" is {_shown(value)}; allowed is a list"
         for place, item in enumerate(value):
-            yield from self.form.problems(item, f"{where}[{place}]")
+            if problem := self.form.problem(item):
+                return f"[{place}]{problem}"
+        return ""
 
 
 @dataclass(frozen=True)
@@ -98,16 +97,17 @@ class Each:
         """The form for the reference page."""
         return f"{{{self.name}: {self.form.words}, ...}}"
 
-    def problems(self, value: Any, where: str) -> Iterator[str]:
+    def problem(self, value: Any) -> str:
         """Say what is wrong with a value."""
         if not isinstance(value, Mapping):
-            yield f"{where} is {_shown(value)}; allowed is an object"
-            return
+            return f" is {_shown(value)}; allowed is an object"
         names = self.name.split(" or ") if " or " in self.name else value
         for name, item in value.items():
             if name not in names:
-                yield f"{where} has {_shown(name)}; allowed is {self.name}"
-            yield from self.form.problems(item, f"{where}.{_short(name)}")
+                return f" has {_shown(name)}; allowed is {self.name}"
+            if problem := self.form.problem(item):
+                return f".{_short(name)}{problem}"
+        return ""
 
 
 @dataclass(frozen=True)
@@ -127,20 +127,22 @@ class Record:
         pieces += [f"...: {self.further.words}"] if self.further else []
         return f"{{{', '.join(pieces)}}}" + (" or {}" if self.empty else "")
 
-    def problems(self, value: Any, where: str) -> Iterator[str]:
+    def problem(self, value: Any) -> str:
         """Say what is wrong with a value."""
         if not isinstance(value, Mapping):
-            yield f"{where} is {_shown(value)}; allowed is an object"
-            return
+            return f" is {_shown(value)}; allowed is an object"
         if self.empty and not value:
-            return
-        yield from (f"{where} has no {name}" for name in self.fields if name not in value)
+            return ""
+        for name in self.fields:
+            if name not in value:
+                return f" has no {name}"
         for name, item in value.items():
             form = self.fields.get(name) or self.optional.get(name) or self.further
             if form is None:
-                yield f"{where} has {_shown(name)}, which is not in the layout"
-            else:
-                yield from form.problems(item, f"{where}.{_short(name)}")
+                return f" has {_shown(name)}, which is not in the layout"
+            if problem := form.problem(item):
+                return f".{_short(name)}{problem}"
+        return ""
 
 
 @dataclass(frozen=True)
@@ -156,14 +158,11 @@ class Such:
         """The form for the reference page."""
         return f"{self.form.words}, {self.which}"
 
-    def problems(self, value: Any, where: str) -> Iterator[str]:
+    def problem(self, value: Any) -> str:
         """Say what is wrong with a value."""
-        wrong = False
-        for problem in self.form.problems(value, where):
-            wrong = True
-            yield problem
-        if not wrong and not self.condition(value):
-            yield f"{where} is not such {self.which}"
+        if problem := self.form.problem(value):
+            return problem
+        return "" if self.condition(value) else f" is not such {self.which}"
 
 
 def _shown(value: Any) -> str:

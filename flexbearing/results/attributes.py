@@ -139,8 +139,8 @@ def _of_form(entry: Attribute, value: Any) -> Any:
         raise NotInLayout(f"status {value!r:.40} does not exist; it is one of: {', '.join(STATUSES)}.")
     if isinstance(value, float) and not math.isfinite(value):
         raise NotInLayout(f"attribute {entry.name} = {value} is not finite.")
-    if entry.kind in ("json", "records") and (problem := next(entry.form.problems(value, entry.name), None)):
-        raise ValueError(problem)
+    if entry.kind in ("json", "records") and (problem := entry.form.problem(value)):
+        raise ValueError(f"{entry.name}{problem}")
     return value
 
 
@@ -182,13 +182,16 @@ def _records(value: Sequence[Mapping[str, Any]]) -> Any:
 
 def _plain(value: Any, depth: int = DEEPEST) -> Any:
     """Python's own numbers, lists and dicts; raises for what readers of JSON would stumble over."""
+    kind = type(value)
+    if kind is float or kind is int:
+        return _finite(value)
+    if value is None or kind is bool:
+        return value
     if isinstance(value, str):
         value.encode()  # half a pair of UTF-16 is no text
         return str.__str__(value)
     if isinstance(value, np.ndarray | np.generic):
-        value = value.tolist()
-    if value is None or isinstance(value, bool):
-        return value
+        return _plain(value.tolist(), depth)
     if isinstance(value, int | float):
         return _finite(value)
     if depth == 0:
@@ -197,7 +200,7 @@ def _plain(value: Any, depth: int = DEEPEST) -> Any:
         return {_plain(_text(name)): _plain(item, depth - 1) for name, item in value.items()}
     if isinstance(value, list | tuple):
         return [_plain(item, depth - 1) for item in value]
-    raise TypeError(f"{type(value).__name__} has no JSON form")
+    raise TypeError(f"{kind.__name__} has no JSON form")
 
 
 def _finite(number: float) -> float:

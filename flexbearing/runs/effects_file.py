@@ -1,6 +1,8 @@
 """Effects of assumed inputs as data next to the case, with a digest of the case they were computed for."""
 
 import json
+from collections.abc import Mapping
+from functools import lru_cache
 from hashlib import sha256
 from os.path import exists  # Path.exists raises for names that no file can have
 from pathlib import Path
@@ -43,24 +45,25 @@ def attributes(case: Head) -> dict[str, Any]:
     path = case.source.path
     if not (path and exists(place := name(Path(path)))):  # noqa: PTH110
         return {}
-    found = _read(place)
+    try:
+        found = _understood(inputs.content(place, LARGEST))
+    except (inputs.Unreadable, ValueError) as problem:
+        raise BadCase(f"{place}: {problem}; delete it.") from problem
     if found["case"] != digest(case):
         return {"effects_left_out": LEFT_OUT}
     return {"assumed_effects": found["effects"]}
 
 
-def _read(place: Path) -> dict[str, Any]:
+@lru_cache(maxsize=4)
+def _understood(content: bytes) -> Mapping[str, Any]:
+    """What a file of effects says; many runs have the same."""
     try:
-        found = json.loads(inputs.content(place, LARGEST))
-    except (inputs.Unreadable, ValueError, RecursionError) as problem:
-        raise BadCase(f"{place}: {_why(problem)}; delete it.") from problem
-    if problem := next(_FORM.problems(found, "it"), ""):
-        raise BadCase(f"{place}: is no file of effects: {problem}; delete it.")
+        found = json.loads(content)
+    except (ValueError, RecursionError) as problem:
+        raise ValueError("is no JSON") from problem
+    if problem := _FORM.problem(found):
+        raise ValueError(f"is no file of effects: it{problem}")
     return found
-
-
-def _why(problem: Exception) -> str:
-    return str(problem) if isinstance(problem, inputs.Unreadable) else "is no JSON"
 
 
 def _rounded(value: Any) -> Any:

@@ -25,6 +25,7 @@ from flexbearing.runs.life_error import LifeErrors, estimated
 from flexbearing.runs.life_of_state import MREV, LifeOfState
 from flexbearing.runs.several import SeveralEquilibria
 from quasidynamic import Equilibrium, RollerBearing, SolverOutcome
+from quasidynamic.contact.film import lambda_ratio, regime
 from quasidynamic.note import Note, information
 from quasidynamic.outcome.acting_forces import Losses
 from quasidynamic.outcome.bearing_states import BearingStates
@@ -339,6 +340,18 @@ class SolvedRows:
     def film_ratio(self) -> NDArray | None:
         """Film over roughness (C, 2, Z), 0 without load; None where the roughness is not known."""
         return None if self.roughness is None else self.states.loaded_film / self.roughness[..., None]
+
+    @property
+    def regimes(self) -> list[dict[str, str]]:
+        """Lubrication regime of each case at both raceways; empty where their roughness is not known."""
+        if self.roughness is None:
+            return [{}] * len(self)
+        return [
+            dict(zip(("inner", "outer"), map(str, regime(lambda_ratio(film, rough))), strict=True))
+            if np.isfinite(rough).all()
+            else {}
+            for film, rough in zip(self.states.minimum_film, self.roughness, strict=True)
+        ]
 
     def _with_whole(self, values: NDArray, of: "Callable[[WholeRoller], NDArray | float]") -> NDArray:
         """Values (C, ...) of slices, with those of half-spaces where these answer for a roller."""
