@@ -9,12 +9,10 @@ from numpy.typing import NDArray
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
-from flexbearing.derivatives.key_messages import announced
-from flexbearing.derivatives.keys import Key, given_keys, keys_of
+from flexbearing.derivatives.keys import Key, announced, given_keys, keys_of
 from flexbearing.derivatives.roller_slopes import Difference, OutputSlopes, RollerSlopes, numbers
 from flexbearing.derivatives.roller_state import SolvedState, solved
-from flexbearing.derivatives.sides import require_elastic, tabled, with_sides
-from flexbearing.derivatives.stencil import STENCILS
+from flexbearing.derivatives.sides import STENCILS, require_elastic, tabled, with_sides
 from flexbearing.derivatives.table import Sensitivities
 from flexbearing.outputs import RequestedOutput, outputs, requested
 from flexbearing.program.threads import linear_algebra_alone

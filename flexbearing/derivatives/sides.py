@@ -1,6 +1,7 @@
 """Both sides of a derivative: corners of an output, ends of a key, jumps; and the table of all."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,6 +10,20 @@ from flexbearing.case import BadCase
 from flexbearing.derivatives.keys import Key
 from flexbearing.derivatives.table import OutputValue, Sensitivities
 from flexbearing.outputs import RequestedOutput
+
+
+class Stencil(NamedTuple):
+    """Where a function is taken for its first derivative, in steps, and the weight of each place."""
+
+    places: tuple[float, ...]
+    weights: tuple[float, ...]
+
+
+CENTRAL = Stencil((-1.0, 1.0), (-0.5, 0.5))
+FORWARD = Stencil((0.0, 1.0, 2.0), (-1.5, 2.0, -0.5))
+BACKWARD = Stencil((0.0, -1.0, -2.0), (1.5, -2.0, 0.5))
+STENCILS = (CENTRAL, FORWARD, BACKWARD)  # the first that stays within the limits of a key is taken
+
 
 JUMP = 100.0  # percent per percent: an output whose sides differ by more jumps there, and has no derivative
 KINK = 1e-2  # of a derivative: how far its two sides differ where an output has a corner, such as a maximum

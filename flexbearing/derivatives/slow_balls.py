@@ -10,10 +10,8 @@ from numpy.typing import NDArray
 from flexbearing.case import BadCase
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.derivatives.by_keys import Differences, columns
-from flexbearing.derivatives.key_messages import announced
-from flexbearing.derivatives.keys import Key, given_keys, keys_of, with_value
-from flexbearing.derivatives.sides import require_elastic, tabled
-from flexbearing.derivatives.stencil import Stencil
+from flexbearing.derivatives.keys import Key, announced, given_keys, keys_of, with_value
+from flexbearing.derivatives.sides import Stencil, require_elastic, tabled
 from flexbearing.derivatives.table import Sensitivities
 from flexbearing.outputs import RequestedOutput, outputs, requested
 from flexbearing.progress import Logged, Report

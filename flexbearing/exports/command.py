@@ -11,6 +11,7 @@ from flexbearing.printable import printable
 from flexbearing.program.complete_files import keeping
 
 FORMS = ("csv", "vtu", "netcdf", "ross", "rexs", "effects")
+FORMS_OF_ARRAYS = ("csv", "netcdf", "effects")  # functions of `flexbearing.exports.files`
 NOT_CONVERGED = 1
 
 
@@ -59,7 +60,15 @@ def _files(file: Path, to: str, directory: Path, options: dict[str, str]) -> Ite
         yield from ross.export(file if file.suffix == ".csv" else api.read(file), directory)
         return
     result = api.read(file)
-    if to == "vtu":
+    if to in FORMS_OF_ARRAYS:
+        from flexbearing.exports import files
+
+        yield from getattr(files, to)(result, directory)
+    elif to == "rexs":
+        from flexbearing.exports import rexs
+
+        yield from rexs.export(result, directory)
+    else:
         from flexbearing.exports import vtu
         from flexbearing.runs.part_fields import NoFields
 
@@ -67,22 +76,6 @@ def _files(file: Path, to: str, directory: Path, options: dict[str, str]) -> Ite
             yield from vtu.export(result, directory, **options)
         except NoFields as problem:
             _end(f"{file}: {problem}")
-    elif to == "rexs":
-        from flexbearing.exports import rexs
-
-        yield from rexs.export(result, directory)
-    elif to == "effects":
-        from flexbearing.exports import effects
-
-        yield from effects.export(result, directory)
-    elif to == "netcdf":
-        from flexbearing.exports import netcdf
-
-        yield from netcdf.export(result, directory)
-    else:
-        from flexbearing.exports import csv_tables
-
-        yield from csv_tables.export(result, directory)
 
 
 def _end(problem: str) -> NoReturn:

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from flexbearing import inputs
 from flexbearing.files import require_folder, require_outputs, write
-from flexbearing.inputs.limits import TABLE
+from flexbearing.inputs.file import TABLE
 from flexbearing.outputs.value import WrongUnit, conversion
 from flexbearing.results import BadResult, Result
 

@@ -53,7 +53,7 @@ from flexbearing.studies.prepare import prepare
 from flexbearing.studies.prepared_study import PreparedStudy
 from flexbearing.studies.run import Work, guarded
 from flexbearing.studies.table import journal
-from flexbearing.studies.table.forms import FORMS
+from flexbearing.studies.table.files import FORMS
 from flexbearing.studies.worker import RowRequest, condense, rows
 
 CASE, TABLE = "_optimum.toml", ".csv"  # behind the name: the case at the best point, all designs

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from flexbearing.case.family import Entry
 from flexbearing.outputs import AbsentOutput
 from flexbearing.results import Result
 
@@ -70,3 +71,89 @@ class FamilyReport:
     def plots(self, result: Result) -> Plots:
         """Pictures of a result as functions."""
         return Plots(lambda: self.pictures()(result), self.short)
+
+
+ELEMENTS = Elements(
+    word="roller",
+    azimuth="roller_azimuth",
+    columns=(
+        "roller_azimuth",
+        "inner_load",
+        "outer_load",
+        "inner_film",
+        "outer_film",
+        "inner_film_ratio",
+        "outer_film_ratio",
+        "roller_tilt",
+        "roller_slip",
+        "cage_force",
+        "roller_skew",
+    ),
+    figures={
+        "contact load": ("inner_load", "outer_load"),
+        "slip of the rollers": ("roller_slip",),
+        "tilt of the rollers": ("roller_tilt",),
+        "pocket force": ("cage_force",),
+    },
+    contact_figures={
+        "film thickness": ("inner_film", "outer_film"),
+        "film ratio": ("inner_film_ratio", "outer_film_ratio"),
+    },
+    maps={
+        "inner_pressure": ("Contact pressure at the inner raceway", "MPa"),
+        "outer_pressure": ("Contact pressure at the outer raceway", "MPa"),
+    },
+)
+SHORT = {"loads": "roller_loads", "pressure": "pressure_along", "deviation": "raceway_deviation"}
+REPORT = FamilyReport(
+    page=Entry("flexbearing.report.roller.page:page"),
+    pictures=Entry("flexbearing.report.roller.figures:pictures"),
+    elements=ELEMENTS,
+    deformed=True,
+    short=SHORT,
+    drawings=Entry("flexbearing.report.drawing.of_case:of_rollers"),
+)
+
+
+_CONTACTS = {
+    "peak pressure": ("peak_pressure",),
+    "semi-axis across rolling": ("semi_axis_across",),
+    "semi-axis along rolling": ("semi_axis_along",),
+}
+_COLUMNS = ("ball_azimuth", "contact_load", "contact_angle", "peak_pressure")
+_FIGURES = {"contact load": ("contact_load",), "contact angle": ("contact_angle",)}
+_OF_SLOW = Elements(
+    word="ball",
+    azimuth="ball_azimuth",
+    columns=_COLUMNS,
+    figures={**_FIGURES, "torque of a ball": ("ball_torque",)},
+    contact_figures=_CONTACTS,
+)
+_OF_FAST = Elements(
+    word="ball",
+    azimuth="ball_azimuth",
+    columns=(*_COLUMNS, "orbital_speed", "ball_speed"),
+    figures={
+        **_FIGURES,
+        "orbital speed": ("orbital_speed",),
+        "gyroscopic moment": ("gyroscopic_moment",),
+    },
+    contact_figures=_CONTACTS,
+)
+_SHORT = {"loads": "ball_loads"}
+FOUR_POINT = FamilyReport(
+    page=Entry("flexbearing.report.balls.page:of_slow"),
+    pictures=Entry("flexbearing.report.balls.four_point_figures:pictures"),
+    elements=_OF_SLOW,
+    balls=Entry("flexbearing.report.balls.four_point_figures:balls"),
+    short=_SHORT,
+    drawings=Entry("flexbearing.report.drawing.of_case:of_slow_balls"),
+)
+ANGULAR_CONTACT = FamilyReport(
+    page=Entry("flexbearing.report.balls.page:of_fast"),
+    pictures=Entry("flexbearing.report.balls.angular_contact_figures:pictures"),
+    elements=_OF_FAST,
+    balls=Entry("flexbearing.report.balls.angular_contact_figures:balls"),
+    short=_SHORT,
+    drawings=Entry("flexbearing.report.drawing.of_case:of_fast_balls"),
+)

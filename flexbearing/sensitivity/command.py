@@ -99,7 +99,7 @@ def _form_of(picture: Path) -> str:
 def _write(found: "Sensitivities", picture: Path, table: Path, form: str) -> None:
     from flexbearing.files import write
     from flexbearing.report.picture import Format, picture_bytes
-    from flexbearing.report.tornado_figure import draw_tornado
+    from flexbearing.sensitivity.page import draw_tornado
 
     write(table.resolve(), _csv(found).encode())
     try:

@@ -57,8 +57,7 @@ def study(  # noqa: PLR0913  # an argument for each option
     from flexbearing.program.threads import limited_to
     from flexbearing.progress import shown
     from flexbearing.studies import messages
-    from flexbearing.studies.job_array import sbatch
-    from flexbearing.studies.placement import Placement
+    from flexbearing.studies.placement import Placement, sbatch
     from flexbearing.studies.plan import Part
     from flexbearing.studies.prepare import compute, prepare_source
 

@@ -32,10 +32,16 @@ from flexbearing.program.processes import Processes
 from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.report.studies.pareto_table import Measured, Study
 from flexbearing.results import Result
-from flexbearing.studies import pareto_ball_levels as balls
 from flexbearing.studies.engine import DIED, Done, completed
-from flexbearing.studies.pareto_ball_levels import BallCase
-from flexbearing.studies.pareto_levels import Level, ladder, left_out, richest
+from flexbearing.studies.pareto_levels import (
+    BALL_REFERENCE,
+    BallCase,
+    Level,
+    ball_ladder,
+    ladder,
+    left_out,
+    richest,
+)
 
 # Whatever else the machine does disturbs short runs most: they are repeated, cold ones up to a total.
 CACHED_RUNS, COLD_RUNS, LONG = 5, 3, 20.0  # [s]
@@ -119,7 +125,7 @@ def levels_of(case: Case | BallCase, *, solid: bool) -> tuple[Level, tuple[Level
     """The reference, all other levels, and kinds of levels that are left out with the reason."""
     if isinstance(case, Case):
         return richest(case), ladder(case, solid=solid), left_out(case, solid=solid)
-    return balls.REFERENCE, balls.ladder(case), ()
+    return BALL_REFERENCE, ball_ladder(case), ()
 
 
 def errors(approximate: Mapping[str, np.ndarray], true: Mapping[str, np.ndarray]) -> dict[str, float]:

@@ -38,7 +38,7 @@ def store(study: Study, csv: Path, png: Path) -> None:
         if there is no room for them; a note says that the table is there when only the picture is missing
     """
     from flexbearing.report.picture import picture_bytes
-    from flexbearing.report.studies.pareto_figure import draw_pareto
+    from flexbearing.report.studies.pareto_table import draw_pareto
 
     write(csv.resolve(), table(study).encode())
     try:

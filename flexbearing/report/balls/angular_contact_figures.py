@@ -11,7 +11,7 @@ from flexbearing.quantities.angular_contact import DRY_TORQUE, LAYOUT
 from flexbearing.quantities.reductions import RACES
 from flexbearing.report.balls.contact_fields import DrawnBall, drawn_contact, require_cells, torque_words
 from flexbearing.report.balls.contact_sheet import ball_sheet
-from flexbearing.report.balls.panels import LOADS, WHAT, stacked
+from flexbearing.report.balls.four_point_figures import LOADS, WHAT, stacked
 from flexbearing.report.figure import COLOURS, Axis, Figure, Line, Rule
 from flexbearing.report.html.figures import around
 from flexbearing.report.html.reader import Reader

@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 from flexbearing import inputs
 from flexbearing.files import as_csv
 from flexbearing.files.csv_rows import as_cell
-from flexbearing.inputs.limits import TABLE
+from flexbearing.inputs.file import TABLE
 from flexbearing.printable import excerpt
 
 MOST_ROWS, MOST_CELLS = 1_000_000, 20_000_000  # numbers and texts, those of lists among them

@@ -8,7 +8,6 @@ from flexbearing.report.drawing.of_case import drawings as drawn
 from flexbearing.report.figure import Figure
 from flexbearing.report.html import (
     checks,
-    clearance,
     effects,
     elements,
     inputs,
@@ -16,7 +15,6 @@ from flexbearing.report.html import (
     origin,
     others,
     rings,
-    stiffness,
     subjects,
 )
 from flexbearing.report.html.document import Cell, Document, Drawing, Number, Table
@@ -109,11 +107,11 @@ def _of_solution(reader: Reader) -> dict[str, Any]:
         "missed_at_low_end": checks.missed_at_low_end(reader),
         "moved": _moved(reader) if known else None,
         "subjects": subjects.tables(reader),
-        "supports": stiffness.supports(reader),
-        "matrix": stiffness.matrix(reader),
-        "matrix_units": [printed(unit) for unit in stiffness.units(reader)],
-        "steps": clearance.steps(reader),
-        "tolerances": clearance.tolerances(reader),
+        "supports": rings.supports(reader),
+        "matrix": rings.matrix(reader),
+        "matrix_units": [printed(unit) for unit in rings.units(reader)],
+        "steps": rings.steps(reader),
+        "tolerances": rings.tolerances(reader),
         "deformed": bent if bent and shows_something(bent) else None,
         "bars": _bars(reader),
         "stresses": rings.stresses(reader),

@@ -13,7 +13,7 @@ from pathlib import Path
 from flexbearing import inputs
 from flexbearing.case.declarations import find
 from flexbearing.case.family import Families
-from flexbearing.inputs.limits import TABLE
+from flexbearing.inputs.file import TABLE
 from flexbearing.results import BadResult
 
 PARQUET = ".parquet"

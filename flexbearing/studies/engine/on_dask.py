@@ -10,8 +10,8 @@ from urllib.parse import urlsplit
 
 from flexbearing.printable import excerpt
 from flexbearing.program.processes import Done
+from flexbearing.studies.engine.attempts import EngineLost
 from flexbearing.studies.engine.certificates import Certificates
-from flexbearing.studies.engine.engine import EngineLost
 
 if TYPE_CHECKING:
     from distributed import Client, Future

@@ -26,7 +26,7 @@ from flexbearing.runs import notes
 from flexbearing.studies.engine import DIED, completed
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.table import Table
-from flexbearing.studies.table.column import Column
+from flexbearing.studies.table.table import Column
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.note import Note
 from quasidynamic.trace import Branch, BranchEnd, logarithms, trace as follow

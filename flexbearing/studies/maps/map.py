@@ -17,7 +17,7 @@ from flexbearing.runs.run_case import stem_of_outputs
 from flexbearing.studies.maps import branch, pages
 from flexbearing.studies.maps.axes import FORM, axes
 from flexbearing.studies.maps.solution import OUTPUTS, solved_map
-from flexbearing.studies.table.forms import csv_bytes, missing, netcdf_bytes
+from flexbearing.studies.table.files import csv_bytes, missing, netcdf_bytes
 
 if TYPE_CHECKING:
     from flexbearing.studies.maps.branch import FollowedMap
