@@ -80,10 +80,7 @@ def given_keys(case: Head) -> list[Key]:
 def keys_of(case: Head, path: str) -> list[Key]:
     """The continuous key of a name, or one for each number of its list, "KEY.1" and so on.
 
-    Raises
-    ------
-    BadCase
-        as `key_of`
+    Raises `BadCase` as `key_of`.
     """
     item = find(path, type(case))
     value = _value(case, path, given=False) if item and item.listed else None

@@ -61,10 +61,7 @@ class RingChanged(BadCase):
 def shape_of(case: Case, race: Race) -> Shape | None:
     """Part of a raceway with the band that rollers load; None where it is rigid.
 
-    Raises
-    ------
-    BadCase
-        where there is no such part
+    Raises `BadCase` where there is no such part.
     """
     with named_failures(case, NAMES[race]):
         part = part_of(case, race)
@@ -85,12 +82,8 @@ class RingSlopes(Generic[Raceway]):
     def near(self, shape: Any) -> Raceway:
         """The raceway of a shape near by, to first order.
 
-        Raises
-        ------
-        RingChanged
-            for one with other faces
-        ImpossiblePart, BadCase
-            where the dimensions have no room to change
+        Raises `RingChanged` for one with other faces; `ImpossiblePart`, `BadCase` where the dimensions have
+        no room to change.
         """
         if shape == self.shape:
             return self.raceway

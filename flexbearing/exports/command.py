@@ -1,18 +1,16 @@
 """The command `export`; what it does not need is not loaded."""
 
-import sys
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Annotated, NoReturn
+from typing import Annotated
 
 import typer
 
 from flexbearing.printable import printable
-from flexbearing.program.complete_files import keeping
+from flexbearing.program.commands import end, keeping, say
 
 FORMS = ("csv", "vtu", "netcdf", "ross", "rexs", "effects")
 FORMS_OF_ARRAYS = ("csv", "netcdf", "effects")  # functions of `flexbearing.exports.files`
-NOT_CONVERGED = 1
 
 
 def export(
@@ -38,7 +36,7 @@ def export(
     with keeping(written):
         for path in _files(file, to, output or file.parent, options):
             written.append(path)
-            sys.stdout.write(printable(f"{to}: {path}\n"))
+            say(f"{to}: {path}")
 
 
 def _require_belonging(to: str, options: dict[str, str]) -> None:
@@ -75,9 +73,4 @@ def _files(file: Path, to: str, directory: Path, options: dict[str, str]) -> Ite
         try:
             yield from vtu.export(result, directory, **options)
         except NoFields as problem:
-            _end(f"{file}: {problem}")
-
-
-def _end(problem: str) -> NoReturn:
-    sys.stderr.write(f"{printable(problem)}\n")
-    raise typer.Exit(NOT_CONVERGED)
+            end(f"{file}: {problem}")

@@ -51,10 +51,7 @@ class Gradients:
     def at(self, point: Point) -> Numbers:
         """Outputs of a design with their derivatives by the shares of the variables.
 
-        Raises
-        ------
-        NotComputed
-            where the design, or one beside it on either side, has no result
+        Raises `NotComputed` where the design, or one beside it on either side, has no result.
         """
         (numbers,) = self.evaluations.at([point])
         if isinstance(numbers, NotComputed):

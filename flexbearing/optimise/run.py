@@ -77,12 +77,8 @@ def optimise(
 
     Designs that a former call with the same folder computed are taken from there.
 
-    Raises
-    ------
-    BadCase
-        for a wrong file, or a case that cannot be computed
-    BadOutput, NotStored
-        as for a study
+    Raises `BadCase` for a wrong file, or a case that cannot be computed; `BadOutput`, `NotStored` as for a
+    study.
     """
     problem, folder = read(source, FAMILIES, case), require_folder(Path(output))
     base, name, inputs = _sound(problem), problem.study.name, problem.study.inputs

@@ -42,12 +42,8 @@ def write_figures(result: Result, directory: str | Path) -> list[Path]:
 def pictures(result: Result, directory: str | Path, form: Format = PNG) -> Iterator[Path | LeftOut]:
     """Draw every picture of a result into files that are named after it.
 
-    Raises
-    ------
-    BadOutput
-        if the folder, or a file in it, cannot be written
-    NotStored
-        if there is no room for a picture
+    Raises `BadOutput` if the folder, or a file in it, cannot be written; `NotStored` if there is no room for
+    a picture.
     """
     figures = result.family.report().pictures()(result)
     named = {f"{result.stem}_{name}": figure for name, figure in figures.items()}
@@ -61,14 +57,8 @@ def compared_pictures(
 ) -> Iterator[Path]:
     """Draw the contacts of two results side by side into files.
 
-    Raises
-    ------
-    BadResult
-        if they have no cells of the same ball
-    BadOutput
-        if the folder, or a file in it, cannot be written
-    NotStored
-        if there is no room for a picture
+    Raises `BadResult` if they have no cells of the same ball; `BadOutput` if the folder, or a file in it,
+    cannot be written; `NotStored` if there is no room for a picture.
     """
     stem, figures = f"{one.stem}_against_{other.stem}", side_by_side.compared(one, other)
     named = {f"{stem}_ball_{ball}": figure for ball, figure in figures.items()}

@@ -11,19 +11,13 @@ from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
 from flexbearing.studies.plan import Variant
 from flexbearing.studies.plan.task import LENGTH, Idle, Values
-from flexbearing.studies.table.duty import BASIC, MODIFIED
+from flexbearing.studies.table.duty import BASIC, MODIFIED, is_load
 from quasidynamic import ImpossiblePart, OutOfRange
 from quasidynamic.outcome.life_factors import LEAST_VISCOSITY_RATIO
 
 SPEEDS = "operation.inner_speed", "operation.outer_speed"
-LOADS = "operation.radial_load", "operation.moment", "operation.load."  # keys, and a table of balls
 STANDSTILL = "standstill: time without damage"
 NO_LOAD = "no load: time without damage"
-
-
-def is_load(key: str) -> bool:
-    """Whether a key is a load of the bearing."""
-    return key.startswith(LOADS)
 
 
 def idle(read: Variants, values: Values) -> Variant | None:
@@ -32,10 +26,7 @@ def idle(read: Variants, values: Values) -> Variant | None:
     Cases of rows at standstill, or have no load to be rated by, cannot be read: speeds and loads are then
     taken from the row, everything else from the case without them.
 
-    Raises
-    ------
-    BadCase
-        where the case without them cannot be read
+    Raises `BadCase` where the case without them cannot be read.
     """
     own = {
         key: value

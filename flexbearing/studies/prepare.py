@@ -39,10 +39,8 @@ def prepare_source(
 ) -> PreparedStudy:
     """Read a study, from its file or as a dictionary, and prepare what it computes.
 
-    Raises
-    ------
-    BadCase
-        one line for each problem of the study file, or of the case that its variants are made of
+    Raises `BadCase` one line for each problem of the study file, or of the case that its variants are made
+    of.
     """
     return prepare(read(source, FAMILIES, case), tell, bounded=True)
 
@@ -154,12 +152,8 @@ def compute(
 ) -> Table:
     """Compute the variants of a study.
 
-    Raises
-    ------
-    BadCase
-        for variants that cannot be computed; nothing is computed then
-    BadOutput, NotStored
-        as for `flexbearing.studies.run.run`
+    Raises `BadCase` for variants that cannot be computed; nothing is computed then; `BadOutput`, `NotStored`
+    as for `flexbearing.studies.run.run`.
     """
     from flexbearing.studies.worker import RowRequest, condense, rows
 

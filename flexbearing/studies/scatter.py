@@ -99,10 +99,7 @@ APART = ("status", "message", "seconds", "result")  # columns that are no output
 def add_scatter(prepared: PreparedStudy, table: Table, folder: Path) -> Table:
     """Add to a table what its rows tell of the scatter of the outputs, and write that.
 
-    Raises
-    ------
-    NotStored
-        where a file cannot be written
+    Raises `NotStored` where a file cannot be written.
     """
     assert prepared.study.drawn  # of no other study is it asked
     prediction = first_order(prepared)

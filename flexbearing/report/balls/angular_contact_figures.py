@@ -46,10 +46,7 @@ def pictures(result: Result) -> dict[str, Page]:
 def balls(result: Result) -> tuple[DrawnBall, ...]:
     """Take the ball that carries most, with the cells of its contacts.
 
-    Raises
-    ------
-    BadResult
-        where no cells are stored
+    Raises `BadResult` where no cells are stored.
     """
     values = result.flexible or result.rigid
     require_cells(result, values)

@@ -67,13 +67,7 @@ def _last(result: Result) -> Any:
 
 
 def balls(result: Result) -> tuple[DrawnBall, ...]:
-    """Take the chosen balls with the cells of their contacts.
-
-    Raises
-    ------
-    BadResult
-        where nothing was solved
-    """
+    """Take the chosen balls with the cells of their contacts; raises `BadResult` where nothing was solved."""
     values = _last(result)
     require_cells(result, values)
     return tuple(_ball(values, place, int(ball)) for place, ball in enumerate(values["field_ball"]))

@@ -20,10 +20,7 @@ def drawings(
 ) -> Iterator[Drawing]:
     """Drawings of a case to scale.
 
-    Raises
-    ------
-    BadCase
-        where points of a profile cannot be read or are none of its roller
+    Raises `BadCase` where points of a profile cannot be read or are none of its roller.
     """
     draw, profiles_of = family.report().drawings, family.profiles
     if draw is not None:

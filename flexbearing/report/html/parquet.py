@@ -25,10 +25,8 @@ T = TypeVar("T")
 def csv_text(place: Path, most: int | None = None) -> str:
     """Text of the CSV file with the same table; of its first batches alone where only some rows are needed.
 
-    Raises
-    ------
-    Unreadable
-        where the file cannot be read, is larger than any table of a study, or pyarrow is not installed
+    Raises `Unreadable` where the file cannot be read, is larger than any table of a study, or pyarrow is not
+    installed.
     """
     return _read(place, lambda opened: _text(opened, most or MOST_ROWS))
 

@@ -29,13 +29,7 @@ SIGNED = ("project", "part", "revision", "date", "author", "checker")
 
 
 def of_result(result: Result, units: Units = METRIC, against: dict[str, Any] | None = None) -> Document:
-    """Collect the report of a result.
-
-    Raises
-    ------
-    BadResult
-        where the case in the result cannot be read
-    """
+    """Collect the report of a result; raises `BadResult` where the case in the result cannot be read."""
     reader = Reader(result, units)
     solved = bool(reader.blocks)
     parts = {

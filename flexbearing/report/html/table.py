@@ -162,10 +162,7 @@ def _packed_ends(place: Path) -> list[list[str]]:
 def table_text(place: Path, most: int | None = None) -> str:
     """Text of a CSV file, or of one with the same table as a Parquet file, of its first rows at least.
 
-    Raises
-    ------
-    Unreadable
-        where the file cannot be read, also without the package that reads Parquet
+    Raises `Unreadable` where the file cannot be read, also without the package that reads Parquet.
     """
     if place.suffix != PARQUET:
         return inputs.text(place, TABLE)

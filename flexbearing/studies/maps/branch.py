@@ -120,10 +120,7 @@ def is_followed(over: Sequence[str]) -> bool:
 def ends(case: str | Path, over: str, overrides: Sequence[str] = ()) -> Range:
     """Where a branch begins and how far it is followed.
 
-    Raises
-    ------
-    BadCase
-        when key, range or case make no sense
+    Raises `BadCase` when key, range or case make no sense.
     """
     axis, texts = _parsed(over)
     settings = [[*overrides, f"operation.{axis.name}={end}"] for end in texts]

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from flexbearing.case.family import Family
 from flexbearing.studies.file.spectrum import Spectrum
-from flexbearing.studies.idle import is_load
 from flexbearing.studies.plan import Plan, Row, Variant
 from flexbearing.studies.plan.task import CONVERGED, NO_DAMAGE, NOT_COMPUTED
 from flexbearing.studies.table.collected import of_error
@@ -271,7 +270,13 @@ def _listed(rows: NDArray) -> str:
     )
 
 
+LOADS = "operation.radial_load", "operation.moment", "operation.load."  # keys, and a table of balls
 IDLE = 0.0, 1.0, 1.0  # load, a_1 and exponent of a row without damage; other exponents are larger
+
+
+def is_load(key: str) -> bool:
+    """Whether a key is a load of the bearing."""
+    return key.startswith(LOADS)
 
 
 def duty_cycles(

@@ -79,10 +79,7 @@ def paths(folder: Path, name: str) -> dict[str, Path]:
 def store(table: Table, folder: Path) -> None:
     """Write a table, and that of its lives under a duty cycle, in every form.
 
-    Raises
-    ------
-    NotStored
-        if there is no room for a file
+    Raises `NotStored` if there is no room for a file.
     """
     for each in filter(None, (table, table.cycles)):
         for suffix, path in paths(folder, each.name).items():
