@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from flexbearing.case.family import Entry
 from flexbearing.outputs import AbsentOutput
@@ -12,7 +12,6 @@ from flexbearing.results import Result
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-    from rich.console import RenderableType
 
     from flexbearing.report.balls.contact_fields import DrawnBall
     from flexbearing.report.drawing import Drawing
@@ -57,9 +56,8 @@ class Elements:
 
 @dataclass(frozen=True)
 class FamilyReport:
-    """Page and pictures of a result, as an `Entry` each: the card of a result loads neither."""
+    """Pictures of a result, as an `Entry` each: the card of a result loads none."""
 
-    page: Callable[[], Callable[[dict[str, Any]], Iterator[RenderableType]]]  # of the summary
     # by names of files; or why one would be empty
     pictures: Callable[[], Callable[[Result], Mapping[str, Figure | str]]]
     elements: Elements | None = None  # rolling elements that a report shows one by one
@@ -106,7 +104,6 @@ ELEMENTS = Elements(
 )
 SHORT = {"loads": "roller_loads", "pressure": "pressure_along", "deviation": "raceway_deviation"}
 REPORT = FamilyReport(
-    page=Entry("flexbearing.report.roller.page:page"),
     pictures=Entry("flexbearing.report.roller.figures:pictures"),
     elements=ELEMENTS,
     deformed=True,
@@ -122,38 +119,28 @@ _CONTACTS = {
 }
 _COLUMNS = ("ball_azimuth", "contact_load", "contact_angle", "peak_pressure")
 _FIGURES = {"contact load": ("contact_load",), "contact angle": ("contact_angle",)}
-_OF_SLOW = Elements(
-    word="ball",
-    azimuth="ball_azimuth",
-    columns=_COLUMNS,
-    figures={**_FIGURES, "torque of a ball": ("ball_torque",)},
-    contact_figures=_CONTACTS,
-)
-_OF_FAST = Elements(
-    word="ball",
-    azimuth="ball_azimuth",
-    columns=(*_COLUMNS, "orbital_speed", "ball_speed"),
-    figures={
-        **_FIGURES,
-        "orbital speed": ("orbital_speed",),
-        "gyroscopic moment": ("gyroscopic_moment",),
-    },
-    contact_figures=_CONTACTS,
-)
-_SHORT = {"loads": "ball_loads"}
-FOUR_POINT = FamilyReport(
-    page=Entry("flexbearing.report.balls.page:of_slow"),
-    pictures=Entry("flexbearing.report.balls.four_point_figures:pictures"),
-    elements=_OF_SLOW,
-    balls=Entry("flexbearing.report.balls.four_point_figures:balls"),
-    short=_SHORT,
-    drawings=Entry("flexbearing.report.drawing.of_case:of_slow_balls"),
-)
-ANGULAR_CONTACT = FamilyReport(
-    page=Entry("flexbearing.report.balls.page:of_fast"),
-    pictures=Entry("flexbearing.report.balls.angular_contact_figures:pictures"),
-    elements=_OF_FAST,
-    balls=Entry("flexbearing.report.balls.angular_contact_figures:balls"),
-    short=_SHORT,
-    drawings=Entry("flexbearing.report.drawing.of_case:of_fast_balls"),
+
+
+def _of_balls(columns: tuple[str, ...], figures: dict[str, tuple[str, ...]], drawings: str) -> FamilyReport:
+    """How results of slow or fast balls are shown, with what they have beside loads and angles."""
+    return FamilyReport(
+        pictures=Entry("flexbearing.report.balls.figures:pictures"),
+        elements=Elements(
+            word="ball",
+            azimuth="ball_azimuth",
+            columns=(*_COLUMNS, *columns),
+            figures=_FIGURES | figures,
+            contact_figures=_CONTACTS,
+        ),
+        balls=Entry("flexbearing.report.balls.figures:balls"),
+        short={"loads": "ball_loads"},
+        drawings=Entry(f"flexbearing.report.drawing.of_case:{drawings}"),
+    )
+
+
+FOUR_POINT = _of_balls((), {"torque of a ball": ("ball_torque",)}, "of_slow_balls")
+ANGULAR_CONTACT = _of_balls(
+    ("orbital_speed", "ball_speed"),
+    {"orbital speed": ("orbital_speed",), "gyroscopic moment": ("gyroscopic_moment",)},
+    "of_fast_balls",
 )

@@ -12,6 +12,7 @@ from rich.console import Console, Group, RenderableType
 from flexbearing.files import require_folder, require_outputs, write
 from flexbearing.printable import all_printable
 from flexbearing.report.balls import side_by_side
+from flexbearing.report.page import page
 from flexbearing.report.picture import PNG, Format, LeftOut, picture_bytes
 from flexbearing.results import Result
 
@@ -21,7 +22,8 @@ if TYPE_CHECKING:
 
 def text(result: Result, console: Console | None = None, encoding: str = "utf-8") -> str:
     """Lay the summary out as text."""
-    return laid_out(result.family.report().page()(all_printable(result.summary())), console, encoding)
+    sections = page(result.family.layout(), all_printable(result.summary()))
+    return laid_out(sections, console, encoding)
 
 
 def laid_out(
