@@ -212,8 +212,8 @@ class _Search:
 
     def optimum(self, tell: Tell) -> Optimum:
         """What is found; `tell` is called with the end of each start."""
-        began, found, settings = perf_counter(), [], self._gradients.settings
-        first = np.array([each.start for each in self._gradients.variables])
+        began, found, settings = perf_counter(), [], self.evaluations.problem.search
+        first = np.array([each.start for each in self.evaluations.problem.variables])
         points, seconds = list(starts(settings.starts, first, settings.seed)), 0.0
         problem = ScaledProblem(self._gradients, spare=self.spare)
         if settings.verified:

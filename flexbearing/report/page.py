@@ -83,8 +83,8 @@ def page(layout: Layout, numbers: dict[str, Any]) -> Iterator[RenderableType]:
 
 def by_state(numbers: dict[str, Any], blocks: Any) -> Any:
     """What is said of the rigid and of the flexible state; of one where no part is flexible."""
-    of_balls = "kind" in numbers  # which have a flexible state between elastic rings alone
-    same = not numbers["flexible"] if of_balls else numbers["flexible"] and not numbers["iterations"]
+    alone = numbers["flexible"] is None and numbers["status"] == "converged"
+    same = alone or numbers["flexible"] == numbers["rigid"]
     return {"rigid rings": next(iter(blocks.values()))} if blocks and same else blocks
 
 
