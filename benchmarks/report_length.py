@@ -10,7 +10,7 @@ from pathlib import Path
 
 from playwright.sync_api import Browser, Page, sync_playwright
 
-from flexbearing.pages.chromium import chromium, pdf_bytes
+from flexbearing.pages.make import chromium, pdf_bytes
 
 SCREENS = ((1400, 900), (420, 800))
 _WORDS = """((opened) => {

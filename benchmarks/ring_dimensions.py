@@ -16,11 +16,10 @@ from benchmarks.machine import describe
 from flexbearing.api import read_case
 from flexbearing.case.roller import Case
 from flexbearing.derivatives.keys import Key, key_of, with_value
-from flexbearing.derivatives.ring_slopes import shape_of
+from flexbearing.derivatives.ring_slopes import numbers as numbers_of, shape_of, with_numbers
 from flexbearing.derivatives.roller_slopes import numbers
 from flexbearing.derivatives.roller_state import SolvedState, solved
 from flexbearing.derivatives.rollers import differentiated, requested_of
-from flexbearing.derivatives.shape_numbers import numbers as numbers_of, with_numbers
 from flexbearing.outputs import RequestedOutput
 from flexbearing.program.threads import linear_algebra_alone
 

@@ -25,7 +25,7 @@ from flexbearing.derivatives.ring_slopes import shape_of
 from flexbearing.derivatives.roller_slopes import Difference, RollerSlopes, numbers
 from flexbearing.derivatives.roller_state import SolvedState, solved
 from flexbearing.derivatives.rollers import difference, differentiated, requested_of
-from flexbearing.derivatives.stencil import STENCILS, Stencil
+from flexbearing.derivatives.sides import STENCILS, Stencil
 from flexbearing.derivatives.table import NEGLIGIBLE
 from flexbearing.outputs import RequestedOutput
 from flexbearing.rings.condensed import RACES

@@ -138,7 +138,7 @@ def _levels(study: Study) -> str:
 
 def main() -> None:
     from flexbearing.report.picture import picture_bytes
-    from flexbearing.report.studies.pareto_figure import draw_pareto
+    from flexbearing.report.studies.pareto_table import draw_pareto
     from flexbearing.studies.pareto import pareto
     from flexbearing.studies.pareto_files import destinations, store
 

@@ -12,7 +12,7 @@ import pypdfium2
 from PIL import Image
 from playwright.sync_api import sync_playwright
 
-from flexbearing.pages.chromium import chromium
+from flexbearing.pages.make import chromium
 
 SCREENS = {  # file to report, width and height of what is shown, width of the picture
     "report_wide.png": ("result", 1280, 2050, 900),

@@ -5,13 +5,23 @@ from contextlib import nullcontext
 from importlib import import_module
 from os import environ
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, NoReturn
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from flexbearing import api
 from flexbearing.printable import all_printable, printable
-from flexbearing.program.complete_files import keeping
+from flexbearing.program.commands import (
+    CONVERGED,
+    NOT_CONVERGED,
+    AsJson,
+    CaseFile,
+    Settings,
+    end,
+    keeping,
+    say,
+    say_json,
+)
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -20,7 +30,6 @@ if TYPE_CHECKING:
     from flexbearing.report.studies.pareto_table import Measured
     from flexbearing.results import Result
 
-CONVERGED, NOT_CONVERGED = 0, 1
 UNMET_TARGET = "unmet-target"  # the one danger that is no success without --strict
 
 COMMANDS = {  # in the order of the help
@@ -43,18 +52,9 @@ COMMANDS = {  # in the order of the help
     "explain": "cli:explain_key",
 }
 
-CaseFile = Annotated[Path, typer.Argument(help="case file (TOML)", metavar="CASE")]
 ResultPath = Annotated[Path, typer.Argument(help="result file (HDF5)", metavar="OUT.h5")]
 Everything = Annotated[bool, typer.Option("--all", help="print all numbers and notes first")]
 Notes = Annotated[bool, typer.Option("--notes", help="print the notes first")]
-Settings = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--set",
-        metavar="KEY=VALUE",
-        help='replace a key of the case, "bearing.clearance=50 um"; "KEY=" takes it out',
-    ),
-]
 
 
 def _print_version(wanted: bool) -> None:
@@ -96,7 +96,7 @@ def options(
 def check(case: CaseFile, settings: Settings = None) -> None:
     """Check a case for errors, without computing it."""
     title = api.check(case, settings or []).title
-    _say(f"{case}: {title}: no errors found")
+    say(f"{case}: {title}: no errors found")
 
 
 def run(  # noqa: PLR0913  # an argument for each option
@@ -125,7 +125,7 @@ def run(  # noqa: PLR0913  # an argument for each option
     wrong = _what_went_wrong(result, strict=strict)
     with keeping([place]):
         if not quiet:
-            _say(f"results: {place}\n")
+            say(f"results: {place}\n")
             _show(result, console, everything=everything, notes=notes)
         for words in wrong if quiet else ():
             sys.stderr.write(f"{case}: {printable(words)}\n")
@@ -142,7 +142,7 @@ def _what_went_wrong(result: "Result", *, strict: bool) -> list[str]:
 def life(
     case: CaseFile,
     settings: Settings = None,
-    as_json: Annotated[bool, typer.Option("--json", help="one JSON object instead of text")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """Compare the life of a case with that of a catalogue, and tell what lies between, factor by factor."""
     from flexbearing.progress import shown
@@ -150,9 +150,7 @@ def life(
     with shown("life"):
         found = api.against_catalogue(case, settings or [])
     if as_json:
-        import json
-
-        sys.stdout.write(json.dumps(all_printable(found), indent=2, allow_nan=False) + "\n")
+        say_json(found)
         return
     from flexbearing.report.catalogue_life import sections
     from flexbearing.report.output import laid_out
@@ -165,7 +163,7 @@ def summary(
     result: ResultPath,
     everything: Everything = False,
     notes: Notes = False,
-    as_json: Annotated[bool, typer.Option("--json", help="one JSON object instead of text")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """Print the answer of a result in a few lines."""
     found = api.read(result)
@@ -216,20 +214,15 @@ def plot(
         _plot_against(found, api.read(against), directory, style)
         return
     with keeping(written):
-        for picture in pictures(found, directory, style):
-            if isinstance(picture, Path):
-                written.append(picture)
-                _say(f"picture: {picture}")
-            else:
-                _say(f"no picture {picture}")
-        for picture in deformed.pictures(found, directory, style):
-            if isinstance(picture, Path):
-                written.append(picture)
-                _say(f"picture: {picture}")
-            else:
-                _say(f"no picture of a deformed part: {picture}")
+        for words, draw in (("", pictures), ("of a deformed part: ", deformed.pictures)):
+            for picture in draw(found, directory, style):
+                if isinstance(picture, Path):
+                    written.append(picture)
+                    say(f"picture: {picture}")
+                else:
+                    say(f"no picture {words}{picture}")
     if not written:
-        _say(f"{result}: nothing was solved, so there is nothing to draw")
+        say(f"{result}: nothing was solved, so there is nothing to draw")
 
 
 def _plot_against(one: "Result", other: "Result", directory: Path, style: "Format") -> None:
@@ -241,9 +234,9 @@ def _plot_against(one: "Result", other: "Result", directory: Path, style: "Forma
     with keeping(written):
         for picture in compared_pictures(one, other, directory, style):
             written.append(picture)
-            _say(f"picture: {picture}")
+            say(f"picture: {picture}")
         for note in notes(one, other):
-            _say(note)
+            say(note)
 
 
 def pareto(
@@ -273,10 +266,10 @@ def pareto(
             tell = lambda measured: report.line(_line(measured))  # noqa: E731
             found = study(case, settings or [], solid=solid, tell=tell)
     except NoReference as problem:
-        _end(problem)
+        end(problem)
     store(found, table, picture)
     with keeping([table, picture]):
-        _say(f"\n{text(found)}\ntable: {table}\npicture: {picture}")
+        say(f"\n{text(found)}\ntable: {table}\npicture: {picture}")
 
 
 def _line(measured: "Measured") -> str:
@@ -293,7 +286,7 @@ def cache_list() -> None:
     """List what is kept, with size and last use."""
     from flexbearing.cache import configured, listing
 
-    _say(listing(configured()))
+    say(listing(configured()))
 
 
 @cache_app.command("clear")
@@ -301,7 +294,7 @@ def cache_clear() -> None:
     """Delete what is kept."""
     from flexbearing.cache import configured
 
-    _say(f"{configured().clear()} condensed rings deleted")
+    say(f"{configured().clear()} condensed rings deleted")
 
 
 @cache_app.command("path")
@@ -309,7 +302,7 @@ def cache_path() -> None:
     """Say where it is kept; the environment variable FLEXBEARING_CACHE names another folder, or "off"."""
     from flexbearing.cache import configured
 
-    _say(f"{configured().folder or 'nothing is kept'}")
+    say(f"{configured().folder or 'nothing is kept'}")
 
 
 def explain_key(key: Annotated[str | None, typer.Argument(metavar="[KEY]")] = None) -> None:
@@ -321,9 +314,9 @@ def explain_key(key: Annotated[str | None, typer.Argument(metavar="[KEY]")] = No
         from flexbearing.studies.file.schema import StudyFile
 
         model = StudyFile if first == "study" else OptimisationFile
-        _say(explain_file(rest or None, model).rstrip())
+        say(explain_file(rest or None, model).rstrip())
     else:
-        _say(api.explain(key).rstrip())
+        say(api.explain(key).rstrip())
 
 
 def _terminal() -> "Console | None":
@@ -336,11 +329,6 @@ def _terminal() -> "Console | None":
     return console if console.is_terminal else None
 
 
-def _say(words: str) -> None:
-    """Print lines in which nothing controls the terminal."""
-    sys.stdout.write(printable(words) + "\n")
-
-
 def _show(result: "Result", terminal: "Console | None", *, everything: bool, notes: bool) -> None:
     """Print the card of a result, below what else of it is wanted."""
     from flexbearing.results import BadResult
@@ -348,7 +336,7 @@ def _show(result: "Result", terminal: "Console | None", *, everything: bool, not
     try:
         card = result.card.with_hint("see --notes, --all")
     except BadResult as problem:  # in its case: its numbers are still there
-        _say(f"no card: {problem}")
+        say(f"no card: {problem}")
         card, everything = None, True
     if everything:
         from flexbearing.report.output import text
@@ -379,8 +367,3 @@ def _log(*, everything: bool) -> None:
     if everything:
         logging.basicConfig(handlers=[handler])
         logging.getLogger("flexbearing").setLevel(logging.INFO)
-
-
-def _end(problem: object) -> NoReturn:
-    sys.stderr.write(f"{printable(str(problem))}\n")
-    raise typer.Exit(NOT_CONVERGED)

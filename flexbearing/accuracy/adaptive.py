@@ -58,10 +58,7 @@ class AdaptiveResolution:
 def adaptive_resolution(case: Case, report: Report) -> AdaptiveResolution:
     """Choose the levels of a case that has a target.
 
-    Raises
-    ------
-    Unusable
-        if there is no answer at the coarsest levels
+    Raises `Unusable` if there is no answer at the coarsest levels.
     """
     assert case.accuracy.target is not None
     report.stage("levels for the required accuracy", None)

@@ -175,10 +175,7 @@ def climb(
 ) -> Selection:
     """Take the poorest levels whose estimated errors keep their parts of the target.
 
-    Raises
-    ------
-    Unusable
-        if the poorest levels together have no result
+    Raises `Unusable` if the poorest levels together have no result.
 
     Valid
     -----
@@ -203,10 +200,7 @@ def climb_together(
 
     Each problem climbs from where the one before it ended, until none of them moves any more.
 
-    Raises
-    ------
-    Unusable
-        if a problem has no result at the poorest levels, or at those where it begins
+    Raises `Unusable` if a problem has no result at the poorest levels, or at those where it begins.
     """
     start, place, selections = None, tuple(choice.start for choice in choices), []
     while place != start:

@@ -87,10 +87,7 @@ class Trials:
     def __call__(self, place: Place) -> Trial:
         """End state at a level of each choice.
 
-        Raises
-        ------
-        Unusable
-            if a part could not be condensed there, or no equilibrium was found
+        Raises `Unusable` if a part could not be condensed there, or no equilibrium was found.
         """
         if place not in self._solved:
             try:
@@ -106,10 +103,7 @@ class Trials:
     def rings(self, place: Place) -> RacewayPair:
         """The parts at these levels.
 
-        Raises
-        ------
-        PartnerFailed, BadCase
-            if one of them could not be condensed there
+        Raises `PartnerFailed`, `BadCase` if one of them could not be condensed there.
         """
         return RacewayPair(self._raceway(place, "inner"), self._raceway(place, "outer"))
 

@@ -15,7 +15,7 @@ from fem import ImpossiblePart
 from fem.matrix.stiffness import Stiffness, symmetric
 from flexbearing import inputs
 from flexbearing.inputs import Unreadable
-from flexbearing.inputs.limits import MATRIX
+from flexbearing.inputs.file import MATRIX
 from flexbearing.printable import enumerated, excerpt
 
 MOST_FIELDS = 2**22  # of a card; a million numbers in a column of a matrix

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing import inputs
-from flexbearing.inputs.limits import POINTS
+from flexbearing.inputs.file import POINTS
 from flexbearing.printable import excerpt
 from flexbearing.units import BadUnit, UnknownUnit, unit
 from quasidynamic import ImpossiblePart

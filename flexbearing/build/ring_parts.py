@@ -13,7 +13,7 @@ from flexbearing.build import held_ring
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
 from flexbearing.case.read import LONGEST_NAME
 from flexbearing.case.roller import Case
-from flexbearing.inputs.limits import DRAWING
+from flexbearing.inputs.file import DRAWING
 from flexbearing.printable import excerpt
 from quasidynamic.note import Note, information
 

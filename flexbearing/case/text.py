@@ -13,7 +13,7 @@ from functools import lru_cache
 from typing import Any
 
 from flexbearing.inputs import Unreadable
-from flexbearing.inputs.limits import CASE as LARGEST
+from flexbearing.inputs.file import CASE as LARGEST
 from flexbearing.printable import excerpt
 
 DEEPEST = 8  # arrays and tables in each other, and parts of a key; the keys of a case have up to 4

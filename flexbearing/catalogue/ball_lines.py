@@ -4,7 +4,6 @@ from collections.abc import Iterator
 from math import pi
 
 from flexbearing.catalogue.ball_set import USUAL_CONFORMITY, BallSet
-from flexbearing.catalogue.life_lines import life, oil
 from flexbearing.catalogue.lines import (
     CHOSEN,
     RATED,
@@ -13,11 +12,14 @@ from flexbearing.catalogue.lines import (
     assumed,
     entry,
     from_rating,
+    life,
     mm,
+    mounting,
+    oil,
     speeds,
+    surroundings,
     usual_number,
 )
-from flexbearing.catalogue.mounting_lines import mounting, surroundings
 from flexbearing.catalogue.page import Page
 
 DEGREE = pi / 180

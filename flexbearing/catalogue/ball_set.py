@@ -48,10 +48,7 @@ def ball_set(page: Page, angle: float) -> BallSet:
     Of the plausible pairs of number and diameter that have the static rating, that of most balls is taken, as
     makers fill bearings; without a static rating the middle of all.
 
-    Raises
-    ------
-    BadCase
-        where the balls do not fit in, or none that is plausible has the static rating
+    Raises `BadCase` where the balls do not fit in, or none that is plausible has the static rating.
     """
     pitch, half = (page["bore"].si + page["outside"].si) / 2, (page["outside"].si - page["bore"].si) / 2
     _require_room(page, pitch, half)

@@ -23,10 +23,7 @@ def designated(name: str, *folders: Path) -> dict[str, str] | None:
 
     Where none has the whole name, suffixes of seals are left out, and one of clearance is its class.
 
-    Raises
-    ------
-    BadCase
-        for a table that cannot be read
+    Raises `BadCase` for a table that cannot be read.
     """
     known: dict[str, dict[str, str]] = {}
     for row in _known(folders):

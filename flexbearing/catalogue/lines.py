@@ -95,3 +95,75 @@ def _written(line: Line) -> Iterator[str]:
         yield given
     else:
         yield beside if why else given
+
+
+def oil(page: Page) -> Iterator[Line]:
+    """The oil and its temperature."""
+    if "oil" in page:
+        yield Line("lubricant.oil", page["oil"].text, CHOSEN)
+    else:
+        yield assumed("lubricant.oil", "ISO VG 68", "usual for rolling bearings")
+    if "temperature" in page:
+        yield Line("lubricant.inlet_temperature", page["temperature"].text)
+    else:
+        yield assumed("lubricant.inlet_temperature", "70 degC", THUMB)
+
+
+def life(page: Page) -> Iterator[Line]:
+    """Ratings of the maker where they are given, and what modifies the life."""
+    why = "of the maker, with these balls" if "balls" in page else "of the maker"
+    ratings = {"dynamic_rating": "", "static_rating": "", "fatigue_limit": "_load"}
+    for name, ending in ratings.items():
+        if name in page:
+            yield Line(f"life.{name}{ending}", page[name].text, why)
+    yield Line("life.lubrication", "a_ISO", "modified life of ISO 281")
+    if "cleanliness" in page:
+        yield Line("life.cleanliness", page["cleanliness"].text)
+    else:
+        yield assumed("life.cleanliness", "oil, in-line filter, -/17/14", "usual cleanliness")
+
+
+def mounting(page: Page) -> Iterator[Line]:
+    """Clearance in operation, or before mounting with the fits that change it."""
+    if "clearance" in page:
+        yield Line("bearing.clearance", page["clearance"].text, "in operation")
+    elif page.like != "angular_contact_ball":  # which has a contact angle instead
+        yield _clearance_class(page)
+    if not _fitted(page):
+        return
+    if "shaft" in page:
+        yield Line("bearing.fits.shaft", page["shaft"].text, CHOSEN)
+    else:
+        yield assumed("bearing.fits.shaft", "k5", f"{THUMB} for a rotating inner ring")
+    yield Line("bearing.fits.bore", page["bore"].text)
+    yield Line("bearing.fits.at", "mean", "the middle of all tolerance classes")
+    if page.like != "squirrel_cage":
+        yield Line("bearing.fits.outer_diameter", page["outside"].text)
+    if "housing" in page:
+        yield Line("bearing.fits.housing.tolerance_class", page["housing"].text, CHOSEN)
+        why = f"{THUMB}, 1.5 times that of the bearing"
+        yield assumed("bearing.fits.housing.diameter", mm(1.5 * page["outside"].si), why)
+
+
+def surroundings(page: Page) -> Iterator[Line]:
+    """Materials of shaft and housing, where fits need them."""
+    if _fitted(page):
+        yield assumed("materials.shaft", "structural steel", "the usual")
+    if _fitted(page) and "housing" in page:
+        yield assumed("materials.housing", "grey cast iron", "the usual")
+
+
+def _fitted(page: Page) -> bool:
+    """Whether the fits of the rings count."""
+    if page.like == "angular_contact_ball":
+        return "shaft" in page or "housing" in page
+    return "clearance" not in page
+
+
+def _clearance_class(page: Page) -> Line:
+    if "clearance_class" in page:
+        return Line(
+            "bearing.clearance_class", page["clearance_class"].text, "chosen among those of ISO 5753-1"
+        )
+    why = "bearings without suffix have the Normal class"
+    return assumed("bearing.clearance_class", "CN", why)

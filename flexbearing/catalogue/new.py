@@ -5,13 +5,13 @@ from pathlib import Path
 
 from flexbearing.case import BadCase, understood
 from flexbearing.catalogue import page as pages
-from flexbearing.catalogue.entries import LIKES
-from flexbearing.catalogue.head import one_line, origin
-from flexbearing.catalogue.lines import Line, text
+from flexbearing.catalogue.element_set import table
+from flexbearing.catalogue.entries import ENTRIES, LIKES
+from flexbearing.catalogue.lines import WIDTH, Line, text
 from flexbearing.catalogue.page import Page
-from flexbearing.catalogue.ratings import table
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, require_output, write
+from flexbearing.printable import printable
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 
 EFFECTS = "outputs.assumed_effects"
@@ -115,3 +115,36 @@ def _effects(like: str, written: str, file: Path) -> bytes | str:
             return effects_file.content(case, effects(case, family, report))
     except NO_RESULT as problem:
         return f"not known: {one_line(str(problem))}"
+
+
+def origin(page: Page, file: Path, title: str, source: str) -> list[str]:
+    """Source of the numbers, and the command."""
+    words = [f"flexbearing new {_quoted(file.name)}", f"--like {page.like}"]
+    estimated = {*LIKES[page.like].two_of} & {*page.assumed}
+    words += [
+        f"{ENTRIES[name].option} {_quoted(value.text)}"
+        for name, value in page.values.items()
+        if name not in estimated
+    ]
+    words += [f"{name} {_quoted(text)}" for name, text in (("--title", title), ("--source", source)) if text]
+    rows = [f"  {words[0]}"]
+    for word in words[1:]:
+        if len(rows[-1]) + len(word) > WIDTH - 5:
+            rows[-1] += " \\"
+            rows.append("     ")
+        rows[-1] += f" {word}"
+    whence = f"From a catalogue: {one_line(source)}." if source else "From the page of a catalogue."
+    return [whence, "Written by", "", *rows]
+
+
+def one_line(text: str) -> str:
+    """Write a text so that it is one line of a comment."""
+    return printable(" ".join(text.split()))
+
+
+def _quoted(text: str) -> str:
+    """Write a text as a word of a command line, where it needs it."""
+    plain = one_line(text)
+    for special in '\\"$`':
+        plain = plain.replace(special, f"\\{special}")
+    return plain if plain.replace(".", "").replace("-", "").isalnum() else f'"{plain}"'

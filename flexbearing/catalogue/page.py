@@ -1,6 +1,6 @@
 """The entries of a page, read: numbers with their units, names of the lists of the case."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 from math import pi
@@ -13,8 +13,28 @@ from flexbearing.case import BadCase, quantity
 from flexbearing.case.declarations import find
 from flexbearing.case.quantity import Kind
 from flexbearing.catalogue.entries import ENTRIES, LIKES, Entry, Like
-from flexbearing.catalogue.raceways import raceways
 from flexbearing.printable import excerpt
+
+# Assumed: Harris' 209 and an NU 210 have rollers of 0.55 (D - d)/2 and pitch diameters of 1.007 (d + D)/2, an
+# NU 308 and an NUP 204 0.56 and 1.015.
+ROLLER, PITCH = 0.555, 1.01
+
+
+def raceways(of: Sequence[str], given: Mapping[str, float]) -> Iterator[tuple[str, tuple[str, str]]]:
+    """Estimate raceways and rollers that are needed besides those given [m], each with its reason.
+
+    Any two of the inner raceway, the outer raceway and the diameter of the rollers give the third.
+    """
+    if not of:
+        return
+    known = [name for name in of if name in given]
+    diameter = given.get("diameter", ROLLER * (given["outside"] - given["bore"]) / 2)
+    if "diameter" not in given and len(known) < 2:  # of three
+        yield "diameter", (f"{1e3 * diameter:.4g} mm", f"rule of thumb, {ROLLER:g} (D - d)/2")
+    if not {"inner_raceway", "outer_raceway"} & {*given}:
+        raceway = PITCH * (given["outside"] + given["bore"]) / 2 + diameter
+        yield "outer_raceway", (f"{1e3 * raceway:.5g} mm", f"rule of thumb, {PITCH:g} (d + D)/2 + D_w")
+
 
 ELEMENTS = 3, 1000  # how many rollers or balls a case may have
 SIGNED = ("clearance", "speed", "outer_speed", "axial")  # a negative clearance is a preload

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 
-from flexbearing.catalogue.life_lines import life, oil
 from flexbearing.catalogue.lines import (
     CHOSEN,
     RATED,
@@ -11,11 +10,14 @@ from flexbearing.catalogue.lines import (
     assumed,
     entry,
     from_rating,
+    life,
     mm,
+    mounting,
+    oil,
     speeds,
+    surroundings,
     usual_number,
 )
-from flexbearing.catalogue.mounting_lines import mounting, surroundings
 from flexbearing.catalogue.page import Page
 from flexbearing.catalogue.roller_set import RollerSet
 

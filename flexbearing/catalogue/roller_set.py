@@ -36,10 +36,7 @@ def roller_set(page: Page) -> RollerSet:
     Of the plausible pairs of number and length that have the static rating, that of most rollers is taken, as
     makers fill bearings; without a static rating the middle of both ranges.
 
-    Raises
-    ------
-    BadCase
-        where the rollers do not fit in, or none that is plausible has the static rating
+    Raises `BadCase` where the rollers do not fit in, or none that is plausible has the static rating.
     """
     outer, diameter = _raceway_and_diameter(page)
     pitch, width = outer - diameter, page["width"].si

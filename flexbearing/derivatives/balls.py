@@ -11,12 +11,10 @@ from numpy.typing import NDArray
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.derivatives.by_keys import Differences, columns
-from flexbearing.derivatives.key_messages import announced
-from flexbearing.derivatives.keys import Key, given_keys, keys_of, with_value
-from flexbearing.derivatives.sides import require_elastic, tabled
-from flexbearing.derivatives.stencil import Stencil
+from flexbearing.derivatives.keys import Key, announced, given_keys, keys_of, with_value
+from flexbearing.derivatives.sides import Differentiable, Stencil, tabled
 from flexbearing.derivatives.table import Sensitivities
-from flexbearing.outputs import RequestedOutput, outputs, requested
+from flexbearing.outputs import RequestedOutput
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.runs import angular_contact
@@ -34,9 +32,12 @@ from quasidynamic.solve.step_length import SolverOutcome
 if TYPE_CHECKING:
     from flexbearing.derivatives.near_grooves import NearGrooves
 
-DEFAULT = ("life", "contact_load_range.inner.largest", "peak_pressure.inner", "stiffness_zz")
-ALL, LIFE = "all", "life"
-ESTIMATES = ("torque_grid_error",)
+OUTPUTS = Differentiable(
+    LAYOUT,
+    ("life", "contact_load_range.inner.largest", "peak_pressure.inner", "stiffness_zz"),
+    ("torque_grid_error",),
+    "inner.kind and outer.kind",
+)
 RIGID = ElasticGrooves(None, None)
 RELATIVE_STEP = 1e-7  # of a value: balls are a thousand times larger than their approaches to the races
 
@@ -65,24 +66,14 @@ def sensitivities(
                 f"derivatives need another one, see flexbearing explain {key}"
             )
     keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
-    asked = _asked(case, of)
+    life = "life_L10" if case.life.is_basic else "modified_life"
+    asked = OUTPUTS.requested(of, life, elastic=not case.rigid)
     report = report or Logged()
     state = _Differentiated(_State.of(case, report), asked)
     shorter = [replace(key, relative_step=RELATIVE_STEP) for key in keys]
     found, left_out = columns(state, announced(shorter, report))
     raceways = "rigid raceways" if case.rigid else "flexible rings"
     return tabled((case.title, raceways), asked, state.values, found, left_out)
-
-
-def _asked(case: FastCase, of: Sequence[str]) -> list[RequestedOutput]:
-    texts = list(of) or list(DEFAULT)
-    if ALL in texts:
-        texts = [each.name for each in outputs(LAYOUT) if each.name not in ESTIMATES]
-    life = "life_L10" if case.life.is_basic else "modified_life"
-    found = [requested(LAYOUT, life if text == LIFE else text) for text in dict.fromkeys(texts)]
-    if not case.rigid:
-        require_elastic(found, "inner.kind and outer.kind")
-    return found
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 
 from flexbearing.case import BadCase
 from flexbearing.derivatives.keys import Key
-from flexbearing.derivatives.sides import with_sides
-from flexbearing.derivatives.stencil import CENTRAL, STENCILS, Stencil
+from flexbearing.derivatives.sides import CENTRAL, STENCILS, Stencil, with_sides
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 
 REACH = 1e-4  # of a value: contacts that open or close within make a derivative one-sided

@@ -1,6 +1,6 @@
 """The continuous keys of a case: their values, the units they are stated in, cases with other values."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
@@ -11,6 +11,7 @@ from flexbearing.case.problems import nearest
 from flexbearing.case.quantity import Section
 from flexbearing.case.text import setting_value, tables
 from flexbearing.printable import excerpt
+from flexbearing.progress import Report
 
 NUMERICS = ("coupling.", "accuracy.", "outputs.", "life.required")  # how it is computed or judged, not what
 # Small against the nanometres by which a slice is pressed that just carries load: of a clearance of 60 um and
@@ -79,10 +80,7 @@ def given_keys(case: Head) -> list[Key]:
 def keys_of(case: Head, path: str) -> list[Key]:
     """The continuous key of a name, or one for each number of its list, "KEY.1" and so on.
 
-    Raises
-    ------
-    BadCase
-        as `key_of`
+    Raises `BadCase` as `key_of`.
     """
     item = find(path, type(case))
     value = _value(case, path, given=False) if item and item.listed else None
@@ -175,3 +173,12 @@ def _texts(table: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, str]]:
             yield from _texts(value, f"{prefix}{name}.")
         elif isinstance(value, str):
             yield f"{prefix}{name}", value
+
+
+def announced(keys: Sequence[Key], report: Report) -> Iterator[Key]:
+    """Yield keys one by one, and tell how many are done: a key that changes a flexible ring takes seconds."""
+    text = f"derivatives by {len(keys)} keys" if len(keys) != 1 else f"derivatives by {keys[0].path}"
+    report.stage(text, 0.0)
+    for number, key in enumerate(keys, 1):
+        yield key
+        report.stage(text, number / len(keys))

@@ -29,12 +29,8 @@ class NearGrooves:
     def of(self, case: FastCase) -> ElasticGrooves:
         """Grooves of another case, to first order.
 
-        Raises
-        ------
-        RingChanged
-            where an elastic ring has other faces
-        ImpossiblePart, BadCase, NotSolved
-            where the dimensions of a ring have no room to change
+        Raises `RingChanged` where an elastic ring has other faces; `ImpossiblePart`, `BadCase`, `NotSolved`
+        where the dimensions of a ring have no room to change.
         """
         shapes = (shape_of(case, race) for race in RACES)
         return ElasticGrooves(

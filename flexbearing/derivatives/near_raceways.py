@@ -42,12 +42,8 @@ class NearRaceways:
     def of(self, case: Case, azimuths: NDArray, forces: NDArray) -> LinearPair:
         """Raceways of a case from `meshed_alike` under rollers at other azimuths, near other forces.
 
-        Raises
-        ------
-        RingChanged
-            where a flexible ring has other faces
-        ImpossiblePart, BadCase
-            where the dimensions of a ring have no room to change
+        Raises `RingChanged` where a flexible ring has other faces; `ImpossiblePart`, `BadCase` where the
+        dimensions of a ring have no room to change.
         """
         return LinearPair(*(self._raceway(race, case, azimuths, forces) for race in RACES))
 

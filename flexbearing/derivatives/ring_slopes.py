@@ -1,7 +1,7 @@
 """How a raceway changes with the dimensions and moduli of its part, near given forces."""
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from typing import Any, Generic, TypeVar
 
 import numpy as np
@@ -13,9 +13,40 @@ from flexbearing.build.expansion import roller_length
 from flexbearing.build.ring_parts import NAMES, Race, part_of
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
-from flexbearing.derivatives.shape_numbers import numbers, with_numbers
-from flexbearing.derivatives.stencil import STENCILS
+from flexbearing.derivatives.sides import STENCILS
 from flexbearing.rings.condensed import named_failures
+
+PLACES = ("offset",)  # numbers that may be zero; other dimensions of zero are features that are not there
+
+Part = TypeVar("Part")
+
+
+def numbers(part: Any) -> dict[str, float]:
+    """Numbers of a frozen part and of what it consists of."""
+    found = {}
+    for name, value in _fields(part).items():
+        if is_dataclass(value):
+            found |= {f"{name}.{inner}": number for inner, number in numbers(value).items()}
+        elif isinstance(value, float) and (value or name in PLACES):
+            found[name] = value
+    return found
+
+
+def with_numbers(part: Part, changed: Mapping[str, float]) -> Part:
+    """The same part with other numbers, by their dotted names; a part that cannot be raises its own error."""
+    new: dict[str, Any] = {}
+    for name, value in _fields(part).items():
+        inner = {key.removeprefix(f"{name}."): v for key, v in changed.items() if key.startswith(f"{name}.")}
+        if inner:
+            new[name] = with_numbers(value, inner)
+        elif name in changed:
+            new[name] = changed[name]
+    return replace(part, **new)  # type: ignore[type-var]
+
+
+def _fields(part: Any) -> dict[str, Any]:
+    return {each.name: getattr(part, each.name) for each in fields(part) if each.init}
+
 
 STEP = 1e-4  # of the dimension that changes most: differences on moved nodes are exact to about 1e-6
 SAME = 1e-5  # between directions of change that are taken as one: some digits are lost in small steps
@@ -30,10 +61,7 @@ class RingChanged(BadCase):
 def shape_of(case: Case, race: Race) -> Shape | None:
     """Part of a raceway with the band that rollers load; None where it is rigid.
 
-    Raises
-    ------
-    BadCase
-        where there is no such part
+    Raises `BadCase` where there is no such part.
     """
     with named_failures(case, NAMES[race]):
         part = part_of(case, race)
@@ -54,12 +82,8 @@ class RingSlopes(Generic[Raceway]):
     def near(self, shape: Any) -> Raceway:
         """The raceway of a shape near by, to first order.
 
-        Raises
-        ------
-        RingChanged
-            for one with other faces
-        ImpossiblePart, BadCase
-            where the dimensions have no room to change
+        Raises `RingChanged` for one with other faces; `ImpossiblePart`, `BadCase` where the dimensions have
+        no room to change.
         """
         if shape == self.shape:
             return self.raceway

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from flexbearing.derivatives.keys import Key
 from flexbearing.derivatives.roller_state import SolvedState, Variant
-from flexbearing.derivatives.stencil import Stencil
+from flexbearing.derivatives.sides import Stencil
 from flexbearing.outputs import RequestedOutput
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic.balance.rollers.bearing import BearingBalance

@@ -62,12 +62,8 @@ class SolvedState:
     def variant(self, key: Key, change: float) -> Variant:
         """The case with a key changed by so many steps.
 
-        Raises
-        ------
-        RingChanged
-            where the key gives a flexible ring other faces
-        ImpossiblePart, OutOfRange, BadCase
-            where there is no such case
+        Raises `RingChanged` where the key gives a flexible ring other faces; `ImpossiblePart`, `OutOfRange`,
+        `BadCase` where there is no such case.
         """
         if change == 0.0:
             return self.base

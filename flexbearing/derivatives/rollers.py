@@ -9,22 +9,23 @@ from numpy.typing import NDArray
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
-from flexbearing.derivatives.key_messages import announced
-from flexbearing.derivatives.keys import Key, given_keys, keys_of
+from flexbearing.derivatives.keys import Key, announced, given_keys, keys_of
 from flexbearing.derivatives.roller_slopes import Difference, OutputSlopes, RollerSlopes, numbers
 from flexbearing.derivatives.roller_state import SolvedState, solved
-from flexbearing.derivatives.sides import require_elastic, tabled, with_sides
-from flexbearing.derivatives.stencil import STENCILS
+from flexbearing.derivatives.sides import STENCILS, Differentiable, tabled, with_sides
 from flexbearing.derivatives.table import Sensitivities
-from flexbearing.outputs import RequestedOutput, outputs, requested
+from flexbearing.outputs import RequestedOutput
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.roller import CAGE_SLIP, LAYOUT
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 
-DEFAULT = ("life", "max_roller_load", CAGE_SLIP.name, "stiffness_zz")
-ALL, LIFE = "all", "life"
-ESTIMATES = ("life_error", "peak_pressure_error", "nominal_bar_stress_error")  # no outputs of the bearing
+OUTPUTS = Differentiable(
+    LAYOUT,
+    ("life", "max_roller_load", CAGE_SLIP.name, "stiffness_zz"),
+    ("life_error", "peak_pressure_error", "nominal_bar_stress_error"),
+    "inner.kind and outer.kind",
+)
 REACH = 100.0  # steps, 0.01 % of a value: contacts that open or close within make a derivative one-sided
 BEYOND = 2 * REACH  # where the derivatives of both sides are taken
 
@@ -34,14 +35,8 @@ def sensitivities(
 ) -> Sensitivities:
     """Derivatives of outputs by continuous keys at the equilibrium of a case.
 
-    Raises
-    ------
-    BadCase
-        for keys that are none, and cases that have no derivatives
-    UnknownOutput, WrongUnit
-        for texts that name no output
-    NotSolved
-        where there is no equilibrium
+    Raises `BadCase` for keys that are none, and cases that have no derivatives; `UnknownOutput`, `WrongUnit`
+    for texts that name no output; `NotSolved` where there is no equilibrium.
     """
     keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
     asked = requested_of(case, of)
@@ -58,23 +53,9 @@ def differentiated(
 
 
 def requested_of(case: Case, of: Sequence[str]) -> list[RequestedOutput]:
-    """Outputs of a case that are requested, as `sensitivities` takes them.
-
-    Raises
-    ------
-    BadCase
-        for those of rigid raceways where rings are flexible
-    UnknownOutput, WrongUnit
-        for texts that name no output
-    """
-    texts = list(of) or list(DEFAULT)
-    if ALL in texts:
-        texts = [each.name for each in outputs(LAYOUT) if each.name.partition(".")[0] not in ESTIMATES]
-    life = "life_L10" if case.life.is_basic else "modified_life"
-    found = [requested(LAYOUT, life if text == LIFE else text) for text in dict.fromkeys(texts)]
-    if case.inner.kind != "rigid" or case.outer.kind != "rigid":
-        require_elastic(found, "inner.kind and outer.kind")
-    return found
+    """Outputs of a case that are requested, as `sensitivities` takes them."""
+    elastic = case.inner.kind != "rigid" or case.outer.kind != "rigid"
+    return OUTPUTS.requested(of, "life_L10" if case.life.is_basic else "modified_life", elastic=elastic)
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,8 @@
 """Both sides of a derivative: corners of an output, ends of a key, jumps; and the table of all."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,7 +10,22 @@ from numpy.typing import NDArray
 from flexbearing.case import BadCase
 from flexbearing.derivatives.keys import Key
 from flexbearing.derivatives.table import OutputValue, Sensitivities
-from flexbearing.outputs import RequestedOutput
+from flexbearing.outputs import RequestedOutput, outputs, requested
+from flexbearing.quantities.layout import Layout
+
+
+class Stencil(NamedTuple):
+    """Where a function is taken for its first derivative, in steps, and the weight of each place."""
+
+    places: tuple[float, ...]
+    weights: tuple[float, ...]
+
+
+CENTRAL = Stencil((-1.0, 1.0), (-0.5, 0.5))
+FORWARD = Stencil((0.0, 1.0, 2.0), (-1.5, 2.0, -0.5))
+BACKWARD = Stencil((0.0, -1.0, -2.0), (1.5, -2.0, 0.5))
+STENCILS = (CENTRAL, FORWARD, BACKWARD)  # the first that stays within the limits of a key is taken
+
 
 JUMP = 100.0  # percent per percent: an output whose sides differ by more jumps there, and has no derivative
 KINK = 1e-2  # of a derivative: how far its two sides differ where an output has a corner, such as a maximum
@@ -24,25 +41,43 @@ def with_sides(key: Key, values: NDArray, slope: NDArray, below: NDArray, above:
     return np.where(apart > JUMP * floor, np.nan, [slope, *sides])
 
 
-def require_elastic(outputs: Sequence[RequestedOutput], kinds: str) -> None:
-    """Refuse outputs of rigid rings where rings are elastic, which the keys `kinds` decide.
+ALL, LIFE = "all", "life"
 
-    Raises
-    ------
-    BadCase
-        for the first of them
-    """
-    for output in outputs:
-        if output.block == "rigid":
-            raise BadCase(
-                f"output {output.name}: derivatives are those of the answer between elastic rings; for "
-                f"rigid ones set {kinds} to rigid"
-            )
+
+@dataclass(frozen=True)
+class Differentiable:
+    """Outputs of a kind of bearing that have derivatives."""
+
+    layout: Layout
+    main: tuple[str, ...]  # without a request
+    estimates: tuple[str, ...]  # quantities that are no outputs of the bearing
+    kinds: str  # keys that decide whether rings are elastic
+
+    def requested(self, of: Sequence[str], life: str, *, elastic: bool) -> list[RequestedOutput]:
+        """Outputs that texts name, `all` and `life` among them; raises `UnknownOutput`, `WrongUnit` as well.
+
+        Raises
+        ------
+        BadCase
+            for those of rigid rings where rings are elastic
+        """
+        texts = list(of or self.main)
+        if ALL in texts:
+            every = (each.name for each in outputs(self.layout))
+            texts = [name for name in every if name.partition(".")[0] not in self.estimates]
+        found = [requested(self.layout, life if text == LIFE else text) for text in dict.fromkeys(texts)]
+        for output in found if elastic else ():
+            if output.block == "rigid":
+                raise BadCase(
+                    f"output {output.name}: derivatives are those of the answer between elastic rings; for "
+                    f"rigid ones set {self.kinds} to rigid"
+                )
+        return found
 
 
 def tabled(
     heading: tuple[str, str],
-    outputs: Sequence[RequestedOutput],
+    of: Sequence[RequestedOutput],
     values: NDArray,
     columns: Mapping[Key, NDArray],
     left_out: Sequence[tuple[str, str]],
@@ -56,12 +91,12 @@ def tabled(
     """
     there = np.isfinite(values)
     if not there.any():
-        raise BadCase(f"of {', '.join(each.name for each in outputs)}: the case has no such output")
+        raise BadCase(f"of {', '.join(each.name for each in of)}: the case has no such output")
     numbers = np.array(list(columns.values())).reshape(-1, 3, len(values)).transpose(1, 2, 0)
     slopes, below, above = numbers[:, there]
     known = [
         OutputValue(output.name, output.unit, float(value), _is_ratio(output, float(value)))
-        for output, value in zip(outputs, values, strict=True)
+        for output, value in zip(of, values, strict=True)
         if np.isfinite(value)
     ]
     jumps = _jumps(known, list(columns), slopes)

@@ -10,21 +10,22 @@ from numpy.typing import NDArray
 from flexbearing.case import BadCase
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.derivatives.by_keys import Differences, columns
-from flexbearing.derivatives.key_messages import announced
-from flexbearing.derivatives.keys import Key, given_keys, keys_of, with_value
-from flexbearing.derivatives.sides import require_elastic, tabled
-from flexbearing.derivatives.stencil import Stencil
+from flexbearing.derivatives.keys import Key, announced, given_keys, keys_of, with_value
+from flexbearing.derivatives.sides import LIFE, Differentiable, Stencil, tabled
 from flexbearing.derivatives.table import Sensitivities
-from flexbearing.outputs import RequestedOutput, outputs, requested
+from flexbearing.outputs import RequestedOutput
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.rings import grooves
 from flexbearing.runs import four_point
 from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves
 
-DEFAULT = ("torque.inner", "max_contact_load", "peak_pressure.inner", "stiffness_zz")
-ALL = "all"
-ESTIMATES = ("torque_grid_error", "max_ball_imbalance")  # no outputs of the bearing
+OUTPUTS = Differentiable(
+    LAYOUT,
+    ("torque.inner", "max_contact_load", "peak_pressure.inner", "stiffness_zz"),
+    ("torque_grid_error", "max_ball_imbalance"),
+    "rings.inner.kind and rings.outer.kind",
+)
 
 
 def sensitivities(
@@ -47,21 +48,11 @@ def sensitivities(
             'derivatives need "full_sliding"'
         )
     keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
-    asked, report = _asked(case, of), report or Logged()
+    asked, report = OUTPUTS.requested(of, LIFE, elastic=not case.rigid), report or Logged()
     state = _State(case, four_point.elastic_rings(case, report), asked)
     found, left_out = columns(state, announced(keys, report))
     raceways = "rigid raceways" if case.rigid else "flexible rings"
     return tabled((case.title, raceways), asked, state.values, found, left_out)
-
-
-def _asked(case: FourPointCase, of: Sequence[str]) -> list[RequestedOutput]:
-    texts = list(of) or list(DEFAULT)
-    if ALL in texts:
-        texts = [each.name for each in outputs(LAYOUT) if each.name not in ESTIMATES]
-    found = [requested(LAYOUT, text) for text in dict.fromkeys(texts)]
-    if not case.rigid:
-        require_elastic(found, "rings.inner.kind and rings.outer.kind")
-    return found
 
 
 @dataclass(frozen=True)

@@ -6,22 +6,21 @@ from typing import Annotated
 
 import typer
 
+from flexbearing.program.commands import AsJson, say_json
+
 
 def diff(
     one: Annotated[Path, typer.Argument(help="result file (HDF5)", metavar="A.h5")],
     other: Annotated[Path, typer.Argument(help="another one of the same kind", metavar="B.h5")],
-    as_json: Annotated[bool, typer.Option("--json", help="one JSON object instead of text")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """Compare two results: keys that differ, then outputs that differ by more than their estimated errors."""
     from flexbearing import api
     from flexbearing.differences.compared import compared
-    from flexbearing.printable import all_printable
 
     found = compared(api.read(one), api.read(other))
     if as_json:
-        import json
-
-        sys.stdout.write(json.dumps(all_printable(found.as_json()), indent=2, allow_nan=False) + "\n")
+        say_json(found.as_json())
         return
     from flexbearing.differences.page import sections
     from flexbearing.printable import printable

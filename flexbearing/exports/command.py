@@ -1,17 +1,16 @@
 """The command `export`; what it does not need is not loaded."""
 
-import sys
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Annotated, NoReturn
+from typing import Annotated
 
 import typer
 
 from flexbearing.printable import printable
-from flexbearing.program.complete_files import keeping
+from flexbearing.program.commands import end, keeping, say
 
 FORMS = ("csv", "vtu", "netcdf", "ross", "rexs", "effects")
-NOT_CONVERGED = 1
+FORMS_OF_ARRAYS = ("csv", "netcdf", "effects")  # functions of `flexbearing.exports.files`
 
 
 def export(
@@ -37,7 +36,7 @@ def export(
     with keeping(written):
         for path in _files(file, to, output or file.parent, options):
             written.append(path)
-            sys.stdout.write(printable(f"{to}: {path}\n"))
+            say(f"{to}: {path}")
 
 
 def _require_belonging(to: str, options: dict[str, str]) -> None:
@@ -59,32 +58,19 @@ def _files(file: Path, to: str, directory: Path, options: dict[str, str]) -> Ite
         yield from ross.export(file if file.suffix == ".csv" else api.read(file), directory)
         return
     result = api.read(file)
-    if to == "vtu":
+    if to in FORMS_OF_ARRAYS:
+        from flexbearing.exports import files
+
+        yield from getattr(files, to)(result, directory)
+    elif to == "rexs":
+        from flexbearing.exports import rexs
+
+        yield from rexs.export(result, directory)
+    else:
         from flexbearing.exports import vtu
         from flexbearing.runs.part_fields import NoFields
 
         try:
             yield from vtu.export(result, directory, **options)
         except NoFields as problem:
-            _end(f"{file}: {problem}")
-    elif to == "rexs":
-        from flexbearing.exports import rexs
-
-        yield from rexs.export(result, directory)
-    elif to == "effects":
-        from flexbearing.exports import effects
-
-        yield from effects.export(result, directory)
-    elif to == "netcdf":
-        from flexbearing.exports import netcdf
-
-        yield from netcdf.export(result, directory)
-    else:
-        from flexbearing.exports import csv_tables
-
-        yield from csv_tables.export(result, directory)
-
-
-def _end(problem: str) -> NoReturn:
-    sys.stderr.write(f"{printable(problem)}\n")
-    raise typer.Exit(NOT_CONVERGED)
+            end(f"{file}: {problem}")

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from flexbearing import inputs
 from flexbearing.files import require_folder, require_outputs, write
-from flexbearing.inputs.limits import TABLE
+from flexbearing.inputs.file import TABLE
 from flexbearing.outputs.value import WrongUnit, conversion
 from flexbearing.results import BadResult, Result
 
@@ -46,12 +46,8 @@ class Bearing:
 def export(source: Path | Result, directory: Path) -> Iterator[Path]:
     """Write the bearing of a study over its speeds, a file for each version of ROSS; of a result one for all.
 
-    Raises
-    ------
-    BadResult
-        if the table cannot be read or is none over five speeds or more, or the result has no stiffness
-    BadOutput, NotStored
-        if a file cannot be written
+    Raises `BadResult` if the table cannot be read or is none over five speeds or more, or the result has no
+    stiffness; `BadOutput`, `NotStored` if a file cannot be written.
     """
     bearing = of_result(source) if isinstance(source, Result) else read(source)
     folder, files = require_folder(directory), source.files if isinstance(source, Result) else (source,)

@@ -28,10 +28,7 @@ def part_name(path: Path, suffix: str = UNFINISHED) -> Path:
 def require_part(path: Path) -> None:
     """Make a file beside another and remove it: permissions and folders of the system say less.
 
-    Raises
-    ------
-    OSError
-        where none can be made
+    Raises `OSError` where none can be made.
     """
     part = part_name(path, _WRITING)
     part.open("xb").close()

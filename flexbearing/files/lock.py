@@ -34,13 +34,9 @@ def lock(path: Path) -> Iterator[None]:
     The operating system ends the lock with its process, however that ends, so that what a killed one left
     behind does not matter. The file beside the output says who holds it.
 
-    Raises
-    ------
-    BadOutput
-        naming process and host of the one who writes; a host other than this one cannot be asked whether
-        its process still lives, so that its lock stays until somebody removes it
-    NotStored
-        if there is no room for the lock
+    Raises `BadOutput` naming process and host of the one who writes; a host other than this one cannot be
+    asked whether its process still lives, so that its lock stays until somebody removes it; `NotStored` if
+    there is no room for the lock.
     """
     place = path.with_name(path.name + SUFFIX)
     file = _held(place, path)

@@ -1,11 +1,36 @@
 """What reaches a wanted life, and what does not."""
 
 from dataclasses import dataclass
-from math import isfinite
+from math import isfinite, nan
 from typing import Any
 
-from flexbearing.goal.change import Change
 from flexbearing.goal.target import Target
+
+
+@dataclass(frozen=True)
+class Changed:
+    """A key with its value before and after."""
+
+    key: str
+    before: str
+    after: str
+
+
+@dataclass(frozen=True)
+class Change:
+    """Keys that change together, and what a run with them gives."""
+
+    keys: tuple[Changed, ...]
+    settings: tuple[str, ...]  # of the case
+    steps: float  # realistic ones; of two keys the root of the sum of squares
+    reaches: bool
+    limit: str = ""  # why it goes no further, where it does not reach it
+    life: float = nan  # of a run, in the unit of the goal
+
+    @property
+    def name(self) -> str:
+        """Its keys."""
+        return " and ".join(each.key for each in self.keys)
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from typing import Any
 from rich.console import RenderableType
 from rich.text import Text
 
-from flexbearing.goal.change import Change, Changed
+from flexbearing.goal.answer import Change, Changed
 from flexbearing.goal.target import Target
 from flexbearing.printable import excerpt
 from flexbearing.report.output import laid_out

@@ -9,8 +9,7 @@ from flexbearing.case import BadCase, Head
 from flexbearing.case.family import Family
 from flexbearing.derivatives.any_family import sensitivities
 from flexbearing.derivatives.table import Slope
-from flexbearing.goal.answer import Goal
-from flexbearing.goal.change import Change, Changed
+from flexbearing.goal.answer import Change, Changed, Goal
 from flexbearing.goal.levers import Choice, Lever, Move, choices, levers
 from flexbearing.goal.target import target
 from flexbearing.goal.trials import Followed, Trials

@@ -5,7 +5,7 @@ the rooms that know the format.
 """
 
 from flexbearing.inputs.archive import unpacked
-from flexbearing.inputs.cells import cells, numbered_cells
+from flexbearing.inputs.cells import cells, numbered_cells, require_different
 from flexbearing.inputs.file import (
     Stamp,
     Unreadable,
@@ -18,7 +18,6 @@ from flexbearing.inputs.file import (
     stamp,
     text,
 )
-from flexbearing.inputs.headings import require_different
 from flexbearing.inputs.number import BadNumber, number, whole
 
 __all__ = [

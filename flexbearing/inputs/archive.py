@@ -5,8 +5,7 @@ import zlib
 from io import BytesIO
 from pathlib import PurePosixPath
 
-from flexbearing.inputs.file import Unreadable, size
-from flexbearing.inputs.limits import ARCHIVE
+from flexbearing.inputs.file import ARCHIVE, Unreadable, size
 
 BEGINNING = b"PK\x03\x04"
 MEMBERS = 100

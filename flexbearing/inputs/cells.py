@@ -2,7 +2,8 @@
 
 import csv
 import re
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Sequence
 from io import StringIO
 from itertools import islice
 from typing import Any
@@ -49,3 +50,19 @@ def _filled(reader: Any) -> Iterator[tuple[int, list[str]]]:
         if any(map(str.strip, row)):
             yield number, [cell.strip() for cell in row]
         number = reader.line_num + 1  # a cell in quotes may go over several lines
+
+
+LONGEST = 60  # characters of a heading in a message
+
+
+def require_different(headings: Sequence[str]) -> None:
+    """Refuse a heading that stands twice, before the cells below are looked at.
+
+    Raises
+    ------
+    Unreadable
+        naming the first one
+    """
+    twice = next((name for name, count in Counter(headings).items() if count > 1), None)
+    if twice is not None:
+        raise Unreadable(f"has several columns {twice[:LONGEST]!r}; one of them is enough")

@@ -8,8 +8,7 @@ from typing import Annotated
 import typer
 
 from flexbearing.printable import printable
-
-CONVERGED, NOT_CONVERGED = range(2)
+from flexbearing.program.commands import CONVERGED, NOT_CONVERGED, say
 
 
 def optimise(
@@ -40,7 +39,7 @@ def optimise(
 
         optimum = optimised(file, output, jobs=jobs, tell=tell)
     if not quiet:
-        sys.stdout.write(printable(messages.page(optimum, output)) + "\n")
+        say(messages.page(optimum, output))
     elif not optimum.converged:
         sys.stderr.write(printable(f"{file}: {optimum.ending}") + "\n")
     raise typer.Exit(CONVERGED if optimum.converged else NOT_CONVERGED)

@@ -22,10 +22,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.optimise.evaluations import NotComputed, Point
-from flexbearing.optimise.goals import Bound, Goal, Numbers
-from flexbearing.optimise.schema import Search
+from flexbearing.optimise.goals import DesignProblem, Numbers
 from flexbearing.optimise.search import Designs
-from flexbearing.optimise.variables import Variable
 
 
 @dataclass(frozen=True)
@@ -38,24 +36,9 @@ class Corrected:
     there: Numbers  # of the case at that design; without slopes only values agree
 
     @property
-    def variables(self) -> tuple[Variable, ...]:
-        """K of them."""
-        return self.cheap.variables
-
-    @property
-    def settings(self) -> Search:
-        """How the best is searched."""
-        return self.case.settings
-
-    @property
-    def goal(self) -> Goal:
-        """What is made best."""
-        return self.case.goal
-
-    @property
-    def bounds(self) -> tuple[Bound, ...]:
-        """What stays within bounds."""
-        return self.case.bounds
+    def wanted(self) -> DesignProblem:
+        """What is searched: that of the case."""
+        return self.case.wanted
 
     def values(self, points: Sequence[Point]) -> list[Numbers | NotComputed]:
         """Corrected outputs of designs."""
@@ -78,7 +61,7 @@ class Corrected:
         return Numbers(values, None if numbers.slopes is None else slopes)
 
     def _shares(self, point: Point) -> NDArray:
-        return np.array([each.share(value) for each, value in zip(self.variables, point, strict=True)])
+        return np.array([each.share(value) for each, value in zip(self.wanted.variables, point, strict=True)])
 
     @cached_property
     def _corrections(self) -> "dict[str, Correction]":
@@ -87,7 +70,7 @@ class Corrected:
             (cheap,) = self.cheap.values([self.point])
             if isinstance(cheap, NotComputed):
                 raise cheap
-            unchanged = (1, len(self.variables))
+            unchanged = (1, len(self.wanted.variables))
             slopes = {text: (np.zeros(unchanged), np.zeros(unchanged)) for text in cheap.values}
         else:
             cheap = self.cheap.at(self.point)

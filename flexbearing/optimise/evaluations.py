@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 from flexbearing.case import BadCase
 from flexbearing.optimise.file import Problem, Settings
 from flexbearing.optimise.goals import Bound, Goal, Measure, Numbers
-from flexbearing.optimise.side_batches import beside, for_slopes
 from flexbearing.optimise.variables import keys_of, settings
-from flexbearing.optimise.worker import slope_name
+from flexbearing.optimise.worker import beside, for_slopes, slope_name
 from flexbearing.studies.engine import Engine
 from flexbearing.studies.file import Axis
 from flexbearing.studies.file.read import CollectedOutput

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.optimise.schema import Search
+from flexbearing.optimise.variables import Variable
 from flexbearing.outputs.value import conversion
 from flexbearing.studies.table.duty import Cycles
 from quasidynamic.outcome.load_spectrum import mean_speed
@@ -121,3 +123,13 @@ class Bound:
         """Distance of each term from the bound over its size, positive inside."""
         terms, sign = self.measure.terms(numbers), -1.0 if self.upper else 1.0
         return Terms(sign * (terms.values - self.value) / self.size, sign * terms.slopes / self.size)
+
+
+@dataclass(frozen=True)
+class DesignProblem:
+    """What is searched: variables, what is made best of them, and within which bounds."""
+
+    variables: tuple[Variable, ...]  # K of them
+    settings: Search  # how the best is searched
+    goal: Goal
+    bounds: tuple[Bound, ...]

@@ -7,8 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.optimise.evaluations import Evaluations, NotComputed, Point
-from flexbearing.optimise.goals import Bound, Goal, Numbers
-from flexbearing.optimise.schema import Search
+from flexbearing.optimise.goals import DesignProblem, Numbers
 from flexbearing.optimise.variables import Variable
 
 STEP = 1e-3  # of the range of a variable
@@ -30,19 +29,10 @@ class Gradients:
         return self.evaluations.problem.variables
 
     @property
-    def settings(self) -> Search:
-        """How the best is searched."""
-        return self.evaluations.problem.search
-
-    @property
-    def goal(self) -> Goal:
-        """What is made best."""
-        return self.evaluations.goal
-
-    @property
-    def bounds(self) -> tuple[Bound, ...]:
-        """What stays within bounds."""
-        return self.evaluations.bounds
+    def wanted(self) -> DesignProblem:
+        """What is searched."""
+        evaluations = self.evaluations
+        return DesignProblem(self.variables, evaluations.problem.search, evaluations.goal, evaluations.bounds)
 
     def values(self, points: Sequence[Point]) -> list[Numbers | NotComputed]:
         """Outputs of designs."""
@@ -51,10 +41,7 @@ class Gradients:
     def at(self, point: Point) -> Numbers:
         """Outputs of a design with their derivatives by the shares of the variables.
 
-        Raises
-        ------
-        NotComputed
-            where the design, or one beside it on either side, has no result
+        Raises `NotComputed` where the design, or one beside it on either side, has no result.
         """
         (numbers,) = self.evaluations.at([point])
         if isinstance(numbers, NotComputed):

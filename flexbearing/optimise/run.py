@@ -53,7 +53,7 @@ from flexbearing.studies.prepare import prepare
 from flexbearing.studies.prepared_study import PreparedStudy
 from flexbearing.studies.run import Work, guarded
 from flexbearing.studies.table import journal
-from flexbearing.studies.table.forms import FORMS
+from flexbearing.studies.table.files import FORMS
 from flexbearing.studies.worker import RowRequest, condense, rows
 
 CASE, TABLE = "_optimum.toml", ".csv"  # behind the name: the case at the best point, all designs
@@ -77,12 +77,8 @@ def optimise(
 
     Designs that a former call with the same folder computed are taken from there.
 
-    Raises
-    ------
-    BadCase
-        for a wrong file, or a case that cannot be computed
-    BadOutput, NotStored
-        as for a study
+    Raises `BadCase` for a wrong file, or a case that cannot be computed; `BadOutput`, `NotStored` as for a
+    study.
     """
     problem, folder = read(source, FAMILIES, case), require_folder(Path(output))
     base, name, inputs = _sound(problem), problem.study.name, problem.study.inputs
@@ -216,8 +212,8 @@ class _Search:
 
     def optimum(self, tell: Tell) -> Optimum:
         """What is found; `tell` is called with the end of each start."""
-        began, found, settings = perf_counter(), [], self._gradients.settings
-        first = np.array([each.start for each in self._gradients.variables])
+        began, found, settings = perf_counter(), [], self.evaluations.problem.search
+        first = np.array([each.start for each in self.evaluations.problem.variables])
         points, seconds = list(starts(settings.starts, first, settings.seed)), 0.0
         problem = ScaledProblem(self._gradients, spare=self.spare)
         if settings.verified:

@@ -12,10 +12,9 @@ from scipy.optimize import minimize
 from scipy.stats import qmc
 
 from flexbearing.optimise.evaluations import NotComputed, Point
-from flexbearing.optimise.goals import Bound, Goal, NotPositive, Numbers, Terms
+from flexbearing.optimise.goals import DesignProblem, NotPositive, Numbers, Terms
 from flexbearing.optimise.optimality import Optimality, optimality
 from flexbearing.optimise.schema import Search
-from flexbearing.optimise.variables import Variable
 
 FEASIBLE = 1e-4  # how far a bound may be missed, over its size
 RESTARTS = 3  # of an optimiser that stops before an optimum, with a new approximation of the curvature
@@ -72,23 +71,8 @@ class Designs(Protocol):
     """Designs and what is wanted of them."""
 
     @property
-    def variables(self) -> tuple[Variable, ...]:
-        """K of them."""
-        ...
-
-    @property
-    def settings(self) -> Search:
-        """How the best is searched."""
-        ...
-
-    @property
-    def goal(self) -> Goal:
-        """What is made best."""
-        ...
-
-    @property
-    def bounds(self) -> tuple[Bound, ...]:
-        """What stays within bounds."""
+    def wanted(self) -> DesignProblem:
+        """What is searched."""
         ...
 
     def values(self, points: Sequence[Point]) -> list[Numbers | NotComputed]:
@@ -115,29 +99,31 @@ class ScaledProblem:
     @property
     def settings(self) -> Search:
         """How it is searched."""
-        settings = self.designs.settings
+        settings = self.designs.wanted.settings
         most = settings.iterations if self.most is None else min(self.most, settings.iterations)
         return settings.model_copy(update={"iterations": most})
 
     @property
     def limits(self) -> tuple[NDArray, NDArray]:
         """Least and largest shares (K)."""
-        middle, reach = self.about or (np.zeros(len(self.designs.variables)), 1.0)
+        middle, reach = self.about or (np.zeros(len(self.designs.wanted.variables)), 1.0)
         return np.maximum(middle - reach, 0.0), np.minimum(middle + reach, 1.0)
 
     def point(self, shares: NDArray) -> Point:
         """The point at some shares of the ranges."""
-        return tuple(each.value(share) for each, share in zip(self.designs.variables, shares, strict=True))
+        return tuple(
+            each.value(share) for each, share in zip(self.designs.wanted.variables, shares, strict=True)
+        )
 
     def shares(self, point: Point) -> NDArray:
         """Shares of a point."""
-        both = zip(self.designs.variables, point, strict=True)
+        both = zip(self.designs.wanted.variables, point, strict=True)
         return np.array([each.share(value) for each, value in both])
 
     def terms(self, numbers: Numbers) -> tuple[Terms, Terms]:
         """Merits (T) and margins (M) of a design."""
-        merits = self.designs.goal.merits(numbers)
-        margins = [bound.margins(numbers) for bound in self.designs.bounds]
+        merits = self.designs.wanted.goal.merits(numbers)
+        margins = [bound.margins(numbers) for bound in self.designs.wanted.bounds]
         none = Terms(np.zeros(0), np.zeros((0, merits.slopes.shape[1])))
         joined = Terms(
             np.concatenate([none.values, *(each.values - self.inside for each in margins)]),

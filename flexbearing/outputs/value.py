@@ -76,13 +76,7 @@ class Value:
     )
 
     def to(self, unit: str) -> "Value":
-        """The same in another unit.
-
-        Raises
-        ------
-        WrongUnit
-            for a unit that cannot be read, or of another kind
-        """
+        """The same in another unit; raises `WrongUnit` for a unit that cannot be read, or of another kind."""
         way = conversion(self.unit, unit, turning=self.speed is not None)
         number = self.number * way.factor
         if way.per_speed and self.speed is not None:

@@ -17,13 +17,7 @@ from flexbearing.results import Result
 
 
 def parts(one: Result, other: Result, units: Units) -> dict[str, Any]:
-    """Parts of the report that compare two results.
-
-    Raises
-    ------
-    BadResult
-        if the kinds of bearing differ
-    """
+    """Parts of the report that compare two results; raises `BadResult` if the kinds of bearing differ."""
     found = compared(one, other)
     readers = Reader(one, units), Reader(other, units)
     head = ("output", "A", "B", "unit", "B - A [%]", "error of both")

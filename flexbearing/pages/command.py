@@ -1,10 +1,11 @@
 """The command `report`; what it does not need is not loaded."""
 
-import sys
 from pathlib import Path
 from typing import Annotated
 
 import typer
+
+from flexbearing.program.commands import say
 
 
 def report(
@@ -32,10 +33,9 @@ def report(
 ) -> None:
     """Write the report of a result or a study: one HTML file that opens without a network and prints."""
     from flexbearing.pages.make import report as written
-    from flexbearing.printable import printable
     from flexbearing.progress import shown
 
     with shown("report"):
         paths = list(written(source, output, against=against, units=units, pdf=pdf))
     for path in paths:
-        sys.stdout.write(printable(f"report: {path}") + "\n")
+        say(f"report: {path}")

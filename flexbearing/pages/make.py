@@ -1,21 +1,24 @@
 """From a result, two results or a study to the file of its report."""
 
+import os
+import shutil
+import subprocess
 from collections.abc import Iterable
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from flexbearing import api
 from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
-from flexbearing.files import BadOutput, require_outputs, write
+from flexbearing.files import BadOutput, NotStored, require_outputs, write
 from flexbearing.inputs import is_folder, is_plain
 from flexbearing.pages.against import parts
-from flexbearing.pages.chromium import chromium, pdf_bytes
-from flexbearing.pages.study_table import table_file, tables_of
 from flexbearing.report.html import SYSTEMS, Units, html, of_result, of_study
 from flexbearing.report.html.document import Document
 from flexbearing.report.html.scatter import read_scatter
 from flexbearing.report.html.table import MOST_ROWS, PARQUET, read_table
-from flexbearing.results import Result
+from flexbearing.results import BadResult, Result
+from flexbearing.studies.table.files import CYCLES, SCATTER
 
 PAGES = (".html", ".htm")
 TABLES = (".csv", PARQUET)  # of a study
@@ -86,3 +89,77 @@ def _of_study(place: Path, units: Units) -> Document:
     _, cycles, *_ = tables_of(place)
     of_cycles = read_table(cycles, FAMILIES, MOST_ROWS + 1) if is_plain(cycles) else None
     return of_study(read_table(place, FAMILIES), of_cycles, units, read_scatter(place))
+
+
+def tables_of(table: Path) -> list[Path]:
+    """The table of a study, that of lives under its duty cycle, those of its scatter; there or not."""
+    return [table.with_name(f"{table.stem}{part}{table.suffix}") for part in ("", CYCLES, *SCATTER)]
+
+
+def table_file(place: Path) -> Path:
+    """Find the table of a study.
+
+    Raises
+    ------
+    BadResult
+        where there is none, or a folder holds several
+    """
+    if not is_folder(place):
+        return place
+    folder = place.resolve()  # "." has a name as well
+    if is_plain(beside := folder.parent / f"{folder.name}.csv"):
+        return beside
+    tables = sorted(path for path in place.glob("*.csv") if not path.stem.endswith((CYCLES, *SCATTER)))
+    if len(tables) == 1:
+        return tables[0]
+    names = ", ".join(path.name for path in tables)
+    raise BadResult(
+        f"{place}: "
+        + (f"holds several tables, name one: {names}." if tables else "holds no table of a study.")
+    )
+
+
+NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
+SECONDS = 120.0  # that a page may take
+
+
+def chromium() -> str:
+    """Find an installed Chromium.
+
+    Raises
+    ------
+    BadOutput
+        where there is none
+    """
+    for name in NAMES:
+        if found := shutil.which(name):
+            return found
+    raise BadOutput("--pdf: no Chromium is installed that could print; the HTML report needs none.")
+
+
+def pdf_bytes(browser: str, page: Path) -> bytes:
+    """Print a page.
+
+    Raises
+    ------
+    NotStored
+        where Chromium ends without one
+    """
+    alone = ["--no-sandbox"] if os.geteuid() == 0 else []  # Chromium refuses to run as root otherwise
+    with TemporaryDirectory() as folder:
+        printed = Path(folder) / "report.pdf"
+        options = [
+            "--headless=new", "--disable-gpu", "--no-pdf-header-footer", "--virtual-time-budget=20000",
+            f"--user-data-dir={folder}/profile", "--window-size=720,1000", f"--print-to-pdf={printed}",
+        ]  # fmt: skip
+        command = [browser, *alone, *options, page.resolve().as_uri()]
+        try:
+            done = subprocess.run(command, capture_output=True, timeout=SECONDS, check=False)
+        except subprocess.TimeoutExpired:
+            raise NotStored(
+                f"{page}: Chromium did not print it within {SECONDS:.0f} s; the HTML is complete."
+            ) from None
+        if not printed.is_file():
+            last = done.stderr.decode(errors="replace").strip().splitlines()[-1:]
+            raise NotStored(f"{page}: Chromium did not print it ({' '.join(last)}); the HTML is complete.")
+        return printed.read_bytes()

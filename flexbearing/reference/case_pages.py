@@ -5,11 +5,18 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 
 from flexbearing.case.declarations import declarations, declared, of_every_case
+from flexbearing.case.explain import table_of_keys
 from flexbearing.case.family import Families
 from flexbearing.case.materials import MATERIALS, origin
 from flexbearing.example_drawings import pictures
-from flexbearing.reference.markdown import folded, table
-from flexbearing.reference.tables import Table, alike, lines_of, rows
+from flexbearing.optimise.file import BOUND
+from flexbearing.optimise.schema import DUTY_LIFE, OptimisationFile
+from flexbearing.optimise.variables import BOUNDS
+from flexbearing.reference.tables import Table, alike, folded, lines_of, rows, table
+from flexbearing.studies.file.sampled import FORMS, MOST_DIMENSIONS, MOST_DRAWN
+from flexbearing.studies.file.schema import StudyFile
+from flexbearing.studies.file.slurm_profile import SlurmProfile
+from flexbearing.studies.file.values import MOST, RANGE
 
 ROLLERS = ("cylindrical_roller",)
 BALLS = ("four_point_ball", "angular_contact_ball", "deep_groove_ball")
@@ -119,7 +126,7 @@ def _limits() -> list[str]:
     from flexbearing import units
     from flexbearing.case import quantity, text
     from flexbearing.case.read import MOST_SETTINGS
-    from flexbearing.inputs import limits
+    from flexbearing.inputs.file import sizes
 
     return [
         f"- A quantity has at most {quantity.LONGEST} characters. A unit is a product or quotient of units "
@@ -130,7 +137,7 @@ def _limits() -> list[str]:
         "refused: they may mean turns or radians per second.",
         f"- Lists and tables are at most {text.DEEPEST} deep, integers have up to 64 bits; at most "
         f"{MOST_SETTINGS} settings come on top of a file.",
-        "- Only plain files are read, up to a size: " + limits.sizes() + ".",
+        "- Only plain files are read, up to a size: " + sizes() + ".",
         "",
     ]
 
@@ -139,3 +146,52 @@ def _sizes(families: Families) -> list[str]:
     """Between which sizes quantities must be, at any key."""
     kinds = {item.kind.name: item.kind for item in declarations(families) if item.kind}
     return table(("quantity", "size, of either sign"), [(name, kind.sizes) for name, kind in kinds.items()])
+
+
+OF_STUDIES = ("|`over.", "|`duty.")  # rows that the page of study files has
+
+
+def optimisation_page() -> str:
+    """The page in Markdown."""
+    return "\n".join(
+        [
+            "# Keys of an optimisation file",
+            "",
+            "[How to use them](../howto/optimise.md).",
+            "",
+            "In `[set]`, `[vary]`, `[over]`, `[duty]` and `[[verify]]` every other name is a dotted key of "
+            "the case; `[over]` and `[duty]` are those [of a study](study.md).",
+            "",
+            f"- `[vary]`: {BOUNDS}.",
+            f"- `[constrain]`: the name of an output, or {DUTY_LIFE}, and a bound such as {BOUND}.",
+            "",
+            *(line for line in table_of_keys(OptimisationFile) if not line.startswith(OF_STUDIES)),
+            "",
+        ]
+    )
+
+
+def study_page() -> str:
+    """The page in Markdown."""
+    drawn = dict.fromkeys(each.words for each in FORMS.values())
+    return "\n".join(
+        [
+            "# Keys of a study file",
+            "",
+            "[How to use them](../howto/studies.md).",
+            "",
+            "In `[over]`, `[sample]` and `[duty]` every other name is a dotted key of the case.",
+            "",
+            f"- `[over]`: a list, a single value or a range; {RANGE}.",
+            f'- `[sample]`: {"; ".join(drawn)}; "30 x normal ..." for a list; a single value is that of all.',
+            f"- A study has at most {MOST} variants, and draws at most {MOST_DIMENSIONS} numbers for each, "
+            f"{MOST_DRAWN} for all.",
+            "",
+            *table_of_keys(StudyFile),
+            "",
+            "# Keys of the profile of a SLURM cluster",
+            "",
+            *table_of_keys(SlurmProfile),
+            "",
+        ]
+    )

@@ -7,7 +7,7 @@ from flexbearing.outputs import Output, outputs
 from flexbearing.quantities import Quantity
 from flexbearing.quantities.attributes import COMMON, Attribute
 from flexbearing.quantities.layout import Layout
-from flexbearing.reference.markdown import folded, table
+from flexbearing.reference.tables import folded, table
 
 _BEGINNING = """\
 # The result file

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from flexbearing.case.family import Entry
 from flexbearing.outputs import AbsentOutput
 from flexbearing.results import Result
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-    from rich.console import RenderableType
 
     from flexbearing.report.balls.contact_fields import DrawnBall
     from flexbearing.report.drawing import Drawing
@@ -56,9 +56,8 @@ class Elements:
 
 @dataclass(frozen=True)
 class FamilyReport:
-    """Page and pictures of a result, as an `Entry` each: the card of a result loads neither."""
+    """Pictures of a result, as an `Entry` each: the card of a result loads none."""
 
-    page: Callable[[], Callable[[dict[str, Any]], Iterator[RenderableType]]]  # of the summary
     # by names of files; or why one would be empty
     pictures: Callable[[], Callable[[Result], Mapping[str, Figure | str]]]
     elements: Elements | None = None  # rolling elements that a report shows one by one
@@ -70,3 +69,78 @@ class FamilyReport:
     def plots(self, result: Result) -> Plots:
         """Pictures of a result as functions."""
         return Plots(lambda: self.pictures()(result), self.short)
+
+
+ELEMENTS = Elements(
+    word="roller",
+    azimuth="roller_azimuth",
+    columns=(
+        "roller_azimuth",
+        "inner_load",
+        "outer_load",
+        "inner_film",
+        "outer_film",
+        "inner_film_ratio",
+        "outer_film_ratio",
+        "roller_tilt",
+        "roller_slip",
+        "cage_force",
+        "roller_skew",
+    ),
+    figures={
+        "contact load": ("inner_load", "outer_load"),
+        "slip of the rollers": ("roller_slip",),
+        "tilt of the rollers": ("roller_tilt",),
+        "pocket force": ("cage_force",),
+    },
+    contact_figures={
+        "film thickness": ("inner_film", "outer_film"),
+        "film ratio": ("inner_film_ratio", "outer_film_ratio"),
+    },
+    maps={
+        "inner_pressure": ("Contact pressure at the inner raceway", "MPa"),
+        "outer_pressure": ("Contact pressure at the outer raceway", "MPa"),
+    },
+)
+SHORT = {"loads": "roller_loads", "pressure": "pressure_along", "deviation": "raceway_deviation"}
+REPORT = FamilyReport(
+    pictures=Entry("flexbearing.report.roller.figures:pictures"),
+    elements=ELEMENTS,
+    deformed=True,
+    short=SHORT,
+    drawings=Entry("flexbearing.report.drawing.of_case:of_rollers"),
+)
+
+
+_CONTACTS = {
+    "peak pressure": ("peak_pressure",),
+    "semi-axis across rolling": ("semi_axis_across",),
+    "semi-axis along rolling": ("semi_axis_along",),
+}
+_COLUMNS = ("ball_azimuth", "contact_load", "contact_angle", "peak_pressure")
+_FIGURES = {"contact load": ("contact_load",), "contact angle": ("contact_angle",)}
+
+
+def _of_balls(columns: tuple[str, ...], figures: dict[str, tuple[str, ...]], drawings: str) -> FamilyReport:
+    """How results of slow or fast balls are shown, with what they have beside loads and angles."""
+    return FamilyReport(
+        pictures=Entry("flexbearing.report.balls.figures:pictures"),
+        elements=Elements(
+            word="ball",
+            azimuth="ball_azimuth",
+            columns=(*_COLUMNS, *columns),
+            figures=_FIGURES | figures,
+            contact_figures=_CONTACTS,
+        ),
+        balls=Entry("flexbearing.report.balls.figures:balls"),
+        short={"loads": "ball_loads"},
+        drawings=Entry(f"flexbearing.report.drawing.of_case:{drawings}"),
+    )
+
+
+FOUR_POINT = _of_balls((), {"torque of a ball": ("ball_torque",)}, "of_slow_balls")
+ANGULAR_CONTACT = _of_balls(
+    ("orbital_speed", "ball_speed"),
+    {"orbital speed": ("orbital_speed",), "gyroscopic moment": ("gyroscopic_moment",)},
+    "of_fast_balls",
+)

@@ -12,6 +12,7 @@ from rich.console import Console, Group, RenderableType
 from flexbearing.files import require_folder, require_outputs, write
 from flexbearing.printable import all_printable
 from flexbearing.report.balls import side_by_side
+from flexbearing.report.page import page
 from flexbearing.report.picture import PNG, Format, LeftOut, picture_bytes
 from flexbearing.results import Result
 
@@ -21,7 +22,8 @@ if TYPE_CHECKING:
 
 def text(result: Result, console: Console | None = None, encoding: str = "utf-8") -> str:
     """Lay the summary out as text."""
-    return laid_out(result.family.report().page()(all_printable(result.summary())), console, encoding)
+    sections = page(result.family.layout(), all_printable(result.summary()))
+    return laid_out(sections, console, encoding)
 
 
 def laid_out(
@@ -42,12 +44,8 @@ def write_figures(result: Result, directory: str | Path) -> list[Path]:
 def pictures(result: Result, directory: str | Path, form: Format = PNG) -> Iterator[Path | LeftOut]:
     """Draw every picture of a result into files that are named after it.
 
-    Raises
-    ------
-    BadOutput
-        if the folder, or a file in it, cannot be written
-    NotStored
-        if there is no room for a picture
+    Raises `BadOutput` if the folder, or a file in it, cannot be written; `NotStored` if there is no room for
+    a picture.
     """
     figures = result.family.report().pictures()(result)
     named = {f"{result.stem}_{name}": figure for name, figure in figures.items()}
@@ -61,14 +59,8 @@ def compared_pictures(
 ) -> Iterator[Path]:
     """Draw the contacts of two results side by side into files.
 
-    Raises
-    ------
-    BadResult
-        if they have no cells of the same ball
-    BadOutput
-        if the folder, or a file in it, cannot be written
-    NotStored
-        if there is no room for a picture
+    Raises `BadResult` if they have no cells of the same ball; `BadOutput` if the folder, or a file in it,
+    cannot be written; `NotStored` if there is no room for a picture.
     """
     stem, figures = f"{one.stem}_against_{other.stem}", side_by_side.compared(one, other)
     named = {f"{stem}_ball_{ball}": figure for ball, figure in figures.items()}

@@ -34,8 +34,13 @@ def value(entry: SummaryValue, block: dict[str, Any] | None, part: str = "") -> 
 
 
 def shown(entry: SummaryValue, number: Any) -> str:
-    """A number as its declaration formats it; a dash if it is not known."""
-    return "-" if number is None else formatted(number, entry.digits)
+    """A number, components, or a range whose ends differ as shown; a dash if it is not known."""
+    if not isinstance(number, list):
+        return "-" if number is None else formatted(number, entry.digits)
+    ends = [shown(entry, end) for end in number]
+    if entry.section == "ring":
+        return ", ".join(ends)
+    return ends[0] if ends[0] == ends[-1] else f"{ends[0]} to {ends[-1]}"
 
 
 def formatted(number: float, digits: str) -> str:

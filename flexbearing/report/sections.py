@@ -10,8 +10,9 @@ from rich.table import Table
 from rich.text import Text
 
 from flexbearing.quantities.attributes import GRADES
+from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.reductions import RACES
-from flexbearing.quantities.roller import CONTACT, LAYOUT, SKEW
+from flexbearing.quantities.roller import CONTACT, SKEW
 from flexbearing.report.rows import label, rows, shown, value
 
 _STRESSES = (  # column, name, format, name of its error
@@ -163,12 +164,15 @@ def ordered_levels(choices: dict[str, Any], errors: dict[str, Any]) -> Iterator[
     yield from listed("levels not computed", unusable)
 
 
-def matrices(block: dict[str, Any] | None) -> Iterator[RenderableType]:
-    """Stiffness and compliance of the end state."""
-    if block is None:
-        return
-    yield from matrix("tangent stiffness [N, m, rad]", block["stiffness_matrix_SI"])
-    yield from matrix("tangent compliance [m, rad, N]; infinite along x", block["compliance_matrix_SI"])
+def matrices(block: dict[str, Any]) -> Iterator[RenderableType]:
+    """Stiffness and compliance of the end state, as far as it has them."""
+    titles = {
+        "stiffness_matrix_SI": "tangent stiffness [N, m, rad]",
+        "compliance_matrix_SI": "tangent compliance [m, rad, N]; infinite along x",
+    }
+    for name, title in titles.items():
+        if block.get(name) is not None:
+            yield from matrix(title, block[name])
 
 
 def matrix(
@@ -207,26 +211,26 @@ def equilibria(by_block: dict[str, Any] | None) -> Iterator[RenderableType]:
         yield table
 
 
-def skew(blocks: dict[str, Any]) -> Iterator[RenderableType]:
+def skew(layout: Layout, blocks: dict[str, Any]) -> Iterator[RenderableType]:
     """Skew of the rollers between flanges; nothing for a case without them."""
-    skewed = {name: block for name, block in blocks.items() if block and block["skew"]}
+    skewed = {name: block for name, block in blocks.items() if block and block.get("skew")}
     if not skewed:
         return
     yield Text("roller skew between guide flanges; without effect on loads and speeds", style="bold")
     table = right_aligned("", *skewed)
-    for entry in rows(LAYOUT, SKEW):
+    for entry in rows(layout, SKEW):
         table.add_row(Text(label(entry)), *(shown(entry, value(entry, block)) for block in skewed.values()))
     yield table
 
 
-def contacts(blocks: dict[str, Any]) -> Iterator[RenderableType]:
+def contacts(layout: Layout, blocks: dict[str, Any]) -> Iterator[RenderableType]:
     """Where both raceways are pressed most, how widely, and what it does below their surface."""
     solved = {name: block for name, block in blocks.items() if block}
-    if not solved:
+    if not solved or not rows(layout, CONTACT):
         return
     yield Text("most pressed contacts, with stresses below the surface", style="bold")
     table = right_aligned("", *(word for name in solved for word in (f"{name}: inner", "outer")))
-    for entry in rows(LAYOUT, CONTACT):
+    for entry in rows(layout, CONTACT):
         known = [block for block in solved.values() if block[entry.key] is not None]
         values = [shown(entry, value(entry, block, race)) for block in known for race in RACES]
         if known:

@@ -16,7 +16,7 @@ from h5py import h5a, h5d, h5ds, h5f, h5g, h5l, h5o, h5p, h5r, h5s, h5t, h5z  # 
 from numpy.typing import NDArray
 
 from flexbearing import inputs
-from flexbearing.inputs.limits import RESULT
+from flexbearing.inputs.file import RESULT
 from flexbearing.quantities.attributes import FORMAT
 from flexbearing.results.content import DIGEST, Content
 from flexbearing.results.image import (

@@ -15,7 +15,7 @@ from flexbearing.case.family import Families
 from flexbearing.case.text import command
 from flexbearing.files import parts_of
 from flexbearing.files.atomic import UNFINISHED
-from flexbearing.inputs.limits import CASE as LARGEST
+from flexbearing.inputs.file import CASE as LARGEST
 from flexbearing.quantities import Quantity
 from flexbearing.quantities.attributes import FORMAT, OLDER
 from flexbearing.quantities.layout import ITERATION, Layout

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.sampling.quantiles import CONFIDENCE
+from flexbearing.sampling.distribution import CONFIDENCE
 
 RESAMPLES = 1000
 FEWEST = 8  # base points below which no interval is reported

@@ -7,17 +7,15 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from flexbearing.program.complete_files import keeping
+from flexbearing.program.commands import CaseFile, Settings, end, keeping, say, say_json
 
 if TYPE_CHECKING:
     from flexbearing.case import Head
     from flexbearing.derivatives.table import Sensitivities
 
-NOT_CONVERGED = 1
-
 
 def sensitivity(
-    case: Annotated[Path, typer.Argument(help="case file (TOML)", metavar="CASE")],
+    case: CaseFile,
     of: Annotated[
         str | None,
         typer.Option(
@@ -32,10 +30,7 @@ def sensitivity(
         Path | None,
         typer.Option("-o", "--output", metavar="FILE", help="picture (.png, .svg, .pdf), beside it a table"),
     ] = None,
-    settings: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="KEY=VALUE", help="replace a key of the case, as of run"),
-    ] = None,
+    settings: Settings = None,
     as_json: Annotated[
         bool, typer.Option("--json", help="one JSON object instead of text and files")
     ] = False,
@@ -43,7 +38,6 @@ def sensitivity(
     """Compute how much each key of a case changes its outputs: derivatives, largest first."""
     from flexbearing import api
     from flexbearing.files import require_outputs
-    from flexbearing.printable import all_printable, printable
     from flexbearing.runs.run_case import stem_of_outputs
 
     wanted = api.read_case(case, settings or [])
@@ -54,24 +48,21 @@ def sensitivity(
         require_outputs((picture, table), wanted.input_files)
     found = _differentiated(wanted, of.split(",") if of else (), by or ())
     if as_json:
-        import json
-
-        sys.stdout.write(json.dumps(all_printable(_as_json(found)), indent=2, allow_nan=False) + "\n")
+        say_json(_as_json(found))
         return
     _write(found, picture, table, form)
     with keeping([picture, table]):
         from flexbearing.report.output import laid_out
         from flexbearing.sensitivity.page import sections
 
-        sys.stdout.write(printable(laid_out(sections(found), encoding=sys.stdout.encoding)))
-        sys.stdout.write(printable(f"table: {table}\npicture: {picture}\n"))
+        page = laid_out(sections(found), encoding=sys.stdout.encoding)
+        say(f"{page}table: {table}\npicture: {picture}")
 
 
 def _differentiated(case: "Head", of: Sequence[str], by: Sequence[str]) -> "Sensitivities":
     from flexbearing import api
     from flexbearing.case import BadCase
     from flexbearing.outputs import UnknownOutput, WrongUnit
-    from flexbearing.printable import printable
     from flexbearing.progress import shown
     from quasidynamic import NotSolved
 
@@ -81,8 +72,7 @@ def _differentiated(case: "Head", of: Sequence[str], by: Sequence[str]) -> "Sens
     except (UnknownOutput, WrongUnit) as problem:
         raise BadCase(f"--of {problem}") from None
     except NotSolved as problem:
-        sys.stderr.write(printable(f"{case.source.path}: not converged: {problem}\n"))
-        raise typer.Exit(NOT_CONVERGED) from None
+        end(f"{case.source.path}: not converged: {problem}")
 
 
 def _form_of(picture: Path) -> str:
@@ -99,14 +89,11 @@ def _form_of(picture: Path) -> str:
 def _write(found: "Sensitivities", picture: Path, table: Path, form: str) -> None:
     from flexbearing.files import write
     from flexbearing.report.picture import Format, picture_bytes
-    from flexbearing.report.tornado_figure import draw_tornado
+    from flexbearing.sensitivity.page import draw_tornado
 
     write(table.resolve(), _csv(found).encode())
-    try:
+    with keeping([table], "the table is complete"):
         write(picture.resolve(), picture_bytes(draw_tornado(found), Format(form)))
-    except BaseException as problem:  # only a note is added
-        problem.add_note(f"the table is complete: {table}")
-        raise
 
 
 def _csv(found: "Sensitivities") -> str:

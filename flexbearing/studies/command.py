@@ -7,8 +7,7 @@ from typing import Annotated
 import typer
 
 from flexbearing.printable import printable
-
-CONVERGED, NOT_CONVERGED, BAD_INPUT = range(3)
+from flexbearing.program.commands import BAD_INPUT, CONVERGED, NOT_CONVERGED, say
 
 
 def study(  # noqa: PLR0913  # an argument for each option
@@ -57,8 +56,7 @@ def study(  # noqa: PLR0913  # an argument for each option
     from flexbearing.program.threads import limited_to
     from flexbearing.progress import shown
     from flexbearing.studies import messages
-    from flexbearing.studies.job_array import sbatch
-    from flexbearing.studies.placement import Placement
+    from flexbearing.studies.placement import Placement, sbatch
     from flexbearing.studies.plan import Part
     from flexbearing.studies.prepare import compute, prepare_source
 
@@ -68,20 +66,16 @@ def study(  # noqa: PLR0913  # an argument for each option
     with limited_to(jobs), shown("check") as report:
         prepared = prepare_source(file, messages.Checking(report))
     if check or status:
-        _say(messages.status(prepared, output) if status else messages.variants(prepared))
+        say(messages.status(prepared, output) if status else messages.variants(prepared))
         raise typer.Exit(BAD_INPUT if prepared.plan.problems else CONVERGED)
     prepared.plan.require_sound()
     if emit:
-        _say(sbatch(prepared, output, jobs).rstrip())
+        say(sbatch(prepared, output, jobs).rstrip())
         raise typer.Exit(CONVERGED)
     prepared = prepared.of_part(chosen) if chosen else prepared
     placement = Placement(jobs, scheduler, slurm, (tls_ca, tls_cert, tls_key))
     with shown("study") as report:
         table = compute(prepared, output, placement, retry_failed=retry_failed, tell=messages.follow(report))
     sys.stderr.writelines(printable(f"{words}; {messages.ADVICE}\n") for words in table.complaints)
-    _say(messages.end(prepared, table, output))
+    say(messages.end(prepared, table, output))
     raise typer.Exit(NOT_CONVERGED if table.failed else CONVERGED)
-
-
-def _say(words: str) -> None:
-    sys.stdout.write(printable(words) + "\n")

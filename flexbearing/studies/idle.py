@@ -1,25 +1,23 @@
 """Rows of a duty cycle that are time without damage: standstill, and no load."""
 
+from collections.abc import Mapping
 from hashlib import sha256
 from typing import Any
 
 from flexbearing.build import clearance
+from flexbearing.case import Head
 from flexbearing.case.declarations import by_path
 from flexbearing.case.variants import Variants
+from flexbearing.families import FAMILIES
 from flexbearing.studies.plan import Variant
-from flexbearing.studies.plan.identity import LENGTH
-from flexbearing.studies.plan.task import Idle, Values
+from flexbearing.studies.plan.task import LENGTH, Idle, Values
+from flexbearing.studies.table.duty import BASIC, MODIFIED, is_load
 from quasidynamic import ImpossiblePart, OutOfRange
+from quasidynamic.outcome.life_factors import LEAST_VISCOSITY_RATIO
 
 SPEEDS = "operation.inner_speed", "operation.outer_speed"
-LOADS = "operation.radial_load", "operation.moment", "operation.load."  # keys, and a table of balls
 STANDSTILL = "standstill: time without damage"
 NO_LOAD = "no load: time without damage"
-
-
-def is_load(key: str) -> bool:
-    """Whether a key is a load of the bearing."""
-    return key.startswith(LOADS)
 
 
 def idle(read: Variants, values: Values) -> Variant | None:
@@ -28,10 +26,7 @@ def idle(read: Variants, values: Values) -> Variant | None:
     Cases of rows at standstill, or have no load to be rated by, cannot be read: speeds and loads are then
     taken from the row, everything else from the case without them.
 
-    Raises
-    ------
-    BadCase
-        where the case without them cannot be read
+    Raises `BadCase` where the case without them cannot be read.
     """
     own = {
         key: value
@@ -89,3 +84,29 @@ def _is_unloaded(case: Any, own: dict[str, Any]) -> bool:
         return clearance.operating(case) >= tilted
     except (ImpossiblePart, OutOfRange):
         return False
+
+
+LEAST_FACTOR = 0.1  # a_ISO of rollers and of balls at kappa = 0.1, at any load
+
+
+def too_thin(case: Any) -> str:
+    """Why a case has no a_ISO where its viscosity ratio is too small; empty where it has one."""
+    catalogue = FAMILIES[case.kind].catalogue
+    kappa = catalogue().viscosity_ratio(case) if catalogue else None
+    if kappa is None or kappa >= LEAST_VISCOSITY_RATIO:
+        return ""
+    return f"kappa {kappa:.3g} is below {LEAST_VISCOSITY_RATIO}: bounded by a_ISO = {LEAST_FACTOR}, its least"
+
+
+def without_factor(case: Any) -> Head:
+    """The case without a_ISO."""
+    life = case.life.model_copy(update={"lubrication": None, "cleanliness": None})
+    return case.model_copy(update={"life": life})
+
+
+def bounded(values: Mapping[str, float]) -> dict[str, float]:
+    """Numbers of a row that was computed without a_ISO, its modified life with the least one."""
+    rated = {text: number for text, number in values.items() if "modified_life" not in text}
+    if (life := values.get(MODIFIED, values.get(BASIC))) is not None:
+        rated[MODIFIED] = LEAST_FACTOR * life
+    return rated

@@ -16,8 +16,7 @@ from flexbearing.studies.placement import RING, Cost, costs, expected
 from flexbearing.studies.plan.task import CONVERGED
 from flexbearing.studies.prepared_study import PreparedStudy, Progress
 from flexbearing.studies.table import Table, duty
-from flexbearing.studies.table.files import PICTURE, SCATTER_PICTURE
-from flexbearing.studies.table.forms import EXTRA, FORMS, missing
+from flexbearing.studies.table.files import EXTRA, FORMS, PICTURE, SCATTER_PICTURE, missing
 
 LONGEST = 300  # characters of the message of a row
 LIFE_ERROR = "life error [%]"  # column of duty cycles with a target

@@ -4,7 +4,6 @@ Levels are calls of a worker process, one after the other, so that nothing distu
 medians.
 """
 
-import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from dataclasses import dataclass, field
@@ -21,7 +20,6 @@ import quasidynamic as qd
 from fem.errors import NotSolved
 from fem.parts.material import ImpossiblePart
 from flexbearing.api import check, run
-from flexbearing.cache.store import VARIABLE
 from flexbearing.case import BadCase, Head
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.four_point import FourPointCase
@@ -32,10 +30,17 @@ from flexbearing.program.processes import Processes
 from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.report.studies.pareto_table import Measured, Study
 from flexbearing.results import Result
-from flexbearing.studies import pareto_ball_levels as balls
 from flexbearing.studies.engine import DIED, Done, completed
-from flexbearing.studies.pareto_ball_levels import BallCase
-from flexbearing.studies.pareto_levels import Level, ladder, left_out, richest
+from flexbearing.studies.pareto_levels import (
+    BALL_REFERENCE,
+    BallCase,
+    Level,
+    ball_ladder,
+    ladder,
+    left_out,
+    richest,
+)
+from flexbearing.studies.worker import rings_in
 
 # Whatever else the machine does disturbs short runs most: they are repeated, cold ones up to a total.
 CACHED_RUNS, COLD_RUNS, LONG = 5, 3, 20.0  # [s]
@@ -85,14 +90,8 @@ def pareto(
 ) -> Study:
     """Run a case on every level of its ladder.
 
-    Raises
-    ------
-    BadCase
-        when the case cannot be computed as it stands, or orders an accuracy
-    NoReference
-        when the richest level fails or does not converge
-    NotStored
-        when there is no room for temporary files
+    Raises `BadCase` when the case cannot be computed as it stands, or orders an accuracy; `NoReference` when
+    the richest level fails or does not converge; `NotStored` when there is no room for temporary files.
     """
     checked = _with_levels(check(case, overrides))
     tell = tell or (lambda measured: None)
@@ -119,7 +118,7 @@ def levels_of(case: Case | BallCase, *, solid: bool) -> tuple[Level, tuple[Level
     """The reference, all other levels, and kinds of levels that are left out with the reason."""
     if isinstance(case, Case):
         return richest(case), ladder(case, solid=solid), left_out(case, solid=solid)
-    return balls.REFERENCE, balls.ladder(case), ()
+    return BALL_REFERENCE, ball_ladder(case), ()
 
 
 def errors(approximate: Mapping[str, np.ndarray], true: Mapping[str, np.ndarray]) -> dict[str, float]:
@@ -201,7 +200,7 @@ def timed(wanted: Run) -> Timed:
     cached: list[float] = []
     with _temporary(wanted.folder) as folder:
         while not cold or (len(cold) < COLD_RUNS and sum(cold) < LONG):
-            with _cache(f"{folder}/rings{len(cold)}"):
+            with rings_in(f"{folder}/rings{len(cold)}"):
                 cold.append(_run(wanted.case, settings, folder)[0])
                 for _ in range(-(-CACHED_RUNS // COLD_RUNS)):
                     seconds, result = _run(wanted.case, settings, folder)
@@ -259,17 +258,3 @@ def _temporary(place: str) -> Iterator[str]:
         except BaseException as problem:
             problem.__notes__ = []
             raise
-
-
-@contextmanager
-def _cache(folder: str) -> Iterator[None]:
-    """Keep condensed rings in a folder of its own."""
-    previous = os.environ.get(VARIABLE)
-    os.environ[VARIABLE] = folder
-    try:
-        yield
-    finally:
-        if previous is None:
-            del os.environ[VARIABLE]
-        else:
-            os.environ[VARIABLE] = previous

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from flexbearing.files import BadOutput, require_folder, require_outputs, write
 from flexbearing.printable import excerpt
+from flexbearing.program.commands import keeping
 from flexbearing.report.studies.pareto_table import Study, table
 
 _PLAIN = re.compile(r"[^./\\\x00-\x1f\x7f][^/\\\x00-\x1f\x7f]*")
@@ -32,17 +33,12 @@ def destinations(folder: Path, name: str, inputs: Iterable[Path]) -> tuple[Path,
 def store(study: Study, csv: Path, png: Path) -> None:
     """Write table and picture.
 
-    Raises
-    ------
-    NotStored
-        if there is no room for them; a note says that the table is there when only the picture is missing
+    Raises `NotStored` if there is no room for them; a note says that the table is there when only the picture
+    is missing.
     """
     from flexbearing.report.picture import picture_bytes
-    from flexbearing.report.studies.pareto_figure import draw_pareto
+    from flexbearing.report.studies.pareto_table import draw_pareto
 
     write(csv.resolve(), table(study).encode())
-    try:
+    with keeping([csv], "the table is complete"):
         write(png.resolve(), picture_bytes(draw_pareto(study), dpi=130))
-    except BaseException as problem:  # only a note is added
-        problem.add_note(f"the table is complete: {csv}")
-        raise

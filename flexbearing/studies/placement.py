@@ -1,5 +1,7 @@
 """Where a study is computed, and how long it usually takes."""
 
+import shlex
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
@@ -7,6 +9,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from flexbearing.case import BadCase
+from flexbearing.files import require_folder_name
 from flexbearing.printable import excerpt
 from flexbearing.program.processes import Processes
 from flexbearing.program.threads import cores, processes
@@ -17,6 +20,7 @@ from flexbearing.studies.engine.on_slurm import NoQueue, OnSlurm
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.file.slurm_profile import SlurmProfile, profile
 from flexbearing.studies.plan import Plan
+from flexbearing.studies.prepared_study import PreparedStudy
 
 RING = 2.0  # [s] of a processor for an elastic ring
 WORTH_WORKERS = 10.0  # [s] of work; starting worker processes takes two
@@ -105,3 +109,25 @@ def expected(plan: Plan) -> float:
         time += of[elastic].task * tasks + of[elastic].variant * variants
     choices = sum(len(corners.variants) for corners in plan.corners)  # some solves each
     return time + ALONE[True].variant * choices
+
+
+USUAL = 10  # jobs
+
+
+def sbatch(prepared: PreparedStudy, output: Path, jobs: int | None) -> str:
+    """Write a script for SLURM: a job array whose jobs compute a part each, and one that gathers them."""
+    count = min(len(prepared.plan.tasks(lambda variant: True)), jobs or USUAL)
+    folder = require_folder_name(output)
+    file, program = prepared.study.path.resolve(), f"{shlex.quote(sys.executable)} -m flexbearing"
+    command = f"{program} study {shlex.quote(str(file))} -o {shlex.quote(str(folder))} --jobs 1"
+    name = shlex.quote(prepared.study.name)
+    return f"""\
+#!/bin/bash
+# {len(prepared.plan.variants)} variants in {count} jobs. After them the table is gathered by
+#   sbatch --dependency=afterany:JOB --wrap {shlex.quote(command)}
+#SBATCH --job-name={name}
+#SBATCH --array=1-{count}
+#SBATCH --cpus-per-task=1
+#SBATCH --output={shlex.quote(str(folder / prepared.study.name))}.%a.log
+exec {command} --part "$SLURM_ARRAY_TASK_ID/{count}"
+"""

@@ -21,8 +21,7 @@ from flexbearing.studies.file import Study, read
 from flexbearing.studies.file.read import Source
 from flexbearing.studies.placement import Placement
 from flexbearing.studies.plan import Impossible, Plan, Variant, plan
-from flexbearing.studies.plan.identity import identity
-from flexbearing.studies.plan.task import Base, Values
+from flexbearing.studies.plan.task import Base, Values, identity
 from flexbearing.studies.prepared_study import PreparedStudy, variants_of
 from flexbearing.studies.run import Tell, Work, run
 from flexbearing.studies.scatter import add_scatter
@@ -40,10 +39,8 @@ def prepare_source(
 ) -> PreparedStudy:
     """Read a study, from its file or as a dictionary, and prepare what it computes.
 
-    Raises
-    ------
-    BadCase
-        one line for each problem of the study file, or of the case that its variants are made of
+    Raises `BadCase` one line for each problem of the study file, or of the case that its variants are made
+    of.
     """
     return prepare(read(source, FAMILIES, case), tell, bounded=True)
 
@@ -94,9 +91,8 @@ def _checked(base: Base, rows: Sequence[Values], *, cycle: bool) -> list[Variant
 
 def _variant(read: Variants, values: Values, *, cycle: bool) -> Variant | Impossible:
     from flexbearing.runs.validate import require_possible
-    from flexbearing.studies.idle import idle
+    from flexbearing.studies.idle import idle, too_thin
     from flexbearing.studies.rings import levels, rings
-    from flexbearing.studies.thin_oil import too_thin
 
     without_load: BadCase | None = None
     try:
@@ -156,12 +152,8 @@ def compute(
 ) -> Table:
     """Compute the variants of a study.
 
-    Raises
-    ------
-    BadCase
-        for variants that cannot be computed; nothing is computed then
-    BadOutput, NotStored
-        as for `flexbearing.studies.run.run`
+    Raises `BadCase` for variants that cannot be computed; nothing is computed then; `BadOutput`, `NotStored`
+    as for `flexbearing.studies.run.run`.
     """
     from flexbearing.studies.worker import RowRequest, condense, rows
 

@@ -12,17 +12,17 @@ import numpy as np
 
 from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
-from flexbearing.studies.duty_cycles import catalogued, duty_cycles, life_kinds
 from flexbearing.studies.engine import TaskResult
 from flexbearing.studies.file import Study
 from flexbearing.studies.plan import Part, Plan, Row, Variant
 from flexbearing.studies.plan.task import CONVERGED, NO_DAMAGE, NOT_COMPUTED, Base, file_name
 from flexbearing.studies.table import Table, duty, journal
 from flexbearing.studies.table.collected import Collected
-from flexbearing.studies.table.column import Column, ends
+from flexbearing.studies.table.duty import catalogued, duty_cycles, life_kinds
 from flexbearing.studies.table.files import CYCLES, PICTURE, SCATTER, SCATTER_PICTURE, paths
 from flexbearing.studies.table.keys import key_columns
 from flexbearing.studies.table.plot import Plot
+from flexbearing.studies.table.table import Column, ends
 
 Rows = Mapping[str, Row]  # by identity
 

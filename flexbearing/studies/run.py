@@ -43,12 +43,8 @@ def run(
 ) -> Table:
     """Compute what a study still lacks, and write its table.
 
-    Raises
-    ------
-    BadOutput
-        for a folder that cannot be written, an output that is read or where the same study runs already
-    NotStored
-        when there is no room left; what is finished stays
+    Raises `BadOutput` for a folder that cannot be written, an output that is read or where the same study
+    runs already; `NotStored` when there is no room left; what is finished stays.
     """
     folder = require_folder(output)
     path, *_ = require_outputs(prepared.destinations(folder), prepared.study.inputs)
@@ -109,10 +105,7 @@ def compute_missing(
 ) -> tuple[str, ...]:
     """Add the rows that are missing to those that there are, and to the journal, task by task.
 
-    Raises
-    ------
-    NotStored
-        when there is no room left; what is finished stays
+    Raises `NotStored` when there is no room left; what is finished stays.
     """
     tasks = prepared.plan.tasks(lambda variant: variant.identity not in rows)
     rings = prepared.plan.rings(lambda variant: variant.identity not in rows and not variant.levels)

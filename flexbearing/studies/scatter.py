@@ -1,22 +1,96 @@
 """The scatter of a sampled study: beside its table, in files and a picture."""
 
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from itertools import chain
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.case import BadCase
+from flexbearing.derivatives.any_family import sensitivities
+from flexbearing.families import FAMILIES
 from flexbearing.files import write
 from flexbearing.report.html.scatter import ScatterTables, figures_of
 from flexbearing.report.html.units import METRIC
 from flexbearing.report.panels import picture
 from flexbearing.report.picture import picture_bytes
-from flexbearing.studies.first_order import first_order
-from flexbearing.studies.prepared_study import PreparedStudy
+from flexbearing.sampling.linear import Linear
+from flexbearing.studies.file.sampled import Drawn, Factor
+from flexbearing.studies.prepared_study import PreparedStudy, variants_of
 from flexbearing.studies.table import Column, Table
+from flexbearing.studies.table.collected import Collected
 from flexbearing.studies.table.files import SCATTER_PICTURE, store
 from flexbearing.studies.table.scatter import Scatter
+from quasidynamic import NotSolved
+
+
+@dataclass(frozen=True, eq=False)
+class FirstOrder:
+    """Predictions of outputs, and what is missing from them."""
+
+    outputs: Mapping[str, Linear]  # by the names of columns
+    missing: tuple[str, ...] = ()  # sentences
+
+
+def first_order(prepared: PreparedStudy) -> FirstOrder:
+    """Differentiate the outputs of a sampled study where every drawn key has its mean."""
+    drawn = prepared.study.drawn
+    assert drawn  # of no other study is it asked
+    if prepared.study.spectrum:
+        return FirstOrder({}, ("no linear prediction: the life under a duty cycle is not differentiated",))
+    columns = [each for each in prepared.columns if not (each.over or each.rollers or each.error)]
+    try:
+        case = _at_means(prepared, drawn)
+        known = [each for each in columns if _differentiable(each, elastic=bool(prepared.plan.rings()))]
+        found = sensitivities(
+            case, FAMILIES[case.kind], [each.text for each in known], [each.key for each in drawn.factors]
+        )
+    except (BadCase, NotSolved) as problem:
+        return FirstOrder({}, (f"no linear prediction: {' '.join(str(problem).splitlines())}",))
+    places = {f"{each.name} [{each.unit}]": place for place, each in enumerate(found.outputs)}
+    slopes = _slopes(found, drawn)
+    means, deviations = (
+        np.concatenate([np.full(each.width, getattr(each.distribution, name)) for each in drawn.factors])
+        for name in ("mean", "deviation")
+    )
+    outputs = {
+        column.column: Linear(found.outputs[place].value, slopes[place], means, deviations)
+        for column in known
+        if (place := places.get(column.text)) is not None and np.isfinite(slopes[place]).all()
+    }
+    return FirstOrder(
+        outputs, tuple(f"linear prediction without {key}: {why}" for key, why in found.left_out)
+    )
+
+
+def _differentiable(column: Collected, *, elastic: bool) -> bool:
+    """Whether an output is one of the answer; states on the way to it are not differentiated."""
+    return not (elastic and column.text.startswith("rigid."))
+
+
+def _at_means(prepared: PreparedStudy, drawn: Drawn) -> Any:
+    """The case with every drawn key at its mean, others as in all variants."""
+    base, first = prepared.plan.base, prepared.plan.variants[0]
+    values = dict(zip(base.keys, first.values, strict=True))
+    for factor in drawn.factors:
+        values[factor.key] = factor.written([factor.distribution.mean] * factor.width)
+    return variants_of(base).case(tuple(values.values()))
+
+
+def _slopes(found: Any, drawn: Drawn) -> NDArray:
+    """Derivatives (O, D) by the drawn numbers in SI; zero by keys that have none."""
+    by_key = {key.path: found.slopes[:, place] / key.size for place, key in enumerate(found.keys)}
+    nothing = np.zeros(len(found.outputs))
+    return np.array([by_key.get(path, nothing) for factor in drawn.factors for path in _paths(factor)]).T
+
+
+def _paths(factor: Factor) -> list[str]:
+    """Keys of the numbers of a list, or the key itself."""
+    return [f"{factor.key}.{number + 1}" for number in range(factor.width)] if factor.listed else [factor.key]
+
 
 MOST = 6  # outputs of the picture; the tables have all
 APART = ("status", "message", "seconds", "result")  # columns that are no outputs
@@ -25,10 +99,7 @@ APART = ("status", "message", "seconds", "result")  # columns that are no output
 def add_scatter(prepared: PreparedStudy, table: Table, folder: Path) -> Table:
     """Add to a table what its rows tell of the scatter of the outputs, and write that.
 
-    Raises
-    ------
-    NotStored
-        where a file cannot be written
+    Raises `NotStored` where a file cannot be written.
     """
     assert prepared.study.drawn  # of no other study is it asked
     prediction = first_order(prepared)

@@ -27,12 +27,12 @@ from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged
 from flexbearing.results import store
 from flexbearing.runs.answer import Answer, message
+from flexbearing.studies.idle import bounded, without_factor
 from flexbearing.studies.plan import Condensed, Corners, Ring, Row, Task, Variant
 from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED, ERROR, NOT_STORED, RATED, file_name
 from flexbearing.studies.prepared_study import variants_of
 from flexbearing.studies.table.collected import errors, numbers
 from flexbearing.studies.table.duty import MODIFIED, MREV
-from flexbearing.studies.thin_oil import bounded, without_factor
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.note import Note
 

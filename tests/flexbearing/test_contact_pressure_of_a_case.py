@@ -9,7 +9,7 @@ from pytest import approx
 
 import flexbearing
 from flexbearing.api import read_case
-from flexbearing.report.balls import angular_contact_figures, four_point_figures
+from flexbearing.report.balls import figures
 from flexbearing.report.output import text, write_figures
 from flexbearing.report.roller.figures import pictures
 from flexbearing.runs.rows import answers
@@ -168,8 +168,7 @@ def test_below_the_surface_of_balls(name):
     assert np.all(
         (block["von_mises_stress"] / pressure > 0.557) & (block["von_mises_stress"] / pressure < 0.621)
     )
-    drawn = angular_contact_figures if "harris" in name else four_point_figures
-    assert "subsurface" in drawn.pictures(result)
+    assert "subsurface" in figures.pictures(result)
 
 
 def test_stresses_below_are_solved_beside_others_in_a_study():

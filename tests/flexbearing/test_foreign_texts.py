@@ -21,8 +21,7 @@ from flexbearing.report.output import text, write_figures
 from flexbearing.report.picture import picture_bytes, titled
 from flexbearing.report.roller.deformed import deformed
 from flexbearing.report.studies.branch_figure import draw_branch
-from flexbearing.report.studies.pareto_figure import draw_pareto
-from flexbearing.report.studies.pareto_table import Measured, Study
+from flexbearing.report.studies.pareto_table import Measured, Study, draw_pareto
 
 ROOT = Path(__file__).parents[2]
 CONFIGS = ROOT / "configs"

@@ -14,7 +14,7 @@ from fem.parts.quoted import MOST
 from flexbearing.api import check, read_case
 from flexbearing.build.ring_parts import outer_part
 from flexbearing.case import BadCase
-from flexbearing.inputs.limits import DRAWING
+from flexbearing.inputs.file import DRAWING
 from flexbearing.printable import printable
 from tests.flexbearing.hostile_cases import CONFIGS
 

@@ -22,7 +22,7 @@ from flexbearing.files import BadOutput
 from flexbearing.findings import DANGER
 from flexbearing.pages.make import report
 from flexbearing.report.drawing.of_case import drawings
-from flexbearing.report.html import IMPERIAL, METRIC, checks, clearance, html, keys, lives, of_result, write
+from flexbearing.report.html import IMPERIAL, METRIC, checks, html, keys, lives, of_result, rings, write
 from flexbearing.report.html.plotly import layout, traces
 from flexbearing.report.html.reader import Reader
 from flexbearing.results import BadResult
@@ -418,10 +418,10 @@ def test_a_life_without_the_growth_of_its_factors_has_no_error(results):
 
 def test_clearance_has_its_steps_and_the_ends_of_its_tolerances():
     reader = Reader(api.run(CONFIGS / "catalogue" / "nu210.toml"), METRIC)
-    rows = clearance.tolerances(reader).rows
+    rows = rings.tolerances(reader).rows
     assert [cell.text for cell in rows[-1][1:]] == ["8.9", "33.6", "58.3"]
     assert rows[-1][0] == "clearance, mounted and turning, all parts equally warm"
-    assert clearance.steps(reader).rows[-1][2].text == "33.6"
+    assert rings.steps(reader).rows[-1][2].text == "33.6"
 
 
 def test_lines_and_maps_that_look_the_same_are_drawn_once(results):

@@ -12,6 +12,7 @@ from flexbearing.printable import all_printable
 from flexbearing.quantities.attributes import Attribute
 from flexbearing.quantities.forms import COUNT, FLAG, NUMBER, TEXT, Each, ListOf, Record, Such
 from flexbearing.report.output import text
+from flexbearing.report.page import page
 from flexbearing.results import BadResult, NotInLayout, hdf5
 from flexbearing.results.attributes import checked, decoded
 from flexbearing.results.read import of_content
@@ -112,7 +113,7 @@ def refusal(content):
     except NotInLayout as problem:
         return str(problem)
     summary = result.summary()
-    assert list(result.family.report().page()(all_printable(summary)))
+    assert list(page(result.family.layout(), all_printable(summary)))
     json.dumps(summary, allow_nan=False)
     return ""
 

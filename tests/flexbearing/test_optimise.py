@@ -22,7 +22,7 @@ from flexbearing.optimise.answer import Optimum
 from flexbearing.optimise.case_file import case_text
 from flexbearing.optimise.evaluations import Workers, designs_of
 from flexbearing.optimise.file import read as read_problem
-from flexbearing.optimise.goals import Terms
+from flexbearing.optimise.goals import DesignProblem, Terms
 from flexbearing.optimise.gradients import CENTRAL, EXACT
 from flexbearing.optimise.optimality import optimality
 from flexbearing.optimise.run import optimise
@@ -186,16 +186,10 @@ def test_point_that_meets_all_constraints_is_searched_near_the_end_of_a_search()
 class Plane:
     """x + y of two variables from 0 to 1, at most 0.8."""
 
-    variables = tuple(Variable(name, name, None, 0.0, 1.0, "") for name in "xy")
-    settings = Search()
-
     @property
-    def goal(self):
-        return self
-
-    @property
-    def bounds(self):
-        return (self,)
+    def wanted(self):
+        variables = tuple(Variable(name, name, None, 0.0, 1.0, "") for name in "xy")
+        return DesignProblem(variables, Search(), self, (self,))
 
     def merits(self, numbers):
         return Terms(-numbers.values, -numbers.slopes)

@@ -21,8 +21,7 @@ from flexbearing.case import BadCase
 from flexbearing.coupling import PartnerFailed
 from flexbearing.files import NotStored
 from flexbearing.progress import Logged
-from flexbearing.report.studies.pareto_figure import draw_pareto
-from flexbearing.report.studies.pareto_table import Measured, Study, cheapest, front, table, text
+from flexbearing.report.studies.pareto_table import Measured, Study, cheapest, draw_pareto, front, table, text
 from flexbearing.rings import condensed
 from flexbearing.studies import pareto, pareto_levels
 from flexbearing.studies.engine.serial import Serial

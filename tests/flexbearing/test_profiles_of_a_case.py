@@ -12,7 +12,7 @@ from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
 from flexbearing.runs.validate import require_possible
-from flexbearing.studies.plan.identity import identity
+from flexbearing.studies.plan.task import identity
 from quasidynamic import LogarithmicCrown, PointsProfile
 
 PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"

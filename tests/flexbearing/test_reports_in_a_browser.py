@@ -6,12 +6,12 @@ import pytest
 
 import flexbearing
 from flexbearing import api
-from flexbearing.pages import chromium
+from flexbearing.pages import make
 from flexbearing.pages.make import report
 from tests.flexbearing.hostile_cases import CONFIGS
 from tests.flexbearing.test_html_study import DUTY, STUDY
 
-BROWSER = next(filter(None, map(shutil.which, chromium.NAMES)), None)
+BROWSER = next(filter(None, map(shutil.which, make.NAMES)), None)
 pytestmark = [
     pytest.mark.browser,
     pytest.mark.skipif(BROWSER is None, reason="no Chromium is installed (Debian: apt install chromium)"),

@@ -8,17 +8,17 @@ import pytest
 from pytest import approx
 from scipy import stats
 
-from flexbearing.sampling.design import Design
 from flexbearing.sampling.distribution import (
     lognormal,
     normal,
+    quantile,
     truncated_normal,
     uniform,
     weighted_quantile,
 )
 from flexbearing.sampling.indices import sobol_indices
 from flexbearing.sampling.linear import Linear, explained, is_skewed
-from flexbearing.sampling.quantiles import quantile
+from flexbearing.sampling.points import Design
 
 UNIFORM = uniform(-pi, pi)
 ISHIGAMI = (0.3139, 0.4424, 0.0), (0.5576, 0.4424, 0.2437)  # first and total of a = 7, b = 0.1: Saltelli 2008

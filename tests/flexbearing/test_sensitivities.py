@@ -15,7 +15,7 @@ from flexbearing.case import BadCase
 from flexbearing.derivatives.rollers import BEYOND, REACH, sensitivities
 from flexbearing.families import FAMILIES
 from flexbearing.progress import Silent
-from flexbearing.report.tornado_figure import draw_tornado
+from flexbearing.sensitivity.page import draw_tornado
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 PAPER, TEXTBOOK = CONFIGS / "mao2016.toml", CONFIGS / "nu209.toml"
@@ -255,9 +255,8 @@ def test_dimensions_of_a_flexible_ring_move_what_runs_with_them_do():
 
 def test_ring_that_grows_with_everything_else_is_as_stiff_as_it_is_large():
     """Elasticities of a raceway by all lengths together are one: [m/N] of [Pa] and [m]."""
-    from flexbearing.derivatives.ring_slopes import RingSlopes
+    from flexbearing.derivatives.ring_slopes import RingSlopes, numbers, with_numbers
     from flexbearing.derivatives.roller_state import solved
-    from flexbearing.derivatives.shape_numbers import numbers, with_numbers
 
     slopes: RingSlopes = solved(api.read_case(PAPER, BEAM)).near.slopes["outer"]
     lengths = {name: value for name, value in numbers(slopes.shape).items() if value < 1}

@@ -21,7 +21,7 @@ HEAVY = ("ngsolve", "netgen", "matplotlib", "pint", "scipy.special", "scipy.spar
 BALLS = ("flexbearing.case.balls", "flexbearing.runs.ball", "flexbearing.runs.four_point",
          "flexbearing.runs.angular_contact", "flexbearing.report.ball_look", "quasidynamic.balance.balls",
          "quasidynamic.solve.balls", "quasidynamic.four_point", "quasidynamic.angular_contact")  # fmt: skip
-ROLLERS = ("flexbearing.case.roller", "flexbearing.runs.roller", "flexbearing.report.roller.report",
+ROLLERS = ("flexbearing.case.roller", "flexbearing.runs.roller", "flexbearing.report.family_report",
            "flexbearing.coupled", "quasidynamic.balance.rollers", "quasidynamic.roller")  # fmt: skip
 
 SOLVING = ("quasidynamic.balance", "quasidynamic.solve", "quasidynamic.outcome", "quasidynamic.roller",

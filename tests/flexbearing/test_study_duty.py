@@ -13,13 +13,12 @@ from flexbearing.api import check
 from flexbearing.case import BadCase
 from flexbearing.runs import ball_life
 from flexbearing.studies.file.spectrum import Spectrum
+from flexbearing.studies.idle import LEAST_FACTOR
 from flexbearing.studies.plan import Row
 from flexbearing.studies.prepare import prepare_source
 from flexbearing.studies.table import Table
-from flexbearing.studies.table.bounds import Conditions
-from flexbearing.studies.table.duty import Cycles, texts
-from flexbearing.studies.table.forms import csv_bytes
-from flexbearing.studies.thin_oil import LEAST_FACTOR
+from flexbearing.studies.table.duty import Conditions, Cycles, texts
+from flexbearing.studies.table.files import csv_bytes
 from quasidynamic.outcome.life import basic_life, raceway_lives
 from quasidynamic.outcome.life_factors import (
     BALLS as BALLS_OF_ISO,

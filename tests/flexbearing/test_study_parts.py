@@ -6,7 +6,7 @@ import pytest
 
 from flexbearing import __main__ as program
 from flexbearing.case import BadCase
-from flexbearing.studies.job_array import sbatch
+from flexbearing.studies.placement import sbatch
 from flexbearing.studies.plan import Part
 from tests.flexbearing.test_studies import computed, counting
 from tests.flexbearing.toy_studies import CASE, toy

@@ -13,9 +13,8 @@ from flexbearing.case import BadCase
 from flexbearing.quantities.attributes import FORMAT
 from flexbearing.studies.placement import RING, expected
 from flexbearing.studies.plan import plan
-from flexbearing.studies.plan.identity import identity
 from flexbearing.studies.plan.plan import MOST_PROBLEMS
-from flexbearing.studies.plan.task import Base, Variant
+from flexbearing.studies.plan.task import Base, Variant, identity
 from flexbearing.studies.prepare import prepare_source
 from tests.flexbearing.toy_studies import CASE, toy
 

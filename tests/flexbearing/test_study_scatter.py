@@ -12,9 +12,9 @@ from flexbearing.api import read_case, sensitivities
 from flexbearing.pages.make import report
 from flexbearing.report.html.scatter import SUBJECTS, TEXTS
 from flexbearing.results import BadResult
-from flexbearing.sampling.design import Design
 from flexbearing.sampling.distribution import normal, uniform
 from flexbearing.sampling.linear import Linear
+from flexbearing.sampling.points import Design
 from flexbearing.studies import messages
 from flexbearing.studies.file.sampled import Drawn, Factor
 from flexbearing.studies.prepare import compute, prepare_source

@@ -11,7 +11,7 @@ import pytest
 
 from flexbearing.files import BadOutput, NotStored
 from flexbearing.studies.engine.serial import Serial
-from flexbearing.studies.table import forms
+from flexbearing.studies.table import files
 from tests.flexbearing.test_studies import computed, counting
 from tests.flexbearing.toy_studies import toy
 
@@ -96,7 +96,7 @@ def test_angles_are_in_degrees(tmp_path):
 def test_without_the_extra_the_table_is_csv_and_the_rest_says_what_to_install(tmp_path, monkeypatch):
     from flexbearing.studies import messages
 
-    monkeypatch.setattr(forms, "find_spec", lambda name: None)
+    monkeypatch.setattr(files, "find_spec", lambda name: None)
     prepared = toy(tmp_path)
     table = computed(prepared, tmp_path)
     assert sorted(path.suffix for path in tmp_path.iterdir()) == [".csv", ".jsonl", ".toml"]

@@ -4,10 +4,10 @@ import shutil
 
 import pytest
 
-from flexbearing.pages import chromium
+from flexbearing.pages import make
 from tests.site.built import SITE
 
-BROWSER = next(filter(None, map(shutil.which, chromium.NAMES)), None)
+BROWSER = next(filter(None, map(shutil.which, make.NAMES)), None)
 pytestmark = [
     pytest.mark.docs,
     pytest.mark.skipif(BROWSER is None, reason="no Chromium is installed (Debian: apt install chromium)"),

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from flexbearing.case.declarations import toml
 from flexbearing.catalogue.entries import LIKES
-from flexbearing.catalogue.head import one_line
+from flexbearing.catalogue.new import one_line
 from flexbearing.catalogue.rexs.bearings import Bearing
 from flexbearing.catalogue.rexs.operation import SHARES, Point
 from flexbearing.files import as_csv, require_outputs, write

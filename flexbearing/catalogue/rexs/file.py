@@ -11,7 +11,7 @@ from flexbearing.case.read import LONGEST_NAME
 from flexbearing.catalogue.rexs import json_form
 from flexbearing.catalogue.rexs.parts import Model, Part, Roles, Value
 from flexbearing.inputs.archive import BEGINNING
-from flexbearing.inputs.limits import REXS
+from flexbearing.inputs.file import REXS
 from flexbearing.printable import excerpt
 
 ENCODINGS = (b"utf-8", b"utf-16", b"us-ascii", b"iso-8859-1", b"windows-1252")

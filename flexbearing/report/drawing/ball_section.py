@@ -6,8 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.report.drawing.inner_ring import ring_on_shaft
-from flexbearing.report.drawing.outer_ring import elastic_ring
+from flexbearing.report.drawing.rings import elastic_ring, ring_on_shaft
 from flexbearing.report.drawing.sheet import Drawing, Sheet
 from flexbearing.report.drawing.words import ELEMENT, HOUSING, INNER, LOAD, OUTER, SCHEMATIC, SHAFT, Words
 

@@ -10,7 +10,6 @@ from flexbearing.report.drawing import (
     cage_pocket,
     profiles,
     roller_section,
-    squirrel_cage,
 )
 from flexbearing.report.drawing.sheet import Drawing
 from flexbearing.report.drawing.words import Words
@@ -21,10 +20,7 @@ def drawings(
 ) -> Iterator[Drawing]:
     """Drawings of a case to scale.
 
-    Raises
-    ------
-    BadCase
-        where points of a profile cannot be read or are none of its roller
+    Raises `BadCase` where points of a profile cannot be read or are none of its roller.
     """
     draw, profiles_of = family.report().drawings, family.profiles
     if draw is not None:
@@ -36,7 +32,7 @@ def of_rollers(words: Words) -> Iterator[Drawing]:
     yield roller_section.section(words)
     yield along_axis.rollers(words)
     if words.case.outer.kind == "squirrel_cage":
-        yield squirrel_cage.bars(words, words.case.bearing.outer_raceway_diameter / 2)
+        yield along_axis.bars(words, words.case.bearing.outer_raceway_diameter / 2)
     if drops := words.profiles and words.profiles(words.case):
         yield profiles.profiles(words, drops)
     if words.case.bearing.cage.thickness:
@@ -49,7 +45,7 @@ def of_fast_balls(words: Words) -> Iterator[Drawing]:
     yield along_axis.balls(words)
     if words.case.outer.kind == "squirrel_cage":
         bearing = words.case.bearing
-        yield squirrel_cage.bars(words, bearing.groove_bottom("outer"), bearing.outer.shoulder)
+        yield along_axis.bars(words, bearing.groove_bottom("outer"), bearing.outer.shoulder)
 
 
 def of_slow_balls(words: Words) -> Iterator[Drawing]:

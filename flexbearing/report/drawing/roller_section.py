@@ -3,8 +3,7 @@
 from typing import Any
 
 from flexbearing.case.cage_room import cage_radii, overlap
-from flexbearing.report.drawing.inner_ring import inner_ring
-from flexbearing.report.drawing.outer_ring import outer_ring
+from flexbearing.report.drawing.rings import inner_ring, outer_ring
 from flexbearing.report.drawing.sheet import Drawing, Sheet
 from flexbearing.report.drawing.words import CAGE, ELEMENT, SCHEMATIC, Words
 

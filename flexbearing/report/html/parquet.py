@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 from flexbearing import inputs
 from flexbearing.files import as_csv
 from flexbearing.files.csv_rows import as_cell
-from flexbearing.inputs.limits import TABLE
+from flexbearing.inputs.file import TABLE
 from flexbearing.printable import excerpt
 
 MOST_ROWS, MOST_CELLS = 1_000_000, 20_000_000  # numbers and texts, those of lists among them
@@ -25,10 +25,8 @@ T = TypeVar("T")
 def csv_text(place: Path, most: int | None = None) -> str:
     """Text of the CSV file with the same table; of its first batches alone where only some rows are needed.
 
-    Raises
-    ------
-    Unreadable
-        where the file cannot be read, is larger than any table of a study, or pyarrow is not installed
+    Raises `Unreadable` where the file cannot be read, is larger than any table of a study, or pyarrow is not
+    installed.
     """
     return _read(place, lambda opened: _text(opened, most or MOST_ROWS))
 

@@ -8,7 +8,6 @@ from flexbearing.report.drawing.of_case import drawings as drawn
 from flexbearing.report.figure import Figure
 from flexbearing.report.html import (
     checks,
-    clearance,
     effects,
     elements,
     inputs,
@@ -16,7 +15,6 @@ from flexbearing.report.html import (
     origin,
     others,
     rings,
-    stiffness,
     subjects,
 )
 from flexbearing.report.html.document import Cell, Document, Drawing, Number, Table
@@ -31,13 +29,7 @@ SIGNED = ("project", "part", "revision", "date", "author", "checker")
 
 
 def of_result(result: Result, units: Units = METRIC, against: dict[str, Any] | None = None) -> Document:
-    """Collect the report of a result.
-
-    Raises
-    ------
-    BadResult
-        where the case in the result cannot be read
-    """
+    """Collect the report of a result; raises `BadResult` where the case in the result cannot be read."""
     reader = Reader(result, units)
     solved = bool(reader.blocks)
     parts = {
@@ -109,11 +101,11 @@ def _of_solution(reader: Reader) -> dict[str, Any]:
         "missed_at_low_end": checks.missed_at_low_end(reader),
         "moved": _moved(reader) if known else None,
         "subjects": subjects.tables(reader),
-        "supports": stiffness.supports(reader),
-        "matrix": stiffness.matrix(reader),
-        "matrix_units": [printed(unit) for unit in stiffness.units(reader)],
-        "steps": clearance.steps(reader),
-        "tolerances": clearance.tolerances(reader),
+        "supports": rings.supports(reader),
+        "matrix": rings.matrix(reader),
+        "matrix_units": [printed(unit) for unit in rings.units(reader)],
+        "steps": rings.steps(reader),
+        "tolerances": rings.tolerances(reader),
         "deformed": bent if bent and shows_something(bent) else None,
         "bars": _bars(reader),
         "stresses": rings.stresses(reader),

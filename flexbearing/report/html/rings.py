@@ -1,8 +1,68 @@
-"""Elastic rings: largest stresses of every body, readings of probes, translation on their supports."""
+"""Stiffness: what holds each ring, and the matrix over five directions."""
 
-from flexbearing.report.html.document import Cell, Table
+import numpy as np
+
+from flexbearing.outputs import outputs
+from flexbearing.report.html.document import Cell, Number, Table
 from flexbearing.report.html.reader import Reader
-from flexbearing.report.html.units import printed, with_unit
+from flexbearing.report.html.units import NOTHING, printed, with_unit
+
+_ZERO = 1e-10  # of the diagonal: what rounding leaves of nothing
+_FORCES = ("force along x", "force along y", "force along z", "moment about y", "moment about z")
+_BY = ("along x", "along y", "along z", "about y", "about z")
+_UNITS = (("N/m", "kN/mm"), ("N/rad", "kN/rad"), ("N m/m", "kN m/m"), ("N m/rad", "kN m/rad"))
+_SUPPORT = "support_stiffness_N_per_m"
+
+
+def supported(reader: Reader) -> bool:
+    """Whether a ring is on a support that gives way."""
+    block = reader.blocks[reader.last]
+    if "stiffness" not in block and "total_stiffness" in block:  # no springs in series
+        return True
+    structure = reader.attributes.get("structure") or {}
+    return len(reader.blocks) > 1 and any(figures.get(_SUPPORT) is not None for figures in structure.values())
+
+
+def supports(reader: Reader) -> Table | None:
+    """Stiffness of what holds each ring, alone, with its error and the size of its mesh."""
+    rows: list[tuple[Cell, ...]] = []
+    for part, figures in (reader.attributes.get("structure") or {}).items():
+        path = f"structure/{part}"
+        cells = [
+            NOTHING if figures.get(name) is None else
+            reader.of_attribute(f"{path}/{name}", "N/m", "kN/mm", ",.4g")
+            for name in (_SUPPORT, "support_stiffness_error_N_per_m")
+        ]  # fmt: skip
+        rows.append((part, *cells, reader.of_attribute(f"{path}/unknowns", "", "", ",d")))
+    unit = reader.units.of("kN/mm")
+    head = ("ring", with_unit("support alone", unit), with_unit("its error", unit), "unknowns")
+    return Table(head, tuple(rows)) if rows else None
+
+
+def matrix(reader: Reader) -> Table | None:
+    """The matrix of the last end state, with a unit for each of its four parts."""
+    if "stiffness_matrix" not in reader.blocks.get(reader.last, {}):
+        return None
+    rows: list[tuple[Cell, ...]] = [
+        (force, *(entry(reader, row, column) for column in range(5))) for row, force in enumerate(_FORCES)
+    ]
+    return Table(("load", *_BY), tuple(rows))
+
+
+def units(reader: Reader) -> list[str]:
+    """Units of the four parts of the matrix: forces, then moments, by displacements and by rotations."""
+    return [reader.units.of(people) for _, people in _UNITS]
+
+
+def entry(reader: Reader, row: int, column: int) -> Number:
+    """An entry of the matrix of the last end state; what rounding leaves of nothing is printed as zero."""
+    matrix = reader.blocks[reader.last]["stiffness_matrix"]
+    stored, people = _UNITS[2 * (row > 2) + (column > 2)]
+    value, scale = float(matrix[row, column]), np.sqrt(abs(matrix[row, row] * matrix[column, column]))
+    digits = ".0f" if abs(value) <= _ZERO * scale else ".4g"
+    place = f"{reader.last}/stiffness_matrix/{row}/{column}"
+    return reader.units.number(value, stored, people, digits, place)
+
 
 _STRESSES = (
     ("von_mises_MPa", "MPa", ",.0f"), ("von_mises_error_MPa", "MPa", ",.0f"), ("tension_MPa", "MPa", ",.0f"),
@@ -61,3 +121,65 @@ def probes(reader: Reader) -> Table | None:
         for place in range(len(block["probe_azimuth"]))
     )
     return Table(("probe", *head), tuple(rows))
+
+
+DIAGONAL = "diagonal_clearance"
+TIGHT = "tolerances/ends/tightest_m"  # path of the least clearance within the tolerances
+_KINDS = {
+    "clearance": "clearance before mounting,", "shaft": "interference on the shaft,",
+    "housing": "interference in the housing,",
+}  # fmt: skip
+
+
+def along_diagonal(reader: Reader) -> Number | None:
+    """Free way of a ball between four contacts; None for other bearings."""
+    declared = next((each for each in outputs(reader.layout) if each.name == DIAGONAL), None)
+    block = reader.blocks.get(reader.last, ())
+    if declared is None or not all(each in block for each in declared.declared.of):
+        return None
+    return reader.scalar(declared)
+
+
+def clearance_origin(reader: Reader) -> str:
+    """Where a stated clearance comes from."""
+    if "bearing.clearance" in reader.attributes["calibrated"]:
+        return "fitted"
+    return "assumed" if "bearing.clearance" in reader.attributes["assumed"] else "given by the case"
+
+
+def steps(reader: Reader) -> Table | None:
+    """From the clearance before mounting to that of the result; None where the case states it."""
+    found = reader.attributes.get("clearance") or {}
+    if not found.get("steps"):
+        return None
+    unit = reader.units.of("um")
+    rows: list[tuple[Cell, ...]] = [
+        ("before mounting", "", reader.of_attribute("clearance/cold_m", "m", "um", ".1f"))
+    ]
+    for place, step in enumerate(found["steps"]):
+        path = f"clearance/steps/{place}"
+        change, after = (reader.of_attribute(f"{path}/{name}", "m", "um", form)
+                         for name, form in (("change_m", "+.2f"), ("clearance_m", ".1f")))  # fmt: skip
+        rows.append((step["name"], change, after))
+    return Table(("step", with_unit("change", unit), with_unit("clearance", unit)), tuple(rows))
+
+
+def tolerances(reader: Reader) -> Table | None:
+    """Least and greatest by the classes, and the clearance that they leave; None without classes."""
+    found = (reader.attributes.get("clearance") or {}).get("tolerances")
+    if not found:
+        return None
+    rows: list[tuple[Cell, ...]] = []
+    for place, each in enumerate(found["classes"]):
+        path = f"clearance/tolerances/classes/{place}"
+        limits = (reader.of_attribute(f"{path}/{name}", "m", "um", ".1f")
+                  for name in ("least_m", "used_m", "greatest_m"))  # fmt: skip
+        rows.append((f"{_KINDS[each['name']]} {each['class']}", *limits))
+    if "ends" in found:
+        paths = (TIGHT, "operating_m", "tolerances/ends/loosest_m")
+        ends = (reader.of_attribute(f"clearance/{path}", "m", "um", ".1f") for path in paths)
+        rows.append((reader.clearance_words, *ends))
+    unit = reader.units.of("um")
+    return Table(
+        ("class", *(with_unit(word, unit) for word in ("least", "computed", "greatest"))), tuple(rows)
+    )

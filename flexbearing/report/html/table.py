@@ -13,7 +13,7 @@ from pathlib import Path
 from flexbearing import inputs
 from flexbearing.case.declarations import find
 from flexbearing.case.family import Families
-from flexbearing.inputs.limits import TABLE
+from flexbearing.inputs.file import TABLE
 from flexbearing.results import BadResult
 
 PARQUET = ".parquet"
@@ -162,10 +162,7 @@ def _packed_ends(place: Path) -> list[list[str]]:
 def table_text(place: Path, most: int | None = None) -> str:
     """Text of a CSV file, or of one with the same table as a Parquet file, of its first rows at least.
 
-    Raises
-    ------
-    Unreadable
-        where the file cannot be read, also without the package that reads Parquet
+    Raises `Unreadable` where the file cannot be read, also without the package that reads Parquet.
     """
     if place.suffix != PARQUET:
         return inputs.text(place, TABLE)

@@ -28,12 +28,8 @@ COLOURED = 0.99  # share of the surface's corners with stresses up to the last c
 def pictures(result: Result, directory: Path, form: Format = PNG) -> Iterator[Path | NoFields]:
     """Draw every flexible part at the flexible end state, in files named after result and part.
 
-    Raises
-    ------
-    BadOutput
-        before anything is solved, if a picture cannot be written
-    NotStored
-        if there is no room for it
+    Raises `BadOutput` before anything is solved, if a picture cannot be written; `NotStored` if there is no
+    room for it.
     """
     if not result.flexible or not result.family.report().deformed:
         return

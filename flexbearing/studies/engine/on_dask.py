@@ -10,8 +10,8 @@ from urllib.parse import urlsplit
 
 from flexbearing.printable import excerpt
 from flexbearing.program.processes import Done
+from flexbearing.studies.engine.attempts import EngineLost
 from flexbearing.studies.engine.certificates import Certificates
-from flexbearing.studies.engine.engine import EngineLost
 
 if TYPE_CHECKING:
     from distributed import Client, Future
@@ -38,10 +38,7 @@ class OnDask:
     def submit(self, function: Callable[[Any], Any], argument: Any) -> None:
         """Have a function called by whichever worker is free.
 
-        Raises
-        ------
-        EngineLost
-            when the scheduler is gone
+        Raises `EngineLost` when the scheduler is gone.
         """
         try:
             future = self._client.submit(function, argument, pure=False)
@@ -51,13 +48,7 @@ class OnDask:
         future.add_done_callback(self._ended.put)
 
     def as_completed(self) -> Iterator[Done]:
-        """Yield calls as they end, on whichever worker.
-
-        Raises
-        ------
-        EngineLost
-            when the scheduler is gone
-        """
+        """Yield calls as they end, on whichever worker; raises `EngineLost` when the scheduler is gone."""
         while self._running:
             future = self._ended.get()
             yield self._done(self._running.pop(future.key), future)

@@ -27,13 +27,7 @@ class Axis:
 def axes(
     over: Mapping[str, Any], *, zipped: bool, table: Path | None, find: Callable[[str], Declaration]
 ) -> tuple[Axis, ...]:
-    """Axes of the table [over].
-
-    Raises
-    ------
-    BadValues
-        naming the key
-    """
+    """Axes of the table [over]; raises `BadValues` naming the key."""
     found = [Axis(OF_FILE, *rows(table, lambda key: find(key).kind is not None))] if table else []
     if not zipped:
         _require_few(prod(map(count, over.values())))

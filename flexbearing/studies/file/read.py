@@ -86,10 +86,7 @@ def read(source: Source, families: Families, case: Head | None = None) -> Study:
 def study_of(given: StudyFile, file: Path, families: Families, of: Head | None = None) -> Study:
     """A study from the keys of its file, with the text of its case, or `of` a case that was read.
 
-    Raises
-    ------
-    BadCase
-        as `read`
+    Raises `BadCase` as `read`.
     """
     case = file.parent / given.case if of is None else Path(of.source.path)
     text = _text(case) if of is None else of.source.text
@@ -182,10 +179,7 @@ def _text(file: Path) -> str:
 def flat_tables(source: Source, of: str, names: Collection[str]) -> tuple[dict[str, Any], Path]:
     """Tables of a file or a dictionary, and its name; in those of some names the keys have dots.
 
-    Raises
-    ------
-    BadCase
-        where it cannot be read
+    Raises `BadCase` where it cannot be read.
     """
     if isinstance(source, Mapping):
         raw, file = dict(source), Path(of)

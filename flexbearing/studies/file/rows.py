@@ -8,7 +8,7 @@ from typing import Any
 
 from flexbearing import inputs
 from flexbearing.case.text import Unreadable, setting_value
-from flexbearing.inputs.limits import VARIANTS
+from flexbearing.inputs.file import VARIANTS
 from flexbearing.printable import excerpt
 from flexbearing.studies.file.values import MOST, BadValues
 

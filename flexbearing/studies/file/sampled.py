@@ -11,9 +11,8 @@ from flexbearing import inputs
 from flexbearing.case.declarations import Declaration, toml
 from flexbearing.case.quantity import Kind
 from flexbearing.printable import excerpt
-from flexbearing.sampling.design import POWERS_OF_2, Design
 from flexbearing.sampling.distribution import Distribution, lognormal, normal, truncated_normal, uniform
-from flexbearing.sampling.points import Points
+from flexbearing.sampling.points import POWERS_OF_2, Design, Points
 from flexbearing.studies.file.axes import TOGETHER, Axis
 from flexbearing.studies.file.columns import MadeRows, Row
 from flexbearing.studies.file.schema import Sample

@@ -6,7 +6,7 @@ from typing import Literal
 from pydantic import ConfigDict
 
 from flexbearing.case.quantity import Section, key
-from flexbearing.sampling.design import Method
+from flexbearing.sampling.points import Method
 
 SETTINGS = "settings of every {} that differ from the case file, key by key; an empty text takes a key out"
 

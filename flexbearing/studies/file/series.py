@@ -36,10 +36,7 @@ def binned(file: Path, bins: int, find: Callable[[str], Declaration]) -> Binned:
     With the loads of the bins they have the damage of their rows where the life goes with P^-p; other keys
     have their mean over the time.
 
-    Raises
-    ------
-    BadValues
-        naming file, row or key
+    Raises `BadValues` naming file, row or key.
     """
     seconds, values, units = _read(file, find)
     each = [_places(of, bins if _exponent(key) else max(1, bins // 3)) for key, of in values.items()]

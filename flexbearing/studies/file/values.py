@@ -83,10 +83,7 @@ def _word(number: float, unit: str) -> str | float:
 def ends(first: str, last: str, declaration: Declaration) -> tuple[tuple[float, float], str]:
     """Both ends of a range in their common unit, or in SI; an empty unit where the key takes plain numbers.
 
-    Raises
-    ------
-    BadValues
-        with what is wrong with one of them
+    Raises `BadValues` with what is wrong with one of them.
     """
     kind = declaration.kind
     if kind is None:

@@ -26,7 +26,7 @@ from flexbearing.runs import notes
 from flexbearing.studies.engine import DIED, completed
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.table import Table
-from flexbearing.studies.table.column import Column
+from flexbearing.studies.table.table import Column
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.note import Note
 from quasidynamic.trace import Branch, BranchEnd, logarithms, trace as follow
@@ -120,10 +120,7 @@ def is_followed(over: Sequence[str]) -> bool:
 def ends(case: str | Path, over: str, overrides: Sequence[str] = ()) -> Range:
     """Where a branch begins and how far it is followed.
 
-    Raises
-    ------
-    BadCase
-        when key, range or case make no sense
+    Raises `BadCase` when key, range or case make no sense.
     """
     axis, texts = _parsed(over)
     settings = [[*overrides, f"operation.{axis.name}={end}"] for end in texts]

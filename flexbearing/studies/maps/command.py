@@ -1,18 +1,15 @@
 """The command `map`; what it does not need is not loaded."""
 
-import sys
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from flexbearing.program.complete_files import keeping
-
-CONVERGED, NOT_CONVERGED = 0, 1
+from flexbearing.program.commands import CONVERGED, NOT_CONVERGED, CaseFile, Settings, end, keeping, say
 
 
 def map_(
-    case: Annotated[Path, typer.Argument(help="case file (TOML)", metavar="CASE")],
+    case: CaseFile,
     over: Annotated[
         list[str],
         typer.Option(
@@ -35,13 +32,9 @@ def map_(
             "--format", metavar="png|svg|pdf", show_default=False, help="of the picture; png by default"
         ),
     ] = "png",
-    settings: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="KEY=VALUE", help="replace a key of the case, as of run"),
-    ] = None,
+    settings: Settings = None,
 ) -> None:
     """Map a case over one to three keys: every equilibrium of every point, folds, regions of several."""
-    from flexbearing.printable import printable
     from flexbearing.progress import shown
     from flexbearing.studies.maps.map import MapRequest, map_case
     from quasidynamic import NotSolved
@@ -52,9 +45,8 @@ def map_(
         with shown("map") as report:
             found = map_case(request, report)
     except NotSolved as problem:
-        sys.stderr.write(printable(f"{case}: not converged: {problem}\n"))
-        raise typer.Exit(NOT_CONVERGED) from None
+        end(f"{case}: not converged: {problem}")
     with keeping(list(found.files.values())):
         files = "\n".join(f"{name}: {path}" for name, path in found.files.items())
-        sys.stdout.write(printable(f"{found.text}\n{files}\n"))
+        say(f"{found.text}\n{files}")
     raise typer.Exit(CONVERGED if found.complete else NOT_CONVERGED)

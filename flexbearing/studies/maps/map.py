@@ -11,13 +11,14 @@ from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
 from flexbearing.files import require_outputs, write
 from flexbearing.printable import excerpt
+from flexbearing.program.commands import keeping
 from flexbearing.progress import Report
 from flexbearing.report.picture import FORMATS, Format, picture_bytes
 from flexbearing.runs.run_case import stem_of_outputs
 from flexbearing.studies.maps import branch, pages
 from flexbearing.studies.maps.axes import FORM, axes
 from flexbearing.studies.maps.solution import OUTPUTS, solved_map
-from flexbearing.studies.table.forms import csv_bytes, missing, netcdf_bytes
+from flexbearing.studies.table.files import csv_bytes, missing, netcdf_bytes
 
 if TYPE_CHECKING:
     from flexbearing.studies.maps.branch import FollowedMap
@@ -107,13 +108,10 @@ def _followed(case: str | Path, over: str, overrides: Sequence[str], files: dict
     require_outputs(files.values(), wanted.case.input_files)
     found = branch.followed(wanted)
     write(files["table"].resolve(), csv_bytes(found.table()))
-    try:
+    with keeping([files["table"]], "the table is complete"):
         figure = draw_branch(found.title, found.axis.label, found.columns(), found.raceways)
         form = Format(files["picture"].suffix.removeprefix("."))
         write(files["picture"].resolve(), picture_bytes(figure, form))
-    except BaseException as problem:  # only a note is added
-        problem.add_note(f"the table is complete: {files['table']}")
-        raise
     return WrittenMap(found, found.text(), found.complete, files)
 
 
@@ -122,7 +120,7 @@ def _write(found: "SolvedMap", files: dict[str, Path], form: Format) -> None:
 
     table = csv_bytes(pages.rows(found))
     write(files["table"].resolve(), table)
-    try:
+    with keeping([files["table"]], "the table is complete"):
         write(files["folds"].resolve(), csv_bytes(pages.folds(found)))
         if "fold curves" in files:
             write(files["fold curves"].resolve(), csv_bytes(pages.curves(found)))
@@ -131,6 +129,3 @@ def _write(found: "SolvedMap", files: dict[str, Path], form: Format) -> None:
         write(files["picture"].resolve(), picture_bytes(pages.picture(found), form))
         document = pages.page(found, files["table"].name, table.decode())
         write(files["page"].resolve(), html(document).encode())
-    except BaseException as problem:  # only a note is added
-        problem.add_note(f"the table is complete: {files['table']}")
-        raise

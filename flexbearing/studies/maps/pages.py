@@ -17,7 +17,7 @@ from flexbearing.studies.file import Axis
 from flexbearing.studies.maps.axes import MapAxis
 from flexbearing.studies.maps.solution import SolvedMap
 from flexbearing.studies.table import Table
-from flexbearing.studies.table.column import Column
+from flexbearing.studies.table.table import Column
 from quasidynamic.contact.film.roughness import MIXED_FROM
 from quasidynamic.maps.sheets import FINEST
 from quasidynamic.outcome.rating_life import ROLLERS

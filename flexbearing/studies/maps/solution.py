@@ -77,12 +77,8 @@ class SolvedMap:
 def solved_map(first: Case, axes: Sequence[MapAxis], texts: Sequence[str], report: Report) -> SolvedMap:
     """Compute a map.
 
-    Raises
-    ------
-    BadCase
-        as `grid`, and for a name that is no output
-    NotSolved
-        where a ring has no trustworthy answer
+    Raises `BadCase` as `grid`, and for a name that is no output; `NotSolved` where a ring has no trustworthy
+    answer.
     """
     _require_outputs(texts)
     ahead = __name__ if prod(len(axis.values) for axis in axes) >= ENOUGH else None

@@ -1,7 +1,6 @@
 """What a study computes, known before anything is: variants, their identities, tasks."""
 
-from flexbearing.studies.plan.part import Part
-from flexbearing.studies.plan.plan import Impossible, Plan, Problem, plan
+from flexbearing.studies.plan.plan import Impossible, Part, Plan, Problem, plan
 from flexbearing.studies.plan.task import Condensed, Corners, Ring, Row, Task, Variant
 
 __all__ = [

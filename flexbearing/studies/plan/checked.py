@@ -7,8 +7,7 @@ from types import NoneType
 from typing import Any, overload
 
 from flexbearing.studies.file.columns import Row
-from flexbearing.studies.plan.identity import LENGTH
-from flexbearing.studies.plan.task import Idle, Variant
+from flexbearing.studies.plan.task import LENGTH, Idle, Variant
 
 Shared = tuple[tuple[str, ...], str, Idle | None, str]  # rings, name of the levels, whether idle or thin
 

@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.studies.plan.checked import CheckedVariants
-from flexbearing.studies.plan.identity import LENGTH
-from flexbearing.studies.plan.task import Base, Corners
+from flexbearing.studies.plan.task import LENGTH, Base, Corners
 
 MOST = 6  # variants at which levels are chosen; two for each of the first three keys
 FIRST = "operation."  # keys that come first: errors depend on loads before all

@@ -2,8 +2,13 @@
 
 from collections.abc import Mapping, Set
 from dataclasses import dataclass, field, replace
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
+
+from flexbearing.case import Head
+from flexbearing.case.head import digests
+from flexbearing.quantities.attributes import FORMAT
 
 CONVERGED, BAD_INPUT, WORKER_DIED, ERROR = "converged", "bad input", "worker died", "error"
 NOT_STORED = "not stored"  # the result file of a variant: that ends the study
@@ -127,3 +132,13 @@ class Condensed:
 
     levels: Any = None  # that are chosen; None of a ring
     complaints: tuple[str, ...] = ()  # as of a row
+
+
+NAMES = {"report"}  # names on a page, on which no number depends
+LENGTH = 32  # characters that are kept, 128 bits
+
+
+def identity(case: Head) -> str:
+    """Digest of the format of results and of a complete case in SI units as JSON, keys in their order."""
+    text = f"{FORMAT} {case.model_dump_json(exclude=NAMES)} {digests(case)}"
+    return sha256(text.encode()).hexdigest()[:LENGTH]

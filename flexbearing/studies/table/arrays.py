@@ -8,7 +8,7 @@ import xarray
 
 from flexbearing.outputs.names import ROLLER
 from flexbearing.studies.file import Axis
-from flexbearing.studies.table.column import Column
+from flexbearing.studies.table.table import Column
 
 
 def dataset(

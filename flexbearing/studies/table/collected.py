@@ -14,7 +14,7 @@ from flexbearing.outputs.value import conversion, quoted
 from flexbearing.quantities.layout import Layout
 from flexbearing.studies.file import Study
 from flexbearing.studies.plan import Row
-from flexbearing.studies.table.column import Column
+from flexbearing.studies.table.table import Column
 
 _QUOTIENT = re.compile(r"\s*(?P<dividend>[\w.]+)\s*/\s*(?P<divisor>[\w.]+)\s*(?:\[(?P<unit>[^]]*)\]\s*)?")
 

@@ -8,8 +8,7 @@ from flexbearing.printable import excerpt
 from flexbearing.studies.file import Study
 from flexbearing.studies.file.values import BadValues
 from flexbearing.studies.table.collected import Collected, of_output, of_text
-from flexbearing.studies.table.marks import mark
-from flexbearing.studies.table.plot import Plot
+from flexbearing.studies.table.plot import Plot, mark
 
 
 def drawn(

@@ -1,19 +1,21 @@
 """The cumulated life of a duty cycle, and the share of each row in its damage."""
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from math import pi
+from math import nan, pi, prod
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.case.family import Family
 from flexbearing.studies.file.spectrum import Spectrum
-from flexbearing.studies.plan import Row
+from flexbearing.studies.plan import Plan, Row, Variant
 from flexbearing.studies.plan.task import CONVERGED, NO_DAMAGE, NOT_COMPUTED
-from flexbearing.studies.table.bounds import NONE, Conditions
 from flexbearing.studies.table.collected import of_error
-from flexbearing.studies.table.column import Column
+from flexbearing.studies.table.table import Column
+from quasidynamic import OutOfRange
 from quasidynamic.outcome.load_spectrum import (
     cumulated_life,
     cumulated_life_error,
@@ -24,6 +26,33 @@ from quasidynamic.outcome.load_spectrum import (
     time_shares,
 )
 from quasidynamic.outcome.rating_life import required_rating
+
+NONE = -1  # of a row that needs no bound, or has none
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """What decides whether a row of a cycle bounds another one."""
+
+    loads: NDArray  # (N, L) every load that varies, without its sign
+    others: NDArray  # (N) rows with the same number differ in loads alone
+
+    def bounds(self, lives: NDArray) -> NDArray:
+        """For each row (C, N) without a life the row whose life is its bound; `NONE` for all others."""
+        found = np.full(lives.shape, NONE)
+        for cycle, of_rows in enumerate(lives):
+            lacking, solved = np.flatnonzero(np.isnan(of_rows)), np.flatnonzero(np.isfinite(of_rows))
+            for group in np.unique(self.others[lacking]):
+                alike = solved[self.others[solved] == group]
+                for row in lacking[self.others[lacking] == group]:
+                    found[cycle, row] = self._above(row, alike)
+        return found
+
+    def _above(self, row: int, solved: NDArray) -> int:
+        """The row with the next higher load among some rows; `NONE` where there is none."""
+        more = solved[np.all(self.loads[solved] >= self.loads[row], axis=1)]
+        return int(more[np.argmin(np.linalg.norm(self.loads[more], axis=1))]) if more.size else NONE
+
 
 RPM, HOUR, MREV = pi / 30, 3600.0, 1e6
 BASIC, MODIFIED = "life_L10 [Mrev]", "modified_life [Mrev]"
@@ -239,3 +268,79 @@ def _listed(rows: NDArray) -> str:
     return ", ".join(map(str, numbers[:SHOWN])) + (
         f" and {len(numbers) - SHOWN} more" * (len(numbers) > SHOWN)
     )
+
+
+LOADS = "operation.radial_load", "operation.moment", "operation.load."  # keys, and a table of balls
+IDLE = 0.0, 1.0, 1.0  # load, a_1 and exponent of a row without damage; other exponents are larger
+
+
+def is_load(key: str) -> bool:
+    """Whether a key is a load of the bearing."""
+    return key.startswith(LOADS)
+
+
+def duty_cycles(
+    plan: Plan,
+    spectrum: Spectrum,
+    rows: Sequence[Row],
+    speeds: NDArray,
+    errors: Collection[str],
+    catalogue: Catalogued | None,
+) -> Cycles:
+    """The cycle of each bearing, from the rows and speeds of all variants of a plan."""
+    length = len(plan.axes[-1].rows)
+    return Cycles(
+        spectrum,
+        speeds.reshape(-1, length),
+        [rows[first : first + length] for first in range(0, len(rows), length)],
+        errors,
+        conditions(plan.base.keys, plan.variants[:length]),
+        np.array([bool(each.thin) for each in plan.variants]).reshape(-1, length),
+        catalogue,
+    )
+
+
+def life_kinds(plan: Plan, spectrum: Spectrum, case_of: Callable[[Variant], Any]) -> Iterator[str]:
+    """What life each cycle has: by the case of its first row that is computed."""
+    length = len(plan.axes[-1].rows)
+    for first in range(0, len(plan.variants), length):
+        computed = [each for each in plan.variants[first : first + length] if not each.idle]
+        life = case_of(computed[0]).life if computed else None
+        if life is None or life.loads != "rating" or spectrum.life == "life_L10":
+            yield KINDS[spectrum.life]
+        else:
+            yield "modified catalogue" if life.lubrication or life.reliability else "catalogue L10"
+
+
+def catalogued(
+    plan: Plan, family: Family, spectrum: Spectrum, case_of: Callable[[Variant], Any]
+) -> Catalogued | None:
+    """Loads and reliabilities of all variants; None of kinds without, or where no load is known."""
+    if family.catalogue is None:
+        return None
+    of = family.catalogue()
+    each = [IDLE if variant.idle else _required(of, case_of(variant)) for variant in plan.variants]
+    loads, reliability, exponents = np.array(each).T.reshape(3, -1, len(plan.axes[-1].rows))
+    if not np.any(loads > 0):
+        return None
+    exponent = exponents.max(axis=1)
+    return Catalogued(loads, exponent, reliability, spectrum.required, spectrum.application_factor)
+
+
+def _required(catalogue: Any, case: Any) -> tuple[float, float, float]:
+    """Equivalent load [N], NaN where not known beforehand, a_1 of the reliability, exponent of the life."""
+    from flexbearing.runs.life_of_state import of_reliability
+
+    factor = prod(float(each.value) for each in of_reliability(case.life))
+    try:
+        return catalogue.load(case), factor, catalogue.exponent(case)
+    except OutOfRange:
+        return nan, factor, catalogue.exponent(case)
+
+
+def conditions(keys: Sequence[str], rows: Sequence[Variant]) -> Conditions:
+    """Loads of the rows of a cycle, and which rows differ in nothing else."""
+    loads = [number for number, key in enumerate(keys) if is_load(key)]
+    others = [str([value for n, value in enumerate(row.in_si) if n not in loads]) for row in rows]
+    values = np.array([[abs(row.in_si[number] or 0.0) for number in loads] for row in rows], dtype=float)
+    return Conditions(values.reshape(len(rows), len(loads)), np.unique(others, return_inverse=True)[1])

@@ -1,10 +1,69 @@
 """The files of a table: each appears whole, or what had its name before stays."""
 
+import json
+from collections.abc import Callable, Sequence
+from importlib.util import find_spec
+from math import inf
 from pathlib import Path
+from typing import Any
 
-from flexbearing.files import write
-from flexbearing.studies.table.forms import FORMS, missing
+from flexbearing.files import as_csv, write
+from flexbearing.studies.plan.task import NO_DAMAGE
 from flexbearing.studies.table.table import Table
+
+EXTRA = 'pip install "flexbearing[studies]"'
+
+
+def csv_bytes(table: Table) -> bytes:
+    """A table as CSV: headings with units, then the rows; nothing stands where there is no number.
+
+    Infinite lives of rows without damage are none either: their status says it.
+    """
+    headings = [column.heading for column in table.columns]
+    return as_csv(
+        [headings, *map(_cells, zip(*(column.values for column in table.columns), strict=True))]
+    ).encode()
+
+
+def _cells(row: Sequence[Any]) -> Sequence[Any]:
+    return [None if value == inf else value for value in row] if NO_DAMAGE in row else row
+
+
+def parquet_bytes(table: Table) -> bytes:
+    """A table as Parquet, fields called as the headings.
+
+    Each field has its unit as metadata, and the metadata of the file hold all of them as JSON, "units".
+    """
+    import pyarrow
+
+    from flexbearing.report.html.parquet import sealed
+
+    arrays = [pyarrow.array(column.values) for column in table.columns]
+    fields = [
+        pyarrow.field(column.heading, array.type, metadata={"unit": column.unit})
+        for column, array in zip(table.columns, arrays, strict=True)
+    ]
+    units = json.dumps({column.heading: column.unit for column in table.columns if column.unit})
+    schema = pyarrow.schema(fields, metadata={"title": table.name, "units": units})
+    return sealed(pyarrow.table(arrays, schema=schema))
+
+
+def netcdf_bytes(table: Table) -> bytes:
+    """A table as netCDF4, arrays over its axes with units as attributes."""
+    return bytes(table.to_xarray().to_netcdf(engine="h5netcdf"))
+
+
+FORMS: dict[str, tuple[Callable[[Table], bytes], tuple[str, ...]]] = {  # with the packages that they need
+    ".csv": (csv_bytes, ()),
+    ".parquet": (parquet_bytes, ("pyarrow",)),
+    ".nc": (netcdf_bytes, ("xarray", "h5netcdf")),
+}
+
+
+def missing(suffix: str) -> list[str]:
+    """Packages that a form of the table needs and that are not installed."""
+    return [package for package in FORMS[suffix][1] if find_spec(package) is None]
+
 
 # Behind the name of the study:
 CYCLES = "_duty"  # in that of the table of lives under its duty cycle
@@ -20,10 +79,7 @@ def paths(folder: Path, name: str) -> dict[str, Path]:
 def store(table: Table, folder: Path) -> None:
     """Write a table, and that of its lives under a duty cycle, in every form.
 
-    Raises
-    ------
-    NotStored
-        if there is no room for a file
+    Raises `NotStored` if there is no room for a file.
     """
     for each in filter(None, (table, table.cycles)):
         for suffix, path in paths(folder, each.name).items():

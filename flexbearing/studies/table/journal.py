@@ -75,22 +75,13 @@ class Journal:
         self._write(after + _line({"names": [*names]}))
 
     def add(self, rows: Iterable[Row]) -> None:
-        """Append rows; they outlive this process.
-
-        Raises
-        ------
-        NotStored
-            if there is no room for them
-        """
+        """Append rows; they outlive this process; raises `NotStored` if there is no room for them."""
         self._write(b"".join(_line(_entry(row, self._names, self._of)) for row in rows))
 
     def begins(self, call: Call) -> None:
         """Note what this process is at work at from now on, for `begun`.
 
-        Raises
-        ------
-        NotStored
-            if there is no room for it
+        Raises `NotStored` if there is no room for it.
         """
         self._at_work = True
         self._write(_line({"begun": names_of(call)}))
@@ -116,12 +107,7 @@ class Journal:
 def opened(path: Path, names: Sequence[str]) -> Iterator[Journal]:
     """Open a journal for its only writer.
 
-    Raises
-    ------
-    BadOutput
-        if another process writes it
-    NotStored
-        if there is no room for it
+    Raises `BadOutput` if another process writes it; `NotStored` if there is no room for it.
     """
     with lock(path), FileIO(path, "ab+") as file:
         kept = Journal(file, path, names, after=_mended(file))

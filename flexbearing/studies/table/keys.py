@@ -8,7 +8,7 @@ from typing import Any
 from flexbearing.case.declarations import Declaration, by_path, toml
 from flexbearing.case.quantity import Kind, Section
 from flexbearing.studies.plan import Plan
-from flexbearing.studies.table.column import Column
+from flexbearing.studies.table.table import Column
 from flexbearing.units import unit
 
 UNITS = {"rad/s": "rpm", "rad": "deg", "K": "degC"}  # of SI units; all others stay

@@ -8,15 +8,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.sampling.distribution import weighted_quantile
+from flexbearing.sampling.distribution import quantile, weighted_quantile
 from flexbearing.sampling.indices import Indices, sobol_indices
 from flexbearing.sampling.linear import Linear, explained, is_skewed
-from flexbearing.sampling.quantiles import quantile
 from flexbearing.studies.file import Axis
 from flexbearing.studies.file.sampled import Drawn
-from flexbearing.studies.table.column import Column
 from flexbearing.studies.table.files import SCATTER
-from flexbearing.studies.table.table import Table
+from flexbearing.studies.table.table import Column, Table
 
 PERCENTILES_TABLE, SHARES, HISTOGRAM = SCATTER
 PERCENTILES = 10, 50, 90

@@ -1,21 +1,24 @@
-"""The arrays of a result as CSV: a table for every block and every set of axes, with units in its header."""
+"""A result as files: CSV tables of every block and set of axes, netCDF4, effects of assumed inputs."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from importlib.util import find_spec
 from itertools import product
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.files import as_csv, require_folder, require_outputs, write
+from flexbearing.case import BadCase, understood
+from flexbearing.files import BadOutput, as_csv, require_folder, require_output, require_outputs, write
 from flexbearing.quantities.layout import Axis, Layout
 from flexbearing.quantities.quantity import Quantity
 from flexbearing.results import BadResult, Result
+from flexbearing.runs import effects_file
 
 ALONE = "scalars"  # name of the table of numbers without places
 
 
-def export(result: Result, directory: Path) -> Iterator[Path]:
+def csv(result: Result, directory: Path) -> Iterator[Path]:
     """Write the end states of a result.
 
     Raises
@@ -94,3 +97,45 @@ def _heading(entry: Quantity, *words: str) -> str:
     if len(several) == 2 ** len(turning) > 1:  # lengths first, then angles, row by row
         unit = several[int("".join("01"[each] for each in turning), 2)]
     return ".".join([entry.name, *words]) + (f" [{unit}]" if unit else "")
+
+
+EXTRA = 'pip install "flexbearing[studies]"'
+
+
+def netcdf(result: Result, directory: Path) -> Iterator[Path]:
+    """Write a result as `Result.to_xarray` has it.
+
+    Raises
+    ------
+    BadOutput
+        if the file cannot be written, or xarray and h5netcdf are not installed
+    NotStored
+        if there is no room for it
+    """
+    if missing := [name for name in ("xarray", "h5netcdf") if find_spec(name) is None]:
+        raise BadOutput(f"--to netcdf needs {' and '.join(missing)}: {EXTRA}.")
+    path = require_output(require_folder(directory) / f"{result.stem}.nc", result.files)
+    write(path, bytes(result.to_xarray().to_netcdf(engine="h5netcdf")))  # type: ignore[arg-type]
+    yield path
+
+
+def effects(result: Result, directory: Path) -> Iterator[Path]:
+    """Write the effects of a result.
+
+    Raises
+    ------
+    BadCase
+        without that attribute
+    BadOutput, NotStored
+        if the file cannot be written
+    """
+    about = result.attributes
+    if not about.get("assumed_effects"):
+        raise BadCase(
+            f"{result.place}: --to effects needs a result of a run with outputs.assumed_effects = true"
+        )
+    file = Path(about["case_file"])
+    case = understood(about["case_text"], file, about["case_overrides"], {result.kind: result.family})
+    path = require_output(require_folder(directory) / effects_file.name(file).name, result.files)
+    write(path.resolve(), effects_file.content(case, about["assumed_effects"]))
+    yield path

@@ -1,4 +1,4 @@
-"""The summary of a roller bearing, laid out as a page."""
+"""The summary of a result, laid out as a page."""
 
 from collections.abc import Iterator
 from math import hypot
@@ -10,9 +10,10 @@ from rich.table import Table
 from rich.text import Text
 
 from flexbearing.quantities import SummaryValue
-from flexbearing.quantities.roller import LAYOUT
+from flexbearing.quantities.four_point import TORQUE_PARTS
+from flexbearing.quantities.layout import Layout
 from flexbearing.report.catalogue_life import against_catalogue
-from flexbearing.report.rows import label, of_supports, rows, shown, unit_of, value
+from flexbearing.report.rows import formatted, label, of_supports, rows, shown, unit_of, value
 from flexbearing.report.sections import (
     clearance_steps,
     closing,
@@ -33,6 +34,8 @@ from flexbearing.report.sections import (
     tolerances,
 )
 
+TABLES = ("", "compared"), ("ring",)  # sections of the layout that share a table of numbers
+
 
 def ending(numbers: dict[str, Any]) -> str:
     """Say in a line how a run ended."""
@@ -44,54 +47,64 @@ def ending(numbers: dict[str, Any]) -> str:
         message = f": {numbers['message']}" if numbers["message"] else ""
         how = f" ({numbers['ending']})" if numbers["status"] == "not solved" and numbers["ending"] else ""
         return f"NOT CONVERGED: {numbers['status']}{how} after {iterations}, {seconds}{message}"
-    if count == 0:
-        return f"converged; no part is flexible, so no iterations, {seconds}"
-    return f"converged in {iterations}, {seconds}"
+    if count:
+        return f"converged in {iterations}, {seconds}"
+    return f"converged: {numbers['message']}, {seconds}"
 
 
-def page(numbers: dict[str, Any]) -> Iterator[RenderableType]:
+def page(layout: Layout, numbers: dict[str, Any]) -> Iterator[RenderableType]:
     """Every section of a result, from its summary: dangers, numbers, matrices, clearance, life, notes."""
+    known = numbers.get  # a family has some of the sections
     yield from opening(numbers)
     states = by_state(numbers, {name: numbers[name] for name in ("rigid", "flexible")})
+    last = numbers["flexible"] or numbers["rigid"] or {}
     if any(states.values()):
-        yield _table(states, numbers["error_estimate"] or {})
-    yield from tilt(numbers["tilt"])
-    yield from contacts(states)
-    yield from passage(numbers["passage"])
-    yield from ordered_levels(numbers["choices"] or {}, numbers["error_estimate"] or {})
-    yield from matrices(numbers["flexible"])
-    yield from held(numbers["structure"])
-    yield from equilibria(by_state(numbers, numbers["equilibria"]))
-    yield from regimes(by_state(numbers, numbers["regimes"]))
-    yield from supports(numbers["structure"])
-    yield from skew(states)
-    yield from clearance_steps(numbers["clearance"])
-    yield from tolerances(numbers["clearance"])
-    yield from life_factors(by_state(numbers, numbers["life"]))
-    yield from against_catalogue(numbers["catalogue_life"])
-    yield from stresses(numbers["stresses"])
-    yield from probes((numbers["flexible"] or {}).get("probes"))
+        tables = (_table(layout, states, known("error_estimate") or {}, sections) for sections in TABLES)
+        yield from (table for table in tables if table.rows)
+    yield from tilt(known("tilt"))
+    yield from _torque_parts(last)
+    yield from contacts(layout, states)
+    yield from passage(layout, known("passage"))
+    yield from ordered_levels(known("choices") or {}, known("error_estimate") or {})
+    yield from matrices(last)
+    yield from held(known("structure"))
+    yield from equilibria(by_state(numbers, known("equilibria")))
+    yield from regimes(by_state(numbers, known("regimes") or {}))
+    yield from supports(known("structure"))
+    yield from skew(layout, states)
+    yield from clearance_steps(known("clearance") or {})
+    yield from tolerances(known("clearance") or {})
+    yield from life_factors(by_state(numbers, known("life")) or {})
+    yield from against_catalogue(known("catalogue_life"))
+    yield from stresses(known("stresses"))
+    yield from probes(last.get("probes"))
     yield from closing(numbers, ending(numbers))
 
 
-def by_state(numbers: dict[str, Any], blocks: dict[str, Any]) -> dict[str, Any]:
+def by_state(numbers: dict[str, Any], blocks: Any) -> Any:
     """What is said of the rigid and of the flexible state; of one where no part is flexible."""
-    same = numbers["flexible"] and not numbers["iterations"]
+    alone = numbers["flexible"] is None and numbers["status"] == "converged"
+    same = alone or numbers["flexible"] == numbers["rigid"]
     return {"rigid rings": next(iter(blocks.values()))} if blocks and same else blocks
 
 
-def _table(states: dict[str, dict[str, Any] | None], errors: dict[str, float | None]) -> Table:
+def _table(
+    layout: Layout,
+    states: dict[str, dict[str, Any] | None],
+    errors: dict[str, float | None],
+    sections: tuple[str, ...],
+) -> Table:
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     table.add_column("")
     compared = len(states) > 1
     for name in (*states, *(["+-"] if errors else []), *(["change [%]"] if compared else [])):
         table.add_column(name, justify="right")
-    for entry in rows(LAYOUT):
+    for entry in (entry for section in sections for entry in rows(layout, section)):
         if "flexible" not in states and of_supports(entry):
             continue
         for part in entry.parts or ("",):
             values = [value(entry, block, part) for block in states.values()]
-            if all(one is None for one in values) and any(LAYOUT[name].optional for name in entry.of):
+            if all(one is None for one in values) and any(layout[name].optional for name in entry.of):
                 continue
             row = [shown(entry, one) for one in values]
             if errors:
@@ -103,6 +116,20 @@ def _table(states: dict[str, dict[str, Any] | None], errors: dict[str, float | N
     return table
 
 
+def _torque_parts(block: dict[str, Any]) -> Iterator[RenderableType]:
+    """Causes of the torque of slow balls."""
+    if "torque_formula" not in block:
+        return
+    words = f"torque in parts [N m]; that of the bearing by the {block['torque_formula']} formula"
+    yield Text(words, "bold")
+    table = right_aligned("", "all balls", "mean ball", "most loaded ball")
+    columns = ("torque_parts_Nm", "mean_ball_torque_parts_Nm", "largest_ball_torque_parts_Nm")
+    for part in TORQUE_PARTS:
+        table.add_row(part, *(formatted(block[column][part], ".5g") for column in columns))
+    table.add_row("total, circumferential", formatted(block["circumferential_torque_Nm"], ".5g"), "", "")
+    yield table
+
+
 def _error(errors: dict[str, float | None], entry: SummaryValue, number: float | None) -> str:
     """Estimated error in the unit of its row; empty where none is estimated."""
     estimate = errors.get(entry.error)
@@ -112,20 +139,20 @@ def _error(errors: dict[str, float | None], entry: SummaryValue, number: float |
     return f"{float(f'{error:.2g}'):,.10g}"
 
 
-def _change(before: float | None, after: float | None) -> str:
-    if before is None or after is None or before == 0:
+def _change(before: Any, after: Any) -> str:
+    if isinstance(before, list) or before is None or after is None or before == 0:
         return "-"
     return f"{100 * (after - before) / abs(before):+.1f}"
 
 
-def passage(passed: dict[str, Any] | None) -> Iterator[RenderableType]:
+def passage(layout: Layout, passed: dict[str, Any] | None) -> Iterator[RenderableType]:
     """Smallest and largest of every number that changes over a pitch; nothing for one position."""
     if not passed:
         return
     azimuths, life = passed["azimuth_deg"], passed["mean_life_Mrev"]
     yield Text(f"rollers passing a pitch: {len(azimuths)} positions", style="bold")
     table = right_aligned("", "smallest", "at [deg]", "largest", "at [deg]")
-    for entry in rows(LAYOUT):
+    for entry in rows(layout):
         for part in entry.parts or ("",):
             column = passed["values"].get(f"{entry.key}.{part}" if part else entry.key, [])
             scale = unit_of(entry).scale if entry.in_si else 1.0
