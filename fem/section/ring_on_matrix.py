@@ -24,7 +24,9 @@ from fem.parts.material import ImpossiblePart
 from fem.parts.reduced_body import ReducedBody
 from fem.parts.resolution import Resolution
 from fem.parts.rings import OuterRing
-from fem.raceway.harmonics import HarmonicCompliance, Responses, harmonic_compliance
+from fem.raceway.harmonics import Responses
+from fem.raceway.stations import GrooveCompliance
+from fem.section.raceway_shapes import Raceway, raceway_compliance, raceway_modes
 from fem.section.revolved_body import edge_modes
 from fem.section.rigid_body_modes import body_of, responses
 from fem.stages import Stage
@@ -39,7 +41,7 @@ DIRECTIONS = 3  # x, e_r, e_phi
 @threads(1)  # sections are small: a second thread would only wait
 def ring_on_matrix(
     part: OuterRing, resolution: Resolution, last: int, stage: Stage, seconds: dict
-) -> HarmonicCompliance:
+) -> Raceway:
     """Condense a ring on a reduced body.
 
     Parameters
@@ -57,7 +59,7 @@ def ring_on_matrix(
 
     Returns
     -------
-    HarmonicCompliance
+    HarmonicCompliance, or GrooveCompliance of a ring with a groove
         that couples harmonics, as the body need not be of revolution
 
     Raises
@@ -74,7 +76,7 @@ def ring_on_matrix(
     support = part.support
     if not isinstance(support, ReducedBody):
         raise ImpossiblePart(f"{type(support).__name__} is impossible here; allowed is a ReducedBody")
-    radius, M = part.raceway_diameter / 2 + part.thickness, resolution.axial_modes
+    radius = part.raceway_diameter / 2 + part.thickness
     xi, azimuth = _on_surface(part, support, radius)
     around, along = min(AROUND, last, (support.azimuths - 1) // 2), min(ALONG, len(np.unique(xi.round(6))))
     soft = SOFT * part.elastic.youngs_modulus / radius
@@ -83,15 +85,20 @@ def ring_on_matrix(
         body = body_of(springs, resolution.length, resolution.mesh, resolution.nodes_of)
     with stage("condense"):
         faces = [edge_modes(body, "foundation", along, direction) for direction in range(DIRECTIONS)]
-        modes = np.hstack([edge_modes(body, "raceway", M), *faces])
+        modes = np.hstack([raceway_modes(body, springs, resolution), *faces])
         W = responses(body, springs.free_motions, modes, last) / (2 * np.pi)
         D = _taken(support, xi, azimuth, around, along, soft * 2 * np.pi * radius * part.width)
+        M = W.shape[1] - DIRECTIONS * along
         coupled = _coupled(W, D, M, around, along)
-    answers = Responses(coupled, body.stiffness.unknowns, body.space.mesh.ne)
-    return harmonic_compliance(
-        answers, radius=part.raceway_diameter / 2, length=resolution.length, elastic=part.elastic, bars=None,
-        seconds=seconds,
-    )  # fmt: skip
+    answers = Responses(W[:, :M, :M], body.stiffness.unknowns, body.space.mesh.ne)
+    raceway = raceway_compliance(part, resolution, answers, seconds)
+    if isinstance(raceway, GrooveCompliance):
+        return replace(raceway, coupled=coupled)
+    every, inside = np.arange(2 * last + 1), slice(last - around, last + around + 1)
+    whole = np.zeros((every.size, M, every.size, M), complex)
+    whole[every, :, every] = raceway.response
+    whole[inside, :, inside] += coupled
+    return replace(raceway, response=whole)
 
 
 def _on_surface(part: OuterRing, support: ReducedBody, radius: float) -> tuple[NDArray, NDArray]:
@@ -126,8 +133,8 @@ def _taken(
 
 
 def _coupled(W: NDArray, D: NDArray, M: int, around: int, along: int) -> NDArray:
-    """Answers of the raceway (K, M, K, M) from those of ring and body; W are of harmonics 0 .. N."""
-    last, n = len(W) - 1, np.arange(-around, around + 1)
+    """What the body adds to the answers W of the raceway (K, M, K, M), harmonics -n .. n; W are 0 .. N."""
+    n = np.arange(-around, around + 1)
     turned = np.ones((n.size, W.shape[1]), dtype=complex)  # u_phi is like sin where u_r is like cos
     turned[:, M + 2 * along :] = (-1j * np.where(n == 0, 1j, np.sign(n)))[:, None]
     V = turned[:, :, None] * W[np.abs(n)] * turned.conj()[:, None, :]
@@ -140,9 +147,4 @@ def _coupled(W: NDArray, D: NDArray, M: int, around: int, along: int) -> NDArray
         felt = D @ np.linalg.solve(np.eye(len(D)) + C_ff @ D, C_fr)
     except np.linalg.LinAlgError as problem:
         raise NotSolved(f"ring and matrix together are singular: {problem}") from problem
-    change = (C_fr.conj().T @ felt).reshape(n.size, M, n.size, M)
-    answers = np.zeros((2 * last + 1, M, 2 * last + 1, M), complex)
-    every, inside = np.arange(2 * last + 1), slice(last - around, last + around + 1)
-    answers[every, :, every] = W[np.abs(every - last), :M, :M]
-    answers[inside, :, inside] -= change
-    return answers
+    return -(C_fr.conj().T @ felt).reshape(n.size, M, n.size, M)

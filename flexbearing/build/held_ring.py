@@ -3,14 +3,13 @@
 from typing import Any
 
 import fem
+from fem.parts.boundary_conditions import Support
 
 
-def support(
-    outer: Any, housing: fem.Elastic | None, *, hot: float = 1.0, pushing: bool = False
-) -> fem.RigidSeat | fem.Foundation | fem.Housing | fem.ClampedFace:
+def support(outer: Any, housing: fem.Elastic | None, *, hot: float = 1.0, pushing: bool = False) -> Support:
     """Support of a section with the keys of `flexbearing.case.held_ring`.
 
-    Lengths of a housing grow by `hot` with the ring that it is bonded to; springs may only be `pushing`.
+    Lengths of a housing and of teeth grow by `hot` with the ring; springs may only be `pushing`.
     """
     match outer.support:
         case "seat":
@@ -29,6 +28,14 @@ def support(
                 width=outer.housing_width * hot,
                 elastic=housing,
                 support=fem.RigidSeat() if outer.housing_support == "seat" else fem.ClampedFace(),
+            )
+        case "lines":
+            return fem.LineSupports(azimuths=outer.line_azimuths, pushing=not outer.bilateral)
+        case "planet":
+            teeth = zip(outer.tooth_azimuths, outer.tooth_radial, outer.tooth_tangential, strict=True)
+            return fem.PlanetGear(
+                forces=tuple(fem.LineForce(azimuth=a, radial=r, tangential=t) for a, r, t in teeth),
+                radius=outer.tooth_radius and outer.tooth_radius * hot,
             )
         case _:
             return fem.ClampedFace()

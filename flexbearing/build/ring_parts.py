@@ -96,19 +96,9 @@ def _support(case: Case) -> Any:
 
         return reduced_body(case)
     hot = hot_over_cold(case, "outer_ring")
-    match outer.support:
-        case "lines":
-            return fem.LineSupports(azimuths=outer.line_azimuths, pushing=not outer.bilateral)
-        case "planet":
-            teeth = zip(outer.tooth_azimuths, outer.tooth_radial, outer.tooth_tangential, strict=True)
-            return fem.PlanetGear(
-                forces=tuple(fem.LineForce(azimuth=a, radial=r, tangential=t) for a, r, t in teeth),
-                radius=outer.tooth_radius and outer.tooth_radius * hot,
-            )
-        case _:
-            housing = _elastic(case, "housing") if outer.support == "housing" else None
-            pushing = outer.foundation_radial > 0 and not outer.bilateral
-            return held_ring.support(outer, housing, hot=hot, pushing=pushing)
+    housing = _elastic(case, "housing") if outer.support == "housing" else None
+    pushing = outer.foundation_radial > 0 and not outer.bilateral
+    return held_ring.support(outer, housing, hot=hot, pushing=pushing)
 
 
 def _drawn(case: Case, **ring: Any) -> "StepSolid":

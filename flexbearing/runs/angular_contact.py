@@ -33,6 +33,7 @@ from flexbearing.runs import (
 from flexbearing.runs.ball_life import BallLives
 from flexbearing.runs.life_of_state import MREV
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
+from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves
 from quasidynamic.columns import kind_and_numbers
 from quasidynamic.note import Note, information, outside
 from quasidynamic.outcome.angular_contact_state import RollingContact
@@ -189,7 +190,7 @@ def _preloaded(case: FastCase, built: Any, rings: Any) -> Any:
     rest, (model, loaded) = preload_at_rest(case), built
     if rest is None:
         return on_cam(case, model), loaded
-    state = named(case, partial(model.solve, rest, rings))
+    state = named(case, partial(_solved_between, model, rest, rings))
     if isinstance(state, Exception):
         return state
     return model, held_at(loaded, float(state.ring_displacement[0]))
@@ -226,13 +227,12 @@ def _grooves(cases: Sequence[FastCase], built: Sequence[Any], report: Report) ->
     for case, (model, _) in zip(cases, built, strict=True):
         azimuths = model.bearing.azimuths
         key = named(case, partial(grooves.parts, case))
+        between = grooves.supported_grooves if case.outer.lifts_off else grooves.elastic_grooves
         if not isinstance(key, Exception):
             key = key, azimuths.tobytes()
         if key not in known:
             known[key] = (
-                key
-                if isinstance(key, Exception)
-                else named(case, partial(grooves.elastic_grooves, case, azimuths, report))
+                key if isinstance(key, Exception) else named(case, partial(between, case, azimuths, report))
             )
         grooves_of_cases.append(known[key])
     return grooves_of_cases
@@ -269,13 +269,31 @@ def _balanced(
     for places in alike.values():
         model, operations, ring = built[places[0]][0], [built[k][1] for k in places], rings[places[0]]
         try:
-            states_of_model = model.solve_many(operations, ring)
+            states_of_model = [] if _lifts_off(ring) else model.solve_many(operations, ring)
         except OutOfRange:  # of one of them, which says so by itself
+            states_of_model = []
+        if not states_of_model:
             each = zip(places, operations, strict=True)
-            states_of_model = [named(cases[place], partial(model.solve, at, ring)) for place, at in each]
+            solve = partial(_solved_between, model)
+            states_of_model = [named(cases[place], partial(solve, at, ring)) for place, at in each]
         for place, state in zip(places, states_of_model, strict=True):
             states[place] = state
     return states
+
+
+def _lifts_off(rings: Any) -> bool:
+    """Whether grooves are not linear, so that cases are solved one by one."""
+    return not isinstance(rings, ElasticGrooves | None)
+
+
+def _solved_between(
+    model: qd.AngularContactBallBearing, operation: qd.RingOperation, rings: Any
+) -> qd.AngularContactState:
+    if not _lifts_off(rings):
+        return model.solve(operation, rings)
+    from flexbearing.coupled import balls  # with finite elements
+
+    return balls.equilibrium(model, operation, rings)
 
 
 def _rolled(case: FastCase, state: qd.AngularContactState, progress: Callable[[float], None]) -> Solution:
