@@ -86,7 +86,7 @@ class GrooveCompliance:
             turn = np.exp(1j * np.outer(phi, n))[..., None] * self.fade[np.abs(n)]
             at_balls = np.einsum("jnk,nkml->jkml", turn, self.coupled)
             absolute += np.real(np.einsum("jkml,iml->jkil", at_balls, turn.conj()))
-        return absolute
+        return (absolute + absolute.transpose(2, 3, 0, 1)) / 2
 
     @property
     def fade(self) -> NDArray:

@@ -19,7 +19,7 @@ from fem.parts.resolution import Resolution
 from fem.parts.rings import OuterRing
 from fem.raceway.harmonics import HarmonicCompliance, Responses, harmonic_compliance
 from fem.raceway.stations import GrooveCompliance
-from fem.section.raceway_shapes import Raceway, raceway_compliance, raceway_modes
+from fem.section.raceway_shapes import Raceway, raceway_compliance, raceway_modes, referred
 from fem.section.revolved_body import Body, edge_modes
 from fem.section.rigid_body_modes import body_of, responses, rigid_motions
 from fem.stages import Stage
@@ -203,27 +203,11 @@ def _free_responses(
     G = np.column_stack([raceway_modes(body, part, shapes), edge_modes(body, "lines", LINE_MODES), along])
     W = responses(body, part.free_motions, G, last) / (2 * np.pi)
     along_axis, across = (G.T @ motions for motions in rigid_motions(body))
-    W[1] = _referred(W[1], across)
+    of_raceway = np.arange(len(across)) < len(across) - LINE_MODES - 1
+    W[1] = referred(W[1], across, of_raceway)
     if part.groove:
-        W[0] = _referred(W[0], along_axis[:, :1])
+        W[0] = referred(W[0], along_axis[:, :1], of_raceway)
     return W, across
-
-
-def _referred(W: NDArray, rigid: NDArray) -> NDArray:
-    r"""Answer with no rigid motion in the raceway's displacements, which react to loads out of balance.
-
-    .. math:: \bar W = \Pi^T W \Pi, \quad \Pi = I - E (E^T R)^{-T} R^T
-
-    with the readings R (L, 2) of rigid motions, and E those of the raceway alone.
-
-    Source
-    ------
-    Fourier series of the answer of a body of revolution; derived here.
-    """
-    of_raceway = rigid.copy()
-    of_raceway[-LINE_MODES - 1 :] = 0.0
-    projection = np.eye(len(W)) - of_raceway @ np.linalg.solve(rigid.T @ of_raceway, rigid.T)
-    return projection.T @ W @ projection
 
 
 def _require_all_harmonics(ring: FreeRing, slenderness: float) -> None:

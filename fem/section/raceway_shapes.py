@@ -13,7 +13,7 @@ from fem.parts.rings import Part, RingOnShaft, SquirrelCage
 from fem.raceway.harmonics import HarmonicCompliance, Responses, harmonic_compliance, highest_harmonic
 from fem.raceway.stations import DETAIL, GrooveCompliance
 from fem.section.revolved_body import Body, edge_modes, station_modes
-from fem.section.rigid_body_modes import body_of, responses
+from fem.section.rigid_body_modes import body_of, responses, rigid_motions
 from fem.section.smeared_cage import assembled_cage
 from fem.stages import Stage
 
@@ -122,9 +122,40 @@ def groove_compliance(
         else:
             body, free = body_of(part, resolution.length, resolution.mesh), part.free_motions
     with stage("condense"):
-        W = responses(body, free, raceway_modes(body, part, resolution), last) / (2 * np.pi)
+        modes = raceway_modes(body, part, resolution)
+        W = responses(body, free, modes, last) / (2 * np.pi)
+        if free.axial:
+            W[0] = referred(W[0], modes.T @ rigid_motions(body)[0][:, :1], np.full(len(W[0]), True))
     answers = Responses(W, body.stiffness.unknowns, body.space.mesh.ne)
     return raceway_compliance(part, resolution, answers, seconds)
+
+
+def referred(W: NDArray, rigid: NDArray, of_raceway: NDArray) -> NDArray:
+    r"""Answer with no rigid motion in the raceway's displacements, which react to loads out of balance.
+
+    .. math:: \bar W = \Pi^T W \Pi, \quad \Pi = I - E (E^T R)^{-T} R^T
+
+    Parameters
+    ----------
+    W : array (L, L)
+        answers of shapes [m/N], right but for rigid motions
+    rigid : array (L, A)
+        R, what they read of these motions
+    of_raceway : array (L,) of bool
+        which of them are shapes of the raceway, whose readings alone are E
+
+    Returns
+    -------
+    array (L, L)
+        [m/N]
+
+    Source
+    ------
+    Fourier series of the answer of a body of revolution; derived here.
+    """
+    own = rigid * of_raceway[:, None]
+    projection = np.eye(len(W)) - own @ np.linalg.solve(rigid.T @ own, rigid.T)
+    return projection.T @ W @ projection
 
 
 def _stations(part: Part | BoltedRing, groove: Groove, resolution: Resolution) -> Stations:

@@ -2,7 +2,8 @@ r"""A plain ring bonded to a body that another program reduced to the nodes of t
 
 The nodes move with the outer surface of the ring, whose displacement along x, e_r and e_phi is given by
 harmonics and Legendre polynomials, :math:`u = P \hat u`. So on the surface act the forces
-:math:`-P^H S P \hat u`. The ring is condensed on soft springs K_0, which are taken away again:
+:math:`-P^H S P \hat u`. The ring is condensed on springs K_0 far softer than the body, which are taken
+away again; shorter waves keep them:
 
 .. math:: \hat w = C_{rr} F - C_{rf} D (1 + C_{ff} D)^{-1} C_{fr} F, \quad D = P^H S P - K_0
 
@@ -33,7 +34,7 @@ from fem.stages import Stage
 
 ALONG = 4  # polynomials along the width
 AROUND = 40  # harmonics around: more do not reach through usual rings
-SOFT = 1e-6  # springs that are taken away again, over Young's modulus per radius
+SHARE = 1e-3  # springs that are taken away again, over the mean stiffness of the body
 NEAR = 0.02  # of the outer radius: how far nodes may stand from it, as on straight sides of elements
 DIRECTIONS = 3  # x, e_r, e_phi
 
@@ -79,15 +80,19 @@ def ring_on_matrix(
     radius = part.raceway_diameter / 2 + part.thickness
     xi, azimuth = _on_surface(part, support, radius)
     around, along = min(AROUND, last, (support.azimuths - 1) // 2), min(ALONG, len(np.unique(xi.round(6))))
-    soft = SOFT * part.elastic.youngs_modulus / radius
-    springs = replace(part, support=Foundation(axial=soft, radial=soft, tangential=soft))
+    held, unit = _held(support, xi, azimuth, around, along), 2 * np.pi * radius * part.width
+    areas = unit / (2 * np.arange(along) + 1)  # springs per area resist a polynomial a with k_0 of these
+    per_area = SHARE * np.real(np.diag(held)).reshape(-1, DIRECTIONS, along) / areas
+    axial, radial, tangential = per_area.mean(axis=(0, 2))
+    springs = replace(part, support=Foundation(axial=axial, radial=radial, tangential=tangential))
     with stage("factor"):
         body = body_of(springs, resolution.length, resolution.mesh, resolution.nodes_of)
     with stage("condense"):
         faces = [edge_modes(body, "foundation", along, direction) for direction in range(DIRECTIONS)]
         modes = np.hstack([raceway_modes(body, springs, resolution), *faces])
         W = responses(body, springs.free_motions, modes, last) / (2 * np.pi)
-        D = _taken(support, xi, azimuth, around, along, soft * 2 * np.pi * radius * part.width)
+        own = np.outer((axial, radial, tangential), areas).ravel()
+        D = held - np.diag(np.tile(own, 2 * around + 1))
         M = W.shape[1] - DIRECTIONS * along
         coupled = _coupled(W, D, M, around, along)
     answers = Responses(W[:, :M, :M], body.stiffness.unknowns, body.space.mesh.ne)
@@ -114,13 +119,10 @@ def _on_surface(part: OuterRing, support: ReducedBody, radius: float) -> tuple[N
     return xi, np.arctan2(y, z)
 
 
-def _taken(
-    support: ReducedBody, xi: NDArray, azimuth: NDArray, around: int, along: int, springs: float
-) -> NDArray:
-    r"""What acts on the surface by the body beyond the springs (H, H), H = (2 n + 1) 3 A.
+def _held(support: ReducedBody, xi: NDArray, azimuth: NDArray, around: int, along: int) -> NDArray:
+    """What the body resists the surface with (H, H) [N/m], H = (2 n + 1) 3 A.
 
-    Harmonics -n .. n, then x, e_r, e_phi, then polynomials. The springs give
-    :math:`k_0\,2 \pi R\,b / (2 a + 1)` to a polynomial a.
+    Harmonics -n .. n, then x, e_r, e_phi, then polynomials.
     """
     n = np.arange(-around, around + 1)
     zero, one = np.zeros_like(azimuth), np.ones_like(azimuth)
@@ -128,8 +130,7 @@ def _taken(
     frame = np.stack([[one, zero, zero], [zero, sin, cos], [zero, cos, -sin]])  # (direction, xyz, node)
     waves, shapes = np.exp(1j * np.outer(azimuth, n)), legendre.legvander(xi, along - 1)
     P = np.einsum("kn,dck,ka->kcnda", waves, frame, shapes).reshape(3 * len(xi), -1)
-    own = np.tile(springs / (2 * np.arange(along) + 1), n.size * DIRECTIONS)
-    return P.conj().T @ support.stiffness @ P - np.diag(own)
+    return P.conj().T @ support.stiffness @ P
 
 
 def _coupled(W: NDArray, D: NDArray, M: int, around: int, along: int) -> NDArray:

@@ -1,9 +1,12 @@
 """What holds a plain outer ring, the same in every family of bearings."""
 
+import math
 from typing import Any
 
 import fem
 from fem.parts.boundary_conditions import Support
+
+PARALLEL = 1e-9  # [rad] between directions that are taken as one
 
 
 def support(outer: Any, housing: fem.Elastic | None, *, hot: float = 1.0, pushing: bool = False) -> Support:
@@ -39,3 +42,27 @@ def support(outer: Any, housing: fem.Elastic | None, *, hot: float = 1.0, pushin
             )
         case _:
             return fem.ClampedFace()
+
+
+def require_held_on_lines(outer: Any, load: complex) -> None:
+    """Refuse lines that would have to pull to hold a load [N] along z + i y.
+
+    Raises
+    ------
+    ImpossiblePart
+        when no pushes of the lines add up to the load
+    """
+    on_lines = outer.kind == "ring" and outer.support == "lines" and not outer.bilateral
+    if not on_lines or load == 0:
+        return
+    direction = math.atan2(load.imag, load.real) % (2 * math.pi)
+    ahead = [(azimuth - direction) % (2 * math.pi) for azimuth in outer.line_azimuths]
+    behind = [-angle % (2 * math.pi) for angle in ahead]
+    if min(ahead) + min(behind) < math.pi - PARALLEL or min(min(ahead), min(behind)) < PARALLEL:
+        return
+    lines = ", ".join(f"{math.degrees(azimuth):.4g}" for azimuth in outer.line_azimuths)
+    raise fem.ImpossiblePart(
+        f"outer.line_azimuths = {lines} deg: lines that only push do not hold a load towards "
+        f"{math.degrees(direction):.4g} deg; allowed are lines on both sides of it, less than "
+        "180 deg apart, or outer.bilateral = true where they can pull"
+    )

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 import fem
 from fem.condense import HARMONICS, SMEARED
 from fem.errors import NotSolved as RingNotSolved
+from flexbearing.build import held_ring
 from flexbearing.build.groove_parts import BallCase, GroovePart, groove_part
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import FastCase
@@ -131,6 +132,12 @@ def supported_grooves(case: FastCase, azimuths: NDArray, report: Report) -> Supp
     known = next(each for each in angles if each)  # as an outer ring is elastic
     inner, outer = (_raceway(case, shape, azimuths, report) for shape in shapes)
     return SupportedGrooves(RacewayPair(inner, outer), np.array([each or known for each in angles]))
+
+
+def require_held(case: FastCase, load: complex) -> None:
+    """Refuse supports that cannot hold a radial load [N] along z + i y; raises `BadCase`."""
+    with _named(case, "outer"):
+        held_ring.require_held_on_lines(case.outer, load)
 
 
 def _raceway(case: BallCase, shape: GrooveShape | None, azimuths: NDArray, report: Report) -> Raceway:

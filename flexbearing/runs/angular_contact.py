@@ -29,6 +29,7 @@ from flexbearing.runs import (
     not_round,
     shoulders,
     subsurface,
+    teeth,
 )
 from flexbearing.runs.ball_life import BallLives
 from flexbearing.runs.life_of_state import MREV
@@ -148,6 +149,8 @@ def build(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperatio
         from flexbearing.rings import grooves  # finite elements are not described between rigid rings
 
         grooves.parts(case)
+        if not set(case.operation.held) & {"displacement.radial_y", "displacement.radial_z"}:
+            grooves.require_held(case, _radial(case))
     return bearing(case), operation(case)
 
 
@@ -413,6 +416,11 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
     return evaluate(declared.OF_BALLS, values)
 
 
+def _radial(case: FastCase) -> complex:
+    """Load along z + i y [N]."""
+    return complex(case.operation.load.radial_z, case.operation.load.radial_y)
+
+
 def _places(case: FastCase, state: qd.AngularContactState) -> dict[str, Any]:
     """Angle of the most loaded ball, and how high contacts reach on races whose end is not given."""
     of_design = isinstance(case.bearing, AngularBearing) and bool(state.loads.any())
@@ -436,6 +444,11 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
     if state.groove_displacement is not None:
         lines += elastic_grooves.notes(case, state.contact_angles, state.loads, state.semi_axes[0])
     lines += not_round.notes(case)
+    lines += tuple(teeth.notes(case.outer, _radial(case), "operation.load"))
+    if case.outer.kind == "matrix":
+        from flexbearing.build import reduced_bodies  # with readers of other programs' files
+
+        lines += reduced_bodies.notes(case)
     lifted = int((~state.on_inner).sum())
     if lifted:
         lines += (
