@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from fem.raceway.stations import GrooveCompliance
     from fem.section.free_ring import FreeRing
     from fem.section.planet_rim import PlanetRim
+    from fem.section.raceway_shapes import Raceway
     from fem.section.ring_on_foundation import RingOnFoundation
     from fem.section.ring_on_lines import RingOnLines
 
@@ -214,14 +215,6 @@ def condense_in_process(
             from fem.solid.condensation import condense_solid
 
             condensed = replace(condense_solid(part, resolution, stage), seconds=seconds)
-        case (
-            BoltedRing()
-            | OuterRing(groove=Groove())
-            | RingOnShaft(groove=Groove())
-            | SquirrelCage(groove=Groove()),
-            _,
-        ):
-            condensed = _groove(part, discretisation, resolution, stage, seconds)
         case OuterRing(support=LineSupports() | PlanetGear()), Discretisation.HARMONICS:
             require_on_track(resolution.length, part.track)
             return _free_ring(part, resolution, stage, seconds)
@@ -231,6 +224,17 @@ def condense_in_process(
         case OuterRing(support=ReducedBody()), _:
             require_on_track(resolution.length, part.track)
             condensed = _on_matrix(part, discretisation, resolution, stage, seconds)
+        case (
+            BoltedRing()
+            | OuterRing(groove=Groove())
+            | RingOnShaft(groove=Groove())
+            | SquirrelCage(groove=Groove()),
+            _,
+        ):
+            _require_known(part, discretisation)
+            from fem.section.raceway_shapes import groove_compliance
+
+            condensed = groove_compliance(part, resolution, stage, seconds)
         case OuterRing() | SquirrelCage() | RingOnShaft(), _:
             require_on_track(resolution.length, part.track)
             condensed = _in_harmonics(part, discretisation, resolution, stage, seconds)
@@ -240,25 +244,11 @@ def condense_in_process(
     return condensed
 
 
-def _groove(
-    part: Part | BoltedRing,
-    discretisation: Discretisation,
-    resolution: Resolution,
-    stage: Stage,
-    seconds: dict,
-) -> "GrooveCompliance":
-    """Compliance of a groove at stations of its arc, of a ring that is held."""
-    from fem.section.grooved import groove_compliance
-
-    support = part.support if isinstance(part, OuterRing) else None
-    pushing = isinstance(support, Foundation) and support.pushing
-    if pushing or isinstance(support, LineSupports | PlanetGear | ReducedBody):
-        words = f"a groove on {type(support).__name__} is not known; allowed are seats and springs"
-        raise ImpossiblePart(words)
+def _require_known(part: Part | BoltedRing, discretisation: Discretisation) -> None:
+    """Refuse a groove in a ring that is discretised in another way than by its section."""
     known = SMEARED if isinstance(part, SquirrelCage) else HARMONICS
     if discretisation is not known:
         raise ImpossiblePart(f"a groove is impossible as {discretisation.name}, only as {known.name}")
-    return groove_compliance(part, resolution, stage, seconds)
 
 
 def _in_harmonics(
@@ -333,7 +323,12 @@ def _with_enough_harmonics(
     discretisation: Discretisation,
     resolution: Resolution,
 ) -> Condensed:
-    """What is condensed up to the usual harmonic, or to one that is high enough."""
+    """What is condensed up to the usual harmonic, or to one that is high enough, or that patches have."""
+    if part.groove is not None:
+        from fem.section.raceway_shapes import last_harmonic_of_patches
+
+        _require_known(part, discretisation)
+        return condensed(resolution, last_harmonic_of_patches(part, resolution))
     from fem.raceway.harmonics import with_enough_harmonics
 
     last = _last_harmonic(part, discretisation, resolution)
@@ -342,9 +337,9 @@ def _with_enough_harmonics(
     )
 
 
-def _require_enough(raceway: "HarmonicCompliance", resolution: Resolution) -> None:
+def _require_enough(raceway: Any, resolution: Resolution) -> None:
     """Refuse too few harmonics, unless they are given: then the compliance refuses at its rollers."""
-    if resolution.harmonics is None:
+    if resolution.harmonics is None and resolution.stations is None:
         raceway.require_enough()
 
 
@@ -390,7 +385,7 @@ def _on_foundation(
 
     def condensed(resolution: Resolution, last: int) -> "RingOnFoundation":
         responses = _responses_of(part, discretisation)(part, resolution, last, stage, face_modes=ALONG)
-        ring = ring_on_foundation(part, resolution.length, responses, seconds)
+        ring = ring_on_foundation(part, resolution, responses, seconds)
         _require_enough(ring.raceway, resolution)
         return ring
 
@@ -399,13 +394,13 @@ def _on_foundation(
 
 def _on_matrix(
     part: OuterRing, discretisation: Discretisation, resolution: Resolution, stage: Stage, seconds: dict
-) -> "HarmonicCompliance":
+) -> "Raceway":
     """A ring on a body that another program reduced."""
     if discretisation is not HARMONICS:
         raise ImpossiblePart(f"a ring on a matrix is impossible as {discretisation.name}, only as HARMONICS")
     from fem.section.ring_on_matrix import ring_on_matrix
 
-    def condensed(resolution: Resolution, last: int) -> "HarmonicCompliance":
+    def condensed(resolution: Resolution, last: int) -> "Raceway":
         compliance = ring_on_matrix(part, resolution, last, stage, seconds)
         _require_enough(compliance, resolution)
         return compliance

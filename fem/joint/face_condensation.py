@@ -13,13 +13,12 @@ import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
-from fem.mesh.moved_nodes import vertex_places
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.boundary_conditions import FreeMotions
 from fem.parts.material import ImpossiblePart
 from fem.section.expansion import Along, heating, rotation
 from fem.section.revolved_body import Body, edge_modes, legendre_polynomials
-from fem.section.rigid_body_modes import held_on_points, responses
+from fem.section.rigid_body_modes import held_on_points, responses, rigid_motions
 
 FREE = FreeMotions(axial=True, turning=True, across=True)
 FLAT = 1e-12  # mean square deviation of an edge from its place, over the square of its length
@@ -129,7 +128,7 @@ def condense_body(
     unclamped = replace(body, stiffness=replace(stiffness, clamped=np.zeros_like(stiffness.clamped)))
     loads = _axisymmetric_loads(body, pushed, variations or {})
     expanded = held_on_points(unclamped, FREE, 0).solve(0, loads)
-    motions = np.array([G.T @ rigid for rigid in _rigid_motions(body)])
+    motions = np.array([G.T @ rigid for rigid in rigid_motions(body)])
     return CondensedBody(
         points=FacePoints(*(np.concatenate(column) for column in zip(*points, strict=True))),
         compliance=responses(body, free_motions, G, last),
@@ -188,25 +187,3 @@ def _axisymmetric_loads(body: Body, pushed: str | None, variations: Mapping[str,
         push = body.load(body.space.TestFunction()[0] * ngs.y * where)
         push /= 2 * np.pi * ngs.Integrate(ngs.y * where, body.space.mesh)
     return np.stack([heating(body, unit), rotation(body, unit, 1.0), push, varied], axis=1)
-
-
-def _rigid_motions(body: Body) -> tuple[NDArray, NDArray]:
-    r"""Unknowns of rigid motions (unknowns, 2) each for n = 0 and n = 1.
-
-    .. math:: (1, 0, 0),\ (0, 0, r);\quad (0, 1, -1),\ (-r, x, -x)
-
-    Source
-    ------
-    Flexibility method: compliances in harmonics, joined by equilibrium and compatibility; derived here.
-    """
-    x, r = vertex_places(body.space.mesh).T
-    unit, zero = np.ones_like(x), np.zeros_like(x)
-    # linear functions have no part in the hierarchical shapes beyond those of the vertices
-    numbers = np.array([[c.GetDofNrs(v)[0] for v in body.space.mesh.vertices] for c in body.space.components])
-    numbers += np.array([body.space.Range(k).start for k in range(3)])[:, None]
-    axisymmetric, first = np.zeros((2, body.stiffness.unknowns, 2))
-    for k, values in enumerate([(unit, zero), (zero, zero), (zero, r)]):
-        axisymmetric[numbers[k]] = np.stack(values, axis=1)
-    for k, values in enumerate([(zero, -r), (unit, x), (-unit, -x)]):
-        first[numbers[k]] = np.stack(values, axis=1)
-    return axisymmetric, first

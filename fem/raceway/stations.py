@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from fem.half_space.gaussian_patch import patch_answers
 from fem.parts.groove import Groove
 from fem.parts.material import Elastic
+from fem.raceway.compliance import RacewayCompliance
 from fem.raceway.harmonics import FINENESS, MOST
 
 DETAIL = 5 / 3  # length over the width of a patch that harmonics resolve: beyond, exp(-13) of it is left
@@ -25,16 +26,6 @@ def narrowest_patch(radius: float) -> float:
 
 
 @dataclass(frozen=True, kw_only=True)
-class GrooveAtBalls:
-    """How a groove gives way to balls at given azimuths: displacement from ground per force on the race."""
-
-    azimuths: NDArray  # (Z,) [rad]
-    angles: NDArray  # (K,) [rad] of the stations, to the side of their arc
-    absolute: NDArray  # (A Z, K, A Z, K) [m/N] normal, away from the bearing's axis; own half-space left out:
-    # A arcs of the first ball, then those of the next
-
-
-@dataclass(frozen=True, kw_only=True)
 class GrooveCompliance:
     r"""How a groove answers the harmonics of forces on its stations; the azimuths of the balls stay free.
 
@@ -43,7 +34,7 @@ class GrooveCompliance:
               - \delta_{jj'} h(r\,|\alpha_k - \alpha_l|)
 
     with the contact circles :math:`R_k = R_c \pm r \cos\alpha_k` and the half-space h of
-    `fem.half_space.gaussian_patch`, which is left out between stations of one arc.Patches are divided by
+    `fem.half_space.gaussian_patch`, which is left out between stations of one arc. Patches are divided by
     their mean of the cosine of the angle from their middle, around and along, to read rigid motions.
 
     Source
@@ -65,27 +56,51 @@ class GrooveCompliance:
     unknowns: int
     elements: int
     seconds: dict[str, float] = field(compare=False)  # by stage: factor, condense
+    coupled: NDArray | None = None  # (2 H + 1, A K, 2 H + 1, A K) [m/N] beyond W, -H .. H: not of revolution
 
-    def at(self, azimuths: NDArray) -> GrooveAtBalls:
-        """Compliance for balls at azimuths (Z,) [rad]."""
+    def at(self, azimuths: NDArray) -> RacewayCompliance:
+        """Compliance for balls at azimuths (Z,) [rad]: A arcs of the first ball, then those of the next.
+
+        Displacements are normal to the arc, away from the axis of the bearing, and from the ground: no mean
+        translation is known beside them.
+        """
+        phi = np.asarray(azimuths, dtype=float)
+        each = len(phi) * len(self.groove.sides), len(self.angles)
+        return RacewayCompliance(
+            azimuths=np.repeat(phi, len(self.groove.sides)),
+            absolute=self.absolute(phi).reshape(each * 2),
+            translation=np.zeros((2, *each)),
+            support_stiffness=np.inf,
+            unknowns=self.unknowns,
+            elements=self.elements,
+            seconds=self.seconds,
+        )
+
+    def absolute(self, azimuths: NDArray) -> NDArray:
+        """The matrix of `at` alone (Z, A K, Z, A K) [m/N], also for a groove without a hold of its own."""
         phi = np.asarray(azimuths, dtype=float)
         n = np.arange(len(self.response))
         apart, place = np.unique(np.round(np.abs(phi[:, None] - phi) % (2 * np.pi), 12), return_inverse=True)
         waves = np.cos(np.outer(apart, n)) * np.where(n > 0, 2.0, 1.0)
-        rows = np.tensordot(waves, self.response * self._faded, axes=1)  # (D, A K, A K)
+        faded = self.response * (self.fade[:, :, None] * self.fade[:, None])
+        rows = np.tensordot(waves, faded, axes=1)  # (D, A K, A K)
         absolute = rows[place.reshape(len(phi), -1)].transpose(0, 2, 1, 3)
         own = np.arange(len(phi))
         absolute[own, :, own] -= np.kron(np.eye(len(self.groove.sides)), self._half_space)
-        each = len(phi) * len(self.groove.sides), len(self.angles)
-        return GrooveAtBalls(azimuths=phi, angles=self.angles, absolute=absolute.reshape(each * 2))
+        if self.coupled is not None:
+            n = np.arange(len(self.coupled)) - len(self.coupled) // 2
+            turn = np.exp(1j * np.outer(phi, n))[..., None] * self.fade[np.abs(n)]
+            at_balls = np.einsum("jnk,nkml->jkml", turn, self.coupled)
+            absolute += np.real(np.einsum("jkml,iml->jkil", at_balls, turn.conj()))
+        return (absolute + absolute.transpose(2, 3, 0, 1)) / 2
 
     @property
-    def _faded(self) -> NDArray:
-        """Share of a line that patches of some width carry in each harmonic (N + 1, A K, A K) [-]."""
+    def fade(self) -> NDArray:
+        """Share of a line that patches of some width carry in each harmonic (N + 1, A K) [-]."""
         angles = np.tile(self.angles, len(self.groove.sides))
         radii = self.groove.centre_radius + self.outward * self.groove.radius * np.cos(angles)
-        n, square = np.arange(len(self.response)), (self.width / radii) ** 2 / 2
-        return np.exp(-(n[:, None, None] ** 2 - 1) * (square[:, None] + square))
+        n = np.arange(len(self.response))
+        return np.exp(-(n[:, None] ** 2 - 1) * (self.width / radii) ** 2 / 2)
 
     @property
     def _half_space(self) -> NDArray:

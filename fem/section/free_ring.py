@@ -1,12 +1,13 @@
-r"""A plain ring that nothing holds, as felt by rollers on its raceway and by lines along its outer surface.
+r"""A plain ring that nothing holds, as felt by elements on its raceway and by lines along its outer surface.
 
 Its motion is that of a rigid ring, plus what loads do to it with the mean translation and the mean
-tilt of the raceway kept at zero, :math:`w_{\pm1,0} = w_{\pm1,1} = 0`. Loads out of balance meet a
-pressure on the raceway like :math:`\cos\varphi` and :math:`x\cos\varphi`, which is zero as soon as all
-loads together are in balance.
+tilt of the raceway kept at zero, :math:`R^T w_{\pm1} = 0` with what its shapes read of these motions, R: of
+rollers :math:`w_{\pm1,0} = w_{\pm1,1} = 0`. Loads out of balance meet a pressure on the raceway like
+:math:`R \cos\varphi`, which is zero as soon as all loads together are in balance. Shapes of a groove read an
+axial motion, too, and its mean is zero: whatever holds the ring along its axis holds it there, evenly.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import ngsolve as ngs
 import numpy as np
@@ -17,8 +18,10 @@ from fem.errors import TooFewHarmonics
 from fem.parts.resolution import Resolution
 from fem.parts.rings import OuterRing
 from fem.raceway.harmonics import HarmonicCompliance, Responses, harmonic_compliance
+from fem.raceway.stations import GrooveCompliance
+from fem.section.raceway_shapes import Raceway, raceway_compliance, raceway_modes, referred
 from fem.section.revolved_body import Body, edge_modes
-from fem.section.rigid_body_modes import body_of, responses
+from fem.section.rigid_body_modes import body_of, responses, rigid_motions
 from fem.stages import Stage
 
 REST = 1e-3  # allowed part of the answers through the ring that lies beyond the last harmonic
@@ -29,10 +32,11 @@ LINE_MODES = 2  # mean and moment of a line load
 class FreeRing:
     """Answers of a free ring, its raceway neither translated nor tilted in the mean."""
 
-    raceway: HarmonicCompliance  # M axial modes
+    raceway: Raceway  # M axial modes, or stations of a groove
     lines: HarmonicCompliance  # radial loads on the outer surface, mean and moment over the full width
     radial: NDArray  # (N + 1, M, 2) [m/N] w_nm of the raceway per radial line load
     tangential: NDArray  # (N + 1, M) [m/N] per tangential load like sin, where w is like cos
+    reading: NDArray  # (M + 2, 2) what shapes of raceway and lines read of a translation [-], of a tilt [m]
 
     def under_radial(self, azimuths: NDArray, lines: NDArray) -> NDArray:
         r"""Raceway displacement by radial line loads on the outer surface.
@@ -42,7 +46,7 @@ class FreeRing:
         Parameters
         ----------
         azimuths : array (Z,)
-            phi of the rollers [rad]
+            phi of the elements [rad]
         lines : array (K,)
             psi of the lines [rad]
 
@@ -111,17 +115,15 @@ class FreeRing:
         return (self.under_tangential(azimuths, lines) + pair) / self.lines.radius
 
 
-def rigid_motions(azimuths: NDArray, length: float, axial_modes: int) -> NDArray:
-    """Generalised radial displacement by rigid motions of a ring.
+def felt_motions(azimuths: NDArray, reading: NDArray) -> NDArray:
+    """Displacements of shapes at azimuths by rigid motions of a ring.
 
     Parameters
     ----------
     azimuths : array (Z,)
-        of lines on it [rad]
-    length : float
-        l of the lines [m]
-    axial_modes : int
-        M
+        of elements or lines on it [rad]
+    reading : array (M, 2)
+        what each shape reads of a translation [-] and of a tilt [m] towards it
 
     Returns
     -------
@@ -129,10 +131,8 @@ def rigid_motions(azimuths: NDArray, length: float, axial_modes: int) -> NDArray
         by translations along y and z [-], and by tilts u_y = x, u_z = x [m]
     """
     normals = np.stack([np.sin(azimuths), np.cos(azimuths)], axis=-1)
-    motions = np.zeros((len(normals), axial_modes, 4))
-    motions[:, 0, :2] = normals
-    motions[:, 1:2, 2:] = normals[:, None] * length / 2
-    return motions
+    motions = reading[None, :, :, None] * normals[:, None, None, :]
+    return motions.reshape(len(normals), len(reading), 4)
 
 
 @threads(1)  # sections are small: a second thread would only wait
@@ -161,60 +161,53 @@ def free_ring(part: OuterRing, resolution: Resolution, last: int, stage: Stage, 
     NotSolved
         if a solve fails; TooFewHarmonics where more are needed
     """
-    radius, length, axial_modes = part.raceway_diameter / 2, resolution.length, resolution.axial_modes
     with stage("factor"):
-        body = body_of(part, length, resolution.mesh, resolution.nodes_of)
+        body = body_of(part, resolution.length, resolution.mesh, resolution.nodes_of)
     with stage("condense"):
-        W = _free_responses(body, part, length, max(axial_modes, 2), last)
+        W, reading = _free_responses(body, part, resolution, last)
+    M = W.shape[1] - LINE_MODES - 1
+    raceway, lines = slice(M if part.groove else resolution.axial_modes), slice(-LINE_MODES - 1, -1)
 
-    def compliance(loads: slice, radius: float, length: float) -> HarmonicCompliance:
-        answers = Responses(W[:, loads, loads], body.stiffness.unknowns, body.space.mesh.ne)
-        return harmonic_compliance(
-            answers, radius=radius, length=length, elastic=part.elastic, bars=None, seconds=seconds
-        )
+    def answers(loads: slice) -> Responses:
+        return Responses(W[:, loads, loads], body.stiffness.unknowns, body.space.mesh.ne)
 
-    raceway, lines = slice(axial_modes), slice(-LINE_MODES - 1, -1)
+    felt = raceway_compliance(part, resolution, answers(raceway), seconds)
+    fade = felt.fade[..., None] if isinstance(felt, GrooveCompliance) else 1.0
     ring = FreeRing(
-        raceway=compliance(raceway, radius, length),
-        lines=compliance(lines, radius + part.thickness, part.width),
-        radial=W[:, raceway, lines],
-        tangential=W[:, raceway, -1],
-    )
-    _require_all_harmonics(ring, (radius + part.thickness) / part.thickness)
+        raceway=felt,
+        lines=harmonic_compliance(
+            answers(lines), radius=part.raceway_diameter / 2 + part.thickness, length=part.width,
+            elastic=part.elastic, bars=None, seconds=seconds,
+        ),
+        radial=fade * W[:, raceway, lines],
+        tangential=(fade * W[:, raceway, -1:])[..., 0],
+        reading=np.concatenate([reading[raceway], reading[lines]]),
+    )  # fmt: skip
+    _require_all_harmonics(ring, (part.raceway_diameter / 2 + part.thickness) / part.thickness)
     return ring
 
 
-def _free_responses(body: Body, part: OuterRing, length: float, axial_modes: int, last: int) -> NDArray:
-    """Answers (N + 1, L, L) [m/N] of raceway modes, two radial line modes and a tangential one."""
+def _free_responses(
+    body: Body, part: OuterRing, resolution: Resolution, last: int
+) -> tuple[NDArray, NDArray]:
+    """Answers (N + 1, L, L) [m/N] of raceway modes, two radial line modes and a tangential one.
+
+    Then what they read of rigid motions like cos (L, 2): of a translation [-] and of a tilt [m].
+    """
     v, section = body.space.TestFunction(), body.space.mesh
     where = section.Boundaries("lines")
     along = body.load(v[2] * ngs.ds(definedon=where)) / ngs.Integrate(
         ngs.CF(1), section, ngs.BND, definedon=where
     )
-    G = np.column_stack(
-        [edge_modes(body, "raceway", axial_modes), edge_modes(body, "lines", LINE_MODES), along]
-    )
+    shapes = resolution if part.groove else replace(resolution, axial_modes=max(resolution.axial_modes, 2))
+    G = np.column_stack([raceway_modes(body, part, shapes), edge_modes(body, "lines", LINE_MODES), along])
     W = responses(body, part.free_motions, G, last) / (2 * np.pi)
-    # by the rigid motions (u_x, u_r, u_t) = (0, 1, -1) and (-r, x, -x)
-    rigid = np.zeros((G.shape[1], 2))
-    rigid[[0, axial_modes, -1], 0] = 1, 1, -1
-    rigid[[1, axial_modes + 1], 1] = length / 2, part.width / 2
-    W[1] = _referred(W[1], rigid)
-    return W
-
-
-def _referred(W: NDArray, rigid: NDArray) -> NDArray:
-    r"""Answer with no rigid motion in the first two displacements, which react to loads out of balance.
-
-    .. math:: \bar W = \Pi^T W \Pi, \quad \Pi = I - E (E^T R)^{-T} R^T
-
-    Source
-    ------
-    Fourier series of the answer of a body of revolution; derived here.
-    """
-    projection = np.eye(len(W))
-    projection[:2] -= np.linalg.solve(rigid[:2].T, rigid.T)
-    return projection.T @ W @ projection
+    along_axis, across = (G.T @ motions for motions in rigid_motions(body))
+    of_raceway = np.arange(len(across)) < len(across) - LINE_MODES - 1
+    W[1] = referred(W[1], across, of_raceway)
+    if part.groove:
+        W[0] = referred(W[0], along_axis[:, :1], of_raceway)
+    return W, across
 
 
 def _require_all_harmonics(ring: FreeRing, slenderness: float) -> None:

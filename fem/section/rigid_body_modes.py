@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from fem.assembly.harmonic_stiffness import HarmonicStiffness, compliances
 from fem.mesh.axial_section import sections
+from fem.mesh.solid import MILLIMETRES
 from fem.parts.bolted_ring import BoltedRing
 from fem.parts.boundary_conditions import Foundation, FreeMotions, Housing
 from fem.parts.resolution import Shape
@@ -120,3 +121,25 @@ def held_on_points(body: Body, free_motions: FreeMotions, harmonic: int) -> Harm
         number = body.space.Range(component).start + body.space.components[component].GetDofNrs(node)[0]
         clamped[number] = True
     return replace(body.stiffness, clamped=clamped)
+
+
+def rigid_motions(body: Body) -> tuple[NDArray, NDArray]:
+    r"""Unknowns of rigid motions (unknowns, 2) each for n = 0 and n = 1.
+
+    .. math:: (1, 0, 0),\ (0, 0, r);\quad (0, 1, -1),\ (-r, x, -x)
+
+    Source
+    ------
+    Flexibility method: compliances in harmonics, joined by equilibrium and compatibility; derived here.
+    """
+    x, r = ngs.x / MILLIMETRES, ngs.y / MILLIMETRES
+    motions = []
+    for displacements in ((1, 0, 0), (0, 0, r)), ((0, 1, -1), (-r, x, -x)):
+        columns = []
+        for displacement in displacements:
+            values = ngs.GridFunction(body.space)
+            for component, value in zip(values.components, displacement, strict=True):
+                component.Set(ngs.CF(value))
+            columns.append(values.vec.FV().NumPy().copy())
+        motions.append(np.stack(columns, axis=1))
+    return motions[0], motions[1]

@@ -21,9 +21,12 @@ from numpy.typing import NDArray
 
 from fem.errors import NotSolved
 from fem.parts.boundary_conditions import Foundation
+from fem.parts.resolution import Resolution
 from fem.parts.rings import ImpossiblePart, OuterRing
 from fem.raceway.compliance import RacewayCompliance
-from fem.raceway.harmonics import HarmonicCompliance, Responses, harmonic_compliance
+from fem.raceway.harmonics import Responses
+from fem.raceway.stations import GrooveCompliance
+from fem.section.raceway_shapes import Raceway, raceway_compliance
 
 ALONG = 4  # points along the width, and harmonics around
 AROUND = 60  # 90 of them and 6 points move the deviation of a thin ring by less than 1e-3 of the largest
@@ -37,7 +40,7 @@ BLOCKS = 5  # exchanges of all wrong points at once that may fail to make their 
 class RingOnFoundation:
     """A ring on its springs, rollers have no places yet."""
 
-    raceway: HarmonicCompliance  # on springs that pull as well as push
+    raceway: Raceway  # on springs that pull as well as push
     face: NDArray  # (N + 1, A, A) [m/N] displacement at A points along the width per force there
     through: NDArray  # (N + 1, A, M) [m/N] the same per roller force
     x: NDArray  # (A,) [m]
@@ -241,7 +244,7 @@ def complementary(matrix: NDArray, constant: NDArray) -> tuple[NDArray, NDArray]
 
 
 def ring_on_foundation(
-    part: OuterRing, length: float, responses: Responses, seconds: dict
+    part: OuterRing, resolution: Resolution, responses: Responses, seconds: dict
 ) -> RingOnFoundation:
     """Put a condensed ring on its springs.
 
@@ -249,10 +252,10 @@ def ring_on_foundation(
     ----------
     part : OuterRing
         on a `Foundation` with radial springs
-    length : float
-        of the loaded band [m]
+    resolution : Resolution
+        of the loaded band, or with stations
     responses : Responses
-        of the ring on springs that pull as well, to axial modes of the raceway and, after them, to `ALONG`
+        of the ring on springs that pull as well, to shapes of the raceway and, after them, to `ALONG`
         of the outer surface
     seconds : dict
         of the stages
@@ -274,13 +277,12 @@ def ring_on_foundation(
     xi, gauss = legendre.leggauss(ALONG)
     at_points = legendre.legvander(xi, ALONG - 1)  # from the modes of the outer surface to its points
     radius = part.raceway_diameter / 2 + part.thickness
+    raceway = raceway_compliance(part, resolution, responses._replace(response=W[:, :M, :M]), seconds)
+    fade = raceway.fade[: N + 1, None] if isinstance(raceway, GrooveCompliance) else 1.0
     return RingOnFoundation(
-        raceway=harmonic_compliance(
-            responses._replace(response=W[:, :M, :M]), radius=part.raceway_diameter / 2, length=length,
-            elastic=part.elastic, bars=None, seconds=seconds,
-        ),
+        raceway=raceway,
         face=at_points @ W[: N + 1, M:, M:] @ at_points.T,
-        through=at_points @ W[: N + 1, M:, :M],
+        through=at_points @ W[: N + 1, M:, :M] * fade,
         x=xi * part.width / 2 - part.offset,
         area=2 * np.pi * radius / (2 * N + 1) * part.width * gauss / 2,
         radial=support.radial,

@@ -23,8 +23,8 @@ from numpy.typing import NDArray
 from fem.parts.boundary_conditions import LineSupports
 from fem.parts.rings import ImpossiblePart
 from fem.raceway.compliance import RacewayCompliance
-from fem.raceway.harmonics import HarmonicCompliance
-from fem.section.free_ring import FreeRing, rigid_motions
+from fem.section.free_ring import LINE_MODES, FreeRing, felt_motions
+from fem.section.raceway_shapes import Raceway
 from fem.section.unilateral_points import SupportPoints, bordered_inverse, pushing_points, require_energy
 
 MIDDLE = np.array([[1.0], [0.0]])  # Legendre shapes 0 and 1 of a force evenly spread along a line
@@ -108,7 +108,7 @@ class RingOnLines:
         psi = np.array(self.support.azimuths)
         basis, moves = (MIDDLE, 2) if self.support.tilting else (ENDS, 4)
         S = basis.shape[1]
-        length, width = self.ring.raceway.length, self.ring.lines.length
+        of_raceway, of_lines = np.split(self.ring.reading, [-LINE_MODES])
         between_lines = self.ring.lines.absolute(psi)
         line_compliance = np.diag([1.0, 3.0]) / self.support.stiffness
         between_lines[np.arange(psi.size), :, np.arange(psi.size)] += line_compliance
@@ -118,9 +118,9 @@ class RingOnLines:
         return SupportPoints(
             azimuths=np.repeat(psi, S),
             compliance=np.einsum("sa,kslt,tb->kalb", basis, between_lines, basis).reshape(size, size),
-            motions=np.einsum("sa,ksc->kac", basis, rigid_motions(psi, width, 2)).reshape(size, 4)[:, :moves],
+            motions=np.einsum("sa,ksc->kac", basis, felt_motions(psi, of_lines)).reshape(size, 4)[:, :moves],
             loads=np.einsum("sa,imks->kaim", basis, through).reshape(size, phi.size * M),
-            load_motions=rigid_motions(phi, length, M).reshape(-1, 4)[:, :moves],
+            load_motions=felt_motions(phi, of_raceway).reshape(-1, 4)[:, :moves],
         )
 
 
@@ -133,7 +133,7 @@ class RollersOnLines:
     points: SupportPoints  # K S, S of each line
     line_azimuths: NDArray  # (K,) [rad]
     pushing: bool  # lines lift off where they would pull
-    raceway: HarmonicCompliance  # of the free ring
+    raceway: Raceway  # of the free ring
 
     @property
     def axial_modes(self) -> int:

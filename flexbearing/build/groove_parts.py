@@ -69,6 +69,10 @@ def _outer(case: FastCase) -> fem.OuterRing | fem.SquirrelCage:
         "offset": outer.groove_offset,
         "groove": groove,
     }
+    if outer.kind == "matrix":
+        from flexbearing.build.reduced_bodies import reduced_body  # with readers of other programs' files
+
+        return fem.OuterRing(**ring, support=reduced_body(case))
     if outer.kind == "ring":
         housing = case.materials.housing and _elastic(case.materials.housing)
         return fem.OuterRing(**ring, support=held_ring.support(outer, housing))

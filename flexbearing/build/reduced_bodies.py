@@ -11,6 +11,8 @@ import fem
 from fem.matrix.stiffness import Stiffness, extremes
 from flexbearing import inputs
 from flexbearing.build import matrix_files
+from flexbearing.case.balls.angular_contact import FastCase
+from flexbearing.case.head import next_to
 from flexbearing.case.roller import Case
 from flexbearing.printable import excerpt
 from quasidynamic.note import Note, information, outside
@@ -20,18 +22,21 @@ OVER = 1 + 1e-3  # of half the width: how far they may be beside the ring
 HARDLY = 1e-6  # of its entries: what holds a body less may be their rounding
 
 
-def reduced_body(case: Case) -> fem.ReducedBody:
+WithMatrix = Case | FastCase  # of outer.kind = "matrix"
+
+
+def reduced_body(case: WithMatrix) -> fem.ReducedBody:
     """Body of `outer.kind = "matrix"`, condensed to the nodes on the outer surface of the ring."""
     frame = _frame(case)
     nodes, places = _seat(case, frame)
-    stiffness, _ = _condensed(_stamp(case.matrix_files[0]), nodes)
+    stiffness, _ = _condensed(_stamp(_files(case)[0]), nodes)
     turned = np.kron(np.eye(len(nodes)), frame)
     return fem.ReducedBody(places, _unit(case) * turned @ stiffness @ turned.T)
 
 
-def notes(case: Case) -> tuple[Note, ...]:
+def notes(case: WithMatrix) -> tuple[Note, ...]:
     """What was found of a matrix on reading, and a warning where hardly anything holds its body."""
-    stamp, unit = _stamp(case.matrix_files[0]), _unit(case)
+    stamp, unit = _stamp(_files(case)[0]), _unit(case)
     whole, body = _matrix(stamp), reduced_body(case)
     nodes, _ = _seat(case, _frame(case))
     smallest, largest = (unit * each for each in _condensed(stamp, nodes)[1])
@@ -51,28 +56,34 @@ def notes(case: Case) -> tuple[Note, ...]:
     return (information("matrix", words), *hardly)
 
 
-def _frame(case: Case) -> NDArray:
+def _files(case: WithMatrix) -> tuple[Path, ...]:
+    """Matrix and mesh, next to the case file."""
+    outer: Any = case.outer
+    return next_to(Path(case.source.path), (outer.matrix, outer.nodes))
+
+
+def _frame(case: WithMatrix) -> NDArray:
     """The bearing's x, y, z (3, 3) in the mesh."""
     outer: Any = case.outer  # checked on reading
     axis, zenith = _direction(outer.axis), _direction(outer.zenith)
     return np.array([axis, np.cross(zenith, axis), zenith])
 
 
-def _unit(case: Case) -> float:
+def _unit(case: WithMatrix) -> float:
     outer: Any = case.outer
     return outer.force_unit / outer.length_unit
 
 
-def _seat(case: Case, frame: NDArray) -> tuple[tuple[int, ...], NDArray]:
+def _seat(case: WithMatrix, frame: NDArray) -> tuple[tuple[int, ...], NDArray]:
     """Numbers and places (K, 3) [m] of the nodes on the outer surface of the ring."""
     outer: Any = case.outer
-    nodes_file = case.matrix_files[1]
+    nodes_file = _files(case)[1]
     numbers, places = _places(_stamp(nodes_file))
     centre = np.array([outer.centre_x, outer.centre_y, outer.centre_z])
     moved = (outer.length_unit * places - centre) @ frame.T
-    radius = case.bearing.outer_raceway_diameter / 2 + outer.thickness
+    radius, offset = case.seat
     away = np.abs(np.hypot(moved[:, 1], moved[:, 2]) - radius)
-    beside = np.abs(moved[:, 0] + outer.raceway_offset)
+    beside = np.abs(moved[:, 0] + offset)
     on_seat = np.flatnonzero((away <= ON_SEAT * radius) & (beside <= OVER * outer.width / 2))
     if not on_seat.size:
         raise fem.ImpossiblePart(

@@ -1,6 +1,5 @@
 """From a case to what carries the raceways: outer and inner part at their temperatures."""
 
-import math
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -25,7 +24,6 @@ if TYPE_CHECKING:
 Race = Literal["inner", "outer"]
 
 RACEWAY_GRID = 1e-4  # of the outer raceway: inner ones closer to each other are one to the finite elements
-PARALLEL = 1e-9  # [rad] between directions that are taken as one
 NAMES: dict[Race, str] = {"inner": "inner ring and shaft", "outer": "outer ring"}
 
 
@@ -96,19 +94,9 @@ def _support(case: Case) -> Any:
 
         return reduced_body(case)
     hot = hot_over_cold(case, "outer_ring")
-    match outer.support:
-        case "lines":
-            return fem.LineSupports(azimuths=outer.line_azimuths, pushing=not outer.bilateral)
-        case "planet":
-            teeth = zip(outer.tooth_azimuths, outer.tooth_radial, outer.tooth_tangential, strict=True)
-            return fem.PlanetGear(
-                forces=tuple(fem.LineForce(azimuth=a, radial=r, tangential=t) for a, r, t in teeth),
-                radius=outer.tooth_radius and outer.tooth_radius * hot,
-            )
-        case _:
-            housing = _elastic(case, "housing") if outer.support == "housing" else None
-            pushing = outer.foundation_radial > 0 and not outer.bilateral
-            return held_ring.support(outer, housing, hot=hot, pushing=pushing)
+    housing = _elastic(case, "housing") if outer.support == "housing" else None
+    pushing = outer.foundation_radial > 0 and not outer.bilateral
+    return held_ring.support(outer, housing, hot=hot, pushing=pushing)
 
 
 def _drawn(case: Case, **ring: Any) -> "StepSolid":
@@ -265,31 +253,6 @@ def require_held_in_housing(case: Case) -> None:
             f"bearing.fits.housing.interference = {1e6 * interference:.4g} um leaves {1e6 * gap:.3g} um hot, "
             "and nothing holds the ring; allowed is an operation.radial_load above zero, or a hotter ring"
         )
-
-
-def require_held_on_lines(case: Case) -> None:
-    """Refuse lines that would have to pull to hold the load.
-
-    Raises
-    ------
-    ImpossiblePart
-        when no pushes of the lines add up to the load
-    """
-    outer, operation = case.outer, case.operation
-    on_lines = outer.kind == "ring" and outer.support == "lines" and not outer.bilateral
-    if not on_lines or operation.radial_load == 0:
-        return
-    turn = 2 * math.pi
-    ahead = [(azimuth - operation.load_direction) % turn for azimuth in outer.line_azimuths]
-    behind = [-angle % turn for angle in ahead]
-    if min(ahead) + min(behind) < math.pi - PARALLEL or min(min(ahead), min(behind)) < PARALLEL:
-        return
-    lines = ", ".join(f"{math.degrees(azimuth):.4g}" for azimuth in outer.line_azimuths)
-    raise fem.ImpossiblePart(
-        f"outer.line_azimuths = {lines} deg: lines that only push do not hold a load towards "
-        f"{math.degrees(operation.load_direction):.4g} deg; allowed are lines on both sides of it, less than "
-        "180 deg apart, or outer.bilateral = true where they can pull"
-    )
 
 
 def _elastic(case: Case, part: str) -> "fem.Elastic":

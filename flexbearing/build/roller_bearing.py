@@ -1,10 +1,11 @@
 """From a case to the bearing: its rollers, cage and flanges at their temperatures."""
 
+import cmath
 from dataclasses import replace
 from typing import Literal
 
 import quasidynamic as qd
-from flexbearing.build import clearance, profiles, ring_parts
+from flexbearing.build import clearance, held_ring, profiles, ring_parts
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
 from flexbearing.build.lubrication import lubrication
 from flexbearing.build.out_of_round import raceway_waves
@@ -141,5 +142,6 @@ def require_around(case: Case, bearing: CylindricalRollerBearing) -> None:
     ring_parts.outer_part(case)
     ring_parts.require_shoulder(case)
     ring_parts.require_held_in_housing(case)
-    ring_parts.require_held_on_lines(case)
+    load = cmath.rect(case.operation.radial_load, case.operation.load_direction)
+    held_ring.require_held_on_lines(case.outer, load)
     require_probes(case)

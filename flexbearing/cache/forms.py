@@ -240,6 +240,16 @@ RECORDS = {
             "seconds": Numbers(),
         },
     ),
+    "FreeRing": Record(
+        "fem.section.free_ring",
+        {
+            "raceway": Kept("GrooveCompliance"),
+            "lines": Kept("HarmonicCompliance"),
+            "radial": Array(("N K 2",)),
+            "tangential": Array(("N K",)),
+            "reading": Array(("L 2",), largest=10.0),
+        },
+    ),
     "Groove": Record("fem.parts.groove", {"radius": Number(), "centre_radius": Number(), "aside": Number()}),
     "Elastic": Record("fem.parts.material", {"youngs_modulus": Number(), "poisson_ratio": Number()}),
 }

@@ -98,13 +98,14 @@ class Head(Section):
 
     @property
     def named_files(self) -> tuple[Path, ...]:
-        """Files that the case names, whose content is a part of it."""
+        """Files that the case names, whose content is a part of it, and unknowns beside a CalculiX matrix."""
         names = [
             name
             for name in (reduce(_part, key.split("."), self) for key in self.file_keys)
             if name is not None
         ]
-        return next_to(Path(self.source.path), names) if names else ()
+        files = next_to(Path(self.source.path), names) if names else ()
+        return (*files, *(file.with_suffix(".dof") for file in files if file.suffix.lower() == ".sti"))
 
     def to_json(self) -> dict[str, Any]:
         """Values in SI units, as JSON can hold them."""

@@ -1,12 +1,15 @@
 """Keys of a plain outer ring and of what holds it, the same in every family of bearings."""
 
-from typing import Any
+from typing import Any, Literal
 
 from flexbearing.case.quantity import at_least, at_most, impossible, in_mm, key, require
 
 RING = {"kind": ("ring",)}
 CAGE = {"kind": ("squirrel_cage",)}
+MATRIX = {"kind": ("matrix",)}
 ON_SHAFT = {"kind": ("ring_on_shaft",)}
+MOST = 360  # lines or teeth around a ring, clamped faces of a drawing
+Direction = Literal["x", "y", "z", "-x", "-y", "-z"]
 BARS = ("bars", "bar_width", "bar_thickness", "bar_length", "flange_length")
 
 
@@ -41,6 +44,98 @@ def housing_support() -> Any:
         "seat",
         only=_held("housing"),
     )
+
+
+def line_azimuths() -> Any:
+    """Lines that hold a ring."""
+    return key(
+        "azimuths of supporting lines, from z towards y",
+        (),
+        example=["0 deg", "120 deg", "240 deg"],
+        strict=False,
+        max_length=MOST,
+        only=_held("lines"),
+    )
+
+
+def tooth_azimuths() -> Any:
+    """Teeth of the rim of a planet gear."""
+    return key(
+        "azimuths of the tooth forces of a planet gear",
+        (),
+        example=["90 deg", "270 deg"],
+        strict=False,
+        max_length=MOST,
+        only=_held("planet"),
+    )
+
+
+def tooth_forces(parts: str, example: list[str]) -> Any:
+    """Forces of these teeth."""
+    return key(f"their {parts}", (), example=example, strict=False, max_length=MOST, only=_held("planet"))
+
+
+def tooth_radius() -> Any:
+    """Where teeth press."""
+    return key(
+        "radius of the pitch circle at which they act; without it they act on the outer surface of the rim, "
+        "and the couple of tangential forces about it is left out",
+        None,
+        example="60 mm",
+        gt=0,
+        only=_held("planet"),
+    )
+
+
+def matrix() -> Any:
+    """File of a stiffness matrix."""
+    return key(
+        "stiffness matrix, next to the case file: .sti of CalculiX, .mtx of Abaqus, .bdf, .dat, .pch or "
+        ".dmig of Nastran",
+        None,
+        example="housing.sti",
+        only=MATRIX,
+    )
+
+
+def nodes() -> Any:
+    """File of its mesh."""
+    return key(
+        "its mesh, next to the case file, with *NODE or GRID: nodes on the outer surface of the ring hold it",
+        None,
+        example="housing.inp",
+        only=MATRIX,
+    )
+
+
+def length_unit() -> Any:
+    """Unit of both files."""
+    return key("unit of length of both files", "1 mm", gt=0, only=MATRIX)
+
+
+def force_unit() -> Any:
+    """Unit of the matrix."""
+    return key("unit of force of the matrix", "1 N", gt=0, only=MATRIX)
+
+
+def axis(only: Any) -> Any:
+    """Direction of the axis in a drawing or mesh."""
+    return key("direction of the bearing's axis in the drawing or mesh", "x", only=only)
+
+
+def zenith(only: Any) -> Any:
+    """Direction of azimuth 0 in a drawing or mesh."""
+    return key(
+        "direction of azimuth 0 in the drawing or mesh, in which the load pulls where "
+        "operation.load_direction is 0: under a load downwards the direction down",
+        "z",
+        only=only,
+    )
+
+
+def centre(words: str, only: Any) -> Any:
+    """Place of the bearing in a drawing or mesh."""
+    return key(words, "0 mm", only=only)
 
 
 def shaft_thickness() -> Any:
@@ -102,11 +197,30 @@ def require_room_for_bars(ring: Any, inner_diameter: float, thickness: float, ke
 
 
 def require_support(ring: Any) -> None:
-    """Raise unless springs or a housing are described where they hold a ring."""
+    """Raise unless springs, a housing, lines or teeth are described where they hold a ring."""
     if ring.support == "foundation" and not (ring.foundation_radial or ring.foundation_tangential):
         raise impossible("foundation_radial", "above zero, or nothing holds the ring")
     if ring.support == "housing":
         require(ring, ("housing_thickness", "housing_width"), 'outer.support = "housing"')
+    if ring.support == "lines" and not ring.line_azimuths:
+        raise impossible("line_azimuths", "three or more azimuths, or the ring can move freely")
+    if ring.support == "planet" and not ring.tooth_azimuths:
+        raise impossible("tooth_azimuths", "one or more azimuths: teeth carry the load away")
+    counts = {len(ring.tooth_azimuths), len(ring.tooth_radial), len(ring.tooth_tangential)}
+    if ring.support == "planet" and len(counts) > 1:
+        raise impossible("tooth_radial", "as many numbers as tooth_azimuths and tooth_tangential")
+
+
+def require_teeth_outside(ring: Any, outside: float) -> None:
+    """Raise unless teeth press outside of the outer surface of a rim [m]."""
+    if ring.tooth_radius is not None and ring.tooth_radius < outside:
+        raise impossible("tooth_radius", f"at least {outside * 1e3:.4g} mm, the outer surface of the rim")
+
+
+def require_directions(ring: Any) -> None:
+    """Raise unless two directions of a drawing or mesh are different."""
+    if ring.axis[-1] == ring.zenith[-1]:
+        raise impossible("zenith", "at right angles to outer.axis")
 
 
 def require_shaft(ring: Any) -> None:

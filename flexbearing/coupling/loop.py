@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from flexbearing.coupling.acceleration import Rule
 from flexbearing.coupling.history import CouplingHistory
-from flexbearing.coupling.partners import Bearing, LinearStructure, PartnerFailed, S, Structure
+from flexbearing.coupling.partners import Bearing, Iterating, LinearStructure, PartnerFailed, S, Structure
 
 Status = Literal["", "converged", "iteration limit", "diverging", "stagnating", "not finite", "not solved"]
 
@@ -128,7 +128,7 @@ def _failed_after(norms: list[float], failed: Iteration[S]) -> Iteration[S]:
 
 
 def newton(
-    bearing: Bearing[S], structure: Structure, start: S, criterion: StoppingCriterion
+    bearing: Iterating[S], structure: Structure, start: S, criterion: StoppingCriterion
 ) -> Iterator[Iteration[S]]:
     """Solve bearing and structure as one system, the structure linearised where it is not linear."""
     state, number, tangent = start, 0, TangentPlace(start.forces)
@@ -182,7 +182,7 @@ class TangentPlace:
 
 
 def _in_one_system(
-    bearing: Bearing[S], linear: LinearStructure, start: S, criterion: StoppingCriterion, done: int
+    bearing: Iterating[S], linear: LinearStructure, start: S, criterion: StoppingCriterion, done: int
 ) -> Iterator[Iteration[S]]:
     """Newton iterates between linear elastic raceways, numbered on from those that are done."""
     previous = start.forces

@@ -46,8 +46,19 @@ class State(Protocol):
 S = TypeVar("S", bound=State)
 
 
-class Bearing(Protocol[S]):
-    """Answers with loads to given raceway deviations, or iterates between elastic raceways."""
+class Iterating(Protocol[S]):
+    """A bearing that iterates between elastic raceways."""
+
+    def iterate(self, compliance: Compliance, start: S, deviation: NDArray | None) -> Iterator[S]:
+        """Newton iterates between raceways of compliance (Z, M, Z, M) [m/N] and initial deviation.
+
+        Raises `PartnerFailed`.
+        """
+        ...
+
+
+class Bearing(Iterating[S], Protocol[S]):
+    """Answers with loads to given raceway deviations, too."""
 
     def solve(self, start: S | None = None, deviation: NDArray | None = None) -> S:
         """Equilibrium between raceways of given deviations (2, Z, M) [m]; raises `PartnerFailed`."""
@@ -55,13 +66,6 @@ class Bearing(Protocol[S]):
 
     def roller_stiffness(self, state: S) -> NDArray:
         """Stiffness of every roller between its raceways (Z) [N/m], about zero where one does not touch."""
-        ...
-
-    def iterate(self, compliance: Compliance, start: S, deviation: NDArray | None) -> Iterator[S]:
-        """Newton iterates between raceways of compliance (Z, M, Z, M) [m/N] and initial deviation.
-
-        Raises `PartnerFailed`.
-        """
         ...
 
 

@@ -49,8 +49,9 @@ class NearGrooves:
 
 def combined(grooves: Sequence[ElasticGroove], weights: Sequence[float]) -> ElasticGroove:
     """Weighted sum of grooves with the same number of stations; weights add up to one."""
-    angles, compliance = (
-        np.tensordot(weights, [getattr(groove, name) for groove in grooves], 1)
-        for name in ("angles", "compliance")
+    return ElasticGroove(
+        *(
+            np.tensordot(weights, [getattr(groove, name) for groove in grooves], 1)
+            for name in ("angles", "compliance", "initial")
+        )
     )
-    return ElasticGroove(angles, compliance)

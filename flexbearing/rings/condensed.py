@@ -1,9 +1,8 @@
 """Parts of a case, condensed to their stiffness at the rollers, or taken from the cache."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
@@ -11,17 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 import fem
-from fem.condense import BEAM, HARMONICS, SOLID, condense
+from fem.condense import SOLID
 from fem.errors import NotSolved
 from flexbearing.build.bonded_growth import bonded_shape
 from flexbearing.build.ring_parts import NAMES, Race, part_of
 from flexbearing.build.seat_growth import seat_growth, seat_strain
-from flexbearing.cache import configured
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
 from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.progress import Report
 from flexbearing.rings.fits import RacewayInFit, inner_ring_in_fit, is_in_fit, outer_ring_in_housing
+from flexbearing.rings.kept import Ahead, condensed_part
 from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway, with_axial_modes
 from flexbearing.rings.resolution import discretisation_of, resolved
 from flexbearing.rings.supported import (
@@ -37,7 +36,6 @@ if TYPE_CHECKING:
     from fem.raceway.growth import RacewayGrowth
     from flexbearing.build.ring_parts import Part
 
-Ahead = Callable[[], Any] | None  # gives a ring that is condensed in another place than usual
 RACES: tuple[Race, Race] = ("inner", "outer")
 
 
@@ -216,58 +214,3 @@ def condensed(
 ) -> Any:
     """Raceway compliance of a part, from the cache where it is kept."""
     return condensed_part(name, resolved(part, case, azimuths), report, ahead)
-
-
-def condensed_part(
-    name: str,
-    arguments: "tuple[Part, fem.Discretisation, fem.Resolution]",
-    report: Report,
-    ahead: Ahead = None,
-) -> Any:
-    """Raceway compliance of a part as `condensed` gives it, from what decides it."""
-    part, discretisation, _ = arguments
-    support = part.support if isinstance(part, fem.OuterRing) else None
-    on_lines = isinstance(support, fem.LineSupports | fem.PlanetGear)
-    on_springs = isinstance(support, fem.Foundation) and support.pushing
-    on_matrix = isinstance(support, fem.ReducedBody)
-    if on_matrix:
-        return condense(*arguments)  # more than is kept
-    if discretisation is BEAM or (on_lines and discretisation is not SOLID):
-        return _in_memory(*arguments)  # sooner computed than read
-
-    kind = "RingOnFoundation" if on_springs else "HarmonicCompliance"
-    kind = "RacewayCompliance" if discretisation is SOLID else kind
-
-    def computed():
-        if discretisation is not SOLID:
-            return ahead() if ahead else condense(*arguments)
-        return condense(*arguments, report=lambda stage, fraction: report.stage(f"{name}: {stage}", fraction))
-
-    return configured().cached(
-        kind,
-        arguments,
-        computed,
-        lambda note: report.stage(f"{name}: {note}", None),
-        lambda kept: _is_of(*arguments, kept),
-    )
-
-
-@lru_cache(maxsize=16)  # of a design and what its derivatives need
-def _in_memory(part: "Part", discretisation: fem.Discretisation, resolution: fem.Resolution) -> Any:
-    """A part condensed once for cases one after the other, such as the designs of a search."""
-    return condense(part, discretisation, resolution)
-
-
-def _is_of(part: "Part", discretisation: fem.Discretisation, resolution: fem.Resolution, kept) -> bool:
-    """Whether a compliance from the cache is that of a part, as far as it says so."""
-    if discretisation is SOLID:
-        shape = len(resolution.azimuths or ()), resolution.axial_modes
-        return np.array_equal(kept.azimuths, resolution.azimuths or ()) and kept.absolute.shape[:2] == shape
-    if isinstance(part, fem.OuterRing) and isinstance(part.support, fem.Foundation) and part.support.pushing:
-        if kept.radial != part.support.radial:
-            return False
-        kept = kept.raceway
-    bars = part.bars if discretisation is HARMONICS else None  # type: ignore[union-attr]
-    wanted = part.raceway_diameter / 2, resolution.length, part.materials["ring"], bars
-    same = (kept.radius, kept.length, kept.elastic, kept.bars) == wanted
-    return same and kept.response.shape[1] == resolution.axial_modes

@@ -1,25 +1,31 @@
 """Elastic rings with grooves of a case, meshed and condensed, or taken from the cache."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 import fem
-from fem.condense import HARMONICS, SMEARED, condense
+from fem.condense import HARMONICS, SMEARED
 from fem.errors import NotSolved as RingNotSolved
 from fem.raceway.stations import narrowest_patch
+from flexbearing.build import held_ring
 from flexbearing.build.groove_parts import BallCase, GroovePart, groove_part
-from flexbearing.cache import configured
 from flexbearing.case import BadCase
+from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.bolted_rings import Rings
 from flexbearing.case.balls.elastic_rings import GrooveAccuracy
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.case.balls.ring_room import MARGIN, OUTWARD, Race
 from flexbearing.case.quantity import at_least, in_mm
+from flexbearing.coupling import Raceway, RacewayPair
 from flexbearing.progress import Report
+from flexbearing.rings.kept import Arguments, condensed_part
+from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway
+from flexbearing.rings.supported import RINGS, SupportedRaceway, line_figures
 from quasidynamic import ImpossiblePart, NotSolved
 from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGrooves
 
@@ -27,7 +33,6 @@ MESH = 0.25  # largest element over the ball diameter
 FINER = 6.0  # order of the elements times width of a patch, over the elements on the groove
 
 RACES: tuple[Race, Race] = ("inner", "outer")
-Arguments = tuple[GroovePart, fem.Discretisation, fem.Resolution]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -44,6 +49,13 @@ class GrooveShape:
         """Axial width of the groove [m]."""
         assert self.part.groove
         return self.part.groove.width(self.part.raceway_diameter / 2, OUTWARD[self.race])
+
+
+class SupportedGrooves(NamedTuple):
+    """Both grooves under balls, at least one on supports that it may lift off."""
+
+    raceways: RacewayPair
+    angles: NDArray  # (2, K) [rad] of the stations
 
 
 def accuracy_of(case: BallCase) -> tuple[str, GrooveAccuracy | Rings]:
@@ -125,12 +137,37 @@ def elastic_grooves(case: BallCase, azimuths: NDArray, report: Report) -> Elasti
     return None if inner is None and outer is None else ElasticGrooves(inner, outer)
 
 
-def _is_of(part: GroovePart, _: fem.Discretisation, resolution: fem.Resolution, kept: Any) -> bool:
-    """Whether a compliance from the cache is that of a part, as far as it says so."""
-    stations = resolution.stations
+def supported_grooves(case: FastCase, azimuths: NDArray, report: Report) -> SupportedGrooves:
+    """Both grooves under balls at azimuths (Z) [rad], on supports that they may lift off; raises as above."""
+    shapes = [shape_of(case, race) for race in RACES]
+    angles = [shape and _stations(case, shape).angles for shape in shapes]
+    known = next(each for each in angles if each)  # as an outer ring is elastic
+    inner, outer = (_raceway(case, shape, azimuths, report) for shape in shapes)
+    return SupportedGrooves(RacewayPair(inner, outer), np.array([each or known for each in angles]))
+
+
+def require_held(case: FastCase, load: complex) -> None:
+    """Refuse supports that cannot hold a radial load [N] along z + i y; raises `BadCase`."""
+    with _named(case, "outer"):
+        held_ring.require_held_on_lines(case.outer, load)
+
+
+def _raceway(case: BallCase, shape: GrooveShape | None, azimuths: NDArray, report: Report) -> Raceway:
+    if shape is None:
+        return RigidRaceway(azimuths)
+    with _named(case, shape.race):
+        ring = compliance(case, shape, report)
+        if shape.race == "inner":
+            return CondensedRaceway(ring.at(azimuths))
+        under_balls = ring.under_rollers(azimuths)
+        name = RINGS["lines"]
+        return SupportedRaceway(name, under_balls, line_figures, ring.under_rollers, from_ground=True)
+
+
+def _stations(case: BallCase, shape: GrooveShape) -> fem.Stations:
+    stations = _arguments(case, shape)[2].stations
     assert stations  # of every part with a groove
-    same = (kept.groove, kept.width, kept.elastic) == (part.groove, stations.width, part.materials["ring"])
-    return same and tuple(kept.angles) == stations.angles
+    return stations
 
 
 def groove_of_shape(case: BallCase, shape: GrooveShape, azimuths: NDArray, report: Report) -> ElasticGroove:
@@ -143,9 +180,11 @@ def groove_of_shape(case: BallCase, shape: GrooveShape, azimuths: NDArray, repor
     NotSolved
         when the finite elements find none
     """
-    at_balls = compliance(case, shape, report).at(azimuths)
+    with _named(case, shape.race):
+        at_balls = compliance(case, shape, report).at(azimuths)
     try:
-        return ElasticGroove(at_balls.angles, at_balls.absolute)
+        angles = np.array(_stations(case, shape).angles)
+        return ElasticGroove(angles, at_balls.absolute, at_balls.initial_deviation)
     except ImpossiblePart as problem:  # of a part that hardly anything holds
         raise NotSolved(
             f"{shape.race} ring: so flexible a part is beyond finite elements: {problem}", "not solved"
@@ -162,18 +201,18 @@ def compliance(case: BallCase, shape: GrooveShape, report: Report) -> Any:
     NotSolved
         when the finite elements find none
     """
-    arguments = _arguments(case, shape)
-    race, name = shape.race, f"{shape.race} ring"
+    name = f"{shape.race} ring"
     report.stage(name, None)
+    with _named(case, shape.race):
+        return condensed_part(name, _arguments(case, shape), report)
+
+
+@contextmanager
+def _named(case: BallCase, race: Race) -> Iterator[None]:
+    """Turn failures of the finite elements into those of a case or of a solve, with the name of the ring."""
     try:
-        return configured().cached(
-            "GrooveCompliance",
-            arguments,
-            lambda: condense(*arguments),
-            lambda note: report.stage(f"{name}: {note}", None),
-            partial(_is_of, *arguments),
-        )
+        yield
     except fem.ImpossiblePart as problem:
         raise BadCase(f"{case.source.path}: {race} ring: {problem}") from problem
     except RingNotSolved as problem:
-        raise NotSolved(f"{name}: {problem}", "not solved") from problem
+        raise NotSolved(f"{race} ring: {problem}", "not solved") from problem

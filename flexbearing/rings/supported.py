@@ -35,6 +35,7 @@ class SupportedRaceway:
     ring: "RollersOnLines | RollersOnFoundation"
     support_figures: Callable[[Any, NDArray], dict[str, object]]  # for the result file
     at: Callable[[NDArray], Any] = field(repr=False)  # the ring under rollers at other azimuths
+    from_ground: bool = False  # places count from there, as those of grooves; else from their mean one
     last: NDArray | None = field(default=None, repr=False)
     rigid = False
     solved_in_full = False
@@ -55,7 +56,8 @@ class SupportedRaceway:
         """The raceway near outward forces (Z, M) [N], exact as long as the supports touch where they do."""
         self.last = outward
         with self._named_failure():
-            return self.ring.near(outward)
+            near = self.ring.near(outward)
+        return replace(near, translation=np.zeros_like(near.translation)) if self.from_ground else near
 
     def under(self, azimuths: NDArray) -> "SupportedRaceway":
         """The same raceway under rollers at other azimuths (Z) [rad]; raises `PartnerFailed`."""
@@ -102,7 +104,7 @@ def line_figures(ring: "RollersOnLines", outward: NDArray) -> dict[str, object]:
             "end_forces_N": ends.tolist(),
             "carries": touches.tolist(),
             "resultant_N": _resultant(azimuths, force),
-            "rollers_N": _resultant(ring.azimuths, outward[:, 0]),
+            "rollers_N": (outward.ravel() @ ring.points.load_motions[:, :2]).tolist(),
         }
     }
 

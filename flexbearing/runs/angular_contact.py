@@ -29,10 +29,12 @@ from flexbearing.runs import (
     not_round,
     shoulders,
     subsurface,
+    teeth,
 )
 from flexbearing.runs.ball_life import BallLives
 from flexbearing.runs.life_of_state import MREV
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
+from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves
 from quasidynamic.columns import kind_and_numbers
 from quasidynamic.note import Note, information, outside
 from quasidynamic.outcome.angular_contact_state import RollingContact
@@ -147,6 +149,8 @@ def build(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperatio
         from flexbearing.rings import grooves  # finite elements are not described between rigid rings
 
         grooves.parts(case)
+        if not set(case.operation.held) & {"displacement.radial_y", "displacement.radial_z"}:
+            grooves.require_held(case, _radial(case))
     return bearing(case), operation(case)
 
 
@@ -189,7 +193,7 @@ def _preloaded(case: FastCase, built: Any, rings: Any) -> Any:
     rest, (model, loaded) = preload_at_rest(case), built
     if rest is None:
         return on_cam(case, model), loaded
-    state = named(case, partial(model.solve, rest, rings))
+    state = named(case, partial(_solved_between, model, rest, rings))
     if isinstance(state, Exception):
         return state
     return model, held_at(loaded, float(state.ring_displacement[0]))
@@ -226,13 +230,12 @@ def _grooves(cases: Sequence[FastCase], built: Sequence[Any], report: Report) ->
     for case, (model, _) in zip(cases, built, strict=True):
         azimuths = model.bearing.azimuths
         key = named(case, partial(grooves.parts, case))
+        between = grooves.supported_grooves if case.outer.lifts_off else grooves.elastic_grooves
         if not isinstance(key, Exception):
             key = key, azimuths.tobytes()
         if key not in known:
             known[key] = (
-                key
-                if isinstance(key, Exception)
-                else named(case, partial(grooves.elastic_grooves, case, azimuths, report))
+                key if isinstance(key, Exception) else named(case, partial(between, case, azimuths, report))
             )
         grooves_of_cases.append(known[key])
     return grooves_of_cases
@@ -269,13 +272,31 @@ def _balanced(
     for places in alike.values():
         model, operations, ring = built[places[0]][0], [built[k][1] for k in places], rings[places[0]]
         try:
-            states_of_model = model.solve_many(operations, ring)
+            states_of_model = [] if _lifts_off(ring) else model.solve_many(operations, ring)
         except OutOfRange:  # of one of them, which says so by itself
+            states_of_model = []
+        if not states_of_model:
             each = zip(places, operations, strict=True)
-            states_of_model = [named(cases[place], partial(model.solve, at, ring)) for place, at in each]
+            solve = partial(_solved_between, model)
+            states_of_model = [named(cases[place], partial(solve, at, ring)) for place, at in each]
         for place, state in zip(places, states_of_model, strict=True):
             states[place] = state
     return states
+
+
+def _lifts_off(rings: Any) -> bool:
+    """Whether grooves are not linear, so that cases are solved one by one."""
+    return not isinstance(rings, ElasticGrooves | None)
+
+
+def _solved_between(
+    model: qd.AngularContactBallBearing, operation: qd.RingOperation, rings: Any
+) -> qd.AngularContactState:
+    if not _lifts_off(rings):
+        return model.solve(operation, rings)
+    from flexbearing.coupled import balls  # with finite elements
+
+    return balls.equilibrium(model, operation, rings)
 
 
 def _rolled(case: FastCase, state: qd.AngularContactState, progress: Callable[[float], None]) -> Solution:
@@ -395,6 +416,11 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
     return evaluate(declared.OF_BALLS, values)
 
 
+def _radial(case: FastCase) -> complex:
+    """Load along z + i y [N]."""
+    return complex(case.operation.load.radial_z, case.operation.load.radial_y)
+
+
 def _places(case: FastCase, state: qd.AngularContactState) -> dict[str, Any]:
     """Angle of the most loaded ball, and how high contacts reach on races whose end is not given."""
     of_design = isinstance(case.bearing, AngularBearing) and bool(state.loads.any())
@@ -418,6 +444,11 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
     if state.groove_displacement is not None:
         lines += elastic_grooves.notes(case, state.contact_angles, state.loads, state.semi_axes[0])
     lines += not_round.notes(case)
+    lines += tuple(teeth.notes(case.outer, _radial(case), "operation.load"))
+    if case.outer.kind == "matrix":
+        from flexbearing.build import reduced_bodies  # with readers of other programs' files
+
+        lines += reduced_bodies.notes(case)
     lifted = int((~state.on_inner).sum())
     if lifted:
         lines += (

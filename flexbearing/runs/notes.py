@@ -11,7 +11,7 @@ from flexbearing.build.lubrication import oil, oil_name
 from flexbearing.case import cage_room
 from flexbearing.case.roller import Case
 from flexbearing.findings.running import PRESSED_ENDS
-from flexbearing.runs import life, several, skew
+from flexbearing.runs import life, several, skew, teeth
 from flexbearing.runs.life_of_state import no_life
 from flexbearing.runs.not_round import turning
 from flexbearing.runs.solved_rows import SolvedRows
@@ -21,7 +21,6 @@ from quasidynamic.outcome.sliced_peak import CORNER_DECADE, SlicedPeak, corner_r
 from quasidynamic.outcome.validity import validity
 
 LARGE_SHARE = 0.5  # of the losses: worth a word (assumed)
-UNBALANCED = 0.05  # of the load: more is no rounding of tooth forces (assumed)
 ALONE = 0.01  # of the largest line force: below it the other lines only keep the ring from rolling away
 MILLIMETRE, GIGAPASCAL = 1e-3, 1e9
 RACEWAYS = ("inner", "outer")
@@ -29,7 +28,8 @@ RACEWAYS = ("inner", "outer")
 
 def of_case(case: Case) -> tuple[Note, ...]:
     """What can be said before anything is solved."""
-    notes = oil(case).notes
+    notes, operation = oil(case).notes, case.operation
+    pin = operation.radial_load * np.exp(1j * operation.load_direction)
     if case.lubricant.traction == "4109":
         notes += (
             outside(
@@ -41,7 +41,7 @@ def of_case(case: Case) -> tuple[Note, ...]:
     return (
         notes
         + _overlap(case)
-        + tuple(_teeth(case))
+        + tuple(teeth.notes(case.outer, pin, "operation.radial_load"))
         + _turning_waves(case)
         + clearance.notes(case)
         + ring_parts.notes(case)
@@ -69,29 +69,6 @@ def _turning_waves(case: Case) -> tuple[Note, ...]:
         for race, speed in speeds.items()
         if form and getattr(form, race) and speed
     )
-
-
-def _teeth(case: Case) -> Iterator[Note]:
-    """Say so when tooth forces act where they should not, or leave the planet gear out of balance."""
-    outer, load = case.outer, case.operation.radial_load
-    if outer.support != "planet":
-        return
-    if outer.tooth_radius is None and any(outer.tooth_tangential):
-        yield information(
-            "tooth-forces-at-rim",
-            "outer.tooth_radius is left out: tooth forces act on the outer surface of the rim, without the "
-            "couple by which tangential forces at the pitch circle bend it",
-        )
-    teeth = np.array(outer.tooth_radial) + 1j * np.array(outer.tooth_tangential)
-    pin = load * np.exp(1j * case.operation.load_direction)
-    left = abs(pin + (teeth * np.exp(1j * np.array(outer.tooth_azimuths))).sum())
-    if left > UNBALANCED * load:
-        yield outside(
-            "unbalanced-teeth",
-            f"tooth forces and the load of {load:,.0f} N (operation.radial_load) leave {left:,.0f} N "
-            "unbalanced: outer.tooth_radial, outer.tooth_tangential and the load must add up to zero, else "
-            "the rim bends differently from that of a planet gear",
-        )
 
 
 def of_solution(rows: SolvedRows) -> tuple[Note, ...]:

@@ -33,7 +33,7 @@ from flexbearing.case.balls.parts import (
     Whole,
     require_quarters,
 )
-from flexbearing.case.balls.ring_room import Race, require_room
+from flexbearing.case.balls.ring_room import Race, elastic_groove, require_room
 from flexbearing.case.head import KIND
 from flexbearing.case.materials import Oil
 from flexbearing.case.outputs import LifeOutputs
@@ -285,6 +285,7 @@ class FastCase(MountedCase):
 
     former = LOAD | DISPLACEMENT | ONE_FRICTION
     hints = NO_CLASSES | PLACES
+    file_keys = "outer.matrix", "outer.nodes"
 
     bearing: FastBearing = key("the bearing")
     materials: FastMaterials = key("the materials")
@@ -297,6 +298,12 @@ class FastCase(MountedCase):
     outer: BallOuter = key("what carries the outer groove", {})
     inner: BallInner = key("what carries the inner groove", {})
     accuracy: GrooveAccuracy = key("how finely elastic rings are resolved", {})
+
+    @property
+    def seat(self) -> tuple[float, float]:
+        """Radius of the outer surface of an elastic outer ring, and offset of its groove [m]."""
+        groove, _ = elastic_groove(self.bearing, "outer")
+        return groove.bottom(1) + (self.outer.thickness or 0.0), self.outer.groove_offset
 
     @property
     def rigid(self) -> bool:

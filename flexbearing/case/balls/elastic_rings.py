@@ -7,20 +7,22 @@ from pydantic import model_validator
 from flexbearing.case import held_ring
 from flexbearing.case.balls import groove_accuracy
 from flexbearing.case.balls.parts import EndingGroove
-from flexbearing.case.held_ring import ON_SHAFT, RING
-from flexbearing.case.quantity import Angle, Foundation, Length, Section, key, needed, require
+from flexbearing.case.held_ring import CAGE, MATRIX, ON_SHAFT, RING, Direction
+from flexbearing.case.quantity import Angle, Force, Foundation, Length, Section, key, needed, require
 
-ELASTIC = ({"outer.kind": ("ring", "squirrel_cage")}, {"inner.kind": ("ring_on_shaft",)})
+ELASTIC = ({"outer.kind": ("ring", "squirrel_cage", "matrix")}, {"inner.kind": ("ring_on_shaft",)})
 ON_CAM = {"kind": ("cam",)}
-OF_RING = {"kind": ("ring", "squirrel_cage")}
+OF_RING = {"kind": ("ring", "squirrel_cage", "matrix")}
+HELD = {**RING, "support": ("side", "seat", "foundation", "housing")}  # along the axis, too
 
 
 class BallOuter(Section):
     """What carries the outer groove."""
 
-    kind: Literal["rigid", "ring", "squirrel_cage"] = key(
-        "rigid; a ring with its groove cut in, held at rest; or such a ring on bars, spread evenly around "
-        "it, whose flange is clamped",
+    kind: Literal["rigid", "ring", "squirrel_cage", "matrix"] = key(
+        "rigid; a ring with its groove cut in; such a ring on bars, spread evenly around "
+        "it, whose flange is clamped; or bonded to a body whose stiffness another finite element program "
+        "wrote",
         "rigid",
     )
     thickness: Length | None = key(
@@ -32,11 +34,13 @@ class BallOuter(Section):
         "+x, where the side face is held or the bars are",
         "0 mm",
         example="1 mm",
-        only=OF_RING,
+        only=(HELD, CAGE, MATRIX),
     )
-    support: Literal["side", "seat", "foundation", "housing"] = key(
+    support: Literal["side", "seat", "foundation", "housing", "lines", "planet"] = key(
         "what holds the ring: its side face at the end of x; a rigid seat or springs per area on its outer "
-        "surface, which push and pull; or a housing bonded to it",
+        "surface, which push and pull; a housing bonded to it; frictionless lines on that surface; or "
+        "nothing, as rim of a planet gear between its tooth forces. Lines and teeth leave the ring free "
+        "along its axis: it stays where its groove does in the mean",
         "side",
         only=RING,
     )
@@ -46,6 +50,18 @@ class BallOuter(Section):
     housing_thickness: Length | None = held_ring.housing_thickness()
     housing_width: Length | None = held_ring.housing_width()
     housing_support: Literal["seat", "side"] = held_ring.housing_support()
+    bilateral: bool = key(
+        "whether lines also pull; without it they only push, and the ring lifts off them",
+        False,
+        only={**RING, "support": ("lines",)},
+    )
+    line_azimuths: tuple[Angle, ...] = held_ring.line_azimuths()
+    tooth_azimuths: tuple[Angle, ...] = held_ring.tooth_azimuths()
+    tooth_radial: tuple[Force, ...] = held_ring.tooth_forces("radial parts, outward", ["-2 kN", "-2 kN"])
+    tooth_tangential: tuple[Force, ...] = held_ring.tooth_forces(
+        "tangential parts, towards growing azimuth", ["5 kN", "-5 kN"]
+    )
+    tooth_radius: Length | None = held_ring.tooth_radius()
     bars: int | None = held_ring.bars()
     bar_width: Length | None = held_ring.of_cage("tangential width of a bar")
     bar_thickness: Length | None = held_ring.bar_thickness(
@@ -54,6 +70,20 @@ class BallOuter(Section):
     bar_length: Length | None = held_ring.of_cage("axial length of the bars")
     flange_length: Length | None = held_ring.of_cage("axial length of the flange behind the bars")
     bar_ends: Literal["one", "both"] = held_ring.bar_ends()
+    matrix: str | None = held_ring.matrix()
+    nodes: str | None = held_ring.nodes()
+    length_unit: Length = held_ring.length_unit()
+    force_unit: Force = held_ring.force_unit()
+    axis: Direction = held_ring.axis(MATRIX)
+    zenith: Direction = held_ring.zenith(MATRIX)
+    centre_x: Length = held_ring.centre("centre of the groove in the mesh, along its x", MATRIX)
+    centre_y: Length = held_ring.centre("the same along y", MATRIX)
+    centre_z: Length = held_ring.centre("the same along z", MATRIX)
+
+    @property
+    def lifts_off(self) -> bool:
+        """Whether what holds the ring only pushes, so that its raceway is not linear."""
+        return self.kind == "ring" and self.support == "lines" and not self.bilateral
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
@@ -62,6 +92,9 @@ class BallOuter(Section):
         require(self, ("thickness", "width"), f'outer.kind = "{self.kind}"')
         if self.kind == "ring":
             held_ring.require_support(self)
+        elif self.kind == "matrix":
+            require(self, ("matrix", "nodes"), 'outer.kind = "matrix"')
+            held_ring.require_directions(self)
         else:
             held_ring.require_bars(self)
         return self

@@ -61,6 +61,7 @@ def _require_outer(case: Any) -> None:
     if thickness <= SLENDEREST_SLOT:
         raise impossible("outer.thickness", f"above {in_mm(SLENDEREST_SLOT)}")
     _require_wide("outer", width, narrowest_ring(groove, land, 1, 0.0))
+    located("outer", lambda: held_ring.require_teeth_outside(outer, groove.bottom(1) + thickness))
     least = narrowest_ring(groove, land, 1, outer.groove_offset)
     if width < least:
         most = max(abs(outer.groove_offset) - (least - width) / 2, 0.0)

@@ -5,7 +5,14 @@ from typing import ClassVar, Literal, Self
 from pydantic import model_validator
 
 from flexbearing.case import held_ring
-from flexbearing.case.held_ring import CAGE as _CAGE, ON_SHAFT as _ON_SHAFT, RING as _RING
+from flexbearing.case.held_ring import (
+    CAGE as _CAGE,
+    MATRIX,
+    MOST,
+    ON_SHAFT as _ON_SHAFT,
+    RING as _RING,
+    Direction,
+)
 from flexbearing.case.quantity import (
     Angle,
     Force,
@@ -18,9 +25,7 @@ from flexbearing.case.quantity import (
     require,
 )
 
-Direction = Literal["x", "y", "z", "-x", "-y", "-z"]
-MOST = 360  # lines or teeth around a ring, clamped faces of a drawing
-_STEP, _MATRIX = ({"kind": (kind,)} for kind in ("step", "matrix"))
+_STEP = {"kind": ("step",)}
 _HELD = {**_RING, "support": ("side", "seat", "foundation", "housing")}
 
 
@@ -42,7 +47,7 @@ class Outer(Section):
         "+x, where the bars are or the side face is held",
         "0 mm",
         example="1 mm",
-        only=(_HELD, _CAGE, _MATRIX),
+        only=(_HELD, _CAGE, MATRIX),
     )
     support: Literal["side", "seat", "foundation", "housing", "lines", "planet"] = key(
         "what holds a plain ring: its side face at the end of x; a rigid seat or springs per area on its "
@@ -72,46 +77,13 @@ class Outer(Section):
         False,
         only={**_RING, "support": ("lines", "foundation")},
     )
-    line_azimuths: tuple[Angle, ...] = key(
-        "azimuths of supporting lines, from z towards y",
-        (),
-        example=["0 deg", "120 deg", "240 deg"],
-        strict=False,
-        max_length=MOST,
-        only={**_RING, "support": ("lines",)},
+    line_azimuths: tuple[Angle, ...] = held_ring.line_azimuths()
+    tooth_azimuths: tuple[Angle, ...] = held_ring.tooth_azimuths()
+    tooth_radial: tuple[Force, ...] = held_ring.tooth_forces("radial parts, outward", ["-2 kN", "-2 kN"])
+    tooth_tangential: tuple[Force, ...] = held_ring.tooth_forces(
+        "tangential parts, towards growing azimuth", ["5 kN", "-5 kN"]
     )
-    tooth_azimuths: tuple[Angle, ...] = key(
-        "azimuths of the tooth forces of a planet gear",
-        (),
-        example=["90 deg", "270 deg"],
-        strict=False,
-        max_length=MOST,
-        only={**_RING, "support": ("planet",)},
-    )
-    tooth_radial: tuple[Force, ...] = key(
-        "their radial parts, outward",
-        (),
-        example=["-2 kN", "-2 kN"],
-        strict=False,
-        max_length=MOST,
-        only={**_RING, "support": ("planet",)},
-    )
-    tooth_tangential: tuple[Force, ...] = key(
-        "their tangential parts, towards growing azimuth",
-        (),
-        example=["5 kN", "-5 kN"],
-        strict=False,
-        max_length=MOST,
-        only={**_RING, "support": ("planet",)},
-    )
-    tooth_radius: Length | None = key(
-        "radius of the pitch circle at which they act; without it they act on the outer surface of the rim, "
-        "and the couple of tangential forces about it is left out",
-        None,
-        example="60 mm",
-        gt=0,
-        only={**_RING, "support": ("planet",)},
-    )
+    tooth_radius: Length | None = held_ring.tooth_radius()
     bars: int | None = held_ring.bars()
     bar_width: Length | None = held_ring.of_cage("tangential width of a bar")
     bar_thickness: Length | None = held_ring.bar_thickness("in the thickness of the ring, a collar left out")
@@ -148,35 +120,17 @@ class Outer(Section):
         example="race",
         only=_STEP,
     )
-    matrix: str | None = key(
-        "stiffness matrix, next to the case file: .sti of CalculiX, .mtx of Abaqus, .bdf, .dat, .pch or "
-        ".dmig of Nastran",
-        None,
-        example="housing.sti",
-        only=_MATRIX,
+    matrix: str | None = held_ring.matrix()
+    nodes: str | None = held_ring.nodes()
+    length_unit: Length = held_ring.length_unit()
+    force_unit: Force = held_ring.force_unit()
+    axis: Direction = held_ring.axis((_STEP, MATRIX))
+    zenith: Direction = held_ring.zenith((_STEP, MATRIX))
+    centre_x: Length = held_ring.centre(
+        "middle of the rollers in the drawing or mesh, along its x", (_STEP, MATRIX)
     )
-    nodes: str | None = key(
-        "its mesh, next to the case file, with *NODE or GRID: nodes on the outer surface of the ring hold it",
-        None,
-        example="housing.inp",
-        only=_MATRIX,
-    )
-    length_unit: Length = key("unit of length of both files", "1 mm", gt=0, only=_MATRIX)
-    force_unit: Force = key("unit of force of the matrix", "1 N", gt=0, only=_MATRIX)
-    axis: Direction = key(
-        "direction of the bearing's axis in the drawing or mesh", "x", only=(_STEP, _MATRIX)
-    )
-    zenith: Direction = key(
-        "direction of azimuth 0 in the drawing or mesh, in which the load pulls where "
-        "operation.load_direction is 0: under a load downwards the direction down",
-        "z",
-        only=(_STEP, _MATRIX),
-    )
-    centre_x: Length = key(
-        "middle of the rollers in the drawing or mesh, along its x", "0 mm", only=(_STEP, _MATRIX)
-    )
-    centre_y: Length = key("the same along y", "0 mm", only=(_STEP, _MATRIX))
-    centre_z: Length = key("the same along z", "0 mm", only=(_STEP, _MATRIX))
+    centre_y: Length = held_ring.centre("the same along y", (_STEP, MATRIX))
+    centre_z: Length = held_ring.centre("the same along z", (_STEP, MATRIX))
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
@@ -186,22 +140,18 @@ class Outer(Section):
             require(self, ("file",), 'outer.kind = "step"')
             if not self.clamps:
                 raise impossible("clamps", "one face or more: a drawing without any can move freely")
-            self._require_directions()
+            held_ring.require_directions(self)
             return self
         require(self, ("thickness", "width"), f'outer.kind = "{self.kind}"')
         if self.kind == "matrix":
             require(self, ("matrix", "nodes"), 'outer.kind = "matrix"')
-            self._require_directions()
+            held_ring.require_directions(self)
         if self.kind == "ring":
-            self._require_support()
+            held_ring.require_support(self)
         if self.kind == "squirrel_cage":
             held_ring.require_bars(self)
             self._require_collar()
         return self
-
-    def _require_directions(self) -> None:
-        if self.axis[-1] == self.zenith[-1]:
-            raise impossible("zenith", "at right angles to outer.axis")
 
     def _require_collar(self) -> None:
         """Raise unless a collar is a thicker part of the ring."""
@@ -217,17 +167,6 @@ class Outer(Section):
             part = "half of outer.width, as there are two" if ends == 2 else "outer.width"
             raise impossible("collar_length", f"at most {part}: the collar is a part of the ring")
 
-    def _require_support(self) -> None:
-        """Raise unless what holds the ring is described."""
-        held_ring.require_support(self)
-        if self.support == "lines" and not self.line_azimuths:
-            raise impossible("line_azimuths", "three or more azimuths, or the ring can move freely")
-        if self.support == "planet" and not self.tooth_azimuths:
-            raise impossible("tooth_azimuths", "one or more azimuths: teeth carry the load away")
-        counts = {len(self.tooth_azimuths), len(self.tooth_radial), len(self.tooth_tangential)}
-        if self.support == "planet" and len(counts) > 1:
-            raise impossible("tooth_radial", "as many numbers as tooth_azimuths and tooth_tangential")
-
     def require_room(self, raceway_diameter: float, roller_length: float) -> None:
         """Raise unless the ring is as wide as the rollers and its bars do not touch."""
         if self.kind in ("rigid", "step"):
@@ -242,8 +181,7 @@ class Outer(Section):
         if self.kind == "squirrel_cage":
             held_ring.require_room_for_bars(self, raceway_diameter, thickness, "outer.thickness")
         outside = raceway_diameter / 2 + thickness
-        if self.tooth_radius is not None and self.tooth_radius < outside:
-            raise impossible("tooth_radius", f"at least {outside * 1e3:.4g} mm, the outer surface of the rim")
+        held_ring.require_teeth_outside(self, outside)
 
 
 class Inner(Section):

@@ -53,10 +53,10 @@ class Case(Head):
         return Path(self.source.path).parent / self.outer.file
 
     @property
-    def matrix_files(self) -> tuple[Path, ...]:
-        """Matrix and mesh of another program, next to the case file; none for other outer rings."""
-        names = (self.outer.matrix, self.outer.nodes) if self.outer.kind == "matrix" else ()
-        return tuple(Path(self.source.path).parent / name for name in names if name)
+    def seat(self) -> tuple[float, float]:
+        """Radius of the outer surface of an elastic outer ring, and offset of its raceway [m]."""
+        outside = self.bearing.outer_raceway_diameter / 2 + (self.outer.thickness or 0.0)
+        return outside, self.outer.raceway_offset
 
     @property
     def lifts_off(self) -> bool:
@@ -64,12 +64,6 @@ class Case(Head):
         housed = self.outer.kind == "ring" and self.outer.support == "housing"
         fitted = self.bearing.fits is not None and self.bearing.fits.housing is not None
         return housed and (fitted or self.outer.housing_clearance is not None)
-
-    @property
-    def named_files(self) -> tuple[Path, ...]:
-        """Files of its keys, and the unknowns of a matrix of CalculiX beside it."""
-        unknowns = (file.with_suffix(".dof") for file in self.matrix_files if file.suffix.lower() == ".sti")
-        return (*super().named_files, *unknowns)
 
     def points_file(self, table: Generatrix) -> Path | None:
         """CSV file of a profile, next to the case file; None for one without."""

@@ -1,6 +1,6 @@
 """Grooves that give way under the forces of balls, at any contact angle."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -24,14 +24,19 @@ class ElasticGroove:
 
     angles: NDArray  # (K) [rad] contact angles of the stations, K odd
     compliance: NDArray  # (Z, K, Z, K) [m/N], symmetric; Z contacts, two for each ball on two arcs
+    initial: NDArray = field(default_factory=lambda: np.zeros((0, 0)))  # (Z, K) [m] before balls press
 
     def __post_init__(self):
         count, stations = self.compliance.shape[:2]
+        if self.initial.size == 0:
+            object.__setattr__(self, "initial", np.zeros((count, stations)))
         if self.compliance.shape != (count, stations) * 2 or len(self.angles) != stations or not stations % 2:
             raise ImpossiblePart(
                 f"a compliance of shape {self.compliance.shape} does not fit {len(self.angles)} stations, "
                 "whose number is odd"
             )
+        if self.initial.shape != (count, stations) or not np.isfinite(self.initial).all():
+            raise ImpossiblePart(f"initial must be ({count}, {stations}) finite displacements")
         mirrored = self.compliance.transpose(2, 3, 0, 1)
         largest = np.abs(self.compliance).max()
         if not np.abs(self.compliance - mirrored).max() <= SYMMETRIC * largest:
@@ -52,14 +57,19 @@ class ElasticGroove:
 
 
 class ElasticGrooves(NamedTuple):
-    """Both grooves of a bearing."""
+    """Both grooves of a bearing, None where a race is rigid."""
 
-    inner: ElasticGroove | None  # None: rigid
+    inner: ElasticGroove | None
     outer: ElasticGroove | None
 
     def softened(self, part: float) -> "ElasticGrooves":
-        """Grooves of a part of the compliance."""
-        return ElasticGrooves(*(each and replace(each, compliance=part * each.compliance) for each in self))
+        """Grooves of a part of the compliance, and of what moves them before balls press."""
+        return ElasticGrooves(
+            *(
+                each and replace(each, compliance=part * each.compliance, initial=part * each.initial)
+                for each in self
+            )
+        )
 
 
 class StationShares(NamedTuple):
@@ -135,7 +145,7 @@ def shape_of(groove: ElasticGroove, angles: NDArray, force: Vectors) -> GrooveSh
     by_vector, by_turn = shares.by_vector, shares.by_turn
     pressed = np.concatenate([by_vector, by_turn @ vectors[..., None]], axis=-1)  # (C, Z, K, 3)
     answers = (groove.by_ball @ pressed).reshape(cases, balls, balls, -1, 3)  # by ball, at ball, at station
-    displaced = np.einsum("cyzka,cya->czk", answers[..., :2], vectors)
+    displaced = groove.initial + np.einsum("cyzka,cya->czk", answers[..., :2], vectors)
     moves = np.moveaxis(by_vector.swapaxes(-1, -2)[:, None] @ answers, 1, 3)  # (C, Z, 2, Z, 3)
     ball = np.arange(balls)  # its angle also moves the place where its displacement is taken
     moves[:, ball, :, ball, 2] += (displaced[:, :, None] @ by_turn)[:, :, 0].swapaxes(0, 1)

@@ -1,0 +1,180 @@
+"""Shapes in which elements press a raceway: polynomials along a cylinder, patches on arcs of a groove."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.assembly.factorisation import threads
+from fem.parts.bolted_ring import BoltedRing
+from fem.parts.boundary_conditions import FreeMotions
+from fem.parts.groove import Groove, Stations
+from fem.parts.material import ImpossiblePart, require
+from fem.parts.resolution import Resolution
+from fem.parts.rings import Part, RingOnShaft, SquirrelCage
+from fem.raceway.harmonics import HarmonicCompliance, Responses, harmonic_compliance, highest_harmonic
+from fem.raceway.stations import DETAIL, GrooveCompliance
+from fem.section.revolved_body import Body, edge_modes, station_modes
+from fem.section.rigid_body_modes import body_of, responses, rigid_motions
+from fem.section.smeared_cage import assembled_cage
+from fem.stages import Stage
+
+Raceway = HarmonicCompliance | GrooveCompliance
+
+
+def raceway_modes(body: Body, part: Part | BoltedRing, resolution: Resolution) -> NDArray:
+    """Load vectors of the shapes in which the raceway of a part is pressed, which also read it.
+
+    Parameters
+    ----------
+    body : Body
+        assembled sections of the part
+    part : OuterRing, RingOnShaft, SquirrelCage, BoltedRing
+        with a cylinder or a groove
+    resolution : Resolution
+        with axial modes, or with stations for a groove
+
+    Returns
+    -------
+    array (unknowns, M)
+        as `edge_modes` or `station_modes` give them
+
+    Raises
+    ------
+    ImpossiblePart
+        if a groove has no stations, or stations no place on its arcs
+    """
+    if part.groove is None:
+        return edge_modes(body, "raceway", resolution.axial_modes)
+    return station_modes(body, part.groove, _outward(part), _stations(part, part.groove, resolution))
+
+
+def raceway_compliance(
+    part: Part | BoltedRing, resolution: Resolution, answers: Responses, seconds: dict
+) -> Raceway:
+    """Compliance of a raceway for elements anywhere, from the answers (N + 1, M, M) of its shapes."""
+    if part.groove is None:
+        return harmonic_compliance(
+            answers, radius=part.raceway_diameter / 2, length=resolution.length,
+            elastic=part.materials["ring"], bars=None, seconds=seconds,
+        )  # fmt: skip
+    stations = _stations(part, part.groove, resolution)
+    return GrooveCompliance(
+        groove=part.groove,
+        outward=_outward(part),
+        angles=np.array(stations.angles),
+        width=stations.width,
+        response=answers.response,
+        elastic=part.materials["ring"],
+        unknowns=answers.unknowns,
+        elements=answers.elements,
+        seconds=seconds,
+    )
+
+
+def last_harmonic_of_patches(part: Part | BoltedRing, resolution: Resolution) -> int:
+    """Harmonics that the patches on a groove have, or that are given.
+
+    Raises
+    ------
+    ImpossiblePart
+        if the part has no groove
+    NotSolved
+        if the mesh is too coarse for them
+    """
+    groove, stations = part.groove, resolution.stations
+    if groove is None or stations is None:
+        raise ImpossiblePart(f"groove = {groove} with stations = {stations} is impossible; give both")
+    outermost = max(groove.bottom(_outward(part)), groove.centre_radius)
+    return highest_harmonic(outermost, DETAIL * stations.width, resolution.mesh, resolution.harmonics)
+
+
+@threads(1)
+def groove_compliance(
+    part: Part | BoltedRing, resolution: Resolution, stage: Stage, seconds: dict
+) -> Raceway:
+    """Compliance of the groove of a body of revolution at stations of its arcs.
+
+    Parameters
+    ----------
+    part : OuterRing, RingOnShaft, SquirrelCage, BoltedRing
+        with a groove, held; bars of a cage are spread evenly around it
+    resolution : Resolution
+        of mesh, with stations; harmonics by default as many as their patches have
+    stage : callable (name)
+        around "factor" and "condense"
+    seconds : dict
+        of the stages
+
+    Returns
+    -------
+    GrooveCompliance
+
+    Raises
+    ------
+    ImpossiblePart
+        if stations are not on the arc
+    NotSolved
+        if a solve fails, or the mesh is too coarse for the patches
+    """
+    last = last_harmonic_of_patches(part, resolution)
+    with stage("factor"):
+        if isinstance(part, SquirrelCage):
+            body, free = assembled_cage(part, resolution), FreeMotions()
+        else:
+            body, free = body_of(part, resolution.length, resolution.mesh), part.free_motions
+    with stage("condense"):
+        modes = raceway_modes(body, part, resolution)
+        W = responses(body, free, modes, last) / (2 * np.pi)
+        if free.axial:
+            W[0] = referred(W[0], modes.T @ rigid_motions(body)[0][:, :1], np.full(len(W[0]), True))
+    answers = Responses(W, body.stiffness.unknowns, body.space.mesh.ne)
+    return raceway_compliance(part, resolution, answers, seconds)
+
+
+def referred(W: NDArray, rigid: NDArray, of_raceway: NDArray) -> NDArray:
+    r"""Answer with no rigid motion in the raceway's displacements, which react to loads out of balance.
+
+    .. math:: \bar W = \Pi^T W \Pi, \quad \Pi = I - E (E^T R)^{-T} R^T
+
+    Parameters
+    ----------
+    W : array (L, L)
+        answers of shapes [m/N], right but for rigid motions
+    rigid : array (L, A)
+        R, what they read of these motions
+    of_raceway : array (L,) of bool
+        which of them are shapes of the raceway, whose readings alone are E
+
+    Returns
+    -------
+    array (L, L)
+        [m/N]
+
+    Source
+    ------
+    Fourier series of the answer of a body of revolution; derived here.
+    """
+    own = rigid * of_raceway[:, None]
+    projection = np.eye(len(W)) - own @ np.linalg.solve(rigid.T @ own, rigid.T)
+    return projection.T @ W @ projection
+
+
+def _stations(part: Part | BoltedRing, groove: Groove, resolution: Resolution) -> Stations:
+    """Stations that are on the arcs of a groove."""
+    stations = resolution.stations
+    if stations is None:
+        raise ImpossiblePart(f"groove = {groove} with stations = None is impossible; give both")
+    end = groove.end(part.raceway_diameter / 2, _outward(part))
+    first = groove.bottom_angle if groove.aside else -end
+    margin = stations.width / groove.radius
+    require(
+        first + margin < min(stations.angles) and max(stations.angles) + margin < end,
+        "angles", stations.angles, f"between {first:.4g} and {end:.4g} rad, where the arc of the groove ends",
+    )  # fmt: skip
+    return stations
+
+
+def _outward(part: Part | BoltedRing) -> int:
+    """1 where a part is outside of the balls, else -1."""
+    if isinstance(part, BoltedRing):
+        return part.outward
+    return -1 if isinstance(part, RingOnShaft) else 1

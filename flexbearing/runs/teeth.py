@@ -1,0 +1,34 @@
+"""What a user must know of the tooth forces on the rim of a planet gear."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from quasidynamic.note import Note, information, outside
+
+UNBALANCED = 0.05  # of the load: more is no rounding of tooth forces (assumed)
+
+
+def notes(outer: Any, pin: complex, key: str) -> Iterator[Note]:
+    """Say so when tooth forces act where they should not, or leave the planet gear out of balance.
+
+    The load of the pin [N] is along z + i y, given by a key.
+    """
+    if outer.kind != "ring" or outer.support != "planet":
+        return
+    if outer.tooth_radius is None and any(outer.tooth_tangential):
+        yield information(
+            "tooth-forces-at-rim",
+            "outer.tooth_radius is left out: tooth forces act on the outer surface of the rim, without the "
+            "couple by which tangential forces at the pitch circle bend it",
+        )
+    forces = np.array(outer.tooth_radial) + 1j * np.array(outer.tooth_tangential)
+    left = abs(pin + (forces * np.exp(1j * np.array(outer.tooth_azimuths))).sum())
+    if left > UNBALANCED * abs(pin):
+        yield outside(
+            "unbalanced-teeth",
+            f"tooth forces and the load of {abs(pin):,.0f} N ({key}) leave {left:,.0f} N "
+            "unbalanced: outer.tooth_radial, outer.tooth_tangential and the load must add up to zero, else "
+            "the rim bends differently from that of a planet gear",
+        )

@@ -1,0 +1,133 @@
+"""Cases of fast balls whose outer ring is on lines, in a planet gear, or on a matrix of another program."""
+
+from math import cos, radians, sin
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pytest import approx
+
+import flexbearing
+from flexbearing.api import check, read_case
+from flexbearing.case import BadCase
+from flexbearing.coupled.balls import equilibrium
+from flexbearing.progress import Silent
+from flexbearing.rings.grooves import elastic_grooves, supported_grooves
+from flexbearing.runs.angular_contact import bearing, operation
+from tests.fem import test_ring_on_matrix as matrices, written_matrices as write
+from tests.flexbearing.noted import codes
+
+CASE = "configs/6209.toml"
+RING = {
+    "outer.kind": "ring", "outer.thickness": "3.65 mm", "outer.width": "19 mm",
+    "bearing.outer.shoulder": "2.2 mm", "accuracy.stations": 5, "accuracy.element_order": 4,
+    "accuracy.patch_width": "1.2 mm",
+}  # fmt: skip
+LINES = RING | {"outer.support": "lines", "outer.line_azimuths": ["-30 deg", "30 deg", "180 deg"]}
+TEETH = RING | {
+    "outer.support": "planet", "outer.tooth_azimuths": ["90 deg", "270 deg"],
+    "outer.tooth_radial": ["-1.5 kN", "-1.5 kN"], "outer.tooth_tangential": ["4.45 kN", "-4.45 kN"],
+}  # fmt: skip
+ALL_ROUND = [f"{20 * k} deg" for k in range(18)]
+
+
+def built(changes):
+    case = read_case(CASE, changes)
+    model = bearing(case)
+    return case, model, operation(case), model.bearing.azimuths
+
+
+@pytest.mark.parametrize("support", [LINES | {"outer.bilateral": True}, TEETH], ids=["lines", "teeth"])
+def test_stiffer_rings_tend_to_rigid_ones(support):
+    """Loads and place; a rim is rigid where both its compliance and its bending by teeth are gone."""
+    case, model, load, azimuths = built(support)
+    grooves = elastic_grooves(case, azimuths, Silent())
+    assert grooves
+    rigid = model.solve(load)
+    errors = [
+        np.abs(model.solve(load, grooves.softened(part)).loads - rigid.loads).max() / rigid.loads.max()
+        for part in (1e-4, 1e-6, 1e-8)
+    ]
+    assert errors[0] > 1e-5
+    assert errors[1] == approx(1e-2 * errors[0], rel=0.05)
+    assert errors[2] < 1e-6
+
+
+def test_a_ring_lifts_off_lines_that_would_pull():
+    case, model, load, azimuths = built(LINES | {"outer.line_azimuths": ALL_ROUND})
+    grooves = supported_grooves(case, azimuths, Silent())
+    state = equilibrium(model, load, grooves)
+    lines = grooves.raceways.outer.figures()["lines"]
+    force = np.array(lines["force_N"])
+    assert force.min() > -1e-6 * force.max()
+    assert not all(lines["carries"])
+    assert lines["resultant_N"] == approx([0.0, 8900.0], abs=0.2)
+    pulling = flexbearing.run(CASE, LINES | {"outer.line_azimuths": ALL_ROUND, "outer.bilateral": True})
+    difference = state.loads - pulling.flexible["contact_load"]
+    assert np.abs(difference).max() > 1e-4 * state.loads.max()
+    run = flexbearing.run(CASE, LINES | {"outer.line_azimuths": ALL_ROUND})
+    assert run.flexible["contact_load"] == approx(state.loads, rel=1e-9)
+
+
+def test_a_load_turned_with_its_lines_turns_the_answer():
+    pitch = radians(40.0)
+    turned = {
+        "outer.line_azimuths": ["10 deg", "70 deg", "220 deg"],
+        "operation.load.radial_z": f"{8900 * cos(pitch)!r} N",
+        "operation.load.radial_y": f"{8900 * sin(pitch)!r} N",
+    }  # fmt: skip
+    here, there = (flexbearing.run(CASE, LINES | each).flexible["contact_load"] for each in ({}, turned))
+    assert np.roll(here, 1, axis=1) == approx(there, rel=1e-6)
+
+
+def test_rims_of_planet_gears_load_more_balls_than_lines():
+    """Teeth across the load bend the rim around the balls; both are in balance with the load."""
+    rim, rigid = (flexbearing.run(CASE, each) for each in (TEETH, {}))
+    assert rim.flexible["ring_load"] == approx([0, 0, 8900, 0, 0], abs=1e-4)
+    assert "tooth-forces-at-rim" in codes(rim)
+    assert "unbalanced-teeth" not in codes(rim)
+    loaded = (rim.flexible["contact_load"][0] > 0).sum(), (rigid.rigid["contact_load"][0] > 0).sum()
+    assert loaded[0] >= loaded[1]
+    halved = flexbearing.run(CASE, TEETH | {"outer.tooth_tangential": ["2 kN", "-2 kN"]})
+    assert "unbalanced-teeth" in codes(halved)
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        (
+            {"outer.line_azimuths": ["60 deg", "120 deg", "180 deg"]},
+            "lines that only push do not hold a load",
+        ),
+        ({"outer.line_azimuths": []}, "three or more azimuths"),
+        ({"outer.groove_offset": "1 mm"}, "groove_offset"),
+        ({"outer.support": "planet", "outer.line_azimuths": None}, "one or more azimuths"),
+    ],
+)
+def test_supports_that_hold_no_ring_are_refused(changes, words):
+    with pytest.raises(BadCase, match=words):
+        check(CASE, LINES | changes)
+
+
+@pytest.mark.slow
+def test_springs_written_as_a_matrix_are_a_foundation(tmp_path, monkeypatch):
+    """Up to what lies beyond its harmonics and polynomials."""
+    for name, value in {"RADIUS": 42.5e-3, "WIDTH": 19e-3, "OFFSET": 0.0}.items():
+        monkeypatch.setattr(matrices, name, value)
+    body = matrices.springs((2e12, 5e12, 1e12))
+    numbers = range(1, len(body.places) + 1)
+    write.nodes_inp(tmp_path / "seat.inp", 1e3 * body.places, numbers)
+    unknowns = [(node, motion) for node in numbers for motion in (1, 2, 3)]
+    write.abaqus(tmp_path / "seat.mtx", unknowns, 1e-3 * body.stiffness)
+    (tmp_path / "case.toml").write_text(Path(CASE).read_text())
+    springs = {"axial": "2000 N/mm^3", "radial": "5000 N/mm^3", "tangential": "1000 N/mm^3"}
+    known = flexbearing.run(
+        CASE,
+        RING | {"outer.support": "foundation"} | {f"outer.foundation_{way}": k for way, k in springs.items()},
+    ).flexible
+    files = {"outer.kind": "matrix", "outer.matrix": "seat.mtx", "outer.nodes": "seat.inp"}
+    result = flexbearing.run(tmp_path / "case.toml", RING | files)
+    assert "matrix" in codes(result)
+    loads = result.flexible["contact_load"]
+    assert loads == approx(known["contact_load"], rel=0, abs=2e-3 * loads.max())
+    assert np.abs(loads - result.rigid["contact_load"]).max() > 2e-2 * loads.max()
