@@ -54,27 +54,32 @@ def life_kinds(plan: Plan, spectrum: Spectrum, case_of: Callable[[Variant], Any]
 def catalogued(
     plan: Plan, family: Family, spectrum: Spectrum, case_of: Callable[[Variant], Any]
 ) -> Catalogued | None:
-    """Loads and reliabilities of all variants; None of kinds without, or where no load is known."""
+    """Loads and factors of the lives of all variants; None of kinds without, or where no load is known."""
     if family.catalogue is None:
         return None
     of = family.catalogue()
     each = [IDLE if variant.idle else _required(of, case_of(variant)) for variant in plan.variants]
-    loads, reliability, exponents = np.array(each).T.reshape(3, -1, len(plan.axes[-1].rows))
+    loads, factors, exponents = np.array(each).T.reshape(3, -1, len(plan.axes[-1].rows))
     if not np.any(loads > 0):
         return None
     exponent = exponents.max(axis=1)
-    return Catalogued(loads, exponent, reliability, spectrum.required, spectrum.application_factor)
+    return Catalogued(loads, exponent, factors, spectrum.required, spectrum.application_factor)
 
 
 def _required(catalogue: Any, case: Any) -> tuple[float, float, float]:
-    """Equivalent load [N], NaN where not known beforehand, a_1 of the reliability, exponent of the life."""
+    """Equivalent load [N], NaN where not known beforehand, life over (C_r/P)^p, and p.
+
+    That factor is a_1 of the reliability, with a C_r that leaves the stress reduction out.
+    """
     from flexbearing.runs.life_of_state import of_reliability
 
-    factor = prod(float(each.value) for each in of_reliability(case.life))
+    exponent = catalogue.exponent(case)
+    factor = catalogue.rating_factor(case) ** exponent
+    factor *= prod(float(each.value) for each in of_reliability(case.life))
     try:
-        return catalogue.load(case), factor, catalogue.exponent(case)
+        return catalogue.load(case), factor, exponent
     except OutOfRange:
-        return nan, factor, catalogue.exponent(case)
+        return nan, factor, exponent
 
 
 def conditions(keys: Sequence[str], rows: Sequence[Variant]) -> Conditions:

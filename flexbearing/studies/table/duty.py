@@ -40,7 +40,7 @@ class Catalogued:
 
     loads: NDArray  # (C, N) equivalent load of each row [N]; NaN where it is not known
     exponent: NDArray  # (C) of the loads in the life [-]
-    reliability: NDArray  # (C, N) factor a_1 of the reliability that each row requires [-]
+    factors: NDArray  # (C, N) life over (C_r/P)^p: a_1 of the reliability, with C_r of the life [-]
     life: float | None = None  # that is required [s]
     application_factor: float = 1.0  # on the loads, for the required rating
 
@@ -49,7 +49,7 @@ class Catalogued:
         yield _column("mean_load", "N", mean_load(revolutions, self.loads, self.exponent))
         if self.life is not None:
             of_basic_life = (
-                self.application_factor * self.loads / self.reliability ** (1 / self.exponent[:, None])
+                self.application_factor * self.loads / self.factors ** (1 / self.exponent[:, None])
             )
             mean = mean_load(revolutions, of_basic_life, self.exponent)
             turns = self.life * speed / (2 * pi) / MREV
