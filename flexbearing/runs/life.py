@@ -146,8 +146,13 @@ def _slice_factors(case: Case, state: LoadedState) -> Iterator[dict[str, Any]]:
 
 def _by_rating(case: Case, bearing: CylindricalRollerBearing) -> float:
     """L10 of the radial load [10^6 revolutions]."""
-    rating = dynamic(case, bearing) / (1.0 if case.life.stress_reduction else STRESS_REDUCTION)
+    rating = rating_factor(case) * dynamic(case, bearing)
     return float(rating_life(rating, case.operation.radial_load, exponent(case)))
+
+
+def rating_factor(case: Case) -> float:
+    """C_r of a life by ratings over that of the case [-]."""
+    return 1.0 if case.life.stress_reduction else 1 / STRESS_REDUCTION
 
 
 def exponent(case: Case) -> float:

@@ -213,4 +213,5 @@ def given(case: Case) -> dict[str, Rating]:
 CATALOGUE = Catalogue(
     RATING, influences, require_load, ratings, given, oil,
     rated, viscosity_ratio, attrgetter("operation.radial_load"), life.exponent,
+    life.rating_factor,
 )  # fmt: skip

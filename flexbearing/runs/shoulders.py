@@ -24,7 +24,7 @@ def unusual(materials: MountedMaterials) -> tuple[Note, ...]:
     rated = (
         "given ratings of the file count as those of its balls; by formula C is that of steel balls, which "
         "hybrids need not reduce (DIN ISO 281 supplement 5), C_0 the load of 4200 MPa by Hertz (assumed: ISO "
-        "20056-2 allows slightly more), and C_u goes with C_0"
+        "20056-2 allows slightly more), and C_u goes with C_0 as that of steel balls (assumed)"
         if materials.hybrid
         else "there are no ratings by formulas, and no s_0, for these materials"
     )

@@ -414,6 +414,22 @@ def test_each_variant_requires_the_rating_by_its_own_exponent(tmp_path):
         assert cycles["required_rating"].values[place] == approx(mean * turns ** (1 / p), rel=1e-9)
 
 
+@pytest.mark.parametrize("reduced", ["true", "false"])
+@pytest.mark.parametrize("exponent", ["10/3", "4"])
+def test_the_required_rating_has_the_required_life(tmp_path, reduced, exponent):
+    """The C of a cycle, given back as that of the bearing, lives as long as required."""
+    own = [f'"life.stress_reduction" = {reduced}', f'"life.load_exponent" = "{exponent}"']
+    plain = [f'"life.{key}" = ""' for key in ("lubrication", "cleanliness", "capacity", "edge_stress")]
+    further = [RATED, *own, *plain, 'life = "modified_life"', 'required_life = "10000 h"']
+    for folder in ("first", "again"):
+        (tmp_path / folder).mkdir()
+        file = duty_of(tmp_path / folder, (8000, 5000, 1000), (3000, 1000, 500), *further)
+        cycles = flexbearing.study(file, tmp_path / folder, jobs=1).cycles
+        further.append(f'"life.dynamic_rating" = "{cycles["required_rating"].values[0]!r} N"')
+    hours = cycles["revolutions"].values[0] * 1e6 / (60 * cycles["mean_speed"].values[0])
+    assert hours == approx(10000, rel=1e-9)
+
+
 def test_the_mean_load_is_without_the_application_factor(reliabilities):
     mean = (0.75 * 8000 ** (10 / 3) + 0.25 * 5000 ** (10 / 3)) ** 0.3
     assert reliabilities["mean_load"].values == approx([mean, mean], rel=1e-12)

@@ -69,7 +69,7 @@ class Catalogued:
 
     loads: NDArray  # (C, N) equivalent load of each row [N]; NaN where it is not known
     exponent: NDArray  # (C) of the loads in the life [-]
-    reliability: NDArray  # (C, N) factor a_1 of the reliability that each row requires [-]
+    factors: NDArray  # (C, N) life over (C_r/P)^p: a_1 of the reliability, with C_r of the life [-]
     life: float | None = None  # that is required [s]
     application_factor: float = 1.0  # on the loads, for the required rating
 
@@ -78,7 +78,7 @@ class Catalogued:
         yield _column("mean_load", "N", mean_load(revolutions, self.loads, self.exponent))
         if self.life is not None:
             of_basic_life = (
-                self.application_factor * self.loads / self.reliability ** (1 / self.exponent[:, None])
+                self.application_factor * self.loads / self.factors ** (1 / self.exponent[:, None])
             )
             mean = mean_load(revolutions, of_basic_life, self.exponent)
             turns = self.life * speed / (2 * pi) / MREV
@@ -315,27 +315,32 @@ def life_kinds(plan: Plan, spectrum: Spectrum, case_of: Callable[[Variant], Any]
 def catalogued(
     plan: Plan, family: Family, spectrum: Spectrum, case_of: Callable[[Variant], Any]
 ) -> Catalogued | None:
-    """Loads and reliabilities of all variants; None of kinds without, or where no load is known."""
+    """Loads and factors of the lives of all variants; None of kinds without, or where no load is known."""
     if family.catalogue is None:
         return None
     of = family.catalogue()
     each = [IDLE if variant.idle else _required(of, case_of(variant)) for variant in plan.variants]
-    loads, reliability, exponents = np.array(each).T.reshape(3, -1, len(plan.axes[-1].rows))
+    loads, factors, exponents = np.array(each).T.reshape(3, -1, len(plan.axes[-1].rows))
     if not np.any(loads > 0):
         return None
     exponent = exponents.max(axis=1)
-    return Catalogued(loads, exponent, reliability, spectrum.required, spectrum.application_factor)
+    return Catalogued(loads, exponent, factors, spectrum.required, spectrum.application_factor)
 
 
 def _required(catalogue: Any, case: Any) -> tuple[float, float, float]:
-    """Equivalent load [N], NaN where not known beforehand, a_1 of the reliability, exponent of the life."""
+    """Equivalent load [N], NaN where not known beforehand, life over (C_r/P)^p, and p.
+
+    That factor is a_1 of the reliability, with a C_r that leaves the stress reduction out.
+    """
     from flexbearing.runs.life_of_state import of_reliability
 
-    factor = prod(float(each.value) for each in of_reliability(case.life))
+    exponent = catalogue.exponent(case)
+    factor = catalogue.rating_factor(case) ** exponent
+    factor *= prod(float(each.value) for each in of_reliability(case.life))
     try:
-        return catalogue.load(case), factor, catalogue.exponent(case)
+        return catalogue.load(case), factor, exponent
     except OutOfRange:
-        return nan, factor, catalogue.exponent(case)
+        return nan, factor, exponent
 
 
 def conditions(keys: Sequence[str], rows: Sequence[Variant]) -> Conditions:
