@@ -34,7 +34,7 @@ class Declaration:
         """What the key says."""
         return self.field.description or ""
 
-    @property
+    @cached_property
     def section(self) -> type[Section] | None:
         """The model of a table; None for a value."""
         for part in _parts(self.field.annotation):
@@ -74,7 +74,7 @@ class Declaration:
             return ""
         return toml(value)
 
-    @property
+    @cached_property
     def choices(self) -> list[Any]:
         """The values that may stand there, of a table those besides it; empty when they are not a few."""
         if self.section:

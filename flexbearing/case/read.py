@@ -64,13 +64,13 @@ def with_settings(raw: dict[str, Any], source: Source, families: Families) -> He
     """
     name, settings = excerpt(Path(source.path).name, LONGEST_NAME), source.overrides
     model = model_of(raw, settings, name, families)
+    foreign_keys = foreign(raw, model)
     if settings:
-        before = foreign(raw, model)
         settings_applied(raw, settings, model, families)
         changed = {setting.partition("=")[0].strip() for setting in settings}
-        _leave_out_former_kinds(raw, before, changed, model)
+        foreign_keys = _leave_out_former_kinds(raw, foreign_keys, changed, model)
     raw.setdefault("title", excerpt(Path(source.path).stem, LONGEST_NAME))
-    if foreign_keys := foreign(raw, model):
+    if foreign_keys:
         raise BadCase(listed(foreign_keys.items(), name, lambda item: refused(raw, *item)))
     try:
         case = model.model_validate(raw)
@@ -83,13 +83,20 @@ def with_settings(raw: dict[str, Any], source: Source, families: Families) -> He
 
 def _leave_out_former_kinds(
     raw: dict[str, Any], before: Mapping[str, str], given: set[str], model: type[Section]
-) -> None:
-    """Leave out keys of the file that a setting made foreign_keys, as `outer.kind=ring` does with bars."""
-    while unused := {
-        path: why
-        for path, why in foreign(raw, model).items()
-        if path not in before and not any(key == path or key.startswith(f"{path}.") for key in given)
-    }:  # what goes may have been what others belong to
+) -> dict[str, str]:
+    """Leave out keys of the file that a setting made foreign, as `outer.kind=ring` does with bars.
+
+    Returns those that stay: they were foreign before, or were set.
+    """
+    while True:  # what goes may have been what others belong to
+        foreign_keys = foreign(raw, model)
+        unused = {
+            path: why
+            for path, why in foreign_keys.items()
+            if path not in before and not any(key == path or key.startswith(f"{path}.") for key in given)
+        }
+        if not unused:
+            return foreign_keys
         import logging  # most cases need none
 
         log = logging.getLogger(__name__)

@@ -62,7 +62,7 @@ class Quantity:
     infinite: bool = False  # may hold infinities also in a solution
     gaps: bool = False  # may hold NaN also in a solution, where its meaning says so
 
-    @property
+    @cached_property
     def shape(self) -> tuple[str, ...]:
         """Axes one by one, ``("Z", "K")``."""
         return tuple(self.axes.split())

@@ -4,6 +4,7 @@ import json
 import math
 import subprocess
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from functools import lru_cache
 from importlib.metadata import PackageNotFoundError, distribution
@@ -76,6 +77,8 @@ def checked(entry: Attribute, value: Any) -> Any:
     NotInLayout
         for a value of another kind or form, or a status that does not exist
     """
+    if isinstance(value, Checked):
+        return value.value
     try:
         return _of_form(entry, _CHECKED[entry.kind](value))
     except (TypeError, ValueError) as reason:
@@ -112,7 +115,7 @@ def decoded(entry: Attribute, stored: Any) -> Any:
     _require_readable(entry, stored)
     try:
         if entry.kind in ("json", "records"):
-            return _of_form(entry, _plain(json.loads(stored, parse_constant=_no_number)))
+            return _of_form(entry, plain(json.loads(stored, parse_constant=_no_number)))
         return _of_form(entry, tuple(stored) if entry.kind == "texts" else stored)
     except (ValueError, RecursionError) as reason:
         raise NotInLayout(f"attribute {entry.name} is not of its form: {reason}.") from reason
@@ -171,36 +174,44 @@ def _number(value: Any) -> float:
 def _json(value: Mapping[str, Any]) -> Any:
     if not isinstance(value, Mapping):
         raise TypeError("a mapping is wanted; it becomes JSON when it is stored")
-    return _plain(value)
+    return plain(value)
 
 
 def _records(value: Sequence[Mapping[str, Any]]) -> Any:
     if isinstance(value, str | Mapping):
         raise TypeError("a list of records is wanted")
-    return [_plain(dict(record)) for record in value]
+    return [plain(dict(record)) for record in value]
 
 
-def _plain(value: Any, depth: int = DEEPEST) -> Any:
+@dataclass(frozen=True)
+class Checked:
+    """A value of an attribute that was checked before, and that nobody changes."""
+
+    value: Any
+
+
+def plain(value: Any, depth: int = DEEPEST) -> Any:
     """Python's own numbers, lists and dicts; raises for what readers of JSON would stumble over."""
-    kind = type(value)
-    if kind is float or kind is int:
+    if type(value) in (float, int):
         return _finite(value)
-    if value is None or kind is bool:
-        return value
     if isinstance(value, str):
         value.encode()  # half a pair of UTF-16 is no text
         return str.__str__(value)
     if isinstance(value, np.ndarray | np.generic):
-        return _plain(value.tolist(), depth)
-    if isinstance(value, int | float):
-        return _finite(value)
+        return plain(value.tolist(), depth)
+    if value is None or isinstance(value, bool):
+        return value
+    return _finite(value) if isinstance(value, int | float) else _nested(value, depth)
+
+
+def _nested(value: Any, depth: int) -> Any:
     if depth == 0:
         raise ValueError(f"it is nested deeper than {DEEPEST} levels")
     if isinstance(value, Mapping):
-        return {_plain(_text(name)): _plain(item, depth - 1) for name, item in value.items()}
+        return {plain(_text(name)): plain(item, depth - 1) for name, item in value.items()}
     if isinstance(value, list | tuple):
-        return [_plain(item, depth - 1) for item in value]
-    raise TypeError(f"{kind.__name__} has no JSON form")
+        return [plain(item, depth - 1) for item in value]
+    raise TypeError(f"{type(value).__name__} has no JSON form")
 
 
 def _finite(number: float) -> float:

@@ -288,7 +288,10 @@ def _conformity(conformity: float | None, radius: float | None, diameter: float)
 
 def static_or_none(case: FastCase) -> float | None:
     """The same; None where ISO 76 has none."""
-    return None if why_none(lambda: static(case)) else static(case)
+    try:
+        return static(case)
+    except OutOfRange:
+        return None
 
 
 def safety(case: FastCase, state: qd.AngularContactState) -> float | None:

@@ -1,7 +1,6 @@
 """Effects of assumed inputs as data next to the case, with a digest of the case they were computed for."""
 
 import json
-from collections.abc import Mapping
 from functools import lru_cache
 from hashlib import sha256
 from os.path import exists  # Path.exists raises for names that no file can have
@@ -13,6 +12,7 @@ from flexbearing.case import BadCase, Head
 from flexbearing.case.head import digests
 from flexbearing.quantities.attributes import EFFECTS
 from flexbearing.quantities.forms import TEXT, Record
+from flexbearing.results.attributes import Checked, plain
 
 ENDING = ".effects.json"
 LARGEST = 10_000_000  # bytes
@@ -46,24 +46,22 @@ def attributes(case: Head) -> dict[str, Any]:
     if not (path and exists(place := name(Path(path)))):  # noqa: PTH110
         return {}
     try:
-        found = _understood(inputs.content(place, LARGEST))
+        of_case, effects = _understood(inputs.content(place, LARGEST))
     except (inputs.Unreadable, ValueError) as problem:
         raise BadCase(f"{place}: {problem}; delete it.") from problem
-    if found["case"] != digest(case):
-        return {"effects_left_out": LEFT_OUT}
-    return {"assumed_effects": found["effects"]}
+    return {"assumed_effects": effects} if of_case == digest(case) else {"effects_left_out": LEFT_OUT}
 
 
 @lru_cache(maxsize=4)
-def _understood(content: bytes) -> Mapping[str, Any]:
-    """What a file of effects says; many runs have the same."""
+def _understood(content: bytes) -> tuple[str, Checked]:
+    """Digest and effects of a file; many runs have the same."""
     try:
         found = json.loads(content)
     except (ValueError, RecursionError) as problem:
         raise ValueError("is no JSON") from problem
     if problem := _FORM.problem(found):
         raise ValueError(f"is no file of effects: it{problem}")
-    return found
+    return found["case"], Checked(plain(found["effects"]))
 
 
 def _rounded(value: Any) -> Any:

@@ -98,9 +98,8 @@ def _slope(state: Equilibrium) -> float:
     """
     roller = int(np.argmax(state.loads[0]))
     azimuth = state.balance.roller.bearing.azimuths[roller]
-    inner, outer = (
-        np.polyfit(state.slice_positions, of[roller], 1)[0] for of in state.deviation_along_rollers
-    )
+    places = state.slice_positions  # symmetrical about mid-roller
+    inner, outer = (places @ of[roller] / (places @ places) for of in state.deviation_along_rollers)
     return abs(float(np.dot(state.ring_tilt, (np.cos(azimuth), np.sin(azimuth))) + inner - outer))
 
 

@@ -1,5 +1,6 @@
 """Load ratings of ball bearings and their contacts."""
 
+from functools import lru_cache
 from math import cos, radians
 
 import numpy as np
@@ -160,6 +161,7 @@ def ball_raceway_capacity(row: BallRow, rating: float | None = None) -> tuple[fl
     return share / 0.407 * (1 + x) ** (3 / 10), share / 0.389 * (1 + 1 / x) ** (3 / 10)
 
 
+@lru_cache(maxsize=64)  # a run needs it for its rating, its life and what it is judged by
 def static_factor(row: BallRow, ball: Material = RATED_STEEL) -> float:
     r"""Factor of the static load rating.
 

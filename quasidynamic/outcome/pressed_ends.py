@@ -140,7 +140,8 @@ def _touching(matrix: NDArray, contacts: LineContacts, touching: NDArray) -> NDA
     right, found = np.concatenate([contacts.shape, further], axis=1), np.zeros(touching.shape)
     unsettled = np.arange(len(found))
     for _ in range(SETS):
-        known = np.pad(touching[unsettled], ((0, 0), (0, 2)), constant_values=True)
+        known = np.ones((len(unsettled), right.shape[1]), bool)
+        known[:, :-2] = touching[unsettled]
         whole, wanted = matrix[unsettled], right[unsettled]
         system = np.where(known[:, None] & known[..., None], whole, np.eye(known.shape[1]))
         solved = np.linalg.solve(system, (wanted * known)[..., None])
