@@ -35,7 +35,13 @@ def say_json(value: Any) -> None:
 
 
 def end(problem: object) -> NoReturn:
-    """End a command without a result, and say why."""
+    """End a command without a result, and say why.
+
+    Raises
+    ------
+    Exit
+        always
+    """
     sys.stderr.write(f"{printable(str(problem))}\n")
     raise typer.Exit(NOT_CONVERGED)
 

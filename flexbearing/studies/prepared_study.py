@@ -21,8 +21,7 @@ from flexbearing.studies.table.collected import Collected
 from flexbearing.studies.table.duty import catalogued, duty_cycles, life_kinds
 from flexbearing.studies.table.files import CYCLES, PICTURE, SCATTER, SCATTER_PICTURE, paths
 from flexbearing.studies.table.keys import key_columns
-from flexbearing.studies.table.plot import Plot
-from flexbearing.studies.table.table import Column, ends
+from flexbearing.studies.table.table import Column, Plot, ends
 
 Rows = Mapping[str, Row]  # by identity
 

@@ -18,7 +18,7 @@ from flexbearing.studies.plan.task import NOT_STORED, involves
 from flexbearing.studies.prepared_study import PreparedStudy, Progress
 from flexbearing.studies.table import Table, journal
 from flexbearing.studies.table.files import PICTURE, store
-from flexbearing.studies.table.plot import draw
+from flexbearing.studies.table.table import draw
 
 Tell = Callable[[Progress], None]
 

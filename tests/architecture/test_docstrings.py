@@ -11,6 +11,7 @@ ROOT = Path(__file__).parents[2]
 PHYSICS = ("quasidynamic.contact", "quasidynamic.clearance", "quasidynamic.motion", "quasidynamic.outcome")
 HELP_TEXTS = (
     "flexbearing.cli",
+    "flexbearing.exports.draw_command",
     "flexbearing.goal.command",
     "flexbearing.optimise.command",
     "flexbearing.sensitivity.command",

@@ -329,7 +329,7 @@ def test_numbers_that_are_not_finite_are_missing_instead_of_wrong():
 
 def test_numbers_that_are_nowhere_finite_keep_their_row():
     lost = block() | {"inner_load": np.full(ROLLERS, np.nan)}
-    assert row(text(result(rigid=lost, flexible=lost)), "largest roller load, inner [N]") == ["-", "-", "-"]
+    assert row(text(result(rigid=lost, flexible=lost)), "largest roller load, inner [N]") == ["-"]
 
 
 def test_blocks_that_were_never_solved_are_none():
@@ -366,7 +366,7 @@ def test_text_of_rigid_rings_has_one_column():
 
 def test_a_number_that_rounds_to_zero_has_no_sign():
     slow = block() | {"cage_slip": np.array(-1e-7)}
-    assert row(text(result(rigid=slow, flexible=slow)), "cage slip [%]")[:2] == ["0.00", "0.00"]
+    assert row(text(result(rigid=slow, flexible=slow)), "cage slip [%]") == ["0.00"]
 
 
 def test_error_of_the_cage_slip_is_a_slip_and_that_of_a_load_a_share():

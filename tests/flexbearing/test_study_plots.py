@@ -10,7 +10,7 @@ from flexbearing.case import BadCase
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.studies.plan import Row
 from flexbearing.studies.table.collected import of_text
-from flexbearing.studies.table.plot import Mark, Plot, draw
+from flexbearing.studies.table.table import Mark, Plot, draw
 from tests.flexbearing.test_studies import computed
 from tests.flexbearing.test_study_tables import CROSSED
 from tests.flexbearing.toy_studies import CASE, COLLECT, toy
