@@ -35,20 +35,11 @@ class BoltedRing:
             isinf(self.normal_stiffness) == isinf(self.shear_stiffness),
             "shear_stiffness", self.shear_stiffness, "infinite with normal_stiffness, finite with it",
         )  # fmt: skip
-        half = self.groove.width(self.raceway_diameter / 2, self.outward) / 2
-        require(
-            self.face_distance > half, "face_distance", in_mm(self.face_distance),
-            f"more than half of the groove's width, {in_mm(half)}",
-        )  # fmt: skip
-        require(
-            self.width > self.face_distance + half, "width", in_mm(self.width),
-            f"more than face_distance and half of the groove, {in_mm(self.face_distance + half)}",
-        )  # fmt: skip
-        bottom = 2 * self.groove.bottom(self.outward)
-        require(
-            self.outward * (self.far_diameter - bottom) > 0, "far_diameter", in_mm(self.far_diameter),
-            f"{'above' if self.race == 'outer' else 'below'} the groove's bottom, {in_mm(bottom)}",
-        )  # fmt: skip
+        land = self.raceway_diameter / 2
+        half = self.groove.width(land, self.outward) / 2
+        lengths = self.far_diameter, self.width, self.face_distance
+        if wrong := misfit(self.groove, half, self.outward, *lengths):
+            require(False, wrong[0], in_mm(getattr(self, wrong[0])), wrong[1])
 
     @property
     def outward(self) -> int:
@@ -70,3 +61,17 @@ class BoltedRing:
         """Places of the end faces along x [m]."""
         face, other = self.face_distance, self.face_distance - self.width
         return (other, face) if self.face_side == 1 else (-face, -other)
+
+
+def misfit(
+    groove: Groove, half: float, outward: int, far_diameter: float, width: float, face_distance: float
+) -> tuple[str, str] | None:
+    """Dimension [m] that leaves no room for a groove of half a width, and what is allowed; None with room."""
+    if face_distance <= half:
+        return "face_distance", f"above {in_mm(half)}, half the width of the groove"
+    if width <= face_distance + half:
+        return "width", f"above {in_mm(face_distance + half)}, or the groove reaches the other face"
+    bottom = 2 * groove.bottom(outward)
+    if outward * (far_diameter - bottom) <= 0:
+        return "far_diameter", f"{'above' if outward > 0 else 'below'} {in_mm(bottom)}, the groove's bottom"
+    return None

@@ -34,6 +34,15 @@ class Groove:
         """Contact angle at which two arcs meet [rad]; zero for one."""
         return asin(self.aside / self.radius)
 
+    @property
+    def depth(self) -> float:
+        """From the centres of the arcs to the bottom of the groove, along the radius [m]."""
+        return sqrt(self.radius**2 - self.aside**2)
+
+    def half_width(self, end: float) -> float:
+        """From x = 0 to where an arc ends at a contact angle [rad] along x [m]."""
+        return self.radius * sin(end) - self.aside
+
     def end(self, land: float, outward: int) -> float:
         """Contact angle [rad] at which a land of radius `land` [m] cuts the arc; `outward`: -1 inside balls.
 
@@ -52,11 +61,11 @@ class Groove:
 
     def width(self, land: float, outward: int) -> float:
         """Axial width of the groove between its lands [m]."""
-        return 2 * (self.radius * sin(self.end(land, outward)) - self.aside)
+        return 2 * self.half_width(self.end(land, outward))
 
     def bottom(self, outward: int) -> float:
         """Radius of the bottom of the groove [m]."""
-        return self.centre_radius + outward * sqrt(self.radius**2 - self.aside**2)
+        return self.centre_radius + outward * self.depth
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -91,8 +91,9 @@ class GrooveCompliance:
             n = np.arange(len(self.coupled)) - len(self.coupled) // 2
             turn = np.exp(1j * np.outer(phi, n))[..., None] * self.fade[np.abs(n)]
             at_balls = np.einsum("jnk,nkml->jkml", turn, self.coupled)
-            absolute += np.real(np.einsum("jkml,iml->jkil", at_balls, turn.conj()))
-        return (absolute + absolute.transpose(2, 3, 0, 1)) / 2
+            change = np.real(np.einsum("jkml,iml->jkil", at_balls, turn.conj()))
+            absolute += (change + change.transpose(2, 3, 0, 1)) / 2
+        return absolute
 
     @property
     def fade(self) -> NDArray:

@@ -38,12 +38,7 @@ def groove_part(case: BallCase, race: Race) -> GroovePart | None:
 
 
 def _bolted(case: FourPointCase, race: Race) -> BoltedRing:
-    ring, arches = getattr(case.rings, race), case.arches(race)
-    groove = fem.Groove(
-        radius=arches.radius,
-        centre_radius=arches.pitch_diameter / 2 - OUTWARD[race] * arches.inward,
-        aside=arches.aside,
-    )
+    ring, groove = getattr(case.rings, race), case.groove(race)
     return BoltedRing(
         race=race,
         groove=groove,

@@ -19,6 +19,7 @@ from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.bolted_rings import Rings
 from flexbearing.case.balls.elastic_rings import GrooveAccuracy
 from flexbearing.case.balls.four_point import FourPointCase
+from flexbearing.case.balls.groove_accuracy import patch
 from flexbearing.case.balls.ring_room import MARGIN, OUTWARD, Race
 from flexbearing.case.quantity import at_least, in_mm
 from flexbearing.coupling import Raceway, RacewayPair
@@ -86,7 +87,7 @@ def shape_of(case: BallCase, race: Race) -> GrooveShape | None:
     part = groove_part(case, race)
     if part is None or part.groove is None:
         return None
-    width, groove = accuracy_of(case)[1].patch(case.bearing.ball.diameter), part.groove
+    width, groove = patch(accuracy_of(case)[1], case.bearing.ball.diameter), part.groove
     end, margin = groove.end(part.raceway_diameter / 2, OUTWARD[race]), MARGIN * width / groove.radius
     first = groove.bottom_angle if groove.aside else -end
     _require_harmonics(case, race, width, max(groove.bottom(OUTWARD[race]), groove.centre_radius))

@@ -64,11 +64,15 @@ class BallLives:
 
 
 def lives(case: FastCase, state: qd.AngularContactState) -> BallLives | None:
-    """Lives under the loads of all balls; None at rest, without load, and where no rating is known."""
-    relative = case.operation.inner_speed - case.operation.outer_speed
-    if not relative or unrated(case):
+    """Lives under the loads of all balls; None at rest, without load, and where no rating is known.
+
+    None, too, between rigid rings, where a cam is left out. The load of balls on a cam turns with it.
+    """
+    relative, on_cam = case.operation.inner_speed - case.operation.outer_speed, case.inner.kind == "cam"
+    if not relative or unrated(case) or (on_cam and state.groove_displacement is None):
         return None
-    speeds = case.operation.inner_speed, case.operation.outer_speed
+    of_load = case.operation.inner_speed if on_cam else 0.0
+    speeds = case.operation.inner_speed - of_load, case.operation.outer_speed - of_load
     turning = turning_share(speeds[0], relative), turning_share(speeds[1], relative)
     balls, rating = row(case), dynamic(case)
     basic = ball_reference_life(state.loads, balls, turning, rating)

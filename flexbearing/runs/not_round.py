@@ -21,16 +21,19 @@ def notes(case: "FastCase") -> tuple[Note, ...]:
     if case.inner.kind == "cam":
         crests["inner"] = "inner.cam_crest"
     speeds = {"inner": operation.inner_speed, "outer": operation.outer_speed}
-    return (*(turning(race, crest) for race, crest in crests.items() if speeds[race]), *_large(case))
+    cams = {"inner"} if case.inner.kind == "cam" else set()
+    turned = (turning(race, crest, cam=race in cams) for race, crest in crests.items() if speeds[race])
+    return (*turned, *_large(case))
 
 
-def turning(race: str, crest: str) -> Note:
+def turning(race: str, crest: str, *, cam: bool = False) -> Note:
     """The note on a raceway that is not round and turns, its crest at a key."""
+    of_cam = "turned with it, as that of a cam does, and no other load stood still"
+    does = of_cam if cam else "did not turn with it"
     return information(
         "turning-waves",
         f"the {race} raceway is not round and turns; loads and life are those of one moment, with its crests "
-        f"at {crest}: other crests give those of other moments; lives are rated as if the load did not turn "
-        "with it",
+        f"at {crest}: other crests give those of other moments; lives are rated as if the load {does}",
     )
 
 

@@ -77,7 +77,7 @@ def test_springs_that_are_taken_away_again_do_not_matter(monkeypatch):
     body = springs((2e12, 5e12, 1e12), azimuths=17, along=3)
     usual = answers(body)
     monkeypatch.setattr("fem.section.ring_on_matrix.SHARE", 1e-2)
-    assert largest(answers(body).absolute, usual.absolute) < 1e-3
+    assert largest(answers(body).absolute, usual.absolute) < 2e-3
 
 
 def test_rigid_body_on_a_spring_adds_its_translation_to_a_rigid_seat():

@@ -13,8 +13,8 @@ from flexbearing.case import BadCase
 from flexbearing.case.read import written
 from flexbearing.families import FAMILIES
 from flexbearing.report.output import text
-from flexbearing.rings import grooves
-from flexbearing.rings.grooves import condense
+from flexbearing.rings import kept
+from flexbearing.rings.kept import condense
 from flexbearing.runs.ball_catalogue import CATALOGUE
 from flexbearing.runs.catalogue_life import against_catalogue
 from flexbearing.studies.placement import Placement
@@ -127,7 +127,7 @@ def test_a_study_condenses_each_ring_once_before_its_rows(tmp_path, monkeypatch)
         condensed.append(part.thickness)
         return condense(part, *others)
 
-    monkeypatch.setattr(grooves, "condense", counted)
+    monkeypatch.setattr(kept, "condense", counted)
     prepared = prepare_source(file)
     table = compute(
         prepared, tmp_path, Placement(jobs=1), tell=lambda now: steps.append((now.done, len(condensed)))
@@ -193,7 +193,7 @@ ON_SHAFT = {
             "accuracy.patch_width",
             "4.5 mm",
             "at most 4.485 mm",
-            "of the arc from the bottom of the inner groove",
+            "of half an arc that ends by bearing.inner.shoulder",
         ),
         ("accuracy.patch_width", "0.0265 mm", "at least 0.0266 mm", "an outer groove of so large a radius"),
         ("inner.width", "19.7 mm", "at least 19.72 mm", "a land at each side"),

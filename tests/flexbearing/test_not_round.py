@@ -7,6 +7,7 @@ from pytest import approx
 import flexbearing
 from flexbearing.api import check, read_case, sensitivities
 from flexbearing.case import BadCase
+from flexbearing.report.card.of_result import of_result
 from tests.flexbearing.noted import codes
 
 DEEP = "configs/6209.toml"
@@ -60,6 +61,18 @@ def test_a_ring_follows_its_cam_between_rigid_and_elastic_ones():
 def test_a_turned_cam_turns_the_loads():
     turned = run(CAM, {"inner.cam_crest": f"{360 * 3 / 23} deg"}).flexible["contact_load"][0]
     assert turned == approx(np.roll(run(CAM).flexible["contact_load"][0], 3), rel=1e-4, abs=0.01)
+
+
+def test_a_cam_that_turns_in_a_ring_wears_them_as_a_ring_that_turns_around_it(tmp_path):
+    """The load of a cam turns with it; between rigid rings, where there is none, no life is shown."""
+    turning = flexbearing.run(CAM, {"operation.inner_speed": "1 rpm"}, output=tmp_path / "cam.h5")
+    around = run(CAM, {"operation.outer_speed": "-1 rpm"})
+    for name in ("life_L10", "raceway_life"):
+        assert turning.flexible[name] == approx(around.flexible[name], rel=1e-6)
+        assert name not in turning.rigid
+    inner, outer = turning.flexible["raceway_life"]
+    assert outer > inner  # each place of the outer race meets the crest in its turn, the inner crest always
+    assert "rigid" not in [line.subject for line in of_result(turning).lines]
 
 
 @pytest.mark.parametrize(

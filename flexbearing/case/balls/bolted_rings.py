@@ -1,7 +1,8 @@
 """The section [rings] of a four-point bearing: rings that are on a bolted face."""
 
-from math import acos, asin, cos, pi, sin, sqrt
-from typing import ClassVar, Literal, NamedTuple, Self
+from collections.abc import Mapping
+from math import degrees, pi
+from typing import TYPE_CHECKING, ClassVar, Literal, Self
 
 from pydantic import field_validator, model_validator
 from pydantic_core import PydanticCustomError
@@ -13,59 +14,16 @@ from flexbearing.case.quantity import (
     Foundation,
     Length,
     Section,
-    at_most,
     impossible,
     key,
-    needed,
     require,
 )
 
+if TYPE_CHECKING:
+    from fem.parts.groove import Groove
+
 _BOLTED = {"kind": ("bolted",)}
 _ANY_BOLTED = ({"rings.outer.kind": ("bolted",)}, {"rings.inner.kind": ("bolted",)})
-
-
-class Groove(NamedTuple):
-    """A groove of two arches."""
-
-    pitch_diameter: float  # [m]
-    ball_diameter: float  # [m]
-    radius: float  # [m] of the arches
-    angle: float  # [rad] contact angle without load
-
-    def half_width(self, end: float) -> float:
-        """From the plane of the ball centres to where arches end at a contact angle [m]."""
-        return self.radius * sin(end) - self.aside
-
-    @property
-    def aside(self) -> float:
-        """Of the centres of the arches from the plane of the ball centres [m]."""
-        return self._offset * sin(self.angle)
-
-    @property
-    def inward(self) -> float:
-        """Of the centres of the arches from the pitch circle, to the axis from the outer race [m]."""
-        return self._offset * cos(self.angle)
-
-    def arc(self, end: float) -> float:
-        """Length of an arch that ends at a contact angle [m]."""
-        return self.radius * (end - asin(self.aside / self.radius))
-
-    @property
-    def depth(self) -> float:
-        """From the centres of the arches to where both arches meet, along the radius [m]."""
-        return sqrt(self.radius**2 - self.aside**2)
-
-    def bottom_diameter(self, outward: int) -> float:
-        """Diameter where both arches meet [m]."""
-        return self.pitch_diameter + 2 * outward * (self.depth - self.inward)
-
-    def end_at(self, shoulder: float) -> float:
-        """Contact angle at which arches end on a shoulder of a height above where they meet [rad]."""
-        return acos((self.depth - shoulder) / self.radius)
-
-    @property
-    def _offset(self) -> float:
-        return self.radius - self.ball_diameter / 2
 
 
 class BoltedRing(Section):
@@ -120,23 +78,14 @@ class BoltedRing(Section):
             require(self, names, "a face on springs")
         return self
 
-    def misfit(self, groove: Groove) -> tuple[str, str] | None:
-        """Key that leaves no room for the groove, and what it must be; None when there is room."""
-        width, distance, far = require(self, ("width", "face_distance", self.far), self.kind)
-        if self.groove_end <= groove.angle:
-            return "groove_end", "above bearing.contact_angle"
-        half = groove.half_width(self.groove_end)
-        if distance <= half:
-            return "face_distance", f"above {half * 1e3:.4g} mm, half the width of the groove"
-        if width <= distance + half:
-            return "width", f"above {(distance + half) * 1e3:.4g} mm, or the groove reaches the other face"
-        if self.outward * (far - groove.bottom_diameter(self.outward)) <= 0:
-            side = "above" if self.outward > 0 else "below"
-            return (
-                self.far,
-                f"{side} {groove.bottom_diameter(self.outward) * 1e3:.5g} mm, the groove's bottom",
-            )
-        return None
+    def require_room(self, groove: "Groove", where: str) -> None:
+        """Raise unless a groove of the bearing fits into the ring of a section."""
+        from fem.parts.bolted_ring import misfit  # not described between rigid rings
+
+        lengths = require(self, (self.far, "width", "face_distance"), self.kind)
+        if wrong := misfit(groove, groove.half_width(self.groove_end), self.outward, *lengths):
+            name, allowed = wrong
+            raise impossible(f"{where}.{self.far if name == 'far_diameter' else name}", allowed)
 
 
 class BoltedOuter(BoltedRing):
@@ -171,23 +120,18 @@ class Rings(Section):
     element_order: int = groove_accuracy.element_order(_ANY_BOLTED)
     mesh_size: Length | None = groove_accuracy.mesh_size(_ANY_BOLTED)
 
-    def patch(self, ball_diameter: float) -> float:
-        """Standard deviation of the patches [m]."""
-        return self.patch_width or groove_accuracy.PATCH * ball_diameter
-
-    def require_room(self, inner: Groove, outer: Groove) -> None:
+    def require_room(self, races: "Mapping[str, Groove]", contact_angle: float, ball_diameter: float) -> None:
         """Raise unless the grooves of the bearing fit into the rings, and patches on their arches."""
-        for name, ring, groove in (("outer", self.outer, outer), ("inner", self.inner, inner)):
-            if ring.kind == "rigid":
-                continue
-            if misfit := ring.misfit(groove):
-                raise impossible(f"rings.{name}.{misfit[0]}", misfit[1])
-            widest = groove.arc(ring.groove_end) / (2 * groove_accuracy.SHORTEST)
-            if self.patch(groove.ball_diameter) <= widest:
-                continue
-            if self.patch_width is not None:
-                part = f"{1 / (2 * groove_accuracy.SHORTEST):g} of an arch of the {name} groove"
-                raise impossible("rings.patch_width", f"{at_most(widest)}, {part}")
-            raise needed(
-                ["rings.patch_width"], f"arches of the {name} ring as short as rings.{name}.groove_end"
-            )
+        for name, groove in races.items():
+            ring, where = getattr(self, name), f"rings.{name}"
+            if ring.groove_end <= contact_angle:
+                raise impossible(f"{where}.groove_end", "above bearing.contact_angle")
+            ring.require_room(groove, where)
+            radius, first = groove.radius, groove.bottom_angle
+
+            def least(half: float, radius: float = radius, first: float = first) -> str:
+                return f"at least {degrees(2 * half / radius + first):.4g} deg"
+
+            half = radius * (ring.groove_end - first) / 2
+            keys = "rings", f"{where}.groove_end"
+            groove_accuracy.require_patches(self, ball_diameter, half, keys, least)

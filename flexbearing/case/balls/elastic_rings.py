@@ -151,10 +151,6 @@ class GrooveAccuracy(Section):
     element_order: int = groove_accuracy.element_order(ELASTIC)
     mesh_size: Length | None = groove_accuracy.mesh_size(ELASTIC)
 
-    def patch(self, ball_diameter: float) -> float:
-        """Standard deviation of the patches [m]."""
-        return self.patch_width or groove_accuracy.PATCH * ball_diameter
-
 
 def require_shoulder(name: str, groove: EndingGroove) -> None:
     """Raise unless the shoulder of a groove in an elastic ring is known."""

@@ -1,7 +1,7 @@
 """A slow ball bearing of two or four contact points, as a case."""
 
-from math import cos
-from typing import Literal, Self
+from math import acos, cos, sin, sqrt
+from typing import TYPE_CHECKING, Literal, NamedTuple, Self
 
 from pydantic import model_validator
 
@@ -25,6 +25,7 @@ from flexbearing.case.balls.parts import (
     Whole,
     require_quarters,
 )
+from flexbearing.case.balls.ring_room import OUTWARD, Race
 from flexbearing.case.head import KIND
 from flexbearing.case.outputs import ContactOutputs
 from flexbearing.case.quantity import (
@@ -41,6 +42,9 @@ from flexbearing.case.quantity import (
     needed,
     require,
 )
+
+if TYPE_CHECKING:
+    from fem.parts.groove import Groove
 
 PRESSURE = (
     "hertz: ellipses; offset: computed on the true arcs of ball and groove, which come closer by as much "
@@ -207,6 +211,23 @@ class Fields(Section):
     )
 
 
+class Arches(NamedTuple):
+    """Two arches of a groove."""
+
+    radius: float  # [m]
+    aside: float  # [m] of their centres from the plane of the ball centres
+    inward: float  # [m] of their centres from the pitch circle, to the axis from the outer race
+
+    @property
+    def depth(self) -> float:
+        """From the centres of the arches to where both meet, along the radius [m]."""
+        return sqrt(self.radius**2 - self.aside**2)
+
+    def end_at(self, shoulder: float) -> float:
+        """Contact angle at which arches end on a shoulder of a height above where they meet [rad]."""
+        return acos((self.depth - shoulder) / self.radius)
+
+
 class FourPointCase(MountedCase):
     """A slow ball bearing of two or four contact points."""
 
@@ -253,15 +274,25 @@ class FourPointCase(MountedCase):
             raise impossible("fields.balls", f"different numbers of balls, from 0 to {self.balls - 1}")
         return self
 
-    def arches(self, name: str) -> bolted_rings.Groove:
-        """The groove of the "inner" or the "outer" ring."""
+    def arches(self, race: str) -> Arches:
+        """Of the groove of the "inner" or the "outer" ring, their centres on the lines of contact."""
         own, ball = self.bearing, self.bearing.ball.diameter
-        radius = getattr(own, name).over(ball) * ball
-        return bolted_rings.Groove(own.pitch_diameter, ball, radius, own.contact_angle)
+        radius = getattr(own, race).over(ball) * ball
+        offset = radius - ball / 2
+        return Arches(radius, offset * sin(own.contact_angle), offset * cos(own.contact_angle))
+
+    def groove(self, race: Race) -> "Groove":
+        """The same in an elastic ring."""
+        from fem.parts.groove import Groove  # not described between rigid rings
+
+        radius, aside, inward = self.arches(race)
+        centre = self.bearing.pitch_diameter / 2 - OUTWARD[race] * inward
+        return Groove(radius=radius, centre_radius=centre, aside=aside)
 
     @model_validator(mode="after")
     def _grooves_fit_into_the_rings(self) -> Self:
-        self.rings.require_room(self.arches("inner"), self.arches("outer"))
+        grooves = {race: self.groove(race) for race in OUTWARD if getattr(self.rings, race).kind != "rigid"}
+        self.rings.require_room(grooves, self.bearing.contact_angle, self.bearing.ball.diameter)
         return self
 
     @model_validator(mode="after")

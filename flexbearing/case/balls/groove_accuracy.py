@@ -1,11 +1,12 @@
 """Keys that say how finely elastic rings with grooves are resolved."""
 
+from collections.abc import Callable
 from typing import Annotated, Any
 
 from pydantic import AfterValidator
 from pydantic_core import PydanticCustomError
 
-from flexbearing.case.quantity import key
+from flexbearing.case.quantity import at_most, impossible, in_mm, key
 
 PATCH = 0.06  # width over the ball diameter: a/sqrt(5) of steel balls at 2 to 2.5 GPa
 SHORTEST = 2.5  # widths of a patch in half an arc: on a shorter one, stations are too close to each other
@@ -57,3 +58,25 @@ def mesh_size(only: Any) -> Any:
         gt=0,
         only=only,
     )
+
+
+def patch(accuracy: Any, ball_diameter: float) -> float:
+    """Standard deviation of the patches [m]."""
+    return accuracy.patch_width or PATCH * ball_diameter
+
+
+def require_patches(
+    accuracy: Any, ball_diameter: float, half: float, keys: tuple[str, str], least: Callable[[float], str]
+) -> None:
+    """Raise unless patches fit on half the arc of a groove [m].
+
+    Keys are the section of the accuracy and what ends the arc, of which `least` is said to leave a length.
+    """
+    (section, end), width = keys, patch(accuracy, ball_diameter)
+    if SHORTEST * width <= half:
+        return
+    if accuracy.patch_width is not None:
+        allowed = f"{at_most(half / SHORTEST)}, {1 / SHORTEST:g} of half an arc that ends by {end}"
+        raise impossible(f"{section}.patch_width", allowed)
+    needs = f"{section}.patch_width, by default {in_mm(width)}, needs that arc"
+    raise impossible(end, f"{least(SHORTEST * width)}: {needs}")

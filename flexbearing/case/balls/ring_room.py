@@ -4,7 +4,7 @@ from math import cos
 from typing import TYPE_CHECKING, Any, Literal
 
 from flexbearing.case import held_ring
-from flexbearing.case.balls.groove_accuracy import SHORTEST
+from flexbearing.case.balls.groove_accuracy import require_patches
 from flexbearing.case.quantity import at_least, at_most, impossible, in_mm, located, require
 
 if TYPE_CHECKING:
@@ -91,16 +91,9 @@ def _require_wide(race: Race, width: float, least: float) -> None:
 
 def _require_patches(case: Any, race: Race) -> None:
     """Raise unless patches fit between the bottom of a groove and its shoulder."""
-    diameter, given = case.bearing.ball.diameter, case.accuracy.patch_width
     groove, land = elastic_groove(case.bearing, race)
-    width, arc = case.accuracy.patch(diameter), groove.radius * groove.end(land, OUTWARD[race])
-    if SHORTEST * width <= arc:
-        return
-    if given is not None:
-        part = f"{1 / SHORTEST:g} of the arc from the bottom of the {race} groove to bearing.{race}.shoulder"
-        raise impossible("accuracy.patch_width", f"{at_most(arc / SHORTEST)}, {part}")
-    least = groove.radius * (1 - cos(SHORTEST * width / groove.radius))
-    raise impossible(
-        f"bearing.{race}.shoulder",
-        f"{at_least(least)}: accuracy.patch_width, by default {in_mm(width)}, needs that height",
-    )
+    require_patches(
+        case.accuracy, case.bearing.ball.diameter, groove.radius * groove.end(land, OUTWARD[race]),
+        ("accuracy", f"bearing.{race}.shoulder"),
+        lambda half: at_least(groove.radius * (1 - cos(half / groove.radius))),
+    )  # fmt: skip

@@ -90,8 +90,9 @@ def _stiffness(reader: Reader) -> Iterator[Item]:
 
 
 def rigid(reader: Reader) -> Iterator[Item]:
-    """What rigid rings would give, where rings are elastic."""
-    if len(reader.blocks) < 2:
+    """What rigid rings would give, where rings are elastic; nothing where a cam is left out between them."""
+    on_cam = (reader.attributes["case_si"].get("inner") or {}).get("kind") == "cam"
+    if len(reader.blocks) < 2 or on_cam:
         return
     first = next(iter(reader.blocks))
     if (most := most_loaded(reader, first)) is not None:
