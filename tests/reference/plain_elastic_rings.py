@@ -62,5 +62,5 @@ def solve(balls, pitch, angle, touching, clearance, coefficient, stations, compl
         options={"gtol": 1e-9, "maxiter": 5000},
     )  # fmt: skip
     _, gradient, loads, place = potential(found.x)
-    assert np.abs(gradient).max() < 5e-6, found.message  # rounding ends the search; loads are then known to 1e-6
+    assert np.abs(gradient).max() < 5e-6, found.message  # rounding ends it; loads are known to 1e-6 then
     return loads.reshape(balls, 2), place
