@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.four_point import FourPointCase
-from quasidynamic.balance.balls.elastic_grooves import FURTHEST
+from quasidynamic.balance.balls.elastic_grooves import extrapolated
 from quasidynamic.note import Note, information, outside
 
 GAUSSIAN = sqrt(5.0)  # semi-axis of an ellipse of Hertz over the standard deviation of its pressure
@@ -37,7 +37,7 @@ def notes(
             continue
         stations = arguments[2].stations
         assert stations  # of every part with a groove
-        first, last = min(stations.angles) - FURTHEST, max(stations.angles) + FURTHEST
+        first, last = extrapolated(stations.angles)
         beyond = ((angles[race] < first) | (angles[race] > last)) & (loads[race] > 0)
         if beyond.any():
             race_notes += (

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from quasidynamic.balance.balls.elastic_grooves import FURTHEST, ElasticGroove, ElasticGrooves, shape_of
+from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGrooves, extrapolated, shape_of
 from quasidynamic.errors import ImpossiblePart
 from tests.random_balls import drawn, unbalanced
 
@@ -68,10 +68,18 @@ def test_derivatives_are_those_of_differences(seed):
 
 def test_beyond_its_stations_a_groove_is_as_stiff_as_there():
     groove, force = random_groove(2, 3), np.full((1, 3), 1000.0 + 500j)
-    last = ANGLES[-1] + FURTHEST
+    _, last = extrapolated(ANGLES)
     at, beyond = (shape_of(groove, np.full((1, 3), angle), force) for angle in (last, last + 0.2))
     assert beyond.moved == approx(at.moved, rel=1e-12)
     assert not beyond.by_angle.any()
+
+
+@pytest.mark.parametrize("count", [3, 5, 7, 9, 15])
+def test_many_stations_are_not_extrapolated_as_far_as_few(count):
+    """Shares of 9 stations would be 19 as far out as those of 3 are 1.3."""
+    angles = np.radians(43 * np.sin(np.pi / 2 * np.linspace(-1, 1, count)))
+    groove = ElasticGroove(angles, np.zeros((1, count, 1, count)))
+    assert np.abs(groove.shares(np.array([[1.4]])).share).max() < 2
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from quasidynamic.balance.balls.ball_position import Vectors
 from quasidynamic.errors import ImpossiblePart
 
-FURTHEST = 0.15  # [rad] beyond its outermost station a groove answers as it does there
+FURTHEST = 0.15  # [rad] beyond the outermost stations to which a groove is extrapolated at most
+GROWTH = 4.0  # of the Chebyshev polynomial that shares of as many stations grow like, at most there
 SYMMETRIC = 1e-7  # allowed difference of a compliance from its mirror image, over the largest entry: rounding
 
 
@@ -49,11 +50,24 @@ class ElasticGroove:
 
     def shares(self, angles: NDArray) -> "StationShares":
         """Shares of the stations at contact angles (C, Z) [rad]."""
-        least, most = self.angles.min() - FURTHEST, self.angles.max() + FURTHEST
+        least, most = extrapolated(self.angles)
         at = np.clip(angles, least, most)
         share, slope, bend = lagrange(self.angles, at)
         inside = (angles > least) & (angles < most)
         return StationShares(at, share, slope, np.where(inside[..., None], share + bend, 0.0))
+
+
+def extrapolated(angles: NDArray | tuple[float, ...]) -> tuple[float, float]:
+    """Contact angles [rad] between which a groove with stations at `angles` follows them, as there beyond.
+
+    Source
+    ------
+    Polynomials through n + 1 stations grow like T_n outside: T_n(x) = cosh(n arccosh x).
+    """
+    least, most = min(angles), max(angles)
+    beyond = (np.cosh(np.arccosh(GROWTH) / (len(angles) - 1)) - 1) * (most - least) / 2
+    further = min(FURTHEST, float(beyond))
+    return least - further, most + further
 
 
 class ElasticGrooves(NamedTuple):
