@@ -35,7 +35,7 @@ def test_rings_are_rigid_unless_they_are_described():
         (["rings.outer.kind=free"], "[rings.outer] kind", '"rigid" or "bolted"'),
         (["rings.outer.face_stiffness=5 N/mm^3"], "[rings.outer] face_shear_stiffness is missing", "springs"),
         (["rings.patch_width=0 mm"], "[rings] patch_width", "above 0 m"),
-        (["rings.patch_width=9 mm"], "[rings] patch_width", "at most 4.686 mm, 0.4 of half an arc that ends by rings"),
+        (["rings.patch_width=9 mm"], "[rings] patch_width", "at most 4.686 mm, 0.4 of half an arc that ends"),
         (["rings.stations=4"], "stations", "an odd number"),
         (["rings.outer.bore=2 m"], "[rings.outer] bore", "not a key"),
         (
