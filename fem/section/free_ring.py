@@ -4,7 +4,7 @@ Its motion is that of a rigid ring, plus what loads do to it with the mean trans
 tilt of the raceway kept at zero, :math:`R^T w_{\pm1} = 0` with what its shapes read of these motions, R: of
 rollers :math:`w_{\pm1,0} = w_{\pm1,1} = 0`. Loads out of balance meet a pressure on the raceway like
 :math:`R \cos\varphi`, which is zero as soon as all loads together are in balance. Shapes of a groove read an
-axial motion, too, and its mean is zero: whatever holds the ring along its axis holds it there, evenly.
+axial motion, too, and its mean is zero: the ring is held along its axis evenly around its groove.
 """
 
 from dataclasses import dataclass, replace

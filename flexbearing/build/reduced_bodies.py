@@ -29,9 +29,16 @@ def reduced_body(case: WithMatrix) -> fem.ReducedBody:
     """Body of `outer.kind = "matrix"`, condensed to the nodes on the outer surface of the ring."""
     frame = _frame(case)
     nodes, places = _seat(case, frame)
-    stiffness, _ = _condensed(_stamp(_files(case)[0]), nodes)
-    turned = np.kron(np.eye(len(nodes)), frame)
-    return fem.ReducedBody(places, _unit(case) * turned @ stiffness @ turned.T)
+    return _body(_stamp(_files(case)[0]), nodes, _unit(case), places.tobytes(), frame.tobytes())
+
+
+@lru_cache(maxsize=2)  # one object for cases with the same body: their rings are condensed once
+def _body(
+    stamp: inputs.Stamp, nodes: tuple[int, ...], unit: float, places: bytes, frame: bytes
+) -> fem.ReducedBody:
+    stiffness, _ = _condensed(stamp, nodes)
+    turned = np.kron(np.eye(len(nodes)), np.frombuffer(frame).reshape(3, 3))
+    return fem.ReducedBody(np.frombuffer(places).reshape(-1, 3), unit * turned @ stiffness @ turned.T)
 
 
 def notes(case: WithMatrix) -> tuple[Note, ...]:

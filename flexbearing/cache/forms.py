@@ -238,6 +238,7 @@ RECORDS = {
             "unknowns": Count(),
             "elements": Count(),
             "seconds": Numbers(),
+            "coupled": Array(("H S H S",), "c", optional=True),
         },
     ),
     "FreeRing": Record(

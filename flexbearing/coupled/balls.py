@@ -51,7 +51,13 @@ class BallPartner:
     angles: NDArray  # (2, K) [rad] of the stations
 
     def between(self, grooves: ElasticGrooves | None) -> BallState:
-        """Balance between grooves; raises `PartnerFailed`."""
+        """Balance between grooves.
+
+        Raises
+        ------
+        PartnerFailed
+            where there is none
+        """
         try:
             return BallState.of(self.model.solve(self.operation, grooves), self.angles)
         except NotSolved as failure:

@@ -58,6 +58,7 @@ def sensitivities(
         where there is no equilibrium
     """
     refused = {"operation.control": case.operation.control == "coulomb"}
+    refused |= {"outer.bilateral": case.outer.lifts_off}
     refused |= {"friction.model": case.friction.model != "full_sliding"}
     for key, given in refused.items():
         if given:

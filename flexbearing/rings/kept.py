@@ -31,7 +31,7 @@ def condensed_part(name: str, arguments: Arguments, report: Report, ahead: Ahead
     part, discretisation, resolution = arguments
     support = part.support if isinstance(part, fem.OuterRing) else None
     if isinstance(support, fem.ReducedBody):
-        return condense(*arguments)  # more than is kept
+        return _in_memory(*arguments)  # more than is kept on disk
     if isinstance(support, fem.LineSupports | fem.PlanetGear) and discretisation is HARMONICS:
         from fem.section.planet_rim import PlanetRim
         from fem.section.ring_on_lines import RingOnLines

@@ -28,7 +28,7 @@ def notes(case: "FastCase") -> tuple[Note, ...]:
 
 def turning(race: str, crest: str, *, cam: bool = False) -> Note:
     """The note on a raceway that is not round and turns, its crest at a key."""
-    of_cam = "turned with it, as that of a cam does, and no other load stood still"
+    of_cam = "turned with it, as that of a cam does, without any load at rest"
     does = of_cam if cam else "did not turn with it"
     return information(
         "turning-waves",

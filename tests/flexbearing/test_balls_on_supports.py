@@ -10,9 +10,10 @@ from pytest import approx
 import flexbearing
 from flexbearing.api import check, read_case
 from flexbearing.case import BadCase
+from flexbearing.case.read import written
 from flexbearing.coupled.balls import equilibrium
 from flexbearing.progress import Silent
-from flexbearing.rings.grooves import elastic_grooves, supported_grooves
+from flexbearing.rings.grooves import elastic_grooves, parts, supported_grooves
 from flexbearing.runs.angular_contact import bearing, operation
 from tests.fem import test_ring_on_matrix as matrices, written_matrices as write
 from tests.flexbearing.noted import codes
@@ -88,6 +89,8 @@ def test_rims_of_planet_gears_load_more_balls_than_lines():
     assert "unbalanced-teeth" not in codes(rim)
     loaded = (rim.flexible["contact_load"][0] > 0).sum(), (rigid.rigid["contact_load"][0] > 0).sum()
     assert loaded[0] >= loaded[1]
+    loads = rim.flexible["contact_load"][0]
+    assert loads[0] < loads[1]  # the teeth draw the rim off the balls below the pin, as that of rollers
     halved = flexbearing.run(CASE, TEETH | {"outer.tooth_tangential": ["2 kN", "-2 kN"]})
     assert "unbalanced-teeth" in codes(halved)
 
@@ -128,6 +131,8 @@ def test_springs_written_as_a_matrix_are_a_foundation(tmp_path, monkeypatch):
     files = {"outer.kind": "matrix", "outer.matrix": "seat.mtx", "outer.nodes": "seat.inp"}
     result = flexbearing.run(tmp_path / "case.toml", RING | files)
     assert "matrix" in codes(result)
+    one, other = (parts(read_case(tmp_path / "case.toml", written(RING | files)))[1] for _ in range(2))
+    assert one == other  # rows of a study have one ring
     loads = result.flexible["contact_load"]
     assert loads == approx(known["contact_load"], rel=0, abs=2e-3 * loads.max())
     assert np.abs(loads - result.rigid["contact_load"]).max() > 2e-2 * loads.max()

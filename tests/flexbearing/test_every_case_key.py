@@ -91,6 +91,12 @@ _HOLDS = {
         "outer.support": "housing", "outer.housing_thickness": "10 mm", "outer.housing_width": "35 mm",
         "materials.housing": _STEEL,
     },
+    "on lines": {"outer.support": "lines", "outer.line_azimuths": ["0 deg", "120 deg", "240 deg"]},
+    "in a planet": {
+        "outer.support": "planet", "outer.tooth_azimuths": ["90 deg", "270 deg"],
+        "outer.tooth_radial": ["-1 kN", "-1 kN"], "outer.tooth_tangential": ["2 kN", "-2 kN"],
+        "outer.tooth_radius": "120 mm",
+    },
 }  # fmt: skip
 
 
@@ -230,6 +236,15 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
        for name, file, *sizes in (
            ("fast", "harris218", "5 mm", "90 mm"), ("deep groove", "6209", "3 mm", "45 mm"))
        for support in _HOLDS},
+    **{f"{name}, on a matrix": (file, {
+        "outer.kind": "matrix", "outer.width": "12 mm", "outer.centre_x": "3 mm",
+        "outer.matrix": str(HERE / "seat" / "springs.mtx"), "outer.nodes": str(HERE / "seat" / "springs.inp"),
+        **sizes})
+       for name, file, sizes in (
+           ("deep groove", "6209", {"outer.thickness": "3.65 mm", "bearing.outer.shoulder": "2.2 mm"}),
+           ("fast", "harris218", {
+               "outer.thickness": "6.264 mm", "bearing.outer.shoulder": "0.9 mm", "bearing.balls": 6,
+               "bearing.pitch_diameter": "50 mm"}))},
     "fast, ring materials": ("harris218", {
         "materials.inner_ring": {"youngs_modulus": "205 GPa", "poisson_ratio": 0.29},
         "materials.outer_ring": {"youngs_modulus": "206 GPa", "poisson_ratio": 0.28}}),
