@@ -8,7 +8,6 @@ from flexbearing.build import clearance, profiles, ring_parts
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
 from flexbearing.build.lubrication import lubrication
 from flexbearing.build.out_of_round import raceway_waves
-from flexbearing.build.probes import require_probes
 from flexbearing.case.roller import Case
 from quasidynamic import CylindricalRollerBearing
 from quasidynamic.parts.raceway_waves import RacewayWaves
@@ -142,4 +141,7 @@ def require_around(case: Case, bearing: CylindricalRollerBearing) -> None:
     ring_parts.require_shoulder(case)
     ring_parts.require_held_in_housing(case)
     ring_parts.require_held_on_lines(case)
-    require_probes(case)
+    if case.outputs.probes:
+        from flexbearing.build.probes import require_probes
+
+        require_probes(case)
