@@ -1,11 +1,14 @@
-"""The oil of a case and the laws it follows."""
+"""How the contacts of a case are lubricated: oil, laws, roughness against the film."""
 
 from collections.abc import Callable
 from functools import partial
 from typing import Any
 
+from numpy.typing import NDArray
+
 import quasidynamic as qd
 from flexbearing.case.roller import Case
+from quasidynamic.contact.film import composite_roughness
 from quasidynamic.contact.traction import ROLLING_LAWS, TractionLaw, in_any_contact
 from quasidynamic.parts.oil_properties import two_point_oil
 
@@ -47,6 +50,14 @@ def oil(case: Case) -> qd.Lubricant:
         conductivity=lubricant.conductivity,
         density=lubricant.density,
     )
+
+
+def roughness(case: Case) -> NDArray | None:
+    """Composite roughness (2) of inner and outer contact [m]; None when the case does not give it."""
+    surfaces = case.bearing.roughness
+    if surfaces is None:
+        return None
+    return composite_roughness(surfaces.roller, [surfaces.inner_raceway, surfaces.outer_raceway])
 
 
 def oil_name(case: Case) -> str:

@@ -9,7 +9,6 @@ from flexbearing.build import clearance, held_ring, profiles, ring_parts
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
 from flexbearing.build.lubrication import lubrication
 from flexbearing.build.out_of_round import raceway_waves
-from flexbearing.build.probes import require_probes
 from flexbearing.case.roller import Case
 from quasidynamic import CylindricalRollerBearing
 from quasidynamic.parts.raceway_waves import RacewayWaves
@@ -144,4 +143,7 @@ def require_around(case: Case, bearing: CylindricalRollerBearing) -> None:
     ring_parts.require_held_in_housing(case)
     load = cmath.rect(case.operation.radial_load, case.operation.load_direction)
     held_ring.require_held_on_lines(case.outer, load)
-    require_probes(case)
+    if case.outputs.probes:
+        from flexbearing.build.probes import require_probes
+
+        require_probes(case)

@@ -1,13 +1,11 @@
-"""Rough surfaces of a case: composite roughness, and asperities that carry some of the load."""
+"""Asperities of rough surfaces that carry some of the load in a case."""
 
 from collections.abc import Callable
 from functools import partial
 
-from numpy.typing import NDArray
-
+from flexbearing.build.lubrication import roughness
 from flexbearing.case.roller import Case
 from flexbearing.case.roller.lubricant import Mixed
-from quasidynamic.contact.film import composite_roughness
 from quasidynamic.contact.traction import TractionLaw, in_any_contact
 from quasidynamic.contact.traction.asperity_friction import AsperityFriction, Carter, RoundedCoulomb
 from quasidynamic.contact.traction.mixed import (
@@ -23,14 +21,6 @@ SHARES: dict[str, AsperityShare] = {
     "film-1.8": FILM_SHARE_1_8,
     "error-function": ErrorFunctionShare(),
 }
-
-
-def roughness(case: Case) -> NDArray | None:
-    """Composite roughness (2) of inner and outer contact [m]; None when the case does not give it."""
-    surfaces = case.bearing.roughness
-    if surfaces is None:
-        return None
-    return composite_roughness(surfaces.roller, [surfaces.inner_raceway, surfaces.outer_raceway])
 
 
 def mixed(case: Case, fluid: Callable[..., TractionLaw]) -> RoughContacts:

@@ -65,13 +65,11 @@ CHANGED_RATING = Finding(
 RATINGS = (RATING_ABOVE_FORMULA, RATING_BELOW_FORMULA, CHANGED_RATING)
 
 
-def _light_load(share: float) -> Finding:
-    return Finding(
-        code="light-load", label="minimum load", quantity="load", at_least=share, times="dynamic_rating",
-        grade=USUAL, source=f"{share:g} C_r, rule of thumb of SKF, Rolling bearings (2018)",
-        unit="N", shown="kN", meaning="rolling elements may skid; which slip does damage is not computed",
-        action="preload the bearing, take a smaller one, or see that it carries load before it turns fast",
-    )  # fmt: skip
-
-
-LIGHT_LOAD_OF_ROLLERS, LIGHT_LOAD_OF_BALLS = _light_load(0.02), _light_load(0.01)
+_SKF = "rule of thumb of SKF, Rolling bearings (2018)"
+LIGHT_LOAD_OF_ROLLERS = Finding(
+    code="light-load", label="minimum load", quantity="load", at_least=0.02, times="dynamic_rating",
+    grade=USUAL, source=f"0.02 C_r, {_SKF}",
+    unit="N", shown="kN", meaning="rolling elements may skid; which slip does damage is not computed",
+    action="preload the bearing, take a smaller one, or see that it carries load before it turns fast",
+)  # fmt: skip
+LIGHT_LOAD_OF_BALLS = replace(LIGHT_LOAD_OF_ROLLERS, at_least=0.01, source=f"0.01 C_r, {_SKF}")

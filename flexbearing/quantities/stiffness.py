@@ -5,21 +5,17 @@ from functools import partial
 from flexbearing.quantities.quantity import SummaryValue, Unit
 from flexbearing.quantities.reductions import entry
 
-_NAMES = ("yy", "yz", "zy", "zz")  # force by displacement
-
-
-def _entries(prefix: str, y: int, z: int) -> tuple[SummaryValue, ...]:
-    """Outputs of a matrix that has the axes y and z in some places."""
-    places = {"y": y, "z": z}
-    return tuple(
+RADIAL_STIFFNESSES, TOTAL_STIFFNESSES = (
+    tuple(
         SummaryValue(
-            f"{prefix}_{row}{column}_N_per_m",
+            f"{prefix}_{row}{column}_N_per_m",  # force by displacement
             partial(entry, row=places[row], column=places[column]),
             unit=Unit("N/m"),
         )
-        for row, column in _NAMES
+        for row, column in ("yy", "yz", "zy", "zz")
     )
-
-
-RADIAL_STIFFNESSES = _entries("stiffness", 1, 2)  # of five directions: tilts are held
-TOTAL_STIFFNESSES = _entries("total_stiffness", 0, 1)  # of y and z: tilts follow where they are free
+    for prefix, places in (
+        ("stiffness", {"y": 1, "z": 2}),  # of five directions: tilts are held
+        ("total_stiffness", {"y": 0, "z": 1}),  # of y and z: tilts follow where they are free
+    )
+)

@@ -7,9 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.build.lubrication import oil
+from flexbearing.build.lubrication import oil, roughness
 from flexbearing.build.roller_bearing import nominal
-from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.as_written import ROLLER_SIZES, as_written
 from flexbearing.case.roller import Case
 from flexbearing.runs.life_of_state import (

@@ -57,12 +57,13 @@ def estimated(case: Case, states: BearingStates, rings: LinearPair, report: Repo
     if case.accuracy.target is not None or not sought.any():
         return LifeErrors(None)
     errors, problems = np.full(len(sought), np.nan), [""] * len(sought)
-    matter = more_shapes_matter(states, rings)
+    matter = np.zeros((len(sought), 2), bool) if rings.rigid else more_shapes_matter(states, rings)
     for races in sorted({*map(tuple, matter[sought].tolist())}):
         some = np.flatnonzero(sought & (matter == races).all(axis=1))
         richer: Compliances = (None, None)
         try:
-            richer = with_more_shapes(case, rings, races, report)
+            if any(races):
+                richer = with_more_shapes(case, rings, races, report)
         except PartnerFailed as problem:  # which leaves the error of the slices
             for place in some:
                 problems[place] = str(problem)

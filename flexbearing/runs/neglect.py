@@ -1,18 +1,14 @@
-"""What the model of a kind of bearing neglects, over its largest load: values for findings."""
+"""What models of ball bearings neglect, over their largest load: values for findings."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from quasidynamic.outcome.neglected import friction_share, inertia_shares, tilting_share, weight_share
-
-if TYPE_CHECKING:
-    from flexbearing.runs.solved_rows import SolvedRows
+from quasidynamic.outcome.neglected import friction_share, inertia_shares, weight_share
 
 INERTIA, MOMENT, WEIGHT, FRICTION = "inertia", "gyroscopic moment", "weight", "friction"
-OF_BALLS, OF_ROLLERS = " of the balls", " of the rollers"
+OF_BALLS = " of the balls"
 
 
 def of_fast_balls(solution: Any) -> Mapping[str, Any]:
@@ -44,21 +40,3 @@ def of_slow_balls(solution: Any) -> Mapping[str, Any]:
         WEIGHT + OF_BALLS: weight_share(ball.mass, largest),
         FRICTION: friction_share(balls.torque, bearing.pitch_diameter, loads.sum() / 2),
     }}  # fmt: skip
-
-
-def of_rollers(rows: "SolvedRows") -> Mapping[str, Any]:
-    """Gyroscopic moments of tilted rollers; centrifugal forces, weight and friction are computed."""
-    return {"neglected": {MOMENT + OF_ROLLERS: _moments(rows)}}
-
-
-def _moments(rows: "SolvedRows") -> NDArray:
-    states, rollers = rows.states, [model.bearing.roller for model in rows.models]
-    inertia = np.array([each.mass * each.diameter**2 / 8 for each in rollers])
-    length = np.array([each.length for each in rollers])
-    loads = states.loads[:, 0]
-    speed, tilt = (
-        np.abs(each).max(axis=1, where=loads > 0, initial=0.0)
-        for each in (states.roller_speed, states.roller_tilt)
-    )
-    load = np.where(loads.max(axis=1) > 0, loads.max(axis=1), np.inf)
-    return tilting_share(inertia, length, states.cage_speed, speed, tilt, load)

@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 
 from flexbearing.build import clearance, ring_parts
 from flexbearing.build.lubrication import oil, oil_name
-from flexbearing.case import cage_room
 from flexbearing.case.roller import Case
 from flexbearing.findings.running import PRESSED_ENDS
 from flexbearing.runs import life, several, skew, teeth
@@ -50,8 +49,7 @@ def of_case(case: Case) -> tuple[Note, ...]:
 
 def _overlap(case: Case) -> tuple[Note, ...]:
     """Say so when the cage has no room between the rings."""
-    overlap = cage_room.overlap(case)
-    if not overlap:
+    if not (overlap := case.cage_within_ribs):
         return ()
     words = (
         f"dimensions overlap: {overlap}: such a bearing cannot be built, one of them is wrong; loads and "

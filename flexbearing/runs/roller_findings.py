@@ -8,13 +8,14 @@ from numpy.typing import NDArray
 from flexbearing.case.roller import Case
 from flexbearing.findings import declared, evaluate
 from flexbearing.findings.strength import BARS
-from flexbearing.runs import judged, life, life_of_state, neglect
+from flexbearing.runs import judged, life, life_of_state
 from flexbearing.runs.answer import in_rows
 from flexbearing.runs.life_of_state import MREV
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import CylindricalRollerBearing, Equilibrium, OutOfRange
 from quasidynamic.contact.film.roughness import MIXED_FROM
 from quasidynamic.note import Note
+from quasidynamic.outcome.neglected import tilting_share
 from quasidynamic.outcome.rating_life import ROLLERS
 
 
@@ -67,11 +68,25 @@ def values_of_dangers(rows: SolvedRows) -> dict[str, Any]:
         **judged.lives(
             np.array(lives) / MREV, rows.relative_speed, (case.life.required for case in rows.cases)
         ),
-        **neglect.of_rollers(rows),
+        "neglected": {"gyroscopic moment of the rollers": _gyroscopic(rows)},
         "rated_viscosity_ratio": np.array([life.rated_kappa(*of) for of in _parts(rows)], dtype=float),
         **life_of_state.rating_changes([life.ratings(*of) for of in _parts(rows)]),
         **(_stress_of_bars(rows) if limited else {}),
     }
+
+
+def _gyroscopic(rows: SolvedRows) -> NDArray:
+    """Gyroscopic moments of tilted rollers; centrifugal forces, weight and friction are computed."""
+    states, rollers = rows.states, [model.bearing.roller for model in rows.models]
+    inertia = np.array([each.mass * each.diameter**2 / 8 for each in rollers])
+    length = np.array([each.length for each in rollers])
+    loads = states.loads[:, 0]
+    speed, tilt = (
+        np.abs(each).max(axis=1, where=loads > 0, initial=0.0)
+        for each in (states.roller_speed, states.roller_tilt)
+    )
+    load = np.where(loads.max(axis=1) > 0, loads.max(axis=1), np.inf)
+    return tilting_share(inertia, length, states.cage_speed, speed, tilt, load)
 
 
 def dangers(rows: SolvedRows) -> list[tuple[Note, ...]]:

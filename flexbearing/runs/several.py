@@ -10,7 +10,7 @@ from flexbearing.coupling import LinearPair
 from flexbearing.quantities.reductions import loaded_rollers
 from quasidynamic import Equilibrium, NotSolved, RollerBearing
 from quasidynamic.note import Note, danger, information
-from quasidynamic.several.indicator import cage_balances_often, several_likely
+from quasidynamic.several.indicator import cage_balances_often
 
 CODE = "several-equilibria"
 MATERIAL = 0.01  # of the largest load, life or torque, by which states differ enough to mislead (assumed)
@@ -81,8 +81,6 @@ class SeveralEquilibria:
 
 def between_rigid_raceways(model: RollerBearing, state: Equilibrium) -> SeveralEquilibria | None:
     """Other equilibria than one between rigid raceways; None without a hint at them, or without any."""
-    if not several_likely(state):
-        return None
     from quasidynamic.several import after_passing_pitches, other_equilibria
     from quasidynamic.several.search import stable
 
@@ -101,8 +99,6 @@ def between_flexible_raceways(state: Equilibrium, rings: LinearPair) -> SeveralE
     They are searched between raceways that keep the shape of the end state. What is found there is solved
     again between elastic raceways, linear near the loads of the end state.
     """
-    if not several_likely(state):
-        return None
     from quasidynamic.several import other_equilibria
     from quasidynamic.several.search import between_elastic_raceways, stable
 

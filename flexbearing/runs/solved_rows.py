@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.build.lubrication import roughness
 from flexbearing.build.ring_parts import outer_mass
-from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
 from flexbearing.coupled.states import EndStates, flat
 from flexbearing.coupling import LinearPair
@@ -159,7 +159,9 @@ class SolvedRows:
     @cached_property
     def bars(self) -> "NominalStresses | None":
         """Nominal stresses of the bars of squirrel cages; None without bars."""
-        return subsurface.nominal_stresses(self.cases[0], self.end) if self.converged else None
+        if not self.converged or self.rings[0].outer is None:
+            return None
+        return subsurface.nominal_stresses(self.cases[0], self.end)
 
     @property
     def bar_azimuths(self) -> NDArray | None:
@@ -372,6 +374,8 @@ class SolvedRows:
 
     def other_equilibria(self, place: int) -> SeveralEquilibria | None:
         """Other equilibria of a case; None where nothing hints at them or none was found."""
+        if not self.several_likely[place]:
+            return None
         if self.rings[0].rigid:
             return several.between_rigid_raceways(self.models[place], self.each[place])
         return several.between_flexible_raceways(self.each[place], self.rings[place])

@@ -73,8 +73,7 @@ def nominal_stresses(case: "Case", end: "EndStates") -> "NominalStresses | None"
     from flexbearing.build import ring_parts  # balls have none
     from flexbearing.coupling.raceway_pair import OUTWARD
 
-    if end.rings.outer is None:
-        return None
+    assert end.rings.outer is not None  # or there are no bars
     import fem
     from fem.cage import bar_forces
     from fem.raceway.bar_response import BarResponse

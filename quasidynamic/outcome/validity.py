@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.contact.cage import land_notes
-from quasidynamic.contact.cage.couette import couette_factor
+from quasidynamic.contact.cage.land import couette_factor
 from quasidynamic.contact.drag import drag_notes
 from quasidynamic.contact.film.thickness import meniscus_factor
 from quasidynamic.contact.line import half_width

@@ -10,9 +10,9 @@ import numpy as np
 import quasidynamic as qd
 from flexbearing.build import expansion, ring_parts, roller_bearing, seat_growth
 from flexbearing.build.ball_fits import kinematic_viscosity
+from flexbearing.build.lubrication import roughness
 from flexbearing.build.mesh_sizes import IN_SPACE, mesh_size
 from flexbearing.build.probes import probes
-from flexbearing.build.rough_surfaces import roughness
 from flexbearing.case.roller import Case
 from flexbearing.families import FAMILIES
 from flexbearing.progress import Logged

@@ -186,6 +186,21 @@ class Bearing(Section):
         return self.fits if cold or self.clearance_class is not None else None
 
     @property
+    def cage_radii(self) -> tuple[float, float]:
+        """Inside and outside radius of the cage [m]: at its land, or about the pitch circle."""
+        cage = self.cage
+        if cage.guidance in ("inner", "outer"):
+            assert cage.land_diameter is not None  # checked on reading
+            assert cage.land_clearance is not None
+            if cage.guidance == "outer":
+                high = (cage.land_diameter - cage.land_clearance) / 2
+                return high - cage.thickness, high
+            low = (cage.land_diameter + cage.land_clearance) / 2
+            return low, low + cage.thickness
+        pitch = (self.outer_raceway_diameter - self.roller.diameter) / 2
+        return pitch - cage.thickness / 2, pitch + cage.thickness / 2
+
+    @property
     def relieved(self) -> bool:
         """Whether roller or raceway has a profile at both contacts."""
         raceways = (self.inner_raceway, self.outer_raceway)

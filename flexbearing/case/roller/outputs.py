@@ -1,6 +1,7 @@
 """The section [outputs] of roller bearings, with its probes."""
 
-from typing import Any, Literal, NamedTuple, Self
+from functools import partial
+from typing import Literal, NamedTuple, Self
 
 from pydantic import model_validator
 
@@ -22,9 +23,7 @@ class Row(NamedTuple):
     gauge_length: float  # [m]
 
 
-def _listed(meaning: str, default: Any = ..., *, example: list[str], **limits: Any) -> Any:
-    """Declare a list with an entry for every probe, or for all."""
-    return key(meaning, default, example=example, strict=False, max_length=MOST, **limits)
+_listed = partial(key, strict=False, max_length=MOST)  # an entry for every probe, or one for all
 
 
 class Probes(Section):

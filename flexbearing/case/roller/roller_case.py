@@ -65,6 +65,20 @@ class Case(Head):
         fitted = self.bearing.fits is not None and self.bearing.fits.housing is not None
         return housed and (fitted or self.outer.housing_clearance is not None)
 
+    @property
+    def cage_within_ribs(self) -> str:
+        """Where the cage lies within the ribs of the inner ring, in words; empty where it does not."""
+        ring, cage, length = self.inner, self.bearing.cage, self.bearing.roller.length
+        if ring.kind == "rigid" or not ring.ribbed or not cage.thickness:
+            return ""
+        assert ring.bore  # checked on reading, as the others are
+        assert ring.thickness
+        assert ring.track_width
+        inside, rib = self.bearing.cage_radii[0], ring.bore / 2 + ring.thickness
+        if inside >= rib or length / 2 + (cage.land_width or 0.0) / 2 <= ring.track_width / 2:
+            return ""
+        return f"cage inside Ø {2e3 * inside:.6g} mm, inner ribs Ø {2e3 * rib:.6g} mm"
+
     def points_file(self, table: Generatrix) -> Path | None:
         """CSV file of a profile, next to the case file; None for one without."""
         return None if table.points_file is None else Path(self.source.path).parent / table.points_file

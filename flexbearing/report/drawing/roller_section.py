@@ -2,7 +2,6 @@
 
 from typing import Any
 
-from flexbearing.case.cage_room import cage_radii, overlap
 from flexbearing.report.drawing.rings import inner_ring, outer_ring
 from flexbearing.report.drawing.sheet import Drawing, Sheet
 from flexbearing.report.drawing.words import CAGE, ELEMENT, SCHEMATIC, Words
@@ -41,7 +40,7 @@ def _cage(sheet: Sheet, case: Any) -> None:
     """Sides of the cage, thickness to scale, between the rollers' ends and the edge of the raceways."""
     bearing: Any = case.bearing
     cage: Any = bearing.cage
-    half, (low, high) = bearing.roller.length / 2, cage_radii(case)
+    half, (low, high) = bearing.roller.length / 2, bearing.cage_radii
     reach = 0.25 * bearing.roller.length
     if cage.land_width:
         reach = max(reach, cage.land_width / 2)
@@ -49,7 +48,7 @@ def _cage(sheet: Sheet, case: Any) -> None:
         for side in (-1, 1):
             sheet.rectangle((side * half, side * (half + reach)), (low, high), **SCHEMATIC, fc=CAGE)
         sheet.height("bearing.cage.thickness", low, high, -half - reach)
-        if message := overlap(case):
+        if message := case.cage_within_ribs:
             sheet.notes.append(f"Dimensions overlap: {message}.")
     if cage.land_diameter is not None:
         land = cage.land_diameter / 2

@@ -3,8 +3,14 @@
 Where the cage goes under these forces is a balance.
 """
 
-from quasidynamic.contact.cage.couette import couette_factor
-from quasidynamic.contact.cage.land import land_drag, land_force, land_notes, land_offset, land_torque
+from quasidynamic.contact.cage.land import (
+    couette_factor,
+    land_drag,
+    land_force,
+    land_notes,
+    land_offset,
+    land_torque,
+)
 from quasidynamic.contact.cage.pocket import displacement_in_pocket, roller_on_pocket_force
 
 __all__ = [
