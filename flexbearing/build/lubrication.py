@@ -20,7 +20,9 @@ def lubrication(case: Case) -> qd.Lubrication:
     if lubricant.mixed is not None:
         from flexbearing.build.rough_surfaces import mixed
 
-        traction = mixed(case, traction)
+        rough = roughness(case)
+        assert rough is not None  # checked on reading
+        traction = mixed(lubricant.mixed, rough, traction)
     return qd.Lubrication(
         oil=oil(case),
         oil_fraction=lubricant.oil_fraction,

@@ -3,8 +3,8 @@
 from collections.abc import Callable
 from functools import partial
 
-from flexbearing.build.lubrication import roughness
-from flexbearing.case.roller import Case
+from numpy.typing import NDArray
+
 from flexbearing.case.roller.lubricant import Mixed
 from quasidynamic.contact.traction import TractionLaw, in_any_contact
 from quasidynamic.contact.traction.asperity_friction import AsperityFriction, Carter, RoundedCoulomb
@@ -23,12 +23,9 @@ SHARES: dict[str, AsperityShare] = {
 }
 
 
-def mixed(case: Case, fluid: Callable[..., TractionLaw]) -> RoughContacts:
-    """Law of the film where asperities carry some of the load."""
-    given, sigma = case.lubricant.mixed, roughness(case)
-    assert given is not None  # checked on reading
-    assert sigma is not None
-    inner, outer = sigma.tolist()
+def mixed(given: Mixed, roughness: NDArray, fluid: Callable[..., TractionLaw]) -> RoughContacts:
+    """Law of the film where asperities carry some of the load, at a roughness (2) of both contacts [m]."""
+    inner, outer = roughness.tolist()
     return RoughContacts(
         fluid=fluid,
         share=SHARES[given.share],
