@@ -65,8 +65,7 @@ def land(groove, end, outward):
 
 
 def elastic(compliance, own):
-    at_balls = compliance.at(own.bearing.azimuths)
-    return ElasticGroove(at_balls.angles, at_balls.absolute)
+    return ElasticGroove(compliance.angles, compliance.at(own.bearing.azimuths).absolute)
 
 
 def outer_ring(own, end, outside, width, support):
@@ -267,7 +266,7 @@ def test_stiff_rings_are_rigid(name):
     operation, at_balls = RingOperation(load=load, inner_speed=10000 * RPM), ring.at(own.bearing.azimuths)
     rigid = own.solve(operation)
     for part, allowed in ((1e-6, 3e-6), (1e-8, 3e-8)):  # in proportion
-        stiff = ElasticGroove(at_balls.angles, part * at_balls.absolute)
+        stiff = ElasticGroove(ring.angles, part * at_balls.absolute)
         found = own.solve(operation, ElasticGrooves(None, stiff))
         assert found.loads == approx(rigid.loads, abs=allowed * rigid.loads.max())
 
