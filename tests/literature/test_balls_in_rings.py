@@ -66,8 +66,7 @@ def land(groove, end, outward):
 
 
 def elastic(compliance, own):
-    at_balls = compliance.at(own.bearing.azimuths)
-    return ElasticGroove(at_balls.angles, at_balls.absolute)
+    return ElasticGroove(compliance.angles, compliance.at(own.bearing.azimuths).absolute)
 
 
 def outer_ring(own, end, outside, width, support):
@@ -263,11 +262,9 @@ def test_three_stations_are_nearly_five():
 
 def change(own, load, compliance, part=1.0):
     """How far a part of the compliance brings loads from those between rigid rings, over the largest."""
-    operation, at_balls = (
-        RingOperation(load=load, inner_speed=10000 * RPM),
-        compliance.at(own.bearing.azimuths),
-    )
-    groove = ElasticGroove(at_balls.angles, part * at_balls.absolute)
+    operation = RingOperation(load=load, inner_speed=10000 * RPM)
+    at_balls = compliance.at(own.bearing.azimuths)
+    groove = ElasticGroove(compliance.angles, part * at_balls.absolute)
     rigid, found = own.solve(operation), own.solve(operation, ElasticGrooves(None, groove))
     return np.abs(found.loads - rigid.loads).max() / rigid.loads.max()
 
