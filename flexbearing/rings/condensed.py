@@ -20,9 +20,9 @@ from flexbearing.case.roller import Case
 from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.progress import Report
 from flexbearing.rings.fits import RacewayInFit, inner_ring_in_fit, is_in_fit, outer_ring_in_housing
-from flexbearing.rings.kept import Ahead, condensed_part
 from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway, with_axial_modes
 from flexbearing.rings.resolution import discretisation_of, resolved
+from flexbearing.rings.stored import Ahead, condensed_part
 from flexbearing.rings.supported import (
     RINGS,
     SupportedRaceway,

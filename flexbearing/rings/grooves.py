@@ -24,8 +24,8 @@ from flexbearing.case.balls.ring_room import MARGIN, OUTWARD, Race
 from flexbearing.case.quantity import at_least, in_mm
 from flexbearing.coupling import Raceway, RacewayPair
 from flexbearing.progress import Report
-from flexbearing.rings.kept import Arguments, condensed_part
 from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway
+from flexbearing.rings.stored import Arguments, condensed_part
 from flexbearing.rings.supported import RINGS, SupportedRaceway, line_figures
 from quasidynamic import ImpossiblePart, NotSolved
 from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGrooves

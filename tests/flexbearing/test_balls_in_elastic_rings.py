@@ -13,8 +13,8 @@ from flexbearing.case import BadCase
 from flexbearing.case.read import written
 from flexbearing.families import FAMILIES
 from flexbearing.report.output import text
-from flexbearing.rings import kept
-from flexbearing.rings.kept import condense
+from flexbearing.rings import stored
+from flexbearing.rings.stored import condense
 from flexbearing.runs.ball_catalogue import CATALOGUE
 from flexbearing.runs.catalogue_life import against_catalogue
 from flexbearing.studies.placement import Placement
@@ -127,7 +127,7 @@ def test_a_study_condenses_each_ring_once_before_its_rows(tmp_path, monkeypatch)
         condensed.append(part.thickness)
         return condense(part, *others)
 
-    monkeypatch.setattr(kept, "condense", counted)
+    monkeypatch.setattr(stored, "condense", counted)
     prepared = prepare_source(file)
     table = compute(
         prepared, tmp_path, Placement(jobs=1), tell=lambda now: steps.append((now.done, len(condensed)))

@@ -12,7 +12,7 @@ from fem.errors import NotSolved
 from flexbearing.families import FAMILIES
 from flexbearing.report.output import text
 from flexbearing.results import NotInLayout, ResultFile
-from flexbearing.rings import kept
+from flexbearing.rings import stored
 from tests.flexbearing.noted import texts
 
 SLEWING = Path(__file__).parents[2] / "configs" / "slewing_bolted.toml"
@@ -165,7 +165,7 @@ def test_finite_elements_without_answer_leave_the_rigid_block(tmp_path, monkeypa
     def refuse(*_):
         raise NotSolved("relative residual 1")
 
-    monkeypatch.setattr(kept, "condense", refuse)
+    monkeypatch.setattr(stored, "condense", refuse)
     monkeypatch.setenv("FLEXBEARING_CACHE", str(tmp_path / "rings"))
     result = flexbearing.run(SLEWING, SMALL, output=tmp_path / "r.h5")
     assert result.attributes["status"] == result.attributes["ending"] == "not solved"

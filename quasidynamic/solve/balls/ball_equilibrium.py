@@ -102,7 +102,7 @@ def _damped(
     step, damping = _ball_step(balance, state.balls), np.ones(centres.shape)
     ahead = _along(state.balls.excess, step)
     while count < LIMIT:
-        running = moving.any(axis=1) & (damping >= SHORTEST).all(axis=1)
+        running = np.logical_and(moving.any(axis=1), (damping >= SHORTEST).all(axis=1))
         if not running.any():
             break
         if 2 * running.sum() <= len(running):
