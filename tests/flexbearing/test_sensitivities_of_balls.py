@@ -53,8 +53,8 @@ def errors_over_runs(found, path, settings, step, **choices):
     for key in found.keys:
         again = solved_again(path, key.path, key.stated, key.unit, settings, step, outputs=outputs, **choices)
         slopes = np.array([found[name, key.path].slope for name in outputs])
-        # elasticities below are rounding of the runs
-        floor = 1e-2 * np.array([abs(output.value) for output in found.outputs]) / abs(key.stated)
+        # elasticities below 0.1 to 0.1 of the allowance: derivatives and runs are rounded
+        floor = 0.1 * np.array([abs(output.value) for output in found.outputs]) / abs(key.stated)
         errors.append(np.abs(slopes - again) / np.maximum(np.abs(again), floor))
     return np.array(errors)
 
