@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from quasidynamic.angular_contact import AngularContactBallBearing as AngularContactBallBearing
     from quasidynamic.contact.film.thickness import FORMULAS as FORMULAS
-    from quasidynamic.contact.raceways import Lubrication as Lubrication
+    from quasidynamic.contact.lubrication import Lubrication as Lubrication
     from quasidynamic.contact.traction.adore import AdoreType as AdoreType
     from quasidynamic.contact.traction.measured_curve import FourPointCurve as FourPointCurve
     from quasidynamic.contact.traction.mixed import Mixed as Mixed
@@ -70,7 +70,7 @@ if TYPE_CHECKING:
 EXPORTS = {
     "angular_contact": ("AngularContactBallBearing",),
     "contact.film.thickness": ("FORMULAS",),
-    "contact.raceways": ("Lubrication",),
+    "contact.lubrication": ("Lubrication",),
     "contact.traction.adore": ("AdoreType",),
     "contact.traction.measured_curve": ("FourPointCurve",),
     "contact.traction.mixed": ("Mixed",),

@@ -14,7 +14,8 @@ from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.columns import kind_and_numbers, stacked, with_columns
 from quasidynamic.contact.film import FilmLaw
 from quasidynamic.contact.line import LoadLaw, Slices, gap_rounding, raceway_coefficients, reduced_radius
-from quasidynamic.contact.raceways import Lubrication, Raceways
+from quasidynamic.contact.lubrication import Lubrication
+from quasidynamic.contact.raceways import Raceways
 from quasidynamic.errors import NotSolved
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.equilibrium import Batch, Equilibria, Equilibrium

@@ -5,14 +5,16 @@ from functools import lru_cache
 from hashlib import sha256
 from os.path import exists  # Path.exists raises for names that no file can have
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flexbearing import inputs
 from flexbearing.case import BadCase, Head
 from flexbearing.case.head import digests
 from flexbearing.quantities.attributes import EFFECTS
 from flexbearing.quantities.forms import TEXT, Record
-from flexbearing.results.attributes import Checked, plain
+
+if TYPE_CHECKING:
+    from flexbearing.results.attributes import Checked
 
 ENDING = ".effects.json"
 LARGEST = 10_000_000  # bytes
@@ -59,8 +61,10 @@ def attributes(case: Head) -> dict[str, Any]:
 
 
 @lru_cache(maxsize=4)
-def _understood(content: bytes) -> tuple[str, Checked]:
+def _understood(content: bytes) -> tuple[str, "Checked"]:
     """Digest and effects of a file; many runs have the same."""
+    from flexbearing.results.attributes import Checked, plain  # loads h5py, which a new case does without
+
     try:
         found = json.loads(content)
     except (ValueError, RecursionError) as problem:

@@ -1,6 +1,5 @@
 """Sliced rollers on both raceways: load, traction, rolling shear, film."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -8,10 +7,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.contact.film import FORMULAS, Film, FilmFormula, FilmLaw, starved_film
+from quasidynamic.contact.film import Film, FilmLaw, starved_film
 from quasidynamic.contact.line import EXPONENT, SMALLEST_LOAD, LoadLaw, Slices
-from quasidynamic.contact.traction import Regression4109, RollingShear, TractionLaw, biboulet_houpert
-from quasidynamic.errors import ImpossiblePart, require_positive
+from quasidynamic.contact.lubrication import Lubrication
+from quasidynamic.contact.traction import RollingShear, TractionLaw
 from quasidynamic.parts.oil_properties import Lubricant
 
 
@@ -31,28 +30,6 @@ class RacewayState(NamedTuple):
     traction_by_film: NDArray  # (2, C, Z) [N/m]
     rolling: RollingShear  # (2, C, Z) each
     film: Film  # (2, C, Z) each; derivatives by load [m/N] instead of line load
-
-
-@dataclass(frozen=True, kw_only=True)
-class Lubrication:
-    """An oil, and what is assumed of it."""
-
-    oil: Lubricant
-    oil_fraction: float  # [-] volume share of oil in the mixture around the rollers
-    traction: Callable[..., TractionLaw] = Regression4109  # called with radius, modulus, length, oil
-    film: FilmFormula = FORMULAS["dowson"]
-    rolling: Callable[..., RollingShear] = biboulet_houpert
-    inlet_heating: bool = True
-    inlet_length: float | None = None  # [-] of the meniscus formula of starvation; None: flooded
-    drag_coefficient: float | None = None  # [-] of a roller across the mixture; None: by Reynolds number
-    churning_gap: float | None = None  # [m] around the spinning rollers; None: no churning torque
-
-    def __post_init__(self):
-        if not 0.0 <= self.oil_fraction <= 1.0:
-            raise ImpossiblePart(f"oil_fraction = {self.oil_fraction} must be in [0, 1]")
-        for name in ("inlet_length", "drag_coefficient", "churning_gap"):
-            if getattr(self, name) is not None:
-                require_positive(name, getattr(self, name))
 
 
 @dataclass(frozen=True, kw_only=True)

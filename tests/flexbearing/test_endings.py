@@ -9,7 +9,7 @@ import pytest
 import flexbearing
 from flexbearing.__main__ import command
 from flexbearing.coupling import PartnerFailed
-from flexbearing.rings import condensed
+from flexbearing.rings import stored
 from flexbearing.rings.raceways import CondensedRaceway
 from quasidynamic import NotSolved, RollerBearing, roller
 from quasidynamic.solve.rollers import settled_time, strategy
@@ -93,8 +93,8 @@ def test_elements_that_find_no_memory_are_an_ending_of_their_own(monkeypatch, tm
     def exhausted(*given, **named):
         raise MemoryError("std::bad_alloc")
 
-    monkeypatch.setattr(condensed, "condense", exhausted)
-    monkeypatch.setattr(condensed, "_in_memory", condensed._in_memory.__wrapped__)
+    monkeypatch.setattr(stored, "condense", exhausted)
+    monkeypatch.setattr(stored, "_in_memory", stored._in_memory.__wrapped__)
     result = flexbearing.run(PAPER, BEAM, output=tmp_path / "r.h5")
     assert result.attributes["status"] == "not solved"
     assert "outer ring: there is not enough memory" in result.attributes["message"]

@@ -2,12 +2,12 @@
 
 import numpy as np
 import pytest
-from flexbearing.report.card.of_result import of_result
 from pytest import approx
 
 import flexbearing
 from flexbearing.api import check, read_case, sensitivities
 from flexbearing.case import BadCase
+from flexbearing.report.card import of_result
 from tests.flexbearing.noted import codes
 
 DEEP = "configs/6209.toml"

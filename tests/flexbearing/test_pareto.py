@@ -22,7 +22,7 @@ from flexbearing.coupling import PartnerFailed
 from flexbearing.files import NotStored
 from flexbearing.progress import Logged
 from flexbearing.report.studies.pareto_table import Measured, Study, cheapest, draw_pareto, front, table, text
-from flexbearing.rings import condensed
+from flexbearing.rings import condensed, stored
 from flexbearing.studies import pareto, pareto_levels
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.pareto import Timed
@@ -147,7 +147,7 @@ def test_smeared_bars_are_kept_apart_from_true_ones(monkeypatch):
     """On one mesh both are made from the same data."""
     asked = []
     keeper = SimpleNamespace(cached=lambda kind, parts, *_: asked.append(digest(parts)))
-    monkeypatch.setattr(condensed, "configured", lambda: keeper)
+    monkeypatch.setattr(stored, "configured", lambda: keeper)
     same = {"accuracy.element_order": 3, "accuracy.mesh_size": "3 mm", "accuracy.raceway_mesh_size": "2 mm"}
     for structure in ("smeared", "harmonics"):
         case = read_case(CONFIGS / "mao2016.toml", {**same, "accuracy.structure": structure})

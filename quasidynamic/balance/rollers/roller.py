@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.columns import stacked, taken
 from quasidynamic.contact.drag import churning_torque, orbit_drag_force
-from quasidynamic.contact.raceways import Lubrication, Raceways, RacewayState
+from quasidynamic.contact.lubrication import Lubrication
+from quasidynamic.contact.raceways import Raceways, RacewayState
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 POCKET_ROUNDING = 1e-3  # of the smallest load of a roller: width over which the pocket force changes side
