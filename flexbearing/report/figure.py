@@ -15,6 +15,7 @@ DARK, GREY, PALE, LIGHT = "#4a535d", "#8a939d", "#c0c4cc", "#66aad1"
 
 WIDE = 100  # highest over lowest value of a logarithmic scale
 BAND = 0.18  # opacity of a band
+ROUNDING = 1e-9  # in units of an axis: where nothing is larger it ends at one, and not at digits of rounding
 
 Value = float | str | None  # a number, a category, or nothing, which leaves a gap
 Values = Sequence[Value]
@@ -124,6 +125,12 @@ class Figure:
     items: tuple[Item, ...]
     equal: bool = False  # one scale for both axes
     tall: bool = False  # room for a long legend
+
+    def __post_init__(self):
+        values = [y for line in self.lines for y in line.y if isinstance(y, float)]
+        only_lines = len(self.lines) == sum(not isinstance(item, Rule) for item in self.items)
+        if only_lines and self.y == Axis(self.y.label) and max(map(abs, values), default=1.0) < ROUNDING:
+            object.__setattr__(self, "y", Axis(self.y.label, ends=(-1.0, 1.0)))
 
     @property
     def lines(self) -> tuple[Line, ...]:

@@ -49,3 +49,11 @@ def test_ticks_are_those_of_the_axis(scale):
     assert [text for tick, text in shown if low <= tick <= high] == [f"{tick:g}" for tick in inside]
     assert not np.size(axis.get_minorticklocs())
     assert layout(figure)["xaxis"]["tickvals"] == figure.x.ticks
+
+
+def test_rounding_is_not_drawn_as_a_shape():
+    """Angles of 1e-20 degrees filled a panel."""
+    rounded = Figure("angles", "angles", Axis("x"), Axis("angle [deg]"), (Line((0.0, 1.0), (1e-20, -3e-20)),))
+    assert rounded.y.ends == (-1.0, 1.0)
+    small = Figure("strains", "strains", Axis("x"), Axis("strain"), (Line((0.0, 1.0), (1e-6, -3e-6)),))
+    assert small.y.ends is None
