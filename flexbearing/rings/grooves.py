@@ -24,9 +24,7 @@ from flexbearing.case.balls.ring_room import MARGIN, OUTWARD, Race
 from flexbearing.case.quantity import at_least, in_mm
 from flexbearing.coupling import Raceway, RacewayPair
 from flexbearing.progress import Report
-from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway
 from flexbearing.rings.stored import Arguments, condensed_part
-from flexbearing.rings.supported import RINGS, SupportedRaceway, line_figures
 from quasidynamic import ImpossiblePart, NotSolved
 from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGrooves
 
@@ -154,6 +152,10 @@ def require_held(case: FastCase, load: complex) -> None:
 
 
 def _raceway(case: BallCase, shape: GrooveShape | None, azimuths: NDArray, report: Report) -> Raceway:
+    # a case is checked without what knows rollers
+    from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway
+    from flexbearing.rings.supported import RINGS, SupportedRaceway, line_figures
+
     if shape is None:
         return RigidRaceway(azimuths)
     with _named(case, shape.race):
