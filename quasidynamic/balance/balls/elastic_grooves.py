@@ -11,7 +11,7 @@ from quasidynamic.balance.balls.ball_position import Vectors
 from quasidynamic.errors import ImpossiblePart
 
 FURTHEST = 0.15  # [rad] beyond the outermost stations to which a groove is extrapolated at most
-GROWTH = 4.0  # of the Chebyshev polynomial that shares of as many stations grow like, at most there
+GROWTH = 12.0  # of the Chebyshev polynomial that shares of as many stations grow like, at most there
 SYMMETRIC = 1e-7  # allowed difference of a compliance from its mirror image, over the largest entry: rounding
 
 
