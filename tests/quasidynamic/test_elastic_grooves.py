@@ -76,7 +76,7 @@ def test_beyond_its_stations_a_groove_is_as_stiff_as_there():
 
 @pytest.mark.parametrize("count", [3, 5, 7, 9, 15])
 def test_many_stations_are_not_extrapolated_as_far_as_few(count):
-    """Shares of 9 stations would be 19 as far out as those of 3 are 1.3; seven found no balance of a thin ring."""
+    """Shares of 9 stations would be 19 as far out as those of 3 are 1.3; a thin ring found no balance."""
     angles = np.radians(43 * np.sin(np.pi / 2 * np.linspace(-1, 1, count)))
     groove = ElasticGroove(angles, np.zeros((1, count, 1, count)))
     assert np.abs(groove.shares(np.array([[1.4]])).share).max() < 4
