@@ -10,7 +10,7 @@ from flexbearing.coupling import PartnerFailed, StoppingCriterion, newton
 from flexbearing.coupling.partners import Compliance
 from flexbearing.rings.grooves import SupportedGrooves
 from quasidynamic import AngularContactBallBearing, AngularContactState, NotSolved, RingOperation
-from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGrooves, lagrange
+from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGrooves, StationShares
 
 CRITERION = StoppingCriterion(tolerance=1e-8, limit=100)
 
@@ -27,11 +27,11 @@ class BallState:
     @classmethod
     def of(cls, state: AngularContactState, angles: NDArray) -> "BallState":
         """Balls in a state, stations at angles (2, K) [rad]."""
-        forces = []
-        for race, stations in enumerate(angles):
-            share, slope, _ = lagrange(stations, state.contact_angles[race])
-            forces.append(share * state.loads[race, :, None] + slope * state.tractions[race, :, None])
-        return cls(state, np.array(forces))
+        at = state.contact_angles
+        normal, tangent = np.stack([np.sin(at), np.cos(at)], -1), np.stack([np.cos(at), -np.sin(at)], -1)
+        pressed = state.loads[..., None] * normal + state.tractions[..., None] * tangent
+        by_vector = [StationShares.of(*race).by_vector for race in zip(angles, at, strict=True)]
+        return cls(state, (np.array(by_vector) @ pressed[..., None])[..., 0])
 
     def failure(self) -> str:
         """None: balls are in balance."""

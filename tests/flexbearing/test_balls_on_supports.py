@@ -2,6 +2,7 @@
 
 from math import cos, radians, sin
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,10 +12,11 @@ import flexbearing
 from flexbearing.api import check, read_case
 from flexbearing.case import BadCase
 from flexbearing.case.read import written
-from flexbearing.coupled.balls import equilibrium
+from flexbearing.coupled.balls import BallState, equilibrium
 from flexbearing.progress import Silent
 from flexbearing.rings.grooves import elastic_grooves, parts, supported_grooves
 from flexbearing.runs.angular_contact import bearing, operation
+from quasidynamic.balance.balls.elastic_grooves import ElasticGroove
 from tests.fem import test_ring_on_matrix as matrices, written_matrices as write
 from tests.flexbearing.noted import codes
 
@@ -136,3 +138,19 @@ def test_springs_written_as_a_matrix_are_a_foundation(tmp_path, monkeypatch):
     loads = result.flexible["contact_load"]
     assert loads == approx(known["contact_load"], rel=0, abs=2e-3 * loads.max())
     assert np.abs(loads - result.rigid["contact_load"]).max() > 2e-2 * loads.max()
+
+
+def test_balls_beyond_the_stations_press_supports_as_they_press_their_groove():
+    """Their shares grew without end there."""
+    stations, at = np.radians([-25.0, 0.0, 25.0]), np.radians([[60.0, 5.0], [-50.0, 20.0]])
+    state = SimpleNamespace(
+        contact_angles=at, loads=np.full((2, 2), 1000.0), tractions=np.array([[3.0, -5.0], [7.0, 2.0]])
+    )
+    forces = BallState.of(state, np.array([stations, stations])).forces
+    groove = ElasticGroove(stations, np.zeros((2, 3, 2, 3)))
+    for race in range(2):
+        vectors = (state.loads[race] - 1j * state.tractions[race]) * (
+            np.sin(at[race]) + 1j * np.cos(at[race])
+        )
+        pairs = np.stack([vectors.real, vectors.imag], -1)
+        assert forces[race] == approx((groove.shares(at[race]).by_vector @ pairs[..., None])[..., 0])

@@ -50,11 +50,7 @@ class ElasticGroove:
 
     def shares(self, angles: NDArray) -> "StationShares":
         """Shares of the stations at contact angles (C, Z) [rad]."""
-        least, most = extrapolated(self.angles)
-        at = np.clip(angles, least, most)
-        share, slope, bend = lagrange(self.angles, at)
-        inside = (angles > least) & (angles < most)
-        return StationShares(at, share, slope, np.where(inside[..., None], share + bend, 0.0))
+        return StationShares.of(self.angles, angles)
 
 
 def extrapolated(angles: NDArray | tuple[float, ...]) -> tuple[float, float]:
@@ -106,6 +102,15 @@ class StationShares(NamedTuple):
     share: NDArray  # (C, Z, K) c [-]
     slope: NDArray  # (C, Z, K) c' [-]
     turn: NDArray  # (C, Z, K) c + c'' [-]
+
+    @classmethod
+    def of(cls, stations: NDArray, angles: NDArray) -> "StationShares":
+        """Shares of stations (K) at contact angles (..., Z), as there beyond `extrapolated` [rad]."""
+        least, most = extrapolated(stations)
+        at = np.clip(angles, least, most)
+        share, slope, bend = lagrange(stations, at)
+        inside = (angles > least) & (angles < most)
+        return cls(at, share, slope, np.where(inside[..., None], share + bend, 0.0))
 
     @property
     def by_vector(self) -> NDArray:
