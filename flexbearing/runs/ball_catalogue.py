@@ -220,5 +220,5 @@ def load(case: FastCase) -> float:
 CATALOGUE = Catalogue(
     RATING, influences, require_load, ratings, ball_life.ratings, oil,
     ball_life.rated, ball_life.rated_kappa, load, lambda case: BALL_EXPONENT,
-    lambda case: 1.0,
+    lambda case: 1.0, ball_life.dynamic,
 )  # fmt: skip

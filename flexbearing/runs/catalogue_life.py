@@ -39,6 +39,7 @@ class Catalogue:
     load: Callable[[Any], float]  # equivalent load of ISO 281 [N], of a case whose forces are known
     exponent: Callable[[Any], float]  # of this load in the life of a case
     rating_factor: Callable[[Any], float]  # C_r of such a life over that of the case
+    dynamic: Callable[[Any], float]  # C_r of a case [N]
 
     def acting(self, case: Any, read: Callable[[Sequence[str]], Any]) -> list[Influence]:
         """Influences that a case has anything of, with the settings that change it."""

@@ -147,9 +147,9 @@ def require_load(case: Case) -> None:
 def ratings(case: Case, hours: float) -> dict[str, Any]:
     """What a catalogue's page says, and what it says of the load."""
     bearing, load = roller_bearing.bearing(case).bearing, case.operation.radial_load
-    dynamic, static = life.dynamic(case, bearing), life.static(case, bearing)
-    lived = float(rating_life(dynamic, load))
-    found = {"C_r": dynamic, "C_0r": static, "C_u": life.fatigue_limit(case, bearing)}
+    rating, static = life.dynamic(case, bearing), life.static(case, bearing)
+    lived = float(rating_life(rating, load))
+    found = {"C_r": rating, "C_0r": static, "C_u": life.fatigue_limit(case, bearing)}
     drawn = roller_bearing.nominal(case, bearing)
     stated = life.ratings(case, bearing)
     formulas = {LETTERS[name]: formula(drawn) for name, formula in life.FORMULAS.items()}
@@ -210,8 +210,13 @@ def given(case: Case) -> dict[str, Rating]:
     return life.ratings(case, roller_bearing.parts(case))
 
 
+def dynamic(case: Case) -> float:
+    """C_r of the case [N]."""
+    return life.dynamic(case, roller_bearing.parts(case))
+
+
 CATALOGUE = Catalogue(
     RATING, influences, require_load, ratings, given, oil,
     rated, viscosity_ratio, attrgetter("operation.radial_load"), life.exponent,
-    life.rating_factor,
+    life.rating_factor, dynamic,
 )  # fmt: skip

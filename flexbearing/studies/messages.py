@@ -135,6 +135,8 @@ def _cycle(row: Mapping[str, Any]) -> Iterator[str]:
     yield f"mean speed {row['mean_speed [rpm]']:.6g} rpm"
     if not isnan(row.get("mean_load [N]", nan)):
         yield f"mean equivalent load (ISO 281) {row['mean_load [N]']:.5g} N"
+    if not isnan(row.get("rating_life [h]", nan)) and row["kind"] != "catalogue L10":
+        yield f"catalogue L10 life (C/P)^p{_hours(row['rating_life [h]'])}"
     if not isnan(row.get("required_rating [N]", nan)):
         yield f"required C {row['required_rating [N]']:.5g} N"
     if not isnan(row.get("binning_error [%]", nan)):

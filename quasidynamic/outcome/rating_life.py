@@ -13,18 +13,18 @@ ROLLERS, BALLS, SELF_ALIGNING_BALLS = 4.0e9, 4.2e9, 4.6e9
 LINE, POINT = 2.0, 3.0  # pressure to this power goes with the load
 
 
-def rating_life(rating: float, load: ArrayLike, exponent: float = ROLLER_EXPONENT) -> Any:
+def rating_life(rating: ArrayLike, load: ArrayLike, exponent: ArrayLike = ROLLER_EXPONENT) -> Any:
     r"""Basic rating life.
 
     .. math:: L_{10} = (C_r / P_r)^p
 
     Parameters
     ----------
-    rating : float
+    rating : float or array (...)
         C_r, dynamic load rating [N]
     load : float or array (...)
         P_r, equivalent radial load [N], >= 0
-    exponent : float
+    exponent : float or array (...)
         p [-]
 
     Returns
@@ -41,7 +41,7 @@ def rating_life(rating: float, load: ArrayLike, exponent: float = ROLLER_EXPONEN
     Ordinary clearance, aligned rings that stay round, loads up to about C_r / 2, no skidding.
     """
     with np.errstate(divide="ignore"):
-        return (rating / np.asarray(load, dtype=float))[()] ** exponent
+        return (np.asarray(rating) / np.asarray(load, dtype=float))[()] ** np.asarray(exponent)
 
 
 def required_rating(load: ArrayLike, life: ArrayLike, exponent: ArrayLike = ROLLER_EXPONENT) -> Any:

@@ -11,7 +11,7 @@ from pytest import approx
 import flexbearing
 from flexbearing.api import check
 from flexbearing.case import BadCase
-from flexbearing.runs import ball_life
+from flexbearing.runs import ball_life, roller_catalogue
 from flexbearing.studies.file.spectrum import Spectrum
 from flexbearing.studies.idle import LEAST_FACTOR
 from flexbearing.studies.plan import Row
@@ -433,6 +433,9 @@ def test_the_required_rating_has_the_required_life(tmp_path, reduced, exponent):
 def test_the_mean_load_is_without_the_application_factor(reliabilities):
     mean = (0.75 * 8000 ** (10 / 3) + 0.25 * 5000 ** (10 / 3)) ** 0.3
     assert reliabilities["mean_load"].values == approx([mean, mean], rel=1e-12)
+    turns = (roller_catalogue.dynamic(check(ROLLERS)) / mean) ** (10 / 3) * 1e6
+    hours = turns / (60 * reliabilities["mean_speed"].values[0])
+    assert reliabilities["rating_life"].values == approx([hours, hours], rel=1e-12)
 
 
 def test_a_variant_whose_load_is_not_known_leaves_that_of_others(tmp_path):

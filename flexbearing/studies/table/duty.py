@@ -25,7 +25,7 @@ from quasidynamic.outcome.load_spectrum import (
     revolution_shares,
     time_shares,
 )
-from quasidynamic.outcome.rating_life import required_rating
+from quasidynamic.outcome.rating_life import rating_life, required_rating
 
 NONE = -1  # of a row that needs no bound, or has none
 
@@ -70,12 +70,14 @@ class Catalogued:
     loads: NDArray  # (C, N) equivalent load of each row [N]; NaN where it is not known
     exponent: NDArray  # (C) of the loads in the life [-]
     factors: NDArray  # (C, N) life over (C_r/P)^p: a_1 of the reliability, with C_r of the life [-]
+    ratings: NDArray  # (C, N) dynamic rating C_r [N]
     life: float | None = None  # that is required [s]
     application_factor: float = 1.0  # on the loads, for the required rating
 
     def columns(self, revolutions: NDArray, speed: NDArray) -> Iterator[Column]:
-        """Mean equivalent load and, where a life is required, that life and the dynamic rating for it."""
+        """Mean equivalent load and the life (C/P)^p; where one is required, that life and C for it."""
         yield _column("mean_load", "N", mean_load(revolutions, self.loads, self.exponent))
+        yield _column("rating_life", "h", self._rating_life(revolutions) * 2 * pi / speed / HOUR)
         if self.life is not None:
             of_basic_life = (
                 self.application_factor * self.loads / self.factors ** (1 / self.exponent[:, None])
@@ -84,6 +86,12 @@ class Catalogued:
             turns = self.life * speed / (2 * pi) / MREV
             yield _column("required_rating", "N", required_rating(mean, turns, self.exponent))
             yield _column("required_life", "h", np.full(mean.shape, self.life / HOUR))
+
+    def _rating_life(self, revolutions: NDArray) -> NDArray:
+        """Life (C) of (C_r/P)^p alone [rev]; NaN where a load is not known."""
+        return cumulated_life(
+            revolutions, rating_life(self.ratings, self.loads, self.exponent[:, None]) * MREV
+        )
 
 
 @dataclass(frozen=True)
@@ -271,7 +279,7 @@ def _listed(rows: NDArray) -> str:
 
 
 LOADS = "operation.radial_load", "operation.moment", "operation.load."  # keys, and a table of balls
-IDLE = 0.0, 1.0, 1.0  # load, a_1 and exponent of a row without damage; other exponents are larger
+IDLE = 0.0, 1.0, 1.0, 1.0  # load, a_1, exponent, C_r of a row without damage; other exponents are larger
 
 
 def is_load(key: str) -> bool:
@@ -320,15 +328,15 @@ def catalogued(
         return None
     of = family.catalogue()
     each = [IDLE if variant.idle else _required(of, case_of(variant)) for variant in plan.variants]
-    loads, factors, exponents = np.array(each).T.reshape(3, -1, len(plan.axes[-1].rows))
+    loads, factors, exponents, ratings = np.array(each).T.reshape(4, -1, len(plan.axes[-1].rows))
     if not np.any(loads > 0):
         return None
     exponent = exponents.max(axis=1)
-    return Catalogued(loads, exponent, factors, spectrum.required, spectrum.application_factor)
+    return Catalogued(loads, exponent, factors, ratings, spectrum.required, spectrum.application_factor)
 
 
-def _required(catalogue: Any, case: Any) -> tuple[float, float, float]:
-    """Equivalent load [N], NaN where not known beforehand, life over (C_r/P)^p, and p.
+def _required(catalogue: Any, case: Any) -> tuple[float, float, float, float]:
+    """Equivalent load [N], NaN where not known beforehand, life over (C_r/P)^p, p, and C_r [N].
 
     That factor is a_1 of the reliability, with a C_r that leaves the stress reduction out.
     """
@@ -337,10 +345,15 @@ def _required(catalogue: Any, case: Any) -> tuple[float, float, float]:
     exponent = catalogue.exponent(case)
     factor = catalogue.rating_factor(case) ** exponent
     factor *= prod(float(each.value) for each in of_reliability(case.life))
+    return _known(catalogue.load, case), factor, exponent, _known(catalogue.dynamic, case)
+
+
+def _known(quantity: Callable[[Any], float], case: Any) -> float:
+    """A quantity of a case; NaN out of the range of its formula."""
     try:
-        return catalogue.load(case), factor, exponent
+        return quantity(case)
     except OutOfRange:
-        return nan, factor, exponent
+        return nan
 
 
 def conditions(keys: Sequence[str], rows: Sequence[Variant]) -> Conditions:
