@@ -367,6 +367,20 @@ def test_attributes_of_rows_are_not_used_by_their_namesakes_of_the_bearing(tmp_p
     assert left == {"shaft": ("rotational_speed",)}  # the ring has its own speed
 
 
+def test_a_second_measure_of_time_and_a_casing_that_no_bearing_asks_are_named(tmp_path):
+    root = spectrum_of()
+    for case, hours in zip(root.iter("load_case"), ("300", "700"), strict=True):
+        unit, bearing, *_ = case.findall("component")
+        unit.append(of_name("operating_time", hours, "h"))
+        bearing.append(of_name("temperature_lubricant", "80", "C"))
+    (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(root))
+    model = read(tmp_path / "m.rexs")
+    bearing, parts = model.parts["3"], [model.parts[number] for number in "15"]
+    left = unused_around(model, [bearing], parts)
+    assert left == {"gear_unit": ("operating_time",), "gear_casing": ("temperature_lubricant",)}
+    assert [point.shares["%"] for point in bearing_of(model, bearing).points] == [30, 70]
+
+
 def test_an_oil_of_the_gear_unit_alone_is_named_with_the_unit(written, tmp_path):
     text = (HERE / "surroundings_1.4.rexs").read_text()
     (tmp_path / "m.rexs").write_text(

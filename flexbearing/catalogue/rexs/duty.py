@@ -8,7 +8,7 @@ from flexbearing.case.declarations import toml
 from flexbearing.catalogue.entries import LIKES
 from flexbearing.catalogue.new import one_line
 from flexbearing.catalogue.rexs.bearings import Bearing
-from flexbearing.catalogue.rexs.operation import SHARES, Point
+from flexbearing.catalogue.rexs.operation import Point, measure_of
 from flexbearing.files import as_csv, require_outputs, write
 
 COMPLETE = 0.5  # [%] by how much a sum of percentages may be off, as studies allow
@@ -77,9 +77,9 @@ def _lacking(bearing: Bearing, columns: Mapping[str, list[float | None]]) -> str
     shares = [point.shares for point in bearing.points]
     if "dynamic_rating" not in LIKES[bearing.like].taken:
         return f"a {bearing.like} has no life"
-    if not any(all(unit in each for each in shares) for unit in SHARES):
+    if (measure := measure_of(shares)) is None:
         return "not all have a share of the time (load_duration_fraction, operating_time_fraction)"
-    if min(min(each.values()) for each in shares) < 0 or not any(max(each.values()) for each in shares):
+    if min(each[measure] for each in shares) < 0 or not any(each[measure] for each in shares):
         return "their shares of the time are below zero, or none is above it"
     for name, words in (("load", "force on the bearing"), ("axial", "axial force"), ("speed", "speed")):
         if None in columns.get(name, ()):
@@ -89,7 +89,7 @@ def _lacking(bearing: Bearing, columns: Mapping[str, list[float | None]]) -> str
 
 def _shares(points: tuple[Point, ...]) -> tuple[str, list[float], float]:
     """Heading and shares of the time, and their sum."""
-    measure = next(unit for unit in SHARES if all(unit in point.shares for point in points))
+    measure = measure_of([point.shares for point in points]) or "%"
     shares = [point.shares[measure] for point in points]
     total = fsum(shares)
     complete = measure != "%" or abs(total - 100) <= COMPLETE

@@ -1,6 +1,6 @@
 """Loads, speed and temperature of a bearing in the load cases of a gearbox model."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import copysign, hypot
 
@@ -95,7 +95,8 @@ def _point(model: Model, bearing: Part, casing: Part | None, number: int) -> Poi
         temperature = model.loaded(casing, number).number_of("temperature_lubricant", "C")
     used = {*of_force, "temperature_lubricant"}
     used |= {"speed_inner_ring", "speed_outer_ring"} if speeds else set()
-    return Point(_shares(model, number), radial, axial, speeds, temperature, frozenset(used))
+    shares = _shares(_gear_unit(model, number)) if number < len(model.load_cases) else {}
+    return Point(shares, radial, axial, speeds, temperature, frozenset(used))
 
 
 def _forces(bearing: Part) -> tuple[float | None, float | None, tuple[str, ...]]:
@@ -157,20 +158,46 @@ def casing_of(model: Model, bearing: Part) -> Part | None:
     return found[0] if len(found) == 1 else None
 
 
-def _shares(model: Model, number: int) -> dict[str, float]:
+def measure_of(shares: Sequence[Mapping[str, float]]) -> str | None:
+    """The unit of the shares of the time that a duty cycle takes: the first that all load cases have."""
+    return next((unit for unit in SHARES if shares and all(unit in each for each in shares)), None)
+
+
+def used_shares(model: Model) -> set[str]:
+    """Attributes of gear units that shares of the time of several load cases are read from."""
+    units = [_gear_unit(model, number) for number in range(len(model.load_cases))]
+    measure = measure_of([_shares(unit) for unit in units]) if len(units) > 1 else None
+    return {name for unit in units for name, _ in _share(unit, measure)} if measure else set()
+
+
+def used_temperature(model: Model, bearing: Part) -> Iterator[tuple[str, str]]:
+    """Number of the casing with the attribute whose oil a bearing without a temperature of its own has."""
+    casing, name = casing_of(model, bearing), "temperature_lubricant"
+    cases = range(max(len(model.load_cases), 1))
+    if casing and not all(name in model.loaded(bearing, number).attributes for number in cases):
+        yield casing.number, name
+
+
+def _gear_unit(model: Model, number: int) -> Part | None:
+    """The gear unit with its attributes of a load case."""
+    return next(
+        (
+            part
+            for name, part in model.load_cases[number].items()
+            if name in model.parts and model.parts[name].kind == GEAR_UNIT
+        ),
+        None,
+    )
+
+
+def _shares(unit: Part | None) -> dict[str, float]:
     """Shares of the time of a load case by unit, given for the gear unit."""
-    if number >= len(model.load_cases):
-        return {}
-    units = [
-        part
-        for name, part in model.load_cases[number].items()
-        if name in model.parts and model.parts[name].kind == GEAR_UNIT
-    ]
-    return dict(_share(units[0])) if units else {}
+    return {measure: value for measure in SHARES for _, value in _share(unit, measure)}
 
 
-def _share(unit: Part) -> Iterator[tuple[str, float]]:
-    for measure, names in SHARES.items():
-        for name in names:
-            if (value := unit.number_of(name, measure)) is not None:
-                yield measure, value
+def _share(unit: Part | None, measure: str) -> Iterator[tuple[str, float]]:
+    """The attribute that a share is read from, and the share; none where the unit has none."""
+    for name in SHARES[measure]:
+        if unit is not None and (value := unit.number_of(name, measure)) is not None:
+            yield name, value
+            return

@@ -3,7 +3,14 @@
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
-from flexbearing.catalogue.rexs.operation import CASING, GEAR_UNIT, SHARES, carriers, used_speeds
+from flexbearing.catalogue.rexs.operation import (
+    CASING,
+    GEAR_UNIT,
+    carriers,
+    used_shares,
+    used_speeds,
+    used_temperature,
+)
 from flexbearing.catalogue.rexs.parts import Model, Part
 from flexbearing.printable import excerpt
 
@@ -20,10 +27,6 @@ PLACE = {  # of a component in its gearbox
     "u_axis_vector", "w_axis_vector", "support_vector", "reference_component_for_position",
     "u_coordinate_on_shaft_inner_side", "u_coordinate_on_shaft_outer_side",
 }  # fmt: skip
-USED = {  # of components around all bearings
-    GEAR_UNIT: {name for names in SHARES.values() for name in names},
-    CASING: {"temperature_lubricant"},
-}
 SECTIONS = BELOW[0], BELOW[2]  # relations to what a shaft or a casing is made of, not to gears on it
 READ = {"side", *(relation for relation, _, _ in BELOW)}  # relations
 
@@ -81,7 +84,7 @@ def around(model: Model, bearings: Sequence[Part], belongings: Collection[str]) 
     list of Part
     """
     seats = [each for part in bearings for ring in ("inner", "outer") for each in carriers(model, part, ring)]
-    units = [each for each in model.parts.values() if each.kind in (*USED, "lubricant")]
+    units = [each for each in model.parts.values() if each.kind in (GEAR_UNIT, CASING, "lubricant")]
     found = belonging(model, *units, *seats, below=SECTIONS)
     return [each for each in found if each.number not in belongings]
 
@@ -90,9 +93,10 @@ def unused_around(
     model: Model, bearings: Sequence[Part], parts: Sequence[Part]
 ) -> dict[str, tuple[str, ...]]:
     """Attributes of the components `around` bearings that no case takes."""
-    used = {part.number: {*USED.get(part.kind, ())} for part in parts}
+    shares = used_shares(model)
+    used = {part.number: {*shares} if part.kind == GEAR_UNIT else set[str]() for part in parts}
     for bearing in bearings:
-        for number, attribute in used_speeds(model, bearing):
+        for number, attribute in (*used_speeds(model, bearing), *used_temperature(model, bearing)):
             used.setdefault(number, set()).add(attribute)
     return unused_by_kind(model, parts, used)
 
