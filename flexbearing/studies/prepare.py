@@ -59,6 +59,8 @@ def prepare(
     if study.spectrum and study.spectrum.measure == "revolutions":
         _require_turning(study, planned)
     elastic, first = any(variant.rings for variant in planned.variants), _first(planned)
+    if study.spectrum and study.spectrum.life == "modified_life":
+        _require_modified(study, planned, first)
     planned = replace(
         planned, side_by_side=not study.full and _is_side_by_side(first), in_cells=_is_in_cells(first)
     )
@@ -81,6 +83,16 @@ def _require_turning(study: Study, planned: Plan) -> None:
                 f"{study.path.name}: [duty] row {row + 1} is at standstill and has a share of the "
                 "revolutions; give shares of the time"
             )
+
+
+def _require_modified(study: Study, planned: Plan, case: Head | None) -> None:
+    """Refuse the modified life of cases whose life nothing modifies."""
+    life = getattr(case, "life", None)
+    if life and life.is_basic and not any(key.startswith("life.") for key in planned.base.keys):
+        raise BadCase(
+            f'{study.path.name}: [duty] life = "modified_life": nothing modifies the life of the case; '
+            'give [life] lubrication or reliability, or life = "life_L10"'
+        )
 
 
 def _checked(base: Base, rows: Sequence[Values], *, cycle: bool) -> list[Variant | Impossible]:

@@ -430,6 +430,13 @@ def test_the_required_rating_has_the_required_life(tmp_path, reduced, exponent):
     assert hours == approx(10000, rel=1e-9)
 
 
+def test_a_modified_life_that_nothing_modifies_is_refused(tmp_path):
+    file = duty_of(tmp_path, (8000, 5000), (3000, 1000), 'life = "modified_life"', case=CASE)
+    file.write_text(file.read_text().replace("load.radial_z", "radial_load"))
+    with pytest.raises(BadCase, match=r"\[duty\] life"):
+        prepare_source(file)
+
+
 def test_the_mean_load_is_without_the_application_factor(reliabilities):
     mean = (0.75 * 8000 ** (10 / 3) + 0.25 * 5000 ** (10 / 3)) ** 0.3
     assert reliabilities["mean_load"].values == approx([mean, mean], rel=1e-12)
