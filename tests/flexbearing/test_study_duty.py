@@ -521,6 +521,25 @@ def test_bins_have_the_damage_and_the_revolutions_of_their_rows(tmp_path):
     assert np.all(np.array(study.spectrum.bin_errors) >= -1e-12)
 
 
+@pytest.mark.parametrize("measure", ["time [h]", "revolutions"])
+def test_rows_with_shares_are_sorted_into_bins_as_those_of_a_series(tmp_path, measure):
+    file, loads, speeds = random_series(tmp_path, 500, "bins = 12")
+    series = prepare_source(file).study
+    weights = np.ones(500) if measure == "time [h]" else np.abs(speeds)
+    rows = zip(weights, loads, speeds, strict=True)
+    lines = [f"{measure},operation.radial_load [N],operation.inner_speed [rpm]"]
+    (tmp_path / "measured.csv").write_text("\n".join(lines + [",".join(map(str, row)) for row in rows]))
+    file.write_text(file.read_text().replace("series", "file"))
+    study = prepare_source(file).study
+    found, expected = (
+        np.array([float(load.split()[0]) for load, speed in each.axes[0].rows if float(speed.split()[0])])
+        for each in (study, series)
+    )
+    assert np.sort(found) == approx(np.sort(expected), rel=1e-12)
+    assert study.spectrum.measured == 500
+    assert study.spectrum.measure == measure.split()[0]
+
+
 @pytest.mark.slow
 def test_the_error_of_the_bins_is_that_of_a_series_without_bins(tmp_path):
     """The life without bins is that of as many variants as the series has rows."""

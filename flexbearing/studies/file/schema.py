@@ -76,10 +76,11 @@ class Duty(Section):
         None,
         example="measured.csv",
     )
-    bins: int = key(
-        "into how many bins of equal width the numbers of one sign of each load of the series are sorted; a "
-        "third as many of speeds and other keys",
-        30,
+    bins: int | None = key(
+        "into how many bins of equal width the numbers of one sign of each load of the series are sorted, by "
+        "default 30, and those of a file, where given; a third as many of speeds and other keys",
+        None,
+        example=30,
         ge=1,
         le=1000,
     )

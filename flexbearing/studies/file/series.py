@@ -1,4 +1,4 @@
-"""A time series of loads and speeds as a duty cycle: rows in bins of every key, each bin a row."""
+"""Many rows of loads and speeds as a duty cycle: a time series or rows with shares, each bin a row."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -17,53 +17,65 @@ from flexbearing.units import BadUnit, UnknownUnit, unit
 
 TIME = "time"
 SPEED = "operation.inner_speed"
+Weighing = Mapping[str, Callable[[Sequence[Any]], NDArray]]  # columns of weights, and how these are read
 EXPONENTS = {"operation.radial_load": 10 / 3, "operation.load.": 3.0}  # of loads in the life, ISO 281
 
 
 @dataclass(frozen=True)
 class Binned:
-    """Rows of a time series in bins; those of other signs are never in one bin, zero has its own."""
+    """Rows of a table in bins; those of other signs are never in one bin, zero has its own."""
 
     columns: Mapping[str, Sequence[str]]  # by key what stands for each bin, in the words of a case file
-    seconds: NDArray  # (B) time in each bin, or any measure of it
+    measure: str  # what the weights are of
+    weights: NDArray  # (B) time or revolutions in each bin, or any measure of them
     errors: NDArray  # (B) of the damage of each bin over it, for lives that go with any power up to P^(-2 p)
-    rows: int  # of the series
+    rows: int  # of the table
 
 
-def binned(file: Path, bins: int, find: Callable[[str], Declaration]) -> Binned:
-    """Read a time series (CSV) and sort it into bins of equal width, a third as many where keys are no loads.
+def series(file: Path, bins: int, find: Callable[[str], Declaration]) -> Binned:
+    """Read a time series (CSV), whose column `time` says when a row begins, and sort it, see `binned`."""
+    return binned(file, bins, find, {TIME: _seconds})
+
+
+def binned(file: Path, bins: int, find: Callable[[str], Declaration], weighing: Weighing) -> Binned:
+    """Read a table (CSV) and sort its rows into bins of equal width, a third as many where keys are no loads.
 
     With the loads of the bins they have the damage of their rows where the life goes with P^-p; other keys
-    have their mean over the time.
+    have their mean over the weights. Rows without a column of weights count alike, as equal times.
 
     Raises `BadValues` naming file, row or key.
     """
-    seconds, values, units = _read(file, find)
+    measure, weights, values, units = _read(file, find, weighing)
+    rows_read, counted = len(weights), weights > 0
+    weights, values = weights[counted], {key: numbers[counted] for key, numbers in values.items()}
     each = [_places(of, bins if _exponent(key) else max(1, bins // 3)) for key, of in values.items()]
     _, bin_of = np.unique(np.array(each), axis=1, return_inverse=True)
-    time = _Sums(bin_of.ravel(), seconds)
-    turned = time.weighted(values[SPEED]) if SPEED in values else time
-    columns, errors = dict[str, Sequence[str]](), np.zeros(len(time.total))
+    weighed = _Sums(bin_of.ravel(), weights)
+    turned = weighed.weighted(values[SPEED]) if measure == TIME and SPEED in values else weighed
+    columns, errors = dict[str, Sequence[str]](), np.zeros(len(weighed.total))
     for key, numbers in values.items():
         exponent = _exponent(key)
-        mean = time.mean(numbers) if exponent is None else turned.mean(numbers, exponent)
+        mean = weighed.mean(numbers) if exponent is None else turned.mean(numbers, exponent)
         columns[key] = [f"{number!r} {units[key]}" for number in mean.tolist()]
         errors += 0.0 if exponent is None else turned.error(numbers, mean, exponent)
-    return Binned(columns, time.total, errors, len(seconds))
+    return Binned(columns, measure, weighed.total, errors, rows_read)
 
 
 def _read(
-    file: Path, find: Callable[[str], Declaration]
-) -> tuple[NDArray, dict[str, NDArray], dict[str, str]]:
-    """How long each row (N) lasts; its numbers by key, and their SI units."""
-    keys, table = rows(file, lambda key: key == TIME or find(key).kind is not None)
+    file: Path, find: Callable[[str], Declaration], weighing: Weighing
+) -> tuple[str, NDArray, dict[str, NDArray], dict[str, str]]:
+    """Measure and weights of the rows (N), their numbers by key, and their SI units."""
+    keys, table = rows(file, lambda key: key in weighing or find(key).kind is not None)
     texts = dict(zip(keys, zip(*table, strict=True), strict=True))
-    seconds = _seconds(texts.pop(TIME)) if TIME in texts else np.ones(len(table))
+    found = {name: weigh(texts.pop(name)) for name, weigh in weighing.items() if name in texts}
+    if len(found) > 1:
+        raise BadValues(f"{file.name} has {' and '.join(found)}; the shares of rows are of one of them")
+    measure, weights = next(iter(found.items()), (TIME, np.ones(len(table))))
     if not texts:
         raise BadValues(f"{file.name} has no key of the case, such as operation.radial_load [N]")
     kinds = {key: _kind(key, find(key)) for key in texts}
     values = {key: _numbers(key, column, kinds[key]) for key, column in texts.items()}
-    return seconds, values, {key: kind.unit for key, kind in kinds.items()}
+    return measure, weights, values, {key: kind.unit for key, kind in kinds.items()}
 
 
 def _exponent(key: str) -> float | None:

@@ -2,9 +2,13 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from math import fsum
 from pathlib import Path
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from flexbearing import inputs
 from flexbearing.case.declarations import Declaration, toml
@@ -12,12 +16,13 @@ from flexbearing.printable import excerpt
 from flexbearing.studies.file.axes import Axis, columns_of, together
 from flexbearing.studies.file.rows import rows
 from flexbearing.studies.file.schema import Duty
-from flexbearing.studies.file.series import TIME, Binned, binned
+from flexbearing.studies.file.series import Binned, binned, series
 from flexbearing.studies.file.values import BadValues
 from flexbearing.units import BadUnit, UnknownUnit, unit
 
 AXIS = "duty"
 MEASURES = {"time": "s", "revolutions": "rev"}  # with the units that shares may have
+BINS = 30  # of a time series
 COMPLETE = 0.005  # by how much percentages may miss 100 %, as rounded ones do
 
 
@@ -42,7 +47,7 @@ def spectrum(duty: Duty, folder: Path, find: Callable[[str], Declaration]) -> tu
     BadValues
         naming key or row
     """
-    columns, series = _columns(duty, folder, find)
+    columns, bins = _columns(duty, folder, find)
     measures = [name for name in MEASURES if name in columns]
     if len(measures) != 1 or len(columns) < 2:
         raise BadValues(
@@ -52,15 +57,15 @@ def spectrum(duty: Duty, folder: Path, find: Callable[[str], Declaration]) -> tu
     axis = Axis(AXIS, joined.keys[1:], tuple(row[1:] for row in joined.rows))  # a few rows
     shares = _shares(measures[0], [row[0] for row in joined.rows])
     found = Spectrum(measures[0], shares, duty.life, _required(duty), duty.application_factor)
-    if series is None:
+    if bins is None:
         return axis, found
-    return axis, replace(found, bin_errors=tuple(series.errors.tolist()), measured=series.rows)
+    return axis, replace(found, bin_errors=tuple(bins.errors.tolist()), measured=bins.rows)
 
 
 def _columns(
     duty: Duty, folder: Path, find: Callable[[str], Declaration]
 ) -> tuple[dict[str, Sequence[Any]], Binned | None]:
-    """Shares and keys of the rows, given here and in a file; the time series where they are bins of one."""
+    """Shares and keys of the rows, given here and in a file; the bins where rows of a file are in such."""
     weights = {name: tuple(given) for name in MEASURES if (given := getattr(duty, name)) is not None}
     for name in weights:
         if not weights[name]:
@@ -68,15 +73,17 @@ def _columns(
     columns: dict[str, Sequence[Any]] = weights | columns_of(duty.model_extra or {}, find)
     if duty.file is not None and duty.series is not None:
         raise BadValues("file and series are both there; the rows are in one of them")
-    if duty.file is not None:
-        keys, table = rows(folder / duty.file, lambda key: key in MEASURES or find(key).kind is not None)
-        return _joined(columns, dict(zip(keys, zip(*table, strict=True), strict=True)), duty.file), None
-    if duty.series is not None:
-        series = binned(folder / duty.series, duty.bins, find)
-        if weights:
-            raise BadValues(f"{min(weights)} is given beside {excerpt(duty.series)}, whose rows have times")
-        return _joined(columns, {TIME: series.seconds.tolist(), **series.columns}, duty.series), series
-    return columns, None
+    name = duty.file or duty.series
+    if name is None:
+        return columns, None
+    if duty.file and duty.bins is None:
+        keys, table = rows(folder / name, lambda key: key in MEASURES or find(key).kind is not None)
+        return _joined(columns, dict(zip(keys, zip(*table, strict=True), strict=True)), name), None
+    if weights:
+        raise BadValues(f"{min(weights)} is given beside {excerpt(name)}, whose rows have their own")
+    bins = duty.bins or BINS
+    found = series(folder / name, bins, find) if duty.series else binned(folder / name, bins, find, WEIGHING)
+    return _joined(columns, {found.measure: found.weights.tolist(), **found.columns}, name), found
 
 
 def _joined(
@@ -116,6 +123,13 @@ def _shares(measure: str, given: Sequence[Any]) -> tuple[float, ...]:
     if units[0] == "%" and abs(total - 1) > COMPLETE:
         raise BadValues(f"{measure} adds up to {100 * total:g} %; percentages must add up to 100 %")
     return tuple(weight / total for weight in weights)
+
+
+def _weights(measure: str, given: Sequence[Any]) -> NDArray:
+    return np.array(_shares(measure, given))
+
+
+WEIGHING = {measure: partial(_weights, measure) for measure in MEASURES}
 
 
 def _weight(measure: str, value: Any) -> tuple[float, str]:
