@@ -30,8 +30,8 @@ STEP_OF_SLIP = 0.05  # slip that counts like a step of the grid
 DIFFERENCE = 1e-5  # steps of the grid, for derivatives by the place
 BESIDE = 2 * FINEST + SAGITTA  # steps of the grid between a curve and an end that may lie on it
 ALIKE = 0.5  # of states as they are weighted: a fold and the last state before it
-AT_ONCE = 16  # searches; the matrices of more do not fit into the processor's cache
-FIRST_AT_ONCE = 2  # so that few of them find the same curve
+AT_ONCE = 48  # searches
+FIRST_AT_ONCE = 4  # so that few of them find the same curve
 GOLDEN = (5**0.5 - 1) / 2
 
 
@@ -64,37 +64,35 @@ class MapPlaneEquations:
 
 
 def solutions(points: GridPoints, requests: Sequence[Request]) -> list[Response]:
-    """Solutions of the linearised balance for requests of searches in planes of a grid, in one evaluation."""
-    balance = points.within(np.concatenate([each.equations.whole(each.places) for each in requests]))
-    system = balance.evaluate(np.concatenate([each.states for each in requests]))
-    sides = np.cumsum([len(each.states) for each in requests])[:-1]
-    most = max(each.directions.shape[1] for each in requests)
-    right = np.zeros((*system.residual.shape, most + 1))
-    for own, part, by_place in zip(
-        np.split(system.residual, sides), np.split(right, sides), _by_places(points, requests), strict=True
-    ):
-        part[..., : by_place.shape[2]], part[..., -1] = by_place, own[0]
-    solved = np.split(bordered_system.solve(balance, system, right), sides)
-    balanced = np.abs(system.residual).max(axis=1) <= RESIDUAL_TOLERANCE * system.loading
+    """Solutions of the linearised balance for requests of searches in planes of a grid, in one evaluation.
+
+    Derivatives by the place are one-sided differences: their error scales the slope of the place, which is
+    zero at the same fold.
+    """
+    numbers = [each.directions.shape[1] for each in requests]
+    beside = [each.places[:, None] + DIFFERENCE * each.directions.T for each in requests]
+    places = [*(each.places for each in requests), *(place.reshape(-1, 2) for place in beside)]
+    states = [each.states for each in requests]
+    states += [np.repeat(each.states, number, axis=0) for each, number in zip(requests, numbers, strict=True)]
+    planes = [each.equations for each in requests] * 2
+    whole = [plane.whole(each) for plane, each in zip(planes, places, strict=True)]
+    balance = points.within(np.concatenate(whole))
+    system = balance.evaluate(np.concatenate(states))
+    ends = np.cumsum([len(each) for each in places])[:-1]
+    residuals = np.split(system.residual, ends)
+    count = ends[len(requests) - 1]  # of systems that are solved
+    right = np.zeros((count, system.residual.shape[1], max(numbers) + 1))
+    parts = np.split(right, ends[: len(requests) - 1])
+    for number, here, there, part in zip(numbers, residuals, residuals[len(requests) :], parts, strict=False):
+        change = there.reshape(len(here), number, -1) - here[:, None]
+        part[..., :number], part[..., -1] = np.swapaxes(change, 1, 2) / DIFFERENCE, here[0]
+    solved = bordered_system.solve(balance.take(np.arange(count)), system.of(slice(count)), right)
+    first = np.array([0, *ends[: len(requests) - 1]])
+    balanced = np.abs(system.residual[first]).max(axis=1) <= RESIDUAL_TOLERANCE * system.loading[first]
     return [
-        Response(part[..., : each.directions.shape[1]], part[..., -1], bool(first[0]))
-        for each, part, first in zip(requests, solved, np.split(balanced, sides), strict=True)
+        Response(part[..., :number], part[..., -1], bool(enough))
+        for number, part, enough in zip(numbers, np.split(solved, first[1:]), balanced, strict=True)
     ]
-
-
-def _by_places(points: GridPoints, requests: Sequence[Request]) -> Iterator[NDArray]:
-    """Derivatives (n, N, m) of the scaled residual of each request by the place, by differences."""
-    steps = (DIFFERENCE * np.stack([each.directions.T, -each.directions.T], axis=1) for each in requests)
-    around = [each.places[:, None, None] + step for each, step in zip(requests, steps, strict=True)]
-    places = (
-        each.equations.whole(place.reshape(-1, 2)) for each, place in zip(requests, around, strict=True)
-    )
-    states = (np.repeat(each.states, 2 * each.directions.shape[1], axis=0) for each in requests)
-    beside = points.within(np.concatenate([*places])).evaluate(np.concatenate([*states])).residual
-    ends = np.cumsum([place.shape[0] * place.shape[1] * 2 for place in around])[:-1]
-    for place, residual in zip(around, np.split(beside, ends), strict=True):
-        forth, back = np.moveaxis(residual.reshape(*place.shape[:3], -1), 2, 0)
-        yield np.swapaxes(forth - back, 1, 2) / (2 * DIFFERENCE)
 
 
 @dataclass(frozen=True)
@@ -199,7 +197,7 @@ class FoldSearches:
     @property
     def room(self) -> int:
         """Searches that may be under way: few where many end at the same curve."""
-        return min(AT_ONCE, FIRST_AT_ONCE + self.new)
+        return min(AT_ONCE, FIRST_AT_ONCE + 2 * self.new)
 
     def plane(self, end: End) -> MapPlaneEquations:
         """The plane of the last two axes through an end, or its line across them."""

@@ -17,10 +17,12 @@ TOLERANCE = 1e-7  # of the last correction, in the units of state and place
 LARGEST = 1.0  # correction, in the same units
 STALLED = 3, 0.5  # corrections in which one must have become smaller, and to which part
 DIFFERENCE = 1e-5  # of state and place: equations are singular at a fold, and are solved on both sides of it
-FIRST_STEP, LONGEST_STEP, SHORTEST_STEP = 0.2, 1.0, 1e-3  # along the curve, in the same units
+FIRST_STEP, LONGEST_STEP, SHORTEST_STEP = 0.2, 1.0, 2e-3  # along the curve, in the same units
+SHORTER = 0.25  # the next step where one fails
 FEW_CORRECTIONS = 5  # up to which the next step may be longer
 SMALLEST_COSINE = 0.9  # between the tangents at both ends of a step
 SAGITTA = 0.02  # of the curve over its chord, in units of the place
+STANDING = 12, 0.01  # steps in which a curve must go on, and how far, in units of the place
 MOST_STEPS = 400
 LONGEST_WAY = 1.0  # of solutions to a fold, in the same units
 HALVINGS = 24  # of a step to it
@@ -176,7 +178,7 @@ def fold_near(
     """
     frame = yield from Frame.along_solutions(equations, state, place, across)
     step, length = FIRST_STEP / 10, 0.0
-    while frame and length < LONGEST_WAY and step > SHORTEST_STEP / 10:
+    while frame and length < LONGEST_WAY and step > SHORTEST_STEP / 20:
         following = yield from _solution(equations, state, place, frame, step)
         if following is None:
             step /= 2
@@ -275,10 +277,10 @@ def followed(equations: PlaneEquations, first: Fold) -> Search[FoldCurve]:
 
 def _one_way(equations: PlaneEquations, first: Fold, sense: float) -> Search[tuple[list[Fold], CurveEnd]]:
     fold, folds, step = replace(first, direction=sense * first.direction), [], FIRST_STEP
-    while len(folds) < MOST_STEPS:
+    while len(folds) < MOST_STEPS and not _stands(folds):
         following = yield from _next(equations, fold, step)
         if following is None or not _near(equations, fold, following):
-            step /= 2
+            step *= SHORTER
             if step < SHORTEST_STEP:
                 return folds, CurveEnd.STEP_TOO_SHORT
             continue
@@ -294,7 +296,13 @@ def _one_way(equations: PlaneEquations, first: Fold, sense: float) -> Search[tup
         fold = following
         if following.corrections <= FEW_CORRECTIONS:
             step = min(1.5 * step, LONGEST_STEP)
-    return folds, CurveEnd.LIMIT
+    return folds, CurveEnd.STEP_TOO_SHORT if _stands(folds) else CurveEnd.LIMIT
+
+
+def _stands(folds: Sequence[Fold]) -> bool:
+    """Whether the place does not go on although the state changes."""
+    steps, least = STANDING
+    return len(folds) > steps and _squared(folds[-1].place - folds[-1 - steps].place) < least**2
 
 
 def _next(equations: PlaneEquations, fold: Fold, step: float) -> Search[Fold | None]:

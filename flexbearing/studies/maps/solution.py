@@ -23,7 +23,7 @@ from quasidynamic.maps import GridPoints, MapFolds, SolvedGrid, folds, solve
 from quasidynamic.outcome.bearing_states import BearingStates
 
 ENOUGH = 64  # points for which worker processes are started at once, three seconds of a processor for two
-SECONDS_OF_END = 2.0  # of a processor, its fold and a curve of folds through it
+SECONDS_OF_END = 0.7  # of a processor, its fold and a curve of folds through it
 AT_ONCE = 128  # states whose matrices fit into the processor's cache
 OUTPUTS = (
     "cage_slip [%]", "max_roller_load [N]", "life_L10 [h]", "peak_pressure.inner [MPa]", "static_safety",

@@ -54,6 +54,12 @@ class Linearisation(NamedTuple):
     cage_speed: NDArray  # (C) over its scale, without sign
     response: Response  # of the rollers, by their own inputs
 
+    def of(self, cases: slice) -> "Linearisation":
+        """Equations of some of the cases, for linear solves; the response of rollers stays that of all."""
+        along = {"residual", "border", "before", "after", "loading", "cage_speed"}
+        taken = {name: getattr(self, name)[cases] for name in along}
+        return self._replace(table=self.table[:, :, cases], **taken)
+
     @property
     def state(self) -> RollerState:
         """What happens at the rollers."""
