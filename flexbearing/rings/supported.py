@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.errors import NotSolved
-from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
 from flexbearing.coupling.raceway_pair import linear_answer, radial
 from flexbearing.rings.raceways import compliance_figures
@@ -18,6 +17,7 @@ if TYPE_CHECKING:
     from fem.raceway.compliance import RacewayCompliance
     from fem.section.ring_on_foundation import RollersOnFoundation
     from fem.section.ring_on_lines import RollersOnLines
+    from flexbearing.case.roller import Case
 
 RINGS = {"lines": "outer ring on its lines", "foundation": "outer ring on its foundation"}
 ADVICE = "give lines on both sides of the load, or outer.bilateral = true where they can pull"
@@ -83,7 +83,7 @@ class SupportedRaceway:
             raise PartnerFailed(f"{self.name}: {problem}; {ADVICE}", "not solved") from problem
 
 
-def is_on_supports(case: Case) -> bool:
+def is_on_supports(case: "Case") -> bool:
     """Whether the outer ring is on lines or radial springs, whose forces are reported."""
     outer = case.outer
     return outer.kind == "ring" and (
