@@ -57,7 +57,9 @@ class SupportedRaceway:
         self.last = outward
         with self._named_failure():
             near = self.ring.near(outward)
-        return replace(near, translation=np.zeros_like(near.translation)) if self.from_ground else near
+        if not self.from_ground:
+            return near
+        return replace(near, translation=np.zeros_like(near.translation), support_stiffness=np.inf)
 
     def under(self, azimuths: NDArray) -> "SupportedRaceway":
         """The same raceway under rollers at other azimuths (Z) [rad]; raises `PartnerFailed`."""
@@ -67,8 +69,8 @@ class SupportedRaceway:
     def figures(self) -> dict[str, object]:
         """What finite elements and supports say of the last forces."""
         assert self.last is not None  # figures are those of a state
+        compliance = self.linearised(self.last)
         with self._named_failure():
-            compliance = self.ring.near(self.last)
             return compliance_figures(compliance) | self.support_figures(self.ring, self.last)
 
     def with_axial_modes(self, count: int) -> "SupportedRaceway":
