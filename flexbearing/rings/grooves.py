@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 import fem
 from fem.condense import HARMONICS, SMEARED
 from fem.errors import NotSolved as RingNotSolved
+from fem.mesh.axial_section import require_affordable_section, sections, smeared_sections
 from fem.raceway.stations import narrowest_patch
 from flexbearing.build import held_ring
 from flexbearing.build.groove_parts import BallCase, GroovePart, groove_part
@@ -69,10 +70,24 @@ def parts(case: BallCase) -> tuple[Arguments | None, Arguments | None]:
     Raises
     ------
     BadCase
-        when no such part can exist
+        when no such part can exist, or its elements are too small
     """
     inner, outer = (shape and _arguments(case, shape) for shape in (shape_of(case, race) for race in RACES))
+    for race, arguments in zip(RACES, (inner, outer), strict=True):
+        if arguments:
+            _require_affordable(case, race, arguments)
     return inner, outer
+
+
+def _require_affordable(case: BallCase, race: Race, arguments: Arguments) -> None:
+    part, _, resolution = arguments
+    bodies = smeared_sections if isinstance(part, fem.SquirrelCage) else sections
+    try:
+        require_affordable_section(bodies(part, resolution.length), resolution.mesh)
+    except RingNotSolved as problem:
+        section, accuracy = accuracy_of(case)
+        key = "mesh_size" if accuracy.patch_width is None else "patch_width or mesh_size"
+        raise BadCase(f"{case.source.path}: [{section}] {key}: {race} ring: {problem}") from problem
 
 
 def shape_of(case: BallCase, race: Race) -> GrooveShape | None:
