@@ -107,10 +107,10 @@ class Logged:
 
 def line(iteration: "Iteration") -> str:
     """One line for one iteration."""
-    largest = iteration.state.forces[0, :, 0].max()
+    largest = iteration.state.loads[0].max()
     return (
         f"iteration {iteration.number:3d}: largest load change {iteration.load_change:.2e}, "
-        f"largest roller load {largest:8.1f} N"
+        f"largest load {largest:8.1f} N"
     )
 
 

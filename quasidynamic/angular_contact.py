@@ -1,6 +1,6 @@
 """The angular-contact ball bearing at speed."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Literal, NamedTuple, cast
@@ -23,7 +23,7 @@ from quasidynamic.outcome.fast_balls import FastRollingBalls
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.solve.balls.coulomb_control import CoulombControl, StickingContacts
 from quasidynamic.solve.balls.refined_rolling import RefinedRolling, RollingModel, refined_kept_motion
-from quasidynamic.solve.balls.ring_in_elastic_grooves import solve_elastic
+from quasidynamic.solve.balls.ring_in_elastic_grooves import iterate_elastic, solve_elastic
 from quasidynamic.solve.balls.ring_on_balls import SINGULAR, RingSolution, solve
 from quasidynamic.solve.step_length import SolverOutcome
 
@@ -98,6 +98,23 @@ class AngularContactBallBearing:
             return self.states(operations, balance, solve(balance))
         solution = solve_elastic(balance, grooves)
         return self.states(operations, balance, solution.rings, solution.moved)
+
+    def iterate(
+        self, operation: RingOperation, grooves: ElasticGrooves
+    ) -> Iterator[tuple[AngularContactState, bool]]:
+        """Newton iterates between elastic grooves, and whether they are in balance, as the last one is.
+
+        Raises
+        ------
+        NotSolved
+            as `solve`
+        """
+        balance = self.equations([operation])
+        for solution, last in iterate_elastic(balance, grooves):
+            (state,) = self.states([operation], balance, solution.rings, solution.moved)
+            if isinstance(state, NotSolved):
+                raise state
+            yield state, last
 
     def states(
         self,

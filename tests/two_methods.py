@@ -69,7 +69,7 @@ def from_deviation(deviation: NDArray, rule, history) -> NDArray:
         history,
         deviations=history.deviations[1:],
         residuals=history.residuals[1:],
-        roller_stiffness=history.roller_stiffness[1:],
+        contacts=history.contacts[1:],
     )
     return rule(known)
 

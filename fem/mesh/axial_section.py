@@ -1,10 +1,7 @@
-# The geometry kernel fills its module at run time, where the type checker cannot look.
-# pyright: reportAttributeAccessIssue=false
 """Bodies of revolution as named polygons on the half-plane of x (axial) next to r (radial).
 
 A body carries the name of its material. Edges are named "raceway", exactly the loaded band, "clamped"
-or "foundation" where the part is held, "lines" where line loads may act, "seat" between bodies. The mesh
-is in millimetres, as in `fem.mesh.solid`.
+or "foundation" where the part is held, "lines" where line loads may act, "seat" between bodies.
 """
 
 from collections.abc import Mapping
@@ -12,22 +9,14 @@ from dataclasses import dataclass, field
 from functools import singledispatch
 from math import cos, hypot, isinf, sin
 
-import ngsolve as ngs
-from netgen import occ
-from netgen.meshing import NgException
-
 from fem.mesh.expense import polygon, require_affordable
-from fem.mesh.moved_nodes import Faces, move_nodes
-from fem.mesh.solid import MILLIMETRES
 from fem.parts.bolted_ring import BoltedRing
 from fem.parts.boundary_conditions import Housing, edge_names
 from fem.parts.groove import Groove
-from fem.parts.rings import ImpossiblePart, MeshSize, OuterRing, RingOnShaft
+from fem.parts.rings import ImpossiblePart, MeshSize, OuterRing, RingOnShaft, SquirrelCage
 
 FINER = ("raceway", "lines")  # edges with elements of a size of their own
 AXIS = 0.005  # bore in the section of a solid shaft over its diameter: elastic to 1e-4, no 1/r at r = 0
-GRADED_LAYERS = 2  # layers of ever smaller elements around each corner, where stress may be singular
-GRADED_RATIO = 0.2  # size of a layer to that of the one around it
 
 
 @dataclass(frozen=True)
@@ -130,6 +119,44 @@ def _(part: BoltedRing, length):
     ), {2 + number: start_of_arc(angle, outward) for number, angle in enumerate(begin)})]  # fmt: skip
 
 
+def smeared_sections(cage: SquirrelCage, length: float) -> list[AxialSection]:
+    """Ring, sleeves and flanges as polygons that touch along whole edges."""
+    inner, (left, right) = cage.raceway_diameter / 2, cage.sides
+    half = half_band(cage.groove, inner, 1, length)
+    bends = {} if cage.groove is None else {2: start_of_arc(cage.groove.end(inner, 1), 1)}
+    low, high = cage.bar_radii
+    feet = [[(right, low, None), (right, high, None)], [(left, high, None), (left, low, None)]]
+    at_right, at_left = feet if cage.two_sided else (feet[0], [])
+    outline = [(x, r, None) for x, r in cage.outline]
+    ring = AxialSection("ring", (
+        (left, inner, None), (-half, inner, None), (half, inner, "raceway"), (right, inner, None),
+        *at_right, *outline, *at_left,
+    ), bends)  # fmt: skip
+    return [ring, *(section for end in cage.ends for section in _sleeve_and_flange(cage, end))]
+
+
+def _sleeve_and_flange(cage: SquirrelCage, end: int) -> tuple[AxialSection, AxialSection]:
+    """What rests on one end of the ring."""
+    inner, side, (low, high) = cage.raceway_diameter / 2, cage.end_distance(end), cage.bar_radii
+    outer, foot = inner + cage.thickness, side + cage.bar_length
+    last = foot + cage.flange_length
+    sleeve = ((side, low, None), (foot, low, None), (foot, high, None), (side, high, None))
+    flange = (
+        (foot, inner, None), (last, inner, None), (last, outer, "clamped"), (foot, outer, None),
+        (foot, high, None), (foot, low, None),
+    )  # fmt: skip
+    if end > 0:
+        return AxialSection("bars", sleeve), AxialSection("flange", flange)
+    return AxialSection("bars", _mirrored(sleeve)), AxialSection("flange", _mirrored(flange))
+
+
+def _mirrored(corners: tuple) -> tuple:
+    """The mirror image of a polygon at x = 0, counter-clockwise again; names stay with their edges."""
+    names = [name for _, _, name in corners]
+    backwards = zip(reversed(corners), [names[0], *reversed(names[1:])], strict=True)
+    return tuple((-x, r, name) for (x, r, _), name in backwards)
+
+
 def half_band(groove: Groove | None, land: float, outward: int, length: float) -> float:
     """Half of what is loaded along the axis [m]: the arc of a groove, or a band of some length."""
     return length / 2 if groove is None else groove.width(land, outward) / 2
@@ -140,69 +167,7 @@ def start_of_arc(angle: float, outward: int) -> tuple[float, float]:
     return outward * cos(angle), outward * sin(angle)
 
 
-def meshed(
-    bodies: list[AxialSection], mesh_size: MeshSize, nodes_of: list[AxialSection] | None = None
-) -> ngs.Mesh:
-    """Triangles that fill sections, with quadrilaterals in the layers around corners.
-
-    Parameters
-    ----------
-    bodies : list of AxialSection
-        which touch along whole edges
-    mesh_size : MeshSize
-        element sizes
-    nodes_of : list of AxialSection, optional
-        other bodies of the same kind, whose mesh is taken with its nodes moved to these
-
-    Returns
-    -------
-    ngsolve.Mesh
-        in millimetres, x along the axis, y the radius
-
-    Raises
-    ------
-    ImpossiblePart
-        when it would have far too many elements, or none fill the section
-    """
-    if nodes_of is not None:
-        mesh = meshed(nodes_of, mesh_size)
-        move_nodes(mesh, faces_of(nodes_of), faces_of(bodies))
-        return mesh
-    loaded = sum(body.loaded for body in bodies)
-    require_affordable(
-        2, [polygon([corner[:2] for corner in body.corners]) for body in bodies], loaded, mesh_size
-    )
-    plane = occ.Glue([_face(body) for body in bodies])
-    plane.vertices.hpref = 1
-    for edge in plane.edges:
-        if edge.name in FINER:
-            edge.maxh = mesh_size.raceway_size * MILLIMETRES
-    try:
-        mesh = ngs.Mesh(occ.OCCGeometry(plane, dim=2).GenerateMesh(maxh=mesh_size.size * MILLIMETRES))
-    except NgException as refusal:
-        raise ImpossiblePart(f"no elements fill the section of such a part: {refusal}") from refusal
-    mesh.RefineHP(GRADED_LAYERS, GRADED_RATIO)
-    if any(body.bends for body in bodies):
-        mesh.Curve(mesh_size.order)
-    return mesh
-
-
-def faces_of(bodies: list[AxialSection]) -> Faces:
-    """Faces that nodes are moved with."""
-    x, radii, _ = zip(*(corner for body in bodies for corner in body.corners), strict=True)
-    return Faces(x=x, radii=radii)
-
-
-def _face(body: AxialSection):
-    pen = occ.WorkPlane()
-    at = body.corners[0][:2]
-    pen.MoveTo(*(c * MILLIMETRES for c in at))
-    for number, (x, r, name) in [*enumerate(body.corners[1:], 1), (0, body.corners[0])]:
-        if number in body.bends:
-            pen.ArcTo(x * MILLIMETRES, r * MILLIMETRES, occ.gp_Vec2d(*body.bends[number]), name=name)
-        elif max(abs(x - at[0]), abs(r - at[1])) * MILLIMETRES > 1e-9:  # a band as long as its track
-            pen.LineTo(x * MILLIMETRES, r * MILLIMETRES, name=name)
-        at = (x, r)
-    face = pen.Face()
-    face.faces.name = body.material
-    return face
+def require_affordable_section(bodies: list[AxialSection], mesh_size: MeshSize) -> None:
+    """Refuse a mesh of far more unknowns than a computer can solve for; raises `NotSolved`."""
+    polygons = [polygon([corner[:2] for corner in body.corners]) for body in bodies]
+    require_affordable(2, polygons, sum(body.loaded for body in bodies), mesh_size)

@@ -52,7 +52,7 @@ def require_affordable(
             f"order {mesh_size.order} make about {unknowns:.2g} unknowns {where}; allowed are "
             f"{LARGEST[dimension]:.2g}, by larger elements or a lower order"
         )
-    _log.info("about %d unknowns %s", unknowns, where)
+    _log.debug("about %d unknowns %s", unknowns, where)
     return unknowns
 
 

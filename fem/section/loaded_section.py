@@ -24,9 +24,10 @@ from numpy.typing import NDArray
 
 from fem.assembly.factorisation import threads
 from fem.assembly.harmonic_stiffness import HarmonicAnswers, answers
-from fem.mesh.axial_section import faces_of, sections
+from fem.mesh.axial_section import sections
 from fem.mesh.moved_nodes import Faces
 from fem.mesh.notches import notches
+from fem.mesh.section_mesh import faces_of
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.boundary_conditions import FreeMotions
 from fem.parts.resolution import Shape

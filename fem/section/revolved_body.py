@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from fem.assembly import harmonic_elasticity as forms
 from fem.assembly.elasticity import lame_constants
 from fem.assembly.harmonic_stiffness import HarmonicStiffness, harmonic_stiffness
-from fem.mesh.axial_section import AxialSection, meshed
+from fem.mesh.axial_section import AxialSection
+from fem.mesh.section_mesh import meshed
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.groove import Groove, Stations
 from fem.parts.rings import Elastic, ImpossiblePart, MeshSize

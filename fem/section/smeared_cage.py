@@ -34,7 +34,8 @@ from fem.assembly.harmonic_stiffness import (
 )
 from fem.beam.curved_beam import shear_modulus
 from fem.beam.support_springs import tangential_slide
-from fem.mesh.axial_section import AxialSection, half_band, meshed, start_of_arc
+from fem.mesh.axial_section import smeared_sections
+from fem.mesh.section_mesh import meshed
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.resolution import Resolution, Shape
 from fem.parts.rings import MeshSize, SquirrelCage
@@ -171,49 +172,11 @@ def _bar_forces(answers: NDArray, length: float) -> NDArray:
     return np.stack(forces, axis=2)
 
 
-def _sections(cage: SquirrelCage, length: float) -> list[AxialSection]:
-    """Ring, sleeves and flanges as polygons that touch along whole edges."""
-    inner, (left, right) = cage.raceway_diameter / 2, cage.sides
-    half = half_band(cage.groove, inner, 1, length)
-    bends = {} if cage.groove is None else {2: start_of_arc(cage.groove.end(inner, 1), 1)}
-    low, high = cage.bar_radii
-    feet = [[(right, low, None), (right, high, None)], [(left, high, None), (left, low, None)]]
-    at_right, at_left = feet if cage.two_sided else (feet[0], [])
-    outline = [(x, r, None) for x, r in cage.outline]
-    ring = AxialSection("ring", (
-        (left, inner, None), (-half, inner, None), (half, inner, "raceway"), (right, inner, None),
-        *at_right, *outline, *at_left,
-    ), bends)  # fmt: skip
-    return [ring, *(section for end in cage.ends for section in _sleeve_and_flange(cage, end))]
-
-
-def _sleeve_and_flange(cage: SquirrelCage, end: int) -> tuple[AxialSection, AxialSection]:
-    """What rests on one end of the ring."""
-    inner, side, (low, high) = cage.raceway_diameter / 2, cage.end_distance(end), cage.bar_radii
-    outer, foot = inner + cage.thickness, side + cage.bar_length
-    last = foot + cage.flange_length
-    sleeve = ((side, low, None), (foot, low, None), (foot, high, None), (side, high, None))
-    flange = (
-        (foot, inner, None), (last, inner, None), (last, outer, "clamped"), (foot, outer, None),
-        (foot, high, None), (foot, low, None),
-    )  # fmt: skip
-    if end > 0:
-        return AxialSection("bars", sleeve), AxialSection("flange", flange)
-    return AxialSection("bars", _mirrored(sleeve)), AxialSection("flange", _mirrored(flange))
-
-
-def _mirrored(corners: tuple) -> tuple:
-    """The mirror image of a polygon at x = 0, counter-clockwise again; names stay with their edges."""
-    names = [name for _, _, name in corners]
-    backwards = zip(reversed(corners), [names[0], *reversed(names[1:])], strict=True)
-    return tuple((-x, r, name) for (x, r, _), name in backwards)
-
-
 def assembled_cage(cage: SquirrelCage, resolution: Resolution) -> Body:
     """Sections of a cage with their stiffness; the sleeve of its bars has no isotropic one."""
     other = resolution.nodes_of
-    nodes_of = None if other is None else _sections(other.part, other.length)
-    section = meshed(_sections(cage, resolution.length), resolution.mesh, nodes_of)
+    nodes_of = None if other is None else smeared_sections(other.part, other.length)
+    section = meshed(smeared_sections(cage, resolution.length), resolution.mesh, nodes_of)
     space = ngs.H1(section, order=resolution.mesh.order, dirichlet="clamped") ** 3
     u, v = space.TnT()
     constants = lame_constants(cage.elastic.youngs_modulus, cage.elastic.poisson_ratio)

@@ -1,45 +1,72 @@
-"""A bearing with fast balls as the coupling knows it, between grooves on supports that only push."""
+"""A bearing with fast balls as the coupling knows it."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.coupling import PartnerFailed, StoppingCriterion, newton
+from flexbearing.case.coupling import MethodsOfCoupling
+from flexbearing.coupled.attempts import CoupledBearing, NotCoupled, nearest, records, summary
+from flexbearing.coupling import Iteration, PartnerFailed
 from flexbearing.coupling.partners import Compliance
-from flexbearing.rings.grooves import SupportedGrooves
+from flexbearing.coupling.raceway_pair import OUTWARD
+from flexbearing.progress import Report, Silent
+from flexbearing.quantities.angular_contact import LAYOUT
+from flexbearing.quantities.quantity import row, taken
+from flexbearing.results import Recorder
+from flexbearing.rings.grooves import GroovePair
 from quasidynamic import AngularContactBallBearing, AngularContactState, NotSolved, RingOperation
+from quasidynamic.balance.balls.angular_contact import race_contacts
 from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGrooves, StationShares
 
-CRITERION = StoppingCriterion(tolerance=1e-8, limit=100)
+
+@dataclass
+class CouplingHistory:
+    """Where a run stores iterations, and what it then says of them."""
+
+    record: Recorder
+    attributes: dict[str, Any] = field(default_factory=dict)  # of the result file
+    nearest: AngularContactState | None = None  # state of the attempt that came nearest to an equilibrium
 
 
 @dataclass(frozen=True)
 class BallState:
-    """Balls in balance, with their forces on the stations of both grooves."""
+    """Balls in balance, or on the way to it, with their forces on the stations of both grooves."""
 
     between: AngularContactState
     forces: NDArray  # (2, Z, K) [N] loads by shares of stations, tractions by their slopes
-    residual: float = 0.0
     status: str = "converged"
+    rest: "Iterator[BallState]" = field(default_factory=lambda: iter(()), compare=False)  # that follow
 
     @classmethod
-    def of(cls, state: AngularContactState, angles: NDArray) -> "BallState":
+    def of(cls, state: AngularContactState, angles: NDArray, status: str = "converged") -> "BallState":
         """Balls in a state, stations at angles (2, K) [rad]."""
         at = state.contact_angles
         normal, tangent = np.stack([np.sin(at), np.cos(at)], -1), np.stack([np.cos(at), -np.sin(at)], -1)
         pressed = state.loads[..., None] * normal + state.tractions[..., None] * tangent
         by_vector = [StationShares.of(*race).by_vector for race in zip(angles, at, strict=True)]
-        return cls(state, (np.array(by_vector) @ pressed[..., None])[..., 0])
+        return cls(state, (np.array(by_vector) @ pressed[..., None])[..., 0], status)
+
+    @property
+    def loads(self) -> NDArray:
+        """Loads (2, Z) [N] of the balls on both races."""
+        return self.between.loads
+
+    @property
+    def residual(self) -> float:
+        """Largest unbalanced force over the largest force [-]."""
+        return self.between.imbalance
 
     def failure(self) -> str:
         """None: balls are in balance."""
         return ""
 
     def refined(self) -> "BallState":
-        """The same: nothing is left to improve."""
-        return self
+        """The balance to which further steps lead; raises `PartnerFailed`."""
+        *_, last = self, *self.rest
+        return last
 
 
 @dataclass(frozen=True)
@@ -50,14 +77,18 @@ class BallPartner:
     operation: RingOperation
     angles: NDArray  # (2, K) [rad] of the stations
 
-    def between(self, grooves: ElasticGrooves | None) -> BallState:
-        """Balance between grooves.
+    def solve(self, start: BallState | None = None, deviation: NDArray | None = None) -> BallState:
+        """Balance between grooves of given deviations (2, Z, K) [m].
 
         Raises
         ------
         PartnerFailed
             where there is none
         """
+        grooves = None
+        if deviation is not None:
+            stiff = np.zeros(deviation.shape[1:] * 2)
+            grooves = self._grooves((stiff, stiff), deviation)
         try:
             return BallState.of(self.model.solve(self.operation, grooves), self.angles)
         except NotSolved as failure:
@@ -66,27 +97,83 @@ class BallPartner:
     def iterate(
         self, compliance: Compliance, start: BallState, deviation: NDArray | None
     ) -> Iterator[BallState]:
-        """The start, then the balance between grooves of such compliance; raises `PartnerFailed`."""
+        """The start, then Newton iterates between grooves of such compliance; raises `PartnerFailed`.
+
+        They begin from rigid grooves: of those after another start the last one alone follows it.
+        """
         yield start
-        initial = np.zeros_like(start.forces) if deviation is None else deviation
+        grooves = self._grooves(compliance, np.zeros_like(start.forces) if deviation is None else deviation)
+        states = self._iterates(grooves)
+        for state in states:
+            if state.status or start.between.groove_displacement is None:
+                yield replace(state, rest=states)
+
+    def force_by_deviation(self, state: BallState) -> NDArray:
+        """Change of forces by deviations (2 Z K, 2 Z K) [N/m].
+
+        Balls are springs along their inner contacts, angles stay, the ring is in balance where it is free.
+        """
+        loads, at = state.loads, state.between.contact_angles
+        balance = self.model.equations([self.operation])
+        coefficients = np.array([[contact.coefficient] for contact in race_contacts(self.model.bearing)])
+        contacts = 1.5 * np.cbrt(coefficients**2 * loads)
+        springs = contacts.prod(0) / np.maximum(contacts.sum(0), np.finfo(float).tiny)
+        along = np.exp(1j * at[0])[:, None] * -1j * balance.ring_to_groove
+        approach = along.real[:, ~balance.held[0]]
+        pressing = springs[:, None] * approach
+        released = pressing @ np.linalg.pinv(approach.T @ pressing) @ pressing.T
+        shares = np.array([StationShares.of(*race).share for race in zip(self.angles, at, strict=True)])
+        by_approach = released - np.diag(springs)
+        by_deviation = np.einsum("rjk,ji,s,sil->rjksil", shares, by_approach, OUTWARD, shares)
+        return by_deviation.reshape(shares.size, -1)
+
+    def _grooves(self, compliance: Compliance, initial: NDArray) -> ElasticGrooves:
         races = zip(self.angles, compliance, initial, strict=True)
-        yield self.between(
-            ElasticGrooves(*(None if C is None else ElasticGroove(at, C, moved) for at, C, moved in races))
-        )
+        return ElasticGrooves(*(None if C is None else ElasticGroove(at, C, moved) for at, C, moved in races))
+
+    def _iterates(self, grooves: ElasticGrooves) -> Iterator[BallState]:
+        try:
+            for state, last in self.model.iterate(self.operation, grooves):
+                yield BallState.of(state, self.angles, "converged" if last else "")
+        except NotSolved as failure:
+            raise PartnerFailed(str(failure), str(failure.outcome)) from failure
 
 
-def equilibrium(
-    model: AngularContactBallBearing, operation: RingOperation, grooves: SupportedGrooves
+def equilibrium(  # what a run has beside what is solved
+    coupling: MethodsOfCoupling,
+    model: AngularContactBallBearing,
+    operation: RingOperation,
+    grooves: GroovePair,
+    history: CouplingHistory | None = None,
+    report: Report | None = None,
 ) -> AngularContactState:
-    """Balance of balls, ring and supports.
+    """Balance of balls, ring and what carries its grooves; iterations are stored where there is a history.
 
     Raises
     ------
-    NotSolved
+    NotCoupled
         where there is none
     """
-    begin = BallState.of(model.solve(operation), grooves.angles)
-    *_, last = newton(BallPartner(model, operation, grooves.angles), grooves.raceways, begin, CRITERION)
+    rigid = BallState.of(model.solve(operation), grooves.angles)
+    partner, raceways = BallPartner(model, operation, grooves.angles), grooves.raceways
+    coupled = CoupledBearing(coupling, partner, raceways, rigid)
+    if history is None:
+        attempts = list(coupled.attempts())
+    else:
+        attempts = coupled.solve(history.record, report or Silent(), values)
+        history.attributes = records(attempts)
+    last, best = attempts[-1], nearest(attempts)
     if last.status != "converged":
-        raise NotSolved(last.message or f"ring and supports: {last.status}", "not solved")
+        if history is not None and best is not None:
+            history.nearest = best.state.between
+        raise NotCoupled(summary(attempts), last.ending, last.status)
+    if history is not None:
+        raceways.linearised(last.state.forces)  # of which the figures are then
+        history.attributes["structure"] = raceways.figures()
     return last.state.between
+
+
+def values(step: Iteration[BallState], seconds: float) -> dict[str, NDArray]:
+    """Quantities of an iteration of the coupling, which took some seconds."""
+    parts = {"state": [step.state.between], "step": [step], "seconds": [seconds]}
+    return row(taken(LAYOUT.datasets("iteration").values(), parts), 0)

@@ -89,7 +89,7 @@ def least_squares(history: CouplingHistory) -> NDArray:
     Degroote, Bathe and Vierendeels, Computers and Structures 87 (2009), where G is 1; a starting inverse
     Jacobian as in Lindner et al., VI Coupled Problems (2015).
     """
-    if history.compliance is None:
+    if history.compliance is None or history.force_by_deviation is None:
         return anderson(history, len(history.deviations))
     residual = history.residuals[-1]
     step, remainder = np.zeros_like(residual), residual
@@ -97,37 +97,52 @@ def least_squares(history: CouplingHistory) -> NDArray:
         X, V = _differences(history, history.same_contacts - 1)
         alpha = -np.linalg.lstsq(V, residual, rcond=None)[0]
         step, remainder = X @ alpha, residual + V @ alpha
-    estimate = change_per_residual(history.compliance, history.roller_stiffness[-1], residual.size)
+    estimate = change_per_residual(history.compliance, history.force_by_deviation)
     step = step + estimate @ remainder
     longest, length = np.linalg.norm(residual), np.linalg.norm(step)
     return history.deviations[-1] + step * min(1.0, longest / max(length, np.finfo(float).tiny))
 
 
-def change_per_residual(compliance: Compliance, stiffness: NDArray, size: int) -> NDArray:
+def change_per_residual(compliance: Compliance, by_deviation: NDArray) -> NDArray:
     r"""Estimate how far deviations are from the root of C Q(w) = w where a residual is left.
 
-    .. math:: G = (1 + s\,s^T\,C K)^{-1},\quad K_{jm} = \frac{k_j}{2m + 1}
+    .. math:: G = \left(1 - s\,C \frac{\partial Q}{\partial w}\right)^{-1}
 
-    Every roller is a spring over its length between raceways held fixed; it follows the outer deviation less
-    the inner one and pushes the raceways apart, s = -1 of the inner and 1 of the outer one.
+    with the sign s of an outward force, -1 on the inner and 1 on the outer raceway.
 
     Source
     ------
-    The derivative of C Q(w) with each roller replaced by its tangent spring; Legendre shapes share
-    a uniform stiffness as 1/(2m + 1).
+    The derivative of C Q(w).
 
     Valid
     -----
-    Rollers without tilt and slip; only a step is chosen with it, the root stays the same.
+    Derivatives of the loads may be rough: only a step is chosen with them, the root stays the same.
     """
-    count = size // 2
-    spring = (stiffness[:, None] / (2 * np.arange(count // len(stiffness)) + 1)).ravel()
-    answer = np.zeros((2, count, 2, count))
-    for race, matrix in enumerate(compliance):
+    answer = np.zeros_like(by_deviation)
+    for half, sign, matrix in zip(np.split(np.arange(len(answer)), 2), OUTWARD, compliance, strict=True):
         if matrix is not None:
-            per_approach = matrix.reshape(count, count) * spring
-            answer[race] = per_approach[:, None] * (OUTWARD[race] * OUTWARD)[:, None]
-    return np.linalg.inv(np.eye(size) + answer.reshape(size, size))
+            answer[half] = sign * matrix.reshape(len(half), -1) @ by_deviation[half]
+    return np.linalg.inv(np.eye(len(answer)) - answer)
+
+
+def springs_between_raceways(stiffness: NDArray, shapes: int) -> NDArray:
+    r"""Change of forces by deviations (2 Z M, 2 Z M) [N/m] of uniform springs between raceways held fixed.
+
+    .. math:: K_{jm} = \frac{k_j}{2m + 1}
+
+    Every roller follows the outer deviation less the inner one over its length, and pushes the raceways
+    apart: stiffness k (Z) [N/m], M Legendre shapes.
+
+    Source
+    ------
+    Legendre shapes share a uniform stiffness as 1/(2m + 1).
+
+    Valid
+    -----
+    Rollers without tilt and slip.
+    """
+    spring = (stiffness[:, None] / (2 * np.arange(shapes) + 1)).ravel()
+    return np.kron(np.array([[1.0, -1.0], [1.0, -1.0]]), np.diag(spring))
 
 
 def _differences(history: CouplingHistory, most: int) -> tuple[NDArray, NDArray]:

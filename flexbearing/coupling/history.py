@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from flexbearing.coupling.partners import Compliance
 
-IN_CONTACT = 1e-3  # of the largest roller stiffness: rollers above it touch both raceways
+IN_CONTACT = 1e-3  # of the largest stiffness: rolling elements above it touch both raceways
 
 
 @dataclass(frozen=True)
@@ -16,18 +16,21 @@ class CouplingHistory:
 
     deviations: tuple[NDArray, ...] = ()  # (N) given to the bearing [m]
     residuals: tuple[NDArray, ...] = ()  # (N) answer of the structure less what was given [m]
-    roller_stiffness: tuple[NDArray, ...] = ()  # (Z) [N/m]
-    compliance: Compliance | None = None  # of the structure at the newest iteration; None where unknown
+    contacts: tuple[NDArray, ...] = ()  # (Z) whether an element touches both raceways
+    force_by_deviation: NDArray | None = None  # (N, N) [N/m] about that of the newest iteration
+    compliance: Compliance | None = None  # of the structure there; None where unknown
 
     def extended(
-        self, deviation: NDArray, answer: NDArray, stiffness: NDArray, compliance: Compliance | None
+        self, deviation: NDArray, answer: NDArray, by_deviation: NDArray, compliance: Compliance | None
     ) -> "CouplingHistory":
         """The history with one more iteration, deviation and answer (2, Z, M)."""
+        stiffness = np.abs(by_deviation.diagonal()).reshape(deviation.shape).max((0, 2))
         return replace(
             self,
             deviations=(*self.deviations, deviation.ravel()),
             residuals=(*self.residuals, (answer - deviation).ravel()),
-            roller_stiffness=(*self.roller_stiffness, stiffness),
+            contacts=(*self.contacts, stiffness > IN_CONTACT * stiffness.max()),
+            force_by_deviation=by_deviation,
             compliance=compliance,
         )
 
@@ -46,6 +49,5 @@ class CouplingHistory:
         count, norms = len(self.residuals), self.residual_norms
         if norms[-1] > min(norms):
             return count
-        contacts = [stiffness > IN_CONTACT * stiffness.max() for stiffness in self.roller_stiffness]
-        changed = [not np.array_equal(earlier, contacts[-1]) for earlier in reversed(contacts)]
+        changed = [not np.array_equal(earlier, self.contacts[-1]) for earlier in reversed(self.contacts)]
         return changed.index(True) if any(changed) else count

@@ -38,7 +38,7 @@ class Iteration(Generic[S]):
 
     number: int
     state: S
-    load_change: float  # largest change of a roller load over the largest load [-]
+    load_change: float  # largest change of a load over the largest load [-]
     mismatch: float  # answer of the structure less what the bearing had, over the largest deviation [-]
     status: Status
     message: str = ""
@@ -76,22 +76,23 @@ def fixed_point(
     try:
         # A root to start from is too far away to be kept: rigid raceways tell the first deviations only.
         answer, compliance = structure.answer(start.forces)
-        rigid = history.extended(np.zeros_like(answer), answer, bearing.roller_stiffness(start), compliance)
+        by_deviation = bearing.force_by_deviation(start)
+        rigid = history.extended(np.zeros_like(answer), answer, by_deviation, compliance)
         deviation = rule(rigid).reshape(answer.shape)
     except PartnerFailed as failure:
         yield _failed(1, start, failure)
         return
     for number in range(1, criterion.limit + 1):
-        previous = state.forces
+        previous = state.loads
         try:
             state = bearing.solve(start=state, deviation=deviation)
             answer, compliance = structure.answer(state.forces)
         except PartnerFailed as failure:
             yield _failed_after(history.residual_norms, _failed(number, state, failure))
             return
-        history = history.extended(deviation, answer, bearing.roller_stiffness(state), compliance)
+        history = history.extended(deviation, answer, bearing.force_by_deviation(state), compliance)
         mismatch = _relative(answer - deviation, answer)
-        change = load_change(state.forces - previous, state.forces)
+        change = load_change(state.loads - previous, state.loads)
         status = criterion.status(number, change, mismatch) or _trend(history.residual_norms)
         yield Iteration(number, state, change, mismatch, status, _REASONS.get(status, ""), state.status)
         if status:
@@ -185,11 +186,11 @@ def _in_one_system(
     bearing: Iterating[S], linear: LinearStructure, start: S, criterion: StoppingCriterion, done: int
 ) -> Iterator[Iteration[S]]:
     """Newton iterates between linear elastic raceways, numbered on from those that are done."""
-    previous = start.forces
+    previous = start.loads
     # The first state is the start itself, before any step.
     for count, state in enumerate(bearing.iterate(linear.compliance, start, linear.initial_deviation)):
         if count:
-            change = load_change(state.forces - previous, state.forces)
+            change = load_change(state.loads - previous, state.loads)
             iteration = _newton_iteration(done + count, state, change, criterion)
             if iteration.status == "converged" and state.residual > BALANCED:
                 # One step gains many digits here: answers do not depend on where the iteration began.
@@ -197,7 +198,7 @@ def _in_one_system(
             yield iteration
             if iteration.status:
                 return
-        previous = state.forces
+        previous = state.loads
 
 
 def _newton_iteration(number: int, state: S, change: float, criterion: StoppingCriterion) -> Iteration[S]:
@@ -214,7 +215,7 @@ def _failed(number: int, state: S, failure: PartnerFailed) -> Iteration[S]:
     return Iteration(number, state, np.inf, np.inf, "not solved", str(failure), failure.ending)
 
 
-def load_change(change: NDArray, forces: NDArray) -> float:
-    """Largest change of a roller load over the largest load [-]; infinite while nothing is loaded."""
-    largest = np.abs(forces[..., 0]).max()
-    return float(np.abs(change[..., 0]).max() / largest) if largest > 0 else float("inf")
+def load_change(change: NDArray, loads: NDArray) -> float:
+    """Largest change of a load over the largest load [-]; infinite while nothing is loaded."""
+    largest = np.abs(loads).max()
+    return float(np.abs(change).max() / largest) if largest > 0 else float("inf")

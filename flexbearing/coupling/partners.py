@@ -21,7 +21,12 @@ class State(Protocol):
 
     @property
     def forces(self) -> NDArray:
-        """Generalised roller forces (2, Z, M) on the raceways [N]; [..., 0] is the load."""
+        """Generalised forces (2, Z, M) of the rolling elements on the raceways [N]."""
+        ...
+
+    @property
+    def loads(self) -> NDArray:
+        """Normal loads (2, Z) [N] of the rolling elements on both raceways."""
         ...
 
     @property
@@ -64,8 +69,8 @@ class Bearing(Iterating[S], Protocol[S]):
         """Equilibrium between raceways of given deviations (2, Z, M) [m]; raises `PartnerFailed`."""
         ...
 
-    def roller_stiffness(self, state: S) -> NDArray:
-        """Stiffness of every roller between its raceways (Z) [N/m], about zero where one does not touch."""
+    def force_by_deviation(self, state: S) -> NDArray:
+        """About the change of forces by deviations (2 Z M, 2 Z M) [N/m], zero where nothing touches."""
         ...
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from flexbearing.quantities.attributes import HEAD
 from flexbearing.quantities.ball_clearance import CLEARANCE_ATTRIBUTE
 from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, static_safety, subsurface, worst_contact
+from flexbearing.quantities.coupling import ATTEMPTS, ITERATIONS, METHOD, STRUCTURE
 from flexbearing.quantities.layout import Axis, Layout
 from flexbearing.quantities.life_records import CATALOGUE_ATTRIBUTE, LIFE_ATTRIBUTE
 from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
@@ -49,7 +50,7 @@ _OF_RINGS = "by elastic rings alone, the indentation of the contacts left out; a
 # fmt: off
 QUANTITIES = (
     # contacts
-    Quantity("contact_load", "Q", "race Z", "N", "block", "normal load, >= 0", source="state.loads", summary=(
+    Quantity("contact_load", "Q", "race Z", "N", "state", "normal load, >= 0", source="state.loads", summary=(
         SummaryValue("balls", lambda load: load.shape[1], "balls", "d", unit=COUNT),
         SummaryValue("balls_on_both_races", lambda load: int((load > 0).all(0).sum()),
             "balls on both races", "d", unit=COUNT),
@@ -60,7 +61,7 @@ QUANTITIES = (
     Quantity("ball_azimuth", "phi", "Z", "rad", "block",
         "place of the ball, 0 on the z axis, positive towards y", source="state.bearing.azimuths", people=DEG,
         summary=(SummaryValue("ball_azimuths_deg"),)),
-    Quantity("contact_angle", "alpha", "race Z", "rad", "block", "contact angle from the radial plane",
+    Quantity("contact_angle", "alpha", "race Z", "rad", "state", "contact angle from the radial plane",
         source="state.contact_angles", people=DEG, summary=(
             SummaryValue("contact_angle_range_deg", _range_of_races, "contact angle", ".2f", parts=RACES,
                 entries=EXTENT),
@@ -190,7 +191,7 @@ QUANTITIES = (
             SummaryValue("ring_moment_Nm", tilts, "moment or reaction about y, z", ",.3f",
                 unit=Unit("N m"), section=RING, entries=ABOUT_YZ),
         )),
-    Quantity("ring_displacement", "delta", "displacement", "m, rad", "block",
+    Quantity("ring_displacement", "delta", "displacement", "m, rad", "state",
         f"displacement of the inner ring ({_ORDER})", summary=(
             SummaryValue("ring_displacement_um", displacements, "displacement x, y, z", ".3f", unit=UM,
                 entries=XYZ,
@@ -202,12 +203,12 @@ QUANTITIES = (
         f"load on the inner ring by its displacement ({_ORDER}), balls in balance", source="state.stiffness",
         summary=(*RADIAL_STIFFNESSES, SummaryValue("stiffness_matrix_SI"))),
 
-    Quantity("groove_displacement", "w_r", "race Z", "m", "block",
+    Quantity("groove_displacement", "w_r", "race Z", "m", "state",
         f"outward displacement of the grooves under the balls; {_OF_RINGS}",
         source="state.groove_radial", people=UM, optional=True,
         summary=(SummaryValue("groove_displacement_um", lambda moved: np.abs(moved).max(1),
             "largest radial displacement of the grooves", ".2f", parts=RACES, section="compared"),)),
-    Quantity("groove_axial_displacement", "w_x", "race Z", "m", "block",
+    Quantity("groove_axial_displacement", "w_x", "race Z", "m", "state",
         f"displacement of the grooves under the balls along x; {_OF_RINGS}",
         source="state.groove_axial", people=UM, optional=True),
 
@@ -295,6 +296,8 @@ QUANTITIES = (
         source="fields.pressure", people=MPA, optional=True),
     Quantity("field_stick", "", "race P1 P2", "1", "block", f"1 where the surfaces stick, else 0, {_CELLS}",
         source="fields.stick", optional=True),
+
+    *ITERATIONS,
 )
 # fmt: on
 
@@ -331,7 +334,8 @@ right-handed.
         CLEARANCE_ATTRIBUTE,
         replace(LIFE_ATTRIBUTE, optional=True),
         CATALOGUE_ATTRIBUTE,
+        *(replace(attribute, optional=True) for attribute in (METHOD, ATTEMPTS, STRUCTURE)),
     ),
-    head=("kind", *HEAD, "clearance", "life", "catalogue_life"),
+    head=("kind", *HEAD, "method", "clearance", "life", "catalogue_life", "structure"),
     case_keys=(("friction_model", "friction", "model"), ("friction_spin", "friction", "spin")),
 )

@@ -6,6 +6,7 @@ The page of a result shows its rows in the order of declaration.
 from flexbearing.quantities import roller_records as records
 from flexbearing.quantities.attributes import HEAD, Attribute
 from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, static_safety, subsurface, worst_contact
+from flexbearing.quantities.coupling import ATTEMPTS, ITERATIONS, METHOD, STRUCTURE
 from flexbearing.quantities.layout import Axis, Layout
 from flexbearing.quantities.life_records import CATALOGUE_ATTRIBUTE, LIFE_ATTRIBUTE
 from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
@@ -525,13 +526,7 @@ QUANTITIES = (
                               digits=".3g", section=SKEW),)),
 
     # iterations of the coupling
-    Quantity("load_change", "", "", "1", "iteration", "largest change of a roller load / largest load",
-        source="step.load_change"),
-    Quantity("mismatch", "", "", "1", "iteration",
-        "deviation that the rings return, less the one that the bearing was given / largest deviation; "
-        "0 where both are one system", source="step.mismatch"),
-    Quantity("residual", "", "", "1", "iteration", "largest unbalanced force / applied load"),
-    Quantity("seconds", "", "", "s", "iteration", "time that the iteration took", source="seconds"),
+    *ITERATIONS,
     Quantity("unknowns", "", "N", "m, rad, rad/s", "block",
         "where a similar case may start: ring displacement (y, z) and slopes, cage speed less that "
         "of pure rolling; then, Z each, approach and tilt approach of the rollers at the outer raceway, "
@@ -541,13 +536,8 @@ QUANTITIES = (
 # fmt: on
 
 _ATTRIBUTES = (
-    Attribute("method", "text", "method of the coupling"),
-    Attribute(
-        "attempts",
-        "json",
-        "methods of the coupling in the order they were tried, with their ends",
-        form=records.ATTEMPTS,
-    ),
+    METHOD,
+    ATTEMPTS,
     Attribute(
         "started_from",
         "text",
@@ -582,12 +572,7 @@ _ATTRIBUTES = (
         optional=True,
         form=records.EQUILIBRIA,
     ),
-    Attribute(
-        "structure",
-        "json",
-        "figures of the finite elements: unknowns, seconds per stage; what lines, springs and fits carry",
-        form=records.STRUCTURE,
-    ),
+    STRUCTURE,
     Attribute(
         "stresses",
         "json",

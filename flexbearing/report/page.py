@@ -220,5 +220,5 @@ def _balance(held: dict[str, Any]) -> str:
     rest = hypot(along_y - y, along_z - z) > SHEARED * hypot(along_y, along_z)
     return (
         f"radial forces hold ({y:,.1f}, {z:,.1f}) N along (y, z) of ({along_y:,.1f}, {along_z:,.1f}) N "
-        "of the rollers" + (", tangential springs the rest" if rest else "")
+        "of the bearing" + (", tangential springs the rest" if rest else "")
     )

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexbearing.report.figure import BAND, Axis, Bars, Figure, Item, Line, Map, Rule, Values
+from flexbearing.report.html.figures import convergence
+from flexbearing.report.html.reader import Reader
 from flexbearing.report.picture import NUMBERS, plain_grid, set_heading
 
 if TYPE_CHECKING:
@@ -52,6 +54,13 @@ def picture(
 def _is_shared(axes: Sequence[Axis]) -> bool:
     """Whether panels have one axis; categories are those of a panel alone."""
     return len({*axes}) == 1 and axes[0].scale != "category"
+
+
+def convergence_picture(reader: Reader) -> Page | None:
+    """Draw load change and residual of every iteration; none where nothing was iterated."""
+    solved, ended = convergence(reader), reader.result.attributes
+    what = f"Convergence ({ended.get('method')}): {ended['status']}"
+    return picture(reader.attributes["title"], what, [solved]) if solved else None
 
 
 def _scales(page: Page, grid: Sequence[Axes], figures: Sequence[Figure]) -> None:

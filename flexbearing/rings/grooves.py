@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 import fem
 from fem.condense import HARMONICS, SMEARED
 from fem.errors import NotSolved as RingNotSolved
+from fem.mesh.axial_section import require_affordable_section, sections, smeared_sections
 from fem.raceway.stations import narrowest_patch
 from flexbearing.build import held_ring
 from flexbearing.build.groove_parts import BallCase, GroovePart, groove_part
@@ -22,7 +23,7 @@ from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.case.balls.groove_accuracy import patch
 from flexbearing.case.balls.ring_room import MARGIN, OUTWARD, Race
 from flexbearing.case.quantity import at_least, in_mm
-from flexbearing.coupling import Raceway, RacewayPair
+from flexbearing.coupling import LinearRaceway, Raceway, RacewayPair
 from flexbearing.progress import Report
 from flexbearing.rings.stored import Arguments, condensed_part
 from quasidynamic import ImpossiblePart, NotSolved
@@ -50,11 +51,12 @@ class GrooveShape:
         return self.part.groove.width(self.part.raceway_diameter / 2, OUTWARD[self.race])
 
 
-class SupportedGrooves(NamedTuple):
-    """Both grooves under balls, at least one on supports that it may lift off."""
+class GroovePair(NamedTuple):
+    """Both grooves under balls, at least one of them elastic."""
 
     raceways: RacewayPair
     angles: NDArray  # (2, K) [rad] of the stations
+    elastic: ElasticGrooves | None  # None where a ring may lift off its supports
 
 
 def accuracy_of(case: BallCase) -> tuple[str, GrooveAccuracy | Rings]:
@@ -68,10 +70,24 @@ def parts(case: BallCase) -> tuple[Arguments | None, Arguments | None]:
     Raises
     ------
     BadCase
-        when no such part can exist
+        when no such part can exist, or its elements are too small
     """
     inner, outer = (shape and _arguments(case, shape) for shape in (shape_of(case, race) for race in RACES))
+    for race, arguments in zip(RACES, (inner, outer), strict=True):
+        if arguments:
+            _require_affordable(case, race, arguments)
     return inner, outer
+
+
+def _require_affordable(case: BallCase, race: Race, arguments: Arguments) -> None:
+    part, _, resolution = arguments
+    bodies = smeared_sections if isinstance(part, fem.SquirrelCage) else sections
+    try:
+        require_affordable_section(bodies(part, resolution.length), resolution.mesh)
+    except RingNotSolved as problem:
+        section, accuracy = accuracy_of(case)
+        key = "mesh_size" if accuracy.patch_width is None else "patch_width or mesh_size"
+        raise BadCase(f"{case.source.path}: [{section}] {key}: {race} ring: {problem}") from problem
 
 
 def shape_of(case: BallCase, race: Race) -> GrooveShape | None:
@@ -136,13 +152,19 @@ def elastic_grooves(case: BallCase, azimuths: NDArray, report: Report) -> Elasti
     return None if inner is None and outer is None else ElasticGrooves(inner, outer)
 
 
-def supported_grooves(case: FastCase, azimuths: NDArray, report: Report) -> SupportedGrooves:
-    """Both grooves under balls at azimuths (Z) [rad], on supports that they may lift off; raises as above."""
+def groove_pair(case: FastCase, azimuths: NDArray, report: Report) -> GroovePair:
+    """Both grooves under balls at azimuths (Z) [rad] as partners of a coupling; raises as above."""
     shapes = [shape_of(case, race) for race in RACES]
     angles = [shape and _stations(case, shape).angles for shape in shapes]
-    known = next(each for each in angles if each)  # as an outer ring is elastic
-    inner, outer = (_raceway(case, shape, azimuths, report) for shape in shapes)
-    return SupportedGrooves(RacewayPair(inner, outer), np.array([each or known for each in angles]))
+    known = next(each for each in angles if each)
+    raceways = RacewayPair(*(_raceway(case, shape, azimuths, report) for shape in shapes))
+    elastic = None
+    if not case.outer.lifts_off:
+        pair = raceways.linearised(np.zeros((2, len(azimuths), len(known))))
+        both = zip(shapes, pair.raceways, strict=True)
+        grooves = (_groove(case, shape, at) if shape and at else None for shape, at in both)
+        elastic = ElasticGrooves(*grooves)
+    return GroovePair(raceways, np.array([each or known for each in angles]), elastic)
 
 
 def require_held(case: FastCase, load: complex) -> None:
@@ -151,7 +173,7 @@ def require_held(case: FastCase, load: complex) -> None:
         held_ring.require_held_on_lines(case.outer, load)
 
 
-def _raceway(case: BallCase, shape: GrooveShape | None, azimuths: NDArray, report: Report) -> Raceway:
+def _raceway(case: FastCase, shape: GrooveShape | None, azimuths: NDArray, report: Report) -> Raceway:
     # a case is checked without what knows rollers
     from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway
     from flexbearing.rings.supported import RINGS, SupportedRaceway, line_figures
@@ -160,8 +182,8 @@ def _raceway(case: BallCase, shape: GrooveShape | None, azimuths: NDArray, repor
         return RigidRaceway(azimuths)
     with _named(case, shape.race):
         ring = compliance(case, shape, report)
-        if shape.race == "inner":
-            return CondensedRaceway(ring.at(azimuths))
+        if shape.race == "inner" or case.outer.support != "lines" or case.outer.kind != "ring":
+            return CondensedRaceway(ring.at(azimuths), ring.at)
         under_balls = ring.under_rollers(azimuths)
         name = RINGS["lines"]
         return SupportedRaceway(name, under_balls, line_figures, ring.under_rollers, from_ground=True)
@@ -185,6 +207,10 @@ def groove_of_shape(case: BallCase, shape: GrooveShape, azimuths: NDArray, repor
     """
     with _named(case, shape.race):
         at_balls = compliance(case, shape, report).at(azimuths)
+    return _groove(case, shape, at_balls)
+
+
+def _groove(case: BallCase, shape: GrooveShape, at_balls: LinearRaceway) -> ElasticGroove:
     try:
         angles = np.array(_stations(case, shape).angles)
         return ElasticGroove(angles, at_balls.absolute, at_balls.initial_deviation)

@@ -8,13 +8,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.build.ring_parts import part_of
-from flexbearing.case.roller import Case
 from flexbearing.program.threads import cores
 
 if TYPE_CHECKING:
     from fem.raceway.compliance import RacewayCompliance
     from fem.raceway.harmonics import HarmonicCompliance
+    from flexbearing.case.roller import Case
 
 Ahead = Callable[[], "HarmonicCompliance"]
 
@@ -107,8 +106,10 @@ def compliance_figures(compliance: "RacewayCompliance") -> dict[str, object]:
 
 
 @contextmanager
-def outer_ring_ahead(case: Case) -> Iterator[Ahead | None]:
+def outer_ring_ahead(case: "Case") -> Iterator[Ahead | None]:
     """Begin with the outer ring of a case in a process of its own."""
+    from flexbearing.build.ring_parts import part_of  # balls are between the same raceways without rollers
+
     part = part_of(case, "outer")
     chosen_later = case.accuracy.target is not None or case.coupling.structure == "full"
     if part is None or chosen_later or cores() == 1:

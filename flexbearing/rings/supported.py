@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.errors import NotSolved
-from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
 from flexbearing.coupling.raceway_pair import linear_answer, radial
 from flexbearing.rings.raceways import compliance_figures
@@ -18,6 +17,7 @@ if TYPE_CHECKING:
     from fem.raceway.compliance import RacewayCompliance
     from fem.section.ring_on_foundation import RollersOnFoundation
     from fem.section.ring_on_lines import RollersOnLines
+    from flexbearing.case.roller import Case
 
 RINGS = {"lines": "outer ring on its lines", "foundation": "outer ring on its foundation"}
 ADVICE = "give lines on both sides of the load, or outer.bilateral = true where they can pull"
@@ -57,7 +57,9 @@ class SupportedRaceway:
         self.last = outward
         with self._named_failure():
             near = self.ring.near(outward)
-        return replace(near, translation=np.zeros_like(near.translation)) if self.from_ground else near
+        if not self.from_ground:
+            return near
+        return replace(near, translation=np.zeros_like(near.translation), support_stiffness=np.inf)
 
     def under(self, azimuths: NDArray) -> "SupportedRaceway":
         """The same raceway under rollers at other azimuths (Z) [rad]; raises `PartnerFailed`."""
@@ -67,8 +69,8 @@ class SupportedRaceway:
     def figures(self) -> dict[str, object]:
         """What finite elements and supports say of the last forces."""
         assert self.last is not None  # figures are those of a state
+        compliance = self.linearised(self.last)
         with self._named_failure():
-            compliance = self.ring.near(self.last)
             return compliance_figures(compliance) | self.support_figures(self.ring, self.last)
 
     def with_axial_modes(self, count: int) -> "SupportedRaceway":
@@ -83,7 +85,7 @@ class SupportedRaceway:
             raise PartnerFailed(f"{self.name}: {problem}; {ADVICE}", "not solved") from problem
 
 
-def is_on_supports(case: Case) -> bool:
+def is_on_supports(case: "Case") -> bool:
     """Whether the outer ring is on lines or radial springs, whose forces are reported."""
     outer = case.outer
     return outer.kind == "ring" and (

@@ -4,7 +4,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,7 @@ from flexbearing.build import clearance, out_of_round
 from flexbearing.build.ball_fits import ball, groove
 from flexbearing.case import BadCase, Head
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
+from flexbearing.case.coupling import MethodsOfCoupling
 from flexbearing.findings import Judged, declared, evaluate
 from flexbearing.findings.running import GYROSCOPIC_MOMENT
 from flexbearing.program.workers import shared_map
@@ -34,12 +35,15 @@ from flexbearing.runs import (
 from flexbearing.runs.ball_life import BallLives
 from flexbearing.runs.life_of_state import MREV
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
-from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves
 from quasidynamic.columns import kind_and_numbers
 from quasidynamic.note import Note, information, outside
 from quasidynamic.outcome.angular_contact_state import RollingContact
 from quasidynamic.outcome.rating_life import BALLS
 from quasidynamic.outcome.worst_point_contact import WorstPointContact
+
+if TYPE_CHECKING:
+    from flexbearing.coupled.balls import CouplingHistory
+    from flexbearing.rings.grooves import GroovePair
 
 
 @dataclass(frozen=True)
@@ -68,6 +72,7 @@ class Solution:
 
 STICK = "stick and slip, ball by ball"  # what is reported while it is found
 OUT_OF_RANGE = "outside a law"  # how a solver ended
+USUAL = MethodsOfCoupling()  # by which cases are solved side by side
 Ended = Solution | NotSolved | BadCase  # or why there is no solution
 Block = Literal["rigid", "flexible"]  # the rings between which there is a solution
 
@@ -154,11 +159,14 @@ def build(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperatio
     return bearing(case), operation(case)
 
 
-def solved(cases: Sequence[FastCase], report: Report) -> list[dict[Block, Ended]]:
+def solved(
+    cases: Sequence[FastCase], report: Report, history: "CouplingHistory | None" = None
+) -> list[dict[Block, Ended]]:
     """Balance, pure rolling lines, and stick and slip where a case requires them; or why there is none.
 
     By the names of their blocks: between rigid rings, then between elastic ones where a case has them and
-    there is a balance between rigid ones. Cases whose bearings are the same are balanced side by side.
+    there is a balance between rigid ones. Cases whose bearings are the same are balanced side by side, but
+    for one whose iterations are stored.
     """
     built = [named(case, partial(_built, case)) for case in cases]
     report.stage("fast balls between rigid rings", None)
@@ -171,7 +179,8 @@ def solved(cases: Sequence[FastCase], report: Report) -> list[dict[Block, Ended]
         rings = _grooves(elastic, models, report)
         report.stage("fast balls between elastic rings", None)
         models = [_preloaded(*each) for each in zip(elastic, models, rings, strict=True)]
-        flexible = _finished(elastic, _balanced(elastic, models, rings), report)
+        states = _balanced(elastic, models, rings, history, report)
+        flexible = _finished(elastic, states, report)
         for k, each in zip(some, flexible, strict=True):
             ended[k]["flexible"] = each
     return ended
@@ -193,7 +202,7 @@ def _preloaded(case: FastCase, built: Any, rings: Any) -> Any:
     rest, (model, loaded) = preload_at_rest(case), built
     if rest is None:
         return on_cam(case, model), loaded
-    state = named(case, partial(_solved_between, model, rest, rings))
+    state = named(case, partial(_coupled, case, model, rest, rings))
     if isinstance(state, Exception):
         return state
     return model, held_at(loaded, float(state.ring_displacement[0]))
@@ -230,13 +239,11 @@ def _grooves(cases: Sequence[FastCase], built: Sequence[Any], report: Report) ->
     for case, (model, _) in zip(cases, built, strict=True):
         azimuths = model.bearing.azimuths
         key = named(case, partial(grooves.parts, case))
-        between = grooves.supported_grooves if case.outer.lifts_off else grooves.elastic_grooves
         if not isinstance(key, Exception):
             key = key, azimuths.tobytes()
         if key not in known:
-            known[key] = (
-                key if isinstance(key, Exception) else named(case, partial(between, case, azimuths, report))
-            )
+            pair = partial(grooves.groove_pair, case, azimuths, report)
+            known[key] = key if isinstance(key, Exception) else named(case, pair)
         grooves_of_cases.append(known[key])
     return grooves_of_cases
 
@@ -258,45 +265,51 @@ def _built(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperati
 
 
 def _balanced(
-    cases: Sequence[FastCase], built: Sequence[Any], grooves: Sequence[Any] | None = None
+    cases: Sequence[FastCase],
+    built: Sequence[Any],
+    grooves: Sequence[Any] | None = None,
+    history: "CouplingHistory | None" = None,
+    report: Report | None = None,
 ) -> list[Any]:
-    """States of the bearings that could be built, those of the same bearing and grooves side by side."""
+    """States of the bearings that could be built, those of the same bearing and grooves side by side.
+
+    Alone is what has a history, or rings that are no part of one linear system.
+    """
     rings = grooves or [None] * len(cases)
     states, alike = list(built), defaultdict[Any, list[int]](list)
-    for place, (each, ring) in enumerate(zip(built, rings, strict=True)):
+    for place, (case, each, ring) in enumerate(zip(cases, built, rings, strict=True)):
         if isinstance(each, Exception) or isinstance(ring, Exception):
             states[place] = each if isinstance(each, Exception) else ring
+        elif ring and (history or ring.elastic is None or case.coupling != USUAL):
+            states[place] = named(case, partial(_coupled, case, *each, ring, history, report))
         else:
             kind, numbers = kind_and_numbers(each[0])
             alike[kind, *numbers, id(ring)].append(place)
     for places in alike.values():
         model, operations, ring = built[places[0]][0], [built[k][1] for k in places], rings[places[0]]
+        elastic = ring and ring.elastic
         try:
-            states_of_model = [] if _lifts_off(ring) else model.solve_many(operations, ring)
+            states_of_model = model.solve_many(operations, elastic)
         except OutOfRange:  # of one of them, which says so by itself
-            states_of_model = []
-        if not states_of_model:
             each = zip(places, operations, strict=True)
-            solve = partial(_solved_between, model)
-            states_of_model = [named(cases[place], partial(solve, at, ring)) for place, at in each]
+            states_of_model = [named(cases[k], partial(model.solve, at, elastic)) for k, at in each]
         for place, state in zip(places, states_of_model, strict=True):
-            states[place] = state
+            again = partial(_coupled, cases[place], *built[place], ring)  # by other methods than newton
+            states[place] = named(cases[place], again) if ring and isinstance(state, NotSolved) else state
     return states
 
 
-def _lifts_off(rings: Any) -> bool:
-    """Whether grooves are not linear, so that cases are solved one by one."""
-    return not isinstance(rings, ElasticGrooves | None)
-
-
-def _solved_between(
-    model: qd.AngularContactBallBearing, operation: qd.RingOperation, rings: Any
+def _coupled(
+    case: FastCase,
+    model: qd.AngularContactBallBearing,
+    operation: qd.RingOperation,
+    rings: "GroovePair",
+    history: "CouplingHistory | None" = None,
+    report: Report | None = None,
 ) -> qd.AngularContactState:
-    if not _lifts_off(rings):
-        return model.solve(operation, rings)
     from flexbearing.coupled import balls  # with finite elements
 
-    return balls.equilibrium(model, operation, rings)
+    return balls.equilibrium(case.coupling, model, operation, rings, history, report)
 
 
 def _rolled(case: FastCase, state: qd.AngularContactState, progress: Callable[[float], None]) -> Solution:

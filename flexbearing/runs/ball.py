@@ -8,6 +8,7 @@ from flexbearing.build import clearance
 from flexbearing.case import BadCase, Head
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.four_point import FourPointCase
+from flexbearing.coupled.attempts import NotCoupled
 from flexbearing.findings import Judged, records
 from flexbearing.outputs import requested
 from flexbearing.program.threads import linear_algebra_alone
@@ -19,7 +20,7 @@ from flexbearing.results import Recorder
 from flexbearing.runs import angular_contact, four_point
 from flexbearing.runs.angular_contact import Block, named
 from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer, message
-from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
+from quasidynamic import AngularContactState, ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.note import Note, graded
 
 NOT_SOLVED = "not solved"
@@ -67,13 +68,20 @@ def solve_angular(case: FastCase, record: Recorder, report: Report) -> dict[str,
     BadCase
         when no such bearing can exist
     """
-    (ended,) = angular_contact.solved([case], report)
+    history = None
+    if not case.rigid:
+        from flexbearing.coupled.balls import CouplingHistory  # with finite elements
+
+        history = CouplingHistory(record)
+    (ended,) = angular_contact.solved([case], report, history)
+    coupled = {"method": case.coupling.method, **history.attributes} if history else {}
     last: tuple[Block, angular_contact.Solution] | None = None
     for name, each in ended.items():
         if isinstance(each, BadCase):
             raise each
         if isinstance(each, NotSolved):
-            return _not_solved(each)
+            _store_nearest(case, history and history.nearest, record)
+            return _not_solved(each) | coupled
         record.block(name, angular_contact.block(each))
         last = name, each
     assert last  # of rigid rings, at least
@@ -86,7 +94,15 @@ def solve_angular(case: FastCase, record: Recorder, report: Report) -> dict[str,
     ending = _converged(words, angular_contact.notes(solution, found), found)
     life = solution.lives and solution.lives.of_state
     lives = {name: life.record()} if life else {}
-    return {**ending, "clearance": clearance.record(case), "life": lives}
+    return {**ending, "clearance": clearance.record(case), "life": lives, **coupled}
+
+
+def _store_nearest(case: FastCase, state: AngularContactState | None, record: Recorder) -> None:
+    """Store the state that came nearest to balls and rings in balance, which is none."""
+    if state is not None:
+        block = named(case, lambda: angular_contact.block(angular_contact.followed(case, state)))
+        if not isinstance(block, Exception):
+            record.block("flexible", block, converged=False)
 
 
 def _converged(message: str, notes: tuple[Note, ...], found: tuple[Judged, ...]) -> dict[str, Any]:
@@ -95,7 +111,11 @@ def _converged(message: str, notes: tuple[Note, ...], found: tuple[Judged, ...])
 
 
 def _not_solved(failure: NotSolved) -> dict[str, Any]:
-    return _ending(NOT_SOLVED, str(failure), str(failure.outcome))
+    return _ending(_status(failure), str(failure), str(failure.outcome))
+
+
+def _status(problem: Exception) -> str:
+    return problem.status if isinstance(problem, NotCoupled) else NOT_SOLVED
 
 
 def _ending(status: str, message: str, ending: str) -> dict[str, Any]:
@@ -155,7 +175,7 @@ def _of_slow(case: FourPointCase, texts: Sequence[str]) -> Answer:
 
 def _unsolved(problem: Exception, numbers: Mapping[str, float]) -> Answer:
     """The answer of a case without a solution; `numbers` are those of states on the way to it."""
-    return Answer(BAD_INPUT if isinstance(problem, BadCase) else NOT_SOLVED, str(problem), numbers)
+    return Answer(BAD_INPUT if isinstance(problem, BadCase) else _status(problem), str(problem), numbers)
 
 
 def _numbers(layout: Layout, blocks: Mapping[str, Any], texts: Sequence[str]) -> dict[str, float]:

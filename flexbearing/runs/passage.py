@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.case.roller import Case
-from flexbearing.coupled.coupled import BearingPartner, CoupledBearing
+from flexbearing.coupled.attempts import CoupledBearing
+from flexbearing.coupled.coupled import BearingPartner
 from flexbearing.coupled.states import EndStates, InitialState, flat, unknowns
 from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.outputs import outputs
@@ -220,7 +221,7 @@ def solved_near(case: Case, model: RollerBearing, rings: RacewayPair, near: Equi
             return partner.solve()
     warm = InitialState("the position before", unknowns(flat(near.cases)[0], model.bearing.rollers))
     start = None if rings.solved_in_full else warm  # which has no tangent to begin with
-    *_, last = CoupledBearing(case, partner, rings, partner.solve(), start).attempts()
+    *_, last = CoupledBearing(case.coupling, partner, rings, partner.solve(), start).attempts()
     if last.status != "converged":
         raise PartnerFailed(last.message, last.status)
     return last.state

@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 from flexbearing.build import clearance, roller_bearing
 from flexbearing.build.ring_parts import part_of
 from flexbearing.case.roller import Case
-from flexbearing.coupled.coupled import FROM_INITIAL_STATE, BearingPartner, CoupledBearing, nearest, summary
+from flexbearing.coupled import states
+from flexbearing.coupled.attempts import FROM_INITIAL_STATE, CoupledBearing, nearest, records, summary
+from flexbearing.coupled.coupled import BearingPartner
 from flexbearing.coupled.states import InitialState
 from flexbearing.coupling import LinearPair, PartnerFailed, RacewayPair
 from flexbearing.progress import Report
@@ -143,12 +145,11 @@ def _solve(
         errors = _slice_error(case, resolved.model, rings, rigid, postprocessing)
         return _all_rigid(resolved, rigid, postprocessing) | passed | errors
     report.stage("bearing and rings coupled", None)
-    attempts = CoupledBearing(case, partner, rings, rigid, initial).solve(postprocessing.record, report)
+    attempts = CoupledBearing(case.coupling, partner, rings, rigid, initial).solve(
+        postprocessing.record, report, states.iteration
+    )
     last, converged = attempts[-1], attempts[-1].status == "converged"
-    ending = _ending(last.status, summary(attempts), last.iterations) | {
-        "ending": last.ending,
-        "attempts": {attempt.method: attempt.record() for attempt in attempts},
-    }
+    ending = _ending(last.status, summary(attempts), last.iterations) | records(attempts)
     stored = last if converged else nearest(attempts)
     if stored is None:  # no method found a first state between flexible raceways
         return ending

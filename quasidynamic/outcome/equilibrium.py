@@ -101,6 +101,11 @@ class Equilibrium:
         return self.system.state
 
     @property
+    def loads(self) -> NDArray:
+        """Loads (2, Z) [N] of the rollers on the raceways."""
+        return self.cases.loads[0]
+
+    @property
     def forces(self) -> NDArray:
         """Forces (2, Z, M) [N] of the rollers on the raceways; [..., 0] is the load."""
         return self.cases.forces[0]

@@ -653,6 +653,9 @@ EFFECTS += (
             ("on side", "inner.width", "31 mm", "inner.part.{track_width,width}"),
             ("on side", "inner.shaft_length", "61 mm", "inner.part.shaft_length"),
             ("on side", "inner.shaft_thickness", "5 mm", "inner.part.shaft_bore"),
+            *(("on side", f"coupling.{name}", value, f"case.coupling.{name}") for name, value in (
+                ("method", "iqn-ils"), ("fallback", False), ("tolerance", 1.01e-8), ("max_iterations", 201),
+                ("relaxation", 0.101))),
             ("on side", "accuracy.patch_width", "0.6 mm",
              "inner.{last,width,mesh.raceway_size} outer.{last,width,mesh.raceway_size}"),
             ("on side", "accuracy.stations", 5, "inner.stations outer.stations"),

@@ -5,8 +5,9 @@ import pytest
 import fem
 import flexbearing.api
 from fem.errors import NotSolved
-from fem.mesh.axial_section import AxialSection, meshed
+from fem.mesh.axial_section import AxialSection
 from fem.mesh.expense import LARGEST, require_affordable
+from fem.mesh.section_mesh import meshed
 from fem.raceway.harmonics import FEWEST, MOST, highest_harmonic, resolving
 from flexbearing.__main__ import command
 from flexbearing.case import BadCase

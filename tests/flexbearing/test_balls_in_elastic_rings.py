@@ -289,3 +289,20 @@ def test_lives_against_a_catalogue_name_what_elastic_rings_do():
     flexible = flexbearing.run(CAGE, {"materials.ball.density": "0.001 kg/m^3"})
     gained = flexible.flexible["life_L10"] / flexible.rigid["life_L10"]
     assert stages["elastic rings"]["factor"] == approx(float(gained), rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("case", "changes"),
+    [
+        (CAGE, {"accuracy.mesh_size": "0.02 mm"}),
+        (
+            CAGE,
+            {"accuracy.patch_width": "0.2 mm", "accuracy.mesh_size": "0.1 mm", "accuracy.element_order": 8},
+        ),
+        ("configs/slewing_bolted.toml", {"rings.mesh_size": "0.1 mm"}),
+    ],
+    ids=["cage", "patches", "bolted"],
+)
+def test_meshes_that_no_computer_solves_are_refused_by_check(case, changes):
+    with pytest.raises(BadCase, match=r"(accuracy|rings)\].*mesh_size: .*unknowns on the axial section"):
+        check(case, changes)

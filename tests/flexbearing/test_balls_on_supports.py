@@ -14,7 +14,8 @@ from flexbearing.case import BadCase
 from flexbearing.case.read import written
 from flexbearing.coupled.balls import BallState, equilibrium
 from flexbearing.progress import Silent
-from flexbearing.rings.grooves import elastic_grooves, parts, supported_grooves
+from flexbearing.report.output import text
+from flexbearing.rings.grooves import elastic_grooves, groove_pair, parts
 from flexbearing.runs.angular_contact import bearing, operation
 from quasidynamic.balance.balls.elastic_grooves import ElasticGroove
 from tests.fem import test_ring_on_matrix as matrices, written_matrices as write
@@ -58,8 +59,8 @@ def test_stiffer_rings_tend_to_rigid_ones(support):
 
 def test_a_ring_lifts_off_lines_that_would_pull():
     case, model, load, azimuths = built(LINES | {"outer.line_azimuths": ALL_ROUND})
-    grooves = supported_grooves(case, azimuths, Silent())
-    state = equilibrium(model, load, grooves)
+    grooves = groove_pair(case, azimuths, Silent())
+    state = equilibrium(case.coupling, model, load, grooves)
     lines = grooves.raceways.outer.figures()["lines"]
     force = np.array(lines["force_N"])
     assert force.min() > -1e-6 * force.max()
@@ -70,6 +71,12 @@ def test_a_ring_lifts_off_lines_that_would_pull():
     assert np.abs(difference).max() > 1e-4 * state.loads.max()
     run = flexbearing.run(CASE, LINES | {"outer.line_azimuths": ALL_ROUND})
     assert run.flexible["contact_load"] == approx(state.loads, rel=1e-9)
+    stored = run.attributes["structure"]["outer"]
+    assert stored["lines"]["force_N"] == approx(force, abs=1e-6)
+    assert stored["support_stiffness_N_per_m"] is None  # places count from the ground
+    printed = text(run)
+    assert printed.count("lifted off") == lines["carries"].count(False)
+    assert pulling.attributes["structure"]["outer"]["lines"]["pull"]
 
 
 def test_a_load_turned_with_its_lines_turns_the_answer():

@@ -16,7 +16,7 @@ from flexbearing.coupling import (
     newton,
     relaxed as relaxation_rule,
 )
-from flexbearing.coupling.acceleration import change_per_residual
+from flexbearing.coupling.acceleration import change_per_residual, springs_between_raceways
 from flexbearing.coupling.history import CouplingHistory
 from flexbearing.coupling.loop import STAGNATION_LIMIT, Status
 from flexbearing.quantities.attributes import ENDS
@@ -27,6 +27,10 @@ class ToyState:
     forces: np.ndarray
     residual: float = 0.0
     status: str = ""
+
+    @property
+    def loads(self):
+        return self.forces[..., 0]
 
     def failure(self):
         return f"the toy {self.status}"
@@ -47,8 +51,8 @@ class Springs:
             raise PartnerFailed("too much", "stalled")
         return ToyState(np.full((2, 3, 1), 100.0) - self.stiffness * deviation)
 
-    def roller_stiffness(self, state):
-        return np.full(3, self.stiffness)
+    def force_by_deviation(self, state):
+        return springs_between_raceways(np.full(3, self.stiffness), 1)
 
     def iterate(self, compliance, start=None, deviation=None):
         yield start
@@ -261,14 +265,15 @@ def test_estimate_is_exact_for_springs_between_two_raceways():
 
     rng_loads, deviation = rng.normal(size=(4, 3)) * 1e3, 1e-6 * rng.normal(size=shape)
     residual = answer(deviation) - deviation
-    step = change_per_residual((compliance[0], compliance[1]), stiffness, deviation.size) @ residual.ravel()
+    by_deviation = springs_between_raceways(stiffness, 3)
+    step = change_per_residual((compliance[0], compliance[1]), by_deviation) @ residual.ravel()
     root = deviation + step.reshape(shape)
     assert answer(root) == approx(root, rel=1e-9, abs=1e-12 * np.abs(root).max())
 
 
 def test_rigid_raceway_is_not_moved_by_the_estimate():
     compliance = None, 1e-8 * np.eye(3)[:, None, :, None]
-    expected = change_per_residual(compliance, np.full(3, 1e8), 6)
+    expected = change_per_residual(compliance, springs_between_raceways(np.full(3, 1e8), 1))
     assert expected[:3] == approx(np.eye(6)[:3], rel=0, abs=1e-15)
     assert np.diag(expected)[3:] == approx(0.5)
 
@@ -277,9 +282,11 @@ def test_iterations_with_other_contacts_are_left_out_while_residuals_fall():
     history, contacts, zero = CouplingHistory(), [[1, 1, 1], [1, 1, 0], [1, 1, 0]], np.zeros((2, 3, 1))
     for number, stiffness in enumerate(contacts):
         answer = np.full((2, 3, 1), 1 / (1 + number))
-        history = history.extended(zero, answer, np.array(stiffness, float), None)
+        by_deviation = springs_between_raceways(np.array(stiffness, float), 1)
+        history = history.extended(zero, answer, by_deviation, None)
     assert history.same_contacts == 2
-    history = history.extended(zero, np.ones((2, 3, 1)), np.array([1.0, 1.0, 0.0]), None)
+    by_deviation = springs_between_raceways(np.array([1.0, 1.0, 0.0]), 1)
+    history = history.extended(zero, np.ones((2, 3, 1)), by_deviation, None)
     assert history.same_contacts == 4  # the last residual is not the smallest
 
 
@@ -287,8 +294,9 @@ def test_quasi_newton_step_is_no_longer_than_the_residual():
     """Of a structure that pushes back, the estimate would step fifty times as far."""
     compliance = None, -0.98 * np.eye(3)[:, None, :, None]
     residual = np.concatenate([np.zeros((1, 3, 1)), np.ones((1, 3, 1))])
-    history = CouplingHistory().extended(np.zeros((2, 3, 1)), residual, np.ones(3), compliance)
-    assert change_per_residual(compliance, np.ones(3), 6) @ residual.ravel() == approx(50 * residual.ravel())
+    by_deviation = springs_between_raceways(np.ones(3), 1)
+    history = CouplingHistory().extended(np.zeros((2, 3, 1)), residual, by_deviation, compliance)
+    assert change_per_residual(compliance, by_deviation) @ residual.ravel() == approx(50 * residual.ravel())
     assert RULES["iqn-ils"](history) == approx(residual.ravel())
 
 

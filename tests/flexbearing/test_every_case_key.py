@@ -183,6 +183,8 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
     "pressed housing": ("nu209_fits", {"bearing.fits.housing.interference": "20 um"}),
     "three balls": ("joshi2015_ed20", {}),
     "newton alone": ("mao2016", {"coupling.fallback": False, "coupling.relaxation": None}),
+    **{f"{file} by newton alone": (file, {"coupling.fallback": False, "coupling.relaxation": None})
+       for file in ("harris218", "6209")},
     "relaxed": ("mao2016", {"coupling.method": "relaxed"}),
     "land on the pitch circle": ("mao2016", {"bearing.cage.land_diameter": "70 mm"}),
     "held ring": ("mao2016", {"operation.tilt": "fixed"}),

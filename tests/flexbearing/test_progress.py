@@ -60,7 +60,7 @@ def test_lines_tell_the_part_of_a_stage_that_goes_on(monkeypatch, caplog):
 
 
 def iteration(number):
-    state = SimpleNamespace(forces=np.ones((2, 3, 1)))
+    state = SimpleNamespace(loads=np.ones((2, 3)))
     return SimpleNamespace(number=number, load_change=1e-3, state=state)
 
 

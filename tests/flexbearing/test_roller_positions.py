@@ -92,11 +92,11 @@ def test_range_over_a_pitch_is_in_the_summary_and_noted(tmp_path):
 @pytest.mark.slow
 def test_positions_are_solved_in_fewer_steps_than_a_cold_start(tmp_path, monkeypatch):
     """Each begins at the one before."""
-    from flexbearing.coupled import coupled
+    from flexbearing.coupled.attempts import CoupledBearing
     from flexbearing.runs import passage
 
     begun = []
-    attempts = coupled.CoupledBearing.attempts
+    attempts = CoupledBearing.attempts
 
     def watched(self, *heard):
         begun.append(self.initial is not None)

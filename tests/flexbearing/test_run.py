@@ -187,7 +187,7 @@ def test_rings_of_the_end_state_are_those_under_its_loads(monkeypatch):
 
 
 def test_time_of_an_iteration_is_its_own(tmp_path, monkeypatch):
-    monkeypatch.setattr("flexbearing.coupled.coupled.perf_counter", count().__next__)
+    monkeypatch.setattr("flexbearing.coupled.attempts.perf_counter", count().__next__)
     settings = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam", "accuracy.slices=8"]
     result = flexbearing.run(PAPER, settings, output=tmp_path / "out.h5")
     assert len(result.iterations) > 2
@@ -236,11 +236,10 @@ def test_stage_is_logged_once_however_often_it_advances(caplog):
 
 
 def test_line_of_an_iteration_tells_the_largest_load():
-    forces = np.zeros((2, 3, 1))
-    forces[0, :, 0] = 10.0, 70.0, 20.0
-    iteration = SimpleNamespace(number=4, load_change=2e-3, state=SimpleNamespace(forces=forces))
+    loads = np.array([[10.0, 70.0, 20.0], [80.0, 0.0, 0.0]])
+    iteration = SimpleNamespace(number=4, load_change=2e-3, state=SimpleNamespace(loads=loads))
     told = line(iteration)  # pyright: ignore[reportArgumentType]
-    assert told == "iteration   4: largest load change 2.00e-03, largest roller load     70.0 N"
+    assert told == "iteration   4: largest load change 2.00e-03, largest load     70.0 N"
 
 
 def test_progress_is_logged_with_units(tmp_path, caplog):

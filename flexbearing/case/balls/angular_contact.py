@@ -34,6 +34,7 @@ from flexbearing.case.balls.parts import (
     require_quarters,
 )
 from flexbearing.case.balls.ring_room import Race, elastic_groove, require_room
+from flexbearing.case.coupling import MethodsOfCoupling
 from flexbearing.case.head import KIND
 from flexbearing.case.materials import Oil
 from flexbearing.case.outputs import LifeOutputs
@@ -298,6 +299,7 @@ class FastCase(MountedCase):
     outer: BallOuter = key("what carries the outer groove", {})
     inner: BallInner = key("what carries the inner groove", {})
     accuracy: GrooveAccuracy = key("how finely elastic rings are resolved", {})
+    coupling: MethodsOfCoupling = key("how balls and elastic rings are solved together", {})
 
     @property
     def seat(self) -> tuple[float, float]:

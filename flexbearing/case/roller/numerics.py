@@ -4,41 +4,20 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
+from flexbearing.case.coupling import MethodsOfCoupling
 from flexbearing.case.quantity import Fraction, Length, Section, impossible, key
 
 AXIAL_MODES = (2, 4, 6, 8)  # of a target, two at a time: of a pair one may do nothing; the last measures
 MORE_SHAPES = 4  # axial shapes beyond those that a case fixes, by which a target measures their error
 
 
-class Coupling(Section):
-    """How bearing and rings come to agree."""
+class Coupling(MethodsOfCoupling):
+    """The same for rollers, whose rings may be solved in full."""
 
-    method: Literal["newton", "iqn-ils", "anderson", "aitken", "relaxed"] = key(
-        "newton: bearing and rings in one system; the others solve them one after the "
-        "other and correct the deviations by interface quasi-Newton (iqn-ils), Anderson mixing of the last "
-        "twelve changes (anderson), Aitken relaxation (aitken) or constant relaxation (relaxed)",
-        "newton",
-    )
     structure: Literal["condensed", "full"] = key(
         "condensed: rings are condensed once to their raceways; full: the whole solid of every "
         "flexible ring is factored once and solved anew in every iteration, for all methods but newton",
         "condensed",
-    )
-    fallback: bool = key("whether other methods are tried when one fails", True)
-    tolerance: float = key(
-        "largest load change over the largest load at convergence; newton also ends when the "
-        "unbalanced force is below 1e-10 of the load",
-        1e-8,
-        ge=1e-16,
-        le=1e-3,
-    )
-    max_iterations: int = key("limit of the iterations", 200, ge=1, le=100_000)
-    relaxation: float = key(
-        'fraction of the change taken over, method = "relaxed"',
-        0.1,
-        ge=1e-3,
-        le=1,
-        only=({"method": ("relaxed",)}, {"fallback": (True,)}),
     )
 
     @model_validator(mode="after")

@@ -16,7 +16,7 @@ from flexbearing.report.figure import COLOURS, Axis, Figure, Line, Rule
 from flexbearing.report.html.figures import around
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import METRIC
-from flexbearing.report.panels import picture
+from flexbearing.report.panels import convergence_picture, picture
 from flexbearing.report.subsurface_figure import subsurface
 from flexbearing.results import Result
 
@@ -55,6 +55,7 @@ def pictures(result: Result) -> dict[str, Page]:
         figures["ball_torques"] = stacked(last, together, _TORQUES)
     if result.flexible:
         figures["rigid_and_elastic_rings"] = stacked(result, f"{WHAT}, rigid and elastic rings", LOADS)
+    figures |= {"convergence": drawn} if (drawn := convergence_picture(Reader(result, METRIC))) else {}
     if "line_count" in values:
         figures |= {"rolling_lines": rolling_lines(last), "slip_profiles": slip_profiles(last)}
     if "subsurface_von_mises" in values:

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from flexbearing.report.html import elements
-from flexbearing.report.html.figures import around, convergence, deviations
+from flexbearing.report.html.figures import around, deviations
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import METRIC
-from flexbearing.report.panels import picture
+from flexbearing.report.panels import convergence_picture, picture
 from flexbearing.report.roller.pressure_figures import pressure_along, whole_roller
 from flexbearing.report.subsurface_figure import subsurface
 from flexbearing.results import Result
@@ -33,10 +33,10 @@ def pictures(result: Result) -> dict[str, Figure | str]:
     rings = f"{reader.last} rings"
     placed = all(np.isfinite(values[place]).all() for values in blocks.values() for place in PLACES)
     loads = around(reader, "contact load", ("inner_load", "outer_load"), "roller_azimuth")
-    solved, bent = convergence(reader), deviations(reader)
+    solved, bent = convergence_picture(reader), deviations(reader)
     drawn: dict[str, Figure | str] = {
         "roller_loads": picture(title, "Contact loads of the rollers", [loads]) if loads else NOWHERE,
-        "convergence": picture(title, _convergence(result), [solved]) if solved else _no_iterations(result),
+        "convergence": solved or _no_iterations(result),
         "raceway_deviation": picture(title, _sentence(bent.title), [bent]) if bent else _rigid(result),
         "pressure_map": picture(
             title, f"Contact pressure along the rollers, {rings}", elements.maps(reader, shown)
@@ -52,10 +52,6 @@ def pictures(result: Result) -> dict[str, Figure | str]:
 
 def _sentence(title: str) -> str:
     return title[:1].upper() + title[1:]
-
-
-def _convergence(result: Result) -> str:
-    return f"Convergence ({result.attributes['method']}): {result.attributes['status']}"
 
 
 def _nothing_flexible(result: Result) -> bool:

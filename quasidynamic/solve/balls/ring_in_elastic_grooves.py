@@ -1,6 +1,6 @@
 """Newton's method for a ring on balls between elastic grooves."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Generator, Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -37,6 +37,7 @@ ROUNDED = 1e-9  # the same, where a step no longer halves it: balls that only in
 
 
 Equations = Callable[[float], tuple[AngularBalance, ElasticGrooves]]  # by a part of what is continued
+Steps = Generator["State", None, tuple["State", list[SolverOutcome]]]  # those on the way to the last state
 
 
 class Places(NamedTuple):
@@ -151,26 +152,52 @@ def solve_elastic(balance: AngularBalance, grooves: ElasticGrooves) -> ElasticSo
     Virtual work, balls eliminated from the ring and the grooves; derived here.
     """
     with np.errstate(all="ignore"):  # places tried on the way may overflow: such a step is not taken
-        is_round = not balance.bearing.approaches
-        first = balance if is_round else balance.out_of_round(0.0)
-        rigid = solve(first)
-        rest = np.zeros((len(rigid.ring), 2, rigid.centres.shape[1]), complex)
-        begin = Places(rigid.ring, rest, rest, rigid.centres)
-        state, outcomes = _newton(first, grooves, begin)
-        ended = rigid.outcomes, outcomes
-        _by_parts(lambda part: (first, grooves.softened(part)), begin, state, ended, softening=True)
-        if not is_round:
-            known, begin = outcomes, state.places
-            spent = state.evaluations
-            state, outcomes = _newton(balance, grooves, begin)
-            ended = known, outcomes
-            _by_parts(
-                lambda part: (balance.out_of_round(part), grooves), begin, state, ended, softening=False
-            )
-            outcomes = _after(known, outcomes)
-            state.evaluations[:] += spent
+        return as_solution(balance, *_last(_steps(balance, grooves)))
+
+
+def iterate_elastic(
+    balance: AngularBalance, grooves: ElasticGrooves
+) -> Iterator[tuple[ElasticSolution, bool]]:
+    """Newton iterates of one case, as if in balance, and whether they are what `solve_elastic` gives."""
+    steps, last = _steps(balance, grooves), False
+    while not last:
+        with np.errstate(all="ignore"):
+            try:
+                state, outcomes = next(steps), [SolverOutcome.CONVERGED]
+            except StopIteration as end:
+                (state, outcomes), last = end.value, True
+        yield as_solution(balance, state, outcomes), last
+
+
+def _steps(balance: AngularBalance, grooves: ElasticGrooves) -> Steps:
+    """States from that between rigid and round grooves on."""
+    is_round = not balance.bearing.approaches
+    first = balance if is_round else balance.out_of_round(0.0)
+    rigid = solve(first)
+    rest = np.zeros((len(rigid.ring), 2, rigid.centres.shape[1]), complex)
+    begin = Places(rigid.ring, rest, rest, rigid.centres)
+    state, outcomes = yield from _newton(first, grooves, begin)
+    ended = rigid.outcomes, outcomes
+    _by_parts(lambda part: (first, grooves.softened(part)), begin, state, ended, softening=True)
+    if not is_round:
+        known, begin = outcomes, state.places
+        spent = state.evaluations
+        state, outcomes = yield from _newton(balance, grooves, begin)
+        ended = known, outcomes
+        _by_parts(lambda part: (balance.out_of_round(part), grooves), begin, state, ended, softening=False)
+        outcomes = _after(known, outcomes)
+        state.evaluations[:] += spent
     state.evaluations[:] += rigid.evaluations
-    return as_solution(balance, state, _after(rigid.outcomes, outcomes))
+    return state, _after(rigid.outcomes, outcomes)
+
+
+def _last(steps: Steps) -> tuple[State, list[SolverOutcome]]:
+    """The state that steps end with, and how each case ended."""
+    while True:
+        try:
+            next(steps)
+        except StopIteration as end:
+            return end.value
 
 
 def _after(known: list[SolverOutcome], outcomes: list[SolverOutcome]) -> list[SolverOutcome]:
@@ -220,7 +247,8 @@ def _continuation(equations: Equations, places: Places, *, softening: bool) -> t
         further = min(1.0, part + step)
         balance, grooves = equations(further)
         kept = part / further if softening else 1.0  # what bends softer grooves as far
-        trial, (outcome,) = _newton(balance, grooves, places._replace(pressing=kept * places.pressing))
+        begin = places._replace(pressing=kept * places.pressing)
+        trial, (outcome,) = _last(_newton(balance, grooves, begin))
         if outcome is not SolverOutcome.CONVERGED:
             count, step = count + int(trial.evaluations[0]), step / 2
             continue
@@ -231,9 +259,7 @@ def _continuation(equations: Equations, places: Places, *, softening: bool) -> t
     return None, count
 
 
-def _newton(
-    balance: AngularBalance, grooves: ElasticGrooves, start: Places
-) -> tuple[State, list[SolverOutcome]]:
+def _newton(balance: AngularBalance, grooves: ElasticGrooves, start: Places) -> Steps:
     """Damped Newton of ring and grooves, all cases side by side; a case leaves as soon as it ends."""
     outcomes, cases = [SolverOutcome.RUNNING] * len(start.ring), np.arange(len(start.ring))
     state, gained = _at(balance, grooves, start, BALL_SHARE), np.full(len(cases), True)
@@ -245,6 +271,8 @@ def _newton(
         running = np.array([outcomes[case] is SolverOutcome.RUNNING for case in cases])
         if not running.any():
             break
+        if number:
+            yield whole
         cases, balance = cases[running], balance if running.all() else balance.take(running)
         last = state if running.all() else state.of(running)
         state, gained = _next(balance, grooves, last)

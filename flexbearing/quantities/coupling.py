@@ -1,0 +1,31 @@
+"""What results of every bearing that is coupled with its rings say of the iterations and of the rings."""
+
+from flexbearing.quantities import roller_records as records
+from flexbearing.quantities.attributes import Attribute
+from flexbearing.quantities.quantity import Quantity
+
+METHOD = Attribute("method", "text", "method of the coupling")
+ATTEMPTS = Attribute(
+    "attempts",
+    "json",
+    "methods of the coupling in the order they were tried, with their ends",
+    form=records.ATTEMPTS,
+)
+STRUCTURE = Attribute(
+    "structure",
+    "json",
+    "figures of the finite elements: unknowns, seconds per stage; what lines, springs and fits carry",
+    form=records.STRUCTURE,
+)
+# fmt: off
+ITERATIONS = (
+    Quantity("load_change", "", "", "1", "iteration", "largest change of a load / largest load",
+        source="step.load_change"),
+    Quantity("mismatch", "", "", "1", "iteration",
+        "deviation that the rings return, less the one that the bearing was given / largest deviation; "
+        "0 where both are one system", source="step.mismatch"),
+    Quantity("residual", "", "", "1", "iteration", "largest unbalanced force / applied load",
+        source="step.state.residual"),
+    Quantity("seconds", "", "", "s", "iteration", "time that the iteration took", source="seconds"),
+)
+# fmt: on
