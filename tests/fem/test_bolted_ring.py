@@ -20,7 +20,7 @@ from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, shape_of
 
 BALLS, RADIUS, OFFSET, END, WIDTH = 12, 10.5e-3, 0.5e-3, np.radians(75.0), 1.2e-3
 LAME, SHEAR = 210e9 * 0.3 / 1.3 / 0.4, 210e9 / 2.6
-FAIR = MeshSize(order=4, size=10e-3, raceway_size=1e-3)
+FAIR = MeshSize(order=3, size=12e-3, raceway_size=1.2e-3)
 INSIDE = tuple(np.radians([28.0, 38.0, 48.0]))  # four widths of a patch and more from the ends of an arc
 
 

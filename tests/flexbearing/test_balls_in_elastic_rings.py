@@ -22,6 +22,8 @@ from flexbearing.studies.placement import Placement
 from flexbearing.studies.prepare import compute, prepare_source
 from tests.flexbearing.noted import codes
 
+pytestmark = pytest.mark.usefixtures("tables_without_netcdf")
+
 CAGE = "configs/harris218_cage.toml"
 COARSE = {"accuracy.element_order": 3, "accuracy.stations": 5}  # of 5 and 7
 RING = COARSE | {
@@ -115,7 +117,9 @@ def test_rows_of_a_table_are_those_of_runs():
 
 
 def test_a_study_condenses_each_ring_once_before_its_rows(tmp_path, monkeypatch):
-    ring = "\n".join(f'"{key}" = {json.dumps(value)}' for key, value in RING.items() if key != "outer.thickness")
+    ring = "\n".join(
+        f'"{key}" = {json.dumps(value)}' for key, value in RING.items() if key != "outer.thickness"
+    )
     over = '"outer.thickness" = ["3.65 mm", "5 mm"]\n"operation.load.radial_z" = ["4 kN", "6 kN"]'
     file = tmp_path / "study.toml"
     file.write_text(f'case = "{Path("configs/6209.toml").resolve()}"\n[set]\n{ring}\n[over]\n{over}')

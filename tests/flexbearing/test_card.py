@@ -38,9 +38,7 @@ def results(tmp_path_factory):
 def numbers_in(result):
     """All numbers that stand in the report, as they are printed."""
     document = of_result(result)
-    shown = {
-        name: part for name, part in document.parts.items() if name not in APART
-    }
+    shown = {name: part for name, part in document.parts.items() if name not in APART}
     return set(sizes(" ".join(texts(shown))))
 
 

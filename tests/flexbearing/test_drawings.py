@@ -174,7 +174,11 @@ def test_dimensions_are_the_values_of_the_case(kind):
 
 
 ON_BARS = ["balls on a cage", "balls on two cages", "squirrel cage", "collars"]  # with a drawing of the bars
-ELASTIC = [*ON_BARS, "clamped", *(kind for kind in KINDS if kind.startswith("balls ") and kind not in ON_BARS)]
+ELASTIC = [
+    *ON_BARS,
+    "clamped",
+    *(kind for kind in KINDS if kind.startswith("balls ") and kind not in ON_BARS),
+]
 
 
 @pytest.mark.parametrize("kind", ELASTIC)
