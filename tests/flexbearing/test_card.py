@@ -14,6 +14,7 @@ from flexbearing.report.html.document import Number
 from flexbearing.report.html.reader import Reader
 
 CONFIGS = Path(__file__).parents[2] / "configs"
+pytestmark = pytest.mark.usefixtures("each_case_drawn_once")
 APART = ("drawings", "case", "origin")  # parts of the report
 KINDS = ["catalogue/nu210", "mao2016", "planet", "catalogue/6208", "joshi2015_qj309"]
 EACH_KIND = pytest.mark.parametrize(
@@ -28,9 +29,8 @@ def results(tmp_path_factory):
 
     def of(name):
         if name not in known:
-            known[name] = folder / f"{Path(name).stem}.h5"
-            flexbearing.run(CONFIGS / f"{name}.toml", output=known[name])
-        return flexbearing.read(known[name])
+            known[name] = flexbearing.run(CONFIGS / f"{name}.toml", output=folder / f"{Path(name).stem}.h5")
+        return known[name]
 
     return of
 
@@ -38,9 +38,7 @@ def results(tmp_path_factory):
 def numbers_in(result):
     """All numbers that stand in the report, as they are printed."""
     document = of_result(result)
-    shown = {
-        name: part for name, part in document.parts.items() if name not in ("drawings", "case", "origin")
-    }
+    shown = {name: part for name, part in document.parts.items() if name not in APART}
     return set(sizes(" ".join(texts(shown))))
 
 
@@ -83,19 +81,14 @@ def test_a_card_has_few_lines_and_words(name, results, capsys):
 
 
 @EACH_KIND
-def test_numbers_are_those_of_the_report(name, results):
+def test_numbers_and_verdict_are_those_of_the_report(name, results):
     result, rounded = results(name), re.compile(r"life|usual minimum|with supports|kappa")
     known = numbers_in(result)
     for line in (line for line in result.card.lines if line.subject not in ("rigid", "notes")):
         for item in (item for item in line.items if not rounded.search(item.words)):
             assert set(printed(item)) <= known, item.words
-
-
-@EACH_KIND
-def test_verdict_is_that_of_the_report(name, results):
-    lines = {line.subject: line.items for line in results(name).card.lines}
-    said = checks.judged(Reader(results(name), METRIC))
-    assert said.startswith(lines["usable"][0].label)
+    lines = {line.subject: line.items for line in result.card.lines}
+    assert checks.judged(Reader(result, METRIC)).startswith(lines["usable"][0].label)
 
 
 def test_what_is_assumed_of_loads_and_speeds_is_marked(results):

@@ -37,15 +37,31 @@ COARSE = [
 
 
 @pytest.fixture(scope="module")
-def result(tmp_path_factory):
-    return flexbearing.run(PAPER, COARSE, output=tmp_path_factory.mktemp("run") / "cage.h5")
+def run_with_fields(tmp_path_factory):
+    """A result, and the fields that the run solved for it."""
+    solved, record = [], PartFields.record
+
+    def recorded(fields):
+        solved.append(fields)
+        return record(fields)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(PartFields, "record", recorded)
+        result = flexbearing.run(PAPER, COARSE, output=tmp_path_factory.mktemp("run") / "cage.h5")
+    (fields_of_run,) = solved
+    return result, fields_of_run
 
 
 @pytest.fixture(scope="module")
-def unstressed(tmp_path_factory):
-    """The same without the stresses of the whole ring, which take long."""
-    output = tmp_path_factory.mktemp("run") / "cage.h5"
-    return flexbearing.run(PAPER, [*COARSE, "outputs.stresses=false"], output=output)
+def result(run_with_fields):
+    return run_with_fields[0]
+
+
+@pytest.fixture(scope="module")
+def beamed(tmp_path_factory):
+    """A result whose ring was no solid."""
+    settings = [*COARSE[:3], "accuracy.structure=beam", "accuracy.slices=8", "accuracy.axial_shapes=2"]
+    return flexbearing.run(PAPER, settings, output=tmp_path_factory.mktemp("run") / "beams.h5")
 
 
 @pytest.fixture(scope="module")
@@ -55,9 +71,8 @@ def rigid(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def outer(result):
-    (found,) = stored_fields.of_result(result)
-    return found
+def outer(run_with_fields):
+    return run_with_fields[1]
 
 
 @pytest.mark.slow
@@ -73,12 +88,11 @@ def test_largest_stresses_are_stored_and_shown(result):
 
 
 @pytest.mark.slow
-def test_stresses_of_a_stored_state_are_those_of_the_run(result, outer):
-    stored = result.attributes["stresses"]["outer"]
-    computed = outer.record()
-    for body, most in stored["bodies"].items():
-        assert computed["bodies"][body] == approx(most, rel=1e-6), body
-    assert computed["support"] == approx(stored["support"], rel=1e-6)
+def test_fields_of_a_stored_state_are_of_what_the_run_solved(result, outer):
+    (stored,) = stored_fields.of_result(result)
+    assert stored.forces == approx(outer.forces, rel=1e-9, abs=1e-9)
+    for name in ("race", "state", "part", "patches", "sizes", "surroundings", "left_out"):
+        assert getattr(stored, name) == getattr(outer, name), name
 
 
 @pytest.mark.slow
@@ -201,20 +215,20 @@ def test_heat_and_rotation_load_the_inner_ring_as_its_shaft_grows():
 
 
 @pytest.mark.slow
-def test_every_iteration_can_be_asked_for(unstressed):
-    count = len(unstressed.iterations)
+def test_every_iteration_can_be_asked_for(beamed):
+    count = len(beamed.iterations)
     assert count > 1
-    assert stored_fields.state_of(unstressed, f"iteration {count}") is unstressed.iterations[-1]
-    assert stored_fields.state_of(unstressed, "iteration 1") is unstressed.iterations[0]
+    assert stored_fields.state_of(beamed, f"iteration {count}") is beamed.iterations[-1]
+    assert stored_fields.state_of(beamed, "iteration 1") is beamed.iterations[0]
     for name in (f"iteration {count + 1}", "iteration 0", "iteration", "soft"):
         with pytest.raises(BadResult, match=f"iteration 1 to iteration {count}"):
-            stored_fields.state_of(unstressed, name)
+            stored_fields.state_of(beamed, name)
 
 
 @pytest.mark.slow
-def test_rigid_parts_have_no_fields(unstressed, rigid):
+def test_rigid_parts_have_no_fields(beamed, rigid):
     with pytest.raises(BadCase, match="inner ring and shaft is rigid"):
-        stored_fields.of_result(unstressed, race="inner")
+        stored_fields.of_result(beamed, race="inner")
     with pytest.raises(BadCase, match="every part is rigid"):
         stored_fields.of_result(rigid)
     assert "stresses" not in rigid.attributes
@@ -244,31 +258,31 @@ def test_picture_shows_the_deformed_part(result, outer, tmp_path, monkeypatch):
     assert picture.stat().st_size > 10_000
 
 
-def test_part_without_a_solid_is_said(unstressed, monkeypatch, tmp_path):
-    case = stored_fields.case_of(unstressed)
+def test_part_without_a_solid_is_said(beamed, monkeypatch, tmp_path):
+    case = stored_fields.case_of(beamed)
     outer = case.outer.model_copy(update={"kind": "ring", "support": "foundation", "foundation_radial": 1e12})
     monkeypatch.setattr(stored_fields, "case_of", lambda result: case.model_copy(update={"outer": outer}))
     with pytest.raises(NoFields, match=r'outer ring: outer.support = "foundation" has no solid'):
-        stored_fields.of_result(unstressed)
-    assert "has no solid" in str(next(pictures(unstressed, tmp_path)))
-    failed = CliRunner().invoke(application(), ["export", str(unstressed.path), "--to", "vtu"])
+        stored_fields.of_result(beamed)
+    assert "has no solid" in str(next(pictures(beamed, tmp_path)))
+    failed = CliRunner().invoke(application(), ["export", str(beamed.path), "--to", "vtu"])
     assert failed.exit_code == 1
 
 
-def test_ring_in_a_fit_is_not_taken_as_bonded(unstressed):
-    case = stored_fields.case_of(unstressed)
+def test_ring_in_a_fit_is_not_taken_as_bonded(beamed):
+    case = stored_fields.case_of(beamed)
     loose = case.model_copy(update={"inner": case.inner.model_copy(update={"fit": "frictionless"})})
     with pytest.raises(NoFields, match="has no solid"):
-        fields.fields(loose, "inner", "flexible", unstressed.flexible)
+        fields.fields(loose, "inner", "flexible", beamed.flexible)
 
 
-def test_drawing_is_found_beside_the_case_wherever_the_result_is(unstressed, tmp_path):
+def test_drawing_is_found_beside_the_case_wherever_the_result_is(beamed, tmp_path):
     """A result that holds the case of a drawn part, far from it; then carried elsewhere with the drawing."""
     drawn = PAPER.with_name("step_ring.toml")
     kept = {
         "case_text": drawn.read_text(), "case_file": str(drawn), "case_overrides": ["inner.kind=rigid"]
     }  # fmt: skip
-    far = replace(unstressed, path=tmp_path / "r.h5", attributes={**unstressed.attributes, **kept})
+    far = replace(beamed, path=tmp_path / "r.h5", attributes={**beamed.attributes, **kept})
     assert fields.parts(stored_fields.case_of(far))["outer"].source == "step_ring.step"
     gone = replace(far, attributes={**far.attributes, "case_file": str(tmp_path / "away" / "case.toml")})
     with pytest.raises(NoFields, match=r"step_ring.step: there is no such file"):
@@ -277,5 +291,5 @@ def test_drawing_is_found_beside_the_case_wherever_the_result_is(unstressed, tmp
     assert fields.parts(stored_fields.case_of(gone))["outer"].source == "step_ring.step"
 
 
-def test_result_knows_where_its_case_was(unstressed):
-    assert unstressed.attributes["case_file"] == str(PAPER.resolve())
+def test_result_knows_where_its_case_was(beamed):
+    assert beamed.attributes["case_file"] == str(PAPER.resolve())

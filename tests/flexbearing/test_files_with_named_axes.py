@@ -13,16 +13,14 @@ BEAM = {"inner.kind": "rigid", "outer.kind": "ring", "accuracy.structure": "beam
 CASES = {"mao2016": BEAM, "joshi2015_fourpoint": {}, "rivera2021_7008": {}}
 
 
-@pytest.fixture(params=CASES, ids=str)
-def stored(request, tmp_path):
-    result = flexbearing.run(
-        CONFIGS / f"{request.param}.toml", CASES[request.param], output=tmp_path / "r.h5"
-    )
+@pytest.fixture(scope="module", params=CASES, ids=str)
+def stored(request, tmp_path_factory):
+    output = tmp_path_factory.mktemp(request.param) / "r.h5"
+    result = flexbearing.run(CONFIGS / f"{request.param}.toml", CASES[request.param], output=output)
     with xarray.open_datatree(result.path, engine="h5netcdf") as tree:
         yield result, tree
 
 
-@pytest.mark.sampled(2)
 def test_every_dimension_has_a_name(stored):
     _, tree = stored
     names = {str(name) for group in tree.subtree for name in group.dims}
@@ -30,7 +28,6 @@ def test_every_dimension_has_a_name(stored):
     assert not any(name.startswith("phony") for name in names)
 
 
-@pytest.mark.sampled(2)
 def test_every_dataset_is_there_with_its_unit(stored):
     result, tree = stored
     layout = result.family.layout()
@@ -42,13 +39,13 @@ def test_every_dataset_is_there_with_its_unit(stored):
             assert found.dims == tuple(layout.axis[symbol].name for symbol in layout[name].shape)
 
 
-def test_rollers_slices_and_iterations_have_their_places(tmp_path):
-    result = flexbearing.run(CONFIGS / "mao2016.toml", BEAM, output=tmp_path / "r.h5")
-    with xarray.open_datatree(result.path, engine="h5netcdf") as tree:
-        loads = tree["iterations"]["inner_slice_load"]
-        assert loads.dims == ("iteration", "roller", "slice")
-        np.testing.assert_array_equal(loads.roller, result.rigid["roller_azimuth"])
-        np.testing.assert_array_equal(loads.slice, result.rigid["slice_position"])
-        np.testing.assert_array_equal(loads.iteration, np.arange(1, len(result.iterations) + 1))
-        assert (loads.roller.attrs["units"], loads.slice.attrs["units"]) == ("rad", "m")
-        assert "race" not in tree["flexible"]["peak_pressure"].coords  # a length alone
+@pytest.mark.parametrize("stored", ["mao2016"], indirect=True)
+def test_rollers_slices_and_iterations_have_their_places(stored):
+    result, tree = stored
+    loads = tree["iterations"]["inner_slice_load"]
+    assert loads.dims == ("iteration", "roller", "slice")
+    np.testing.assert_array_equal(loads.roller, result.rigid["roller_azimuth"])
+    np.testing.assert_array_equal(loads.slice, result.rigid["slice_position"])
+    np.testing.assert_array_equal(loads.iteration, np.arange(1, len(result.iterations) + 1))
+    assert (loads.roller.attrs["units"], loads.slice.attrs["units"]) == ("rad", "m")
+    assert "race" not in tree["flexible"]["peak_pressure"].coords  # a length alone

@@ -9,6 +9,7 @@ from pytest import approx
 
 import flexbearing as fb
 from flexbearing import __main__ as program
+from flexbearing.goal import search
 from flexbearing.goal.approach import Track, reach
 from flexbearing.goal.target import target
 
@@ -56,7 +57,12 @@ def test_a_pair_needs_fewer_steps_than_either_alone(goal):
     assert life == approx(goal.target.wanted, rel=1e-3)
 
 
-def test_a_shorter_life_and_a_life_in_hours_are_goals_too():
+def test_a_shorter_life_and_a_life_in_hours_are_goals_too(monkeypatch):
+    """By the load alone."""
+    of_case = search.levers
+    monkeypatch.setattr(search, "levers", lambda case: [
+        lever for lever in of_case(case) if lever.key.path == "operation.radial_load"])  # fmt: skip
+    monkeypatch.setattr(search, "choices", lambda case: [])
     before = fb.run(TEXTBOOK)
     hours = 0.5 * before["life_L10 [h]"].number
     found = fb.Case(TEXTBOOK).goal("x0.5")

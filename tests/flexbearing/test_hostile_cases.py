@@ -250,7 +250,7 @@ def ends_well_or_is_refused(file, settings=()):
 
 
 @pytest.mark.slow
-@examples(max_examples=100, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@examples(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.lists(st.tuples(st.sampled_from(PLACES), STRUCTURES), min_size=1, max_size=3))
 def test_any_structure_at_any_place_of_a_file_is_a_case_or_refused(tmp_path, changes):
     name = changes[0][0][0]
@@ -267,21 +267,21 @@ def test_any_structure_at_any_place_of_a_file_is_a_case_or_refused(tmp_path, cha
 
 
 @pytest.mark.slow
-@examples(max_examples=300)
+@examples(max_examples=150)
 @given(st.sampled_from(PLACES), STRUCTURES)
 def test_any_structure_as_a_setting_is_a_case_or_refused(place, structure):
     name, keys = place
     ends_well_or_is_refused(CONFIGS / f"{name}.toml", {".".join(keys): structure})
 
 
-@examples(max_examples=80)
+@examples(max_examples=40)
 @given(st.sampled_from(PLACES), st.text(max_size=40))
 def test_any_text_as_a_setting_is_a_case_or_refused(place, text):
     name, keys = place
     ends_well_or_is_refused(CONFIGS / f"{name}.toml", [f"{'.'.join(keys)}={text}"])
 
 
-@examples(max_examples=200, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@examples(max_examples=100, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.binary(max_size=200), st.integers(0, len(GOOD)))
 def test_any_bytes_in_a_file_are_a_case_or_refused(tmp_path, inserted, place):
     content = GOOD.encode()

@@ -81,7 +81,7 @@ def assert_equal(found, cases, texts, others="searched"):
 @pytest.mark.sampled(2)
 @pytest.mark.parametrize("changes", KINDS.values(), ids=KINDS)
 def test_every_output_of_many_rigid_cases_is_that_of_single_runs(changes):
-    cases, texts = variants(CONFIGS / "nu209.toml", changes), [*EVERY, "rigid.life_L10 [h]"]
+    cases, texts = variants(CONFIGS / "nu209.toml", changes, (9000, 15000)), [*EVERY, "rigid.life_L10 [h]"]
     found = answers(cases, texts, refused)
     assert_equal(found, cases, texts)
     assert sum(not np.isnan(column(found, text)).any() for text in texts) > 30
@@ -109,7 +109,9 @@ def test_rollers_on_half_spaces_are_solved_beside_each_other_and_beside_slices()
 
 @pytest.mark.slow
 def test_cases_of_other_kinds_keep_their_places():
-    cases = [case for changes in KINDS.values() for case in variants(CONFIGS / "nu209.toml", changes)][::-1]
+    """One of each kind, then another one of each."""
+    each = [variants(CONFIGS / "nu209.toml", changes, (9000, 15000)) for changes in KINDS.values()]
+    cases = [case for kinds in zip(*each, strict=True) for case in kinds]
     texts = ["max_roller_load", "rigid.skew.max_skew", "modified_life", "minimum_lambda.outer"]
     assert_equal(answers(cases, texts, refused), cases, texts)
 
@@ -120,7 +122,7 @@ def test_a_row_says_the_dangers_of_its_run():
     assert [answer.message.count("danger: ") for answer in found] == [0, 3, 2]
     assert "life after all factors" in found[1].message
     assert "contact pressure" in found[2].message
-    assert_equal(found, cases, ["max_roller_load"])
+    assert_equal(found[:1] + found[2:], cases[:1] + cases[2:], ["max_roller_load"])
 
 
 @pytest.mark.slow
@@ -165,8 +167,8 @@ def test_rings_that_grow_with_the_speed_are_those_of_single_runs():
                 "coupling.tolerance": 1e-13,
             },
         )
-        for load in (16, 18, 20, 22)
-        for speed in (20000, 30000, 38000)
+        for load in (16, 22)
+        for speed in (20000, 38000)
     ]
     texts = [*EVERY, "rigid.max_roller_load"]
     assert_equal(answers(cases, texts, refused, search=True), cases, texts)
@@ -176,7 +178,7 @@ def test_cases_between_other_rings_are_not_mixed():
     changes = [BEAM, BEAM | {"outer.thickness": "4 mm"}, {"inner.kind": "rigid", "outer.kind": "rigid"}]
     cases = [
         case
-        for each in zip(*(variants(PAPER, change, (9000, 12000, 19000)) for change in changes), strict=True)
+        for each in zip(*(variants(PAPER, change, (9000, 19000)) for change in changes), strict=True)
         for case in each
     ]
     texts = ["max_roller_load", "rigid.max_roller_load", "stiffness"]

@@ -26,7 +26,7 @@ from quasidynamic.columns import kind_and_numbers
 CONFIGS = Path(__file__).parents[2] / "configs"
 PAPER, TEXTBOOK = CONFIGS / "mao2016.toml", CONFIGS / "nu209.toml"
 LOADS, SPEEDS = "operation.radial_load=log 4 kN..16 kN,3", "operation.inner_speed=1000 rpm..2000 rpm,2"
-FEW = ("accuracy.slices=5",)
+FEW = ("accuracy.slices=5", "bearing.rollers=9")
 
 
 def mapped(case, folder, *over, settings=FEW):

@@ -15,8 +15,17 @@ CAM = "configs/strain_wave.toml"
 OVAL = {"bearing.form_error.outer.waves": 2, "bearing.form_error.outer.amplitude": "4 um"}
 
 
+SOLVED = {}
+COARSE = {"accuracy.element_order": 3}
+
+
 def run(case, settings=()):
-    return flexbearing.run(case, dict(settings))
+    """Each case computed once."""
+    given = (COARSE if case == CAM else {}) | dict(settings)
+    key = case, repr(given)
+    if key not in SOLVED:
+        SOLVED[key] = flexbearing.run(case, given)
+    return SOLVED[key]
 
 
 def test_opposite_waves_of_both_races_are_none():
@@ -65,7 +74,7 @@ def test_a_turned_cam_turns_the_loads():
 
 def test_a_cam_that_turns_in_a_ring_wears_them_as_a_ring_that_turns_around_it(tmp_path):
     """The load of a cam turns with it; between rigid rings, where there is none, no life is shown."""
-    turning = flexbearing.run(CAM, {"operation.inner_speed": "1 rpm"}, output=tmp_path / "cam.h5")
+    turning = flexbearing.run(CAM, COARSE | {"operation.inner_speed": "1 rpm"}, output=tmp_path / "cam.h5")
     around = run(CAM, {"operation.outer_speed": "-1 rpm"})
     for name in ("life_L10", "raceway_life"):
         assert turning.flexible[name] == approx(around.flexible[name], rel=1e-6)
@@ -106,7 +115,7 @@ def test_notes_on_large_shapes_and_on_those_that_turn():
 
 def test_derivative_by_the_amplitude_of_a_cam():
     output, key = "contact_load_range.outer.largest", "inner.cam_amplitude"
-    table = sensitivities(read_case(CAM, ()), of=[output], by=[key])
+    table = sensitivities(read_case(CAM, COARSE), of=[output], by=[key])
     up, down = (
         run(CAM, {key: f"{amplitude} mm"}).flexible["contact_load"][1].max() for amplitude in (0.1001, 0.0999)
     )

@@ -25,8 +25,9 @@ from tests.flexbearing.noted import codes
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
 RING = {
     "inner.kind": "rigid", "outer.kind": "ring", "outer.support": "side", "outer.width": "12 mm",
-    "outer.thickness": "5 mm", "accuracy.element_order": 3, "accuracy.mesh_size": "3 mm",
-    "accuracy.raceway_mesh_size": "1.5 mm", "accuracy.patch_width": "1 mm", "accuracy.slices": 8,
+    "outer.thickness": "5 mm", "accuracy.element_order": 3, "accuracy.mesh_size": "4 mm",
+    "accuracy.raceway_mesh_size": "3 mm", "accuracy.patch_width": "1.4 mm", "accuracy.slices": 8,
+    "accuracy.axial_shapes": 2,
 }  # fmt: skip
 PROBES = {
     "outputs.probes.azimuths": ["0 deg", "90 deg", "20 deg"],
@@ -133,7 +134,8 @@ def test_rings_are_read_in_the_order_of_their_probes():
     """Of both rings at once; the shaft's bore is the inside of the inner part."""
     both = Case(PAPER, {
         "outer.kind": "ring", "outer.support": "side", "outer.width": "12 mm", "outer.thickness": "5 mm",
-        "accuracy.element_order": 3, "accuracy.patch_width": "1 mm", "accuracy.slices": 8,
+        "accuracy.element_order": 3, "accuracy.patch_width": "2 mm", "accuracy.slices": 8,
+        "accuracy.axial_shapes": 2,
         "outputs.probes.azimuths": ["0 deg", "180 deg", "0 deg"],
         "outputs.probes.parts": ["inner", "outer", "outer"],
         "outputs.probes.surfaces": ["inside", "outside", "outside"],

@@ -153,11 +153,15 @@ def good(tmp_path_factory):
     return written(tmp_path_factory.mktemp("good") / "case.h5")
 
 
+@pytest.fixture(scope="module")
+def result(good):
+    return read(good)
+
+
 # -- what is written comes back ------------------------------------------------------------------
 
 
-def test_every_dataset_comes_back_as_it_was_written(path):
-    result = read(written(path))
+def test_every_dataset_comes_back_as_it_was_written(result):
     for block, seed in ((result.rigid, 5), (result.flexible, 8)):
         expected = values("block", seed)
         assert block.keys() == expected.keys()
@@ -165,15 +169,13 @@ def test_every_dataset_comes_back_as_it_was_written(path):
             np.testing.assert_array_equal(block[name], array, err_msg=name)
 
 
-def test_history_stacks_a_dataset_over_the_iterations(path):
-    result = read(written(path))
+def test_history_stacks_a_dataset_over_the_iterations(result):
     for name in LAYOUT.datasets("iteration"):
         stacked = np.stack([values("iteration", seed)[name] for seed in (1, 2)])
         np.testing.assert_array_equal(result.history(name), stacked, err_msg=name)
 
 
-def test_attributes_come_back_as_the_program_uses_them(path):
-    result = read(written(path))
+def test_attributes_come_back_as_the_program_uses_them(result):
     attributes = result.attributes
     not_asked_for = {"left_out", "catalogue_life", "assumed_effects", "effects_left_out", "findings"}
     assert attributes.keys() == LAYOUT.attributes.keys() - not_asked_for
@@ -190,8 +192,7 @@ def test_attributes_come_back_as_the_program_uses_them(path):
     assert attributes["versions"]["h5py"] == h5py.__version__
 
 
-def test_what_was_read_cannot_be_changed(path):
-    result = read(written(path))
+def test_what_was_read_cannot_be_changed(result):
     with pytest.raises(ValueError, match="read-only"):
         result.rigid["inner_load"][0] = 0.0
     with pytest.raises(TypeError):
@@ -204,9 +205,9 @@ def test_a_run_without_flexible_parts_has_no_history(path):
     assert result.history("load_change").size == 0
 
 
-def test_a_misspelt_history_names_the_nearest_dataset(path):
+def test_a_misspelt_history_names_the_nearest_dataset(result):
     with pytest.raises(NotInLayout, match="Did you mean 'load_change'"):
-        read(written(path)).history("load_chagne")
+        result.history("load_chagne")
 
 
 # -- readable without the project ----------------------------------------------------------------
@@ -217,9 +218,9 @@ def opened(path: Path) -> Any:
     return h5py.File(path, "r")
 
 
-def test_plain_h5py_finds_unit_axes_and_meaning_of_every_dataset(path):
+def test_plain_h5py_finds_unit_axes_and_meaning_of_every_dataset(good):
     table = {entry.name: entry for entry in LAYOUT.quantities}
-    with opened(written(path)) as file:
+    with opened(good) as file:
         meanings = json.loads(file.attrs["meanings"])
         found = {group: file[group] for group in ("rigid", "flexible", "iterations")}
         for group, inside in found.items():
@@ -237,8 +238,8 @@ def test_plain_h5py_finds_unit_axes_and_meaning_of_every_dataset(path):
         assert {name for inside in found.values() for name in inside} == table.keys()
 
 
-def test_plain_h5py_reads_the_root_attributes_as_texts_and_numbers(path):
-    with opened(written(path)) as file:
+def test_plain_h5py_reads_the_root_attributes_as_texts_and_numbers(good):
+    with opened(good) as file:
         assert file.attrs["format"] == FORMAT
         assert file.attrs["status"] == "converged"
         assert list(file.attrs["case_overrides"]) == ["bearing.clearance=50 um"]

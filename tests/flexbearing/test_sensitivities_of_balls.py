@@ -17,6 +17,7 @@ RADIAL, HARRIS, CAGE = (CONFIGS / f"{name}.toml" for name in ("6209", "harris218
 RING = [
     "outer.kind=ring", "outer.thickness=3.65 mm", "outer.width=19 mm", "bearing.outer.shoulder=2.2 mm",
 ]  # fmt: skip
+COARSE = ["accuracy.element_order=3", "accuracy.stations=3"]
 PRELOADED = ["operation.load.axial=0 N", "operation.preload.force=2 kN"]
 OUTPUTS = ["life_L10", "contact_load_range.inner.largest", "peak_pressure.outer", "stiffness_zz"]
 KEYS = {
@@ -69,7 +70,7 @@ def test_derivatives_are_those_of_cases_solved_again(path):
 
 
 ELASTIC = [  # keys that change no ring
-    (CAGE, (), ["operation.load.axial", "operation.inner_speed", "bearing.inner.radius"]),
+    (CAGE, [], ["operation.load.axial", "operation.inner_speed", "bearing.inner.radius"]),
     (CAGE, PRELOADED, ["operation.preload.force", "operation.load.radial_z"]),
     (RADIAL, [*RING, "outer.support=side"], ["operation.load.radial_z", "bearing.clearance"]),
     (RADIAL, [*RING, "outer.support=seat"], ["operation.load.radial_z", "bearing.inner.radius"]),
@@ -78,6 +79,7 @@ ELASTIC = [  # keys that change no ring
 
 @pytest.mark.parametrize(("path", "settings", "keys"), ELASTIC, ids=["cage", "preloaded", "side", "seat"])
 def test_elastic_grooves_move_with_ring_and_balls(path, settings, keys):
+    settings = [*settings, *COARSE]
     found = sensitivities(api.read_case(path, settings), OUTPUTS, keys)
     assert found.raceways == "flexible rings"
     assert errors_over_runs(found, path, settings, LONGER) == approx(
@@ -85,7 +87,6 @@ def test_elastic_grooves_move_with_ring_and_balls(path, settings, keys):
     )  # stiffness to 1e-13, over the step
 
 
-COARSE = ["accuracy.element_order=3", "accuracy.stations=3"]
 MOVED = ["stiffness_zz", "groove_displacement.outer", "contact_load_range.outer.largest"]
 
 
@@ -93,7 +94,7 @@ def test_modulus_of_an_elastic_ring_moves_balls():
     """It leaves the mesh as it is, so that runs differ by nothing else."""
     settings, key = [*RING, *COARSE, "outer.support=side"], "materials.ball.youngs_modulus"
     found = sensitivities(api.read_case(RADIAL, settings), MOVED, [key])
-    assert errors_over_runs(found, RADIAL, settings, 5e-3, weights=AROUND) == approx(0.0, abs=1e-4)
+    assert errors_over_runs(found, RADIAL, settings, 2e-3) == approx(0.0, abs=1e-4)
 
 
 ON_SPRINGS = [
@@ -101,14 +102,14 @@ ON_SPRINGS = [
     "outer.foundation_axial=1000 N/mm^3", "outer.foundation_tangential=1000 N/mm^3",
 ]  # fmt: skip
 CHANGING = [  # the ring, with the step of runs
-    (CAGE, (), "outer.thickness", 5e-3),
-    (CAGE, (), "outer.bar_length", 5e-3),
-    (CAGE, (), "bearing.outer.radius", 5e-3),
-    (CAGE, (), "bearing.ball.diameter", 1e-3),
-    (CAGE, (), "bearing.contact_angle", 1e-3),
-    (RADIAL, [*RING, "outer.support=side"], "outer.thickness", 1e-3),
-    (RADIAL, [*RING, "outer.support=seat"], "bearing.pitch_diameter", 1e-3),
-    (RADIAL, ON_SPRINGS, "outer.foundation_radial", 5e-3),
+    (CAGE, COARSE[1:], "outer.thickness", 5e-3),  # which scatters on a coarser mesh
+    (CAGE, COARSE, "outer.bar_length", 5e-3),
+    (CAGE, COARSE, "bearing.outer.radius", 5e-3),
+    (CAGE, COARSE, "bearing.ball.diameter", 1e-3),
+    (CAGE, COARSE, "bearing.contact_angle", 1e-3),
+    (RADIAL, [*RING, *COARSE[1:], "outer.support=side"], "outer.thickness", 1e-3),
+    (RADIAL, [*RING, *COARSE, "outer.support=seat"], "bearing.pitch_diameter", 1e-3),
+    (RADIAL, [*ON_SPRINGS, *COARSE], "outer.foundation_radial", 5e-3),
 ]
 
 
@@ -136,7 +137,7 @@ def test_changes_of_the_same_direction_condense_a_ring_once(monkeypatch):
 
 def test_outputs_of_rigid_rings_are_refused_where_rings_are_elastic():
     with pytest.raises(BadCase, match=r"rigid.stiffness_zz: derivatives are those .* between elastic rings"):
-        sensitivities(api.read_case(CAGE), ["rigid.stiffness_zz"], ["operation.load.axial"])
+        sensitivities(api.read_case(CAGE, COARSE), ["rigid.stiffness_zz"], ["operation.load.axial"])
 
 
 def test_held_ring_moves_with_the_key_that_holds_it():
