@@ -21,10 +21,7 @@ _HEADER = 'a header holds "position [mm]" and "drop [um]", each with a unit of l
 def points(file: Path) -> tuple[NDArray, NDArray]:
     """Positions and drops (n) [m] of a file with two columns, a table as `inputs.cells` reads it.
 
-    Raises
-    ------
-    ImpossiblePart
-        where it cannot be read, or is no such table
+    Raises `ImpossiblePart` where it cannot be read, or is no such table.
     """
     try:
         return _read(inputs.stamp(file))

@@ -33,10 +33,7 @@ def of_raceway(case: Case, race: Race) -> qd.Profile:
 def drawn(case: Case, number: int = 121) -> dict[str, tuple[NDArray, NDArray]]:
     """Profiles that are not straight, from end to end of a cold roller.
 
-    Raises
-    ------
-    BadCase
-        where points of a profile cannot be read or are none of such a roller
+    Raises `BadCase` where points of a profile cannot be read or are none of such a roller.
     """
     length = case.bearing.roller.length
     places = length / 2 * np.sin(np.linspace(-np.pi / 2, np.pi / 2, number))

@@ -31,10 +31,7 @@ class Number:
     def require(self, value: Any, sizes: dict[str, int]) -> None:
         """Refuse a value of another form.
 
-        Raises
-        ------
-        WrongForm
-            saying what it is
+        Raises `WrongForm` saying what it is.
         """
         if value is None and self.optional:
             return
@@ -53,10 +50,7 @@ class Count:
     def require(self, value: Any, sizes: dict[str, int]) -> None:
         """Refuse a value of another form.
 
-        Raises
-        ------
-        WrongForm
-            saying what it is
+        Raises `WrongForm` saying what it is.
         """
         if value is None and self.optional:
             return
@@ -73,10 +67,7 @@ class Choice:
     def require(self, value: Any, sizes: dict[str, int]) -> None:
         """Refuse a value of another form.
 
-        Raises
-        ------
-        WrongForm
-            saying what it is
+        Raises `WrongForm` saying what it is.
         """
         if type(value) not in (str, int) or value not in self.allowed:
             raise WrongForm(f"{value!r} is none of {self.allowed}")
@@ -89,10 +80,7 @@ class Numbers:
     def require(self, value: Any, sizes: dict[str, int]) -> None:
         """Refuse a value of another form.
 
-        Raises
-        ------
-        WrongForm
-            saying what it is
+        Raises `WrongForm` saying what it is.
         """
         if not isinstance(value, dict) or not all(isinstance(name, str) for name in value):
             raise WrongForm(f"a {type(value).__name__} is no mapping of names")
@@ -112,10 +100,7 @@ class Array:
     def require(self, value: Any, sizes: dict[str, int]) -> None:
         """Refuse a value of another form; `sizes` learns those of the symbols.
 
-        Raises
-        ------
-        WrongForm
-            saying what it is
+        Raises `WrongForm` saying what it is.
         """
         if value is None and self.optional:
             return
@@ -140,10 +125,7 @@ class Kept:
     def require(self, value: Any, sizes: dict[str, int]) -> None:
         """Refuse a value of another form.
 
-        Raises
-        ------
-        WrongForm
-            saying what it is
+        Raises `WrongForm` saying what it is.
         """
         if value is None and self.optional:
             return
@@ -259,10 +241,7 @@ RECORDS = {
 def require_form(name: str, value: Any) -> None:
     """Raise unless an object is of a class of the table, and each of its fields of its form.
 
-    Raises
-    ------
-    WrongForm
-        naming class and field
+    Raises `WrongForm` naming class and field.
     """
     record, kind = RECORDS.get(name), type(value)
     if record is None or (kind.__module__, kind.__qualname__) != (record.module, name):
@@ -273,10 +252,7 @@ def require_form(name: str, value: Any) -> None:
 def require_fields(name: str, values: Mapping[str, Any]) -> None:
     """Raise unless the fields of a class are there and of their forms.
 
-    Raises
-    ------
-    WrongForm
-        naming class and field
+    Raises `WrongForm` naming class and field.
     """
     fields, sizes = RECORDS[name].fields, {}
     if values.keys() != fields.keys():

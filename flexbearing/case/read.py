@@ -42,10 +42,7 @@ def read(path: str | Path, overrides: Overrides, families: Families) -> Head:
 def understood(text: str, file: Path, overrides: Overrides, families: Families) -> Head:
     """Read the text of a case file, also where only that is left of it.
 
-    Raises
-    ------
-    BadCase
-        as `read`
+    Raises `BadCase` as `read`.
     """
     try:
         raw = tables(text)
@@ -57,10 +54,7 @@ def understood(text: str, file: Path, overrides: Overrides, families: Families) 
 def with_settings(raw: dict[str, Any], source: Source, families: Families) -> Head:
     """Read the tables of a case file with the settings of its source.
 
-    Raises
-    ------
-    BadCase
-        as `read`
+    Raises `BadCase` as `read`.
     """
     name, settings = excerpt(Path(source.path).name, LONGEST_NAME), source.overrides
     model = model_of(raw, settings, name, families)
@@ -123,10 +117,7 @@ def _settings(overrides: Sequence[str] | Mapping[str, object]) -> tuple[str, ...
 def model_of(raw: Mapping[str, Any], settings: Sequence[str], file: str, families: Families) -> type[Head]:
     """Schema of the kind that a file or a setting names.
 
-    Raises
-    ------
-    BadCase
-        where there is no such kind
+    Raises `BadCase` where there is no such kind.
     """
     kind = raw.get("kind", next(iter(families)))
     for setting in settings:

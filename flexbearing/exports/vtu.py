@@ -14,14 +14,8 @@ def export(
 ) -> Iterator[Path]:
     """Compute the fields of a stored state, print their largest stresses and write them.
 
-    Raises
-    ------
-    BadCase, BadResult
-        if no such part is flexible, or there is no such state
-    NoFields
-        if a part has no solid, or it could not be solved
-    BadOutput, NotStored
-        if a file cannot be written
+    Raises `BadCase`, `BadResult` if no such part is flexible, or there is no such state; `NoFields` if a part
+    has no solid, or it could not be solved; `BadOutput`, `NotStored` if a file cannot be written.
     """
     from flexbearing.report.html.reader import Reader
     from flexbearing.report.html.units import METRIC

@@ -24,10 +24,7 @@ PAIRED = 4  # the strongest levers, of which pairs are tried
 def goal(case: Head, family: Family, life: str, report: Report) -> Goal:
     """Find what reaches a life: each lever alone, then pairs of the strongest.
 
-    Raises
-    ------
-    BadCase
-        for a text that is no life, and a case that has none
+    Raises `BadCase` for a text that is no life, and a case that has none.
     """
     result = compared(case, family)
     if result.attributes["status"] != "converged":

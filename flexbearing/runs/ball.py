@@ -35,10 +35,7 @@ def solve_four_point(case: FourPointCase, record: Recorder, report: Report) -> d
 
     Elastic rings come beside the rigid ones.
 
-    Raises
-    ------
-    BadCase
-        when no such bearing can exist
+    Raises `BadCase` when no such bearing can exist.
     """
     solution: Any = None
     try:
@@ -62,10 +59,7 @@ def solve_four_point(case: FourPointCase, record: Recorder, report: Report) -> d
 def solve_angular(case: FastCase, record: Recorder, report: Report) -> dict[str, object]:
     """Write the solution of a fast bearing; returns the root attributes that say how it ended.
 
-    Raises
-    ------
-    BadCase
-        when no such bearing can exist
+    Raises `BadCase` when no such bearing can exist.
     """
     (ended,) = angular_contact.solved([case], report)
     last: tuple[Block, angular_contact.Solution] | None = None

@@ -67,10 +67,7 @@ class Reader:
     def written(self) -> dict[str, str]:
         """Keys of the case file and the settings on top of it, each as it was written.
 
-        Raises
-        ------
-        BadResult
-            where the stored case is no TOML
+        Raises `BadResult` where the stored case is no TOML.
         """
         try:
             case = tomllib.loads(self.result.attributes["case_text"])

@@ -149,10 +149,7 @@ def _file_names(stated: dict[str, Any], found: Iterable[Axis], model: type[Head]
 def declared(key: str, model: type[Head], families: Families) -> Declaration:
     """Declaration of a key that may vary.
 
-    Raises
-    ------
-    BadValues
-        for a name that is no key, with the nearest one, and for kind
+    Raises `BadValues` for a name that is no key, with the nearest one, and for kind.
     """
     declaration = find(key, model)
     if declaration is None:
