@@ -26,18 +26,20 @@ def titled(title: str, table: document.Table | None) -> Iterator[RenderableType]
     shown = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0))
     for place, (head, *cells) in enumerate(zip(table.head, *table.rows, strict=True)):
         heading, numbers = head.translate(_ASCII), any(isinstance(cell, Number) for cell in cells)
-        words = (*map(_text, cells), *heading.split())
+        words = (*map(plain, cells), *heading.split())
         shown.add_column(
             Text(heading),
             justify="right" if numbers and place else "left",
+            overflow="fold",
             width=max(map(len, words)) if numbers else None,  # headings are wrapped, numbers are not
         )
     for row in table.rows:  # as Text: rich would take a unit in brackets for a markup tag
-        shown.add_row(*(Text(_text(cell)) for cell in row))
+        shown.add_row(*(Text(plain(cell)) for cell in row))
     yield shown
 
 
-def _text(cell: Cell) -> str:
+def plain(cell: Cell) -> str:
+    """A cell in signs that every terminal has."""
     return (cell.text if isinstance(cell, Number) else cell).translate(_ASCII)
 
 
