@@ -10,8 +10,9 @@ from rich.text import Text
 
 from flexbearing.goal.target import Target
 from flexbearing.printable import excerpt
+from flexbearing.report.html.document import Table
 from flexbearing.report.output import laid_out
-from flexbearing.report.sections import right_aligned
+from flexbearing.report.sections import titled
 
 
 @dataclass(frozen=True)
@@ -101,20 +102,20 @@ def sections(goal: Goal) -> Iterator[RenderableType]:
         "two changes": [goal.pair] if goal.pair else [],
         "cannot, comes to": others,
     }
-    yield from (_table(name, group, target) for name, group in groups.items() if group)
+    for name, group in groups.items():
+        yield from titled("", _table(name, group, target))
     yield from (Text(f"  {each.name}: {excerpt(each.limit, LONGEST)}") for each in others if each.limit)
     if goal.weak:
         yield Text(f"  less than 1 %: {', '.join(goal.weak)}")
 
 
-def _table(heading: str, changes: Sequence[Change], target: Target) -> RenderableType:
-    table = right_aligned(heading, "from", "to", "steps", "life")
-    table.columns[0].overflow = "fold"
+def _table(heading: str, changes: Sequence[Change], target: Target) -> Table:
+    rows = []
     for change in changes:
         for number, each in enumerate(change.keys):
             ends = ("", "") if number else (f"{change.steps:.2g}", _life(change.life, target))
-            table.add_row(*map(Text, (each.key, *_words(each), *ends)))
-    return table
+            rows.append((each.key, *_words(each), *ends))
+    return Table((heading, "from", "to", "steps", "life"), tuple(rows))
 
 
 def _life(life: float, target: Target) -> str:

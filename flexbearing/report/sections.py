@@ -17,6 +17,9 @@ _ASCII = str.maketrans(
 )  # signs of the HTML page, for a terminal of any encoding
 
 
+_BEGIN = {"", *"+-0123456789"}  # what numbers begin with
+
+
 def titled(title: str, table: document.Table | None) -> Iterator[RenderableType]:
     """A table of a report below its title; nothing without rows."""
     if table is None or not table.rows:
@@ -25,14 +28,14 @@ def titled(title: str, table: document.Table | None) -> Iterator[RenderableType]
         yield Text(title, style="bold")
     shown = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0))
     for place, (head, *cells) in enumerate(zip(table.head, *table.rows, strict=True)):
-        heading, numbers = head.translate(_ASCII), any(isinstance(cell, Number) for cell in cells)
-        words = (*map(plain, cells), *heading.split())
+        heading, texts = head.translate(_ASCII), [plain(cell) for cell in cells]
+        numbers = place > 0 and all(text[:1] in _BEGIN for text in texts)
         shown.add_column(
             Text(heading),
-            justify="right" if numbers and place else "left",
+            justify="right" if numbers else "left",
             overflow="fold",
-            width=max(map(len, words)) if numbers else None,  # headings are wrapped, numbers are not
-        )
+            width=max(map(len, (*texts, *heading.split()))) if numbers else None,
+        )  # headings are wrapped, numbers are not
     for row in table.rows:  # as Text: rich would take a unit in brackets for a markup tag
         shown.add_row(*(Text(plain(cell)) for cell in row))
     yield shown
@@ -57,11 +60,3 @@ def noted(notes: Iterable[dict[str, str]]) -> Iterator[RenderableType]:
         texts[note["grade"]].append(note["text"])
     for grade, lines in texts.items():
         yield from listed(grade, lines)
-
-
-def right_aligned(*columns: str) -> Table:
-    """An empty table whose columns are aligned to the right, but for the first."""
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    for place, name in enumerate(columns):
-        table.add_column(Text(name), justify="right" if place else "left", no_wrap=bool(place))
-    return table
