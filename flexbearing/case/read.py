@@ -5,15 +5,13 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from pydantic import ValidationError
-
 from flexbearing import inputs
 from flexbearing.case.belonging import foreign, without
 from flexbearing.case.declarations import Declaration, find, toml
 from flexbearing.case.family import Families
 from flexbearing.case.head import Head, Source
 from flexbearing.case.materials import values
-from flexbearing.case.problems import BadCase, listed, messages, nearest, quoted, refused, shown
+from flexbearing.case.problems import BadCase, listed, nearest, quoted, refused, shown, validated
 from flexbearing.case.quantity import Section
 from flexbearing.case.text import LARGEST, Unreadable, setting_value, tables
 from flexbearing.printable import excerpt
@@ -66,10 +64,7 @@ def with_settings(raw: dict[str, Any], source: Source, families: Families) -> He
     raw.setdefault("title", excerpt(Path(source.path).stem, LONGEST_NAME))
     if foreign_keys:
         raise BadCase(listed(foreign_keys.items(), name, lambda item: refused(raw, *item)))
-    try:
-        case = model.model_validate(raw)
-    except ValidationError as error:
-        raise BadCase(messages(error, raw, name, model, families)) from None
+    case = validated(raw, name, model, families)
     _requiregiven(case, raw, name, families)
     case._source = source
     return case
