@@ -22,6 +22,7 @@ class Changed:
     key: str
     before: str
     after: str
+    shown: tuple[str, str]  # both, numbers with four digits
 
 
 @dataclass(frozen=True)
@@ -114,24 +115,10 @@ def _table(heading: str, changes: Sequence[Change], target: Target) -> Table:
     for change in changes:
         for number, each in enumerate(change.keys):
             ends = ("", "") if number else (f"{change.steps:.2g}", _life(change.life, target))
-            rows.append((each.key, *_words(each), *ends))
+            rows.append((each.key, *each.shown, *ends))
     return Table((heading, "from", "to", "steps", "life"), tuple(rows))
 
 
 def _life(life: float, target: Target) -> str:
     rounded = float(f"{life:.{DIGITS}g}")
     return f"{rounded:,.0f} {target.unit}" if rounded >= 10**DIGITS else f"{rounded:g} {target.unit}"
-
-
-def _words(changed: Changed) -> tuple[str, str]:
-    """Both values: numbers with four digits, of choices the last part."""
-    both = changed.before, changed.after
-    try:
-        return _number(both[0]), _number(both[1])
-    except ValueError:
-        return both[0].rpartition(", ")[2], both[1].rpartition(", ")[2]
-
-
-def _number(words: str) -> str:
-    number, _, unit = words.partition(" ")
-    return f"{float(number):.{DIGITS}g} {unit}".strip()
