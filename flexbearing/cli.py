@@ -38,7 +38,7 @@ COMMANDS = {  # in the order of the help
     "run": "cli:run",
     "life": "cli:life",
     "summary": "cli:summary",
-    "diff": "differences.command:diff",
+    "diff": "pages.diff_command:diff",
     "report": "pages.command:report",
     "plot": "cli:plot",
     "export": "exports.command:export",

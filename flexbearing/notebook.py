@@ -117,10 +117,7 @@ class Case:
     def save(self, file: str | Path) -> Path:
         """Write the case as a file.
 
-        Raises
-        ------
-        BadOutput
-            where there is one already, or it cannot be written
+        Raises `BadOutput` where there is one already, or it cannot be written.
         """
         from flexbearing.case.write import text
         from flexbearing.files import BadOutput, require_output, write
@@ -137,10 +134,7 @@ def new(like: str = "cylindrical_roller", *, title: str = "", source: str = "", 
 
     The entries are those of `flexbearing new`; what none gives is assumed.
 
-    Raises
-    ------
-    BadCase
-        for an entry that is unknown, missing or impossible
+    Raises `BadCase` for an entry that is unknown, missing or impossible.
     """
     from flexbearing.case import understood
     from flexbearing.catalogue.entries import ENTRIES

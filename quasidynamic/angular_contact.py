@@ -79,10 +79,7 @@ class AngularContactBallBearing:
     def solve(self, operation: RingOperation, grooves: ElasticGrooves | None = None) -> AngularContactState:
         """Balance of ring and balls, and of elastic grooves.
 
-        Raises
-        ------
-        NotSolved
-            with the outcome: nothing holds the ring, or no balance found
+        Raises `NotSolved` with the outcome: nothing holds the ring, or no balance found.
         """
         state = self.solve_many([operation], grooves)[0]
         if isinstance(state, NotSolved):

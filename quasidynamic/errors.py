@@ -20,10 +20,7 @@ class NotSolved(RuntimeError):
 def require_positive(name: str, value: float) -> None:
     """Refuse a value that is not a finite number above zero.
 
-    Raises
-    ------
-    ImpossiblePart
-        with the name and the value
+    Raises `ImpossiblePart` with the name and the value.
     """
     if not 0.0 < value < float("inf"):
         raise ImpossiblePart(f"{name} = {value!r} must be a finite number above zero")

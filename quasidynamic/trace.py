@@ -109,12 +109,8 @@ def trace(
     equilibria at one load, and jumps from one to another when the load passes a fold. Other
     branches, not connected to this one inside the span, are not found; see `equilibria_at`.
 
-    Raises
-    ------
-    NotSolved
-        when there is no equilibrium to begin with
-    OutOfRange
-        when the logarithm of the span makes no sense
+    Raises `NotSolved` when there is no equilibrium to begin with; `OutOfRange` when the logarithm of the span
+    makes no sense.
     """
     first, last = logarithms(model, over, span)
     begin = start or _changed(model, over, span[0]).solve()
@@ -144,12 +140,7 @@ def equilibria_at(model: RollerBearing) -> tuple[Equilibrium, ...]:
     Newton's method starts at every slip where the torque of lumped rollers on the cage changes its
     sign; the branches through these solutions are followed over the load, as they may come back to it.
 
-    Raises
-    ------
-    NotSolved
-        when there is none
-    OutOfRange
-        when the bearing has no load
+    Raises `NotSolved` when there is none; `OutOfRange` when the bearing has no load.
     """
     load = model.operation.radial_load
     parameter, _ = logarithms(model, "radial_load", (load, load * LOAD_RANGE))
@@ -175,10 +166,7 @@ def equilibria_at(model: RollerBearing) -> tuple[Equilibrium, ...]:
 def logarithms(model: RollerBearing, over: str, span: tuple[float, float]) -> tuple[float, float]:
     """Logarithms of the sizes of both ends of a span.
 
-    Raises
-    ------
-    OutOfRange
-        where the way between both ends makes no sense
+    Raises `OutOfRange` where the way between both ends makes no sense.
     """
     if over not in PARAMETERS:
         raise OutOfRange(f'a branch over "{over}" is not followed; it can be {" or ".join(PARAMETERS)}')

@@ -15,10 +15,7 @@ ERRORS = ("{} of the largest load for the load of any roller", "{} for the life"
 def require_resolved(selection: Selection) -> None:
     """Refuse levels at which a part is rigid only since its own levels have no result.
 
-    Raises
-    ------
-    Unusable
-        saying why they have none
+    Raises `Unusable` saying why they have none.
     """
     for verdict in selection.verdicts:
         if verdict.choice.converging > verdict.level and verdict.excess:

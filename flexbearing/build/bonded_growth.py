@@ -26,10 +26,7 @@ def bonded_shape(case: Case, note: Callable[[str], None] = lambda text: None) ->
     Beside a stated clearance ring and shaft are one piece from the start; where fits are given, they are
     pressed without friction and then bonded, as the operating clearance has it.
 
-    Raises
-    ------
-    BadCase
-        if it cannot be computed
+    Raises `BadCase` if it cannot be computed.
     """
     part = inner_part(case)
     assert part  # or the ring would be rigid

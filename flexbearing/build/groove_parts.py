@@ -20,10 +20,7 @@ BallCase = FastCase | FourPointCase
 def groove_part(case: BallCase, race: Race) -> GroovePart | None:
     """Part that carries a groove; None where it is rigid, or on a cam.
 
-    Raises
-    ------
-    BadCase
-        when no such part can exist
+    Raises `BadCase` when no such part can exist.
     """
     four = isinstance(case, FourPointCase)
     if getattr(case.rings if four else case, race).kind in ("rigid", "cam"):

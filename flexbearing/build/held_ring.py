@@ -47,10 +47,7 @@ def support(outer: Any, housing: fem.Elastic | None, *, hot: float = 1.0, pushin
 def require_held_on_lines(outer: Any, load: complex) -> None:
     """Refuse lines that would have to pull to hold a load [N] along z + i y.
 
-    Raises
-    ------
-    ImpossiblePart
-        when no pushes of the lines add up to the load
+    Raises `ImpossiblePart` when no pushes of the lines add up to the load.
     """
     on_lines = outer.kind == "ring" and outer.support == "lines" and not outer.bilateral
     if not on_lines or load == 0:

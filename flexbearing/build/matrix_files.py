@@ -31,10 +31,7 @@ Content = TypeVar("Content")
 def cards(lines: Iterable[str], wanted: str) -> Iterator[list[str]]:
     """Fields of every card of a name, without the name.
 
-    Raises
-    ------
-    Unreadable
-        for a card with more than `MOST_FIELDS`
+    Raises `Unreadable` for a card with more than `MOST_FIELDS`.
     """
     fields: list[str] = []
     for line in chain(lines, [wanted]):
@@ -82,10 +79,7 @@ def _named(read: Callable[[Path], Content]) -> Callable[[Path], Content]:
 def stiffness(path: Path) -> Stiffness:
     """Read a stiffness matrix; the ending of its name says of which program it is.
 
-    Raises
-    ------
-    ImpossiblePart
-        if the file cannot be read, or holds no symmetric real matrix
+    Raises `ImpossiblePart` if the file cannot be read, or holds no symmetric real matrix.
     """
     readers: dict[str, Callable[[Path], Stiffness]] = {".sti": _calculix, ".mtx": _abaqus}
     readers |= dict.fromkeys((".bdf", ".dat", ".pch", ".dmig"), _nastran)
@@ -99,10 +93,7 @@ def stiffness(path: Path) -> Stiffness:
 def places(path: Path) -> tuple[NDArray, NDArray]:
     """Read the nodes of a mesh.
 
-    Raises
-    ------
-    ImpossiblePart
-        if the file cannot be read, holds no nodes, or one at two places
+    Raises `ImpossiblePart` if the file cannot be read, holds no nodes, or one at two places.
     """
     numbers, where = array("q"), array("d")
     for nodes in (_grids, _nodes):

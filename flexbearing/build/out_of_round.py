@@ -23,10 +23,7 @@ def raceway_waves(waves: Waves) -> RacewayWaves:
 def approaches(case: "FastCase", azimuths: NDArray) -> NDArray | None:
     """By how much waves bring both raceways closer to balls at azimuths (Z) [rad]: (Z) [m]; None: round.
 
-    Raises
-    ------
-    ImpossiblePart
-        if waves are too steep or too much curved
+    Raises `ImpossiblePart` if waves are too steep or too much curved.
     """
     bearing = case.bearing
     shapes: dict[Race, RacewayWaves] = {race: raceway_waves(each) for race, each in bearing.waves.items()}

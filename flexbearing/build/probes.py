@@ -29,10 +29,7 @@ def probes(case: Case, race: Race) -> dict[int, Probe]:
 def require_probes(case: Case) -> None:
     """Refuse probes on rigid rings, on those whose solid is not known, and beside their material.
 
-    Raises
-    ------
-    ImpossiblePart
-        naming the probe
+    Raises `ImpossiblePart` naming the probe.
     """
     for race in ring_parts.NAMES:
         there = probes(case, race)

@@ -1,22 +1,32 @@
 """From a case to the profiles of its rollers and raceways."""
 
+import re
+from functools import lru_cache
+from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 import quasidynamic as qd
+from flexbearing import inputs
 from flexbearing.build.expansion import material
-from flexbearing.build.profile_points import points
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
 from flexbearing.case.roller.profile import Generatrix
+from flexbearing.inputs.file import POINTS
+from flexbearing.printable import excerpt
+from flexbearing.units import BadUnit, UnknownUnit, unit
+from quasidynamic import ImpossiblePart
 from quasidynamic.contact.line import fujiwara_kawase, johns_gohar, lundberg, reduced_radius
 from quasidynamic.parts.material import contact_modulus
 
 Race = Literal["inner", "outer"]
 RACES: tuple[Race, Race] = "inner", "outer"
 OF_ISO = 0.00035  # A over the roller's diameter [-], ISO/TS 16281
+COLUMNS = ("position", "drop")
+HEADING = re.compile(r"\s*(position|drop)\s*\[([^\[\]]+)\]\s*")
+_HEADER = 'a header holds "position [mm]" and "drop [um]", each with a unit of length'
 
 
 def of_roller(case: Case) -> qd.Profile:
@@ -33,10 +43,7 @@ def of_raceway(case: Case, race: Race) -> qd.Profile:
 def drawn(case: Case, number: int = 121) -> dict[str, tuple[NDArray, NDArray]]:
     """Profiles that are not straight, from end to end of a cold roller.
 
-    Raises
-    ------
-    BadCase
-        where points of a profile cannot be read or are none of such a roller
+    Raises `BadCase` where points of a profile cannot be read or are none of such a roller.
     """
     length = case.bearing.roller.length
     places = length / 2 * np.sin(np.linspace(-np.pi / 2, np.pi / 2, number))
@@ -44,7 +51,7 @@ def drawn(case: Case, number: int = 121) -> dict[str, tuple[NDArray, NDArray]]:
         all_of_them = {"bearing.roller": of_roller(case)} | {
             f"bearing.{race}_raceway": of_raceway(case, race) for race in RACES
         }
-    except qd.ImpossiblePart as problem:
+    except ImpossiblePart as problem:
         raise BadCase(str(problem)) from problem
     with np.errstate(divide="ignore"):  # logarithmic ends
         drops = {table: profile.drop(places, length) for table, profile in all_of_them.items()}
@@ -105,5 +112,42 @@ def _through_points(case: Case, table: Generatrix, name: str) -> qd.Profile:
         lists = (table.point_positions, table.point_drops) if file is None else points(file)
         positions, drops = map(np.array, lists)
         return qd.PointsProfile.through(positions, drops, case.bearing.roller.length)
-    except qd.ImpossiblePart as problem:
-        raise qd.ImpossiblePart(f"{name}: {problem}") from problem
+    except ImpossiblePart as problem:
+        raise ImpossiblePart(f"{name}: {problem}") from problem
+
+
+def points(file: Path) -> tuple[NDArray, NDArray]:
+    """Positions and drops (n) [m] of a file with two columns, a table as `inputs.cells` reads it.
+
+    Raises `ImpossiblePart` where it cannot be read, or is no such table.
+    """
+    try:
+        return _read(inputs.stamp(file))
+    except (ImpossiblePart, inputs.Unreadable, inputs.BadNumber) as problem:
+        raise ImpossiblePart(f'"{excerpt(file.name)}": {problem}') from problem
+
+
+@lru_cache(maxsize=64)  # variants of a case have it in common
+def _read(stamp: inputs.Stamp) -> tuple[NDArray, NDArray]:
+    lines = inputs.cells(inputs.text(stamp.path, POINTS), POINTS)
+    header, rows = next(lines, []), [*lines]
+    scales = dict(map(_heading, header))
+    if len(header) != len(COLUMNS) or set(scales) != set(COLUMNS):
+        raise ImpossiblePart(f"has {len(header)} columns: {_HEADER}")
+    if short := next((row for row in rows if len(row) != len(COLUMNS)), None):
+        raise ImpossiblePart(f"has a row of {len(short)} numbers, not {len(COLUMNS)}")
+    table = np.array([[inputs.number(cell) for cell in row] for row in rows]).reshape(-1, len(COLUMNS))
+    of = dict(zip((_heading(cell)[0] for cell in header), table.T, strict=True))
+    return of["position"] * scales["position"], of["drop"] * scales["drop"]
+
+
+def _heading(cell: str) -> tuple[str, float]:
+    """Quantity of a column, and its unit in metres."""
+    parts = HEADING.fullmatch(cell)
+    try:
+        given = None if parts is None else unit(parts[2].strip())
+    except (BadUnit, UnknownUnit):
+        given = None
+    if parts is None or given is None or given.powers != unit("m").powers:
+        raise ImpossiblePart(f"has a column {excerpt(cell)!r}: {_HEADER}")
+    return parts[1], given.scale

@@ -237,10 +237,7 @@ def require_shoulder(case: Case) -> None:
 def require_held_in_housing(case: Case) -> None:
     """Refuse a loose ring that no load presses on its housing.
 
-    Raises
-    ------
-    ImpossiblePart
-        when neither an interference nor a load holds the ring
+    Raises `ImpossiblePart` when neither an interference nor a load holds the ring.
     """
     outer: Any = case.outer
     if not case.lifts_off or case.operation.radial_load > 0:

@@ -28,10 +28,7 @@ def seat_strain(case: Case) -> float:
 def seat_growth(case: Case, note: Callable[[str], None] = lambda text: None) -> "RacewayGrowth | None":
     """Growth of the outer raceway per `seat_strain`; None where the seat is as warm as the ring.
 
-    Raises
-    ------
-    BadCase
-        if it cannot be computed
+    Raises `BadCase` if it cannot be computed.
     """
     part = outer_part(case) if seat_strain(case) else None
     if not isinstance(part, fem.OuterRing | fem.SquirrelCage):

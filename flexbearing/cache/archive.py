@@ -32,10 +32,7 @@ class Damaged(ValueError):
 def packed(entry: str, name: str, value: Any) -> bytes:
     """Bytes from which `unpacked` makes the value again.
 
-    Raises
-    ------
-    WrongForm
-        for anything else, or fields of another form than the table has
+    Raises `WrongForm` for anything else, or fields of another form than the table has.
     """
     require_form(name, value)
     arrays: list[NDArray] = []
@@ -52,10 +49,8 @@ def packed(entry: str, name: str, value: Any) -> bytes:
 def unpacked(entry: str, name: str, data: bytes) -> Any:
     """The value that `packed` was given; its arrays cannot be written to.
 
-    Raises
-    ------
-    Damaged
-        if the bytes are others than written, or were written for another entry or from another class
+    Raises `Damaged` if the bytes are others than written, or were written for another entry or from another
+    class.
     """
     content = memoryview(data)[_DIGEST:]
     if _digest(entry, content) != data[:_DIGEST]:

@@ -28,20 +28,10 @@ class Number:
     infinite: bool = False  # may be inf
     optional: bool = False  # may be None
 
-    def require(self, value: Any, sizes: dict[str, int]) -> None:
-        """Refuse a value of another form.
-
-        Raises
-        ------
-        WrongForm
-            saying what it is
-        """
-        if value is None and self.optional:
-            return
-        if value is None or type(value) not in (int, float):
-            raise WrongForm(f"{value!r} is no number")
-        if isnan(value) or not (isfinite(value) or self.infinite):
-            raise WrongForm(f"{value!r} is no number")
+    def problem(self, value: Any, sizes: dict[str, int]) -> str:
+        """What a value of another form is; empty for one of this form, as in all other forms."""
+        known = type(value) in (int, float) and not isnan(value) and (isfinite(value) or self.infinite)
+        return "" if known else f"{value!r} is no number"
 
 
 @dataclass(frozen=True)
@@ -50,18 +40,9 @@ class Count:
 
     optional: bool = False  # may be None
 
-    def require(self, value: Any, sizes: dict[str, int]) -> None:
-        """Refuse a value of another form.
-
-        Raises
-        ------
-        WrongForm
-            saying what it is
-        """
-        if value is None and self.optional:
-            return
-        if type(value) is not int or not 0 <= value < 2**63:
-            raise WrongForm(f"{value!r} is no count")
+    def problem(self, value: Any, sizes: dict[str, int]) -> str:
+        """What it is else."""
+        return "" if type(value) is int and 0 <= value < 2**63 else f"{value!r} is no count"
 
 
 @dataclass(frozen=True)
@@ -69,35 +50,25 @@ class Choice:
     """One of some texts or numbers."""
 
     allowed: tuple[str | int, ...]
+    optional: bool = False  # may be None
 
-    def require(self, value: Any, sizes: dict[str, int]) -> None:
-        """Refuse a value of another form.
-
-        Raises
-        ------
-        WrongForm
-            saying what it is
-        """
-        if type(value) not in (str, int) or value not in self.allowed:
-            raise WrongForm(f"{value!r} is none of {self.allowed}")
+    def problem(self, value: Any, sizes: dict[str, int]) -> str:
+        """What it is else."""
+        known = type(value) in (str, int) and value in self.allowed
+        return "" if known else f"{value!r} is none of {self.allowed}"
 
 
 @dataclass(frozen=True)
 class Numbers:
     """Numbers by name."""
 
-    def require(self, value: Any, sizes: dict[str, int]) -> None:
-        """Refuse a value of another form.
+    optional: bool = False  # may be None
 
-        Raises
-        ------
-        WrongForm
-            saying what it is
-        """
+    def problem(self, value: Any, sizes: dict[str, int]) -> str:
+        """What it is else, or the first of it that is no number."""
         if not isinstance(value, dict) or not all(isinstance(name, str) for name in value):
-            raise WrongForm(f"a {type(value).__name__} is no mapping of names")
-        for number in value.values():
-            Number().require(number, sizes)
+            return f"a {type(value).__name__} is no mapping of names"
+        return next(filter(None, (Number().problem(number, sizes) for number in value.values())), "")
 
 
 @dataclass(frozen=True)
@@ -109,25 +80,17 @@ class Array:
     largest: float = METRE  # size of a number
     optional: bool = False  # may be None
 
-    def require(self, value: Any, sizes: dict[str, int]) -> None:
-        """Refuse a value of another form; `sizes` learns those of the symbols.
-
-        Raises
-        ------
-        WrongForm
-            saying what it is
-        """
-        if value is None and self.optional:
-            return
+    def problem(self, value: Any, sizes: dict[str, int]) -> str:
+        """What it is else; `sizes` learns those of the symbols."""
         if not isinstance(value, np.ndarray) or value.dtype.kind not in self.kinds:
-            raise WrongForm(f"a {type(value).__name__} is no array of {self.kinds}")
+            return f"a {type(value).__name__} is no array of {self.kinds}"
         forms = [form.split() for form in self.axes]
         form = next((form for form in forms if _fits(form, value.shape, sizes)), None)
         if form is None:
-            raise WrongForm(f"shape {value.shape} is none of {self.axes} with {sizes}")
+            return f"shape {value.shape} is none of {self.axes} with {sizes}"
         sizes.update(zip(form, value.shape, strict=True))
-        if not np.abs(value).max() <= self.largest:  # NaN is not, either
-            raise WrongForm(f"a number is above {self.largest:g}, or none")
+        known = np.abs(value).max() <= self.largest  # NaN is not, either
+        return "" if known else f"a number is above {self.largest:g}, or none"
 
 
 @dataclass(frozen=True)
@@ -137,17 +100,12 @@ class Kept:
     name: str
     optional: bool = False  # may be None
 
-    def require(self, value: Any, sizes: dict[str, int]) -> None:
-        """Refuse a value of another form.
-
-        Raises
-        ------
-        WrongForm
-            saying what it is
-        """
-        if value is None and self.optional:
-            return
-        require_form(self.name, value)
+    def problem(self, value: Any, sizes: dict[str, int]) -> str:
+        """What it is else, or which field of it is not of its form."""
+        record, kind = RECORDS.get(self.name), type(value)
+        if record is None or (kind.__module__, kind.__qualname__) != (record.module, self.name):
+            return f"{kind.__module__}.{kind.__qualname__} is no {self.name}"
+        return _of_fields(self.name, {field: plain(getattr(value, field)) for field in record.fields})
 
 
 Form = Number | Count | Choice | Numbers | Array | Kept
@@ -259,33 +217,31 @@ RECORDS = {
 def require_form(name: str, value: Any) -> None:
     """Raise unless an object is of a class of the table, and each of its fields of its form.
 
-    Raises
-    ------
-    WrongForm
-        naming class and field
+    Raises `WrongForm` naming class and field.
     """
-    record, kind = RECORDS.get(name), type(value)
-    if record is None or (kind.__module__, kind.__qualname__) != (record.module, name):
-        raise WrongForm(f"{kind.__module__}.{kind.__qualname__} is no {name}")
-    require_fields(name, {field: plain(getattr(value, field)) for field in record.fields})
+    if problem := Kept(name).problem(value, {}):
+        raise WrongForm(problem)
 
 
 def require_fields(name: str, values: Mapping[str, Any]) -> None:
     """Raise unless the fields of a class are there and of their forms.
 
-    Raises
-    ------
-    WrongForm
-        naming class and field
+    Raises `WrongForm` naming class and field.
     """
+    if problem := _of_fields(name, values):
+        raise WrongForm(problem)
+
+
+def _of_fields(name: str, values: Mapping[str, Any]) -> str:
+    """The first field of a class that is not of its form; empty where all are."""
     fields, sizes = RECORDS[name].fields, {}
     if values.keys() != fields.keys():
-        raise WrongForm(f"{name} has the fields {', '.join(fields)}, not {', '.join(values)}")
+        return f"{name} has the fields {', '.join(fields)}, not {', '.join(values)}"
     for field, form in fields.items():
-        try:
-            form.require(values[field], sizes)
-        except WrongForm as problem:
-            raise WrongForm(f"{name}.{field}: {problem}") from problem
+        value = values[field]
+        if not (value is None and form.optional) and (problem := form.problem(value, sizes)):
+            return f"{name}.{field}: {problem}"
+    return ""
 
 
 def plain(value: Any) -> Any:

@@ -19,10 +19,7 @@ LAYOUT = 2  # of the file of an entry; those of another one are never looked for
 def digest(parts: Any) -> str:
     """Name of what is computed from some data by the present code.
 
-    Raises
-    ------
-    TypeError
-        for data of any other kind: it could change without the name
+    Raises `TypeError` for data of any other kind: it could change without the name.
     """
     return sha256(json.dumps([LAYOUT, code(), _plain(parts)], sort_keys=True).encode()).hexdigest()
 

@@ -15,10 +15,7 @@ from flexbearing.printable import LONGEST, excerpt
 def explain(path: str | None, families: Families) -> str:
     """Explain a key, a table, or the whole case file.
 
-    Raises
-    ------
-    BadCase
-        for an unknown key, naming the nearest one
+    Raises `BadCase` for an unknown key, naming the nearest one.
     """
     if path is None:
         return "\n\n".join(f"{title}\n{_lines(items)}" for title, items in _chapters(families))
@@ -37,10 +34,7 @@ def explain(path: str | None, families: Families) -> str:
 def explain_file(path: str | None, model: type[Section]) -> str:
     """Explain a key, a table, or all keys of another file than a case.
 
-    Raises
-    ------
-    BadCase
-        for an unknown key
+    Raises `BadCase` for an unknown key.
     """
     items = list(declared(model))
     if path is None:

@@ -15,6 +15,7 @@ from flexbearing.printable import LONGEST, excerpt, printable
 MOST = 20  # problems that are reported
 MOST_PLACES = 3  # of one name
 Problem = TypeVar("Problem")
+File = TypeVar("File", bound=Section)
 
 
 class BadCase(ValueError):
@@ -32,7 +33,15 @@ def listed(problems: Collection[Problem], file: str, line: Callable[[Problem], s
     return "\n".join(lines)
 
 
-def messages(
+def validated(raw: Mapping[str, Any], file: str, model: type[File], families: Families) -> File:
+    """What a file holds, as its model; raises `BadCase` with a line for each problem."""
+    try:
+        return model.model_validate(raw)
+    except ValidationError as error:
+        raise BadCase(_messages(error, raw, file, model, families)) from None
+
+
+def _messages(
     error: ValidationError, raw: Mapping[str, Any], file: str, model: type[Section], families: Families
 ) -> str:
     """One line per problem: file, key, value found, what is allowed, nearest valid name.

@@ -5,15 +5,13 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from pydantic import ValidationError
-
 from flexbearing import inputs
 from flexbearing.case.belonging import foreign, without
 from flexbearing.case.declarations import Declaration, find, toml
 from flexbearing.case.family import Families
 from flexbearing.case.head import Head, Source
 from flexbearing.case.materials import values
-from flexbearing.case.problems import BadCase, listed, messages, nearest, quoted, refused, shown
+from flexbearing.case.problems import BadCase, listed, nearest, quoted, refused, shown, validated
 from flexbearing.case.quantity import Section
 from flexbearing.case.text import LARGEST, Unreadable, setting_value, tables
 from flexbearing.printable import excerpt
@@ -42,10 +40,7 @@ def read(path: str | Path, overrides: Overrides, families: Families) -> Head:
 def understood(text: str, file: Path, overrides: Overrides, families: Families) -> Head:
     """Read the text of a case file, also where only that is left of it.
 
-    Raises
-    ------
-    BadCase
-        as `read`
+    Raises `BadCase` as `read`.
     """
     try:
         raw = tables(text)
@@ -57,10 +52,7 @@ def understood(text: str, file: Path, overrides: Overrides, families: Families) 
 def with_settings(raw: dict[str, Any], source: Source, families: Families) -> Head:
     """Read the tables of a case file with the settings of its source.
 
-    Raises
-    ------
-    BadCase
-        as `read`
+    Raises `BadCase` as `read`.
     """
     name, settings = excerpt(Path(source.path).name, LONGEST_NAME), source.overrides
     model = model_of(raw, settings, name, families)
@@ -72,10 +64,7 @@ def with_settings(raw: dict[str, Any], source: Source, families: Families) -> He
     raw.setdefault("title", excerpt(Path(source.path).stem, LONGEST_NAME))
     if foreign_keys:
         raise BadCase(listed(foreign_keys.items(), name, lambda item: refused(raw, *item)))
-    try:
-        case = model.model_validate(raw)
-    except ValidationError as error:
-        raise BadCase(messages(error, raw, name, model, families)) from None
+    case = validated(raw, name, model, families)
     _requiregiven(case, raw, name, families)
     case._source = source
     return case
@@ -123,10 +112,7 @@ def _settings(overrides: Sequence[str] | Mapping[str, object]) -> tuple[str, ...
 def model_of(raw: Mapping[str, Any], settings: Sequence[str], file: str, families: Families) -> type[Head]:
     """Schema of the kind that a file or a setting names.
 
-    Raises
-    ------
-    BadCase
-        where there is no such kind
+    Raises `BadCase` where there is no such kind.
     """
     kind = raw.get("kind", next(iter(families)))
     for setting in settings:

@@ -87,10 +87,7 @@ def _kind_of_file(parsed: dict[str, Any]) -> str | None:
 def setting_value(text: str) -> Any:
     """Value of a setting: that of TOML where it is one (20, true, "5 mm"), else the text itself.
 
-    Raises
-    ------
-    Unreadable
-        where it holds what no case can have
+    Raises `Unreadable` where it holds what no case can have.
     """
     try:
         parsed = None if _deep(text) else tomllib.loads(f"value = {text}")

@@ -193,10 +193,7 @@ def tabulated(
 ) -> Band:
     """Band of a class that a case names.
 
-    Raises
-    ------
-    PydanticCustomError
-        where the diameter is missing, or none of the printed tables has it
+    Raises `PydanticCustomError` where the diameter is missing, or none of the printed tables has it.
     """
     if diameter is None:
         raise needed([owner], path)

@@ -64,10 +64,7 @@ def case_text(
 ) -> tuple[str, str]:
     """Text of the case of a catalogue page, and the ratings in it; nothing is written.
 
-    Raises
-    ------
-    BadCase
-        as `new`
+    Raises `BadCase` as `new`.
     """
     try:
         return _case(pages.read(like, options), file, title, source)

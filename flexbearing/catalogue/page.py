@@ -121,10 +121,7 @@ def _together(values: Mapping[str, Value]) -> Iterator[str]:
 def value(name: str, text: str, like: str) -> Value:
     """Read one entry.
 
-    Raises
-    ------
-    BadCase
-        where it is no quantity of this kind with a unit, no whole number, or not on the list
+    Raises `BadCase` where it is no quantity of this kind with a unit, no whole number, or not on the list.
     """
     entry = ENTRIES[name]
     given = f"{entry.option} {excerpt(text)}"

@@ -24,12 +24,8 @@ def sensitivities(
 
     Without keys also the outputs with other choices of graded keys, such as the cleanliness of the oil.
 
-    Raises
-    ------
-    BadCase
-        for a family without derivatives, and for keys that have none, before anything is solved
-    UnknownOutput, WrongUnit
-        for texts that name no output, before anything is solved
+    Raises `BadCase` for a family without derivatives, and for keys that have none, before anything is solved;
+    `UnknownOutput`, `WrongUnit` for texts that name no output, before anything is solved.
     """
     if family.sensitivities is None:
         raise BadCase(

@@ -47,15 +47,9 @@ def sensitivities(
 ) -> Sensitivities:
     """Derivatives of outputs by continuous keys at the equilibrium of a case.
 
-    Raises
-    ------
-    BadCase
-        for keys that are none, outputs of rigid rings where rings are elastic, and cases whose friction has
-        no derivatives
-    UnknownOutput, WrongUnit
-        for texts that name no output
-    NotSolved
-        where there is no equilibrium
+    Raises `BadCase` for keys that are none, outputs of rigid rings where rings are elastic, and cases whose
+    friction has no derivatives; `UnknownOutput`, `WrongUnit` for texts that name no output; `NotSolved` where
+    there is no equilibrium.
     """
     refused = {"operation.control": case.operation.control == "coulomb"}
     refused |= {"outer.bilateral": case.outer.lifts_off}

@@ -95,10 +95,7 @@ def keys_of(case: Head, path: str) -> list[Key]:
 def key_of(case: Head, path: str) -> Key:
     """A continuous key of a case by its name, also where the case leaves it at its default.
 
-    Raises
-    ------
-    BadCase
-        for another key, or one without a value in this case
+    Raises `BadCase` for another key, or one without a value in this case.
     """
     item, named = find(path, type(case)), f"key {excerpt(path)}"
     if item is None:

@@ -77,10 +77,7 @@ class SolvedState:
     def moved(self, key: Key, change: float, by_step: NDArray | float = 0.0) -> "SolvedState":
         """The equilibrium with a key changed by so many steps, from unknowns that move (N) in each of them.
 
-        Raises
-        ------
-        NotSolved
-            where Newton's method does not reach it
+        Raises `NotSolved` where Newton's method does not reach it.
         """
         variant = self.variant(key, change)
         balance = variant.balance(aligned=variant.aligned)
@@ -97,12 +94,8 @@ class SolvedState:
 def solved(case: Case, report: Report | None = None) -> SolvedState:
     """The equilibrium that a run of the case finds.
 
-    Raises
-    ------
-    BadCase
-        for a case whose answer is not the smooth function that is differentiated
-    NotSolved
-        where there is no equilibrium
+    Raises `BadCase` for a case whose answer is not the smooth function that is differentiated; `NotSolved`
+    where there is no equilibrium.
     """
     _require_differentiable(case)
     model = roller_bearing.bearing(case)

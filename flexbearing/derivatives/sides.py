@@ -56,10 +56,7 @@ class Differentiable:
     def requested(self, of: Sequence[str], life: str, *, elastic: bool) -> list[RequestedOutput]:
         """Outputs that texts name, `all` and `life` among them; raises `UnknownOutput`, `WrongUnit` as well.
 
-        Raises
-        ------
-        BadCase
-            for those of rigid rings where rings are elastic
+        Raises `BadCase` for those of rigid rings where rings are elastic.
         """
         texts = list(of or self.main)
         if ALL in texts:
@@ -84,10 +81,7 @@ def tabled(
 ) -> Sensitivities:
     """The table of derivatives; outputs that the case does not have are left out.
 
-    Raises
-    ------
-    BadCase
-        where it has none of them
+    Raises `BadCase` where it has none of them.
     """
     there = np.isfinite(values)
     if not there.any():

@@ -33,14 +33,9 @@ def sensitivities(
 ) -> Sensitivities:
     """Derivatives of outputs by continuous keys at the equilibrium of a case.
 
-    Raises
-    ------
-    BadCase
-        for keys that are none, outputs of rigid rings where rings are elastic, contacts that stick and slip
-    UnknownOutput, WrongUnit
-        for texts that name no output
-    NotSolved
-        where there is no equilibrium
+    Raises `BadCase` for keys that are none, outputs of rigid rings where rings are elastic, contacts that
+    stick and slip; `UnknownOutput`, `WrongUnit` for texts that name no output; `NotSolved` where there is no
+    equilibrium.
     """
     if case.friction.model != "full_sliding":
         raise BadCase(

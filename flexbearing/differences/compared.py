@@ -85,10 +85,7 @@ class Compared:
 def compared(one: Result, other: Result) -> Compared:
     """Compare two results.
 
-    Raises
-    ------
-    BadResult
-        if the kinds of bearing differ
+    Raises `BadResult` if the kinds of bearing differ.
     """
     if one.kind != other.kind:
         raise BadResult(

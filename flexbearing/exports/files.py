@@ -21,12 +21,7 @@ ALONE = "scalars"  # name of the table of numbers without places
 def csv(result: Result, directory: Path) -> Iterator[Path]:
     """Write the end states of a result.
 
-    Raises
-    ------
-    BadResult
-        if nothing was solved
-    BadOutput, NotStored
-        if a file cannot be written
+    Raises `BadResult` if nothing was solved; `BadOutput`, `NotStored` if a file cannot be written.
     """
     folder, layout = require_folder(directory), result.family.layout()
     tables = {
@@ -105,12 +100,8 @@ EXTRA = 'pip install "flexbearing[studies]"'
 def netcdf(result: Result, directory: Path) -> Iterator[Path]:
     """Write a result as `Result.to_xarray` has it.
 
-    Raises
-    ------
-    BadOutput
-        if the file cannot be written, or xarray and h5netcdf are not installed
-    NotStored
-        if there is no room for it
+    Raises `BadOutput` if the file cannot be written, or xarray and h5netcdf are not installed; `NotStored` if
+    there is no room for it.
     """
     if missing := [name for name in ("xarray", "h5netcdf") if find_spec(name) is None]:
         raise BadOutput(f"--to netcdf needs {' and '.join(missing)}: {EXTRA}.")
@@ -122,12 +113,7 @@ def netcdf(result: Result, directory: Path) -> Iterator[Path]:
 def effects(result: Result, directory: Path) -> Iterator[Path]:
     """Write the effects of a result.
 
-    Raises
-    ------
-    BadCase
-        without that attribute
-    BadOutput, NotStored
-        if the file cannot be written
+    Raises `BadCase` without that attribute; `BadOutput`, `NotStored` if the file cannot be written.
     """
     about = result.attributes
     if not about.get("assumed_effects"):

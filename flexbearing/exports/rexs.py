@@ -27,14 +27,8 @@ Attributes = dict[str, tuple[Value, str]]
 def export(result: Result, directory: Path) -> Iterator[Path]:
     """Write a roller bearing with its main block as the load case.
 
-    Raises
-    ------
-    BadCase
-        for ball bearings
-    BadResult
-        if nothing was solved
-    BadOutput, NotStored
-        if the file cannot be written
+    Raises `BadCase` for ball bearings; `BadResult` if nothing was solved; `BadOutput`, `NotStored` if the
+    file cannot be written.
     """
     if result.kind != KIND:
         raise BadCase(

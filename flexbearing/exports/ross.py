@@ -63,10 +63,7 @@ def export(source: Path | Result, directory: Path) -> Iterator[Path]:
 def of_result(result: Result) -> Bearing:
     """The bearing at the speed of a result.
 
-    Raises
-    ------
-    BadResult
-        where it did not converge
+    Raises `BadResult` where it did not converge.
     """
     if result.attributes["status"] != CONVERGED:
         raise BadResult(f"{result.place}: not converged: {result.attributes['message']}.")
@@ -108,10 +105,7 @@ def text(bearing: Bearing, tag: str, axis: str) -> str:
 def read(path: Path) -> Bearing:
     """Read the table of a study.
 
-    Raises
-    ------
-    BadResult
-        naming the column or the row that is missing or wrong
+    Raises `BadResult` naming the column or the row that is missing or wrong.
     """
     try:
         heads, *rows = csv.reader(StringIO(inputs.text(path, TABLE), newline=""), strict=True)

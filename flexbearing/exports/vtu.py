@@ -2,6 +2,7 @@
 
 import sys
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 from flexbearing.case import BadCase
@@ -13,27 +14,22 @@ def export(
 ) -> Iterator[Path]:
     """Compute the fields of a stored state, print their largest stresses and write them.
 
-    Raises
-    ------
-    BadCase, BadResult
-        if no such part is flexible, or there is no such state
-    NoFields
-        if a part has no solid, or it could not be solved
-    BadOutput, NotStored
-        if a file cannot be written
+    Raises `BadCase`, `BadResult` if no such part is flexible, or there is no such state; `NoFields` if a part
+    has no solid, or it could not be solved; `BadOutput`, `NotStored` if a file cannot be written.
     """
-    from flexbearing.printable import all_printable
+    from flexbearing.report.html.reader import Reader
+    from flexbearing.report.html.units import METRIC
     from flexbearing.report.output import laid_out
-    from flexbearing.report.sections import held, stresses
+    from flexbearing.report.page import solids
     from flexbearing.runs import stored_fields as compute
 
     if part not in ("inner", "outer", None):
         raise BadCase(f'part {part}: it is "inner" or "outer"')
     paths = compute.destinations(result, directory, state, part)
     solved = compute.of_result(result, state, part)
-    records = {one.race: one.record() for one in solved}
-    tables = [*stresses(all_printable(records)), *held(result.attributes["structure"])]
-    sys.stdout.write(laid_out(tables, encoding=sys.stdout.encoding))
+    stresses = {one.race: one.record() for one in solved}
+    reader = Reader(replace(result, attributes={**result.attributes, "stresses": stresses}), METRIC)
+    sys.stdout.write(laid_out(solids(reader), encoding=sys.stdout.encoding))
     for one in solved:
         compute.write(one, paths[one.race])
         yield paths[one.race]

@@ -52,10 +52,7 @@ def write(path: Path, data: bytes, *, beside: Path | None = None, lasting: bool 
     The bytes go to a name of their own, created exclusively, and are read again before they take the place
     of what was there.
 
-    Raises
-    ------
-    NotStored
-        naming the finished file and what to do; no part is left
+    Raises `NotStored` naming the finished file and what to do; no part is left.
     """
     part = part_name(beside or path, _WRITING)
     try:

@@ -46,10 +46,7 @@ def require_output(path: str | Path, inputs: Iterable[str | Path] = ()) -> Path:
 def require_outputs(paths: Iterable[str | Path], inputs: Iterable[str | Path] = ()) -> list[Path]:
     """Settle where all outputs of a command go, before one of them is written.
 
-    Raises
-    ------
-    BadOutput
-        as `require_output`, and where links lead two outputs to one file
+    Raises `BadOutput` as `require_output`, and where links lead two outputs to one file.
     """
     given, settled = tuple(inputs), dict[Path, str | Path]()
     for path in paths:
@@ -66,10 +63,7 @@ def require_outputs(paths: Iterable[str | Path], inputs: Iterable[str | Path] = 
 def require_folder_name(folder: str | Path) -> Path:
     """Settle which folder outputs go to, or would go to; it need not be there.
 
-    Raises
-    ------
-    BadOutput
-        for a name that no folder can have: too long, a loop of links, a NUL in it
+    Raises `BadOutput` for a name that no folder can have: too long, a loop of links, a NUL in it.
     """
     try:
         named = _behind_links(folder)
@@ -83,10 +77,7 @@ def require_folder_name(folder: str | Path) -> Path:
 def require_folder(folder: str | Path) -> Path:
     """Make a folder that outputs go to, where it is not there yet.
 
-    Raises
-    ------
-    BadOutput
-        if it cannot be made, or nothing can be written into it
+    Raises `BadOutput` if it cannot be made, or nothing can be written into it.
     """
     try:
         made = Path(folder)

@@ -35,7 +35,6 @@ FILM_RATIO = Finding(
     meaning="asperities carry most of the load",
     action="take smoother raceways, a more viscous or a cooler oil",
 )  # fmt: skip
-FULL_FILM = 3.0  # film ratio from which surfaces hardly ever touch: no limit, for the words of reports
 GYROSCOPIC_MOMENT = Finding(
     code="gyroscopic-moment", label="friction needed to hold the gyroscopic moments",
     quantity="needed_friction", at_most=1.0, times="friction", grade=OUTSIDE, source="friction.coefficient",
@@ -76,3 +75,4 @@ PRESSED_ENDS = Finding(
     meaning="slices miss the pressure at pressed ends and corners, and life.edge_stress is not made for it",
     action='set bearing.contact = "half_space", or take a profile that relieves the ends',
 )  # fmt: skip
+PEAK_AT_ENDS = {PRESSED_ENDS.code, "sharp-roller-end", "sliced-peak"}  # notes: slices do not have the peak

@@ -10,8 +10,9 @@ from rich.text import Text
 
 from flexbearing.goal.target import Target
 from flexbearing.printable import excerpt
+from flexbearing.report.html.document import Table
 from flexbearing.report.output import laid_out
-from flexbearing.report.sections import right_aligned
+from flexbearing.report.sections import titled
 
 
 @dataclass(frozen=True)
@@ -21,6 +22,7 @@ class Changed:
     key: str
     before: str
     after: str
+    shown: tuple[str, str]  # both, numbers with four digits
 
 
 @dataclass(frozen=True)
@@ -101,36 +103,22 @@ def sections(goal: Goal) -> Iterator[RenderableType]:
         "two changes": [goal.pair] if goal.pair else [],
         "cannot, comes to": others,
     }
-    yield from (_table(name, group, target) for name, group in groups.items() if group)
+    for name, group in groups.items():
+        yield from titled("", _table(name, group, target))
     yield from (Text(f"  {each.name}: {excerpt(each.limit, LONGEST)}") for each in others if each.limit)
     if goal.weak:
         yield Text(f"  less than 1 %: {', '.join(goal.weak)}")
 
 
-def _table(heading: str, changes: Sequence[Change], target: Target) -> RenderableType:
-    table = right_aligned(heading, "from", "to", "steps", "life")
-    table.columns[0].overflow = "fold"
+def _table(heading: str, changes: Sequence[Change], target: Target) -> Table:
+    rows = []
     for change in changes:
         for number, each in enumerate(change.keys):
             ends = ("", "") if number else (f"{change.steps:.2g}", _life(change.life, target))
-            table.add_row(*map(Text, (each.key, *_words(each), *ends)))
-    return table
+            rows.append((each.key, *each.shown, *ends))
+    return Table((heading, "from", "to", "steps", "life"), tuple(rows))
 
 
 def _life(life: float, target: Target) -> str:
     rounded = float(f"{life:.{DIGITS}g}")
     return f"{rounded:,.0f} {target.unit}" if rounded >= 10**DIGITS else f"{rounded:g} {target.unit}"
-
-
-def _words(changed: Changed) -> tuple[str, str]:
-    """Both values: numbers with four digits, of choices the last part."""
-    both = changed.before, changed.after
-    try:
-        return _number(both[0]), _number(both[1])
-    except ValueError:
-        return both[0].rpartition(", ")[2], both[1].rpartition(", ")[2]
-
-
-def _number(words: str) -> str:
-    number, _, unit = words.partition(" ")
-    return f"{float(number):.{DIGITS}g} {unit}".strip()

@@ -42,8 +42,14 @@ class Lever:
 
     def words(self, steps: float) -> str:
         """The value so many steps away, as a case has it."""
-        number = self.key.stated + steps * self.key.realistic_step
-        return f"{float(f'{number:.12g}')!r} {self.key.unit}".strip()
+        return f"{float(f'{self._value(steps):.12g}')!r} {self.key.unit}".strip()
+
+    def shown(self, steps: float) -> str:
+        """The same with four digits."""
+        return f"{self._value(steps):.4g} {self.key.unit}".strip()
+
+    def _value(self, steps: float) -> float:
+        return self.key.stated + steps * self.key.realistic_step
 
 
 @dataclass(frozen=True)
@@ -74,14 +80,14 @@ class Move:
             self, parts=tuple((lever.up_to(steps, weight), weight) for lever, weight in self.parts)
         )
 
-    def changes(self, steps: float) -> Iterator[tuple[Lever, str]]:
-        """Levers with their values; each stops at its end."""
+    def changes(self, steps: float) -> Iterator[tuple[Lever, float]]:
+        """Levers with the steps of each, which stops at its end."""
         for lever, weight in self.parts:
-            yield lever, lever.words(copysign(min(steps * abs(weight), lever.end(weight)), weight))
+            yield lever, copysign(min(steps * abs(weight), lever.end(weight)), weight)
 
     def settings(self, steps: float) -> tuple[str, ...]:
         """Settings of the case after so many steps."""
-        moved = (f"{lever.key.path}={words}" for lever, words in self.changes(steps))
+        moved = (f"{lever.key.path}={lever.words(own)}" for lever, own in self.changes(steps))
         return (*(self.choice.settings if self.choice else ()), *moved)
 
 

@@ -24,10 +24,7 @@ PAIRED = 4  # the strongest levers, of which pairs are tried
 def goal(case: Head, family: Family, life: str, report: Report) -> Goal:
     """Find what reaches a life: each lever alone, then pairs of the strongest.
 
-    Raises
-    ------
-    BadCase
-        for a text that is no life, and a case that has none
+    Raises `BadCase` for a text that is no life, and a case that has none.
     """
     result = compared(case, family)
     if result.attributes["status"] != "converged":
@@ -72,7 +69,7 @@ def _nearest(tried: Sequence[_Tried]) -> Change:
         best = min(reaching, key=lambda each: each.choice.steps).choice
     else:
         best = max(tried, key=lambda each: each.distance).choice
-    keys = (Changed(best.key, best.before, best.words),)
+    keys = (_chosen(best),)
     return Change(keys, best.settings, best.steps, bool(reaching), "" if reaching else "the best choice")
 
 
@@ -169,9 +166,16 @@ def _change(trials: Trials, followed: Followed) -> Change:
 
 def _changed(move: Move, place: float) -> Iterator[Changed]:
     if move.choice:
-        yield Changed(move.choice.key, move.choice.before, move.choice.words)
-    for lever, words in move.changes(place):
-        yield Changed(lever.key.path, lever.words(0.0), words)
+        yield _chosen(move.choice)
+    for lever, steps in move.changes(place):
+        before, after = lever.shown(0.0), lever.shown(steps)
+        yield Changed(lever.key.path, lever.words(0.0), lever.words(steps), (before, after))
+
+
+def _chosen(choice: Choice) -> Changed:
+    """Another choice, shown by the last part of its words."""
+    before, after = (words.rpartition(", ")[2] for words in (choice.before, choice.words))
+    return Changed(choice.key, choice.before, choice.words, (before, after))
 
 
 def _limit(trials: Trials, followed: Followed) -> str:

@@ -38,10 +38,7 @@ class Target:
 def target(result: Result, life: str) -> Target:
     """Read what is wanted of a result.
 
-    Raises
-    ------
-    BadCase
-        for a text that is no life, or a result without a life
+    Raises `BadCase` for a text that is no life, or a result without a life.
     """
     names = [name for name in LIVES if _has(result, name)]
     if not names:

@@ -25,10 +25,7 @@ def numbered_cells(text: str, most: int) -> Iterator[tuple[int, list[str]]]:
     Beside semicolons and tabs numbers may have decimal commas. A line that names the separator, as
     spreadsheets write it in front, is none of the table.
 
-    Raises
-    ------
-    Unreadable
-        for more cells than `most`, and a text that is no table
+    Raises `Unreadable` for more cells than `most`, and a text that is no table.
     """
     first = text.lstrip("\r\n ").partition("\n")[0]
     named = _NAMED.fullmatch(first)
@@ -58,10 +55,7 @@ LONGEST = 60  # characters of a heading in a message
 def require_different(headings: Sequence[str]) -> None:
     """Refuse a heading that stands twice, before the cells below are looked at.
 
-    Raises
-    ------
-    Unreadable
-        naming the first one
+    Raises `Unreadable` naming the first one.
     """
     twice = next((name for name, count in Counter(headings).items() if count > 1), None)
     if twice is not None:

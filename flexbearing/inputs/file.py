@@ -34,10 +34,7 @@ class Stamp(NamedTuple):
 def opened(path: Path) -> Iterator[BufferedReader]:
     """Open a plain file for reading.
 
-    Raises
-    ------
-    Unreadable
-        where there is no such file, or it is no plain one, or cannot be read
+    Raises `Unreadable` where there is no such file, or it is no plain one, or cannot be read.
     """
     try:
         stamp(path)
@@ -52,10 +49,7 @@ def opened(path: Path) -> Iterator[BufferedReader]:
 def content(path: Path, most: int) -> bytes:
     """Content of a file.
 
-    Raises
-    ------
-    Unreadable
-        as `opened`, and where it is larger
+    Raises `Unreadable` as `opened`, and where it is larger.
     """
     with opened(path) as file:
         found = file.read(most + 1) if os.fstat(file.fileno()).st_size <= most else None
@@ -67,10 +61,7 @@ def content(path: Path, most: int) -> bytes:
 def text(path: Path, most: int) -> str:
     """Text of a file, see `content`; without the mark at the beginning that some editors leave.
 
-    Raises
-    ------
-    Unreadable
-        also where it is not UTF-8, or has control characters
+    Raises `Unreadable` also where it is not UTF-8, or has control characters.
     """
     found = content(path, most)
     try:
@@ -87,10 +78,7 @@ def text(path: Path, most: int) -> str:
 def lines(path: Path, most: int) -> Iterator[str]:
     """Lines of a file of another program, see `content`; its comments may have any encoding.
 
-    Raises
-    ------
-    Unreadable
-        also where a line is longer than `LONGEST_LINE`
+    Raises `Unreadable` also where a line is longer than `LONGEST_LINE`.
     """
     file = TextIOWrapper(BytesIO(content(path, most)), encoding="latin-1")
     number = 0
@@ -104,10 +92,7 @@ def lines(path: Path, most: int) -> Iterator[str]:
 def stamp(path: Path) -> Stamp:
     """What says that a plain file has changed.
 
-    Raises
-    ------
-    Unreadable
-        for what is not there, and for what is no plain file
+    Raises `Unreadable` for what is not there, and for what is no plain file.
     """
     try:
         about = path.stat()

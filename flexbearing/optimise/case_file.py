@@ -47,10 +47,7 @@ def _rate(raw: dict[str, Any], case: Head) -> None:
 def require_unedited(place: Path) -> None:
     """Refuse to replace a case that somebody else wrote, or edited after `case_text` made it.
 
-    Raises
-    ------
-    BadOutput
-        saying what to do
+    Raises `BadOutput` saying what to do.
     """
     if not place.exists():
         return

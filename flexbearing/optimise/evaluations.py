@@ -95,10 +95,7 @@ class Evaluations:
     def goal(self) -> Goal:
         """What is made best; a linear one is scaled by its value in the case as it stands.
 
-        Raises
-        ------
-        BadCase
-            for a linear one of a case without a result
+        Raises `BadCase` for a linear one of a case without a result.
         """
         goal = self.problem.goal(self.cycles)
         if goal.logarithmic:

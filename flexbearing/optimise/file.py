@@ -7,13 +7,11 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from pydantic import ValidationError
-
 from flexbearing import inputs
 from flexbearing.case.as_written import rated_apart
 from flexbearing.case.family import Families
 from flexbearing.case.head import Head, Source as CaseSource, next_to, value_at
-from flexbearing.case.problems import BadCase, messages
+from flexbearing.case.problems import BadCase, validated
 from flexbearing.case.read import LONGEST_NAME, with_settings
 from flexbearing.case.text import tables
 from flexbearing.optimise.goals import Bound, Goal, Measure
@@ -104,10 +102,7 @@ def _with_settings(study: Study, families: Families) -> dict[str, Any]:
 
 def _validated(raw: dict[str, Any], file: Path) -> OptimisationFile:
     name = excerpt(file.name, LONGEST_NAME)
-    try:
-        given = OptimisationFile.model_validate(raw)
-    except ValidationError as error:
-        raise BadCase(messages(error, raw, name, OptimisationFile, {})) from None
+    given = validated(raw, name, OptimisationFile, {})
     if (given.maximise is None) == (given.minimise is None):
         raise BadCase(f"{name}: [maximise] or [minimise] is needed, one of them.")
     if given.search.verified and not given.verify:

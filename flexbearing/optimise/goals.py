@@ -83,10 +83,7 @@ class Goal:
     def merits(self, numbers: Numbers) -> Terms:
         """What is made large: one term, or of the worst every one of T, its smallest.
 
-        Raises
-        ------
-        NotPositive
-            for the logarithm of an output that is not above zero
+        Raises `NotPositive` for the logarithm of an output that is not above zero.
         """
         terms = self.measure.terms(numbers)
         if not self.worst:

@@ -67,10 +67,7 @@ def variables(
 ) -> tuple[Variable, ...]:
     """What the table [vary] holds.
 
-    Raises
-    ------
-    BadValues
-        naming the key
+    Raises `BadValues` naming the key.
     """
     if not given:
         raise BadValues('names no key; give one or more, such as "bearing.clearance" = "0 um .. 60 um".')

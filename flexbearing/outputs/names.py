@@ -122,10 +122,8 @@ class RequestedOutput:
     def value(self, blocks: Mapping[str, Block]) -> Value:
         """The same with its unit.
 
-        Raises
-        ------
-        AbsentOutput
-            where there is no such block, or the case does not give what it is computed from
+        Raises `AbsentOutput` where there is no such block, or the case does not give what it is computed
+        from.
         """
         block = self.chosen(blocks)
         if not block:
@@ -182,12 +180,8 @@ def _of_one(layout: Layout, name: str) -> Output | None:
 def requested(layout: Layout, text: str) -> RequestedOutput:
     """Understand a name with block and unit.
 
-    Raises
-    ------
-    UnknownOutput
-        for another name, with the nearest one, the main ones and where all are listed
-    WrongUnit
-        for a unit that cannot be read or is of another kind, with those that are allowed
+    Raises `UnknownOutput` for another name, with the nearest one, the main ones and where all are listed;
+    `WrongUnit` for a unit that cannot be read or is of another kind, with those that are allowed.
     """
     known = _by_name(layout)
     parts = _WANTED.fullmatch(text)

@@ -1,18 +1,25 @@
-"""The part of a report that compares two results."""
+"""Two results beside each other: a part of a report, and text."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 from math import isnan
 from typing import Any
 
+from rich.console import RenderableType
+from rich.text import Text
+
 from flexbearing.case.declarations import by_path
 from flexbearing.case.differing import differing
-from flexbearing.differences.compared import Differing, compared
+from flexbearing.differences.compared import Compared, Differing, compared
+from flexbearing.findings import of_code
+from flexbearing.printable import excerpt
 from flexbearing.report.figure import COLOURS, Figure
 from flexbearing.report.html.document import Cell, Number, Table
 from flexbearing.report.html.figures import around
 from flexbearing.report.html.inputs import row_of_key
 from flexbearing.report.html.reader import Reader
-from flexbearing.report.html.units import NOTHING, Units, printed
+from flexbearing.report.html.units import METRIC, NOTHING, Units, printed
+from flexbearing.report.sections import plain, titled
 from flexbearing.results import Result
 
 
@@ -20,15 +27,46 @@ def parts(one: Result, other: Result, units: Units) -> dict[str, Any]:
     """Parts of the report that compare two results; raises `BadResult` if the kinds of bearing differ."""
     found = compared(one, other)
     readers = Reader(one, units), Reader(other, units)
-    head = ("output", "A", "B", "unit", "B - A [%]", "error of both")
     return {
         "one": str(found.one),
         "other": str(found.other),
         "title": readers[1].attributes["title"],
         "keys": _keys(*readers),
         "figure": _loads(*readers),
-        "outputs": Table(head, tuple(_row(each, units) for each in found.outputs), sortable=True),
+        "outputs": _outputs(found, units),
     }
+
+
+def sections(one: Result, other: Result) -> Iterator[RenderableType]:
+    """Keys and limits that differ, outputs that differ, and what is known of their errors, as text."""
+    found, keys = compared(one, other), _keys(Reader(one, METRIC), Reader(other, METRIC))
+    yield Text(f"A  {found.one}\nB  {found.other}\n", style="bold")
+    yield Text("Keys of the cases that differ" if keys.rows else "The cases have the same keys and values.")
+    for key, *sides in keys.rows:
+        texts = [plain(cell) for cell in sides]
+        values = (excerpt(" ".join(filter(None, texts[place : place + 2]))) for place in (0, 2))
+        yield Text(f"  {key}: {' | '.join(values)}")
+    for each in found.findings:
+        name = ", ".join(filter(None, (of_code(each.code, each.grade).label, each.place)))
+        yield Text(f"Limit of {name} ({each.source}): {each.one or 'none'} | {each.other or 'none'}")
+    yield Text("")
+    if not found.outputs:
+        yield Text("No output differs by more than its estimated error.")
+    yield from titled("Outputs that differ by more than their estimated errors", _outputs(found, METRIC))
+    if found.within_error:
+        names = ", ".join(each.name for each in found.within_error)
+        yield Text(f"Within the estimated errors of both: {names}.")
+    if found.without_estimate:
+        count = len(found.without_estimate)
+        yield Text(
+            f"{count} outputs have no estimate: of them every difference beyond rounding is shown. "
+            "--json names them."
+        )
+
+
+def _outputs(found: Compared, units: Units) -> Table:
+    head = ("output", "A", "B", "unit", "B - A [%]", "error of both")
+    return Table(head, tuple(_row(each, units) for each in found.outputs), sortable=True)
 
 
 _STIFF = {"N/m": "kN/mm"}  # outputs in SI, as people read them

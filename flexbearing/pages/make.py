@@ -99,10 +99,7 @@ def tables_of(table: Path) -> list[Path]:
 def table_file(place: Path) -> Path:
     """Find the table of a study.
 
-    Raises
-    ------
-    BadResult
-        where there is none, or a folder holds several
+    Raises `BadResult` where there is none, or a folder holds several.
     """
     if not is_folder(place):
         return place
@@ -126,10 +123,7 @@ SECONDS = 120.0  # that a page may take
 def chromium() -> str:
     """Find an installed Chromium.
 
-    Raises
-    ------
-    BadOutput
-        where there is none
+    Raises `BadOutput` where there is none.
     """
     for name in NAMES:
         if found := shutil.which(name):
@@ -140,10 +134,7 @@ def chromium() -> str:
 def pdf_bytes(browser: str, page: Path) -> bytes:
     """Print a page.
 
-    Raises
-    ------
-    NotStored
-        where Chromium ends without one
+    Raises `NotStored` where Chromium ends without one.
     """
     alone = ["--no-sandbox"] if os.geteuid() == 0 else []  # Chromium refuses to run as root otherwise
     with TemporaryDirectory() as folder:

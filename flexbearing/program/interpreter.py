@@ -55,10 +55,7 @@ class Interpreter:
     def await_start(self) -> None:
         """Wait until the process takes calls.
 
-        Raises
-        ------
-        NeverStarted
-            if it ends before, with its last words
+        Raises `NeverStarted` if it ends before, with its last words.
         """
         try:
             self.calls.recv()
@@ -74,10 +71,7 @@ class Interpreter:
     def answer(self) -> tuple[Any, Exception | None]:
         """Wait for the end of a call, in a process whose start was awaited.
 
-        Raises
-        ------
-        Died
-            if the process ends before
+        Raises `Died` if the process ends before.
         """
         try:
             return self.calls.recv()

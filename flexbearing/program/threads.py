@@ -31,10 +31,7 @@ class BadCount(BadCase):
 def cores() -> int:
     """Cores that this process may use.
 
-    Raises
-    ------
-    BadCount
-        for a variable that holds no whole number from 1 to `MOST`
+    Raises `BadCount` for a variable that holds no whole number from 1 to `MOST`.
     """
     for name in VARIABLES:
         if text := os.environ.get(name):

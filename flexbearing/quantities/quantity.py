@@ -101,10 +101,7 @@ def with_defaults(quantities: Iterable[Quantity]) -> tuple[SummaryValue, ...]:
 def taken(quantities: Iterable[Quantity], solved: Mapping[str, Any]) -> dict[str, np.ndarray]:
     """Take quantities of C cases from the solved parts of their models, as their `source` says.
 
-    Raises
-    ------
-    AttributeError
-        if a part does not have the attribute that a source names
+    Raises `AttributeError` if a part does not have the attribute that a source names.
     """
     values = {entry.name: _of_cases(entry.path, solved.get(str(entry.path[0]))) for entry in quantities}
     return {name: np.asarray(value, dtype=float) for name, value in values.items() if value is not None}

@@ -6,7 +6,8 @@ from typing import Any
 from rich.console import RenderableType
 from rich.text import Text
 
-from flexbearing.report.sections import listed, right_aligned
+from flexbearing.report.html.document import Table
+from flexbearing.report.sections import listed, titled
 
 _NAMES = {
     "C_r": "dynamic, C_r",
@@ -31,8 +32,7 @@ def against_catalogue(found: dict[str, Any] | None) -> Iterator[RenderableType]:
 
 
 def _ratings(found: dict[str, Any]) -> Iterator[RenderableType]:
-    table = right_aligned("load rating [kN]", "used", "by formula")
-    table.add_column("source")
+    ratings: list[tuple[str, ...]] = []
     for name, words in _NAMES.items():
         source = (
             f"given by the case{scaled(found, name)}"
@@ -40,8 +40,8 @@ def _ratings(found: dict[str, Any]) -> Iterator[RenderableType]:
             else f"formula of {_STANDARDS[name]}"
         )
         used, formula = (_kilonewtons(values[name]) for values in (found["ratings_N"], found["formulas_N"]))
-        table.add_row(words, used, formula, source)
-    yield table
+        ratings.append((words, used, formula, source))
+    yield from titled("", Table(("load rating [kN]", "used", "by formula", "source"), tuple(ratings)))
     rows = [
         *_loads(found),
         *_beyond(found),
@@ -95,12 +95,12 @@ def _life(turns: float, hours: float) -> str:
 
 
 def _way(stages: list[dict[str, Any]]) -> Iterator[RenderableType]:
-    yield Text("from the life of the catalogue to that of the case", style="bold")
-    table = right_aligned("", "factor", "life [Mrev]", "life [h]")
+    lives: list[tuple[str, ...]] = []
     for stage in stages:
         factor = "" if stage["factor"] is None else f"{stage['factor']:.4g}"
-        table.add_row(Text(stage["name"]), factor, f"{stage['life_Mrev']:,.4g}", f"{stage['life_h']:,.4g}")
-    yield table
+        lives.append((stage["name"], factor, f"{stage['life_Mrev']:,.4g}", f"{stage['life_h']:,.4g}"))
+    head = ("", "factor", "life [Mrev]", "life [h]")
+    yield from titled("from the life of the catalogue to that of the case", Table(head, tuple(lives)))
     yield from listed("reasons of the factors that differ from 1 by more than 1 %", list(why(stages)))
     lines = [f"{stage['name']}: {_options(stage['left_out_by'])}" for stage in stages if stage["left_out_by"]]
     yield from listed("settings of `flexbearing run` that leave an influence out", lines)

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 from rich.console import Console, Group, RenderableType
 
 from flexbearing.files import require_folder, require_outputs, write
-from flexbearing.printable import all_printable
 from flexbearing.report.balls import side_by_side
+from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.units import METRIC
 from flexbearing.report.page import page
 from flexbearing.report.picture import PNG, Format, LeftOut, picture_bytes
 from flexbearing.results import Result
@@ -22,8 +23,7 @@ if TYPE_CHECKING:
 
 def text(result: Result, console: Console | None = None, encoding: str = "utf-8") -> str:
     """Lay the summary out as text."""
-    sections = page(result.family.layout(), all_printable(result.summary()))
-    return laid_out(sections, console, encoding)
+    return laid_out(page(Reader(result, METRIC)), console, encoding)
 
 
 def laid_out(

@@ -72,10 +72,7 @@ def _revision() -> str:
 def checked(entry: Attribute, value: Any) -> Any:
     """Value as the program uses it, from what a run says.
 
-    Raises
-    ------
-    NotInLayout
-        for a value of another kind or form, or a status that does not exist
+    Raises `NotInLayout` for a value of another kind or form, or a status that does not exist.
     """
     if isinstance(value, Checked):
         return value.value
@@ -90,10 +87,7 @@ def checked(entry: Attribute, value: Any) -> Any:
 def encoded(entry: Attribute, value: Any) -> Any:
     """Store form of a checked value: what HDF5 is given.
 
-    Raises
-    ------
-    NotInLayout
-        for texts that are too long to be read again
+    Raises `NotInLayout` for texts that are too long to be read again.
     """
     if entry.kind in ("json", "records"):
         value = json.dumps(value, allow_nan=False)
@@ -105,10 +99,8 @@ def encoded(entry: Attribute, value: Any) -> Any:
 def decoded(entry: Attribute, stored: Any) -> Any:
     """Value as the program uses it, from what HDF5 stored.
 
-    Raises
-    ------
-    NotInLayout
-        for another kind of value, JSON that is none or of another form, or a status that does not exist
+    Raises `NotInLayout` for another kind of value, JSON that is none or of another form, or a status that
+    does not exist.
     """
     if not isinstance(stored, _STORED[entry.kind]):
         raise NotInLayout(f"attribute {entry.name} is not stored as {entry.kind}.")

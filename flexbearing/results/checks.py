@@ -19,10 +19,7 @@ class NotInLayout(ValueError):
 def require_same_names(names: Mapping[str, object], known: Mapping[str, object], where: str) -> None:
     """Raise unless `names` holds exactly the names of the layout; optional ones may be missing.
 
-    Raises
-    ------
-    NotInLayout
-        naming what is unknown, with the nearest known name, or what is missing
+    Raises `NotInLayout` naming what is unknown, with the nearest known name, or what is missing.
     """
     for name in names:
         if name not in known:
@@ -37,10 +34,7 @@ def require_same_names(names: Mapping[str, object], known: Mapping[str, object],
 def fitted(entry: Quantity, array: np.ndarray, sizes: Sizes, where: str) -> Sizes:
     """Sizes of the axes after `array` took its place; the first array of a file decides.
 
-    Raises
-    ------
-    NotInLayout
-        for a shape that does not fit
+    Raises `NotInLayout` for a shape that does not fit.
     """
     new = dict(zip(entry.shape, array.shape, strict=False))
     numbers = {axis: len(FIXED[axis].entries) for axis in entry.shape if axis in FIXED}
@@ -57,10 +51,7 @@ def fitted(entry: Quantity, array: np.ndarray, sizes: Sizes, where: str) -> Size
 def require_finite(entry: Quantity, array: np.ndarray, where: str) -> None:
     """Raise when an array that claims to be a solution holds infinities or NaN.
 
-    Raises
-    ------
-    NotInLayout
-        naming the dataset and how many of its numbers are not finite
+    Raises `NotInLayout` naming the dataset and how many of its numbers are not finite.
     """
     if np.isfinite(array).all():
         return
@@ -82,10 +73,7 @@ def require_true_ending(
 ) -> None:
     """Raise when what a file says of its ending is not what it holds.
 
-    Raises
-    ------
-    NotInLayout
-        for another number of iterations, or a converged run without all its solutions
+    Raises `NotInLayout` for another number of iterations, or a converged run without all its solutions.
     """
     stored = 0 if attributes.get("left_out") == "iterations" else attributes["iterations"]
     if stored != iterations:

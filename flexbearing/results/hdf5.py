@@ -52,12 +52,8 @@ class BadContent(ValueError):
 def stored(path: Path) -> bytes:
     """Bytes of a file, once its first ones say that it is HDF5 and how long it is.
 
-    Raises
-    ------
-    BadContent
-        for another kind of file, one that is longer or shorter than it says, or longer than any result
-    Unreadable
-        if it cannot be read
+    Raises `BadContent` for another kind of file, one that is longer or shorter than it says, or longer than
+    any result; `Unreadable` if it cannot be read.
     """
     with inputs.opened(path) as file:
         start, length = file.read(_END_OF_FILE.stop), os.fstat(file.fileno()).st_size
@@ -75,10 +71,7 @@ def stored(path: Path) -> bytes:
 def content(data: bytes) -> tuple[Content, str]:
     """Read the content of a file's bytes.
 
-    Raises
-    ------
-    BadContent
-        for anything that `image` would not have written
+    Raises `BadContent` for anything that `image` would not have written.
     """
     with _opened(data) as root:
         return _content(root, len(data))
@@ -87,10 +80,7 @@ def content(data: bytes) -> tuple[Content, str]:
 def attribute(data: bytes, name: str) -> Any:
     """Read one root attribute, also of a file of another format.
 
-    Raises
-    ------
-    BadContent
-        for a file that is not HDF5
+    Raises `BadContent` for a file that is not HDF5.
     """
     with _opened(data) as root:
         return _stated(root, name, len(data))
@@ -101,10 +91,7 @@ def require_held(data: bytes, content: Content) -> None:
 
     What a writer asks of its own bytes: names, units and axes of the content are not read again.
 
-    Raises
-    ------
-    BadContent
-        where the library made something else of it
+    Raises `BadContent` where the library made something else of it.
     """
     with _opened(data) as root:
         for path, array in content.arrays.items():

@@ -42,10 +42,8 @@ class BadResult(ValueError):
 def read(path: str | Path, families: Families) -> Result:
     """Read a result file, or what a run that is at work or was interrupted has stored so far.
 
-    Raises
-    ------
-    BadResult
-        naming the file and what to do, when it is missing, damaged, changed or of another format
+    Raises `BadResult` naming the file and what to do, when it is missing, damaged, changed or of another
+    format.
     """
     path = Path(path)
     try:
@@ -74,12 +72,8 @@ def case_file(path: Path) -> str:
 def of_content(content: Content, claimed: str, path: Path, families: Families) -> Result:
     """Check the content of a file against its digest and the layout of its family.
 
-    Raises
-    ------
-    NotInLayout
-        for anything that the layout does not require
-    BadResult
-        for another format, another digest or an unknown family
+    Raises `NotInLayout` for anything that the layout does not require; `BadResult` for another format,
+    another digest or an unknown family.
     """
     stored = dict(content.attributes)
     if digest(content) != claimed:

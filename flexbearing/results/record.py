@@ -76,10 +76,7 @@ class Record:
     def iteration(self, number: int, values: Mapping[str, ArrayLike]) -> None:
         """Add an iteration; its numbers need not be finite.
 
-        Raises
-        ------
-        NotInLayout
-            for a number out of turn, an unknown or missing name, or a wrong shape
+        Raises `NotInLayout` for a number out of turn, an unknown or missing name, or a wrong shape.
         """
         if number != len(self._iterations) + 1:
             raise NotInLayout(
@@ -93,10 +90,7 @@ class Record:
     ) -> None:
         """Add the end state with rigid or with flexible raceways.
 
-        Raises
-        ------
-        NotInLayout
-            for an unknown or missing name, a wrong shape, or a solution that is not finite
+        Raises `NotInLayout` for an unknown or missing name, a wrong shape, or a solution that is not finite.
         """
         possible = self._layout.blocks + self._layout.further_blocks
         if name not in possible:
@@ -111,10 +105,8 @@ class Record:
     def finish(self, **attributes: Any) -> Result:
         """The result of the run.
 
-        Raises
-        ------
-        NotInLayout
-            for an unknown or missing attribute, or one that contradicts blocks and iterations
+        Raises `NotInLayout` for an unknown or missing attribute, or one that contradicts blocks and
+        iterations.
         """
         together = {**self._attributes, **self._allowed(attributes)}
         require_same_names(together, self._layout.attributes, "root attributes")

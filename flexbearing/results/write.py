@@ -112,12 +112,8 @@ class ResultFile:
     def iteration(self, number: int, values: Mapping[str, ArrayLike]) -> None:
         """Add an iteration to the `Record`, which is stored soon.
 
-        Raises
-        ------
-        NotInLayout
-            where the record takes no such iteration
-        NotStored
-            if earlier ones could not be stored
+        Raises `NotInLayout` where the record takes no such iteration; `NotStored` if earlier ones could not
+        be stored.
         """
         self._require_open()
         with self._guard:
@@ -129,12 +125,8 @@ class ResultFile:
     ) -> None:
         """Add an end state to the `Record`, which is stored soon.
 
-        Raises
-        ------
-        NotInLayout
-            where the record takes no such block
-        NotStored
-            if what came before could not be stored
+        Raises `NotInLayout` where the record takes no such block; `NotStored` if what came before could not
+        be stored.
         """
         self._require_open()
         with self._guard:
@@ -144,12 +136,8 @@ class ResultFile:
     def finish(self, **attributes: Any) -> Result:
         """Write the result, make sure of it and give it its name.
 
-        Raises
-        ------
-        NotInLayout
-            for an unknown or missing attribute, or one that contradicts what was written
-        NotStored
-            if it could not be written; what had its name before is unchanged
+        Raises `NotInLayout` for an unknown or missing attribute, or one that contradicts what was written;
+        `NotStored` if it could not be written; what had its name before is unchanged.
         """
         self._require_open()
         result = replace(self._record.finish(**attributes), path=self.path)
@@ -203,12 +191,8 @@ class ResultFile:
 def store(result: Result, path: Path, inputs: tuple[Path, ...] = ()) -> None:
     """Write the file of a result that is complete.
 
-    Raises
-    ------
-    BadOutput
-        for a name that cannot be written, or that another run is writing
-    NotStored
-        if it could not be written; what had its name before is unchanged
+    Raises `BadOutput` for a name that cannot be written, or that another run is writing; `NotStored` if it
+    could not be written; what had its name before is unchanged.
     """
     place = _require_place(path, inputs)
     with lock(place):

@@ -191,12 +191,8 @@ class _Growth:
 def named_failures(case: Case, name: str) -> Iterator[None]:
     """Turn failures of the finite elements into those of a case and of a partner, with the part's name.
 
-    Raises
-    ------
-    BadCase
-        when no such part can exist
-    PartnerFailed
-        when the finite elements found no solution, or no room for it
+    Raises `BadCase` when no such part can exist; `PartnerFailed` when the finite elements found no solution,
+    or no room for it.
     """
     try:
         yield

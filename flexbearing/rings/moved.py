@@ -24,12 +24,8 @@ def raceway_of_shape(
 ) -> "RacewayCompliance":
     """A raceway near given forces of a part and a band of another shape, right to first order of the change.
 
-    Raises
-    ------
-    BadCase
-        when the part cannot be, or has other faces
-    PartnerFailed
-        when it has no trustworthy answer
+    Raises `BadCase` when the part cannot be, or has other faces; `PartnerFailed` when it has no trustworthy
+    answer.
     """
     part = part_of(case, race)
     assert part  # a rigid raceway has no shape

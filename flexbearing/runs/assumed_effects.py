@@ -110,10 +110,7 @@ def _alone(case: Any) -> Any:
 def measured(result: Result) -> dict[str, float]:
     """Lives and the outputs that inputs are weighed by, in the units of the summary, those that are finite.
 
-    Raises
-    ------
-    BadCase
-        where it has no solution
+    Raises `BadCase` where it has no solution.
     """
     if result.attributes["status"] != "converged":
         raise BadCase(f"not converged: {result.attributes['message']}")

@@ -36,10 +36,7 @@ def solve_four_point(case: FourPointCase, record: Recorder, report: Report) -> d
 
     Elastic rings come beside the rigid ones.
 
-    Raises
-    ------
-    BadCase
-        when no such bearing can exist
+    Raises `BadCase` when no such bearing can exist.
     """
     solution: Any = None
     try:
@@ -63,10 +60,7 @@ def solve_four_point(case: FourPointCase, record: Recorder, report: Report) -> d
 def solve_angular(case: FastCase, record: Recorder, report: Report) -> dict[str, object]:
     """Write the solution of a fast bearing; returns the root attributes that say how it ended.
 
-    Raises
-    ------
-    BadCase
-        when no such bearing can exist
+    Raises `BadCase` when no such bearing can exist.
     """
     history = None
     if not case.rigid:

@@ -131,10 +131,7 @@ def _with_materials(case: FastCase) -> tuple[Influence, tuple[Influence, ...]]:
 def require_load(case: FastCase) -> None:
     """Require forces that are known before the case is solved, and a ring that turns.
 
-    Raises
-    ------
-    BadCase
-        where one of them is missing
+    Raises `BadCase` where one of them is missing.
     """
     for name in case.operation.held:
         raise BadCase(f"[operation] {name}: a catalogue knows lives under given forces only; give a force.")
@@ -207,10 +204,8 @@ def oil(case: FastCase, lived: float) -> dict[str, float]:
 def load(case: FastCase) -> float:
     """P_r of ISO 281 [N].
 
-    Raises
-    ------
-    OutOfRange
-        where the ring is held, whose force is not known before it is solved, and beyond the table of X, Y
+    Raises `OutOfRange` where the ring is held, whose force is not known before it is solved, and beyond the
+    table of X, Y.
     """
     if case.operation.held:
         raise OutOfRange("a ring that is held has a load that is not known")

@@ -185,10 +185,8 @@ PARTS = {part: f"materials.{part}" for part in ("ball", "inner_ring", "outer_rin
 def dynamic(case: FastCase) -> float:
     """C_r of the case, or of ISO 281 [N].
 
-    Raises
-    ------
-    OutOfRange
-        where ISO 281 has none: balls that are not of steel, contact angles and sizes beyond its table
+    Raises `OutOfRange` where ISO 281 has none: balls that are not of steel, contact angles and sizes beyond
+    its table.
     """
     require_radial(row(case))
     materials = case.materials

@@ -84,11 +84,8 @@ def against_catalogue(
     after. So the factors multiply to the last life over the first, and nothing is left over. They depend on
     the order, which is that of the `catalogue`.
 
-    Raises
-    ------
-    BadCase
-        without a load, for a case that requires the life by rating alone, and where a case of the way
-        has no solution, or not the life that it requires
+    Raises `BadCase` without a load, for a case that requires the life by rating alone, and where a case of
+    the way has no solution, or not the life that it requires.
     """
     catalogue.require_load(case)
     if case.life.loads == SUMS:

@@ -41,10 +41,7 @@ def values(case: Case, race: Race, record: dict[str, Any]) -> dict[str, dict[str
 def parts(case: Case) -> dict[Race, Any]:
     """Parts of a case that are flexible.
 
-    Raises
-    ------
-    NoFields
-        if a part cannot be built
+    Raises `NoFields` if a part cannot be built.
     """
     try:
         both: dict[Race, Any] = {"inner": ring_parts.inner_part(case), "outer": ring_parts.outer_part(case)}

@@ -211,10 +211,7 @@ def blocks(case: FourPointCase, report: Report) -> Iterator[tuple[Literal["rigid
 def elastic_rings(case: FourPointCase, report: Report) -> ElasticGrooves | None:
     """Elastic rings of a case under its balls; None between rigid ones.
 
-    Raises
-    ------
-    NotSolved
-        where they are not found
+    Raises `NotSolved` where they are not found.
     """
     azimuths = 2 * np.pi * np.arange(case.balls) / case.balls
     return grooves.elastic_grooves(case, azimuths, report)

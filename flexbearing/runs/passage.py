@@ -208,10 +208,7 @@ def passage(
 def solved_near(case: Case, model: RollerBearing, rings: RacewayPair, near: Equilibrium) -> Equilibrium:
     """Solve the bearing with its rollers at another place.
 
-    Raises
-    ------
-    PartnerFailed
-        when no method converges
+    Raises `PartnerFailed` when no method converges.
     """
     partner = BearingPartner(model)
     if rings.rigid:

@@ -135,10 +135,7 @@ def influences(case: Case) -> tuple[Influence, ...]:
 def require_load(case: Case) -> None:
     """Require a radial load.
 
-    Raises
-    ------
-    BadCase
-        without one
+    Raises `BadCase` without one.
     """
     if not case.operation.radial_load > 0:
         raise BadCase("[operation] radial_load: without a radial load a catalogue knows no life.")

@@ -162,10 +162,7 @@ def reader(case: Head, family: Family, same: Sequence[str] = ()) -> Callable[[Se
 def default_output(case: Head) -> Path:
     """Name of the result of a case that is given none: another one for other settings.
 
-    Raises
-    ------
-    BadOutput
-        where the result of a case of this name in another folder is
+    Raises `BadOutput` where the result of a case of this name in another folder is.
     """
     path = usual_output(case.source.path, case.source.overrides)
     other = case_file(path)

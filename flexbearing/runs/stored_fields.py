@@ -19,10 +19,8 @@ from flexbearing.runs.part_fields import NAMES, PartFields, Race
 def case_of(result: Result) -> Case:
     """The case that a result file holds; its drawing is looked for next to the case, then beside the result.
 
-    Raises
-    ------
-    BadCase
-        if it cannot be read, or is about balls, whose rings are rigid, or known at the balls only
+    Raises `BadCase` if it cannot be read, or is about balls, whose rings are rigid, or known at the balls
+    only.
     """
     case = _understood(result, Path(result.attributes.get("case_file") or result.place))
     drawing = case.drawing if isinstance(case, Case) else None
@@ -51,10 +49,7 @@ def _understood(result: Result, file: Path) -> Head:
 def state_of(result: Result, name: str) -> Arrays:
     """Arrays of a stored state.
 
-    Raises
-    ------
-    BadResult
-        if there is no such state
+    Raises `BadResult` if there is no such state.
     """
     count = len(result.iterations)
     iteration = re.fullmatch(r"iteration ([1-9][0-9]{0,8})", name)

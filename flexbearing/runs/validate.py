@@ -10,10 +10,7 @@ from quasidynamic import ImpossiblePart, OutOfRange
 def require_possible(case: Head, family: Family) -> None:
     """Build everything that needs no mesh.
 
-    Raises
-    ------
-    BadCase
-        where physics or geometry forbid it
+    Raises `BadCase` where physics or geometry forbid it.
     """
     require_readable(case)
     try:
@@ -25,10 +22,7 @@ def require_possible(case: Head, family: Family) -> None:
 def require_drawing(case: Head) -> None:
     """Open the drawing of a case that has one, in a process of its own.
 
-    Raises
-    ------
-    BadCase
-        where it does not hold such a part, or cannot be read
+    Raises `BadCase` where it does not hold such a part, or cannot be read.
     """
     if getattr(case, "drawing", None) is None:
         return

@@ -12,8 +12,9 @@ from rich.text import Text
 
 from flexbearing.derivatives.table import Chosen, OutputValue, Sensitivities, Slope
 from flexbearing.report.figure import BLUE, DARK, ORANGE, Axis, Bars, Figure, Line, Rule
+from flexbearing.report.html.document import Table
 from flexbearing.report.panels import picture
-from flexbearing.report.sections import listed, right_aligned
+from flexbearing.report.sections import listed, titled
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Page
@@ -33,7 +34,7 @@ def sections(found: Sensitivities) -> Iterator[RenderableType]:
         if not slopes:
             yield Text("  no key reaches it")
             continue
-        yield _table(slopes[:MOST], output.unit)
+        yield from titled("", _table(slopes[:MOST], output.unit))
         if len(slopes) > MOST:
             yield Text(f"  and {len(slopes) - MOST} weaker keys, which the table in the file has")
     yield Text("\nchange: of the output by one step of the key, by the derivative; of a choice as solved.")
@@ -45,21 +46,19 @@ def sections(found: Sensitivities) -> Iterator[RenderableType]:
     yield from listed("keys without derivatives", [f"{key}: {why}" for key, why in found.left_out])
 
 
-def _table(changes: Sequence[Slope | Chosen], unit: str) -> RenderableType:
+def _table(changes: Sequence[Slope | Chosen], unit: str) -> Table:
     sided = any(map(_one_sided, changes))
-    table = right_aligned("key", "step", "change", "derivative", *(("below", "above") if sided else ()))
-    for column in table.columns:
-        column.no_wrap, column.overflow = not (sided or column is table.columns[0]), "fold"
+    rows: list[tuple[str, ...]] = []
     for each in changes:
         change = f"{each.change:+.3g} {unit}" if isnan(each.percent) else f"{each.percent:+.3g} %"
         if isinstance(each, Chosen):
-            row = each.key, each.words.rpartition(", ")[2], change
+            rows.append((each.key, each.words.rpartition(", ")[2], change, "", *([""] * 2 if sided else ())))
         else:
             step = f"{each.key.realistic_step:.4g} {each.key.unit}".strip()
             sides = (_number(each.below), _number(each.above)) if sided else ()
-            row = each.key.path, step, change, _derivative(each, unit), *sides
-        table.add_row(*map(Text, row))
-    return table
+            rows.append((each.key.path, step, change, _derivative(each, unit), *sides))
+    head = ("key", "step", "change", "derivative", *(("below", "above") if sided else ()))
+    return Table(head, tuple(rows))
 
 
 def _one_sided(change: Slope | Chosen) -> bool:

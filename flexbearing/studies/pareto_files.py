@@ -15,10 +15,7 @@ _PLAIN = re.compile(r"[^./\\\x00-\x1f\x7f][^/\\\x00-\x1f\x7f]*")
 def destinations(folder: Path, name: str, inputs: Iterable[Path]) -> tuple[Path, Path]:
     """Settle where table and picture go, before anything is computed.
 
-    Raises
-    ------
-    BadOutput
-        for a name with more in it than the name of a file, or files that cannot be written
+    Raises `BadOutput` for a name with more in it than the name of a file, or files that cannot be written.
     """
     if not _PLAIN.fullmatch(name):
         raise BadOutput(

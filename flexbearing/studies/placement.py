@@ -53,11 +53,8 @@ class Placement:
     def engine(self, plan: Plan) -> Callable[[int], Engine]:
         """What starts the engine, given the number of tasks.
 
-        Raises
-        ------
-        BadCase
-            when several places are named, the profile is wrong, what they need is not installed, or nobody
-            answers there
+        Raises `BadCase` when several places are named, the profile is wrong, what they need is not installed,
+        or nobody answers there.
         """
         options = {"--jobs": self.jobs, "--scheduler": self.scheduler, "--slurm": self.slurm}
         named = [name for name, value in options.items() if value is not None]

@@ -157,10 +157,8 @@ class PointsProfile:
 
         Points from mid-roller to one end stand for both halves.
 
-        Raises
-        ------
-        ImpossiblePart
-            if positions do not grow or do not reach from end to end, or if the least drop is not zero
+        Raises `ImpossiblePart` if positions do not grow or do not reach from end to end, or if the least drop
+        is not zero.
         """
         places, drops = 2 * np.asarray(positions, float) / length, np.asarray(drops, float)
         _require_points(places, drops, length)

@@ -60,10 +60,8 @@ class RacewayWaves:
     def require_gentle(self, name: str, radius: float, element_radius: float) -> None:
         """Refuse waves that an element would not run over as on a round raceway.
 
-        Raises
-        ------
-        ImpossiblePart
-            if a wave is too steep, or too much more or less curved than the raceway; radii in m
+        Raises `ImpossiblePart` if a wave is too steep, or too much more or less curved than the raceway;
+        radii in m.
         """
         for number, amplitude in zip(self.numbers, self.amplitudes, strict=True):
             steep, curved = FLATTEST * radius / number, STRAIGHTEST * radius**2 / number**2 / element_radius

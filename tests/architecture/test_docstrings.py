@@ -135,8 +135,10 @@ def of_other_parameters(items: Iterable[Documented]) -> Iterator[str]:
 
 
 def raising_unsaid(items: Iterable[Documented]) -> Iterator[str]:
+    """Of a section, or of a sentence "Raises `ImpossiblePart` where ..." at the begin of a line."""
     for item in items:
-        if unsaid := {name for name in item.raised if name not in item.sections.get("Raises", "")}:
+        said = " ".join(re.findall(r"^Raises.*?(?=\n\n|\Z)", item.text, flags=re.MULTILINE | re.DOTALL))
+        if unsaid := {name for name in item.raised if name not in said}:
             yield f"{item.name}: {unsaid} raised, but not under Raises"
 
 

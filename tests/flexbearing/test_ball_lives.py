@@ -39,7 +39,7 @@ def test_life_is_the_reference_life_of_the_loads(steep):
     both = steep.rigid["raceway_life"] / 1e6
     assert (both ** (-10 / 9)).sum() ** -0.9 == approx(expected, rel=1e-9)
     assert steep.attributes["life"] == {}
-    assert "reference life L10r, ISO/TS 16281 [Mrev]" in text(steep)
+    assert "reference life L10r, ISO/TS 16281 " in text(steep)
 
 
 def test_inner_ring_that_stands_meets_its_loads_with_one_place():
@@ -78,7 +78,7 @@ def test_modified_life_by_hand():
     assert first["value"] == approx(a_iso, rel=1e-9)
     assert record["modified_Mrev"] == approx(basic * a_iso * second["value"], rel=1e-9)
     assert float(result["modified_life"].to("Mrev")) == approx(record["modified_Mrev"], rel=1e-12)
-    assert "x a_ISO" in text(result)
+    assert "\n a_ISO " in text(result)
 
 
 def test_oil_by_name_by_its_sheet_and_by_its_data_has_one_viscosity_ratio():

@@ -125,7 +125,7 @@ def test_summary_and_page_show_both(run):
     assert json.loads(json.dumps(numbers, allow_nan=False)) == numbers
     page = text(run())
     for block in ("rigid", "flexible"):
-        assert f"{numbers[block]['max_contact_load_N']:,.1f}" in page
+        assert f"{numbers[block]['max_contact_load_N']:,.0f}" in page
         assert f"{numbers[block]['torque_Nm']['inner']:.5g}" in page
     assert numbers["rigid"]["largest_ring_yield_um"] is None
 

@@ -96,7 +96,7 @@ def test_command_as_text_and_as_json(loads, capsys):
     words = ["diff", *(str(each.path) for each in loads)]
     assert command(words) == 0
     said = capsys.readouterr().out
-    assert "operation.radial_load: 20000 N | 21000 N" in said
+    assert "operation.radial_load: 20,000 N | 21,000 N" in said
     assert said.index("operation.radial_load") < said.index("max_roller_load")
     assert command([*words, "--json"]) == 0
     found = json.loads(capsys.readouterr().out)

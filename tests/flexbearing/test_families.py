@@ -110,7 +110,7 @@ def test_new_family_is_read_checked_run_and_shown(file):
     assert flexbearing.read(result.path).rigid["pressure"] == pytest.approx(1e7, rel=1e-15)
     assert result.summary()["rigid"] == {"pressure_MPa": pytest.approx(10.0, rel=1e-12)}
     assert "a toy" in html(of_result(result))
-    assert "pressure [MPa] 10.0" in " ".join(text(result).split())
+    assert "pressure 10.0 MPa" in " ".join(text(result).split())
     assert write_figures(result, file.parent) == []
 
 

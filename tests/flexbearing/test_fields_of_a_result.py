@@ -82,9 +82,10 @@ def test_largest_stresses_are_stored_and_shown(result):
     assert set(stored["outer"]["bodies"]) == {"ring", "bars", "flange"}
     assert result.summary()["stresses"] == json.loads(json.dumps(stored))
     bars = stored["outer"]["bodies"]["bars"]
-    assert f"{bars['von_mises_MPa']:,.0f} ± {bars['von_mises_error_MPa']:,.0f}" in text(result)
+    shown = " ".join(text(result).split())
+    assert f"{bars['von_mises_MPa']:,.0f} {bars['von_mises_error_MPa']:,.0f}" in shown
     assert stored["outer"]["seconds"] > 0
-    assert f"{stored['outer']['seconds']:.1f} s" in text(result)
+    assert f" {stored['outer']['seconds']:.1f} " in shown
 
 
 @pytest.mark.slow
@@ -108,7 +109,7 @@ def test_nominal_bar_stresses_come_from_the_condensed_state(result):
     numbers = result.summary()["flexible"]
     assert numbers["nominal_bar_stress_MPa"] == approx(1e-6 * block["nominal_bar_stress"].max())
     assert 0 < numbers["nominal_bar_stress_error_MPa"] < 0.2 * numbers["nominal_bar_stress_MPa"]
-    assert "largest nominal bar stress [MPa]" in text(result)
+    assert "largest nominal bar stress" in text(result)
     assert result.summary()["rigid"].get("nominal_bar_stress_MPa") is None
 
 
@@ -168,7 +169,7 @@ def test_support_has_one_radial_stiffness_with_its_error(result, outer):
     coarse = support_stiffness(outer.solid).radial
     assert 0 < error < 0.2 * stiffness
     assert abs(coarse - stiffness) < error + 0.06 * stiffness
-    assert f"outer: {1e-6 * stiffness:,.1f} +- " in text(result)
+    assert f"outer {1e-6 * stiffness:,.4g} {1e-6 * error:,.4g} " in " ".join(text(result).split())
     assert "radial_N_per_m" not in result.attributes["stresses"]["outer"]["support"]
 
 
@@ -246,7 +247,7 @@ def test_export_to_vtu_writes_what_paraview_opens(result, outer, tmp_path, monke
     )
     assert done.exit_code == 0, done.output
     assert "outer: bars" in done.output
-    assert "N m/mrad tilting" in done.output
+    assert "tilting" in done.output
     assert (tmp_path / "cage_outer_flexible.vtu").stat().st_size > 10_000
 
 

@@ -11,12 +11,11 @@ from pytest import approx
 from flexbearing import api, findings
 from flexbearing.findings import DANGER, MET, NOT_CHECKED, NOT_MET, OUTSIDE, USUAL, declared
 from flexbearing.findings.finding import AT_MOST
-from flexbearing.findings.running import FULL_FILM
 from flexbearing.report.html import METRIC, checks as of_report
 from flexbearing.report.html.reader import Reader
 from flexbearing.runs import fields, judged
 from flexbearing.units import unit
-from quasidynamic.contact.film.roughness import FULL_FILM_FROM, MIXED_FROM
+from quasidynamic.contact.film.roughness import MIXED_FROM
 from quasidynamic.outcome import rating_life
 from tests.flexbearing.hostile_cases import CONFIGS
 
@@ -95,7 +94,7 @@ def test_declared_limits_are_those_of_their_sources():
     assert light == [0.02, 0.01]
     pressures = (rating_life.ROLLERS, rating_life.BALLS, rating_life.SELF_ALIGNING_BALLS)
     assert pressures == (4.0e9, 4.2e9, 4.6e9)  # ISO 76
-    assert (MIXED_FROM, FULL_FILM) == (1.0, FULL_FILM_FROM)
+    assert MIXED_FROM == 1.0
     assert {key: limit for key, limit in found.items() if key[0] != "light-load"} == LIMITS
 
 

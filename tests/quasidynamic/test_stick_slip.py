@@ -13,9 +13,9 @@ from quasidynamic.contact.rolling.full_sliding import full_sliding, hertz_pressu
 from quasidynamic.contact.rolling.kalker import kalker, kalker_changes
 from quasidynamic.contact.rolling.rolling_contact import MID_STEP, RollingContacts
 from quasidynamic.contact.rolling.stick_slip import solved
-from quasidynamic.contact.rolling.transient import RollingSteps
 from quasidynamic.errors import ImpossiblePart, NotSolved, OutOfRange
 from tests.random_contacts import STEEL, drawn
+from tests.reference.rolling_steps import RollingSteps
 
 CHANGES = {kalker: kalker_changes, fastsim: fastsim_changes, full_sliding: sliding_changes}
 LAWS = pytest.mark.parametrize("law", [kalker, fastsim, full_sliding])

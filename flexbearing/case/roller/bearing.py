@@ -17,12 +17,13 @@ from flexbearing.case.quantity import (
     needed,
     require,
 )
+from flexbearing.case.raceway_waves import Waves
 from flexbearing.case.roller.fits import Fits
-from flexbearing.case.roller.form_error import FormError
 from flexbearing.case.roller.profile import Generatrix
 from flexbearing.case.tolerances import ClearanceClass
 
 ROUNDING = 1e-9  # of a diameter
+MOST_ROLLERS = 1000  # whose diameters a case may list
 _LAND = {"guidance": ("outer", "inner")}
 
 
@@ -45,6 +46,21 @@ class Flange(Section):
         if self.height <= self.roller_chamfer:
             raise impossible("height", "above bearing.flange.roller_chamfer")
         return self
+
+
+class FormError(Section):
+    """Raceways that are not round, and rollers that are not alike."""
+
+    inner: Waves | None = key("form error of the inner raceway", None)
+    outer: Waves | None = key("form error of the outer raceway", None)
+    roller_diameters: tuple[Length, ...] = key(
+        "by how much the diameter of each roller is above bearing.roller.diameter, one after the other "
+        "from bearing.first_roller_azimuth on; rollers are alike where left out",
+        (),
+        example=["0.5 um", "-0.2 um", "0 um"],
+        strict=False,
+        max_length=MOST_ROLLERS,
+    )
 
 
 class Cylinder(Section):

@@ -90,10 +90,7 @@ def torque_words(what: str, torque: float, error: float | None) -> str:
 def require_cells(result: Result, values: Mapping[str, Any]) -> None:
     """Raise where a result has no cells of contacts.
 
-    Raises
-    ------
-    BadResult
-        naming the file, and what is not stored
+    Raises `BadResult` naming the file, and what is not stored.
     """
     missing = [name for name in ("field_ball", *_CELLS, *_VECTORS) if name not in values]
     if missing:

@@ -30,10 +30,7 @@ _MOST = 6  # differences that are reported one by one
 def compared(one: Result, other: Result) -> dict[int, Figure]:
     """Draw the contacts of two results side by side.
 
-    Raises
-    ------
-    BadResult
-        if they have no cells of the same ball to compare
+    Raises `BadResult` if they have no cells of the same ball to compare.
     """
     if one.kind != other.kind:
         raise BadResult(

@@ -5,9 +5,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from flexbearing.findings import DANGER, MET, NOT_CHECKED, NOT_MET, OUTSIDE, USUAL, gravest, of_code
-from flexbearing.findings.codes import PEAK_AT_ENDS
 from flexbearing.findings.finding import AT_LEAST, AT_MOST
-from flexbearing.findings.running import CLEARANCE, REQUIRED_LIFE, SHORT_LIFE
+from flexbearing.findings.running import CLEARANCE, PEAK_AT_ENDS, REQUIRED_LIFE, SHORT_LIFE
 from flexbearing.report.html import effects
 from flexbearing.report.html.document import Cell, Number
 from flexbearing.report.html.keys import in_words

@@ -10,9 +10,8 @@ from flexbearing.quantities.effects import COMPARISON, LIVES, about
 from flexbearing.report.figure import Axis, Figure, Line, Rule
 from flexbearing.report.html.document import Cell, Number, Table
 from flexbearing.report.html.keys import name
-from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.reader import Reader, unit_of
 from flexbearing.report.html.units import NOTHING, units_in_words, with_unit
-from flexbearing.report.rows import unit_of
 
 SMALLEST = 5e-3  # relative change that is drawn
 MINOR = 0.1  # of the largest effect: inputs with less are not named beside it

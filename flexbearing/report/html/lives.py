@@ -68,13 +68,13 @@ def table(reader: Reader) -> Table | None:
     return Table(("life", "10⁶ revolutions", "hours", "numerical error [%]"), tuple(rows))
 
 
-def factors(reader: Reader) -> Table | None:
-    """From the life by loads to the modified one; None where it has no factors."""
-    life = (reader.attributes.get("life") or {}).get(reader.last)
-    if not life or "modified_Mrev" not in life:
+def factors(reader: Reader, block: str) -> Table | None:
+    """From the life by loads to the modified one of an end state; None where it has no factors."""
+    life = (reader.attributes.get("life") or {}).get(block)
+    if not life or "modified_Mrev" not in life or block not in reader.blocks:
         return None
-    path, reached = f"life/{reader.last}", life["basic_Mrev"]
-    reference = float(reader.blocks[reader.last].get("reference_life", inf)) / 1e6
+    path, reached = f"life/{block}", life["basic_Mrev"]
+    reference = float(reader.blocks[block].get("reference_life", inf)) / 1e6
     rows: list[tuple[Cell, ...]] = []
     for place, factor in enumerate(life["factors"]):
         value = reader.of_attribute(f"{path}/factors/{place}/value", "", "", ".4g")

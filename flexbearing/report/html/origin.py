@@ -1,6 +1,6 @@
 """What was computed, where, when and with which versions."""
 
-from flexbearing.report.html.document import Table
+from flexbearing.report.html.document import Cell, Table
 from flexbearing.report.html.reader import Reader
 from flexbearing.results.content import digest
 from flexbearing.results.write import content_of
@@ -51,9 +51,30 @@ def attempts(reader: Reader) -> Table | None:
 
 
 def levels(reader: Reader) -> Table | None:
-    """Levels of accuracy, and what set them."""
-    rows = [
-        (name, choice["level"], "the case" if choice["fixed"] else "accuracy.target")
-        for name, choice in (reader.attributes.get("choices") or {}).items()
-    ]
-    return Table(("choice", "level", "set by"), tuple(rows)) if rows else None
+    """Levels of accuracy, what set them, and their estimated errors."""
+    rows: list[tuple[Cell, ...]] = []
+    for name, choice in (reader.attributes.get("choices") or {}).items():
+        changes = [choice["changes"].get(output) for output in ("roller_load", "life")]
+        errors = (None if change is None else change * choice["factor"] for change in changes)
+        percent = (
+            reader.units.number(share, "1", "%", ".2g", f"choices/{name}/{word}")
+            for word, share in zip(("load", "life", "allowed"), (*errors, choice["allowed"]), strict=True)
+        )
+        rows.append((name, choice["level"], "the case" if choice["fixed"] else "accuracy.target", *percent))
+    head = ("choice", "level", "set by", "load ± [%]", "life ± [%]", "allowed [%]")
+    return Table(head, tuple(rows)) if rows else None
+
+
+def accuracy(reader: Reader) -> str:
+    """Whether the accuracy of the case is kept; empty where it has none."""
+    errors = reader.attributes.get("error_estimate")
+    if not errors:
+        return ""
+    met = "estimated to be kept" if errors["met"] else "NOT kept"
+    return f"accuracy of {100 * errors['target']:g} % of loads and life: {met}"
+
+
+def unusable(reader: Reader) -> list[str]:
+    """Levels of accuracy that were not computed, and why."""
+    choices = (reader.attributes.get("choices") or {}).values()
+    return [f"{level}: {why}" for choice in choices for level, why in choice["unusable"].items()]

@@ -4,9 +4,8 @@ from collections.abc import Iterator
 
 from flexbearing.quantities import SummaryValue
 from flexbearing.report.html.document import Cell, Table
-from flexbearing.report.html.reader import Reader
+from flexbearing.report.html.reader import Reader, unit_of
 from flexbearing.report.html.units import printed, with_unit
-from flexbearing.report.rows import unit_of
 
 _FIGURES = (  # name, stored unit, unit of the metric page, format
     ("largest_inner_load_N", "N", "N", ",.1f"),

@@ -12,12 +12,11 @@ import numpy as np
 from flexbearing.case import understood
 from flexbearing.case.declarations import toml
 from flexbearing.printable import all_printable
-from flexbearing.quantities import SummaryValue
+from flexbearing.quantities import SummaryValue, Unit
 from flexbearing.quantities.layout import Layout
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.keys import in_words
 from flexbearing.report.html.units import Units, converted
-from flexbearing.report.rows import unit_of
 from flexbearing.results import BadResult, Result
 
 _LABELS = {  # of labels that do not name a method or a part, by whether the bearing has balls
@@ -68,10 +67,7 @@ class Reader:
     def written(self) -> dict[str, str]:
         """Keys of the case file and the settings on top of it, each as it was written.
 
-        Raises
-        ------
-        BadResult
-            where the stored case is no TOML
+        Raises `BadResult` where the stored case is no TOML.
         """
         try:
             case = tomllib.loads(self.result.attributes["case_text"])
@@ -234,6 +230,12 @@ def listed(values: np.ndarray) -> Any:
     if values.ndim == 0:
         return float(f"{values:.6g}") if np.isfinite(values) else None
     return [listed(value) for value in values]
+
+
+def unit_of(entry: SummaryValue) -> Unit:
+    """The unit of a value, which every layout fills in."""
+    assert entry.unit is not None
+    return entry.unit
 
 
 def places(entry: SummaryValue) -> Iterator[tuple[str, tuple[str | int, ...]]]:

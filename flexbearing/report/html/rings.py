@@ -1,5 +1,7 @@
 """Stiffness: what holds each ring, and the matrix over five directions."""
 
+from typing import Any
+
 import numpy as np
 
 from flexbearing.outputs import outputs
@@ -7,6 +9,8 @@ from flexbearing.report.html.document import Cell, Number, Table
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import NOTHING, printed, with_unit
 
+SHEARED = 1e-4  # of the bearing' force: what radial springs leave to tangential ones
+PULL = {True: "push and pull", False: "push only"}  # what springs can do
 _ZERO = 1e-10  # of the diagonal: what rounding leaves of nothing
 _FORCES = ("force along x", "force along y", "force along z", "moment about y", "moment about z")
 _BY = ("along x", "along y", "along z", "about y", "about z")
@@ -39,6 +43,88 @@ def supports(reader: Reader) -> Table | None:
     return Table(head, tuple(rows)) if rows else None
 
 
+def _outer(reader: Reader, kind: str) -> dict[str, Any]:
+    """Lines or foundation that hold the outer ring; empty where it is held otherwise."""
+    return ((reader.attributes.get("structure") or {}).get("outer") or {}).get(kind) or {}
+
+
+def lines(reader: Reader) -> Table | None:
+    """Forces of lines that hold the outer ring."""
+    if not (known := _outer(reader, "lines")):
+        return None
+    rows: list[tuple[Cell, ...]] = []
+    for place, carries in enumerate(known["carries"]):
+        azimuth, force = (
+            reader.of_attribute(f"structure/outer/lines/{name}/{place}", unit, unit, form)
+            for name, unit, form in (("azimuth_deg", "deg", ".1f"), ("force_N", "N", ",.1f"))
+        )
+        state = ("pushes" if known["force_N"][place] > 0 else "pulls") if carries else "lifted off"
+        rows.append((azimuth, force, state))
+    force = with_unit("force", reader.units.of("N"))
+    return Table(("line [°]", force, PULL[known["pull"]]), tuple(rows))
+
+
+def foundation(reader: Reader) -> Table | None:
+    """Pressure of springs around the outer ring."""
+    if not (known := _outer(reader, "foundation")):
+        return None
+    pulled = known["least_pressure_MPa"] < 0
+    arcs = ", ".join(f"{begin:.0f} to {end % 360:.0f}" for begin, end in known["touching_deg"])
+    shown = {
+        "largest pressure": ("largest_pressure_MPa", "MPa", ".3g"),
+        "at azimuth": ("azimuth_deg", "deg", ".0f"), "at x": ("x_mm", "mm", ".1f"),
+        f"share of the surface that is {'pulled' if pulled else 'lifted off'}": ("open_share", "1", ".0f"),
+    } | ({"largest pull": ("least_pressure_MPa", "MPa", ".3g")} if pulled else {})  # fmt: skip
+    rows: list[tuple[Cell, ...]] = [
+        ("springs", PULL[known["pull"]], ""),
+        ("push at azimuths", arcs or "none", "°"),
+    ]
+    for words, (name, unit, form) in shown.items():
+        shown_in = "%" if unit == "1" else unit
+        number = reader.of_attribute(f"structure/outer/foundation/{name}", unit, shown_in, form)
+        rows.append((words, number, printed(number.unit)))
+    return Table(("quantity", "value", "unit"), tuple(rows))
+
+
+def carried(reader: Reader) -> Table | None:
+    """Radial forces of the bearing on the outer ring, and what holds them."""
+    kind = next((kind for kind in ("lines", "foundation") if _outer(reader, kind)), "")
+    if not kind:
+        return None
+    known = _outer(reader, kind)
+    pressed, holding = np.array(known["rollers_N"]), np.array(known["resultant_N"])
+    rows: list[tuple[Cell, ...]] = [
+        (words, *(reader.of_attribute(f"structure/outer/{kind}/{name}/{axis}", "N", "N", ",.1f")
+                  for axis in range(2)))
+        for words, name in (("of the bearing", "rollers_N"), ("held by radial springs", "resultant_N"))
+    ]  # fmt: skip
+    if np.hypot(*(pressed - holding)) > SHEARED * np.hypot(*pressed):
+        rows.append(("the rest", "by tangential springs", ""))
+    unit = reader.units.of("N")
+    return Table(("force", with_unit("along y", unit), with_unit("along z", unit)), tuple(rows))
+
+
+def solids(reader: Reader) -> Table | None:
+    """Loads and cost of the solids whose stresses are known, and the stiffness of their supports alone."""
+    stiffness = {
+        "tilting": ("tilting_Nm_per_rad", "tilting_error_Nm_per_rad", "N m/rad", "kN m/rad"),
+        "axial": ("axial_N_per_m", "axial_error_N_per_m", "N/m", "kN/mm"),
+    }
+    rows: list[tuple[Cell, ...]] = []
+    for part, known in (reader.attributes.get("stresses") or {}).items():
+        loads = ", without ".join(filter(None, (known["loads"], known["left_out"])))
+        seconds = reader.of_attribute(f"stresses/{part}/seconds", "s", "s", ",.1f")
+        rows.append((part, loads, seconds, *(
+            reader.of_attribute(f"stresses/{part}/support/{name}", stored, people, ",.4g")
+            for *names, stored, people in stiffness.values() for name in names
+        )))  # fmt: skip
+    head = (
+        with_unit(words, reader.units.of(people)) for name, (*_, people) in stiffness.items()
+        for words in (name, "±")
+    )  # fmt: skip
+    return Table(("part", "loads", "time [s]", *head), tuple(rows)) if rows else None
+
+
 def matrix(reader: Reader) -> Table | None:
     """The matrix of the last end state, with a unit for each of its four parts."""
     if "stiffness_matrix" not in reader.blocks.get(reader.last, {}):
@@ -64,10 +150,12 @@ def entry(reader: Reader, row: int, column: int) -> Number:
     return reader.units.number(value, stored, people, digits, place)
 
 
-_STRESSES = (
-    ("von_mises_MPa", "MPa", ",.0f"), ("von_mises_error_MPa", "MPa", ",.0f"), ("tension_MPa", "MPa", ",.0f"),
-    ("compression_MPa", "MPa", ",.0f"), ("x_mm", "mm", ".1f"), ("radius_mm", "mm", ".1f"),
-    ("azimuth_deg", "deg", ".1f"),
+_STRESSES = (  # column, name, unit, format
+    ("von Mises", "von_mises_MPa", "MPa", ",.0f"), ("±", "von_mises_error_MPa", "MPa", ",.0f"),
+    ("tension", "tension_MPa", "MPa", ",.0f"), ("±", "tension_error_MPa", "MPa", ",.0f"),
+    ("compr.", "compression_MPa", "MPa", ",.0f"), ("±", "compression_error_MPa", "MPa", ",.0f"),
+    ("moved", "displacement_um", "um", ",.0f"), ("x", "x_mm", "mm", ".1f"), ("r", "radius_mm", "mm", ".1f"),
+    ("at", "azimuth_deg", "deg", ".1f"),
 )  # fmt: skip
 
 _READINGS = {  # quantities of probes, and their headings
@@ -95,18 +183,18 @@ def translations(reader: Reader) -> Table | None:
 
 
 def stresses(reader: Reader) -> Table | None:
-    """Largest stresses of every body; their limits are on the first page."""
+    """Largest stresses of every body, von Mises with its place; their limits are on the first page."""
     rows: list[tuple[Cell, ...]] = []
     for part, found in (reader.attributes.get("stresses") or {}).items():
         for body in found["bodies"]:
             path = f"stresses/{part}/bodies/{body}"
             numbers = (reader.of_attribute(f"{path}/{name}", unit, unit, form)
-                       for name, unit, form in _STRESSES)  # fmt: skip
+                       for _, name, unit, form in _STRESSES)  # fmt: skip
             rows.append((f"{part}: {body}", *numbers))
-    stress, length = (printed(reader.units.of(unit)) for unit in ("MPa", "mm"))
-    head = ("body", f"von Mises [{stress}]", f"± [{stress}]", f"tension [{stress}]", f"pressure [{stress}]",
-            f"at x [{length}]", f"radius [{length}]", "azimuth [°]")  # fmt: skip
-    return Table(head, tuple(rows)) if rows else None
+    head = (
+        words if words == "±" else with_unit(words, reader.units.of(unit)) for words, _, unit, _ in _STRESSES
+    )
+    return Table(("body", *head), tuple(rows)) if rows else None
 
 
 def probes(reader: Reader) -> Table | None:
@@ -154,14 +242,14 @@ def steps(reader: Reader) -> Table | None:
         return None
     unit = reader.units.of("um")
     rows: list[tuple[Cell, ...]] = [
-        ("before mounting", "", reader.of_attribute("clearance/cold_m", "m", "um", ".1f"))
+        ("before mounting", "", reader.of_attribute("clearance/cold_m", "m", "um", ".1f"), "")
     ]
     for place, step in enumerate(found["steps"]):
         path = f"clearance/steps/{place}"
         change, after = (reader.of_attribute(f"{path}/{name}", "m", "um", form)
                          for name, form in (("change_m", "+.2f"), ("clearance_m", ".1f")))  # fmt: skip
-        rows.append((step["name"], change, after))
-    return Table(("step", with_unit("change", unit), with_unit("clearance", unit)), tuple(rows))
+        rows.append((step["name"], change, after, step["explanation"]))
+    return Table(("step", with_unit("change", unit), with_unit("clearance", unit), ""), tuple(rows))
 
 
 def tolerances(reader: Reader) -> Table | None:

@@ -51,10 +51,7 @@ class ScatterTables:
 def read_scatter(place: Path) -> ScatterTables | None:
     """Read the scatter beside the table of a sampled study.
 
-    Raises
-    ------
-    BadResult
-        where a table has other columns or outputs than `flexbearing study` writes
+    Raises `BadResult` where a table has other columns or outputs than `flexbearing study` writes.
     """
     files = [place.with_name(f"{place.stem}_{part}{place.suffix}") for part in COLUMNS]
     if not all(map(is_plain, files)):

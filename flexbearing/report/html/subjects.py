@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 
 from flexbearing.quantities import SummaryValue
+from flexbearing.quantities.four_point import TORQUE_PARTS
 from flexbearing.report.html.document import Cell, Number, Table
 from flexbearing.report.html.reader import Reader, places
-from flexbearing.report.html.units import NOTHING, printed
-from flexbearing.report.rows import of_supports
+from flexbearing.report.html.units import NOTHING, printed, with_unit
 
 SUBJECTS = {  # name in the template: beginnings of keys of the summary
     "loads": (
@@ -31,11 +31,51 @@ def tables(reader: Reader) -> dict[str, Table]:
     judged = {record["quantity"] for record in reader.findings}
     for entry in (each for each in reader.layout.summary if each.label):
         alone = entry.key == "peak_pressure_MPa" and len(reader.blocks) == 1 and "contact_pressure" in judged
-        if alone or entry.key in FIRST_PAGE or entry.key.startswith(ELSEWHERE):
-            continue
-        if len(reader.blocks) > 1 or not of_supports(entry):
+        if not (alone or entry.key in FIRST_PAGE or entry.key.startswith(ELSEWHERE)):
             rows[_subject(entry)].extend(_rows(reader, entry))
     return {name: _table(reader, found) for name, found in rows.items()}
+
+
+def numbers(reader: Reader, *sections: str) -> Table:
+    """A table of every number in sections of the summary."""
+    entries = (entry for entry in reader.layout.summary if entry.label and entry.section in sections)
+    return _table(reader, [row for entry in entries for row in _rows(reader, entry)])
+
+
+def regimes(reader: Reader) -> Table:
+    """Lubrication regime of each raceway in each end state; without rows where the roughness is not known."""
+    known = reader.attributes.get("regimes") or {}
+    rows = (
+        (block, words["inner"], words["outer"]) for block, words in known.items() if block in reader.blocks
+    )
+    return Table(("lubrication", "inner raceway", "outer raceway"), tuple(rows))
+
+
+def torque_parts(reader: Reader) -> Table | None:
+    """Causes of the torque of slow balls; None of other bearings."""
+    known = reader.summary.get(reader.last) or {}
+    if "torque_formula" not in known:
+        return None
+    columns = {"torque_parts_Nm": "all balls", "mean_ball_torque_parts_Nm": "mean ball",
+               "largest_ball_torque_parts_Nm": "most loaded ball"}  # fmt: skip
+    rows: list[tuple[Cell, ...]] = [
+        (part, *(_torque(reader, column, part) for column in columns)) for part in TORQUE_PARTS
+    ]
+    rows.append(("total, circumferential", _torque(reader, "circumferential_torque_Nm"), "", ""))
+    unit = reader.units.of("N m")
+    return Table(("torque", *(with_unit(words, unit) for words in columns.values())), tuple(rows))
+
+
+def _torque(reader: Reader, *place: str) -> Number:
+    value = reader.summary[reader.last]
+    for step in place:
+        value = value[step]
+    return reader.units.number(value, "N m", "N m", ".5g", "/".join(("summary", reader.last, *place)))
+
+
+def _of_supports(entry: SummaryValue) -> bool:
+    """Whether a row counts elastic rings and supports: between rigid rings it would repeat another."""
+    return entry.of == ("total_stiffness",)
 
 
 def _subject(entry: SummaryValue) -> str:
@@ -52,14 +92,17 @@ def _table(reader: Reader, rows: list[tuple[Cell, ...]]) -> Table:
 
 
 def _rows(reader: Reader, entry: SummaryValue) -> Iterator[tuple[Cell, ...]]:
-    """A row for each number of an entry; none where no end state has it."""
+    """A row for each number of an entry; none where no end state has an optional one."""
     compared = len(reader.blocks) > 1
+    if _of_supports(entry) and not compared:
+        return
     for words, steps in places(entry):
         numbers = [reader.declared(entry, block, *steps) for block in reader.blocks]
-        if all(number.text == NOTHING for number in numbers):
+        optional = any(reader.layout[name].optional for name in entry.of)
+        if all(number.text == NOTHING for number in numbers) and (optional or not numbers):
             continue
         shown: list[Cell] = [
-            NOTHING if compared and of_supports(entry) and block == "rigid" else number
+            NOTHING if compared and _of_supports(entry) and block == "rigid" else number
             for block, number in zip(reader.blocks, numbers, strict=True)
         ]
         row: list[Cell] = [

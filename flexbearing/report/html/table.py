@@ -122,10 +122,7 @@ class StudyTable:
 def read_table(place: Path, families: Families, most: int | None = None) -> StudyTable:
     """Read the table of a study, or its first rows.
 
-    Raises
-    ------
-    BadResult
-        where there is no such file, or it is no table of a study
+    Raises `BadResult` where there is no such file, or it is no table of a study.
     """
     try:
         packed = place.suffix == PARQUET and most is None and _row_count(place) > HANDED_OUT

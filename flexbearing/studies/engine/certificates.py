@@ -48,10 +48,7 @@ def of_one_study(folder: Path) -> Certificates:
 def certificates(*files: Path | None) -> Certificates | None:
     """Look at the files of `OPTIONS`.
 
-    Raises
-    ------
-    BadCase
-        where one or two are named, or they are no certificates and key that belong together
+    Raises `BadCase` where one or two are named, or they are no certificates and key that belong together.
     """
     named = [file.resolve() for file in files if file is not None]
     if not named:

@@ -87,10 +87,8 @@ def _lost_or(problem: Exception) -> Exception:
 def connected(address: str, certificates: Certificates | None = None) -> OnDask:
     """Engine of a running Dask scheduler; without encryption a warning says what that means.
 
-    Raises
-    ------
-    NoConnection
-        where there is no such address, nobody answers, or not without TLS or other certificates
+    Raises `NoConnection` where there is no such address, nobody answers, or not without TLS or other
+    certificates.
     """
     encrypted = _require_address(address)
     import asyncio

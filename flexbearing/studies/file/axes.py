@@ -44,10 +44,7 @@ def axes(
 def columns_of(given: Mapping[str, Any], find: Callable[[str], Declaration]) -> dict[str, Sequence[Any]]:
     """Values of varied keys, one after the other.
 
-    Raises
-    ------
-    BadValues
-        naming the key
+    Raises `BadValues` naming the key.
     """
     columns: dict[str, Sequence[Any]] = {}
     for key, text in given.items():
@@ -62,10 +59,7 @@ def columns_of(given: Mapping[str, Any], find: Callable[[str], Declaration]) -> 
 def together(columns: Mapping[str, Sequence[Any]], name: str) -> Axis:
     """One axis of all keys.
 
-    Raises
-    ------
-    BadValues
-        where the numbers of values differ
+    Raises `BadValues` where the numbers of values differ.
     """
     lengths = {key: len(column) for key, column in columns.items() if len(column) > 1}
     if len({*lengths.values()}) > 1:
@@ -78,10 +72,7 @@ def together(columns: Mapping[str, Sequence[Any]], name: str) -> Axis:
 def require_crossable(found: Sequence[Axis]) -> None:
     """Refuse axes that vary a key twice, have too many variants together, or rate what others vary.
 
-    Raises
-    ------
-    BadValues
-        naming the key or the number
+    Raises `BadValues` naming the key or the number.
     """
     keys = [key for axis in found for key in axis.keys]
     for key in keys:

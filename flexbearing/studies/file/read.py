@@ -7,13 +7,11 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from pydantic import ValidationError
-
 from flexbearing import inputs
 from flexbearing.case.declarations import Declaration, find
 from flexbearing.case.family import Families
 from flexbearing.case.head import Head, next_to, value_at
-from flexbearing.case.problems import BadCase, messages, nearest
+from flexbearing.case.problems import BadCase, nearest, validated
 from flexbearing.case.read import LONGEST_NAME, model_of, written
 from flexbearing.case.text import LARGEST, Unreadable, tables
 from flexbearing.printable import excerpt
@@ -149,10 +147,7 @@ def _file_names(stated: dict[str, Any], found: Iterable[Axis], model: type[Head]
 def declared(key: str, model: type[Head], families: Families) -> Declaration:
     """Declaration of a key that may vary.
 
-    Raises
-    ------
-    BadValues
-        for a name that is no key, with the nearest one, and for kind
+    Raises `BadValues` for a name that is no key, with the nearest one, and for kind.
     """
     declaration = find(key, model)
     if declaration is None:
@@ -202,10 +197,7 @@ def _dotted(table: Mapping[str, Any], prefix: str) -> list[tuple[str, Any]]:
 
 def _validated(raw: dict[str, Any], file: Path) -> StudyFile:
     name = excerpt(file.name, LONGEST_NAME)
-    try:
-        given = StudyFile.model_validate(raw)
-    except ValidationError as error:
-        raise BadCase(messages(error, raw, name, StudyFile, {})) from None
+    given = validated(raw, name, StudyFile, {})
     if given.over and given.sample:
         raise BadCase(f"{name}: [over] and [sample] are both there; a study has one of them.")
     return given

@@ -20,10 +20,7 @@ _HEADER = 'a header holds keys with units, such as "operation.radial_load [kN],o
 def rows(file: Path, has_unit: Callable[[str], bool]) -> tuple[tuple[str, ...], tuple[tuple[Any, ...], ...]]:
     """Keys and rows of a table of variants; beside semicolons and tabs numbers may have decimal commas.
 
-    Raises
-    ------
-    BadValues
-        naming file, row and column
+    Raises `BadValues` naming file, row and column.
     """
     try:
         return _rows(inputs.text(file, VARIANTS), has_unit)

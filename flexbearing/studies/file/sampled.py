@@ -121,10 +121,7 @@ FORMS = {
 def sampled(sample: Sample, find: Callable[[str], Declaration]) -> tuple[Axis, Drawn]:
     """The axis of the table [sample], and what is drawn along it.
 
-    Raises
-    ------
-    BadValues
-        naming the key
+    Raises `BadValues` naming the key.
     """
     given: Mapping[str, Any] = sample.model_extra or {}
     alike = {key: value for key, value in given.items() if _is_one_value(value)}

@@ -2,10 +2,8 @@
 
 from pathlib import Path
 
-from pydantic import ValidationError
-
 from flexbearing import inputs
-from flexbearing.case.problems import BadCase, messages
+from flexbearing.case.problems import BadCase, validated
 from flexbearing.case.quantity import Section, key
 from flexbearing.case.read import LONGEST_NAME
 from flexbearing.case.text import LARGEST, Unreadable, tables
@@ -54,8 +52,4 @@ def profile(path: str | Path) -> SlurmProfile:
         raw = tables(inputs.text(file, LARGEST), "profile")
     except Unreadable as problem:
         raise BadCase(f"{excerpt(str(path), LONGEST_NAME)}: {problem}") from problem
-    try:
-        return SlurmProfile.model_validate(raw)
-    except ValidationError as error:
-        name = excerpt(file.name, LONGEST_NAME)
-        raise BadCase(messages(error, raw, name, SlurmProfile, {})) from None
+    return validated(raw, excerpt(file.name, LONGEST_NAME), SlurmProfile, {})

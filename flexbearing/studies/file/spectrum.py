@@ -42,10 +42,7 @@ class Spectrum:
 def spectrum(duty: Duty, folder: Path, find: Callable[[str], Declaration]) -> tuple[Axis, Spectrum]:
     """The axis of the table [duty], and its weights.
 
-    Raises
-    ------
-    BadValues
-        naming key or row
+    Raises `BadValues` naming key or row.
     """
     columns, bins = _columns(duty, folder, find)
     measures = [name for name in MEASURES if name in columns]

@@ -31,10 +31,7 @@ class BadValues(ValueError):
 def values(given: Any, declaration: Declaration) -> Sequence[Any]:
     """Values of a key, in the words of a case file.
 
-    Raises
-    ------
-    BadValues
-        for an empty list, or a range that is none
+    Raises `BadValues` for an empty list, or a range that is none.
     """
     if isinstance(given, list) and not (declaration.listed and not _lists(given)):
         if not given:
@@ -98,10 +95,7 @@ def ends(first: str, last: str, declaration: Declaration) -> tuple[tuple[float, 
 def in_si_units(text: str, kind: Kind) -> float:
     """Value of a quantity in SI units.
 
-    Raises
-    ------
-    BadValues
-        with what is wrong with it
+    Raises `BadValues` with what is wrong with it.
     """
     try:
         return kind.to_si(text)

@@ -56,10 +56,7 @@ class MapAxis:
 def axes(over: Sequence[str], model: type[Head]) -> tuple[MapAxis, ...]:
     """Axes of a map.
 
-    Raises
-    ------
-    BadCase
-        naming the key and what is wrong with it
+    Raises `BadCase` naming the key and what is wrong with it.
     """
     if not 1 <= len(over) <= MOST_AXES:
         raise BadCase(f"--over is given {len(over)} times; a map has one to three axes")

@@ -132,12 +132,8 @@ def ends(case: str | Path, over: str, overrides: Sequence[str] = ()) -> Range:
 def followed(wanted: Range) -> FollowedMap:
     """Follow the equilibria of a case over its load or speed.
 
-    Raises
-    ------
-    BadCase
-        when the range makes no sense
-    NotSolved
-        when there is no equilibrium to begin with, or the process that follows the branch dies
+    Raises `BadCase` when the range makes no sense; `NotSolved` when there is no equilibrium to begin with, or
+    the process that follows the branch dies.
     """
     case = wanted.case
     try:

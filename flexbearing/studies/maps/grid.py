@@ -43,12 +43,8 @@ class MapGrid:
 def grid(first: Case, axes: Sequence[MapAxis], report: Report) -> MapGrid:
     """Build every point of a map.
 
-    Raises
-    ------
-    BadCase
-        for a value that the case does not take, or a map that is not supported
-    NotSolved
-        where a ring has no trustworthy answer
+    Raises `BadCase` for a value that the case does not take, or a map that is not supported; `NotSolved`
+    where a ring has no trustworthy answer.
     """
     _require_supported(first)
     cases, shape = _cases(first, axes), tuple(len(axis.values) for axis in axes)

@@ -202,10 +202,7 @@ class Part:
     def parsed(cls, text: str) -> "Part":
         """Read "3/8".
 
-        Raises
-        ------
-        BadCase
-            for another text, or a part that there is not
+        Raises `BadCase` for another text, or a part that there is not.
         """
         found = _TEXT.fullmatch(text)
         number, of = map(int, found.groups()) if found else (0, 0)

@@ -58,10 +58,7 @@ class Collected:
 def collected(study: Study, families: Families, *, elastic: bool, rollers: int = 0) -> tuple[Collected, ...]:
     """Columns that a study collects; without [collect], every scalar of the summary.
 
-    Raises
-    ------
-    BadCase
-        for a name that no output has, or a unit of another kind
+    Raises `BadCase` for a name that no output has, or a unit of another kind.
     """
     layout = families[study.kind].layout()
     if study.collect is None:
@@ -80,10 +77,7 @@ def collected(study: Study, families: Families, *, elastic: bool, rollers: int =
 def require_outputs(study: Study, texts: Iterable[str], table: str, families: Families) -> None:
     """Refuse outputs that a table of the study file needs and that this kind of bearing does not have.
 
-    Raises
-    ------
-    BadCase
-        naming table and output
+    Raises `BadCase` naming table and output.
     """
     layout = families[study.kind].layout()
     try:
@@ -101,10 +95,8 @@ def of_output(column: str, output: RequestedOutput) -> Collected:
 def of_text(column: str, text: str, layout: Layout, rollers: int = 0) -> Collected:
     """Column of an output, of the quotient of two, "life_L10 / rigid.life_L10 [%]", or of all rollers.
 
-    Raises
-    ------
-    UnknownOutput, WrongUnit
-        for a name that no output has, a unit of another kind, or outputs of different kinds
+    Raises `UnknownOutput`, `WrongUnit` for a name that no output has, a unit of another kind, or outputs of
+    different kinds.
     """
     name, bracket, unit = text.strip().partition("[")
     if name.strip().rpartition(".")[2] in of_rollers(layout):

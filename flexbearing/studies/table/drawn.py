@@ -25,10 +25,7 @@ def drawn(
 ) -> tuple[Plot | None, tuple[Collected, ...]]:
     """What the table [plot] draws, and all columns with those that it needs.
 
-    Raises
-    ------
-    BadCase
-        for a name that is no key, no column and no output
+    Raises `BadCase` for a name that is no key, no column and no output.
     """
     if study.plot is None:
         return None, columns
@@ -98,10 +95,7 @@ class _Columns:
 def mark(given: MarkTable, panels: Mapping[str, Collected], along: Declaration | str) -> Mark:
     """Convert a mark to the units of a picture.
 
-    Raises
-    ------
-    BadValues
-        for another panel, or what is no number or has a unit of another kind
+    Raises `BadValues` for another panel, or what is no number or has a unit of another kind.
     """
     if given.y not in panels:
         raise BadValues(f"y = {excerpt(given.y)} has no panel; it must be {' or '.join(panels)}.")

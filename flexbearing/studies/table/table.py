@@ -141,10 +141,7 @@ class Plot:
 def drawn_over_first_key(table: Table, outputs: Sequence[str]) -> "Page":
     """Draw outputs over the first key that varies, without names the first ones.
 
-    Raises
-    ------
-    BadCase
-        where no key varies
+    Raises `BadCase` where no key varies.
     """
     varied = [column.name for column in table.columns if column.varied and len({*column.values}) > 1]
     named = [table[output].name for output in outputs] or [

@@ -38,12 +38,8 @@ class RigidRings:
     def of(cls, bearing: FourPointBearing, load: NDArray) -> "RigidRings":
         """Build from a bearing and a load [N, N m].
 
-        Raises
-        ------
-        ImpossiblePart
-            for a load that is not five finite numbers
-        NotSolved
-            when neither load nor interference holds the ring
+        Raises `ImpossiblePart` for a load that is not five finite numbers; `NotSolved` when neither load nor
+        interference holds the ring.
         """
         load = np.asarray(load, dtype=float)
         if load.shape != (5,) or not np.isfinite(load).all():

@@ -143,12 +143,8 @@ class GroovePress:
 
         It is sought near the ellipse of Hertz, of semi-axes along and across [m].
 
-        Raises
-        ------
-        OutOfRange
-            for a patch around half of the ball
-        NotSolved
-            where no patch is found, see `contact_pressure`
+        Raises `OutOfRange` for a patch around half of the ball; `NotSolved` where no patch is found, see
+        `contact_pressure`.
         """
         along, across = (WIDER * each for each in semi_axes)
         for _ in range(WIDEST):

@@ -118,22 +118,15 @@ class RollerOnRaceway:
     def tilted(self, force: float, tilt: float) -> RollerPressure:
         """Pressure under a force [N] at a given tilt [rad]; its moment follows.
 
-        Raises
-        ------
-        OutOfRange, NotSolved
-            see `under`
+        Raises `OutOfRange`, `NotSolved` see `under`.
         """
         return self._widened(force, lambda grid: self._solved(grid, force, tilt=tilt))
 
     def under(self, force: float, moment: float) -> RollerPressure:
         """Pressure under a force [N] and its moment about mid-roller [N m]; approach and tilt follow.
 
-        Raises
-        ------
-        OutOfRange
-            for a force that is not above zero, or acts outside the length of the roller
-        NotSolved
-            see `contact_pressure`; also where the contact remains wider than the grid
+        Raises `OutOfRange` for a force that is not above zero, or acts outside the length of the roller;
+        `NotSolved` see `contact_pressure`; also where the contact remains wider than the grid.
         """
         half = self.length / 2 * (1 - 2 / self.cells[1])
         if not abs(moment) < force * half:

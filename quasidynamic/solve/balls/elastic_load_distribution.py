@@ -98,10 +98,7 @@ def elastic_ball_loads_near(
 
     One step of Newton's method: exact to first order in the difference.
 
-    Raises
-    ------
-    NotSolved
-        where nothing resists some motion of the ring
+    Raises `NotSolved` where nothing resists some motion of the ring.
     """
     rigid = RigidRings.of(bearing, load)
     rings = ElasticRings(rigid, grooves, rigid.usual_stiffness(near.loads.max()))

@@ -75,10 +75,7 @@ def ball_loads_near(bearing: FourPointBearing, load: NDArray, near: BallLoads) -
 
     One step of Newton's method: exact to first order in the difference.
 
-    Raises
-    ------
-    NotSolved
-        where nothing resists some motion of the ring
+    Raises `NotSolved` where nothing resists some motion of the ring.
     """
     rings = RigidRings.of(bearing, load)
     state = rings.at(near.displacement * ring_levers(bearing))
@@ -88,10 +85,7 @@ def ball_loads_near(bearing: FourPointBearing, load: NDArray, near: BallLoads) -
 def resisted(stiffness: NDArray, force: NDArray) -> NDArray:
     """Change of the place of a ring (5) under a force (5).
 
-    Raises
-    ------
-    NotSolved
-        where nothing resists some motion
+    Raises `NotSolved` where nothing resists some motion.
     """
     try:
         return np.linalg.solve(stiffness, force)
@@ -117,10 +111,7 @@ def _shared(
 def balanced(rings: RigidRings) -> tuple[RigidRingState, int]:
     """State in which the balls carry the load, and the number of evaluations.
 
-    Raises
-    ------
-    NotSolved
-        when the iteration limit is reached
+    Raises `NotSolved` when the iteration limit is reached.
     """
     state, evaluations, previous = rings.at(rings.first_place()), 1, np.inf
     for _ in range(STEPS):

@@ -75,12 +75,8 @@ def refined_rolling(
     The coarsest grid takes the motion of half the cells: where friction is in balance the torque hardly
     changes with the motion, and few cells may have no balance.
 
-    Raises
-    ------
-    OutOfRange
-        when the cells cannot be halved twice
-    NotSolved
-        when no balance is found, see `rolling_motion`
+    Raises `OutOfRange` when the cells cannot be halved twice; `NotSolved` when no balance is found, see
+    `rolling_motion`.
     """
     law, (quarter, half, fine) = LAWS[model], map(ball_on, _refined(cells))
     start, slopes = None, None
@@ -102,12 +98,8 @@ def refined_kept_motion(
 ) -> RefinedRolling:
     """Ball with stick and slip that moves as is given, on the same grids.
 
-    Raises
-    ------
-    OutOfRange
-        when the cells cannot be halved twice, or the material is at rest in a contact
-    NotSolved
-        when a contact is not solved
+    Raises `OutOfRange` when the cells cannot be halved twice, or the material is at rest in a contact;
+    `NotSolved` when a contact is not solved.
     """
     balls = map(ball_on, _refined(cells))
     return _refined_rolling(

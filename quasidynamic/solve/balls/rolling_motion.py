@@ -127,12 +127,7 @@ def kept_motion(
 ) -> RollingMotion:
     """Friction of a ball that moves as is given, in balance or not.
 
-    Raises
-    ------
-    NotSolved
-        when a contact is not solved
-    OutOfRange
-        when the material is at rest in a contact
+    Raises `NotSolved` when a contact is not solved; `OutOfRange` when the material is at rest in a contact.
     """
     state = _at(ball, law, motion, start)
     if state is None:

@@ -104,10 +104,8 @@ def sliding_motion_near(contacts: BallContacts, ellipse: Ellipse, motion: NDArra
     Whole steps of Newton's method, as long as each leaves less than half of what is unbalanced: to rounding,
     so that differences of motions that hardly differ keep their digits.
 
-    Raises
-    ------
-    NotSolved
-        when a ball comes to be pressed on both rings or ceases to be, or finds no balance near by
+    Raises `NotSolved` when a ball comes to be pressed on both rings or ceases to be, or finds no balance near
+    by.
     """
     driven = np.all(ellipse.traction.max(axis=1) > 0.0, axis=1)
     if not np.array_equal(driven, np.isfinite(motion).all(axis=1)):

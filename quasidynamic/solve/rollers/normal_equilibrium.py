@@ -26,10 +26,7 @@ def normal_equilibrium(balance: BearingBalance, scaled: NDArray, work: ContactWo
     step would send rollers through the bearing, such as with films far thicker than the approaches or a ring
     that friction pushes to the next roller. Friction follows in a few sweeps. Between rigid, even raceways.
 
-    Raises
-    ------
-    OutOfWork
-        where they do not suffice
+    Raises `OutOfWork` where they do not suffice.
     """
     for _ in range(SWEEPS):
         system, unknowns = balance.evaluate(scaled), balance.unpack(scaled)

@@ -37,10 +37,7 @@ class ContactWork:
     def counted(self, film_of: FilmOf) -> FilmOf:
         """The films, each evaluation of which counts.
 
-        Raises
-        ------
-        OutOfWork
-            at one too many
+        Raises `OutOfWork` at one too many.
         """
 
         def counted(load: NDArray, rollers: NDArray) -> tuple[NDArray, NDArray]:

@@ -196,10 +196,7 @@ def balanced(rings: RigidRings) -> tuple[RigidRingState, int]:
     A direction in which hardly anything resists, such as sideways on a single roller, is stiffened
     as long as forces are out of balance; close to balance the step is that of Newton.
 
-    Raises
-    ------
-    NotSolved
-        when the iteration limit is reached
+    Raises `NotSolved` when the iteration limit is reached.
     """
     state, evaluations, n = rings.at(rings.first_place()), 1, rings.load.size
     for _ in range(STEPS):

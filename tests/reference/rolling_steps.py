@@ -1,4 +1,4 @@
-"""Rolling from a given state, step by step."""
+"""Rolling from a given state, step by step, whose steady end `kalker` gives at once."""
 
 from dataclasses import dataclass
 from functools import cached_property

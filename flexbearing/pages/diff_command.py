@@ -18,12 +18,12 @@ def diff(
     from flexbearing import api
     from flexbearing.differences.compared import compared
 
-    found = compared(api.read(one), api.read(other))
+    both = api.read(one), api.read(other)
     if as_json:
-        say_json(found.as_json())
+        say_json(compared(*both).as_json())
         return
-    from flexbearing.differences.page import sections
+    from flexbearing.pages.against import sections
     from flexbearing.printable import printable
     from flexbearing.report.output import laid_out
 
-    sys.stdout.write(printable(laid_out(sections(found), encoding=sys.stdout.encoding)))
+    sys.stdout.write(printable(laid_out(sections(*both), encoding=sys.stdout.encoding)))
