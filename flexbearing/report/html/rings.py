@@ -9,7 +9,7 @@ from flexbearing.report.html.document import Cell, Number, Table
 from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import NOTHING, printed, with_unit
 
-SHEARED = 1e-4  # of the bearing' force: what radial springs leave to tangential ones
+SHEARED = 1e-4  # of the bearing's force: what radial springs leave to tangential ones
 PULL = {True: "push and pull", False: "push only"}  # what springs can do
 _ZERO = 1e-10  # of the diagonal: what rounding leaves of nothing
 _FORCES = ("force along x", "force along y", "force along z", "moment about y", "moment about z")
