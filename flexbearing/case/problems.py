@@ -34,7 +34,10 @@ def listed(problems: Collection[Problem], file: str, line: Callable[[Problem], s
 
 
 def validated(raw: Mapping[str, Any], file: str, model: type[File], families: Families) -> File:
-    """What a file holds, as its model; raises `BadCase` with a line for each problem."""
+    """What a file holds, as its model.
+
+    Raises `BadCase` with a line for each problem.
+    """
     try:
         return model.model_validate(raw)
     except ValidationError as error:
