@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from time import perf_counter
-from typing import Any, Generic, Protocol
+from typing import Any, Generic
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -28,6 +28,7 @@ from quasidynamic import NotSolved
 
 OnIteration = Callable[[int, Iteration, float], None]  # number and seconds of an iteration
 Values = Callable[[Iteration, float], Mapping[str, ArrayLike]]  # quantities of an iteration, by its seconds
+Start = Callable[[Bearing[S], RacewayPair, S], S]
 FROM_INITIAL_STATE = "newton from an initial state"
 FALLBACK = ("newton", "iqn-ils", "aitken", "relaxed")  # after the method of the case, in this order
 
@@ -38,14 +39,6 @@ class NotCoupled(NotSolved):
     def __init__(self, message: str, outcome: str, status: str):
         super().__init__(message, outcome)
         self.status = status
-
-
-class Start(Protocol[S]):
-    """Where newton may start."""
-
-    def state(self, bearing: Bearing[S], rings: RacewayPair, rigid: S) -> S:
-        """A state of this bearing; raises `PartnerFailed`."""
-        ...
 
 
 @dataclass(frozen=True)
@@ -75,11 +68,13 @@ def nearest(attempts: Sequence[Attempt[S]]) -> Attempt[S] | None:
     return min(with_state, key=lambda attempt: attempt.error, default=None)
 
 
-def summary(attempts: Sequence[Attempt]) -> str:
-    """What became of all attempts: the message of the one that converged, or of every one."""
+def summary(attempts: Sequence[Attempt], best: Attempt | None) -> str:
+    """What became of all attempts: the message of the one that converged, or of every one.
+
+    The state of the `best` is stored.
+    """
     if attempts[-1].status == "converged":
         return attempts[-1].message
-    best = nearest(attempts)
     stored = "" if best is None else f"; the stored state is that of {best.method}, which came nearest"
     each = "; ".join(f"{attempt.method}: {attempt.message}" for attempt in attempts)
     return f"no method brought bearing and rings to an equilibrium{stored}: {each}"
@@ -93,7 +88,7 @@ class CoupledBearing(Generic[S]):
     partner: Bearing[S]
     rings: RacewayPair
     rigid: S
-    initial: Start[S] | None = None  # where newton starts first
+    initial: Start[S] | None = None  # gives a state where newton starts first, or raises `PartnerFailed`
 
     def solve(self, record: Recorder, report: Report, values: Values) -> list[Attempt[S]]:
         """Iterate by one method after the other, and store every iteration; the last attempt counts."""
@@ -150,7 +145,7 @@ class CoupledBearing(Generic[S]):
 
     def _from_initial_state(self, initial: Start[S], criterion: StoppingCriterion) -> Iterator[Iteration[S]]:
         try:
-            start = initial.state(self.partner, self.rings, self.rigid)
+            start = initial(self.partner, self.rings, self.rigid)
         except PartnerFailed as failure:
             yield Iteration(1, self.rigid, np.inf, np.inf, "not solved", str(failure), failure.ending)
             return

@@ -12,7 +12,7 @@ from flexbearing.coupled.attempts import CoupledBearing, NotCoupled, nearest, re
 from flexbearing.coupling import Iteration, PartnerFailed
 from flexbearing.coupling.partners import Compliance
 from flexbearing.coupling.raceway_pair import OUTWARD
-from flexbearing.progress import Report, Silent
+from flexbearing.progress import Report
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import row, taken
 from flexbearing.results import Recorder
@@ -23,10 +23,11 @@ from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGro
 
 
 @dataclass
-class CouplingHistory:
-    """Where a run stores iterations, and what it then says of them."""
+class CouplingRecord:
+    """Where a run stores and reports iterations, and what it then says of them."""
 
     record: Recorder
+    report: Report
     attributes: dict[str, Any] = field(default_factory=dict)  # of the result file
     nearest: AngularContactState | None = None  # state of the attempt that came nearest to an equilibrium
 
@@ -139,41 +140,40 @@ class BallPartner:
             raise PartnerFailed(str(failure), str(failure.outcome)) from failure
 
 
-def equilibrium(  # what a run has beside what is solved
+def equilibrium(
     coupling: MethodsOfCoupling,
     model: AngularContactBallBearing,
     operation: RingOperation,
     grooves: GroovePair,
-    history: CouplingHistory | None = None,
-    report: Report | None = None,
+    run: CouplingRecord | None = None,
 ) -> AngularContactState:
-    """Balance of balls, ring and what carries its grooves; iterations are stored where there is a history.
+    """Balance of balls, ring and what carries its grooves; iterations are stored for a run.
 
     Raises
     ------
     NotCoupled
         where there is none
     """
-    rigid = BallState.of(model.solve(operation), grooves.angles)
     partner, raceways = BallPartner(model, operation, grooves.angles), grooves.raceways
+    rigid = BallState.of(model.solve(operation), grooves.angles)
     coupled = CoupledBearing(coupling, partner, raceways, rigid)
-    if history is None:
-        attempts = list(coupled.attempts())
-    else:
-        attempts = coupled.solve(history.record, report or Silent(), values)
-        history.attributes = records(attempts)
-    last, best = attempts[-1], nearest(attempts)
+    attempts = coupled.solve(run.record, run.report, values) if run else list(coupled.attempts())
+    last, best = attempts[-1], nearest(attempts) if run else None
+    if run:
+        run.attributes = records(attempts)
+        run.nearest = best and best.state.between
     if last.status != "converged":
-        if history is not None and best is not None:
-            history.nearest = best.state.between
-        raise NotCoupled(summary(attempts), last.ending, last.status)
-    if history is not None:
+        raise NotCoupled(summary(attempts, best), last.ending, last.status)
+    if run:
         raceways.linearised(last.state.forces)  # of which the figures are then
-        history.attributes["structure"] = raceways.figures()
+        run.attributes["structure"] = raceways.figures()
     return last.state.between
 
 
 def values(step: Iteration[BallState], seconds: float) -> dict[str, NDArray]:
     """Quantities of an iteration of the coupling, which took some seconds."""
-    parts = {"state": [step.state.between], "step": [step], "seconds": [seconds]}
+    state = step.state.between
+    if state.groove_displacement is None:  # a method failed where it began, between rigid grooves
+        state = replace(state, groove_displacement=np.zeros((*state.loads.shape, 2)))
+    parts = {"state": [state], "step": [step], "seconds": [seconds]}
     return row(taken(LAYOUT.datasets("iteration").values(), parts), 0)

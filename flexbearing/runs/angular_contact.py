@@ -42,7 +42,7 @@ from quasidynamic.outcome.rating_life import BALLS
 from quasidynamic.outcome.worst_point_contact import WorstPointContact
 
 if TYPE_CHECKING:
-    from flexbearing.coupled.balls import CouplingHistory
+    from flexbearing.coupled.balls import CouplingRecord
     from flexbearing.rings.grooves import GroovePair
 
 
@@ -160,7 +160,7 @@ def build(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperatio
 
 
 def solved(
-    cases: Sequence[FastCase], report: Report, history: "CouplingHistory | None" = None
+    cases: Sequence[FastCase], report: Report, run: "CouplingRecord | None" = None
 ) -> list[dict[Block, Ended]]:
     """Balance, pure rolling lines, and stick and slip where a case requires them; or why there is none.
 
@@ -179,7 +179,7 @@ def solved(
         rings = _grooves(elastic, models, report)
         report.stage("fast balls between elastic rings", None)
         models = [_preloaded(*each) for each in zip(elastic, models, rings, strict=True)]
-        states = _balanced(elastic, models, rings, history, report)
+        states = _balanced(elastic, models, rings, run)
         flexible = _finished(elastic, states, report)
         for k, each in zip(some, flexible, strict=True):
             ended[k]["flexible"] = each
@@ -268,20 +268,19 @@ def _balanced(
     cases: Sequence[FastCase],
     built: Sequence[Any],
     grooves: Sequence[Any] | None = None,
-    history: "CouplingHistory | None" = None,
-    report: Report | None = None,
+    run: "CouplingRecord | None" = None,
 ) -> list[Any]:
     """States of the bearings that could be built, those of the same bearing and grooves side by side.
 
-    Alone is what has a history, or rings that are no part of one linear system.
+    Alone is what is stored by a run, or has rings that are no part of one linear system.
     """
     rings = grooves or [None] * len(cases)
     states, alike = list(built), defaultdict[Any, list[int]](list)
     for place, (case, each, ring) in enumerate(zip(cases, built, rings, strict=True)):
         if isinstance(each, Exception) or isinstance(ring, Exception):
             states[place] = each if isinstance(each, Exception) else ring
-        elif ring and (history or ring.elastic is None or case.coupling != USUAL):
-            states[place] = named(case, partial(_coupled, case, *each, ring, history, report))
+        elif ring and (run or ring.elastic is None or case.coupling != USUAL):
+            states[place] = named(case, partial(_coupled, case, *each, ring, run))
         else:
             kind, numbers = kind_and_numbers(each[0])
             alike[kind, *numbers, id(ring)].append(place)
@@ -304,12 +303,11 @@ def _coupled(
     model: qd.AngularContactBallBearing,
     operation: qd.RingOperation,
     rings: "GroovePair",
-    history: "CouplingHistory | None" = None,
-    report: Report | None = None,
+    run: "CouplingRecord | None" = None,
 ) -> qd.AngularContactState:
     from flexbearing.coupled import balls  # with finite elements
 
-    return balls.equilibrium(case.coupling, model, operation, rings, history, report)
+    return balls.equilibrium(case.coupling, model, operation, rings, run)
 
 
 def _rolled(case: FastCase, state: qd.AngularContactState, progress: Callable[[float], None]) -> Solution:

@@ -62,19 +62,19 @@ def solve_angular(case: FastCase, record: Recorder, report: Report) -> dict[str,
 
     Raises `BadCase` when no such bearing can exist.
     """
-    history = None
+    run = None
     if not case.rigid:
-        from flexbearing.coupled.balls import CouplingHistory  # with finite elements
+        from flexbearing.coupled.balls import CouplingRecord  # with finite elements
 
-        history = CouplingHistory(record)
-    (ended,) = angular_contact.solved([case], report, history)
-    coupled = {"method": case.coupling.method, **history.attributes} if history else {}
+        run = CouplingRecord(record, report)
+    (ended,) = angular_contact.solved([case], report, run)
+    coupled = {"method": case.coupling.method, **run.attributes} if run else {}
     last: tuple[Block, angular_contact.Solution] | None = None
     for name, each in ended.items():
         if isinstance(each, BadCase):
             raise each
         if isinstance(each, NotSolved):
-            _store_nearest(case, history and history.nearest, record)
+            _store_nearest(case, run and run.nearest, record)
             return _not_solved(each) | coupled
         record.block(name, angular_contact.block(each))
         last = name, each

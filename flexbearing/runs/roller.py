@@ -145,12 +145,12 @@ def _solve(
         errors = _slice_error(case, resolved.model, rings, rigid, postprocessing)
         return _all_rigid(resolved, rigid, postprocessing) | passed | errors
     report.stage("bearing and rings coupled", None)
-    attempts = CoupledBearing(case.coupling, partner, rings, rigid, initial).solve(
+    attempts = CoupledBearing(case.coupling, partner, rings, rigid, initial and initial.state).solve(
         postprocessing.record, report, states.iteration
     )
     last, converged = attempts[-1], attempts[-1].status == "converged"
-    ending = _ending(last.status, summary(attempts), last.iterations) | records(attempts)
     stored = last if converged else nearest(attempts)
+    ending = _ending(last.status, summary(attempts, stored), last.iterations) | records(attempts)
     if stored is None:  # no method found a first state between flexible raceways
         return ending
     try:

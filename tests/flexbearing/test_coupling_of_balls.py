@@ -8,6 +8,7 @@ from pytest import approx
 
 import flexbearing
 from flexbearing.coupled.balls import BallPartner
+from flexbearing.coupling import PartnerFailed
 from flexbearing.progress import Silent
 from flexbearing.rings.grooves import groove_pair
 from tests.flexbearing.test_balls_on_supports import CASE, LINES, RING, TEETH, built
@@ -73,3 +74,16 @@ def test_loads_change_by_deviations_about_as_estimated():
     axially[0] = 1e-8 * np.sin(angles[0])
     by_ring = free.force_by_deviation(rigid) @ axially.ravel()
     assert np.abs(by_ring).max() < 1e-9 * np.abs(partner.force_by_deviation(rigid) @ axially.ravel()).max()
+
+
+def test_a_method_that_fails_where_it_begins_is_stored_before_the_next(monkeypatch):
+    def failing(self, grooves):
+        raise PartnerFailed("no balance", "stalled")
+
+    monkeypatch.setattr(BallPartner, "_iterates", failing)
+    result = flexbearing.run(CASE, BY_THRUST)
+    ends = {name: each["status"] for name, each in result.attributes["attempts"].items()}
+    assert ends == {"newton": "not solved", "iqn-ils": "converged"}
+    moved = result.history("groove_displacement")
+    assert not moved[0].any()
+    assert moved[-1] == approx(result.flexible["groove_displacement"], rel=1e-9)
