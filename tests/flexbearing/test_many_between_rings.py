@@ -13,7 +13,7 @@ from flexbearing.rings.condensed import condensed_raceways
 from quasidynamic import SolverOutcome, solve_many, solve_many_elastic
 from tests.random_coupled import design
 
-SEED, VARIANTS = 0x77, 20
+SEED, VARIANTS = 0x77, 8
 
 
 def variants(model, rng):
@@ -30,7 +30,7 @@ def variants(model, rng):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", [1, 4, 5, 7, 10, 12, 13])
+@pytest.mark.parametrize("number", [1, 5, 10, 13])
 def test_every_answer_is_that_of_a_run_alone(number):
     """A ring that is not linear keeps the tangent at the loads of the design."""
     chosen = design(SEED, number)

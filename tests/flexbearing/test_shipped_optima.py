@@ -12,7 +12,7 @@ pytestmark = pytest.mark.usefixtures("two_cores")
 STUDIES = Path(__file__).parents[2] / "configs" / "studies"
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_profile_of_a_misaligned_bearing_beats_the_logarithmic_one(tmp_path):
     """In life at the worst slope; with 20 slices, 200 slices, and both contacts on half-spaces."""
     optimum = optimise(STUDIES / "optimum_profile.toml", tmp_path)
@@ -36,7 +36,7 @@ def test_cage_of_least_mass_meets_its_constraints_on_a_finer_model(tmp_path):
     assert optimum.designs < optimum.cheap
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_planet_has_an_optimum_of_clearance_and_out_of_round(tmp_path):
     """Harris and Broschard (1964): the major axis along the tooth forces, a life some 40 % longer."""
     optimum = optimise(STUDIES / "optimum_planet.toml", tmp_path)

@@ -111,7 +111,7 @@ def test_softness_is_that_of_differences_of_the_distances(seed):
     assert change @ state.softness.T == approx(by_difference, abs=1e-6 * np.abs(by_difference).max())
 
 
-@settings(max_examples=8)
+@settings(max_examples=4)
 @given(cases)
 def test_stiffness_is_that_of_small_further_loads(load):
     bearing = TIGHT.bearing
@@ -140,9 +140,7 @@ def test_load_turned_by_some_balls_turns_the_distribution():
     assert after.loads == approx(np.roll(before.loads, 5, axis=0), abs=1e-8 * before.loads.max())
 
 
-@pytest.mark.parametrize(
-    ("clearance", "rigid"), [(-10e-6, None), (10e-6, None), (0.0, "inner"), (0.0, "outer")]
-)
+@pytest.mark.parametrize(("clearance", "rigid"), [(-10e-6, None), (10e-6, "inner"), (0.0, "outer")])
 def test_distribution_is_that_of_the_plain_model(clearance, rigid):
     """A bearing of six balls on one page, its potential lowered by SciPy."""
     bearing = slow_bearing(clearance=clearance, balls=6, ball=30e-3, pitch=0.2).bearing
