@@ -101,10 +101,7 @@ class AngularContactBallBearing:
     ) -> Iterator[tuple[AngularContactState, bool]]:
         """Newton iterates between elastic grooves, and whether they are in balance, as the last one is.
 
-        Raises
-        ------
-        NotSolved
-            as `solve`
+        Raises `NotSolved` as `solve`.
         """
         balance = self.equations([operation])
         for solution, last in iterate_elastic(balance, grooves):

@@ -130,10 +130,7 @@ def last_harmonic(part: Part, resolution: Resolution) -> int:
 def beam_of(part) -> CurvedBeam:
     """Beam that stands for the ring of a part.
 
-    Raises
-    ------
-    ImpossiblePart
-        for a part whose ring has no rectangular section
+    Raises `ImpossiblePart` for a part whose ring has no rectangular section.
     """
     raise ImpossiblePart(f"{type(part).__name__} is not known as a curved beam")
 
@@ -163,10 +160,7 @@ def _(part: RingOnShaft):
 def stiffness_of(part, harmonics: NDArray) -> NDArray:
     """Stiffness (K, 6, 6) per radian of the ring of a part and of what holds it.
 
-    Raises
-    ------
-    ImpossiblePart
-        for a support that is no spring to ground
+    Raises `ImpossiblePart` for a support that is no spring to ground.
     """
     raise ImpossiblePart(f"{type(part).__name__} is not known as a curved beam")
 

@@ -86,10 +86,7 @@ def move_nodes(mesh: ngs.Mesh, before: Faces, after: Faces) -> None:
 def unmoved(places: NDArray, before: Faces, after: Faces) -> NDArray:
     """Where places (n, dimensions) [m] of the moved part were, but for what elements do between their nodes.
 
-    Raises
-    ------
-    ImpossiblePart
-        as for `move_nodes`
+    Raises `ImpossiblePart` as for `move_nodes`.
     """
     return _moved(places, after, before)[0]
 

@@ -203,10 +203,7 @@ def rounded(bar, ring, flange, radius: float):
 def require_kept(flared, bar, radius: float) -> None:
     """Refuse a fillet [mm] with which the geometry kernel loses part of a bar, as was seen close to the most.
 
-    Raises
-    ------
-    ImpossiblePart
-        if the bar became smaller
+    Raises `ImpossiblePart` if the bar became smaller.
     """
     require(
         flared.mass > bar.mass, "fillet", radius / MILLIMETRES,

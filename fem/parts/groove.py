@@ -46,10 +46,7 @@ class Groove:
     def end(self, land: float, outward: int) -> float:
         """Contact angle [rad] at which a land of radius `land` [m] cuts the arc; `outward`: -1 inside balls.
 
-        Raises
-        ------
-        ImpossiblePart
-            if the land does not cut the arc
+        Raises `ImpossiblePart` if the land does not cut the arc.
         """
         depth = outward * (land - self.centre_radius)
         low, high = sorted((self.centre_radius, self.bottom(outward)))

@@ -11,10 +11,7 @@ class ImpossiblePart(ValueError):
 def require(holds: bool, name: str, value: object, allowed: str) -> None:
     """Refuse an impossible value.
 
-    Raises
-    ------
-    ImpossiblePart
-        unless it holds
+    Raises `ImpossiblePart` unless it holds.
     """
     if not holds:
         raise ImpossiblePart(f"{name} = {value} is impossible; allowed is {allowed}")
@@ -28,10 +25,7 @@ def in_mm(length: float) -> str:
 def require_positive(part: object, *names: str) -> None:
     """Refuse a part with an attribute that is not a finite number above zero.
 
-    Raises
-    ------
-    ImpossiblePart
-        for the first such attribute
+    Raises `ImpossiblePart` for the first such attribute.
     """
     for name in names:
         value = getattr(part, name)

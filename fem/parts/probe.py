@@ -33,10 +33,7 @@ class Probe:
 def radius(part: "Part | StepSolid", probe: Probe) -> float:
     """Radius at which a probe reads [m].
 
-    Raises
-    ------
-    ImpossiblePart
-        where the part has no material, or no known surfaces
+    Raises `ImpossiblePart` where the part has no material, or no known surfaces.
     """
     if not isinstance(part, Part):
         raise ImpossiblePart("surfaces of a drawn solid are not known; allowed are rings and squirrel cages")

@@ -60,10 +60,7 @@ class Resolution:
     def mesh(self) -> MeshSize:
         """Element sizes.
 
-        Raises
-        ------
-        ImpossiblePart
-            if none are given
+        Raises `ImpossiblePart` if none are given.
         """
         if self.mesh_size is None:
             raise ImpossiblePart("mesh_size = None is impossible; allowed is a MeshSize, but for a beam")
@@ -73,10 +70,7 @@ class Resolution:
     def patches(self) -> Patches:
         """Loaded patches on a solid.
 
-        Raises
-        ------
-        ImpossiblePart
-            if the rollers have no azimuths, or the patches no width
+        Raises `ImpossiblePart` if the rollers have no azimuths, or the patches no width.
         """
         if self.azimuths is None or self.patch_width is None:
             raise ImpossiblePart(

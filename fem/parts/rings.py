@@ -358,10 +358,7 @@ def _require_inside(offset: float, width: float) -> None:
 def require_on_track(length: float, track: float) -> None:
     """Refuse a loaded band [m] that is longer than the track.
 
-    Raises
-    ------
-    ImpossiblePart
-        if rollers would run beyond it
+    Raises `ImpossiblePart` if rollers would run beyond it.
     """
     if length > track * (1 + 1e-9):
         raise ImpossiblePart(f"rollers of {in_mm(length)} run beyond the track of {in_mm(track)}")

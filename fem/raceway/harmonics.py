@@ -379,10 +379,8 @@ class HarmonicCompliance:
     def require_enough(self) -> None:
         """Refuse a compliance of which too much is extrapolated.
 
-        Raises
-        ------
-        TooFewHarmonics
-            if more than `TRUNCATED` of the own terms comes from beyond the last harmonic
+        Raises `TooFewHarmonics` if more than `TRUNCATED` of the own terms comes from beyond the last
+        harmonic.
         """
         if not self.truncation <= TRUNCATED:
             raise TooFewHarmonics(

@@ -73,12 +73,7 @@ def raceway_compliance(
 def last_harmonic_of_patches(part: Part | BoltedRing, resolution: Resolution) -> int:
     """Harmonics that the patches on a groove have, or that are given.
 
-    Raises
-    ------
-    ImpossiblePart
-        if the part has no groove
-    NotSolved
-        if the mesh is too coarse for them
+    Raises `ImpossiblePart` if the part has no groove; `NotSolved` if the mesh is too coarse for them.
     """
     groove, stations = part.groove, resolution.stations
     if groove is None or stations is None:

@@ -228,10 +228,7 @@ class RollersOnLines:
 def require_held(support: LineSupports, axial_modes: int) -> None:
     """Refuse lines that leave a motion which the raceway can cause.
 
-    Raises
-    ------
-    ImpossiblePart
-        if rollers can tilt the ring
+    Raises `ImpossiblePart` if rollers can tilt the ring.
     """
     if support.tilting and axial_modes > 1:
         raise ImpossiblePart(

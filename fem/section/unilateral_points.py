@@ -168,10 +168,7 @@ def _energy(points: SupportPoints) -> tuple[float, NDArray]:
 def require_energy(points: SupportPoints) -> None:
     """Refuse supports that would gain energy by pushing: two of them as one, or a body too thick for them.
 
-    Raises
-    ------
-    ImpossiblePart
-        naming the smallest angle between them
+    Raises `ImpossiblePart` naming the smallest angle between them.
     """
     _energy(points)
 

@@ -81,10 +81,7 @@ class BallPartner:
     def solve(self, start: BallState | None = None, deviation: NDArray | None = None) -> BallState:
         """Balance between grooves of given deviations (2, Z, K) [m].
 
-        Raises
-        ------
-        PartnerFailed
-            where there is none
+        Raises `PartnerFailed` where there is none.
         """
         grooves = None
         if deviation is not None:
@@ -149,10 +146,7 @@ def equilibrium(
 ) -> AngularContactState:
     """Balance of balls, ring and what carries its grooves; iterations are stored for a run.
 
-    Raises
-    ------
-    NotCoupled
-        where there is none
+    Raises `NotCoupled` where there is none.
     """
     partner, raceways = BallPartner(model, operation, grooves.angles), grooves.raceways
     rigid = BallState.of(model.solve(operation), grooves.angles)

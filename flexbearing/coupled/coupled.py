@@ -22,10 +22,7 @@ class BearingPartner:
     def solve(self, start=None, deviation=None) -> Equilibrium:
         """Equilibrium between raceways of given deviations.
 
-        Raises
-        ------
-        PartnerFailed
-            when the bearing found no equilibrium
+        Raises `PartnerFailed` when the bearing found no equilibrium.
         """
         try:
             return self.model.solve(start, deviation)
@@ -40,10 +37,7 @@ class BearingPartner:
     def iterate(self, compliance, start, deviation) -> Iterator[Equilibrium]:
         """Newton iterates between elastic raceways.
 
-        Raises
-        ------
-        PartnerFailed
-            when the bearing found no equilibrium
+        Raises `PartnerFailed` when the bearing found no equilibrium.
         """
         try:
             yield from self.model.iterate(compliance, start, deviation)
@@ -54,10 +48,7 @@ class BearingPartner:
 def equilibrium(bearing: BearingPartner, rings: RacewayPair, coupling: Coupling) -> Equilibrium:
     """Equilibrium of a bearing and its rings by newton, or where it fails by `iqn-ils`; nothing is stored.
 
-    Raises
-    ------
-    NotSolved
-        where neither converges; the message has those of both
+    Raises `NotSolved` where neither converges; the message has those of both.
     """
     criterion = StoppingCriterion(tolerance=coupling.tolerance, limit=coupling.max_iterations)
     try:

@@ -83,10 +83,7 @@ def _put(state: Equilibrium, x: Unknowns) -> Equilibrium:
 def initial_state(start: Result, case: Case) -> InitialState:
     """The end state that a case shall start from.
 
-    Raises
-    ------
-    BadCase
-        where the case cannot start from another one, or not from this one; it says what differs
+    Raises `BadCase` where the case cannot start from another one, or not from this one; it says what differs.
     """
     if problem := _of_case(case) or _of_result(start, case) or _differing(start, case):
         raise BadCase(f"start {start.place}: {problem}")

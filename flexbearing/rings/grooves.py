@@ -67,10 +67,7 @@ def accuracy_of(case: BallCase) -> tuple[str, GrooveAccuracy | Rings]:
 def parts(case: BallCase) -> tuple[Arguments | None, Arguments | None]:
     """What decides the elastic grooves of a case, inner and outer; None where a ring is rigid.
 
-    Raises
-    ------
-    BadCase
-        when no such part can exist, or its elements are too small
+    Raises `BadCase` when no such part can exist, or its elements are too small.
     """
     inner, outer = (shape and _arguments(case, shape) for shape in (shape_of(case, race) for race in RACES))
     for race, arguments in zip(RACES, (inner, outer), strict=True):
@@ -93,10 +90,7 @@ def _require_affordable(case: BallCase, race: Race, arguments: Arguments) -> Non
 def shape_of(case: BallCase, race: Race) -> GrooveShape | None:
     """Part that carries a groove, with the patches on it; None where a ring is rigid.
 
-    Raises
-    ------
-    BadCase
-        when no such part can exist
+    Raises `BadCase` when no such part can exist.
     """
     part = groove_part(case, race)
     if part is None or part.groove is None:
@@ -140,12 +134,7 @@ def _spread(first: float, last: float, count: int) -> tuple[float, ...]:
 def elastic_grooves(case: BallCase, azimuths: NDArray, report: Report) -> ElasticGrooves | None:
     """Both grooves under balls at azimuths (Z) [rad]; None between rigid rings.
 
-    Raises
-    ------
-    BadCase
-        when a part cannot exist
-    NotSolved
-        when the finite elements find none
+    Raises `BadCase` when a part cannot exist; `NotSolved` when the finite elements find none.
     """
     shapes = (shape_of(case, race) for race in RACES)
     inner, outer = (shape and groove_of_shape(case, shape, azimuths, report) for shape in shapes)
@@ -198,12 +187,7 @@ def _stations(case: BallCase, shape: GrooveShape) -> fem.Stations:
 def groove_of_shape(case: BallCase, shape: GrooveShape, azimuths: NDArray, report: Report) -> ElasticGroove:
     """A groove of some shape under balls at azimuths (Z) [rad], as finely resolved as a case has it.
 
-    Raises
-    ------
-    BadCase
-        when the part cannot exist
-    NotSolved
-        when the finite elements find none
+    Raises `BadCase` when the part cannot exist; `NotSolved` when the finite elements find none.
     """
     with _named(case, shape.race):
         at_balls = compliance(case, shape, report).at(azimuths)
@@ -223,12 +207,7 @@ def _groove(case: BallCase, shape: GrooveShape, at_balls: LinearRaceway) -> Elas
 def compliance(case: BallCase, shape: GrooveShape, report: Report) -> Any:
     """Compliance of a groove for balls anywhere.
 
-    Raises
-    ------
-    BadCase
-        when the part cannot exist
-    NotSolved
-        when the finite elements find none
+    Raises `BadCase` when the part cannot exist; `NotSolved` when the finite elements find none.
     """
     name = f"{shape.race} ring"
     report.stage(name, None)

@@ -145,10 +145,7 @@ def _preload_place(case: FastCase) -> float:
 def build(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperation]:
     """Bearing and operation of a case; raises `ImpossiblePart` or `OutOfRange` where they cannot be.
 
-    Raises
-    ------
-    BadCase
-        when no such elastic ring can exist
+    Raises `BadCase` when no such elastic ring can exist.
     """
     if not case.rigid:
         from flexbearing.rings import grooves  # finite elements are not described between rigid rings

@@ -45,10 +45,7 @@ def content(case: Head, effects: dict[str, Any]) -> bytes:
 def attributes(case: Head) -> dict[str, Any]:
     """Root attributes of a result by the file next to its case.
 
-    Raises
-    ------
-    BadCase
-        for a file that cannot be read, or holds no effects
+    Raises `BadCase` for a file that cannot be read, or holds no effects.
     """
     path = case.source.path
     if not (path and exists(place := name(Path(path)))):  # noqa: PTH110

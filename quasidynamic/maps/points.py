@@ -38,10 +38,7 @@ class GridPoints:
     ) -> "GridPoints":
         """Points of bearings that differ in numbers only.
 
-        Raises
-        ------
-        OutOfRange
-            where not the same equations hold at all points
+        Raises `OutOfRange` where not the same equations hold at all points.
         """
         kinds, numbers = kinds_and_numbers(bearings)
         if len(kinds) > 1:

@@ -94,10 +94,7 @@ def belongings(model: Model, part: Part) -> list[Part]:
 def bearing(model: Model, part: Part) -> Bearing:
     """A bearing as entries of a page, under the load and the speed of its heaviest load case.
 
-    Raises
-    ------
-    BadCase
-        for a kind or a number of rows that no case can have, and for numbers that are none
+    Raises `BadCase` for a kind or a number of rows that no case can have, and for numbers that are none.
     """
     if not is_computable(part):
         raise BadCase(f"bearing_type {kind_of(part)!r} is none of {', '.join(LIKE)}.")

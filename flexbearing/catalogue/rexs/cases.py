@@ -51,12 +51,8 @@ class Order:
 def cases(file: Path, order: Order, tell: Tell) -> Iterator[tuple[Path, str]]:
     """Write the cases; of several bearings each has the number of its component behind the file's name.
 
-    Raises
-    ------
-    BadCase
-        where the file is no model of REXS 1.x, and where no case can be written of it
-    BadOutput, NotStored
-        where a case cannot be written
+    Raises `BadCase` where the file is no model of REXS 1.x, and where no case can be written of it;
+    `BadOutput`, `NotStored` where a case cannot be written.
     """
     model = read(order.model)
     name = excerpt(str(order.model), LONGEST_NAME)

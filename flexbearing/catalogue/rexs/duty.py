@@ -34,10 +34,7 @@ def places(case: Path) -> tuple[Path, Path]:
 def written(bearing: Bearing, case: Path, given: Collection[str], source: str) -> str:
     """Write the load cases as a duty cycle; in words what was written, or why nothing was.
 
-    Raises
-    ------
-    BadOutput, NotStored
-        where it cannot be written
+    Raises `BadOutput`, `NotStored` where it cannot be written.
     """
     count = len(bearing.points)
     if count < 2:

@@ -25,10 +25,7 @@ _ENCODING = re.compile(rb"(?:\xef\xbb\xbf)?\s*<\?xml[^>]{0,200}?encoding\s*=\s*[
 def read(path: Path) -> Model:
     """Read a model, whose form is that of its content, not that of its name.
 
-    Raises
-    ------
-    BadCase
-        where it is none
+    Raises `BadCase` where it is none.
     """
     try:
         content, others = inputs.content(path, REXS), ()

@@ -12,10 +12,7 @@ from flexbearing.printable import excerpt
 def root(content: bytes) -> Element:
     """The model; numbers stay texts, which are checked where they are used.
 
-    Raises
-    ------
-    BadCase
-        where it is no JSON in UTF-8, or its objects are none of REXS
+    Raises `BadCase` where it is no JSON in UTF-8, or its objects are none of REXS.
     """
     try:
         found = json.loads(content.decode("utf-8-sig"), parse_int=str, parse_float=str, parse_constant=str)

@@ -18,10 +18,7 @@ def filled(
 
     Load ratings of the model count for a load even where a page of this kind has none.
 
-    Raises
-    ------
-    BadCase
-        for a given entry that cannot be read
+    Raises `BadCase` for a given entry that cannot be read.
     """
     numbers = (*LIKES[like].needed, "dynamic_rating", "static_rating", "axial")
     texts = {**ratings, **options}

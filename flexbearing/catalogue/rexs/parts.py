@@ -38,10 +38,7 @@ class Part:
     def number_of(self, name: str, unit: str) -> float | None:
         """A number in a unit as REXS spells it; None where the part does not have it.
 
-        Raises
-        ------
-        BadCase
-            for another unit, or no number
+        Raises `BadCase` for another unit, or no number.
         """
         value = self.attributes.get(name)
         return None if value is None else self._number(name, value, value.text, unit)
