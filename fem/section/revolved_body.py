@@ -59,7 +59,7 @@ def assembled(
     foundations : mapping
         `Springs` to ground by the name of the edge
     nodes_of : list of AxialSection, optional
-        whose mesh is taken, as by `fem.mesh.axial_section.meshed`
+        whose mesh is taken, as by `fem.mesh.section_mesh.meshed`
 
     Returns
     -------

@@ -149,7 +149,8 @@ def equilibrium(
     Raises `NotCoupled` where there is none.
     """
     partner, raceways = BallPartner(model, operation, grooves.angles), grooves.raceways
-    rigid = BallState.of(model.solve(operation), grooves.angles)
+    rounded = replace(model, bearing=replace(model.bearing, approaches=()))  # a cam needs rings that give way
+    rigid = BallState.of(rounded.solve(operation), grooves.angles)
     coupled = CoupledBearing(coupling, partner, raceways, rigid)
     attempts = coupled.solve(run.record, run.report, values) if run else list(coupled.attempts())
     last, best = attempts[-1], nearest(attempts) if run else None

@@ -11,7 +11,7 @@ from fem import ClampedFace, Foundation, Housing, ImpossiblePart, MeshSize, Oute
 from fem.cage.cyclic_symmetry import cage_responses
 from fem.cage.moved_cage import near_responses
 from fem.condense import HARMONICS, SMEARED, condense_in_process
-from fem.mesh import axial_section
+from fem.mesh import axial_section, section_mesh
 from fem.mesh.half_pitch import half_pitch
 from fem.mesh.moved_nodes import Faces, move_nodes
 from fem.parts.resolution import Shape
@@ -128,13 +128,13 @@ def test_slope_on_moved_nodes_is_that_of_meshes_of_their_own():
 def test_clamped_ring_with_thicker_wall_keeps_its_end_face():
     ring = replace(RING, support=ClampedFace())
     bodies, others = (axial_section.sections(each, L) for each in (replace(ring, thickness=4e-3), ring))
-    mesh = axial_section.meshed(bodies, SECTION, others)
+    mesh = section_mesh.meshed(bodies, SECTION, others)
     assert ngs.Integrate(ngs.CF(1) * ngs.ds("clamped"), mesh) == approx(4.0, rel=1e-12)
     assert ngs.Integrate(ngs.CF(1), mesh) == approx(40.0, rel=1e-12)
 
 
 def test_faces_that_would_come_apart_are_refused():
-    mesh = axial_section.meshed(axial_section.sections(ON_SPRINGS, L), SECTION)
+    mesh = section_mesh.meshed(axial_section.sections(ON_SPRINGS, L), SECTION)
     together, apart = (Faces(x=(0.0, x), radii=(1.0, 2.0)) for x in (0.0, 1e-4))
     for before, after in ((together, apart), (apart, together)):
         with pytest.raises(ImpossiblePart, match="come apart"):

@@ -56,7 +56,7 @@ def test_every_case_that_comes_along_is_solved(run, name):
     assert set(result.rigid) <= set(result.family.layout().datasets("block"))
     assert json.loads(json.dumps(numbers, allow_nan=False)) == numbers
     assert numbers["title"] in text(result)
-    assert "converged: " in text(result)
+    assert "converged" in text(result)
 
 
 @pytest.mark.parametrize(
@@ -247,7 +247,7 @@ def test_held_ring_reports_the_load_it_takes(run):
 def test_reaction_where_the_ring_is_held_is_among_the_printed_results(run):
     held = run("6209", "operation.displacement.axial=10 um")
     shown = text(held).split("load or reaction, x")[1].split("\n")[0]
-    assert float(shown.split()[0].replace(",", "")) == approx(held.rigid["ring_load"][0], rel=5e-4)
+    assert shown.split()[0] == f"{held.rigid['ring_load'][0]:,.1f}"
 
 
 SETTINGS = {

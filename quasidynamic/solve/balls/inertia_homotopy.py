@@ -163,6 +163,7 @@ class InertiaFamily:
     def _matrix(self, by_ball: Vectors, by_groove: Vectors) -> BorderedMatrix:
         """Derivatives of the unbalanced forces by the places, from (2, 3, 1, Z)."""
         balance, free = self.balance, self._free
+        unknowns = 2 * by_ball.shape[-1]
         to_groove = balance.ring_to_groove[:, free].T  # (F, Z)
         by_ring = by_groove[0, :, 0, None] * to_groove.real + by_groove[1, :, 0, None] * to_groove.imag
         excess, force, traction = by_ring  # (F, Z)
@@ -173,8 +174,8 @@ class InertiaFamily:
         largest = max(np.abs(balls).max(), np.abs(on_ring).max(initial=0.0))
         return BorderedMatrix(
             ring=-balance.on_ring(force, traction)[:, free].T,
-            ring_by_balls=-on_ring.transpose(2, 1, 0).reshape(len(free), -1),
-            balls_by_ring=np.stack([excess.real, excess.imag], axis=-1).reshape(len(free), -1).T,
+            ring_by_balls=-on_ring.transpose(2, 1, 0).reshape(len(free), unknowns),
+            balls_by_ring=np.stack([excess.real, excess.imag], axis=-1).reshape(len(free), unknowns).T,
             balls=balls - FLOATING * largest * np.eye(2),
         )
 
