@@ -550,6 +550,21 @@ def test_rows_with_shares_are_sorted_into_bins_as_those_of_a_series(tmp_path, me
     assert study.spectrum.measure == measure.split()[0]
 
 
+def test_bins_need_rows_with_shares(tmp_path):
+    file, *_ = random_series(tmp_path, 20, "bins = 12")
+    given = file.read_text()
+    (tmp_path / "measured.csv").write_text("operation.radial_load [N]\n5000\n3000")
+    prepare_source(file)  # rows of a series last equally long
+    file.write_text(given.replace("series", "file"))
+    with pytest.raises(BadCase, match="shares of its rows"):
+        prepare_source(file)
+    file.write_text(
+        given.replace('series = "measured.csv"', 'time = [1]\n"operation.radial_load" = ["5 kN"]')
+    )
+    with pytest.raises(BadCase, match="without file or series"):
+        prepare_source(file)
+
+
 @pytest.mark.slow
 def test_the_error_of_the_bins_is_that_of_a_series_without_bins(tmp_path):
     """The life without bins is that of as many variants as the series has rows."""

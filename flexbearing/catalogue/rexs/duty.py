@@ -86,7 +86,8 @@ def _lacking(bearing: Bearing, columns: Mapping[str, list[float | None]]) -> str
 
 def _shares(points: tuple[Point, ...]) -> tuple[str, list[float], float]:
     """Heading and shares of the time, and their sum."""
-    measure = measure_of([point.shares for point in points]) or "%"
+    measure = measure_of([point.shares for point in points])
+    assert measure is not None  # else shares are lacking
     shares = [point.shares[measure] for point in points]
     total = fsum(shares)
     complete = measure != "%" or abs(total - 100) <= COMPLETE

@@ -34,18 +34,23 @@ class Binned:
 
 def series(file: Path, bins: int, find: Callable[[str], Declaration]) -> Binned:
     """Read a time series (CSV), whose column `time` says when a row begins, and sort it, see `binned`."""
-    return binned(file, bins, find, {TIME: _seconds})
+    return binned(file, bins, find, {TIME: _seconds}, alike=True)
 
 
-def binned(file: Path, bins: int, find: Callable[[str], Declaration], weighing: Weighing) -> Binned:
+def binned(
+    file: Path, bins: int, find: Callable[[str], Declaration], weighing: Weighing, *, alike: bool = False
+) -> Binned:
     """Read a table (CSV) and sort its rows into bins of equal width, a third as many where keys are no loads.
 
     With the loads of the bins they have the damage of their rows where the life goes with P^-p; other keys
-    have their mean over the weights. Rows without a column of weights count alike, as equal times.
+    have their mean over the weights. `alike`: rows may lack weights, and then are equal times.
 
     Raises `BadValues` naming file, row or key.
     """
     measure, weights, values, units = _read(file, find, weighing)
+    if measure is None and not alike:
+        raise BadValues(f"{file.name} needs the shares of its rows, {' or '.join(weighing)}")
+    measure = measure or TIME
     rows_read, counted = len(weights), weights > 0
     weights, values = weights[counted], {key: numbers[counted] for key, numbers in values.items()}
     each = [_places(of, bins if _exponent(key) else max(1, bins // 3)) for key, of in values.items()]
@@ -63,14 +68,14 @@ def binned(file: Path, bins: int, find: Callable[[str], Declaration], weighing: 
 
 def _read(
     file: Path, find: Callable[[str], Declaration], weighing: Weighing
-) -> tuple[str, NDArray, dict[str, NDArray], dict[str, str]]:
-    """Measure and weights of the rows (N), their numbers by key, and their SI units."""
+) -> tuple[str | None, NDArray, dict[str, NDArray], dict[str, str]]:
+    """Measure, None without one, and weights of the rows (N), their numbers by key, and their SI units."""
     keys, table = rows(file, lambda key: key in weighing or find(key).kind is not None)
     texts = dict(zip(keys, zip(*table, strict=True), strict=True))
     found = {name: weigh(texts.pop(name)) for name, weigh in weighing.items() if name in texts}
     if len(found) > 1:
         raise BadValues(f"{file.name} has {' and '.join(found)}; the shares of rows are of one of them")
-    measure, weights = next(iter(found.items()), (TIME, np.ones(len(table))))
+    measure, weights = next(iter(found.items()), (None, np.ones(len(table))))
     if not texts:
         raise BadValues(f"{file.name} has no key of the case, such as operation.radial_load [N]")
     kinds = {key: _kind(key, find(key)) for key in texts}

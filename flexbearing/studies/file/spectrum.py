@@ -72,6 +72,8 @@ def _columns(
         raise BadValues("file and series are both there; the rows are in one of them")
     name = duty.file or duty.series
     if name is None:
+        if duty.bins is not None:
+            raise BadValues("bins is given without file or series, whose rows are sorted into them")
         return columns, None
     if duty.file and duty.bins is None:
         keys, table = rows(folder / name, lambda key: key in MEASURES or find(key).kind is not None)
