@@ -17,10 +17,10 @@ import numpy as np
 
 import fem
 from benchmarks.machine import describe
-from fem.cage.loaded_cage import feet_size, loaded_cage
 from fem.section.loaded_section import loaded_section
 from fem.solid.clearing import clearing
 from fem.solid.extremes import BodyExtremes, extremes
+from fem.squirrel_cage.loaded_cage import feet_size, loaded_cage
 from flexbearing.runs.fields import FOR_STRESSES
 
 STEEL = fem.Elastic(youngs_modulus=203e9, poisson_ratio=0.28)

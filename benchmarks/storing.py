@@ -8,8 +8,8 @@ from threadpoolctl import threadpool_limits
 from benchmarks.machine import describe, median_seconds
 from flexbearing import read, run
 from flexbearing.files import write
-from flexbearing.results import hdf5
-from flexbearing.results.image import image
+from flexbearing.results import hdf5_read
+from flexbearing.results.hdf5_write import image
 
 CASE = "configs/mao2016.toml"
 CASES = {
@@ -40,7 +40,7 @@ def main() -> None:
                 0
             ]
             data = out.read_bytes()
-            content, _ = hdf5.content(data)
+            content, _ = hdf5_read.content(data)
             steps = {
                 "run": whole,
                 "bytes of the file": median_seconds(lambda c=content: image(c), RUNS)[0],

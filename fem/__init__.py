@@ -28,8 +28,8 @@ if TYPE_CHECKING:
         Part as Part,
         Patches as Patches,
         RingOnShaft as RingOnShaft,
-        SquirrelCage as SquirrelCage,
     )
+    from fem.parts.squirrel_cage import SquirrelCage as SquirrelCage
 
 EXPORTS = {
     "parts.bolted_ring": ("BoltedRing",),
@@ -46,7 +46,8 @@ EXPORTS = {
     "parts.material": ("Elastic", "ImpossiblePart"),
     "parts.reduced_body": ("ReducedBody",),
     "parts.resolution": ("Discretisation", "Resolution"),
-    "parts.rings": ("MeshSize", "OuterRing", "Part", "Patches", "RingOnShaft", "SquirrelCage"),
+    "parts.rings": ("MeshSize", "OuterRing", "Part", "Patches", "RingOnShaft"),
+    "parts.squirrel_cage": ("SquirrelCage",),
 }
 
 

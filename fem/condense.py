@@ -17,7 +17,8 @@ from fem.parts.groove import Groove
 from fem.parts.material import ImpossiblePart
 from fem.parts.reduced_body import ReducedBody
 from fem.parts.resolution import Discretisation, Resolution, Shape
-from fem.parts.rings import OuterRing, Part, RingOnShaft, SquirrelCage, require_on_track
+from fem.parts.rings import OuterRing, Part, RingOnShaft, require_on_track
+from fem.parts.squirrel_cage import SquirrelCage
 from fem.parts.step_solid import StepSolid
 from fem.stages import Report, Stage, stages, unheard
 from fem.subprocess import in_subprocess, started
@@ -147,7 +148,7 @@ def seat_growth(part: Part, resolution: Resolution) -> "RacewayGrowth":
 
 
 def _cage_seat_growth(part: SquirrelCage, resolution: Resolution, report: Report) -> "RacewayGrowth":
-    from fem.cage.seat_growth import cage_seat_growth
+    from fem.squirrel_cage.seat_growth import cage_seat_growth
 
     return cage_seat_growth(part, resolution)
 
@@ -283,8 +284,6 @@ def _cage_in_space(
     A wave too short for them is still coupled to long ones by the bars: an answer to the long wave, which
     they resolve, says how much. What the short wave answers to itself comes from the section.
     """
-    from fem.cage.cyclic_symmetry import cage_responses
-    from fem.cage.moved_cage import near_responses
     from fem.raceway.harmonics import (
         FEWEST,
         harmonic_compliance,
@@ -293,6 +292,8 @@ def _cage_in_space(
         with_short_waves,
     )
     from fem.section.smeared_cage import short_waves
+    from fem.squirrel_cage.cyclic_symmetry import cage_responses
+    from fem.squirrel_cage.moved_cage import near_responses
 
     shape = _shape(cage, resolution)
     resolved = coupled = _last_harmonic(cage, HARMONICS, resolution)

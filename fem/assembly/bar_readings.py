@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from fem.assembly.elasticity import lame_constants, strain
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.bar_section import bar_section
-from fem.parts.rings import SquirrelCage
+from fem.parts.squirrel_cage import SquirrelCage
 
 MEAN = 30.0  # over the integral of xi^2 (1 - xi)^2 from 0 to 1
 SLOPE = 840.0  # over that of (xi - 1/2)^2 xi^2 (1 - xi)^2
@@ -45,7 +45,7 @@ def bar_readings(space, cage: SquirrelCage, half: bool) -> NDArray:
     -------
     array (unknowns, 6), or 12 with bars at both ends
         [N/m, N m/m]: N, M_n at the ring and at the flange, M_t at both, T about +x; signs as in
-        `fem.cage.bar_forces`
+        `fem.squirrel_cage.bar_forces`
     """
     return np.hstack([_at_end(space, cage, half, end) for end in cage.ends])
 

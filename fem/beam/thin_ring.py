@@ -37,7 +37,8 @@ from fem.errors import NotSolved
 from fem.half_space.line_load import indentation_harmonics
 from fem.parts.boundary_conditions import ClampedFace, Foundation
 from fem.parts.resolution import Resolution
-from fem.parts.rings import Elastic, ImpossiblePart, OuterRing, Part, RingOnShaft, SquirrelCage
+from fem.parts.rings import Elastic, ImpossiblePart, OuterRing, Part, RingOnShaft
+from fem.parts.squirrel_cage import SquirrelCage
 from fem.raceway.bar_response import BarResponse, of_revolution
 from fem.raceway.harmonics import FEWEST, FINENESS, Responses
 from fem.stages import Stage

@@ -13,7 +13,8 @@ from fem.mesh.expense import polygon, require_affordable
 from fem.parts.bolted_ring import BoltedRing
 from fem.parts.boundary_conditions import Housing, edge_names
 from fem.parts.groove import Groove
-from fem.parts.rings import ImpossiblePart, MeshSize, OuterRing, RingOnShaft, SquirrelCage
+from fem.parts.rings import ImpossiblePart, MeshSize, OuterRing, RingOnShaft
+from fem.parts.squirrel_cage import SquirrelCage
 
 FINER = ("raceway", "lines")  # edges with elements of a size of their own
 AXIS = 0.005  # bore in the section of a solid shaft over its diameter: elastic to 1e-4, no 1/r at r = 0

@@ -25,7 +25,8 @@ from fem.mesh.solid import (
     size_raceway,
 )
 from fem.parts.resolution import Shape
-from fem.parts.rings import MeshSize, SquirrelCage, require_on_track
+from fem.parts.rings import MeshSize, require_on_track
+from fem.parts.squirrel_cage import SquirrelCage
 
 NEAR = 1e-6  # [mm], [rad] geometric tolerance
 LAYERS = 1  # of elements refined geometrically towards a sharp edge

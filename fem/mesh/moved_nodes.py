@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.material import ImpossiblePart
-from fem.parts.rings import SquirrelCage
+from fem.parts.squirrel_cage import SquirrelCage
 
 ONE = 1e-9  # [m] below it two faces are one
 

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.parts.boundary_conditions import ClampedFace, Housing
-from fem.parts.rings import OuterRing, RingOnShaft, SquirrelCage
+from fem.parts.rings import OuterRing, RingOnShaft
+from fem.parts.squirrel_cage import SquirrelCage
 from fem.parts.step_solid import StepSolid
 
 JUST_BEYOND = 1e-6  # of the reach

@@ -19,15 +19,8 @@ from fem.mesh.curved import FOLDED, curved
 from fem.mesh.expense import require_affordable
 from fem.parts.boundary_conditions import ClampedFace, Housing, RigidSeat, edge_names
 from fem.parts.material import require
-from fem.parts.rings import (
-    ImpossiblePart,
-    MeshSize,
-    OuterRing,
-    Part,
-    RingOnShaft,
-    SquirrelCage,
-    require_on_track,
-)
+from fem.parts.rings import ImpossiblePart, MeshSize, OuterRing, Part, RingOnShaft, require_on_track
+from fem.parts.squirrel_cage import SquirrelCage
 from fem.parts.step_solid import StepSolid
 
 MILLIMETRES = 1e3  # per metre

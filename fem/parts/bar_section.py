@@ -7,7 +7,7 @@ import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
-from fem.parts.rings import SquirrelCage
+from fem.parts.squirrel_cage import SquirrelCage
 
 POINTS = 6  # of the Gauss rule along each side
 

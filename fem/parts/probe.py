@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 from fem.parts.boundary_conditions import Housing
 from fem.parts.material import ImpossiblePart, in_mm
-from fem.parts.rings import OuterRing, Part, RingOnShaft, SquirrelCage
+from fem.parts.rings import OuterRing, Part, RingOnShaft
+from fem.parts.squirrel_cage import SquirrelCage
 
 if TYPE_CHECKING:
     from fem.parts.step_solid import StepSolid

@@ -4,7 +4,8 @@ from functools import lru_cache
 from math import pi
 
 from fem.parts.bar_section import bar_section
-from fem.parts.rings import OuterRing, SquirrelCage
+from fem.parts.rings import OuterRing
+from fem.parts.squirrel_cage import SquirrelCage
 
 
 @lru_cache(maxsize=64)  # most variants of a study have the rings of the one before

@@ -64,7 +64,8 @@ class BarResponse:
         Returns
         -------
         tuple of array (..., B, 6)
-            [N, N m], signs as in `fem.cage.bar_forces`; None for the second where there is no other order
+            [N, N m], signs as in `fem.squirrel_cage.bar_forces`; None for the second where there is no other
+            order
         """
         last = len(self.response) // 2
         n = np.arange(-last, last + 1)

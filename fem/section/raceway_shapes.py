@@ -9,7 +9,8 @@ from fem.parts.boundary_conditions import FreeMotions
 from fem.parts.groove import Groove, Stations
 from fem.parts.material import ImpossiblePart, require
 from fem.parts.resolution import Resolution
-from fem.parts.rings import Part, RingOnShaft, SquirrelCage
+from fem.parts.rings import Part, RingOnShaft
+from fem.parts.squirrel_cage import SquirrelCage
 from fem.raceway.harmonics import HarmonicCompliance, Responses, harmonic_compliance, highest_harmonic
 from fem.raceway.stations import DETAIL, GrooveCompliance
 from fem.section.revolved_body import Body, edge_modes, station_modes

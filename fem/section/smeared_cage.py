@@ -38,7 +38,8 @@ from fem.mesh.axial_section import smeared_sections
 from fem.mesh.section_mesh import meshed
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.resolution import Resolution, Shape
-from fem.parts.rings import MeshSize, SquirrelCage
+from fem.parts.rings import MeshSize
+from fem.parts.squirrel_cage import SquirrelCage
 from fem.raceway.bar_response import of_revolution
 from fem.raceway.harmonics import RESOLVED, Responses
 from fem.section.revolved_body import Body, edge_modes

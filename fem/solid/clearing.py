@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.mesh.notches import Notches, notches
-from fem.parts.rings import Part, Patches, SquirrelCage
+from fem.parts.rings import Part, Patches
+from fem.parts.squirrel_cage import SquirrelCage
 from fem.parts.step_solid import StepSolid
 
 CONTACT = 4.0  # standard deviations of a load patch: within them its own stress rules, which is the contact's

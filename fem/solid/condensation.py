@@ -13,7 +13,8 @@ from fem.assembly.factorisation import threads
 from fem.half_space.load_patch import half_space
 from fem.mesh.solid import meshed
 from fem.parts.resolution import Resolution, neighbour
-from fem.parts.rings import Part, SquirrelCage
+from fem.parts.rings import Part
+from fem.parts.squirrel_cage import SquirrelCage
 from fem.parts.step_solid import StepSolid
 from fem.raceway import symmetry
 from fem.raceway.bar_response import BarResponse, is_mirrored

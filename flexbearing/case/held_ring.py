@@ -179,7 +179,8 @@ def require_bars(ring: Any) -> list[Any]:
 
 def require_room_for_bars(ring: Any, inner_diameter: float, thickness: float, keys: str) -> None:
     """Raise unless bars fit into a ring of an inner diameter and a thickness [m], which `keys` give."""
-    from fem.parts.rings import SLENDEREST_SLOT, most_bars, thickest_bar, widest_bar  # only a cage needs them
+    from fem.parts.room import SLENDEREST_SLOT
+    from fem.parts.squirrel_cage import most_bars, thickest_bar, widest_bar
 
     bars, bar_width, bar_thickness, *_ = require_bars(ring)
     thickest = thickest_bar(thickness)
@@ -225,7 +226,7 @@ def require_directions(ring: Any) -> None:
 
 def require_shaft(ring: Any) -> None:
     """Raise unless a shaft below a ring has a wall, and reaches beyond the ring."""
-    from fem.parts.rings import ROUNDING, SLENDEREST_SLOT  # only a shaft needs them
+    from fem.parts.room import ROUNDING, SLENDEREST_SLOT
 
     bore, width, length = require(ring, ("bore", "width", "shaft_length"), 'inner.kind = "ring_on_shaft"')
     wall = ring.shaft_thickness

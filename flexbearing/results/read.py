@@ -19,7 +19,7 @@ from flexbearing.inputs.file import CASE as LARGEST
 from flexbearing.quantities import Quantity
 from flexbearing.quantities.attributes import FORMAT, OLDER
 from flexbearing.quantities.layout import ITERATION, Layout
-from flexbearing.results import hdf5
+from flexbearing.results import hdf5_read
 from flexbearing.results.attributes import decoded
 from flexbearing.results.checks import (
     NotInLayout,
@@ -48,8 +48,8 @@ def read(path: str | Path, families: Families) -> Result:
     path = Path(path)
     try:
         _require_there(path)
-        return of_content(*hdf5.content(hdf5.stored(path)), path, families)
-    except hdf5.Foreign as problem:
+        return of_content(*hdf5_read.content(hdf5_read.stored(path)), path, families)
+    except hdf5_read.Foreign as problem:
         raise BadResult(f"{path}: {_other_format(problem)}") from problem
     except BadResult:
         raise
@@ -63,8 +63,8 @@ def read(path: str | Path, families: Families) -> Result:
 
 def case_file(path: Path) -> str:
     """Say which case file a result is of, in any format that says so."""
-    with suppress(OSError, inputs.Unreadable, hdf5.BadContent):
-        stated = hdf5.attribute(hdf5.stored(path), "case_file")
+    with suppress(OSError, inputs.Unreadable, hdf5_read.BadContent):
+        stated = hdf5_read.attribute(hdf5_read.stored(path), "case_file")
         return stated if isinstance(stated, str) else ""
     return ""
 
@@ -173,7 +173,7 @@ def _require_there(path: Path) -> None:
     raise BadResult(f"{path}: no such file. `flexbearing run CASE -o {path.name}` would write it.")
 
 
-def _other_format(found: hdf5.Foreign) -> str:
+def _other_format(found: hdf5_read.Foreign) -> str:
     if found.number is None:
         return "an HDF5 file, but not a result of flexbearing: it has no format number."
     return _format(found.number, found.versions)

@@ -15,11 +15,11 @@ from flexbearing.case.family import Family
 from flexbearing.files import BadOutput, NotStored, lock, parts_of, require_output, write
 from flexbearing.files.atomic import host, part_name
 from flexbearing.quantities.layout import Layout
-from flexbearing.results import hdf5
+from flexbearing.results import hdf5_read
 from flexbearing.results.attributes import encoded
 from flexbearing.results.checks import NotInLayout
 from flexbearing.results.content import ITERATIONS, MEANINGS, Content, meanings, named_axes, scales
-from flexbearing.results.image import image
+from flexbearing.results.hdf5_write import image
 from flexbearing.results.record import Others, Record
 from flexbearing.results.result import Result
 
@@ -222,7 +222,7 @@ def _write_whole(place: Path, result: Result) -> None:
     """Write a file whose bytes were seen to hold the result."""
     content = content_of(result)
     data = image(content)
-    hdf5.require_held(data, content)
+    hdf5_read.require_held(data, content)
     write(place, data)
 
 

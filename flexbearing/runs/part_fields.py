@@ -90,7 +90,7 @@ class PartFields:
         """Radius of the raceway [m], and the part by two orders of displacements on a mesh for stresses."""
         loads = self.patches, self.forces
         if isinstance(self.part, fem.SquirrelCage):
-            from fem.cage.loaded_cage import feet_size, loaded_cage
+            from fem.squirrel_cage.loaded_cage import feet_size, loaded_cage
 
             meshed = self.part if self.nodes_of is None else self.nodes_of.part
             feet = feet_size(meshed) * self.sizes.coarseness

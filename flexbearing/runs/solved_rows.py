@@ -36,8 +36,8 @@ from quasidynamic.outcome.worst_line_contact import WorstLineContact
 from quasidynamic.several.indicator import each_several_likely
 
 if TYPE_CHECKING:
-    from fem.cage.bar_forces import NominalStresses
     from fem.solid.probes import Readings
+    from fem.squirrel_cage.bar_forces import NominalStresses
     from flexbearing.runs.part_fields import PartFields, Race
     from quasidynamic.outcome.subsurface import Subsurface
     from quasidynamic.outcome.whole_roller import WholeRoller

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from quasidynamic.note import Note, outside
 
 if TYPE_CHECKING:
-    from fem.cage.bar_forces import NominalStresses
+    from fem.squirrel_cage.bar_forces import NominalStresses
     from flexbearing.case.balls.angular_contact import FastCase
     from flexbearing.case.balls.four_point import FourPointCase
     from flexbearing.case.roller import Case
@@ -75,8 +75,8 @@ def nominal_stresses(case: "Case", end: "EndStates") -> "NominalStresses | None"
 
     assert end.rings.outer is not None  # or there are no bars
     import fem
-    from fem.cage import bar_forces
     from fem.raceway.bar_response import BarResponse
+    from fem.squirrel_cage import bar_forces
 
     response = end.rings.outer.bar_response
     part = ring_parts.outer_part(case) if isinstance(response, BarResponse) else None

@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 
-from fem.cage.bar_forces import BarForces
 from fem.parts.bar_section import bar_section
+from fem.squirrel_cage.bar_forces import BarForces
 
 POINTS = 6  # of the Gauss rule along each side of a section
 QUARTERS = (0.25, 0.75)  # of the bar: away from its feet, where plane sections stay plane

@@ -16,8 +16,6 @@ from fem.assembly import roller_loads
 from fem.assembly.bar_readings import bar_readings
 from fem.assembly.elasticity import elastic_energy
 from fem.assembly.factorisation import NotSolved, factorised, threads
-from fem.cage import cyclic_symmetry, loaded_cage
-from fem.cage.half_pitch_stiffness import assembled_half_pitch, imbalance, interior, reduced_to_cut
 from fem.half_space.line_load import indentation_harmonics
 from fem.mesh import half_pitch
 from fem.mesh.solid import MILLIMETRES, solids
@@ -26,6 +24,8 @@ from fem.raceway.harmonics import RESOLVED
 from fem.solid import condensation
 from fem.solid.extremes import von_mises
 from fem.solid.fields import LoadedSolid
+from fem.squirrel_cage import cyclic_symmetry, loaded_cage
+from fem.squirrel_cage.half_pitch_stiffness import assembled_half_pitch, imbalance, interior, reduced_to_cut
 from tests.fem.condensed import as_solid, by_harmonics
 from tests.fem.edge_layers import LAYERS, refined
 from tests.fem.test_parts import CAGE, STEEL

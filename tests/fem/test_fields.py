@@ -10,8 +10,6 @@ from pytest import approx
 
 from fem import ClampedFace, Elastic, Housing, ImpossiblePart, MeshSize, OuterRing, Patches, SquirrelCage
 from fem.assembly.elasticity import elastic_energy
-from fem.cage.bar_forces import BarForces
-from fem.cage.loaded_cage import loaded_cage
 from fem.mesh.notches import notches
 from fem.parts.bar_section import bar_section
 from fem.solid.clearing import clearing
@@ -23,6 +21,8 @@ from fem.solid.stress import principal, von_mises
 from fem.solid.support_stiffness import motion_forces, support_stiffness
 from fem.solid.vtu import vtu
 from fem.solid.whole_solid import WholeSolid
+from fem.squirrel_cage.bar_forces import BarForces
+from fem.squirrel_cage.loaded_cage import loaded_cage
 from tests.fem.bars_of_a_solid import bars_of
 from tests.fem.condensed import by_harmonics
 from tests.fem.test_parts import CAGE, SHAFT

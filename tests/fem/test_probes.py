@@ -20,7 +20,6 @@ from fem import (
     RingOnShaft,
     SquirrelCage,
 )
-from fem.cage.loaded_cage import loaded_cage
 from fem.parts.bar_section import bar_section
 from fem.parts.probe import Probe, radius
 from fem.parts.surroundings import Surroundings
@@ -29,6 +28,7 @@ from fem.solid.clearing import clearing
 from fem.solid.extremes import extremes, von_mises
 from fem.solid.lattice import hooke, hooke_reversed
 from fem.solid.probes import readings
+from fem.squirrel_cage.loaded_cage import loaded_cage
 
 STEEL = Elastic(youngs_modulus=203e9, poisson_ratio=0.28)
 POINT = Probe(azimuth=0.0, x=0.0, outside=True, depth=0.0, angle=0.0, length=0.0)

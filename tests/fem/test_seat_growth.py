@@ -16,10 +16,10 @@ from fem import (
     RigidSeat,
     RingOnShaft,
 )  # fmt: skip
-from fem.cage.seat_growth import cage_seat_growth
 from fem.condense import seat_growth
 from fem.section.bonded_growth import bonded_growth
 from fem.section.seat_growth import ring_seat_growth
+from fem.squirrel_cage.seat_growth import cage_seat_growth
 from tests.fem.test_parts import CAGE, SHAFT, STEEL
 
 THIN = OuterRing(raceway_diameter=75e-3, thickness=1e-3, width=20e-3, elastic=STEEL, support=ClampedFace())

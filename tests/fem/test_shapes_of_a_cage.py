@@ -8,8 +8,8 @@ import pytest
 from pytest import approx
 
 from fem import ClampedFace, Foundation, Housing, ImpossiblePart, LineSupports, MeshSize, OuterRing, RigidSeat
-from fem.cage.seat_growth import cage_seat_growth
 from fem.parts.resolution import Resolution
+from fem.squirrel_cage.seat_growth import cage_seat_growth
 from tests.fem.condensed import as_beam, by_harmonics, with_smeared_bars
 from tests.fem.test_parts import CAGE, STEEL
 

@@ -8,7 +8,7 @@ import h5py
 import numpy as np
 
 from flexbearing.quantities.attributes import FORMAT
-from flexbearing.results.image import LENGTH_ALONE
+from flexbearing.results.hdf5_write import LENGTH_ALONE
 from tests.flexbearing.resealed import resealed
 
 LOAD, LIFE = "rigid/inner_load", "rigid/life_L10"

@@ -14,7 +14,7 @@ from flexbearing.report.html.reader import Reader
 from flexbearing.report.html.units import METRIC
 from flexbearing.report.output import text
 from flexbearing.report.page import page
-from flexbearing.results import BadResult, NotInLayout, hdf5
+from flexbearing.results import BadResult, NotInLayout, hdf5_read
 from flexbearing.results.attributes import checked, decoded
 from flexbearing.results.read import of_content
 from tests.flexbearing.resealed import resealed
@@ -65,7 +65,7 @@ def good(tmp_path_factory):
     """Content of a converged result with every JSON attribute."""
     path = tmp_path_factory.mktemp("json") / "good.h5"
     flexbearing.run(CONFIGS / "mao2016.toml", RING, output=path)
-    content, _ = hdf5.content(path.read_bytes())
+    content, _ = hdf5_read.content(path.read_bytes())
     return changed(content, **GOOD)
 
 
@@ -182,7 +182,7 @@ def test_record_of_a_file_that_is_of_another_form_ends_with_bad_result(tmp_path)
 def test_case_without_a_key_that_the_summary_repeats_is_refused(tmp_path):
     path = tmp_path / "out.h5"
     flexbearing.run(CONFIGS / "joshi2015_fourpoint.toml", [], output=path)
-    content, _ = hdf5.content(path.read_bytes())
+    content, _ = hdf5_read.content(path.read_bytes())
     for case in ({}, {"friction": {}}, {"friction": []}, {"friction": {"torque": 1}}):
         with pytest.raises(NotInLayout, match="attribute case_si is not of its form: case_si"):
             result_of(changed(content, case_si=case))

@@ -20,8 +20,8 @@ from flexbearing.files.atomic import host
 from flexbearing.quantities.attributes import FORMAT
 from flexbearing.quantities.layout import FIXED
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.results import BadResult, NotInLayout, ResultFile, hdf5, write
-from flexbearing.results.image import image
+from flexbearing.results import BadResult, NotInLayout, ResultFile, hdf5_read, write
+from flexbearing.results.hdf5_write import image
 from tests.flexbearing.resealed import digest, resealed
 
 ROLLERS = FAMILIES["cylindrical_roller"]
@@ -596,12 +596,12 @@ def test_truncated_result_is_refused(path):
 
 def test_numbers_leave_a_list_of_texts_its_room(path, monkeypatch):
     """Results above 40 MB could not be read again, as their list of assumed keys might have been as long."""
-    stored = hdf5.content(written(path).read_bytes())[0]
-    monkeypatch.setattr(hdf5, "_TEXT_MEMORY", 2_000_000)
+    stored = hdf5_read.content(written(path).read_bytes())[0]
+    monkeypatch.setattr(hdf5_read, "_TEXT_MEMORY", 2_000_000)
     name = next(name for name, array in stored.arrays.items() if array.ndim)
     arrays = {**stored.arrays, name: np.ones(400_000)}
     large = replace(stored, attributes={**stored.attributes, "assumed": ["outer.bars"] * 5}, arrays=arrays)
-    assert hdf5.content(image(large))[0].attributes["assumed"] == ["outer.bars"] * 5
+    assert hdf5_read.content(image(large))[0].attributes["assumed"] == ["outer.bars"] * 5
 
 
 def test_hdf5_of_another_program_is_refused(path):
@@ -674,14 +674,14 @@ def test_whatever_is_changed_in_a_file_is_seen(good, path, change):
 @pytest.mark.slow
 def test_files_in_memory_are_not_taken_for_each_other(path):
     """The HDF5 library identifies files by name, also those that are in memory alone."""
-    stored = hdf5.content(written(path).read_bytes())[0]
+    stored = hdf5_read.content(written(path).read_bytes())[0]
     titles = [f"bearing {number}" for number in range(12)]
     images = [image(replace(stored, attributes={**stored.attributes, "title": title})) for title in titles]
     with ThreadPoolExecutor(4) as pool:
-        contents = list(pool.map(hdf5.content, images))
+        contents = list(pool.map(hdf5_read.content, images))
         again = list(pool.map(image, [content for content, _ in contents]))
     assert [content.attributes["title"] for content, _ in contents] == titles
-    assert [hdf5.content(image)[0].attributes["title"] for image in again] == titles
+    assert [hdf5_read.content(image)[0].attributes["title"] for image in again] == titles
 
 
 def test_every_array_with_an_axis_carries_a_checksum(path):
@@ -734,7 +734,7 @@ def flipped(data, bit):
 def test_no_flipped_bit_changes_an_answer(path):
     """Where a bit means nothing the same content is read, everywhere else the file is refused."""
     data = written(path).read_bytes()
-    good = hdf5.content(data)[0]
+    good = hdf5_read.content(data)[0]
     places = np.random.default_rng(7).integers(8 * len(data), size=60)
     refused = 0
     for bit in places:
@@ -745,7 +745,7 @@ def test_no_flipped_bit_changes_an_answer(path):
             refused += 1
             continue
         assert dict(result.attributes).keys() == good.attributes.keys() - {"meanings"}
-        again = hdf5.content(path.read_bytes())[0]
+        again = hdf5_read.content(path.read_bytes())[0]
         assert again.attributes == good.attributes
         assert all(np.array_equal(again.arrays[name], array) for name, array in good.arrays.items())
     assert refused > 20

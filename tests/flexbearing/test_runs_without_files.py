@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import flexbearing
-from flexbearing.results import image
+from flexbearing.results import hdf5_write
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 BEAM = {"inner.kind": "rigid", "outer.kind": "ring", "accuracy.structure": "beam"}  # nothing is meshed
@@ -40,8 +40,8 @@ def test_the_answer_is_that_of_the_file(name, empty):
 
 
 def test_nothing_is_serialised(empty, monkeypatch):
-    monkeypatch.setattr(image, "image", None)
-    monkeypatch.setattr(image.h5py, "File", None)
+    monkeypatch.setattr(hdf5_write, "image", None)
+    monkeypatch.setattr(hdf5_write.h5py, "File", None)
     assert flexbearing.run(CONFIGS / "mao2016.toml", BEAM).attributes["status"] == "converged"
 
 

@@ -37,7 +37,7 @@ def require_room(case: Any) -> None:
 
 def _require_arc(bearing: Any, race: Race) -> None:
     """Raise where a groove reaches the axis, or the centre of its arc lies beyond."""
-    from fem.parts.rings import SLENDEREST_SLOT
+    from fem.parts.room import SLENDEREST_SLOT
 
     diameter, pitch, slope = bearing.ball.diameter, bearing.pitch_diameter, cos(bearing.groove_angle)
     groove: Any = getattr(bearing, race)
@@ -54,7 +54,7 @@ def _require_arc(bearing: Any, race: Race) -> None:
 
 
 def _require_outer(case: Any) -> None:
-    from fem.parts.rings import SLENDEREST_SLOT, narrowest_ring
+    from fem.parts.room import SLENDEREST_SLOT, narrowest_ring
 
     outer, (groove, land) = case.outer, elastic_groove(case.bearing, "outer")
     thickness, width = require(outer, ("thickness", "width"), f'outer.kind = "{outer.kind}"')
@@ -74,7 +74,7 @@ def _require_outer(case: Any) -> None:
 
 
 def _require_inner(case: Any) -> None:
-    from fem.parts.rings import SLENDEREST_SLOT, narrowest_ring
+    from fem.parts.room import SLENDEREST_SLOT, narrowest_ring
 
     inner, (groove, land) = case.inner, elastic_groove(case.bearing, "inner")
     bore, width = require(inner, ("bore", "width"), 'inner.kind = "ring_on_shaft"')

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from flexbearing.case import BadCase
 from flexbearing.catalogue.entries import ENTRIES, LIKES
 from flexbearing.catalogue.page import names
-from flexbearing.catalogue.rexs.operation import Point, casing_of, heaviest, oriented, points
+from flexbearing.catalogue.rexs.load_cases import Point, casing_of, heaviest, oriented, points
 from flexbearing.catalogue.rexs.parts import Model, Part
 from flexbearing.catalogue.rexs.unused import belonging, unused, unused_by_kind
 from flexbearing.printable import excerpt

@@ -8,7 +8,7 @@ from flexbearing.case.declarations import toml
 from flexbearing.catalogue.entries import LIKES
 from flexbearing.catalogue.new import one_line
 from flexbearing.catalogue.rexs.bearings import Bearing
-from flexbearing.catalogue.rexs.operation import Point, measure_of
+from flexbearing.catalogue.rexs.load_cases import Point, measure_of
 from flexbearing.files import as_csv, require_outputs, write
 
 COMPLETE = 0.5  # [%] by how much a sum of percentages may be off, as studies allow

@@ -3,7 +3,7 @@
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
-from flexbearing.catalogue.rexs.operation import (
+from flexbearing.catalogue.rexs.load_cases import (
     CASING,
     GEAR_UNIT,
     carriers,

@@ -27,7 +27,7 @@ from fem.assembly import roller_loads
 from fem.assembly.bar_readings import bar_readings
 from fem.assembly.elasticity import elastic_energy
 from fem.assembly.static_condensation import Substructure, eliminate, owners
-from fem.parts.rings import SquirrelCage
+from fem.parts.squirrel_cage import SquirrelCage
 from fem.raceway.bar_response import is_mirrored
 
 NEGLIGIBLE = 1e-13  # part of the largest load pattern that is rounding

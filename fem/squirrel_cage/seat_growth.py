@@ -9,7 +9,7 @@ from fem.assembly.factorisation import factorised, threads
 from fem.mesh.half_pitch import half_pitch
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.resolution import Resolution
-from fem.parts.rings import SquirrelCage
+from fem.parts.squirrel_cage import SquirrelCage
 from fem.raceway.growth import RacewayGrowth
 
 WAVES = 4  # of the ripple by the bars: cos(k bars phi), k below it

@@ -19,7 +19,7 @@ from flexbearing import inputs
 from flexbearing.inputs.file import RESULT
 from flexbearing.quantities.attributes import FORMAT
 from flexbearing.results.content import DIGEST, Content
-from flexbearing.results.image import (
+from flexbearing.results.hdf5_write import (
     ALONG_AXIS,
     ATTACHED,
     LENGTH_ALONE,

@@ -27,7 +27,12 @@ from scipy.linalg import LinAlgError, cho_factor, cho_solve
 
 from fem.assembly import roller_loads
 from fem.assembly.factorisation import RESIDUAL, NotSolved, threads
-from fem.cage.half_pitch_stiffness import (
+from fem.mesh.half_pitch import half_pitch
+from fem.parts.resolution import Resolution, neighbour
+from fem.parts.squirrel_cage import SquirrelCage
+from fem.raceway.bar_response import MIRRORED, BarResponse, is_mirrored
+from fem.raceway.harmonics import Responses, support_error
+from fem.squirrel_cage.half_pitch_stiffness import (
     CutStiffness,
     HalfPitch,
     ReducedHalfPitch,
@@ -35,11 +40,6 @@ from fem.cage.half_pitch_stiffness import (
     imbalance,
     reduced_to_cut,
 )
-from fem.mesh.half_pitch import half_pitch
-from fem.parts.resolution import Resolution, neighbour
-from fem.parts.rings import SquirrelCage
-from fem.raceway.bar_response import MIRRORED, BarResponse, is_mirrored
-from fem.raceway.harmonics import Responses, support_error
 from fem.stages import Stage
 
 _log = logging.getLogger(__name__)

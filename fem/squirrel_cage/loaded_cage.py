@@ -1,8 +1,8 @@
 r"""Displacement and stress of a squirrel cage under its rollers, from half a pitch of it.
 
-Tractions are split into mirror images and phases; half a pitch answers each as in `fem.cage.cyclic_symmetry`,
-and its answers make up the displacement of every half pitch. A whole solid of such elements would have fifty
-times the unknowns.
+Tractions are split into mirror images and phases; half a pitch answers each as in
+`fem.squirrel_cage.cyclic_symmetry`, and its answers make up the displacement of every half pitch. A whole
+solid of such elements would have fifty times the unknowns.
 """
 
 from collections.abc import Iterable
@@ -17,7 +17,16 @@ from scipy.sparse import csr_array
 
 from fem.assembly import roller_loads
 from fem.assembly.factorisation import NotSolved, threads
-from fem.cage.half_pitch_stiffness import (
+from fem.mesh.half_pitch import half_pitch
+from fem.mesh.moved_nodes import Faces, cage_faces
+from fem.mesh.notches import notches
+from fem.mesh.solid import MILLIMETRES
+from fem.parts.resolution import Shape
+from fem.parts.rings import MeshSize, Patches
+from fem.parts.squirrel_cage import SquirrelCage
+from fem.solid.extremes import Samples, cylinder_axes, in_axes
+from fem.solid.lattice import Spread, hooke, located, spread, strain_of
+from fem.squirrel_cage.half_pitch_stiffness import (
     HalfPitch,
     ReducedHalfPitch,
     assembled_half_pitch,
@@ -25,14 +34,6 @@ from fem.cage.half_pitch_stiffness import (
     interior,
     reduced_under,
 )
-from fem.mesh.half_pitch import half_pitch
-from fem.mesh.moved_nodes import Faces, cage_faces
-from fem.mesh.notches import notches
-from fem.mesh.solid import MILLIMETRES
-from fem.parts.resolution import Shape
-from fem.parts.rings import MeshSize, Patches, SquirrelCage
-from fem.solid.extremes import Samples, cylinder_axes, in_axes
-from fem.solid.lattice import Spread, hooke, located, spread, strain_of
 
 FEET, IN_FILLET = 0.23, 0.8  # size of elements at the feet over the thickness of a bar, over a fillet
 NEAR = 1e-6  # of a side, by which places stay inside

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.parts.bar_section import BarSection, bar_section
-from fem.parts.rings import SquirrelCage
+from fem.parts.squirrel_cage import SquirrelCage
 from fem.raceway.bar_response import BarResponse
 
 

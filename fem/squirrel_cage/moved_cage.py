@@ -23,8 +23,15 @@ from numpy.typing import NDArray
 
 from fem.assembly import roller_loads
 from fem.assembly.factorisation import threads
-from fem.cage.cyclic_symmetry import all_phases, phase_solution, phases, reduced, ties
-from fem.cage.half_pitch_stiffness import (
+from fem.mesh.half_pitch import half_pitch
+from fem.mesh.moved_nodes import cage_faces, move_nodes
+from fem.parts.resolution import Resolution
+from fem.parts.rings import MeshSize
+from fem.parts.squirrel_cage import SquirrelCage
+from fem.raceway.bar_response import BarResponse, is_mirrored
+from fem.raceway.harmonics import Responses
+from fem.squirrel_cage.cyclic_symmetry import all_phases, phase_solution, phases, reduced, ties
+from fem.squirrel_cage.half_pitch_stiffness import (
     HalfPitch,
     ReducedHalfPitch,
     assembled_form,
@@ -33,12 +40,6 @@ from fem.cage.half_pitch_stiffness import (
     readings,
     stiffness,
 )
-from fem.mesh.half_pitch import half_pitch
-from fem.mesh.moved_nodes import cage_faces, move_nodes
-from fem.parts.resolution import Resolution
-from fem.parts.rings import MeshSize, SquirrelCage
-from fem.raceway.bar_response import BarResponse, is_mirrored
-from fem.raceway.harmonics import Responses
 from fem.stages import Stage
 
 MIRROR_IMAGES = (True, False)  # fields that are their own, and those that are the negative of it
@@ -88,7 +89,7 @@ def near_responses(cage: SquirrelCage, resolution: Resolution, last: int, stage:
     Returns
     -------
     Responses
-        as those of `fem.cage.cyclic_symmetry.cage_responses`, without errors
+        as those of `fem.squirrel_cage.cyclic_symmetry.cage_responses`, without errors
 
     Raises
     ------
