@@ -22,12 +22,3 @@ def each_case_drawn_once():
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(page, "drawn", drawn)
         yield
-
-
-@pytest.fixture(scope="module")
-def tables_without_netcdf():
-    """Writing netCDF takes longer than most studies of tests; `test_study_tables.py` and others read it."""
-    files = import_module("flexbearing.studies.table.files")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setitem(files.FORMS, ".nc", (lambda table: b"netCDF", ()))
-        yield

@@ -22,8 +22,6 @@ from flexbearing.studies.placement import Placement
 from flexbearing.studies.prepare import compute, prepare_source
 from tests.flexbearing.noted import codes
 
-pytestmark = pytest.mark.usefixtures("tables_without_netcdf")
-
 CAGE = "configs/harris218_cage.toml"
 COARSE = {"accuracy.element_order": 3, "accuracy.stations": 5}  # of 5 and 7
 RING = COARSE | {

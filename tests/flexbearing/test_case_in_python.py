@@ -8,8 +8,6 @@ from pytest import approx
 
 import flexbearing as fb
 
-pytestmark = pytest.mark.usefixtures("tables_without_netcdf")
-
 CONFIGS = Path(__file__).parents[2] / "configs"
 PAGE = {
     "bore": "50 mm", "outside": "90 mm", "width": "20 mm", "inner_raceway": "59.5 mm",

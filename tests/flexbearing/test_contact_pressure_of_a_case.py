@@ -16,8 +16,6 @@ from flexbearing.runs.rows import answers
 from quasidynamic.contact.line import reduced_radius
 from quasidynamic.outcome.life import edge_stress_factor
 
-pytestmark = pytest.mark.usefixtures("tables_without_netcdf")
-
 CONFIGS = Path(__file__).parents[2] / "configs"
 PLAIN = CONFIGS / "nu209.toml"
 TILTED = {"operation.misalignment": "3 arcmin"}

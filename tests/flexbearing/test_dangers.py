@@ -18,8 +18,6 @@ from flexbearing.runs.notes import of_case
 from quasidynamic.note import GRADES, Note, danger, graded, information, outside
 from tests.flexbearing.noted import codes, texts
 
-pytestmark = pytest.mark.usefixtures("tables_without_netcdf")
-
 ROOT = Path(__file__).parents[2]
 PAPER, PLAIN = ROOT / "configs" / "mao2016.toml", ROOT / "configs" / "nu209.toml"
 RIGID = ["outer.kind=rigid", "inner.kind=rigid"]

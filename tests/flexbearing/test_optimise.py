@@ -39,8 +39,6 @@ from flexbearing.studies.prepared_study import variants_of
 from flexbearing.studies.run import Work
 from tests.flexbearing.toy_studies import CASE, no_ring
 
-pytestmark = pytest.mark.usefixtures("tables_without_netcdf")
-
 LIFE, SLIP, STIFFNESS = "life_L10 [Mrev]", "cage_slip [%]", "stiffness_zz [N/um]"
 FILE = """
 case = "{case}"

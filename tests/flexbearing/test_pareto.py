@@ -29,8 +29,6 @@ from flexbearing.studies.pareto import Timed
 from flexbearing.studies.pareto_levels import Level, ladder, left_out, richest
 from tests.flexbearing.toy_studies import deadly_level
 
-pytestmark = pytest.mark.usefixtures("tables_without_netcdf")
-
 CONFIGS = Path(__file__).parents[2] / "configs"
 THIN = {"outer.kind": "ring", "outer.thickness": "1 mm", "outer.width": "10 mm"}
 points = st.lists(st.tuples(st.floats(0, 10), st.floats(0, 1)), min_size=1, max_size=12)

@@ -12,8 +12,6 @@ import pytest
 
 import flexbearing
 
-pytestmark = pytest.mark.usefixtures("tables_without_netcdf")
-
 CONFIGS = Path(__file__).parents[2] / "configs"
 BEAM = {"inner.kind": "rigid", "outer.kind": "ring", "accuracy.structure": "beam"}  # nothing is meshed
 CASES = {"mao2016": BEAM, "joshi2015_fourpoint": {}, "rivera2021_7008": {}}

@@ -16,8 +16,6 @@ from flexbearing.catalogue.rexs.bearings import bearing as bearing_of
 from flexbearing.catalogue.rexs.file import ENDINGS, read
 from flexbearing.catalogue.rexs.unused import unused_around
 
-pytestmark = pytest.mark.usefixtures("tables_without_netcdf")
-
 HERE = Path(__file__).parent / "rexs"
 OLD, NEW = (HERE / f"gearbox_{version}.rexs" for version in ("1.0", "1.4"))
 VERSIONS = [f"1.{minor}" for minor in range(8)]

@@ -18,8 +18,6 @@ from flexbearing.studies.table import journal
 from flexbearing.studies.table.journal import SUFFIX
 from tests.flexbearing.toy_studies import CASE, cubes, load, no_ring, toy
 
-pytestmark = pytest.mark.usefixtures("tables_without_netcdf")
-
 
 def computed(settled, folder, work=cubes, engine=None, **options):
     done = Work(partial(work, texts=settled.texts), no_ring)

@@ -12,7 +12,7 @@ from flexbearing.results import BadResult, store
 from quasidynamic import OutOfRange
 from tests.flexbearing.toy_studies import CASE
 
-pytestmark = pytest.mark.usefixtures("two_cores", "tables_without_netcdf")
+pytestmark = pytest.mark.usefixtures("two_cores")
 
 ROOT = Path(__file__).parents[2]
 LOADS = (

@@ -29,8 +29,6 @@ from quasidynamic.outcome.load_spectrum import cumulated_life, revolution_shares
 from tests.bearings import paper_bearing
 from tests.flexbearing.toy_studies import CASE
 
-pytestmark = pytest.mark.usefixtures("tables_without_netcdf")
-
 LOADS = "50 N", "100 N", "2 kN", "5 kN", "8 kN", "10 kN", "12 kN", "15 kN"
 SPEEDS = 14000, 12000, 6000, 4000, 3000, 2500, 2000, 1500  # [rpm]
 TIMES = 5, 10, 15, 20, 20, 15, 10, 5  # [%]

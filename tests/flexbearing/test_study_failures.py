@@ -24,7 +24,7 @@ from flexbearing import __main__ as program
 from tests.fem.processes import aborting
 from tests.flexbearing.toy_studies import CASE
 
-pytestmark = pytest.mark.usefixtures("two_cores", "tables_without_netcdf")
+pytestmark = pytest.mark.usefixtures("two_cores")
 
 ROOT = Path(__file__).parents[2]
 COMMAND = [sys.executable, "-m", "flexbearing", "study"]

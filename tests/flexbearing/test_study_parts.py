@@ -11,8 +11,6 @@ from flexbearing.studies.plan import Part
 from tests.flexbearing.test_studies import computed, counting
 from tests.flexbearing.toy_studies import CASE, toy
 
-pytestmark = pytest.mark.usefixtures("tables_without_netcdf")
-
 FORTY = '"operation.radial_load" = "2 kN .. 41 kN, 40"'
 
 

@@ -13,7 +13,7 @@ from flexbearing.studies.plan.corners import extremes
 from flexbearing.studies.prepare import prepare_source
 from flexbearing.studies.table import journal
 
-pytestmark = pytest.mark.usefixtures("two_cores", "tables_without_netcdf")
+pytestmark = pytest.mark.usefixtures("two_cores")
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 RING = """

@@ -21,7 +21,7 @@ from tests.cold_oil import RIGID, cold_case, settings
 from tests.flexbearing import toy_studies
 from tests.flexbearing.toy_studies import CASE
 
-pytestmark = pytest.mark.usefixtures("two_cores", "tables_without_netcdf")
+pytestmark = pytest.mark.usefixtures("two_cores")
 
 PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
 CAGES = """

@@ -3,14 +3,18 @@
 import json
 from collections.abc import Callable, Sequence
 from importlib.util import find_spec
+from io import BytesIO
 from math import inf
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from flexbearing.files import as_csv, write
 from flexbearing.studies.plan.task import NO_DAMAGE
 from flexbearing.studies.table.table import Table
 
+TEXT = np.dtype("O", metadata={"vlen": str})  # of HDF5: of any length
 EXTRA = 'pip install "flexbearing[studies]"'
 
 
@@ -49,14 +53,37 @@ def parquet_bytes(table: Table) -> bytes:
 
 
 def netcdf_bytes(table: Table) -> bytes:
-    """A table as netCDF4, arrays over its axes with units as attributes."""
-    return bytes(table.to_xarray().to_netcdf(engine="h5netcdf"))
+    """A table as netCDF4, arrays over its axes with units as attributes, as `Table.to_xarray` has them.
+
+    Without xarray, which loads Dask for it: that takes longer than a small study.
+    """
+    import h5netcdf
+
+    outputs, keys = table.over_axes()
+    arrays = outputs | keys
+    beside = {name: axes for name, (axes, _, _) in keys.items() if axes != (name,)}
+    memory = BytesIO()
+    with h5netcdf.File(memory, "w") as file:
+        file.attrs["title"] = table.name
+        file.dimensions = {
+            axis: length
+            for axes, values, _ in arrays.values()
+            for axis, length in zip(axes, values.shape, strict=True)
+        }
+        for name, (axes, values, attributes) in arrays.items():
+            kind = TEXT if values.dtype.kind == "U" else values.dtype
+            filled = np.nan if values.dtype.kind == "f" else None
+            variable = file.create_variable(name, axes, kind, values.astype(kind), fillvalue=filled)
+            variable.attrs.update(attributes)
+            if name in outputs and (along := [key for key, own in beside.items() if set(own) <= set(axes)]):
+                variable.attrs["coordinates"] = " ".join(along)
+    return memory.getvalue()
 
 
 FORMS: dict[str, tuple[Callable[[Table], bytes], tuple[str, ...]]] = {  # with the packages that they need
     ".csv": (csv_bytes, ()),
     ".parquet": (parquet_bytes, ("pyarrow",)),
-    ".nc": (netcdf_bytes, ("xarray", "h5netcdf")),
+    ".nc": (netcdf_bytes, ("h5netcdf",)),
 }
 
 

@@ -31,6 +31,8 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure as Page
 
+Arrays = dict[str, tuple[tuple[str, ...], np.ndarray, dict[str, Any]]]  # by name: axes, values, attributes
+
 
 @dataclass(frozen=True)
 class Column:
@@ -96,7 +98,32 @@ class Table:
 
     def to_xarray(self) -> "xarray.Dataset":
         """The table as arrays over its axes, with units; names are those of the columns."""
-        return dataset(self.name, self.columns, self.axes, self.arrays)
+        import xarray
+
+        return xarray.Dataset(*self.over_axes(), {"title": self.name})
+
+    def over_axes(self) -> tuple[Arrays, Arrays]:
+        """Outputs and keys as arrays over the axes."""
+        shape, dimensions = [len(axis.rows) for axis in self.axes], tuple(axis.name for axis in self.axes)
+        varied = {column.name: column for column in self.columns if column.varied}
+        outputs = {
+            column.name: (dimensions, _array(column).reshape(shape), _attributes(column))
+            for column in self.columns
+            if not column.varied
+        } | {
+            column.name: (
+                (*dimensions, ROLLER),
+                np.array(column.values, dtype=float).reshape([*shape, -1]),
+                _attributes(column),
+            )
+            for column in self.arrays
+        }
+        keys = {
+            key: ((axis.name,), _along(varied[key], number, shape), _attributes(varied[key]))
+            for number, axis in enumerate(self.axes)
+            for key in axis.keys
+        } | {axis.name: _numbers(axis) for axis in self.axes if axis.name not in axis.keys}
+        return outputs, keys
 
     def plot(self, *outputs: str) -> "Page":
         """Draw outputs over the first key, a line for each value of the others; the first ones by default."""
@@ -280,35 +307,6 @@ def _in_words(value: Any) -> str:
     return f"{value:g}" if isinstance(value, float) else str(value)
 
 
-def dataset(
-    name: str, columns: Sequence[Column], axes: Sequence[Axis], of_rollers: Sequence[Column] = ()
-) -> "xarray.Dataset":
-    """Arrays over the axes of a study."""
-    import xarray
-
-    shape = [len(axis.rows) for axis in axes]
-    dimensions = [axis.name for axis in axes]
-    varied = {column.name: column for column in columns if column.varied}
-    variables = {
-        column.name: (dimensions, _array(column).reshape(shape), _attributes(column))
-        for column in columns
-        if not column.varied
-    } | {
-        column.name: (
-            [*dimensions, ROLLER],
-            np.array(column.values, dtype=float).reshape([*shape, -1]),
-            _attributes(column),
-        )
-        for column in of_rollers
-    }
-    coordinates = {
-        key: ([axis.name], _along(varied[key], number, shape), _attributes(varied[key]))
-        for number, axis in enumerate(axes)
-        for key in axis.keys
-    } | {axis.name: _numbers(axis) for axis in axes if axis.name not in axis.keys}
-    return xarray.Dataset(variables, coordinates, {"title": name})
-
-
 def _array(column: Column) -> np.ndarray:
     values = np.asarray(column.values)
     return values.astype(np.int8) if values.dtype == bool else values  # netCDF4 has no other flags
@@ -324,6 +322,6 @@ def _attributes(column: Column) -> dict[str, Any]:
     return {"units": column.unit} if column.unit else {}
 
 
-def _numbers(axis: Axis) -> tuple[list[str], np.ndarray]:
+def _numbers(axis: Axis) -> tuple[tuple[str, ...], np.ndarray, dict[str, Any]]:
     """Rows of an axis of several keys, counted from 1 as messages do."""
-    return [axis.name], np.arange(1, len(axis.rows) + 1)
+    return (axis.name,), np.arange(1, len(axis.rows) + 1), {}
