@@ -132,18 +132,37 @@ def test_the_housing_is_no_rigid_seat(in_one_piece):
     assert largest(answers(RigidSeat()).absolute, in_one_piece.absolute) > 0.2
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("program", ["sti", "mtx", "dmig"])
-def test_own_solid_written_and_read_back_is_the_housing(tube, in_one_piece, program, tmp_path):
-    """A housing meshed here, through the files of other programs, beside that of one piece with the ring."""
+def written_and_read(tube, program, folder):
+    """Stiffness and places of its nodes, through the files of another program."""
     places, unknowns, matrix = tube
     numbers = np.arange(1, len(places) + 1)
     ways = {"sti": write.calculix, "mtx": write.abaqus, "dmig": write.nastran}
-    nodes = (write.grid_bdf if program == "dmig" else write.nodes_inp)(tmp_path / "m.inp", places, numbers)
-    path = ways[program](tmp_path / f"k.{program}", unknowns, matrix)
-    there, places = matrix_files.places(nodes)
+    nodes = (write.grid_bdf if program == "dmig" else write.nodes_inp)(folder / "m.inp", places, numbers)
+    stiffness = matrix_files.stiffness(ways[program](folder / f"k.{program}", unknowns, matrix))
+    return stiffness, *matrix_files.places(nodes)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("program", ["sti", "mtx", "dmig"])
+def test_a_solid_is_read_as_it_was_written(tube, program, tmp_path):
+    places, unknowns, matrix = tube
+    stiffness, there, read_places = written_and_read(tube, program, tmp_path)
+    assert_allclose(read_places[np.argsort(there)], places, rtol=0, atol=1e-8 * np.abs(places).max())
+    order = np.lexsort((stiffness.motions, stiffness.nodes))
+    as_written = np.lexsort(unknowns.T[::-1])
+    np.testing.assert_array_equal(
+        np.column_stack([stiffness.nodes, stiffness.motions])[order], unknowns[as_written]
+    )
+    difference = stiffness.matrix[order][:, order] - matrix[as_written][:, as_written]
+    assert abs(difference).max() < 1e-9 * abs(matrix).max()
+
+
+@pytest.mark.slow
+def test_own_solid_written_and_read_back_is_the_housing(tube, in_one_piece, tmp_path):
+    """A housing meshed here, through the files of another program, beside that of one piece with the ring."""
+    stiffness, there, places = written_and_read(tube, "mtx", tmp_path)
     on_seat = np.hypot(*places[:, 1:].T) < 1e3 * RADIUS + 0.1
-    body = ReducedBody(1e-3 * places[on_seat], 1e3 * matrix_files.stiffness(path).at(there[on_seat]))
+    body = ReducedBody(1e-3 * places[on_seat], 1e3 * stiffness.at(there[on_seat]))
     found = answers(body)
     assert_allclose(found.support_stiffness, in_one_piece.support_stiffness, rtol=0.01)
     # elements of half the thickness of the housing
