@@ -84,7 +84,7 @@ def is_cage_in_space(part: Any, discretisation: Discretisation) -> bool:
 def condensing(
     part: Part | StepSolid, discretisation: Discretisation, resolution: Resolution
 ) -> "Iterator[Callable[[], HarmonicCompliance]]":
-    """Condense a cage with `is_cage_in_space` in a process of its own while the block goes on.
+    """Condense a cage in space, see `is_cage_in_space`, in a process of its own while the block goes on.
 
     The callable waits for what `condense` returns, and raises what it raises.
     """

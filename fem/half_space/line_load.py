@@ -62,17 +62,7 @@ def indentation_harmonics(
 
     .. math:: h_n = \frac{1}{\pi} \int_0^\pi H(\varphi) \cos n\varphi\,d\varphi
 
-    Parameters
-    ----------
-    harmonics : array (K,) of int
-        n
-    radius, length, axial_modes, elastic
-        as for `indentation`
-
-    Returns
-    -------
-    array (K, M, M)
-        h [m/N]; for large n it is (1 - nu^2)/(pi E) (2m + 1)/l |n|^-1 on the diagonal
+    h (K, M, M) [m/N] of K harmonics n; for large n it is (1 - nu^2)/(pi E) (2m + 1)/l |n|^-1 on the diagonal.
 
     Source
     ------

@@ -155,19 +155,9 @@ def hooke(strain: NDArray, elastic: Elastic) -> NDArray:
 
 
 def hooke_reversed(stress: NDArray, elastic: Elastic) -> NDArray:
-    """Strain of an isotropic body that its stress makes, without that of heat.
+    """Strain of an isotropic body that its stress [Pa] makes, without that of heat.
 
-    Parameters
-    ----------
-    stress : array (..., 6)
-        xx, yy, zz, xy, yz, xz [Pa] in axes at right angles
-    elastic : Elastic
-        of the body
-
-    Returns
-    -------
-    array (..., 6)
-        xx, yy, zz, 2 xy, 2 yz, 2 xz [-]
+    The stress (..., 6) is xx, yy, zz, xy, yz, xz in axes at right angles, the strain that of `hooke`.
 
     Source
     ------
