@@ -75,7 +75,7 @@ def with_enough_harmonics(
     """Condense a part with twice the harmonics, on elements that resolve them, until they are enough.
 
     `condensed` (resolution, last) raises `TooFewHarmonics` where more of them are needed; it begins with
-    `last`. A harmonic that the resolution requests is tried alone.
+    `last`, on a raceway of a radius [m]. A harmonic that the resolution requests is tried alone.
     Raises `TooFewHarmonics` if `DOUBLINGS` of them are not enough on a mesh, or if MOST harmonics are none.
     """
     if resolution.harmonics is not None:
