@@ -52,33 +52,17 @@ def condense(
 ) -> "HarmonicCompliance | RingOnFoundation | RingOnLines | PlanetRim | RacewayCompliance | GrooveCompliance":
     """Condense a part to its raceway; what is meshed in space is meshed in a process of its own.
 
-    Parameters
-    ----------
-    part : OuterRing, SquirrelCage, RingOnShaft, StepSolid or BoltedRing
-        with what holds it
-    discretisation : Discretisation
-        HARMONICS suits all but a StepSolid, which is a SOLID
-    resolution : Resolution
-        loaded band, axial modes, element sizes and harmonics; azimuths and patches of a solid
-    report : callable (stage, fraction)
-        called with "mesh", "factor" and "condense" with the finished fraction of the stage, None if unknown
+    HARMONICS suits all parts but a StepSolid, which is a SOLID. The resolution has the loaded band, axial
+    modes, element sizes and harmonics; azimuths and patches of a solid. `report` is called with "mesh",
+    "factor" and "condense" and the finished fraction of that stage, None if unknown.
 
-    Returns
-    -------
-    HarmonicCompliance, RingOnFoundation, RingOnLines, PlanetRim, RacewayCompliance, or GrooveCompliance of a
-    part with a groove
-        whose `at` gives the compliance for rollers or balls at their azimuths; that
-        of a solid holds for its azimuths alone. With supports that only push it depends on the forces:
-        `under_rollers` of RingOnFoundation and RingOnLines
+    `at` of the result gives the compliance for rollers or balls at their azimuths; that of a solid holds for
+    its azimuths alone. With supports that only push it depends on the forces: `under_rollers` of
+    RingOnFoundation and RingOnLines. A part with a groove has a GrooveCompliance.
 
-    Raises
-    ------
-    ImpossiblePart
-        if the band is longer than the track, the part can still move freely, or does not go with the
-        discretisation
-    NotSolved
-        if a solve fails, the mesh is too coarse for harmonics or patches, or the process ends without an
-        answer
+    Raises `ImpossiblePart` if the band is longer than the track, the part can still move freely, or does not
+    go with the discretisation; `NotSolved` if a solve fails, the mesh is too coarse for harmonics or patches,
+    or the process ends without a result.
 
     Valid
     -----
@@ -101,42 +85,19 @@ def is_cage_in_space(part: Any, discretisation: Discretisation) -> bool:
 def condensing(
     part: Part | StepSolid, discretisation: Discretisation, resolution: Resolution
 ) -> "Iterator[Callable[[], HarmonicCompliance]]":
-    """Have a cage condensed in a process of its own while the block goes on.
+    """Condense a cage in space, see `is_cage_in_space`, in a process of its own while the block goes on.
 
-    Parameters
-    ----------
-    part, discretisation, resolution
-        as for `condense`, such that `is_cage_in_space`
-
-    Yields
-    ------
-    callable ()
-        waits for what `condense` returns, and raises what it raises
+    The callable waits for what `condense` returns, and raises what it raises.
     """
     with started(condense_in_process, part, discretisation, resolution) as answer:
         yield lambda: answer(unheard)
 
 
 def seat_growth(part: Part, resolution: Resolution) -> "RacewayGrowth":
-    """How much a raceway grows with what its part is clamped to.
+    """How much a raceway grows with what it is clamped to: by a face, a rigid seat or the flange of a cage.
 
-    Parameters
-    ----------
-    part : OuterRing, SquirrelCage
-        a ring on a clamped face or a rigid seat, or a cage, whose flange is clamped
-    resolution : Resolution
-        of band and mesh
-
-    Returns
-    -------
-    RacewayGrowth
-
-    Raises
-    ------
-    ImpossiblePart
-        for another part
-    NotSolved
-        if a solve fails, or the process ends without a result
+    Raises `ImpossiblePart` for another part; `NotSolved` if a solve fails, or the process ends without a
+    result.
     """
     if isinstance(part, SquirrelCage):
         return in_subprocess(_cage_seat_growth, part, resolution)
@@ -156,19 +117,8 @@ def _cage_seat_growth(part: SquirrelCage, resolution: Resolution, report: Report
 def require_drawing(part: Part | StepSolid, length: float) -> None:
     """Open a drawing in a process of its own, before it is meshed in this one: damaged ones end the kernel.
 
-    Parameters
-    ----------
-    part : OuterRing, SquirrelCage, RingOnShaft or StepSolid
-        only a StepSolid is drawn
-    length : float
-        axial length of the loaded band [m]
-
-    Raises
-    ------
-    ImpossiblePart
-        if the drawing does not hold such a part
-    NotSolved
-        if the process ends without a result
+    Raises `ImpossiblePart` if the drawing does not hold such a part with a loaded band of `length` [m],
+    `NotSolved` if the process ends without a result.
     """
     if isinstance(part, StepSolid):
         in_subprocess(_open, part, length)
@@ -196,19 +146,7 @@ def condense_in_process(
 ) -> Any:
     """Condense a part as `condense` does, always in this process.
 
-    Parameters
-    ----------
-    part, discretisation, resolution, report
-        as for `condense`
-
-    Returns
-    -------
-    as `condense`
-
-    Raises
-    ------
-    ImpossiblePart, NotSolved
-        as `condense`
+    Raises `ImpossiblePart` and `NotSolved` as it does.
     """
     stage, seconds = stages(report)
     match part, discretisation:

@@ -15,17 +15,9 @@ def unheard(name: str, fraction: float | None = None) -> None:
 def stages(report: Report) -> tuple[Stage, dict[str, float]]:
     """Watch the stages of one computation.
 
-    Parameters
-    ----------
-    report : callable (stage, fraction)
-        called for each stage as it starts and ends, with the finished fraction, None if unknown
-
-    Returns
-    -------
-    stage : callable (name)
-        context manager around a stage; it gives a function to call with the finished fraction
-    seconds : dict
-        of the stages that have ended, by name; it fills as they end
+    The first is a context manager by name, which gives a function to call with the finished fraction of the
+    stage; the second are the seconds of the stages that have ended. `report` (stage, fraction) is called as a
+    stage starts and ends, with None if the fraction is unknown.
     """
     seconds: dict[str, float] = {}
 

@@ -28,29 +28,12 @@ _ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THR
 
 
 def in_subprocess(function: Callable, *arguments: Any, report: Report = unheard, wait: float = WAIT) -> Any:
-    """Call a function in a process of its own.
+    """Call an importable function in a process of its own, with arguments and a result that can be pickled.
 
-    Parameters
-    ----------
-    function : callable (*arguments, report)
-        of a module that can be imported
-    arguments
-        that can be pickled, like the result
-    report : callable (stage, fraction)
-        called here with what the function reports there; what it logs there is logged here
-    wait : float
-        longest silence, between two reports or before the end [s]
-
-    Returns
-    -------
-    object
-        what the function returns
-
-    Raises
-    ------
-    NotSolved
-        if the process ends without a result or is silent for too long; ImpossiblePart and
-        NotSolved of the function come through, its other exceptions become a NotSolved
+    The function takes `report` (stage, fraction), too: what it reports and logs there is reported and logged
+    here. `wait` is the longest silence, between two reports or before the end [s].
+    Raises `NotSolved` if the process ends without a result or is silent for too long; ImpossiblePart and
+    NotSolved of the function come through, its other exceptions become a NotSolved.
     """
     with started(function, *arguments, wait=wait) as answer:
         return answer(report)
@@ -58,19 +41,10 @@ def in_subprocess(function: Callable, *arguments: Any, report: Report = unheard,
 
 @contextmanager
 def started(function: Callable, *arguments: Any, wait: float = WAIT) -> Iterator[Callable[[Report], Any]]:
-    """Have a function at work in a process of its own while the block goes on.
+    """Have a function at work in a process of its own while the block goes on, as `in_subprocess` calls it.
 
-    Start it while no threads of NGSolve are at work here: a process that starts beside them may hang.
-
-    Parameters
-    ----------
-    function, *arguments, wait
-        as for `in_subprocess`
-
-    Yields
-    ------
-    callable (report)
-        waits for the answer, as `in_subprocess` does; without it the process ends with the block
+    Start it while no threads of NGSolve are at work here: a process that starts beside them may hang. The
+    callable (report) waits for the result; without it the process ends with the block.
     """
     with tempfile.TemporaryFile() as errors, _started(errors) as process:
         _hand_over(process, (function, arguments))

@@ -19,24 +19,9 @@ Overrides = Sequence[str] | Mapping[str, object]
 
 
 def read_case(case: str | Path, overrides: Overrides = ()) -> Any:
-    """Read a case file into SI units.
+    """Read a case file into the case model of its family, in SI units, with overrides as for `run`.
 
-    Parameters
-    ----------
-    case : path
-        TOML file
-    overrides : sequence of str or mapping
-        settings that replace or add keys: "bearing.clearance=50 um", or {"bearing.clearance": "50 um"}
-
-    Returns
-    -------
-    flexbearing.case.Head
-        the case model of its family
-
-    Raises
-    ------
-    BadCase
-        one line for each problem: file, key, value found, what is allowed, nearest valid name
+    Raises `BadCase`, one line for each problem: file, key, value found, what is allowed, nearest valid name.
     """
     from flexbearing.case import read as read_case
     from flexbearing.families import FAMILIES
@@ -45,24 +30,9 @@ def read_case(case: str | Path, overrides: Overrides = ()) -> Any:
 
 
 def check(case: str | Path, overrides: Overrides = ()) -> Any:
-    """Read a case and build everything that needs no mesh.
+    """Read a case as `read_case` does, and build everything that needs no mesh.
 
-    Parameters
-    ----------
-    case : path
-        case file
-    overrides : sequence of str or mapping
-        as for `run`
-
-    Returns
-    -------
-    flexbearing.case.Head
-        the case, when it can be computed
-
-    Raises
-    ------
-    BadCase
-        where the file is wrong, or physics or geometry forbid the case
+    Raises `BadCase` where the file is wrong, or physics or geometry forbid the case.
     """
     from flexbearing.families import FAMILIES
     from flexbearing.runs.validate import require_drawing, require_possible
@@ -178,33 +148,13 @@ def against_catalogue(case: str | Path, overrides: Overrides = ()) -> dict[str, 
 def sensitivities(
     case: Any, of: Sequence[str] = (), by: Sequence[str] = (), report: "Report | None" = None
 ) -> "Sensitivities":
-    """Differentiate outputs of a case by its keys, at its equilibrium.
+    """Differentiate outputs of a case of `read_case` by its keys, at its equilibrium, in the units of both.
 
-    Parameters
-    ----------
-    case : flexbearing.case.Head
-        as `read_case` returns it
-    of : sequence of str
-        outputs with units if others than those of the summary are wanted, "life", or "all"; by default the
-        main ones
-    by : sequence of str
-        keys; by default all continuous ones that the case states
-    report : Report, optional
-        is called with what is computed; the log, unless given
-
-    Returns
-    -------
-    flexbearing.derivatives.table.Sensitivities
-        in the units of outputs and keys
-
-    Raises
-    ------
-    BadCase
-        for keys that hold no continuous value, and cases without derivatives
-    UnknownOutput, WrongUnit
-        for texts that name no output
-    NotSolved
-        where there is no equilibrium
+    Outputs have units if others than those of the summary are wanted; they may be "life" or "all", and by
+    default are the main ones. Keys are by default all continuous ones that the case states. `report` is
+    called with what is computed; the log, unless given.
+    Raises `BadCase` for keys that hold no continuous value, and cases without derivatives; `UnknownOutput`
+    and `WrongUnit` for texts that name no output; `NotSolved` where there is no equilibrium.
     """
     from flexbearing.derivatives.any_family import sensitivities as differentiated
     from flexbearing.families import FAMILIES
@@ -213,24 +163,10 @@ def sensitivities(
 
 
 def drawings(case: Any, *, values: bool = True) -> "list[Drawing]":
-    """Draw what a case describes, to scale; nothing is solved.
+    """Draw what a case of `read_case` describes, to scale, with or without values beside the keys.
 
-    Parameters
-    ----------
-    case : flexbearing.case.Head
-        as `read_case` returns it
-    values : bool
-        whether values are beside the keys
-
-    Returns
-    -------
-    list of Drawing
-        each with name, caption, text for those who cannot see it, and SVG
-
-    Raises
-    ------
-    BadCase
-        where points of a profile cannot be read or are none of its roller
+    Nothing is solved.
+    Raises `BadCase` where points of a profile cannot be read or are none of its roller.
     """
     from flexbearing.families import FAMILIES
     from flexbearing.report.drawing.of_case import drawings as drawn
@@ -245,10 +181,6 @@ def read(path: str | Path) -> "Result":
     ----------
     path : path
         as `run` wrote it
-
-    Returns
-    -------
-    Result
 
     Raises
     ------

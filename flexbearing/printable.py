@@ -12,17 +12,7 @@ LONGEST = 60  # characters of a value or a key that are quoted
 
 
 def printable(text: str) -> str:
-    r"""Write characters that would control a terminal as their codes, ``\x1b``.
-
-    Parameters
-    ----------
-    text : str
-        such as a title, a note, a name in a drawing
-
-    Returns
-    -------
-    str
-        the same text where nothing in it is unfit; ends of lines stay
+    r"""Write characters that would control a terminal as their codes, ``\x1b``; ends of lines stay.
 
     >>> print(printable("Ring \x1b[31mred"))
     Ring \x1b[31mred
@@ -31,18 +21,7 @@ def printable(text: str) -> str:
 
 
 def all_printable(value: Any) -> Any:
-    """Every text within a value made printable.
-
-    Parameters
-    ----------
-    value : any
-        texts, numbers, and lists, tuples and mappings of them
-
-    Returns
-    -------
-    any
-        the same value
-    """
+    """Every text made printable within lists, tuples and mappings of texts and numbers."""
     if isinstance(value, str):
         return printable(value)
     if isinstance(value, dict):

@@ -143,21 +143,8 @@ def unit(text: str) -> Unit:
 
     Products are read from left to right: "W/m K" is (W/m) K. In a product, degC and degF are differences.
 
-    Parameters
-    ----------
-    text : str
-        the unit as it is written behind a number
-
-    Returns
-    -------
-    Unit
-
-    Raises
-    ------
-    UnknownUnit
-        for a name that is not in the table
-    BadUnit
-        for a text that is no product of powers of units
+    Raises `UnknownUnit` for a name that is not in the table, `BadUnit` for a text that is no product of
+    powers of units.
     """
     tokens = _tokens(text)
     if len(tokens) == 1 and tokens[0] in _PLAIN:

@@ -180,30 +180,11 @@ class AngularContactBallBearing:
 
         With `sticking`, and FASTSIM on the same cells here, this is the friction of the balance itself.
 
-        Parameters
-        ----------
-        state : AngularContactState
-            of `solve`
-        model : {"full_sliding", "fastsim", "kalker"}
-            friction of the contacts
-        cells : pair of int
-            over each contact, along and across the rolling direction
-        progress : callable, optional
-            takes the part of the balls that are solved, after each
-        mapped : callable, optional
-            calls a function for each ball as `map` does, such as on several cores
-
-        Returns
-        -------
-        FastRollingBalls
-
-        Raises
-        ------
-        OutOfRange
-            when friction is not known: no coefficient, or a contact as wide as the ball; see also
-            `refined_kept_motion`
-        NotSolved
-            when a contact is not solved
+        `cells` are those over each contact, along and across the rolling direction; `progress` takes the part
+        of the balls that are solved, and `mapped` calls a function for each ball as `map` does, such as on
+        several cores.
+        Raises `OutOfRange` when friction is not known: no coefficient, or a contact as wide as the ball, see
+        also `refined_kept_motion`; `NotSolved` when a contact is not solved.
         """
         if state.friction_heat is None:
             raise OutOfRange(

@@ -91,20 +91,11 @@ class FourPointBallBearing:
     ) -> FourPointEquilibrium:
         """Load distribution, then the motion and torque of every ball.
 
-        Parameters
-        ----------
-        load : RingLoad
-            on the inner ring
-        grooves : ElasticGrooves, optional
-            of elastic rings, see `elastic_ball_loads`; rigid rings without it
-        near : FourPointEquilibrium, optional
-            of a bearing and a load that differ little: then one step of Newton's method from there, which is
-            exact to first order in the difference
-
-        Raises
-        ------
-        ImpossiblePart, NotSolved, OutOfRange
-            see `ball_loads`, `elastic_ball_loads`, `sliding_motion` and `slide`
+        Grooves are those of elastic rings, see `elastic_ball_loads`. Near the equilibrium of a bearing and a
+        load that differ little, one step of Newton's method is taken, which is exact to first order in the
+        difference.
+        Raises `ImpossiblePart`, `NotSolved` or `OutOfRange`, see `ball_loads`, `elastic_ball_loads`,
+        `sliding_motion` and `slide`.
         """
         distribution = self._distribution(load.vector(), grooves, near and near.distribution)
         both_ends = (len(distribution.loads), 2, 2)
@@ -126,25 +117,12 @@ class FourPointBallBearing:
         return elastic_ball_loads_near(self.bearing, load, grooves, near)
 
     def slide(self, angle: NDArray, load: NDArray, near: NDArray | None = None) -> SlidingBalls:
-        """Motion and torque of balls whose contact angles and loads are known.
+        """Motion and torque of N balls whose contact angles [rad] and loads [N] (N, G, 2) are known.
 
-        Parameters
-        ----------
-        angle : array (N, G, 2)
-            contact angles at the inner and the outer race [rad], one or two diagonals
-        load : array (N, G, 2)
-            contact loads [N], >= 0
-        near : array (N, 3), optional
-            motion of balls that differ little, see `sliding_motion_near` [rad/s]
-
-        Raises
-        ------
-        ImpossiblePart
-            when an angle or a load cannot be
-        OutOfRange
-            when a contact is no longer small
-        NotSolved
-            when a ball finds no balance
+        They are those at the inner and the outer race of one or two diagonals; `near` (N, 3) is the motion of
+        balls that differ little, see `sliding_motion_near` [rad/s].
+        Raises `ImpossiblePart` when an angle or a load cannot be, `OutOfRange` when a contact is no longer
+        small, `NotSolved` when a ball finds no balance.
         """
         angle, load = np.asarray(angle, dtype=float), np.asarray(load, dtype=float)
         _check(angle, load)
@@ -191,29 +169,13 @@ class FourPointBallBearing:
         progress: Callable[[float], None] = lambda _: None,
         mapped: Callable[..., Iterable[RefinedRolling]] = map,
     ) -> RollingBalls:
-        """Motion and torque of balls whose contacts stick and slip.
+        """Motion and torque of balls whose contacts stick and slip, each from its own in full sliding.
 
-        Parameters
-        ----------
-        sliding : SlidingBalls
-            the same balls in full sliding, from which each starts
-        model : {"full_sliding", "fastsim", "kalker"}
-            friction of the contacts
-        cells : pair of int
-            over each contact, along and across the rolling direction
-        progress : callable, optional
-            takes the part of the balls that are solved, after each
-        mapped : callable, optional
-            calls a function for each ball as `map` does, such as on several cores
-
-        Returns
-        -------
-        RollingBalls
-
-        Raises
-        ------
-        OutOfRange, NotSolved
-            see `refined_rolling`, and `GroovePress.pressed` where the pressure is computed
+        `cells` are those over each contact, along and across the rolling direction; `progress` takes the part
+        of the balls that are solved, and `mapped` calls a function for each ball as `map` does, such as on
+        several cores.
+        Raises `OutOfRange` or `NotSolved`, see `refined_rolling`, and `GroovePress.pressed` where the
+        pressure is computed.
         """
         ball, races = self.bearing.ball.material, (self.bearing.inner, self.bearing.outer)
         pairs = (elastic_pair(ball, races[0].material), elastic_pair(ball, races[1].material))

@@ -30,23 +30,14 @@ def solve_many_elastic(
     equilibria are likely a bearing is solved from its own start besides, and alone where both differ: which
     one is reached never depends on its neighbours. Bearings that are solved from a fit alone need no start.
 
-    Parameters
-    ----------
-    bearings : sequence of RollerBearing
-        whose rollers and axial modes are those of the raceways
-    compliance : pair of arrays (Z, M, Z, M) or None
-        outward deviation of inner and outer raceway per outward force [m/N]; None is rigid
-    starts : Equilibria, optional
-        of the same bearings between rigid raceways, as `solve_many` finds them; without, those that are
-        needed are solved
-    deviation : array (2, Z, M) or (bearings, 2, Z, M), optional
-        outward deviations that are there without any roller load [m]
+    Rollers and axial modes of the bearings are those of the raceways. The compliance (Z, M, Z, M) is the
+    outward deviation of inner and outer raceway per outward force [m/N], None is rigid; the deviation, (2, Z,
+    M) or (bearings, 2, Z, M) [m], is outward and there without any roller load. Starts are equilibria of the
+    same bearings between rigid raceways, as `solve_many` finds them; without, those that are needed are
+    solved.
 
-    Returns
-    -------
-    Equilibria
-        one for each bearing, also where none was reached; its `ways` count how they were solved. A start that
-        was not reached is returned as it is
+    There is an equilibrium for each bearing, also where none was reached; its `ways` count how they were
+    solved. A start that was not reached is returned as it is.
     """
     unsolved = () if starts is None else starts.unsolved
     begun = np.setdiff1d(np.arange(len(bearings)), unsolved)

@@ -51,17 +51,9 @@ class RollerBearing:
     def solve(self, start: Equilibrium | None = None, deviation: NDArray | None = None) -> Equilibrium:
         """Equilibrium between raceways of a given shape.
 
-        Parameters
-        ----------
-        start : Equilibrium, optional
-            where to begin; without it a static load distribution is computed first
-        deviation : array (2, Z, M), optional
-            outward raceway deviations by axial modes [m]
-
-        Raises
-        ------
-        NotSolved
-            when no equilibrium was reached; its `outcome` says how it ended
+        Without a start a static load distribution is computed first; deviations (2, Z, M) of the raceways are
+        outward, by axial modes [m].
+        Raises `NotSolved` when no equilibrium was reached; its `outcome` says how it ended.
         """
         balance = self.balance(deviation=deviation)
         begin = None if start is None else balance.pack(start.unknowns)
@@ -75,14 +67,8 @@ class RollerBearing:
     ) -> Iterator[Equilibrium]:
         """Newton iterates of the bearing between elastic raceways (inner, outer; None is rigid).
 
-        Parameters
-        ----------
-        compliance : pair of arrays (Z, M, Z, M) or None
-            outward deviation of a raceway per outward force [m/N]
-        start : Equilibrium
-            where to begin, such as the rigid equilibrium
-        deviation : array (2, Z, M), optional
-            outward deviations that are there without any roller load [m]
+        The compliance (Z, M, Z, M) is the outward deviation of a raceway per outward force [m/N]; the
+        deviation is as of `solve`, there without any roller load.
         """
         size = self.bearing.rollers * self.axial_modes
         inner, outer = (None if matrix is None else matrix.reshape(size, size) for matrix in compliance)
@@ -167,10 +153,7 @@ def solve_many(bearings: Sequence[RollerBearing]) -> Equilibria:
     Those that differ in numbers only are solved side by side; the answers are those of one solve after the
     other.
 
-    Returns
-    -------
-    Equilibria
-        one for each bearing, also where none was reached: its `status` says so
+    There is one for each bearing, also where none was reached: its `status` says so.
     """
     return Equilibria(
         tuple(

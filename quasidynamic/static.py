@@ -55,10 +55,6 @@ def static_loads(
     slices : int
         number of slices of each roller
 
-    Returns
-    -------
-    StaticLoads
-
     Raises
     ------
     ImpossiblePart

@@ -41,10 +41,6 @@ def elasticity(u, v, lame, shear):
     lame, shear : float or ngsolve.CoefficientFunction
         lambda and mu [Pa]; from `lame_constants`
 
-    Returns
-    -------
-    ngsolve.SumOfIntegrals
-
     Source
     ------
     Any text on elasticity, e.g. Braess, Finite Elements (2007), ch. VI.
@@ -53,19 +49,9 @@ def elasticity(u, v, lame, shear):
 
 
 def elastic_energy(mesh, materials: dict[str, Elastic]):
-    """Weak form of a body of several materials on a mesh in millimetres.
+    """Weak form (u, v) of bodies on a mesh in millimetres, each with the `Elastic` of its name.
 
-    Parameters
-    ----------
-    mesh : ngsolve.Mesh
-        in millimetres, with named bodies
-    materials : dict
-        `Elastic` of every body by its name
-
-    Returns
-    -------
-    callable (u, v)
-        the form whose matrix is in N/m: a modulus in Pa integrated over millimetres is one in mN/m
+    Its matrix is in N/m: a modulus in Pa integrated over millimetres is one in mN/m.
     """
     constants = {name: lame_constants(m.youngs_modulus, m.poisson_ratio) for name, m in materials.items()}
     lame, shear = (

@@ -45,22 +45,9 @@ class Factorisation:
         return self.free.size
 
     def solve(self, load: NDArray) -> NDArray:
-        """Displacement under a load vector.
+        """Displacement u [m] under a load vector f [N]; u is zero where clamped, and f has no effect there.
 
-        Parameters
-        ----------
-        load : array (unknowns,)
-            f [N], work-conjugate to the unknowns; entries on clamped unknowns have no effect
-
-        Returns
-        -------
-        array (unknowns,)
-            u [m] for a stiffness in N/m, zero where clamped
-
-        Raises
-        ------
-        NotSolved
-            if the answer is not as exact as `refined` demands
+        Raises `NotSolved` if the answer is not as exact as `refined` demands.
         """
         return refined(self._direct, self._residual, np.where(self.free, load, 0.0))
 
@@ -87,23 +74,9 @@ class Factorisation:
 
 
 def factorised(space, energy) -> Factorisation:
-    """Assemble and factor a symmetric, positive definite form.
+    """Assemble and factor a symmetric, positive definite form (u, v) -> ngsolve.SumOfIntegrals.
 
-    Parameters
-    ----------
-    space : ngsolve.FESpace
-        with its clamped boundaries
-    energy : callable (u, v) -> ngsolve.SumOfIntegrals
-        the weak form
-
-    Returns
-    -------
-    Factorisation
-
-    Raises
-    ------
-    NotSolved
-        if the solver refuses the matrix
+    Raises `NotSolved` if the solver refuses the matrix.
     """
     u, v = space.TnT()
     form = ngs.BilinearForm(space, symmetric=True, condense=True, store_inner=True)
@@ -114,24 +87,9 @@ def factorised(space, energy) -> Factorisation:
 
 
 def cholesky(matrix, free):
-    """Sparse factorisation of a symmetric, positive definite matrix.
+    """Sparse factorisation of a symmetric, positive definite matrix; `free` is unset where it is clamped.
 
-    Parameters
-    ----------
-    matrix : ngsolve.BaseMatrix
-        K
-    free : ngsolve.BitArray
-        unset where clamped
-
-    Returns
-    -------
-    ngsolve.BaseMatrix
-        which applies the inverse
-
-    Raises
-    ------
-    NotSolved
-        if the solver refuses the matrix
+    Raises `NotSolved` if the solver refuses the matrix.
     """
     try:
         return matrix.Inverse(free, inverse="sparsecholesky")
@@ -150,25 +108,10 @@ def refined(
     elements, such as a very thin ring, leaves a residual by rounding of K u alone: then the change of u by a
     second step, which estimates its error, must be as small.
 
-    Parameters
-    ----------
-    direct : callable (loads)
-        displacements by the factored stiffness
-    residual : callable (displacements, loads)
-        r on the unknowns that are free
-    loads : array (unknowns,) or (unknowns, L)
-        f, zero where clamped [N]
-
-    Returns
-    -------
-    array as `loads`
-        u [m]
-
-    Raises
-    ------
-    NotSolved
-        if residual and change by a second step exceed `RESIDUAL` all the same, or if the first step changed u
-        by more than `REFINABLE`
+    Displacements [m] and loads [N], zero where clamped, are (unknowns,) or (unknowns, L); `direct` applies
+    the factored stiffness, `residual` (u, f) gives r on the unknowns that are free.
+    Raises `NotSolved` if residual and change by a second step exceed `RESIDUAL` all the same, or if the first
+    step changed u by more than `REFINABLE`.
 
     Source
     ------

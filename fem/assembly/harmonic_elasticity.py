@@ -120,10 +120,6 @@ def edge_pressure(v, edge, pressure):
     pressure : ngsolve.CoefficientFunction
         p [1/mm], along the component; with a shape function the form reads the generalised displacement
 
-    Returns
-    -------
-    ngsolve.SumOfIntegrals
-
     Source
     ------
     Virtual work in cylindrical coordinates; derived here.
@@ -145,10 +141,6 @@ def centrifugal(v, density, speed):
     speed : float
         omega [rad/s]
 
-    Returns
-    -------
-    ngsolve.SumOfIntegrals
-
     Source
     ------
     Virtual work in cylindrical coordinates; derived here.
@@ -169,10 +161,6 @@ def thermal(v, bulk, expansion):
         K = lambda + 2 mu/3 [Pa]
     expansion : float or ngsolve.CoefficientFunction
         epsilon_T = alpha (T - T0) [-], positive when it grows
-
-    Returns
-    -------
-    ngsolve.SumOfIntegrals
 
     Source
     ------

@@ -38,25 +38,11 @@ class HarmonicStiffness:
         return self.matrix.height
 
     def solve(self, harmonic: int, loads: NDArray) -> NDArray:
-        """Displacements under loads of one harmonic.
+        """Displacements [m] under loads (unknowns, L) of one harmonic, per radian [N].
 
-        Parameters
-        ----------
-        harmonic : int
-            n, >= 0
-        loads : array (unknowns, L)
-            per radian [N], work-conjugate to the unknowns; entries on clamped unknowns have no effect
-
-        Returns
-        -------
-        array (unknowns, L)
-            u [m], zero where clamped
-
-        Raises
-        ------
-        NotSolved
-            if the matrix cannot be factored, or if the residual stays above
-            `fem.assembly.factorisation.RESIDUAL`
+        They are zero where clamped; loads there have no effect.
+        Raises `NotSolved` if the matrix cannot be factored, or if the residual stays above
+        `fem.assembly.factorisation.RESIDUAL`.
         """
         matrix, pattern = self.matrix.CreateMatrix(), self.parts[0]
         matrix.AsVector().FV().NumPy()[:] = values = _at(harmonic, [part.data for part in self.parts])
@@ -94,23 +80,9 @@ class HarmonicStiffness:
 
 
 def harmonic_stiffness(space, *forms) -> HarmonicStiffness:
-    """Assemble the three parts of a stiffness.
+    """Assemble a stiffness from its symmetric parts without n, with n, with n^2.
 
-    Parameters
-    ----------
-    space : ngsolve.FESpace
-        with its clamped boundaries
-    forms : ngsolve.SumOfIntegrals
-        the parts without n, with n, with n^2; symmetric
-
-    Returns
-    -------
-    HarmonicStiffness
-
-    Raises
-    ------
-    NotSolved
-        if the parts do not couple the same unknowns
+    Raises `NotSolved` if the parts do not couple the same unknowns.
     """
     matrices = [ngs.BilinearForm(form, symmetric=True).Assemble().mat for form in forms]
     parts = tuple(
@@ -131,26 +103,10 @@ class HarmonicAnswers:
 
 
 def answers(stiffness: HarmonicStiffness, loads: NDArray, last: int) -> HarmonicAnswers:
-    """Displacements under loads for all harmonics 0 .. N.
+    """Displacements under loads (unknowns, L) [N/N], the same for all harmonics 0 .. `last`, at least 1.
 
-    Parameters
-    ----------
-    stiffness : HarmonicStiffness
-        stiffness per radian
-    loads : array (unknowns, L)
-        G, the same for all harmonics [N/N]
-    last : int
-        N, >= 1
-
-    Returns
-    -------
-    HarmonicAnswers
-        with residuals of `SMALL_SPACE_RESIDUAL` at most
-
-    Raises
-    ------
-    NotSolved
-        if a solve fails
+    Residuals are `SMALL_SPACE_RESIDUAL` at most.
+    Raises `NotSolved` if a solve fails.
     """
     G = stiffness.on_free(loads)
     solved: dict[int, NDArray] = {}
@@ -175,24 +131,12 @@ def answers(stiffness: HarmonicStiffness, loads: NDArray, last: int) -> Harmonic
 
 
 def compliances(stiffness: HarmonicStiffness, loads: NDArray, last: int) -> NDArray:
-    r"""Work of loads on their answers, for all harmonics 0 .. N.
+    """Work of loads on their answers, for all harmonics 0 .. N.
 
     .. math:: W_n = G^T K(n)^{-1} G
 
-    Parameters
-    ----------
-    stiffness, loads, last
-        as for `answers`
-
-    Returns
-    -------
-    array (N + 1, L, L)
-        [m/N] symmetric; relative error about the square of `SMALL_SPACE_RESIDUAL`
-
-    Raises
-    ------
-    NotSolved
-        if a solve fails
+    An array (N + 1, L, L) [m/N], symmetric; the relative error is about the square of `SMALL_SPACE_RESIDUAL`.
+    Arguments and errors are those of `answers`.
 
     Source
     ------
@@ -203,23 +147,14 @@ def compliances(stiffness: HarmonicStiffness, loads: NDArray, last: int) -> NDAr
 
 
 def near_compliances(known: HarmonicAnswers, stiffness: HarmonicStiffness, loads: NDArray) -> NDArray:
-    r"""Work of loads on their answers where stiffness and loads differ little from those that were solved.
+    """Work of loads on their answers where stiffness and loads differ little from those that were solved.
 
     .. math:: W_n = 2 G^T u_n - u_n^T K(n) u_n
 
     with the u_n of the solved ones: W is stationary there.
 
-    Parameters
-    ----------
-    known : HarmonicAnswers
-        u of as many loads, of a stiffness with the same unknowns
-    stiffness, loads
-        as for `answers`
-
-    Returns
-    -------
-    array (N + 1, L, L)
-        [m/N] symmetric; the error grows with the square of the difference
+    An array (N + 1, L, L) [m/N], symmetric; the error grows with the square of the difference. The known
+    answers are of as many loads and of a stiffness with the same unknowns.
 
     Source
     ------

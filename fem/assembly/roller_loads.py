@@ -39,36 +39,17 @@ class Band:
     along_z: sparse.csr_array  # (points, unknowns) likewise for z
 
     def forces(self, y, z):
-        """Load vectors of tractions on the band.
+        """Load vectors [N] of tractions [Pa] on the band along y and z, both (points, ...), dense or sparse.
 
-        Parameters
-        ----------
-        y, z : array or sparse array (points, ...)
-            traction [Pa] along y and z
-
-        Returns
-        -------
-        array or sparse array (unknowns, ...)
-            [N]; its product with a displacement [m] is the work of the traction
+        Their product with a displacement [m] is the work of the traction.
         """
         return self.along_y.T @ y + self.along_z.T @ z
 
 
 def band(space, raceway: str, order: int) -> Band:
-    """Quadrature on the loaded band.
+    """Quadrature on the boundary `raceway` of a mesh in millimetres.
 
-    Parameters
-    ----------
-    space : ngsolve.VectorH1
-        displacements on a mesh in millimetres
-    raceway : str
-        name of the boundary
-    order : int
-        polynomial order that is integrated exactly on a flat element
-
-    Returns
-    -------
-    Band
+    It is exact for polynomials of `order` on a flat element.
     """
     points = IntegrationRuleSpaceSurface(space.mesh, order=order)
     dA = ngs.ds(definedon=space.mesh.Boundaries(raceway), intrules=points.GetIntegrationRules())
@@ -101,47 +82,18 @@ def quadrature_order(patches: Patches, mesh: MeshSize) -> int:
 
 
 def roller_forces(band: Band, patches: Patches) -> sparse.csc_array:
-    """Load vectors of unit generalised forces, which also read generalised displacements.
+    """Load vectors (unknowns, Z M) of unit generalised forces [N/N], which also read such displacements.
 
-    Parameters
-    ----------
-    band : Band
-        quadrature on the raceway
-    patches : Patches
-        rollers and axial modes
-
-    Returns
-    -------
-    sparse array (unknowns, Z * M)
-        [N/N], roller by roller; resultant and moments are exact on the mesh
-
-    Raises
-    ------
-    NotSolved
-        if the band is too coarse for the Gaussian
+    Roller by roller; resultant and moments are exact on the mesh.
+    Raises `NotSolved` if the band is too coarse for the Gaussian.
     """
     return sparse.csc_array(band.forces(*tractions(band, patches)))
 
 
 def tractions(band: Band, patches: Patches) -> tuple[sparse.csr_array, sparse.csr_array]:
-    """Tractions of unit generalised forces.
+    """Tractions (points, Z M) of unit generalised forces along y and z [Pa/N], roller by roller.
 
-    Parameters
-    ----------
-    band : Band
-        quadrature on the raceway; its link to unknowns is not used
-    patches : Patches
-        rollers and axial modes
-
-    Returns
-    -------
-    tuple of sparse array (points, Z * M)
-        along y and z [Pa/N], roller by roller
-
-    Raises
-    ------
-    NotSolved
-        if the band is too coarse for the Gaussian
+    Raises `NotSolved` if the band is too coarse for the Gaussian.
     """
     columns = [_pressure(band, patches, phi) for phi in patches.azimuths]
     pressure = sparse.hstack(columns, format="csr")
@@ -185,15 +137,8 @@ def translation_forces(band: Band) -> NDArray:
 
     which is (2/A) times the integral on a whole circle, and exact for a rigid translation on any mesh.
 
-    Parameters
-    ----------
-    band : Band
-        quadrature on the raceway
-
-    Returns
-    -------
-    array (unknowns, 2)
-        [N/N] for y and z; as loads they are radial pressures of unit resultant, like cos(phi)
+    An array (unknowns, 2) [N/N] for y and z; as loads they are radial pressures of unit resultant, like
+    cos(phi).
 
     Source
     ------

@@ -34,19 +34,12 @@ class Substructure:
     fronts: list[tuple[slice, NDArray, NDArray, NDArray]]  # eliminated, remaining, triangle, coupling
 
     def interior(self, kept: NDArray) -> NDArray:
-        r"""All unknowns from the kept ones and the loads.
+        """All unknowns from the kept ones and the loads.
 
         .. math:: u_i = K_{ii}^{-1} (F_i q - K_{ik} u_k)
 
-        Parameters
-        ----------
-        kept : array (kept + loads, columns)
-            u_k and q in the order of `schur`
-
-        Returns
-        -------
-        array (size, columns)
-            zero for unknowns that were left out
+        `kept` has u_k and q in the order of `schur`, (kept + loads, columns); unknowns that were left out are
+        zero.
 
         Source
         ------
@@ -63,22 +56,10 @@ class Substructure:
 
 
 def owners(elements: Sequence[NDArray], centres: NDArray, unknowns: int) -> NDArray:
-    """The smallest group of elements that holds all elements of an unknown.
+    """The smallest group of elements that holds all elements of an unknown, groups numbered in a binary tree.
 
-    Parameters
-    ----------
-    elements : sequence of arrays of int
-        unknowns of every element
-    centres : array (elements, 3)
-        any point of every element
-    unknowns : int
-        number of unknowns
-
-    Returns
-    -------
-    array (unknowns,) of int
-        group number in a binary tree, children of g are 2 g and 2 g + 1, the root is 1; 0 for
-        unknowns without elements
+    Children of g are 2 g and 2 g + 1, the root is 1; unknowns without elements have 0. `elements` are the
+    unknowns of every element, `centres` (elements, 3) any point of each.
     """
     leaf = _halved(elements, centres, unknowns)
     depth = _depth(leaf.max())
@@ -100,25 +81,10 @@ def eliminate(stiffness: sparse.csr_array, loads: NDArray, owner: NDArray, kept:
             - \begin{bmatrix} K_{ki} \\ -F_i^T \end{bmatrix} K_{ii}^{-1}
               \begin{bmatrix} K_{ik} & -F_i \end{bmatrix}
 
-    Parameters
-    ----------
-    stiffness : sparse array (unknowns, unknowns)
-        K, whole and symmetric; positive definite at the eliminated unknowns, any at the kept ones
-    loads : array (unknowns, loads)
-        F, load vectors of unit forces q
-    owner : array (unknowns,) of int
-        from `owners`; 0 for the unknowns that are left out (held, or kept)
-    kept : array (kept,) of int
-        which unknowns stay, in this order
-
-    Returns
-    -------
-    Substructure
-
-    Raises
-    ------
-    NotSolved
-        if nothing holds the body once the kept unknowns are held
+    K is whole and symmetric, positive definite at the eliminated unknowns, any at the kept ones; F (unknowns,
+    loads) are load vectors of unit forces q. `owner` is from `owners`, 0 for the unknowns that are left out
+    (held, or kept); `kept` says which unknowns stay, in this order.
+    Raises `NotSolved` if nothing holds the body once the kept unknowns are held.
 
     Source
     ------

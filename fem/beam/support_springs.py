@@ -49,10 +49,6 @@ def bars_around(
     elastic : Elastic
         of the bars
 
-    Returns
-    -------
-    SupportCompliance
-
     Source
     ------
     Timoshenko beam with both ends guided, e.g. Przemieniecki, Theory of Matrix Structural Analysis, ch. 5;
@@ -111,10 +107,6 @@ def tube_wall(
         r less the radius of the middle of the ring's section [m]
     elastic : Elastic
         of the tube
-
-    Returns
-    -------
-    SupportCompliance
 
     Source
     ------

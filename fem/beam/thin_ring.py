@@ -55,31 +55,13 @@ MIRROR = np.diag([-1.0, 1.0, 1.0, -1.0, -1.0, 1.0])  # motions with x the other 
 def beam_responses(
     part: Part, resolution: Resolution, last: int, stage: Stage, face_modes: int = 0
 ) -> Responses:
-    r"""Answers of a raceway, its ring as a curved beam.
+    r"""Answers of a raceway to harmonics 0 .. `last`, its ring as a curved beam; bars are spread evenly.
 
-    Parameters
-    ----------
-    part : OuterRing, SquirrelCage, RingOnShaft
-        an outer ring on a foundation or with a clamped face, a ring on bars and flange, or a ring on a
-        hollow shaft, both together one section
-    resolution : Resolution
-        of the band; under all but the first two axial modes the section keeps its place
-    last : int
-        N, the highest harmonic
-    stage : callable (name)
-        around "condense"
-    face_modes : int
-        axial modes of the outer surface of an outer ring, which moves with the section
-
-    Returns
-    -------
-    Responses
-        of revolution: bars are spread evenly; to the modes of the raceway, then to those of the outer surface
-
-    Raises
-    ------
-    ImpossiblePart
-        if what holds the ring is no spring to ground
+    The part is an outer ring on a foundation or with a clamped face, a ring on bars and flange, or a ring on
+    a hollow shaft, both together one section. Answers are those of the modes of the raceway, then those of
+    `face_modes` axial modes of the outer surface of an outer ring, which moves with the section. Under all
+    but the first two axial modes the section keeps its place.
+    Raises `ImpossiblePart` if what holds the ring is no spring to ground.
 
     Valid
     -----
@@ -103,22 +85,7 @@ def beam_responses(
 def last_harmonic(part: Part, resolution: Resolution) -> int:
     """Choose the last harmonic: fine for the band, and beyond it the wall deflects like a half-space.
 
-    Parameters
-    ----------
-    part : OuterRing, SquirrelCage, RingOnShaft
-        as for `beam_responses`
-    resolution : Resolution
-        of the band, with the harmonic that is requested
-
-    Returns
-    -------
-    int
-        N
-
-    Raises
-    ------
-    NotSolved
-        if fewer harmonics are requested than any ring needs
+    Raises `NotSolved` if fewer harmonics are requested than any ring needs.
     """
     wish = resolution.harmonics
     if wish is not None and wish < FEWEST:

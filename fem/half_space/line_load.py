@@ -62,17 +62,7 @@ def indentation_harmonics(
 
     .. math:: h_n = \frac{1}{\pi} \int_0^\pi H(\varphi) \cos n\varphi\,d\varphi
 
-    Parameters
-    ----------
-    harmonics : array (K,) of int
-        n
-    radius, length, axial_modes, elastic
-        as for `indentation`
-
-    Returns
-    -------
-    array (K, M, M)
-        h [m/N]; for large n it is (1 - nu^2)/(pi E) (2m + 1)/l |n|^-1 on the diagonal
+    h (K, M, M) [m/N] of K harmonics n; for large n it is (1 - nu^2)/(pi E) (2m + 1)/l |n|^-1 on the diagonal.
 
     Source
     ------
@@ -96,17 +86,7 @@ def fourier(harmonics: NDArray, answer: Callable[[NDArray], NDArray]) -> NDArray
 
     .. math:: h_n = \frac{1}{\pi} \int_0^\pi H(\varphi) \cos n\varphi\,d\varphi
 
-    Parameters
-    ----------
-    harmonics : array (K,) of int
-        n
-    answer : callable (Q,) -> (Q, ...)
-        H of azimuths between 0 and pi [rad]
-
-    Returns
-    -------
-    array (K, ...)
-        in the unit of H
+    `answer` gives H (Q, ...) of azimuths (Q,) between 0 and pi [rad]; h is (K, ...) for K harmonics n.
 
     Source
     ------
@@ -123,17 +103,7 @@ def curvature_tail(azimuth, last: int) -> NDArray:
               = 1 + \tfrac12 \cos\varphi - (\pi-\varphi)\sin\varphi
               - \sum_{n=2}^N \frac{2\cos n\varphi}{n^2-1}
 
-    Parameters
-    ----------
-    azimuth : array (...)
-        phi [rad], between 0 and 2 pi in the printed form
-    last : int
-        N, at least 1
-
-    Returns
-    -------
-    array (...)
-        [-], about 2/N at phi = 0
+    Printed for azimuths between 0 and 2 pi [rad] and N >= 1; about 2/N at phi = 0 [-].
 
     Source
     ------
@@ -150,17 +120,7 @@ def cubic_tail(azimuth, last: int) -> NDArray:
 
     .. math:: \sum_{|n|>N} \frac{e^{in\varphi}}{|n|^3}
 
-    Parameters
-    ----------
-    azimuth : array (...)
-        phi [rad]
-    last : int
-        N, at least 1
-
-    Returns
-    -------
-    array (...)
-        [-], about 1/N^2 at phi = 0, where all beyond 16 N is 0.4 % of it and left out
+    For N >= 1 it is about 1/N^2 at phi = 0 [-], where all beyond 16 N is 0.4 % of it and left out.
 
     Source
     ------

@@ -80,15 +80,7 @@ def autocorrelation(axial_modes: int) -> NDArray:
     .. math:: A_{mm'}(\rho) = \int a_m(\xi)\,[a_{m'}(\xi+\rho) + a_{m'}(\xi-\rho)]\,d\xi,
               \quad a_m = \tfrac{2m+1}{2} L_m
 
-    Parameters
-    ----------
-    axial_modes : int
-        M
-
-    Returns
-    -------
-    array (M, M, 2 M)
-        coefficients of A in powers of rho = 2 r/l in [0, 2], symmetric
+    An array (M, M, 2 M) of coefficients of A in powers of rho = 2 r/l in [0, 2], symmetric.
     """
     # a polynomial of degree m + m' + 1, so it is known from its values at 2 M points
     rho = 1 + np.cos(np.pi * (np.arange(2 * axial_modes) + 0.5) / (2 * axial_modes))

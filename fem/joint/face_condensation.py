@@ -78,34 +78,15 @@ def condense_body(
     .. math:: C_n = G^T K(n)^{-1} G, \quad g_a(v) = \frac{1}{w_a} \int \ell_a v_k\,r\,ds, \quad
               w_a = \int \ell_a\,r\,ds
 
-    Clamps hold the body against these loads. They follow its expansion by heat or rotation, as a shaft
-    that goes on beyond them.
+    Clamps hold the body against these loads. They follow its expansion by heat or rotation, as a shaft that
+    goes on beyond them.
 
-    Parameters
-    ----------
-    body : Body
-        one body; free if nothing of it is clamped
-    faces : tuple of Face
-        where it can touch others
-    last : int
-        N, highest harmonic of the tractions, >= 3
-    raceway : tuple (2,) of int
-        M, number of axial modes on the edge "raceway", and the highest harmonic there
-    pushed : str
-        edge over which an axial push along +x is evenly spread
-    variations : mapping
-        by the name of a body, free expansion that varies along the axis; of other bodies there is none
-
-    Returns
-    -------
-    CondensedBody
-
-    Raises
-    ------
-    ImpossiblePart
-        if an edge is missing, if a face is neither a cylinder nor a plane, or if a variation ends inside
-    NotSolved
-        if a solve fails
+    A body of which nothing is clamped is free. Harmonics of the tractions go up to `last`, >= 3; `raceway` is
+    M, the number of axial modes on the edge "raceway", and the highest harmonic there. An axial push along +x
+    is evenly spread over the edge `pushed`. Variations are free expansions along the axis by the name of a
+    body; other bodies have none.
+    Raises `ImpossiblePart` if an edge is missing, if a face is neither a cylinder nor a plane, or if a
+    variation ends inside; `NotSolved` if a solve fails.
 
     Source
     ------

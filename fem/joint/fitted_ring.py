@@ -116,28 +116,10 @@ def condense_fitted(
 ) -> FittedBodies:
     """Condense ring and mate to the bore, the shoulder and the raceway.
 
-    Parameters
-    ----------
-    part : FittedRing, HousedRing
-        ring with what it sits on or in
-    resolution : Resolution
-        of band and mesh, perhaps on the moved nodes of another such part
-    grid : FitGrid
-        resolution of the fit
-    variations : mapping
-        by the name of a body, its free expansion along the axis beyond the even one of
-        `fem.joint.preloaded_fit.Fit`
-
-    Returns
-    -------
-    FittedBodies
-
-    Raises
-    ------
-    ImpossiblePart
-        if the band is longer than the track, or a variation ends inside its body
-    NotSolved
-        if a solve fails
+    Variations are free expansions along the axis by the name of a body, beyond the even ones of
+    `fem.joint.preloaded_fit.Fit`.
+    Raises `ImpossiblePart` if the band is longer than the track, or a variation ends inside its body;
+    `NotSolved` if a solve fails.
 
     Valid
     -----
@@ -153,22 +135,9 @@ def condense_fitted(
 def condense_axisymmetric(
     part: FittedRing | HousedRing, resolution: Resolution, variations: Mapping[str, Along] | None = None
 ) -> FittedBodies:
-    """Condense ring and mate for `fem.joint.preloaded_fit.preloaded` alone: pressure and expansion are those
-    of the whole fit, loads of rollers are not known.
+    """Condense ring and mate for `fem.joint.preloaded_fit.preloaded` alone.
 
-    Parameters
-    ----------
-    part, resolution, variations
-        as of `condense_fitted`
-
-    Returns
-    -------
-    FittedBodies
-
-    Raises
-    ------
-    ImpossiblePart, NotSolved
-        as `condense_fitted`, but for the harmonics
+    Pressure and expansion are those of the whole fit, loads of rollers are not known.
     """
     return _condensed(part, resolution, LOWEST, FitGrid(harmonics=LOWEST), variations)
 

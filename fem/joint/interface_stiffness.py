@@ -70,24 +70,9 @@ class InterfaceStiffness:
 def interface_stiffness(
     ring: CondensedBody, mate: CondensedBody, carries: NDArray, tangential: bool
 ) -> InterfaceStiffness:
-    """Join a free ring and its mate, that is held.
+    """Join a free ring and its mate, that is held; both have the same faces, their points at the same places.
 
-    Parameters
-    ----------
-    ring, mate : CondensedBody
-        with the same faces, point by point
-    carries : array of bool
-        points that can carry a force
-    tangential : bool
-        whether they carry tangential forces too
-
-    Returns
-    -------
-    InterfaceStiffness
-
-    Valid
-    -----
-    The points of both bodies at the same places.
+    Only points that carry a force are joined, along the surface, too, if `tangential`.
     """
     L = 3 * carries.size
     D = 3 if tangential else 1

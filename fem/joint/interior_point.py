@@ -24,26 +24,12 @@ BOUNDARY = 0.99  # of the way to the nearest p = 0 or d = 0
 
 
 def frictionless_start(contact: ContactEquations, rest: NDArray, loads: NDArray) -> NDArray:
-    """Gaps close to those of contact without friction.
+    """Gaps (P, A, 1) above zero [m], close to those of contact without friction.
 
-    Parameters
-    ----------
-    contact : ContactEquations
-        of pressure alone
-    rest : array (P, A, 1)
-        gaps without loads [m]
-    loads : array (P, A)
-        forces per radian on the closed interface by rollers [N], which give the size of pressure
-
-    Returns
-    -------
-    array (P, A, 1)
-        [m] above zero
-
-    Raises
-    ------
-    NotSolved
-        if a matrix is singular or `LIMIT` steps do not suffice, as with a ring that nothing holds
+    `rest` are the gaps without loads [m]; `loads` (P, A), forces per radian on the closed interface by
+    rollers [N], give the size of pressure.
+    Raises `NotSolved` if a matrix is singular or `LIMIT` steps do not suffice, as with a ring that nothing
+    holds.
     """
     P, n = rest.shape[0], rest.shape[1]
     azimuth = np.arange(P)

@@ -120,28 +120,11 @@ class LoadedFit:
 
 
 def loaded(fit: PreloadedFit, azimuths, forces, start: NDArray | None = None) -> LoadedFit:
-    """Load a preloaded fit with rollers.
+    """Load a preloaded fit with rollers at different azimuths (Z,) [rad].
 
-    Parameters
-    ----------
-    fit : PreloadedFit
-        ring with its mate
-    azimuths : array (Z,)
-        phi of the rollers, all different [rad]
-    forces : array (Z, M)
-        generalised forces as in `fem.assembly.roller_loads` [N], outward: those of rollers on an inner ring
-        are negative
-    start : array (P, A, D)
-        `contact.jump` of a similar case
-
-    Returns
-    -------
-    LoadedFit
-
-    Raises
-    ------
-    NotSolved
-        if nothing presses the ring on its mate, or if contact is not found
+    Generalised forces (Z, M) [N] are as in `fem.assembly.roller_loads`, outward: those of rollers on an inner
+    ring are negative. `start` is `contact.jump` (P, A, D) of a similar case.
+    Raises `NotSolved` if nothing presses the ring on its mate, or if contact is not found.
 
     Valid
     -----

@@ -135,20 +135,6 @@ def fitted(
     """Condense ring and mate as `condense_fitted` and put them together as `preloaded`.
 
     A thin ring bends between the azimuths of a coarse grid: its harmonics are doubled until they are enough.
-
-    Parameters
-    ----------
-    part, resolution, fit, variations
-        as of these functions
-
-    Returns
-    -------
-    PreloadedFit
-
-    Raises
-    ------
-    ImpossiblePart, NotSolved
-        as these functions
     """
 
     def condensed(resolution: Resolution, last: int) -> PreloadedFit:
@@ -164,23 +150,7 @@ def fitted(
 def preloaded(bodies: FittedBodies, fit: Fit) -> PreloadedFit:
     """Put a ring on its shaft or in its housing, without rollers and without friction.
 
-    Parameters
-    ----------
-    bodies : FittedBodies
-        condensed ring and mate
-    fit : Fit
-        interference with what changes it
-
-    Returns
-    -------
-    PreloadedFit
-
-    Raises
-    ------
-    ImpossiblePart
-        if a nut presses the ring on no shoulder
-    NotSolved
-        if contact is not found
+    Raises `ImpossiblePart` if a nut presses the ring on no shoulder, `NotSolved` if contact is not found.
     """
     shoulder = bodies.ring.points.face == SHOULDER
     if fit.clamping and not shoulder.any():

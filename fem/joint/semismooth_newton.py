@@ -194,26 +194,10 @@ class ContactEquations:
 
 
 def solve_contact(contact: ContactEquations, start: NDArray) -> tuple[InterfaceState, int]:
-    """Solve for contact with friction.
+    """Solve for contact with friction, to a residual below `TOLERANCE`; also the number of Newton steps.
 
-    Parameters
-    ----------
-    contact : ContactEquations
-        the equations
-    start : array (P, A, D)
-        gaps and slips of a similar case, or zeros [m]
-
-    Returns
-    -------
-    InterfaceState
-        solution, residual below `TOLERANCE`
-    int
-        Newton steps
-
-    Raises
-    ------
-    NotSolved
-        if a matrix is singular, because the ring is loose, or if `LIMIT` steps do not suffice
+    `start` are gaps and slips (P, A, D) of a similar case, or zeros [m].
+    Raises `NotSolved` if a matrix is singular, because the ring is loose, or if `LIMIT` steps do not suffice.
 
     Valid
     -----

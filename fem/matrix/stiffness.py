@@ -24,25 +24,13 @@ class Stiffness:
     matrix: sparse.csc_array  # (n, n) symmetric
 
     def at(self, nodes: Sequence[int]) -> NDArray:
-        r"""Stiffness felt at some nodes, nothing pressing on the others.
+        """Stiffness felt at some nodes, nothing pressing on the others.
 
         .. math:: S = K_{kk} - K_{ki} K_{ii}^{-1} K_{ik}
 
-        Parameters
-        ----------
-        nodes : sequence of int (K)
-            which displace along x, y and z
-
-        Returns
-        -------
-        array (3 K, 3 K)
-            symmetric, node by node
-
-        Raises
-        ------
-        ImpossiblePart
-            if a node has not all three motions, or the others can move without force or push where they
-            should pull
+        The K nodes displace along x, y and z: S (3 K, 3 K) is symmetric, node by node.
+        Raises `ImpossiblePart` if a node has not all three motions, or the others can move without force or
+        push where they should pull.
 
         Source
         ------
@@ -77,22 +65,10 @@ class Stiffness:
 
 
 def extremes(S: NDArray) -> tuple[float, float]:
-    """Smallest and largest eigenvalue of a dense stiffness that resists every displacement.
+    """Smallest and largest eigenvalue of a symmetric stiffness that resists every displacement, in its units.
 
-    Parameters
-    ----------
-    S : array (n, n)
-        symmetric
-
-    Returns
-    -------
-    tuple
-        in its units; the smallest may be below zero by what numbers of a file are rounded
-
-    Raises
-    ------
-    ImpossiblePart
-        if it is indefinite beyond that: a body would deflect against its load
+    The smallest may be below zero by what numbers of a file are rounded.
+    Raises `ImpossiblePart` if it is indefinite beyond that: a body would deflect against its load.
     """
     eigenvalues = np.linalg.eigvalsh(S)
     smallest, largest = float(eigenvalues[0]), float(eigenvalues[-1])
@@ -138,23 +114,8 @@ def symmetric(
 ) -> Stiffness:
     """Stiffness of entries that are in the file once, in either triangle, or twice alike.
 
-    Parameters
-    ----------
-    nodes, motions : array (n) of int
-        of the unknowns
-    rows, columns : array (e) of int
-        places of the entries, from 0
-    values : array (e)
-        of the entries
-
-    Returns
-    -------
-    Stiffness
-
-    Raises
-    ------
-    ImpossiblePart
-        if an entry and its mirror differ, or the matrix is no finite one
+    Nodes and motions are those of the n unknowns, rows and columns the places of the entries, from 0.
+    Raises `ImpossiblePart` if an entry and its mirror differ, or the matrix is no finite one.
     """
     count = len(nodes)
     if not values.size or not np.isfinite(values).all():

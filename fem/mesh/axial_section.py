@@ -38,25 +38,11 @@ class AxialSection:
 
 @singledispatch
 def sections(part, length: float) -> list[AxialSection]:
-    """Bodies of a part as polygons that touch along whole edges.
+    """Bodies of a part as polygons that touch along whole edges, corners in counter-clockwise order.
 
-    Parameters
-    ----------
-    part : OuterRing, RingOnShaft, BoltedRing
-        a body of revolution with its seat
-    length : float
-        axial length of the loaded band, centred on x = 0 [m], at most the track of the part; a groove has
-        the width that its lands leave it
-
-    Returns
-    -------
-    list of AxialSection
-        their corners in counter-clockwise order
-
-    Raises
-    ------
-    ImpossiblePart
-        if the part is not a body of revolution
+    The loaded band of `length` [m] is centred on x = 0, at most the track of the part; a groove has the width
+    that its lands leave it.
+    Raises `ImpossiblePart` if the part is not a body of revolution.
     """
     raise ImpossiblePart(f"{type(part).__name__} is not known as a body of revolution")
 

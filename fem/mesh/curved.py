@@ -31,23 +31,8 @@ def curved(generate: Callable[[MeshSize], ngs.Mesh], mesh_size: MeshSize, allowe
     An edge of length :math:`h` is up to :math:`h^2 / 8 R` away from the face of radius :math:`R`: walls
     thinner than that need shorter ones.
 
-    Parameters
-    ----------
-    generate : callable (MeshSize)
-        straight mesh of element sizes
-    mesh_size : MeshSize
-        order of the geometry and element sizes
-    allowed : float
-        share of the volume that may fold [-]
-
-    Returns
-    -------
-    ngsolve.Mesh
-
-    Raises
-    ------
-    NotSolved
-        if elements are inside out on the finest mesh of at most `MOST` elements, too
+    `generate` makes the straight mesh of element sizes; a share `allowed` of the volume may fold [-].
+    Raises `NotSolved` if elements are inside out on the finest mesh of at most `MOST` elements, too.
     """
     folded, elements, tried = 0.0, 0, 1.0
     for share in FINER:

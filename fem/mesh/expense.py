@@ -17,28 +17,12 @@ _log = logging.getLogger(__name__)
 def require_affordable(
     dimension: int, bodies: list[tuple[float, float]], loaded: float, mesh_size: MeshSize
 ) -> float:
-    """Refuse a mesh of far more unknowns than a computer can solve for.
+    """Refuse a mesh of far more unknowns than a computer can solve for; about how many there will be [-].
 
-    Parameters
-    ----------
-    dimension : int
-        2 for an axial section, 3 for a solid
-    bodies : list of pairs
-        area and perimeter, or volume and surface, of every body [m^2, m] or [m^3, m^2]
-    loaded : float
-        length or area of the loaded band [m] or [m^2]
-    mesh_size : MeshSize
-        order and sizes of the elements
-
-    Returns
-    -------
-    float
-        about how many unknowns there will be [-], without the layers at corners, which few elements make many
-
-    Raises
-    ------
-    NotSolved
-        when there are too many
+    Bodies are area and perimeter [m^2, m] in 2 dimensions, volume and surface [m^3, m^2] in 3; `loaded` is
+    length [m] or area [m^2] of the loaded band. Layers at corners are not counted, which few elements make
+    many.
+    Raises `NotSolved` when there are too many.
     """
     elements = HELD[dimension] * loaded / mesh_size.raceway_size ** (dimension - 1)
     for content, surface in bodies:

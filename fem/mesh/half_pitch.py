@@ -47,35 +47,19 @@ def half_pitch(
     graded_clamp: bool = False,
     nodes_of: Shape | None = None,
 ) -> ngs.Mesh:
-    """Curved elements that fill half a pitch of a squirrel cage.
+    """Curved elements that fill half a pitch of a squirrel cage, in millimetres, x along the axis.
 
-    Where bars meet ring and flange at a sharp edge the stress is singular: layers of thinner and
-    thinner elements follow the edge. A fillet needs none.
+    Where bars meet ring and flange at a sharp edge the stress is singular: layers of thinner and thinner
+    elements follow the edge. A fillet needs none.
 
-    Parameters
-    ----------
-    part : SquirrelCage
-        ring, bars and flange
-    length, mesh_size
-        as for `fem.mesh.solid.meshed`
-    feet_size : float, optional
-        for stresses: largest element edge at the feet of the bar [m]; with fillets all is one body then,
-        named after the ring: a fillet that ends at another body is a cusp
-    graded_clamp : bool
-        whether layers of thinner elements follow the rims of the clamp, too, where stress is as singular: it
-        pays where the clamp is what strains the cage, or where stresses of the flange count
-    nodes_of : Shape, optional
-        another cage and band, whose mesh is taken with its nodes moved to these
+    For stresses, `feet_size` is the largest element edge at the feet of the bar [m]; with fillets all is one
+    body then, named after the ring: a fillet that ends at another body is a cusp. With `graded_clamp` layers
+    of thinner elements follow the rims of the clamp, too, where stress is as singular: it pays where the
+    clamp is what strains the cage, or where stresses of the flange count. With `nodes_of` the mesh of another
+    cage and band is taken, its nodes moved to these.
 
-    Returns
-    -------
-    ngsolve.Mesh
-        in millimetres, x along the axis
-
-    Raises
-    ------
-    ImpossiblePart
-        if the band is longer than the track, or elements are inside out or far too many
+    Raises `ImpossiblePart` if the band of `length` [m] is longer than the track, or elements are inside out
+    or far too many.
     """
     require_on_track(length, part.track)
     if nodes_of is not None:

@@ -38,20 +38,7 @@ class Faces:
 
 
 def cage_faces(cage: SquirrelCage, length: float) -> Faces:
-    """Faces of a squirrel cage.
-
-    Parameters
-    ----------
-    cage : SquirrelCage
-        ring, bars and flange
-    length : float
-        axial length of the loaded band [m]
-
-    Returns
-    -------
-    Faces
-        those where fillets end, too
-    """
+    """Faces of a squirrel cage, those where fillets end, too, with a loaded band of `length` [m]."""
     inner, (low, high), side = cage.raceway_diameter / 2, cage.bar_radii, cage.bar_width / 2
     x = [*cage.sides, -length / 2, length / 2, *(x for x, _ in cage.outline)]
     for end in cage.ends:
@@ -65,19 +52,10 @@ def cage_faces(cage: SquirrelCage, length: float) -> Faces:
 
 
 def move_nodes(mesh: ngs.Mesh, before: Faces, after: Faces) -> None:
-    """Move the nodes of a mesh with the faces of its part.
+    """Move the nodes of a mesh [mm] in place, from the faces of its part to those of another.
 
-    Parameters
-    ----------
-    mesh : ngsolve.Mesh
-        [mm] of a part in space, x along the axis, or of axial sections, y the radius; it is deformed
-    before, after : Faces
-        of the part that is meshed, and of the one that is wanted
-
-    Raises
-    ------
-    ImpossiblePart
-        if faces that are one would come apart, or others would meet
+    The mesh is in space, x along the axis, or of axial sections, y the radius.
+    Raises `ImpossiblePart` if faces that are one would come apart, or others would meet.
     """
     places = vertex_places(mesh)
     mesh.SetDeformation(_deformation(mesh, places, *_moved(places, before, after)))

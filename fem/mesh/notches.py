@@ -31,17 +31,7 @@ class Notches:
         return REACH * self.wall
 
     def clear(self, x: NDArray, radius: NDArray) -> NDArray:
-        """Whether points lie further away than the reach.
-
-        Parameters
-        ----------
-        x, radius : array (n,)
-            points in the axial section [m]
-
-        Returns
-        -------
-        array of bool (n,)
-        """
+        """Whether points of the axial section [m] lie further away than the reach."""
         points = np.stack([x, radius], axis=1)
         far = np.ones(len(points), dtype=bool)
         for start, end in self.lines:
@@ -51,17 +41,9 @@ class Notches:
         return far
 
     def around(self, intervals: int) -> NDArray:
-        """Points of the axial section just beyond the reach.
+        """Points (n, 2) of the axial section just beyond the reach, x and radius [m].
 
-        Parameters
-        ----------
-        intervals : int
-            of the way on the reach's length
-
-        Returns
-        -------
-        array (n, 2)
-            x and radius [m]
+        Intervals are along the way on the reach's length.
         """
         distance, places = self.reach * (1 + JUST_BEYOND), [np.zeros((0, 2))]
         turn = np.linspace(0, 2 * np.pi, 6 * intervals, endpoint=False)
@@ -79,22 +61,9 @@ class Notches:
 
 @singledispatch
 def notches(part) -> Notches:
-    """Notches of a part.
+    """Notches of a part, none for a drawn solid, of which no edges are known.
 
-    Parameters
-    ----------
-    part : Part or StepSolid
-        ring with its seat
-
-    Returns
-    -------
-    Notches
-        none for a drawn solid, of which no edges are known
-
-    Raises
-    ------
-    TypeError
-        for a part of which no notches are known
+    Raises `TypeError` for a part of which no notches are known.
     """
     raise TypeError(f"no notches are known for {type(part).__name__}")
 

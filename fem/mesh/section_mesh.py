@@ -18,26 +18,11 @@ GRADED_RATIO = 0.2  # size of a layer to that of the one around it
 def meshed(
     bodies: list[AxialSection], mesh_size: MeshSize, nodes_of: list[AxialSection] | None = None
 ) -> ngs.Mesh:
-    """Triangles that fill sections, with quadrilaterals in the layers around corners.
+    """Triangles that fill touching sections, with quadrilaterals in the layers around corners.
 
-    Parameters
-    ----------
-    bodies : list of AxialSection
-        which touch along whole edges
-    mesh_size : MeshSize
-        element sizes
-    nodes_of : list of AxialSection, optional
-        other bodies of the same kind, whose mesh is taken with its nodes moved to these
-
-    Returns
-    -------
-    ngsolve.Mesh
-        in millimetres, x along the axis, y the radius
-
-    Raises
-    ------
-    ImpossiblePart
-        when it would have far too many elements, or none fill the section
+    In millimetres, x along the axis, y the radius. With `nodes_of` the mesh of other bodies of the same kind
+    is taken, its nodes moved to these.
+    Raises `ImpossiblePart` when it would have far too many elements, or none fill the section.
     """
     if nodes_of is not None:
         mesh = meshed(nodes_of, mesh_size)

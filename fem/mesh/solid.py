@@ -33,27 +33,10 @@ _AXIS = occ.Axis(occ.Pnt(0, 0, 0), occ.X)
 def meshed(part: Part | StepSolid, length: float, mesh_size: MeshSize) -> ngs.Mesh:
     """Curved tetrahedra that fill a part, with the loaded band as faces of their own.
 
-    Parameters
-    ----------
-    part : Part or StepSolid
-        the ring with its seat
-    length : float
-        axial length of the loaded band, centred on x = 0 [m], at most the track of the part
-    mesh_size : MeshSize
-        order of the geometry and element sizes
-
-    Returns
-    -------
-    ngsolve.Mesh
-        in millimetres, x along the axis
-
-    Raises
-    ------
-    ImpossiblePart
-        if the band is longer than the track, a drawing does not hold such a part, or elements are inside out
-        or far too many
-    NotSolved
-        if the mesh generator finds no mesh
+    They are in millimetres, x along the axis. The band of `length` [m], at most the track of the part, is
+    centred on x = 0.
+    Raises `ImpossiblePart` if the band is longer than the track, a drawing does not hold such a part, or
+    elements are inside out or far too many; `NotSolved` if the mesh generator finds no mesh.
     """
     require_on_track(length, part.track)
     body, rounded = occ.Glue(solids(part, length)), isinstance(part, SquirrelCage) and part.fillet > 0
@@ -94,22 +77,9 @@ def size_raceway(body, sizes: MeshSize) -> None:
 def solids(part, length: float) -> list:
     """Bodies of a part that touch, their materials and outer faces named [mm].
 
-    Parameters
-    ----------
-    part : Part
-        the ring with its seat
-    length : float
-        axial length of the loaded band [m]
-
-    Returns
-    -------
-    list of netgen.occ.Solid
-        to be glued, so that the faces between them stay (a fuse would merge the band away)
-
-    Raises
-    ------
-    TypeError
-        for a part of which no geometry is known
+    The loaded band has a `length` [m]. They are to be glued, so that the faces between them stay: a fuse
+    would merge the band away.
+    Raises `TypeError` for a part of which no geometry is known.
     """
     raise TypeError(f"no geometry is known for {type(part).__name__}")
 
@@ -141,19 +111,9 @@ def _(part: SquirrelCage, length):
 
 
 def cage_bodies(part: SquirrelCage, length: float) -> tuple:
-    """Bodies of a squirrel cage, of its bars those at azimuth 0 [mm].
+    """Bodies of a squirrel cage [mm]: the ring, then a pair of bar and flange for each of `part.ends`.
 
-    Parameters
-    ----------
-    part : SquirrelCage
-        ring, bars and flange
-    length : float
-        axial length of the loaded band [m]
-
-    Returns
-    -------
-    tuple
-        the ring, then a pair of bar and flange for each of `part.ends`
+    Of the bars those at azimuth 0; the loaded band has a `length` [m].
     """
     ring = _outer_ring(part, length)
     return ring, *(_bar_and_flange(part, ring, end) for end in part.ends)

@@ -35,26 +35,12 @@ _NO_NUMBER = re.compile(  # the kernel would not end
 
 
 def solid(part: StepSolid, length: float):
-    """The drawn solid in the bearing's frame, faces "raceway" and "clamped" named.
+    """The drawn solid in the bearing's frame [mm], x along the axis, faces "raceway" and "clamped" named.
 
-    Parameters
-    ----------
-    part : StepSolid
-        drawing and picks
-    length : float
-        axial length of the loaded band [m]
-
-    Returns
-    -------
-    netgen.occ.Solid
-        in millimetres, x along the axis; "raceway" is exactly the loaded band
-
-    Raises
-    ------
-    ImpossiblePart
-        if the drawing cannot be read or is not one solid, if the kernel cannot work with it, if a pick finds
-        no face or no clear one, if the raceway is no cylinder about the axis with the diameter of the
-        bearing, or if the band does not fit
+    "raceway" is exactly the loaded band of `length` [m].
+    Raises `ImpossiblePart` if the drawing cannot be read or is not one solid, if the kernel cannot work with
+    it, if a pick finds no face or no clear one, if the raceway is no cylinder about the axis with the
+    diameter of the bearing, or if the band does not fit.
     """
     try:
         return _solid(part, length)

@@ -29,14 +29,7 @@ def bar_section(cage: SquirrelCage) -> BarSection:
 
     .. math:: W_T = \frac{a c^2}{3 + 1.8\,c/a}
 
-    Parameters
-    ----------
-    cage : SquirrelCage
-        with sides a >= c of its bars
-
-    Returns
-    -------
-    BarSection
+    a >= c are the sides of a bar.
 
     Source
     ------

@@ -125,18 +125,7 @@ Support = ClampedFace | RigidSeat | Foundation | Housing | LineSupports | Planet
 
 
 def free_translations(azimuths) -> str:
-    """Directions in which radial lines do not hold a ring.
-
-    Parameters
-    ----------
-    azimuths : sequence of float (K,)
-        of the lines [rad]
-
-    Returns
-    -------
-    str
-        in words, empty if there are none
-    """
+    """Directions in which radial lines at azimuths [rad] do not hold a ring, in words; empty for none."""
     normals = np.stack([np.sin(azimuths), np.cos(azimuths)], axis=1).reshape(-1, 2)
     _, stretch, motions = np.linalg.svd(np.concatenate([normals, np.zeros((2, 2))]))
     free = motions[stretch <= HELD * max(stretch[0], HELD)]

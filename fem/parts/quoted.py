@@ -8,19 +8,7 @@ MOST = 20  # texts of a list
 
 
 def shortened(text: str, longest: int = LONGEST) -> str:
-    r"""Write a text in one line, without control characters.
-
-    Parameters
-    ----------
-    text : str
-        of any length
-    longest : int
-        characters that are written
-
-    Returns
-    -------
-    str
-        its beginning
+    r"""Write the beginning of a text in one line, without control characters.
 
     >>> print(shortened("foot\n"), shortened("raceway", 4))
     foot\n race...
@@ -32,18 +20,7 @@ def shortened(text: str, longest: int = LONGEST) -> str:
 
 
 def enumerated(texts: Iterable[str]) -> str:
-    """Enumerate the first texts in alphabetical order, and say how many more there are.
-
-    Parameters
-    ----------
-    texts : iterable of str
-        different ones, fit to be shown
-
-    Returns
-    -------
-    str
-        "none" where there are none
-    """
+    """Enumerate the first texts in alphabetical order, and say how many more there are; "none" of none."""
     ordered = sorted(texts)
     left = f" and {len(ordered) - MOST} more" if len(ordered) > MOST else ""
     return (", ".join(ordered[:MOST]) or "none") + left

@@ -52,20 +52,10 @@ class BarResponse:
         return 2 * np.pi * np.arange(self.bars) / self.bars
 
     def under(self, azimuths: NDArray, forces: NDArray) -> tuple[NDArray, NDArray | None]:
-        """Section forces of all bars under roller forces, and what another order says of them.
+        """Section forces (..., B, 6) [N, N m] of all bars under roller forces (..., Z, M) [N], outward.
 
-        Parameters
-        ----------
-        azimuths : array (Z,)
-            of the rollers [rad]
-        forces : array (..., Z, M)
-            generalised forces [N], positive outward; M at most that of the response
-
-        Returns
-        -------
-        tuple of array (..., B, 6)
-            [N, N m], signs as in `fem.squirrel_cage.bar_forces`; None for the second where there is no other
-            order
+        Signs are as in `fem.squirrel_cage.bar_forces`; M is at most that of the response. The second array is of
+        another order of displacements, None where there is none.
         """
         last = len(self.response) // 2
         n = np.arange(-last, last + 1)
@@ -82,20 +72,11 @@ class BarResponse:
 
 
 def of_revolution(bars: int, cosines: NDArray) -> BarResponse:
-    """What bars carry that are spread around a body of revolution.
+    """What bars carry that are spread around a body of revolution; the error of spreading is not known.
 
-    Parameters
-    ----------
-    bars : int
-        on the whole circle
-    cosines : array (N + 1, M, 6 or 12)
-        section forces of a bar under the cosine of each harmonic [N/N, N m/N]: the factors of cos(n phi)
-        for the first three, of sin(n phi) for the others; then those of a bar at the other end
-
-    Returns
-    -------
-    BarResponse
-        without a neighbouring order: the error of spreading is not known
+    `cosines` (N + 1, M, 6) are section forces of a bar under the cosine of each harmonic [N/N, N m/N]: the
+    factors of cos(n phi) for the first three, of sin(n phi) for the others; with bars at both ends 12, those
+    of the other end last.
     """
     turned = np.where(is_mirrored(cosines.shape[2]), 1, -1)
     return BarResponse(bars, np.concatenate([cosines[:0:-1], cosines * turned]), None)

@@ -33,19 +33,7 @@ class RacewayCompliance:
     def at(self, azimuths) -> "RacewayCompliance":
         """Return this compliance, for the rollers that it was made for.
 
-        Parameters
-        ----------
-        azimuths : array (Z,)
-            phi [rad]
-
-        Returns
-        -------
-        RacewayCompliance
-
-        Raises
-        ------
-        ImpossiblePart
-            for other azimuths
+        Raises `ImpossiblePart` for other azimuths [rad].
         """
         if not np.array_equal(azimuths, self.azimuths):
             raise ImpossiblePart(
@@ -59,11 +47,8 @@ class RacewayCompliance:
 
         .. math:: \bar C_{jm,j'm'} = C_{jm,j'm'} - \delta_{m0}\,(t_y \sin\varphi_j + t_z \cos\varphi_j)_{j'm'}
 
-        Returns
-        -------
-        array (Z, M, Z, M)
-            [m/N]; not symmetric, because a translation was taken from the answers only. The mean tilt
-            of the raceway is still in it.
+        An array (Z, M, Z, M) [m/N], not symmetric, because a translation was taken from the answers only. The
+        mean tilt of the raceway is still in it.
 
         Source
         ------
@@ -78,17 +63,8 @@ class RacewayCompliance:
 def combined(compliances: Sequence[RacewayCompliance], weights: Sequence[float]) -> RacewayCompliance:
     """Weighted sum of compliances of raceways of one kind, such as a first-order change from one of them.
 
-    Parameters
-    ----------
-    compliances : sequence of RacewayCompliance
-        under the same rollers
-    weights : sequence of float
-        that add up to one
-
-    Returns
-    -------
-    RacewayCompliance
-        the support's compliance, not its stiffness, is summed; without estimates of errors
+    All are under the same rollers, and weights add up to one. The support's compliance, not its stiffness, is
+    summed; errors are not estimated.
     """
 
     def summed(name: str) -> NDArray:

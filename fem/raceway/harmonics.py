@@ -45,26 +45,9 @@ _log = logging.getLogger(__name__)
 def highest_harmonic(radius: float, detail: float, mesh: MeshSize, wish: int | None = None) -> int:
     """Choose the last harmonic: one that the elements of the raceway still resolve, or the least of all.
 
-    Parameters
-    ----------
-    radius : float
-        R of the raceway [m]
-    detail : float
-        length l/M that an axial shape resolves [m]
-    mesh : MeshSize
-        order and raceway size of the elements
-    wish : int, optional
-        N that is requested
-
-    Returns
-    -------
-    int
-        N
-
-    Raises
-    ------
-    NotSolved
-        if the mesh is too coarse for what is requested, or the raceway too large for so fine a detail
+    `radius` [m] is that of the raceway, `detail` [m] the length l/M that an axial shape resolves.
+    Raises `NotSolved` if the mesh is too coarse for what is requested, or the raceway too large for so fine a
+    detail.
     """
     limit = floor(RESOLVED * mesh.order * radius / mesh.raceway_size)
     if wish is None:
@@ -91,25 +74,9 @@ def with_enough_harmonics(
 ) -> Condensed:
     """Condense a part with twice the harmonics, on elements that resolve them, until they are enough.
 
-    Parameters
-    ----------
-    condensed : callable (resolution, last)
-        raises TooFewHarmonics where more of them are needed
-    resolution : Resolution
-        as wanted; with a given last harmonic that alone is tried
-    radius : float
-        R of the raceway [m]
-    last : int
-        harmonic to begin with
-
-    Returns
-    -------
-    what is condensed
-
-    Raises
-    ------
-    TooFewHarmonics
-        if `DOUBLINGS` of them are not enough on a mesh, or if MOST harmonics are none
+    `condensed` (resolution, last) raises `TooFewHarmonics` where more of them are needed; it begins with
+    `last`, on a raceway of a radius [m]. A harmonic that the resolution requests is tried alone.
+    Raises `TooFewHarmonics` if `DOUBLINGS` of them are not enough on a mesh, or if MOST harmonics are none.
     """
     if resolution.harmonics is not None:
         return condensed(resolution, last)
@@ -125,20 +92,7 @@ def with_enough_harmonics(
 
 
 def needed_harmonics(radius: float, detail: float) -> int:
-    """Last harmonic that loads of some axial detail need.
-
-    Parameters
-    ----------
-    radius : float
-        R of the raceway [m]
-    detail : float
-        length l/M that an axial shape resolves [m]
-
-    Returns
-    -------
-    int
-        N
-    """
+    """Last harmonic that loads of an axial detail l/M [m] need on a raceway of a radius [m]."""
     return ceil(FINENESS * radius / detail)
 
 
@@ -154,19 +108,9 @@ def _usual(needed: int, limit: int) -> int:
 
 
 def detail_of_ring(band: float, thickness: float) -> float:
-    """Length that harmonics of a plain ring resolve: for a band up to its ends, and for a thin one.
+    """Length [m] that harmonics of a plain ring resolve: for a band up to its ends, and for a thin one.
 
-    Parameters
-    ----------
-    band : float
-        length l/M that an axial mode resolves [m]
-    thickness : float
-        of the ring [m]
-
-    Returns
-    -------
-    float
-        [m]
+    `band` is the length l/M that an axial mode resolves, `thickness` that of the ring [m].
     """
     return min(band / MARGIN, FINENESS / DEPTH * thickness)
 
@@ -185,19 +129,8 @@ class Responses(NamedTuple):
 def with_short_waves(responses: Responses, resolved: int, waves: NDArray) -> Responses:
     """Answers of a raceway on bars with those of short waves to themselves.
 
-    Parameters
-    ----------
-    responses : Responses
-        to all harmonics up to N, of which the higher ones are too short for the elements
-    resolved : int
-        last harmonic that is not, at most N
-    waves : array (S, M, M)
-        own answers of the harmonics from there on, at least up to N [m/N]
-
-    Returns
-    -------
-    Responses
-        two waves that are both too short are not coupled
+    Two waves that are both too short are not coupled. Harmonics up to N beyond `resolved` are too short for
+    the elements; `waves` (S, M, M) are their own answers [m/N], at least up to N.
     """
     response, last = responses.response.copy(), len(responses.response) // 2
     n = np.arange(-last, last + 1)
@@ -209,17 +142,9 @@ def with_short_waves(responses: Responses, resolved: int, waves: NDArray) -> Res
 
 
 def support_error(response: NDArray, neighbour: NDArray) -> float:
-    """Estimated error of the stiffness of a support: its change from a neighbouring order of displacements.
+    """Estimated error of the stiffness of a support [-]: its relative change from a neighbouring order.
 
-    Parameters
-    ----------
-    response, neighbour : array (K, M, K, M) or (N + 1, M, M)
-        answers to all harmonics by both orders [m/N]
-
-    Returns
-    -------
-    float
-        over the stiffness [-], >= 0
+    Both are answers to all harmonics [m/N], (K, M, K, M) or (N + 1, M, M).
     """
     first, other = (_of_translation(answers) for answers in (response, neighbour))
     return abs(first / other - 1)
@@ -236,19 +161,7 @@ def _of_translation(response: NDArray) -> float:
 def harmonic_compliance(
     responses: Responses, *, radius: float, length: float, elastic: Elastic, bars: int | None, seconds: dict
 ) -> "HarmonicCompliance":
-    """Raceway compliance of a part; a body of revolution answers n and -n alike.
-
-    Parameters
-    ----------
-    responses : Responses
-        of the part
-    radius, length, elastic, bars, seconds
-        as in `HarmonicCompliance`
-
-    Returns
-    -------
-    HarmonicCompliance
-    """
+    """Raceway compliance of a part; a body of revolution answers n and -n alike."""
     response = responses.response
     if response.ndim == 3:
         response = np.concatenate([response[:0:-1], response])
@@ -301,25 +214,13 @@ class HarmonicCompliance:
 
         .. math:: C_{ij} = \sum_{nn'} (W - h)_{nn'} e^{i(n\varphi_i - n'\varphi_j)} + (1 - \delta_{ij}) H_{ij}
 
-        with H the answer of a half-space at the chord between two lines and h its harmonics; C_ii is
-        the limit of the answer close to a line less that of the half-space. Beyond the last harmonic come the
+        with H the answer of a half-space at the chord between two lines and h its harmonics; C_ii is the
+        limit of the answer close to a line less that of the half-space. Beyond the last harmonic come the
         short waves, where they are known, and then what follows from how the last harmonics fall.
 
-        Parameters
-        ----------
-        azimuths : array (Z,)
-            phi of the rollers, all different [rad]
-
-        Returns
-        -------
-        RacewayCompliance
-
-        Raises
-        ------
-        ImpossiblePart
-            if two rollers stand at one azimuth
-        NotSolved
-            if the harmonics end too early for the own terms
+        All azimuths (Z,) [rad] are different.
+        Raises `ImpossiblePart` if two rollers stand at one azimuth, `NotSolved` if the harmonics end too
+        early for the own terms.
 
         Source
         ------
@@ -353,25 +254,7 @@ class HarmonicCompliance:
         )
 
     def absolute(self, azimuths: NDArray) -> NDArray:
-        """The matrix of `at` alone, also for a raceway without a hold of its own.
-
-        Parameters
-        ----------
-        azimuths : array (Z,)
-            all different [rad]
-
-        Returns
-        -------
-        array (Z, M, Z, M)
-            C [m/N], symmetric
-
-        Raises
-        ------
-        ImpossiblePart
-            if two rollers stand at one azimuth
-        NotSolved
-            if the harmonics end too early for the own terms
-        """
+        """The matrix C of `at` alone, (Z, M, Z, M) [m/N], also for a raceway without a hold of its own."""
         self.require_enough()
         absolute = self._series(azimuths) + self._beyond(azimuths) + self._neighbours(azimuths)
         return (absolute + absolute.transpose(2, 3, 0, 1)) / 2
@@ -495,17 +378,9 @@ def sum_beyond(remainders: NDArray, azimuth: NDArray) -> NDArray:
 
     The curvature of the raceway makes c, the ends of the loaded band make d.
 
-    Parameters
-    ----------
-    remainders : array (N + 1, L, L)
-        S_n, n = 0 .. N, what is left of answers without the half-space [m/N]
-    azimuth : array (...)
-        phi between load and answer [rad]
-
-    Returns
-    -------
-    array (..., L, L)
-        sum of S_n cos(n phi) over |n| > N [m/N]
+    `remainders` (N + 1, L, L) are S_n, n = 0 .. N, what is left of answers without the half-space [m/N];
+    `azimuth` is phi between load and answer [rad]. The result (..., L, L) [m/N] is the sum of S_n cos(n phi)
+    over |n| > N.
 
     Source
     ------

@@ -11,19 +11,10 @@ TOLERANCE = 1e-9  # [rad]
 
 
 def permutations(azimuths, bars: int | None) -> NDArray:
-    """Renumberings of the rollers by the symmetries they share with the part.
+    """Renumberings (G, Z) of the rollers by the symmetries they share with the part.
 
-    Parameters
-    ----------
-    azimuths : array (Z,)
-        of the rollers [rad]
-    bars : int or None
-        number of equal bars with one at azimuth 0; None for a body of revolution
-
-    Returns
-    -------
-    array (G, Z) of int
-        row g says where each roller goes; the first row changes nothing
+    The first row changes nothing. Row g says where each roller goes. Bars are equal with one at azimuth 0;
+    None of them for a body of revolution.
     """
     phi = np.asarray(azimuths, dtype=float)
     turned = [phi + angle for angle in phi - phi[0] if _fits(angle, bars)]
@@ -50,38 +41,15 @@ def _wrapped(angle):
 
 
 def representatives(renumbered: NDArray) -> NDArray:
-    """The rollers that need a solve, the lowest number of each class.
-
-    Parameters
-    ----------
-    renumbered : array (G, Z) of int
-        from `permutations`
-
-    Returns
-    -------
-    array (R,) of int
-        ascending
-    """
+    """The rollers that need a solve, the lowest number of each class of `permutations`, ascending."""
     return np.unique(renumbered.min(axis=0))
 
 
 def completed(columns: NDArray, solved: NDArray, renumbered: NDArray) -> NDArray:
-    """The whole matrix from the columns of the solved rollers.
+    """The symmetric matrix (Z, M, Z, M) from the columns (Z, M, R, M) of the solved rollers.
 
-    Parameters
-    ----------
-    columns : array (Z, M, R, M)
-        answers of all rollers to unit forces on the solved ones
-    solved : array (R,) of int
-        from `representatives`
-    renumbered : array (G, Z) of int
-        from `permutations`
-
-    Returns
-    -------
-    array (Z, M, Z, M)
-        each column is the mean of all its images, which also evens out what the mesh breaks;
-        then the mean with the transpose, by Betti's theorem
+    Each column is the mean of all its images, which also evens out what the mesh breaks; then the mean with
+    the transpose, by Betti's theorem.
     """
     Z, M = columns.shape[:2]
     total, count = np.zeros((Z, M, Z, M)), np.zeros(Z)

@@ -32,24 +32,10 @@ class BondedGrowth:
 
 
 def bonded_growth(part: RingOnShaft, resolution: Resolution) -> BondedGrowth:
-    """Growth of the raceway of a ring that is one piece with its shaft.
+    """Growth [m] of the raceway of a ring that is one piece with its shaft.
 
-    Parameters
-    ----------
-    part : RingOnShaft
-        inner ring with its shaft
-    resolution : Resolution
-        of band and mesh
-
-    Returns
-    -------
-    BondedGrowth
-        [m] per strain, and per density times speed squared
-
-    Raises
-    ------
-    NotSolved
-        if a solve fails
+    It is per strain, and per density times speed squared.
+    Raises `NotSolved` if a solve fails.
 
     Source
     ------

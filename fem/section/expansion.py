@@ -39,45 +39,16 @@ class Along:
 
 
 def rotation(body: Body, densities: Mapping[str, float], speed: float) -> NDArray:
-    """Load vector of rotation about the axis.
-
-    Parameters
-    ----------
-    body : Body
-        assembled sections
-    densities : mapping
-        rho of every body by its name [kg/m^3]
-    speed : float
-        omega [rad/s]
-
-    Returns
-    -------
-    array (unknowns,)
-        per radian, harmonic 0 [N]
-    """
+    """Load vector [N] of rotation at a speed [rad/s], per radian, harmonic 0; densities by body [kg/m^3]."""
     density = body.space.mesh.MaterialCF(dict(densities))
     return body.load(forms.centrifugal(body.space.TestFunction(), density, speed))
 
 
 def heating(body: Body, thermal_strains: Mapping[str, float | Along]) -> NDArray:
-    """Load vector of free thermal strains.
+    """Load vector of free thermal strains of every body by its name, per radian, harmonic 0 [N].
 
-    Parameters
-    ----------
-    body : Body
-        assembled sections
-    thermal_strains : mapping
-        alpha (T - T0) of every body by its name [-], positive when it grows; even, or `Along` the axis
-
-    Returns
-    -------
-    array (unknowns,)
-        per radian, harmonic 0 [N]
-
-    Raises
-    ------
-    ImpossiblePart
-        if an expansion ends inside its body
+    They are alpha (T - T0) [-], positive when it grows; even, or `Along` the axis.
+    Raises `ImpossiblePart` if an expansion ends inside its body.
 
     Valid
     -----
@@ -90,28 +61,11 @@ def heating(body: Body, thermal_strains: Mapping[str, float | Along]) -> NDArray
 
 
 def radial_expansion(body: Body, load: NDArray, edge: str, axial_modes: int = 1) -> NDArray:
-    """Radial displacement of a cylindrical edge under an axisymmetric load.
+    """Radial displacement (M,) [m] of a cylindrical edge under an axisymmetric load.
 
-    Parameters
-    ----------
-    body : Body
-        assembled sections, held axially and against turning
-    load : array (unknowns,)
-        sum of vectors of `rotation`, `heating`
-    edge : str
-        name of the edge
-    axial_modes : int
-        M
-
-    Returns
-    -------
-    array (M,)
-        w_m [m] outward as in `edge_modes`; the displacement along the edge is the sum of w_m L_m
-
-    Raises
-    ------
-    NotSolved
-        if the body is not held
+    The load is the sum of vectors of `rotation` and `heating`. Outward as in `edge_modes`: the displacement
+    along the edge is the sum of w_m L_m. The body is held axially and against turning.
+    Raises `NotSolved` if the body is not held.
     """
     u = body.stiffness.solve(0, load[:, None])
     return edge_modes(body, edge, axial_modes).T @ u[:, 0]

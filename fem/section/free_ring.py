@@ -43,17 +43,8 @@ class FreeRing:
 
         .. math:: C_{ik} = W_0 + 2 \sum_{n \ge 1} W_n \cos n(\varphi_i - \psi_k)
 
-        Parameters
-        ----------
-        azimuths : array (Z,)
-            phi of the elements [rad]
-        lines : array (K,)
-            psi of the lines [rad]
-
-        Returns
-        -------
-        array (Z, M, K, 2)
-            [m/N] outward per outward force
+        An array (Z, M, K, 2) [m/N], outward per outward force; phi of the elements (Z,) and psi of the lines
+        (K,) are in rad, here and in the methods below.
 
         Source
         ------
@@ -68,15 +59,7 @@ class FreeRing:
 
         .. math:: C_{ik} = -2 \sum_n W_n \sin n(\varphi_i - \psi_k)
 
-        Parameters
-        ----------
-        azimuths, lines
-            as for `under_radial`
-
-        Returns
-        -------
-        array (Z, M, K)
-            [m/N] outward per force towards growing azimuth
+        An array (Z, M, K) [m/N], outward per force towards growing azimuth.
 
         Source
         ------
@@ -94,15 +77,7 @@ class FreeRing:
         A couple is a pair of radial forces close together, with the tangential force that balances them; T is
         the answer of `under_tangential`, W_n that to radial forces.
 
-        Parameters
-        ----------
-        azimuths, lines
-            as for `under_radial`
-
-        Returns
-        -------
-        array (Z, M, K)
-            [1/N] outward per couple that turns towards growing azimuth
+        An array (Z, M, K) [1/N], outward per couple that turns towards growing azimuth.
 
         Source
         ------
@@ -116,19 +91,10 @@ class FreeRing:
 
 
 def felt_motions(azimuths: NDArray, reading: NDArray) -> NDArray:
-    """Displacements of shapes at azimuths by rigid motions of a ring.
+    """Displacements (Z, M, 4) of shapes at azimuths [rad] by rigid motions of a ring.
 
-    Parameters
-    ----------
-    azimuths : array (Z,)
-        of elements or lines on it [rad]
-    reading : array (M, 2)
-        what each shape reads of a translation [-] and of a tilt [m] towards it
-
-    Returns
-    -------
-    array (Z, M, 4)
-        by translations along y and z [-], and by tilts u_y = x, u_z = x [m]
+    These are translations along y and z [-], and tilts u_y = x, u_z = x [m]. `reading` (M, 2) is what each
+    shape reads of a translation [-] and of a tilt [m] towards it.
     """
     normals = np.stack([np.sin(azimuths), np.cos(azimuths)], axis=-1)
     motions = reading[None, :, :, None] * normals[:, None, None, :]
@@ -137,29 +103,11 @@ def felt_motions(azimuths: NDArray, reading: NDArray) -> NDArray:
 
 @threads(1)  # sections are small: a second thread would only wait
 def free_ring(part: OuterRing, resolution: Resolution, last: int, stage: Stage, seconds: dict) -> FreeRing:
-    """Condense a ring with loads on its raceway and on lines along its outer surface.
+    """Condense a ring with loads on its raceway and on lines along its outer surface, harmonics 0 .. `last`.
 
-    Parameters
-    ----------
-    part : OuterRing
-        on `LineSupports` or as a `PlanetGear`, whose lines may be anywhere
-    resolution : Resolution
-        of band and mesh; the raceway size holds on the outer surface, too
-    last : int
-        N, the highest harmonic
-    stage : callable (name)
-        around "factor" and "condense"
-    seconds : dict
-        of the stages
-
-    Returns
-    -------
-    FreeRing
-
-    Raises
-    ------
-    NotSolved
-        if a solve fails; TooFewHarmonics where more are needed
+    It is on `LineSupports` or a `PlanetGear`, whose lines may be anywhere; the raceway size of elements holds
+    on the outer surface, too.
+    Raises `NotSolved` if a solve fails; `TooFewHarmonics` where more are needed.
     """
     with stage("factor"):
         body = body_of(part, resolution.length, resolution.mesh, resolution.nodes_of)

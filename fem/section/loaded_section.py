@@ -202,33 +202,12 @@ def loaded_section(
     surroundings: Surroundings | None = None,
     nodes_of: Shape | None = None,
 ) -> LoadedSection:
-    """Solve a body of revolution under roller forces, by two orders of displacements.
+    """Solve a body of revolution under generalised roller forces (Z, M) [N], by two orders of displacements.
 
-    Parameters
-    ----------
-    part : OuterRing, RingOnShaft
-        body of revolution with its seat, held in every direction
-    patches : Patches
-        rollers, and how their forces are resolved
-    forces : array (Z, M)
-        generalised forces of `fem.assembly.roller_loads` [N], positive outward
-    mesh_size : MeshSize
-        the higher order, 2 or more, and element sizes
-    surroundings : Surroundings
-        heat and rotation; None: neither
-    nodes_of : Shape, optional
-        another part and band, whose mesh is taken with its nodes moved to these
-
-    Returns
-    -------
-    LoadedSection
-
-    Raises
-    ------
-    ImpossiblePart
-        if the part is not known as a body of revolution
-    NotSolved
-        if a solve fails
+    Forces are as in `fem.assembly.roller_loads`, positive outward, and the part is held in every direction.
+    `mesh_size` has the higher order, 2 or more; surroundings are heat and rotation; with `nodes_of` the mesh
+    of another part and band is taken, its nodes moved to these.
+    Raises `ImpossiblePart` if the part is not known as a body of revolution, `NotSolved` if a solve fails.
 
     Valid
     -----

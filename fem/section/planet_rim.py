@@ -22,24 +22,11 @@ class PlanetRim:
     gear: PlanetGear
 
     def at(self, azimuths) -> RacewayCompliance:
-        """Compliance for rollers at given azimuths, and the deviation by the tooth forces.
+        """Compliance for rollers at different azimuths (Z,) [rad], and the deviation by the tooth forces.
 
-        Parameters
-        ----------
-        azimuths : array (Z,)
-            phi of the rollers, all different [rad]
-
-        Returns
-        -------
-        RacewayCompliance
-            without translation, its support infinitely stiff
-
-        Raises
-        ------
-        ImpossiblePart
-            if two rollers stand at one azimuth
-        NotSolved
-            if the harmonics end too early for the own terms
+        It is without translation, its support infinitely stiff.
+        Raises `ImpossiblePart` if two rollers stand at one azimuth, `NotSolved` if the harmonics end too
+        early for the own terms.
         """
         phi = np.asarray(azimuths, dtype=float)
         absolute = self.ring.raceway.absolute(phi)

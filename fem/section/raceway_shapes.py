@@ -22,26 +22,10 @@ Raceway = HarmonicCompliance | GrooveCompliance
 
 
 def raceway_modes(body: Body, part: Part | BoltedRing, resolution: Resolution) -> NDArray:
-    """Load vectors of the shapes in which the raceway of a part is pressed, which also read it.
+    """Load vectors (unknowns, M) of the shapes in which a raceway is pressed, which also read it.
 
-    Parameters
-    ----------
-    body : Body
-        assembled sections of the part
-    part : OuterRing, RingOnShaft, SquirrelCage, BoltedRing
-        with a cylinder or a groove
-    resolution : Resolution
-        with axial modes, or with stations for a groove
-
-    Returns
-    -------
-    array (unknowns, M)
-        as `edge_modes` or `station_modes` give them
-
-    Raises
-    ------
-    ImpossiblePart
-        if a groove has no stations, or stations no place on its arcs
+    They are `edge_modes` of axial modes or `station_modes` of a groove.
+    Raises `ImpossiblePart` if a groove has no stations, or stations no place on its arcs.
     """
     if part.groove is None:
         return edge_modes(body, "raceway", resolution.axial_modes)
@@ -89,27 +73,10 @@ def groove_compliance(
 ) -> Raceway:
     """Compliance of the groove of a body of revolution at stations of its arcs.
 
-    Parameters
-    ----------
-    part : OuterRing, RingOnShaft, SquirrelCage, BoltedRing
-        with a groove, held; bars of a cage are spread evenly around it
-    resolution : Resolution
-        of mesh, with stations; harmonics by default as many as their patches have
-    stage : callable (name)
-        around "factor" and "condense"
-    seconds : dict
-        of the stages
-
-    Returns
-    -------
-    GrooveCompliance
-
-    Raises
-    ------
-    ImpossiblePart
-        if stations are not on the arc
-    NotSolved
-        if a solve fails, or the mesh is too coarse for the patches
+    Bars of a cage are spread evenly around it. Harmonics are by default as many as the patches of the
+    stations have.
+    Raises `ImpossiblePart` if stations are not on the arc; `NotSolved` if a solve fails, or the mesh is too
+    coarse for the patches.
     """
     last = last_harmonic_of_patches(part, resolution)
     with stage("factor"):
@@ -131,19 +98,8 @@ def referred(W: NDArray, rigid: NDArray, of_raceway: NDArray) -> NDArray:
 
     .. math:: \bar W = \Pi^T W \Pi, \quad \Pi = I - E (E^T R)^{-T} R^T
 
-    Parameters
-    ----------
-    W : array (L, L)
-        answers of shapes [m/N], right but for rigid motions
-    rigid : array (L, A)
-        R, what they read of these motions
-    of_raceway : array (L,) of bool
-        which of them are shapes of the raceway, whose readings alone are E
-
-    Returns
-    -------
-    array (L, L)
-        [m/N]
+    W (L, L) [m/N] are answers of shapes, right but for rigid motions; R (L, A) is what they read of these
+    motions, E what shapes of the raceway alone read of them.
 
     Source
     ------

@@ -23,30 +23,9 @@ def section_responses(
 
     .. math:: W_n = \frac{1}{2\pi}\,G^T K(n)^{-1} G, \quad g_m = \int a_m v_r\,dx
 
-    Parameters
-    ----------
-    part : OuterRing, RingOnShaft
-        body of revolution with its seat, held across its axis
-    resolution : Resolution
-        of band and mesh; order 5 or 6 pays
-    last : int
-        N, the highest harmonic
-    stage : callable (name)
-        around "factor" and "condense"
-    face_modes : int
-        axial modes of the outer surface, for a ring on springs there
-
-    Returns
-    -------
-    Responses
-        to the modes of the raceway, then to those of the outer surface
-
-    Raises
-    ------
-    ImpossiblePart
-        if the part is not known as a body of revolution
-    NotSolved
-        if a solve fails
+    Responses are to the modes of the raceway, then to `face_modes` axial modes of the outer surface, for a
+    ring on springs there. The body is held across its axis; order 5 or 6 of the displacements pays.
+    Raises `ImpossiblePart` if the part is not known as a body of revolution, `NotSolved` if a solve fails.
 
     Source
     ------

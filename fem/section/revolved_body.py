@@ -48,27 +48,9 @@ def assembled(
 ) -> Body:  # fmt: skip
     """Mesh sections and assemble their stiffness.
 
-    Parameters
-    ----------
-    bodies : list of AxialSection
-        bonded where they touch, held on the edges named "clamped"
-    materials : mapping
-        `Elastic` of every body by its name
-    mesh : MeshSize
-        wishes for the finite elements
-    foundations : mapping
-        `Springs` to ground by the name of the edge
-    nodes_of : list of AxialSection, optional
-        whose mesh is taken, as by `fem.mesh.section_mesh.meshed`
-
-    Returns
-    -------
-    Body
-
-    Raises
-    ------
-    ImpossiblePart
-        if no edge has the name of a foundation
+    Bodies are bonded where they touch, held on the edges named "clamped". Materials are by the name of a
+    body, `Springs` to ground by that of an edge; `nodes_of` is as in `fem.mesh.section_mesh.meshed`.
+    Raises `ImpossiblePart` if no edge has the name of a foundation.
     """
     section = meshed(bodies, mesh, nodes_of)
     space = ngs.H1(section, order=mesh.order, dirichlet="clamped") ** 3
@@ -89,26 +71,9 @@ def edge_modes(body: Body, edge: str, axial_modes: int, direction: int = 1) -> N
 
     .. math:: g_m(v) = \int \frac{2m+1}{l} L_m(2(x - x_0)/l)\,v_d\,dx
 
-    Parameters
-    ----------
-    body : Body
-        assembled sections
-    edge : str
-        name of an edge of length l centred on x_0, along x
-    axial_modes : int
-        M
-    direction : 0, 1 or 2
-        d: along x, outward, towards growing azimuth
-
-    Returns
-    -------
-    array (unknowns, M)
-        [-]; g_0 reads the mean displacement
-
-    Raises
-    ------
-    ImpossiblePart
-        if no edge has this name, or if it is not one cylinder
+    An array (unknowns, M) [-]; g_0 reads the mean displacement. The edge of length l is centred on x_0, along
+    x; d is 0 along x, 1 outward, 2 towards growing azimuth.
+    Raises `ImpossiblePart` if no edge has this name, or if it is not one cylinder.
 
     Source
     ------
@@ -137,22 +102,9 @@ def station_modes(body: Body, groove: Groove, outward: int, stations: Stations) 
 
     with the sign of the side of the arc; two arcs end where they meet.
 
-    Parameters
-    ----------
-    body : Body
-        assembled sections, the arc of the groove named "raceway"
-    groove : Groove
-        of radius r
-    outward : int
-        1 where the race is outside the balls, else -1
-    stations : Stations
-        alpha_k and sigma
-
-    Returns
-    -------
-    array (unknowns, A K)
-        [-], one arc after the other; for unit forces away from the centre of the groove on an outer race,
-        towards it on an inner one
+    An array (unknowns, A K) [-], one arc after the other; for unit forces away from the centre of the groove
+    on an outer race (`outward` 1), towards it on an inner one (-1). Stations have alpha_k and sigma, the
+    groove its radius r; its arc is named "raceway".
 
     Source
     ------

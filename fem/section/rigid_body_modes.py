@@ -26,20 +26,8 @@ def body_of(
 ) -> Body:
     """Assemble the sections of a part with the springs that it rests on.
 
-    Parameters
-    ----------
-    part : OuterRing, RingOnShaft, BoltedRing
-        body of revolution
-    length : float
-        of the loaded band [m]
-    mesh : MeshSize
-        wishes for the finite elements
-    nodes_of : Shape, optional
-        another part and band, whose mesh is taken with its nodes moved to these
-
-    Returns
-    -------
-    Body
+    The loaded band has a `length` [m]; with `nodes_of` the mesh of another part and band is taken, its nodes
+    moved to these.
     """
     support = part.support if isinstance(part, OuterRing) else None
     if isinstance(support, Housing):
@@ -54,30 +42,13 @@ def body_of(
 
 
 def responses(body: Body, free_motions: FreeMotions, loads: NDArray, last: int) -> NDArray:
-    r"""Work of loads on their answers, for all harmonics 0 .. N.
+    """Work of loads on their answers, for all harmonics 0 .. N.
 
     .. math:: W_n = G^T K(n)^{-1} G
 
-    Parameters
-    ----------
-    body : Body
-        assembled sections
-    free_motions : FreeMotions
-        its rigid motions that nothing holds
-    loads : array (unknowns, L)
-        G, the same for all harmonics [N/N]
-    last : int
-        N, >= 3
-
-    Returns
-    -------
-    array (N + 1, L, L)
-        [m/N] symmetric; for loads out of balance it has the reaction of the points that were held
-
-    Raises
-    ------
-    NotSolved
-        if a solve fails
+    An array (N + 1, L, L) [m/N], symmetric, for N >= 3; for loads G (unknowns, L) [N/N] out of balance it has
+    the reaction of the points that were held.
+    Raises `NotSolved` if a solve fails.
 
     Source
     ------
@@ -91,21 +62,9 @@ def responses(body: Body, free_motions: FreeMotions, loads: NDArray, last: int) 
 
 
 def held_on_points(body: Body, free_motions: FreeMotions, harmonic: int) -> HarmonicStiffness:
-    """Hold a body at single points against the loose motions of one harmonic.
+    """Hold a body at single points against its loose motions of one harmonic.
 
-    Parameters
-    ----------
-    body : Body
-        assembled sections
-    free_motions : FreeMotions
-        its rigid motions that nothing holds
-    harmonic : int
-        n
-
-    Returns
-    -------
-    HarmonicStiffness
-        whose answers to balanced loads are true but for a rigid motion
+    Answers to balanced loads are true but for a rigid motion.
     """
     x = np.array([v.point[0] for v in body.space.mesh.vertices])
     ends = [ngs.NodeId(ngs.VERTEX, int(k)) for k in (x.argmin(), x.argmax())]

@@ -96,24 +96,13 @@ class RollersOnFoundation:
         return self.closed.absolute.shape[1]
 
     def near(self, forces: NDArray) -> RacewayCompliance:
-        r"""Compliance of the raceway with the open points o that go with given forces.
+        """Compliance of the raceway with the open points o that go with given forces.
 
         .. math:: C + U_o^T (K^{-1} - S)_{oo}^{-1} U_o
 
-        Parameters
-        ----------
-        forces : array (Z, M)
-            outward roller forces [N]
-
-        Returns
-        -------
-        RacewayCompliance
-            exact as long as the same points are open: springs are relaxed where the free ring is
-
-        Raises
-        ------
-        NotSolved
-            if the foundation cannot hold the ring
+        Exact as long as the same points are open: springs are relaxed where the free ring is. Roller forces
+        (Z, M) are outward [N], here and in `pressure`.
+        Raises `NotSolved` if the foundation cannot hold the ring.
 
         Source
         ------
@@ -139,22 +128,10 @@ class RollersOnFoundation:
         return self._solution(forces)[0]
 
     def pressure(self, forces: NDArray) -> NDArray:
-        """Pressure on the outer surface under roller forces.
+        """Pressure (P, A) [Pa] on the outer surface at `around` and `x`, positive where it pushes.
 
-        Parameters
-        ----------
-        forces : array (Z, M)
-            outward roller forces [N]
-
-        Returns
-        -------
-        array (P, A)
-            at `around` and `x`, positive where it pushes [Pa]; negative only of springs that pull
-
-        Raises
-        ------
-        NotSolved
-            if the foundation cannot hold the ring
+        It is negative only of springs that pull.
+        Raises `NotSolved` if the foundation cannot hold the ring.
         """
         is_open, compression = self._solution(forces)
         force = np.where(is_open, 0.0, self.springs * compression)
@@ -198,24 +175,8 @@ def complementary(matrix: NDArray, constant: NDArray) -> tuple[NDArray, NDArray]
 
     .. math:: y = A t + b \ge 0, \quad t \ge 0, \quad t^T y = 0
 
-    Parameters
-    ----------
-    matrix : array (P, P)
-        A, symmetric and positive definite
-    constant : array (P,)
-        b
-
-    Returns
-    -------
-    array (P,) of bool
-        where t is above zero
-    array (P,)
-        y
-
-    Raises
-    ------
-    NotSolved
-        if A is singular, or so far from positive definite that no solution is found
+    A is symmetric and positive definite; the result is where t is above zero, and y.
+    Raises `NotSolved` if A is singular, or so far from positive definite that no solution is found.
 
     Source
     ------
@@ -246,28 +207,11 @@ def complementary(matrix: NDArray, constant: NDArray) -> tuple[NDArray, NDArray]
 def ring_on_foundation(
     part: OuterRing, resolution: Resolution, responses: Responses, seconds: dict
 ) -> RingOnFoundation:
-    """Put a condensed ring on its springs.
+    """Put a condensed ring on its radial springs.
 
-    Parameters
-    ----------
-    part : OuterRing
-        on a `Foundation` with radial springs
-    resolution : Resolution
-        of the loaded band, or with stations
-    responses : Responses
-        of the ring on springs that pull as well, to shapes of the raceway and, after them, to `ALONG`
-        of the outer surface
-    seconds : dict
-        of the stages
-
-    Returns
-    -------
-    RingOnFoundation
-
-    Raises
-    ------
-    ImpossiblePart
-        if the ring has another support
+    Responses are those of the ring on springs that pull as well, to shapes of the raceway and, after them, to
+    `ALONG` of the outer surface.
+    Raises `ImpossiblePart` if the ring has another support.
     """
     support = part.support
     if not isinstance(support, Foundation):

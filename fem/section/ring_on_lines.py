@@ -42,26 +42,11 @@ class RingOnLines:
         require_held(self.support, self.ring.raceway.response.shape[1])
 
     def at(self, azimuths, forces: NDArray | None = None) -> RacewayCompliance:
-        """Compliance for rollers at given azimuths.
+        """Compliance for rollers at different azimuths (Z,) [rad], as `RollersOnLines.near` gives it.
 
-        Parameters
-        ----------
-        azimuths : array (Z,)
-            phi of the rollers, all different [rad]
-        forces : array (Z, M)
-            outward roller forces that decide which points of lines touch [N]; for lines that only push
-
-        Returns
-        -------
-        RacewayCompliance
-            as `RollersOnLines.near` gives it
-
-        Raises
-        ------
-        ImpossiblePart
-            if lines only push and no forces are given
-        NotSolved
-            if the harmonics end too early, or the lines cannot hold the forces
+        Outward roller forces (Z, M) [N] decide which points of lines touch, where lines only push.
+        Raises `ImpossiblePart` if lines only push and no forces are given; `NotSolved` if the harmonics end
+        too early, or the lines cannot hold the forces.
         """
         if self.support.pushing and forces is None:
             raise ImpossiblePart(
@@ -71,20 +56,7 @@ class RingOnLines:
         return rollers.near(np.zeros(rollers.free.shape[:2]) if forces is None else forces)
 
     def line_forces(self, azimuths, forces: NDArray) -> NDArray:
-        """Forces of the lines on the ring, as `RollersOnLines.line_forces` gives them.
-
-        Parameters
-        ----------
-        azimuths : array (Z,)
-            phi of the rollers [rad]
-        forces : array (Z, M)
-            outward roller forces [N]
-
-        Returns
-        -------
-        array (K, S)
-            inward, so positive when they push [N]
-        """
+        """Forces of the lines on the ring, as `RollersOnLines.line_forces` gives them."""
         return self.under_rollers(azimuths).line_forces(forces)
 
     def under_rollers(self, azimuths) -> "RollersOnLines":
@@ -145,20 +117,9 @@ class RollersOnLines:
 
         .. math:: C = C_{rr} - X^T S^{-1} X, \quad X = (C_{sr}, R_r^T)
 
-        Parameters
-        ----------
-        forces : array (Z, M)
-            outward roller forces [N]
-
-        Returns
-        -------
-        RacewayCompliance
-            exact as long as the same points touch: lines stand where the free ring is
-
-        Raises
-        ------
-        NotSolved
-            if the lines only push and cannot hold the forces
+        Exact as long as the same points touch: lines stand where the free ring is. Roller forces (Z, M) are
+        outward [N].
+        Raises `NotSolved` if the lines only push and cannot hold the forces.
 
         Source
         ------
@@ -184,23 +145,10 @@ class RollersOnLines:
         )
 
     def line_forces(self, forces: NDArray) -> NDArray:
-        """Forces of the lines on the ring.
+        """Inward forces (K, S) [N] of the lines on the ring, so positive when they push.
 
-        Parameters
-        ----------
-        forces : array (Z, M)
-            outward roller forces [N]
-
-        Returns
-        -------
-        array (K, S)
-            inward, so positive when they push [N]: whole, or the parts at x < 0 and x > 0 that the line
-            pressure grows towards
-
-        Raises
-        ------
-        NotSolved
-            as `near`
+        They are whole, or the parts at x < 0 and x > 0 that the line pressure grows towards.
+        Raises `NotSolved` as `near`.
         """
         touching = self.touching(forces)
         pushes, F = np.zeros(touching.size), np.ravel(forces)

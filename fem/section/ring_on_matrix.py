@@ -43,32 +43,11 @@ DIRECTIONS = 3  # x, e_r, e_phi
 def ring_on_matrix(
     part: OuterRing, resolution: Resolution, last: int, stage: Stage, seconds: dict
 ) -> Raceway:
-    """Condense a ring on a reduced body.
+    """Condense a ring on a `ReducedBody`, harmonics 0 .. `last`.
 
-    Parameters
-    ----------
-    part : OuterRing
-        on a `ReducedBody`
-    resolution : Resolution
-        of band and mesh
-    last : int
-        N, the highest harmonic
-    stage : callable (name)
-        around "factor" and "condense"
-    seconds : dict
-        of the stages
-
-    Returns
-    -------
-    HarmonicCompliance, or GrooveCompliance of a ring with a groove
-        that couples harmonics, as the body need not be of revolution
-
-    Raises
-    ------
-    ImpossiblePart
-        if nodes do not rest on the outer surface of the ring
-    NotSolved
-        if a solve fails
+    They couple, as the body need not be of revolution.
+    Raises `ImpossiblePart` if nodes do not rest on the outer surface of the ring, `NotSolved` if a solve
+    fails.
 
     Valid
     -----

@@ -9,29 +9,15 @@ from fem.section.rigid_body_modes import body_of
 
 
 def ring_seat_growth(part: OuterRing, resolution: Resolution) -> RacewayGrowth:
-    r"""Growth of the raceway of a ring whose clamped face or seat expands.
+    """Growth of the raceway of a ring whose clamped face or seat expands.
 
     .. math:: w = R + w_{th}
 
     with the ring and its clamp expanding alike first, R the radius of the raceway, and then the ring
     shrinking by as much in a clamp that stays, :math:`w_{th}`.
 
-    Parameters
-    ----------
-    part : OuterRing
-        on a clamped face or a rigid seat
-    resolution : Resolution
-        of band and mesh
-
-    Returns
-    -------
-    RacewayGrowth
-        [m] per strain of the clamp beyond that of the ring
-
-    Raises
-    ------
-    NotSolved
-        if a solve fails
+    w [m] is per strain of the clamp beyond that of the ring.
+    Raises `NotSolved` if a solve fails.
 
     Source
     ------

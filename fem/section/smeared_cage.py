@@ -51,28 +51,11 @@ SIZE = 1.2  # of their elements over the length of the band
 
 @threads(1)  # sections are small: a second thread would only wait
 def smeared_responses(cage: SquirrelCage, resolution: Resolution, last: int, stage: Stage) -> Responses:
-    """Answers of the raceway of a squirrel cage with smeared bars.
+    """Answers of the raceway of a squirrel cage with smeared bars to harmonics 0 .. `last`.
 
-    Parameters
-    ----------
-    cage : SquirrelCage
-        ring with its collars, bars and flange; fillets are left out
-    resolution : Resolution
-        of band and mesh; order 5 or 6 pays
-    last : int
-        N, the highest harmonic
-    stage : callable (name)
-        around "factor" and "condense"
-
-    Returns
-    -------
-    Responses
-        of revolution: no harmonic couples to those that differ by the number of bars
-
-    Raises
-    ------
-    NotSolved
-        if a solve fails
+    Fillets are left out. No harmonic couples to those that differ by the number of bars. Order 5 or 6 of the
+    displacements pays.
+    Raises `NotSolved` if a solve fails.
 
     Valid
     -----
@@ -95,24 +78,8 @@ def smeared_responses(cage: SquirrelCage, resolution: Resolution, last: int, sta
 def short_waves(cage: SquirrelCage, resolution: Resolution, first: int, last: int) -> NDArray:
     """Answers of the raceway to harmonics whose waves hardly reach the bars, each to itself.
 
-    Parameters
-    ----------
-    cage : SquirrelCage
-        ring with its collars, bars and flange; fillets are left out
-    resolution : Resolution
-        of the band; elements are of their own sizes
-    first, last : int
-        of the harmonics, last above first
-
-    Returns
-    -------
-    array (last - first + 1, M, M)
-        [m/N]
-
-    Raises
-    ------
-    NotSolved
-        if a solve fails
+    They are (last - first + 1, M, M) [m/N]. Fillets are left out; elements are of their own sizes.
+    Raises `NotSolved` if a solve fails.
 
     Valid
     -----

@@ -32,22 +32,9 @@ def bordered_inverse(points: SupportPoints, touching: NDArray) -> NDArray:
 
     .. math:: \begin{pmatrix} C & R \\ R^T & 0 \end{pmatrix}^{-1}
 
-    Parameters
-    ----------
-    points : SupportPoints
-        with compliance C and motions R
-    touching : array (P,) of bool
-        which of them hold
-
-    Returns
-    -------
-    array (p + A, p + A)
-        for the p points in touch, symmetric
-
-    Raises
-    ------
-    NotSolved
-        if these points let the body go
+    An array (p + A, p + A) for the p points in touch, symmetric; the points have the compliance C and the
+    motions R.
+    Raises `NotSolved` if these points let the body go.
 
     Source
     ------
@@ -70,23 +57,10 @@ def pushing_points(points: SupportPoints, load: NDArray) -> NDArray:
     with inward forces p and gaps g. They make the complementary energy least, which non-negative least
     squares and the method of multipliers find; then the law is checked.
 
-    Parameters
-    ----------
-    points : SupportPoints
-        with compliance C, motions R, loads X and their motions R_F
-    load : array (L,)
-        F
-
-    Returns
-    -------
-    array (P,) of bool
-        all points for no load. Where those that push leave the body a motion, as one line does under a load
-        straight at it, as many more as hold it: they touch without a force
-
-    Raises
-    ------
-    NotSolved
-        if pushing cannot hold the load
+    The points have the compliance C, motions R, loads X and their motions R_F. Where those that push leave
+    the body a motion, as one line does under a load straight at it, as many more as hold it count: they touch
+    without a force. Without a load all points do.
+    Raises `NotSolved` if pushing cannot hold the load.
 
     Source
     ------

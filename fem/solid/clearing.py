@@ -37,20 +37,10 @@ class Clearing:
         return far if self.tips is None else far & _beyond_tips(self.part, self.tips, places)
 
     def rim(self, places: NDArray) -> NDArray:
-        """Places where the reach of rollers ends, from places within it.
+        """Places (m, 3) [m] where the reach of rollers ends, from places (n, 3) [m] within it.
 
-        Stress decays with the inverse of the distance there: a sample that is 1 % away misses 1 %.
-
-        Parameters
-        ----------
-        places : array (n, 3)
-            [m]
-
-        Returns
-        -------
-        array (m, 3)
-            about `MOVED` of every roller, moved around the axis, and moved straight away from the roller's
-            line [m]
+        Stress decays with the inverse of the distance there: a sample that is 1 % away misses 1 %. They are
+        about `MOVED` of every roller, moved around the axis, and moved straight away from the roller's line.
         """
         moved = [np.zeros((0, 3))]
         for phi in self.loaded:
@@ -97,20 +87,7 @@ def clearing(part: Part | StepSolid, patches: Patches, forces: NDArray, radius: 
     rules, which is not the true contact; close to sharp edges (`fem.mesh.notches`), where a finer mesh gives
     ever more; and, within a fillet's radius, the tips where the fillets of a bar's four sides meet.
 
-    Parameters
-    ----------
-    part : Part or StepSolid
-        ring with its seat
-    patches : Patches
-        rollers, and how their forces are resolved
-    forces : array (Z, M)
-        generalised forces [N]
-    radius : float
-        of the raceway [m]
-
-    Returns
-    -------
-    Clearing
+    `forces` are generalised (Z, M) [N], `radius` is that of the raceway [m].
     """
     load = np.abs(forces[:, 0])
     return Clearing(

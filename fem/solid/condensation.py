@@ -29,26 +29,8 @@ MOST_OF_BARS = 200  # harmonics that reach the bars: higher ones do not reach th
 def condense_solid(part: Part | StepSolid, resolution: Resolution, stage: Stage) -> RacewayCompliance:
     """Compliance of a raceway to its rollers, by as few solves as symmetry leaves.
 
-    Parameters
-    ----------
-    part : Part or StepSolid
-        ring with its seat
-    resolution : Resolution
-        of rollers, patches and mesh
-    stage : callable (name)
-        around "mesh", "factor" and "condense"
-
-    Returns
-    -------
-    RacewayCompliance
-        without times
-
-    Raises
-    ------
-    ImpossiblePart
-        if the loaded band is longer than the track, or a drawing does not hold such a part
-    NotSolved
-        if a residual is too large, or the mesh too coarse for the patches
+    Raises `ImpossiblePart` if the loaded band is longer than the track, or a drawing does not hold such a
+    part; `NotSolved` if a residual is too large, or the mesh too coarse for the patches.
 
     Valid
     -----
@@ -66,24 +48,9 @@ def condense_solid(part: Part | StepSolid, resolution: Resolution, stage: Stage)
 def condensed(
     solid: FactoredSolid, progress: Callable[[float], None] = lambda fraction: None
 ) -> RacewayCompliance:
-    """Compliance of the raceway of a factored solid.
+    """Compliance of the raceway of a factored solid; `progress` gets the finished fraction of the solves.
 
-    Parameters
-    ----------
-    solid : FactoredSolid
-        with its rollers and patches
-    progress : callable (fraction)
-        called with the finished fraction of the solves
-
-    Returns
-    -------
-    RacewayCompliance
-        without times
-
-    Raises
-    ------
-    NotSolved
-        if a residual is too large, or the mesh too coarse for the patches
+    Raises `NotSolved` if a residual is too large, or the mesh too coarse for the patches.
     """
     patches = solid.patches
     with threads(solid.thread_number):

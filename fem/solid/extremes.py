@@ -97,29 +97,12 @@ class BodyExtremes:
 
 
 def extremes(sampled: Sampled, body: str, clear: Clearing) -> BodyExtremes:
-    r"""Extremes of a body.
+    r"""Extremes of a body from displacements of two orders, at places that are clear.
 
-    Elements whose samples are largest are sampled again, finely, by both orders.
-
-    Parameters
-    ----------
-    sampled : Sampled
-        displacements of two orders
-    body : str
-        its name
-    clear : Clearing
-        which places count
-
-    Returns
-    -------
-    BodyExtremes
-        their errors are twice the change from the lower order of displacements, of the largest value or at
-        its place, that from half as many samples, and half a percent of the largest stress
-
-    Raises
-    ------
-    ImpossiblePart
-        if no place counts
+    Elements whose samples are largest are sampled again, finely, by both orders. Errors are twice the change
+    from the lower order of displacements, of the largest value or at its place, that from half as many
+    samples, and half a percent of the largest stress.
+    Raises `ImpossiblePart` if no place counts.
 
     Source
     ------

@@ -30,44 +30,18 @@ class FactoredSolid:
     thread_number: int
 
     def of_order(self, order: int) -> "FactoredSolid":
-        """The same elements with displacements of another order, factored anew.
+        """The same elements with displacements of another order, >= 1, factored anew.
 
-        Parameters
-        ----------
-        order : int
-            of the displacements, >= 1
-
-        Returns
-        -------
-        FactoredSolid
-
-        Raises
-        ------
-        NotSolved
-            if the solver refuses the matrix
+        Raises `NotSolved` if the solver refuses the matrix.
         """
         mesh, size = self.space.mesh, MeshSize(order=order, size=1.0, raceway_size=1.0)
         return factored_on(mesh, self.part, self.patches, size, self.thread_number)
 
     def under(self, forces: NDArray) -> LoadedSolid:
-        """Displacement and stress under roller forces.
+        """Displacement and stress under generalised forces (Z, M) [N], positive outward.
 
-        Parameters
-        ----------
-        forces : array (Z, M)
-            generalised forces of `fem.assembly.roller_loads` [N], positive outward, for the rollers of
-            `patches`
-
-        Returns
-        -------
-        LoadedSolid
-
-        Raises
-        ------
-        ImpossiblePart
-            for forces of another shape, or not finite
-        NotSolved
-            if the residual is too large, or the mesh too coarse for the patches
+        Raises `ImpossiblePart` for forces of another shape, or not finite; `NotSolved` if the residual is too
+        large, or the mesh too coarse for the patches.
 
         Valid
         -----
@@ -91,29 +65,10 @@ class FactoredSolid:
 def factored(
     part: Part | StepSolid, patches: Patches, mesh_size: MeshSize, thread_number: int = 2
 ) -> FactoredSolid:
-    """Mesh and factor a part.
+    """Mesh and factor a part with some threads of NGSolve; order 3 of the elements pays.
 
-    Parameters
-    ----------
-    part : Part or StepSolid
-        ring with its seat
-    patches : Patches
-        rollers, and how their forces are resolved
-    mesh_size : MeshSize
-        order and sizes of the elements; order 3 pays
-    thread_number : int
-        threads of NGSolve
-
-    Returns
-    -------
-    FactoredSolid
-
-    Raises
-    ------
-    ImpossiblePart
-        if the loaded band is longer than the track, or a drawing or a support has no solid
-    NotSolved
-        if the solver refuses the matrix
+    Raises `ImpossiblePart` if the loaded band is longer than the track, or a drawing or a support has no
+    solid; `NotSolved` if the solver refuses the matrix.
     """
     return factored_on(meshed(part, patches.length, mesh_size), part, patches, mesh_size, thread_number)
 
@@ -121,24 +76,7 @@ def factored(
 def factored_on(
     mesh: ngs.Mesh, part: Part | StepSolid, patches: Patches, mesh_size: MeshSize, thread_number: int
 ) -> FactoredSolid:
-    """Assemble and factor a part that is meshed.
-
-    Parameters
-    ----------
-    mesh : ngsolve.Mesh
-        of the part, in millimetres
-    part, patches, mesh_size, thread_number
-        as for `factored`
-
-    Returns
-    -------
-    FactoredSolid
-
-    Raises
-    ------
-    NotSolved
-        if the solver refuses the matrix
-    """
+    """Assemble and factor a part that is meshed in millimetres, as `factored`."""
     with threads(thread_number):
         space = ngs.VectorH1(mesh, order=mesh_size.order, dirichlet="clamped")
         stiffness = factorised(space, elastic_energy(mesh, part.materials))

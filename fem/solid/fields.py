@@ -37,20 +37,7 @@ class LoadedSolid:
     def write(self, path: Path | str) -> Path:
         """Write displacement and stresses for ParaView, see `fem.solid.vtu`.
 
-        Parameters
-        ----------
-        path : Path
-            ends in .vtu
-
-        Returns
-        -------
-        Path
-            the file
-
-        Raises
-        ------
-        ImpossiblePart
-            for a name that does not end in .vtu
+        Raises `ImpossiblePart` for a name that does not end in .vtu.
         """
         path = Path(path)
         if path.suffix != ".vtu":

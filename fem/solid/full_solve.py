@@ -24,25 +24,11 @@ class FullSolve:
 
         .. math:: w = B^T u - H F,\quad t = T^T u,\quad K u = B F
 
-        with K the stiffness, B the load vectors of unit forces, T those that read the mean translation, and
-        H the deflection of a half-space under a roller's own load, which the contact law holds.
+        with K the stiffness, B the load vectors of unit forces, T those that read the mean translation, and H
+        the deflection of a half-space under a roller's own load, which the contact law holds.
 
-        Parameters
-        ----------
-        forces : array (Z, M)
-            F, generalised forces on the raceway [N], positive outward
-
-        Returns
-        -------
-        deviations : array (Z, M)
-            w [m], positive outward
-        translation : array (2)
-            t along y and z [m]
-
-        Raises
-        ------
-        NotSolved
-            if the residual of the solve is too large, or the mesh too coarse for the patches
+        w (Z, M) [m] is positive outward like the forces F (Z, M) [N]; t (2) [m] is along y and z.
+        Raises `NotSolved` if the residual of the solve is too large, or the mesh too coarse for the patches.
 
         Source
         ------

@@ -21,20 +21,9 @@ INSIDE = 1e-7  # of an element's edge, by which points stay away from its faces:
 
 @cache
 def lattice(kind, intervals: int):
-    """Points of an element of some kind, and whether half as many intervals would have them.
+    """Points of an element of some kind, without weights, and whether half as many intervals would have them.
 
-    Parameters
-    ----------
-    kind : ngsolve.ET
-        TRIG, QUAD, TET, PRISM, PYRAMID or HEX
-    intervals : int
-        along each edge
-
-    Returns
-    -------
-    ngsolve.IntegrationRule
-        without weights
-    array (n,) of bool
+    The kind is TRIG, QUAD, TET, PRISM, PYRAMID or HEX of ngsolve.ET; intervals are along each edge.
     """
     i, j, k = np.indices((intervals + 1,) * 3).reshape(3, -1)
     flat = kind in (ngs.TRIG, ngs.QUAD)
@@ -79,24 +68,9 @@ def _unfolded(mesh: ngs.Mesh, points: Spread) -> NDArray:
 def spread(
     mesh: ngs.Mesh, body: str, intervals: int, keys: NDArray | None = None, places: NDArray | None = None
 ) -> Spread:
-    """Lattices in the elements of a body, with further places.
+    """Lattices in the curved elements of a body, or of those with `keys`; intervals are along their edges.
 
-    Parameters
-    ----------
-    mesh : ngsolve.Mesh
-        of curved elements
-    body : str
-        its name
-    intervals : int
-        along the edges of elements
-    keys : array of int
-        only these elements; None: all of the body
-    places : array (n, dimensions)
-        where stresses are read, too, as far as they lie in these elements [mm]
-
-    Returns
-    -------
-    Spread
+    Stresses are read at `places` (n, dimensions) [mm], too, as far as they lie in these elements.
     """
     points = _lattices(mesh, body, intervals, keys)
     if places is not None and len(places):
@@ -110,25 +84,10 @@ def spread(
 def located(
     mesh: ngs.Mesh, body: str, places: NDArray, moved: tuple[Faces, Faces] | None = None
 ) -> tuple[Spread, NDArray]:
-    """Places that lie in a body.
+    """Places (n, dimensions) [mm] that lie in a body, m of them, and which they are.
 
-    Parameters
-    ----------
-    mesh : ngsolve.Mesh
-        of curved elements
-    body : str
-        its name
-    places : array (n, dimensions)
-        [mm]
-    moved : tuple of Faces, optional
-        with which nodes were moved, before and after: the search for elements knows the mesh before
-
-    Returns
-    -------
-    Spread
-        of m places
-    array (m,) of int
-        which they are
+    Where nodes were moved, `moved` has their faces before and after: the search for elements knows the mesh
+    before.
     """
     before = places if moved is None else MILLIMETRES * unmoved(places / MILLIMETRES, *moved)
     inside = _elements(mesh, before)
@@ -196,19 +155,9 @@ def hooke(strain: NDArray, elastic: Elastic) -> NDArray:
 
 
 def hooke_reversed(stress: NDArray, elastic: Elastic) -> NDArray:
-    """Strain of an isotropic body that its stress makes, without that of heat.
+    """Strain of an isotropic body that its stress [Pa] makes, without that of heat.
 
-    Parameters
-    ----------
-    stress : array (..., 6)
-        xx, yy, zz, xy, yz, xz [Pa] in axes at right angles
-    elastic : Elastic
-        of the body
-
-    Returns
-    -------
-    array (..., 6)
-        xx, yy, zz, 2 xy, 2 yz, 2 xz [-]
+    The stress (..., 6) is xx, yy, zz, xy, yz, xz in axes at right angles, the strain that of `hooke`.
 
     Source
     ------

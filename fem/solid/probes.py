@@ -49,28 +49,10 @@ class Readings(NamedTuple):
 
 
 def readings(sampled: Sampled, part: Part | StepSolid, probes: Sequence[Probe], width: float) -> Readings:
-    """Read probes.
+    """Read probes of a loaded part by two orders of displacements; load patches have a `width` [m].
 
-    Parameters
-    ----------
-    sampled : Sampled
-        the loaded part by two orders of displacements
-    part : Part or StepSolid
-        the part itself
-    probes : sequence of Probe (P,)
-        where
-    width : float
-        of the load patches [m]
-
-    Returns
-    -------
-    Readings
-        their error is twice the largest change of a strain from the lower order of displacements
-
-    Raises
-    ------
-    ImpossiblePart
-        where the part has no material
+    The error is twice the largest change of a strain from the lower order of displacements.
+    Raises `ImpossiblePart` where the part has no material.
 
     Valid
     -----

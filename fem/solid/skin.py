@@ -21,19 +21,7 @@ class Skin:
 
 
 def skin(state: LoadedSolid, subdivisions: int = 6) -> Skin:
-    """Triangulate the outside.
-
-    Parameters
-    ----------
-    state : LoadedSolid
-        a solid under its rollers
-    subdivisions : int
-        parts of an element's edge, >= 1
-
-    Returns
-    -------
-    Skin
-    """
+    """Triangulate the outside of a solid under its rollers, an element's edge in some subdivisions."""
     reference, corners = _triangles(subdivisions)
     rule = ngs.IntegrationRule(points=reference, weights=[1.0] * len(reference))
     mapped = state.mesh.MapToAllElements(rule, _outside(state.mesh))

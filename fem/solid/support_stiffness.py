@@ -42,25 +42,13 @@ class SupportStiffness:
 
 
 def support_stiffness(solid: FactoredSolid) -> SupportStiffness:
-    r"""Stiffness of what holds a raceway, its band a rigid body on average.
+    """Stiffness of what holds a raceway, its band a rigid body on average.
 
     .. math:: C = P^T K^{-1} P
 
     with load patterns P that also read the motions, see `motion_forces`.
 
-    Parameters
-    ----------
-    solid : FactoredSolid
-        factored part
-
-    Returns
-    -------
-    SupportStiffness
-
-    Raises
-    ------
-    NotSolved
-        if a residual is too large
+    Raises `NotSolved` if a residual is too large.
 
     Source
     ------
@@ -81,22 +69,12 @@ def motion_forces(space, band: roller_loads.Band) -> NDArray:
               \theta_z = \frac{\int (x u_y - y u_x)\,dA}{\int (x^2 + y^2)\,dA}
 
     and translations across by radial pressures like sin and cos,
-    `fem.assembly.roller_loads.translation_forces`. A moment
-    thus comes by tractions that turn the band as a whole: rollers, which only press, also twist the section
-    of a thin ring, and that is part of their compliance.
+    `fem.assembly.roller_loads.translation_forces`. A moment thus comes by tractions that turn the band as a
+    whole: rollers, which only press, also twist the section of a thin ring, and that is part of their
+    compliance.
 
-    Parameters
-    ----------
-    space : ngsolve.VectorH1
-        displacements on a mesh in millimetres
-    band : fem.assembly.roller_loads.Band
-        quadrature on the boundary "raceway"
-
-    Returns
-    -------
-    array (unknowns, 5)
-        [N/N, N/(N m)] in the order of `AXES`; exact for rigid motions as far as the
-        curved mesh is round
+    An array (unknowns, 5) [N/N, N/(N m)] in the order of `AXES`, on the boundary "raceway" of a mesh in
+    millimetres; exact for rigid motions as far as the curved mesh is round.
 
     Source
     ------

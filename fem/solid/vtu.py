@@ -18,21 +18,12 @@ TYPES = {"f4": "Float32", "i4": "Int32", "u1": "UInt8"}
 
 
 def vtu(displacement: ngs.GridFunction, materials: Mapping[str, Elastic]) -> bytes:
-    """Displacement and stress as an unstructured grid; every element has its own points, in two intervals.
+    """Displacement [m] on tetrahedra in millimetres, and its stress, as an unstructured grid.
 
-    Parameters
-    ----------
-    displacement : ngsolve.GridFunction (3,)
-        [m] on tetrahedra in millimetres
-    materials : mapping
-        `Elastic` of every body by its name
-
-    Returns
-    -------
-    bytes
-        places [mm], "displacement_mm", "stress_MPa" as xx, yy, zz, xy, yz, xz, of every element by itself,
-        "von_mises_MPa" and "principal_MPa" (largest first) of the stress as it is written, and the number of
-        the "body" in the order of `materials`; all cells are tetrahedra
+    Every element has its own points, in two intervals: places [mm], "displacement_mm", "stress_MPa" as xx,
+    yy, zz, xy, yz, xz, of every element by itself, "von_mises_MPa" and "principal_MPa" (largest first) of the
+    stress as it is written, and the number of the "body" in the order of `materials`; all cells are
+    tetrahedra.
     """
     pieces = [_of_body(displacement, *item, k) for k, item in enumerate(materials.items())]
     point_data = {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}

@@ -90,23 +90,9 @@ class NominalStresses:
 def nominal_stresses(
     cage: SquirrelCage, response: BarResponse, azimuths: NDArray, forces: NDArray
 ) -> NominalStresses:
-    """Section forces and nominal stresses of all bars under roller forces.
+    """Section forces and nominal stresses of all bars under generalised forces (..., Z, M) [N], outward.
 
-    Parameters
-    ----------
-    cage : SquirrelCage
-        ring, bars and flange
-    response : BarResponse
-        of its bars
-    azimuths : array (Z,)
-        of the rollers [rad]
-    forces : array (..., Z, M)
-        generalised forces on the raceway [N], positive outward
-
-    Returns
-    -------
-    NominalStresses
-        their error is the largest change of a nominal stress from another order of displacements
+    The error is the largest change of a nominal stress from another order of displacements.
     """
     these, others = response.under(azimuths, forces)
     bars = _bar_forces(cage, response, these)

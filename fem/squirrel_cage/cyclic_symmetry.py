@@ -53,26 +53,8 @@ def cage_responses(cage: SquirrelCage, resolution: Resolution, last: int, stage:
 
     over half a pitch, for n' that differs from n by a multiple of the number of bars.
 
-    Parameters
-    ----------
-    cage : SquirrelCage
-        ring, bars and flange
-    resolution : Resolution
-        of band and mesh; order 3 pays
-    last : int
-        N, the highest harmonic
-    stage : callable (name)
-        around "mesh", "factor" and "condense"
-
-    Returns
-    -------
-    Responses
-        real, as azimuth 0 is a plane of symmetry
-
-    Raises
-    ------
-    NotSolved
-        if a residual is too large
+    Responses are real, as azimuth 0 is a plane of symmetry. Order 3 of the displacements pays.
+    Raises `NotSolved` if a residual is too large.
     """
     mesh = resolution.mesh
     with threads(1):  # half a pitch is small: a second thread would only wait
@@ -139,26 +121,11 @@ def _in_balance(
 def all_phases(
     answered: Callable[[int, NDArray], NDArray], bars: int, highest_and_shapes: tuple[int, int], readings: int
 ) -> tuple[NDArray, NDArray]:
-    """Answers of all harmonics to all from those of every phase.
+    """Answers of all harmonics -N .. N to all, (K, M, K, M) [m/N], from those of every phase.
 
-    Parameters
-    ----------
-    answered : callable (number of the phase, harmonics (k))
-        answers (k M + readings, k M) of half a pitch: of the raceway [m/N], then of the bars, those of fields
-        that are their own mirror image first
-    bars : int
-        around the ring
-    highest_and_shapes : tuple of int
-        N and M
-    readings : int
-        of bars
-
-    Returns
-    -------
-    response : array (K, M, K, M)
-        [m/N], harmonics -N .. N
-    bar_forces : array (K, M, readings)
-        [N/N, N m/N]
+    Bar forces come with them, (K, M, readings) [N/N, N m/N]. `answered` gives for a phase, by its number and
+    its k harmonics, the answers (k M + readings, k M) of half a pitch: of the raceway [m/N], then of the
+    bars, those of fields that are their own mirror image first. N and M are `highest_and_shapes`.
     """
     highest, shapes = highest_and_shapes
     count, m = 2 * highest + 1, np.arange(shapes)
@@ -191,30 +158,12 @@ def ties(cuts: Sequence[CutStiffness], theta: float) -> NDArray:
 def phase_solution(
     cuts: Sequence[CutStiffness], theta: float, harmonics: NDArray, *, with_readings: bool
 ) -> tuple[list[NDArray], NDArray]:
-    """Forces and displacements of the cut under all harmonics of a phase.
+    """Forces of both kinds (patterns, k M), and displacements of the cut (3 places, k M) [m/N], in one phase.
 
-    Parameters
-    ----------
-    cuts : sequence of CutStiffness
-        of both kinds of mirror images
-    theta : float
-        from pitch to pitch [rad]
-    harmonics : array (k)
-        n of this phase
-    with_readings : bool
-        whether unit readings of the bars load the half pitch, too, those of either kind one after the other
-
-    Returns
-    -------
-    forces : list of array (patterns, k M)
-        q of both kinds
-    z : array (3 places, k M), or with the readings as further columns
-        displacements of the cut [m/N]
-
-    Raises
-    ------
-    NotSolved
-        if the cage is not held
+    Loads are the harmonics n (k) of the phase, whose angle from pitch to pitch is `theta` [rad]. With
+    readings, unit readings of the bars load the half pitch, too, those of either kind one after the other, as
+    further columns.
+    Raises `NotSolved` if the cage is not held.
     """
     even, odd = cuts
     shares = even.share[:, np.abs(harmonics)], odd.share[:, np.abs(harmonics)] * np.sign(harmonics)[:, None]

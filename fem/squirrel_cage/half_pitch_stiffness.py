@@ -80,21 +80,7 @@ class ReducedHalfPitch:
 
 
 def assembled_half_pitch(cage: SquirrelCage, mesh: ngs.Mesh, order: int) -> HalfPitch:
-    """Assemble half a pitch.
-
-    Parameters
-    ----------
-    cage : SquirrelCage
-        ring, bars and flange
-    mesh : ngsolve.Mesh
-        from `fem.mesh.half_pitch`
-    order : int
-        of the displacement
-
-    Returns
-    -------
-    HalfPitch
-    """
+    """Assemble half a pitch on a mesh from `fem.mesh.half_pitch`, with displacements of some order."""
     space = ngs.VectorH1(mesh, order=order, dirichlet="clamped")
     form = assembled_form(space, cage)
     dofs = space.FreeDofs(coupling=True)
@@ -132,58 +118,22 @@ def readings(form: Any, cage: SquirrelCage) -> NDArray:
 def reduced_to_cut(
     half: HalfPitch, band: roller_loads.Band, length: float, axial_modes: int, highest: int, symmetric: bool
 ) -> ReducedHalfPitch:
-    """Reduce half a pitch to its face in the slot.
+    """Reduce half a pitch to its face in the slot, under loads on a band of `length` [m].
 
-    Parameters
-    ----------
-    half : HalfPitch
-        from `assembled_half_pitch`
-    band : fem.assembly.roller_loads.Band
-        quadrature on its part of the raceway
-    length : float
-        l, axial length of the loaded band [m]
-    axial_modes : int
-        M, number of axial modes
-    highest : int
-        N, the highest harmonic
-    symmetric : bool
-        loads like cos(n phi) and fields that are their own mirror image; else like sin(n phi)
-
-    Returns
-    -------
-    ReducedHalfPitch
-
-    Raises
-    ------
-    NotSolved
-        if half a pitch floats
+    They are axial modes in harmonics 0 .. `highest`. Symmetric are loads like cos(n phi) and fields that are
+    their own mirror image; the others are like sin(n phi).
+    Raises `NotSolved` if half a pitch floats.
     """
     count = highest + 1, axial_modes
     return reduced_under(half, *_patterns(harmonic_loads(band, length, count, symmetric), count), symmetric)
 
 
 def reduced_under(half: HalfPitch, patterns: NDArray, share: NDArray, symmetric: bool) -> ReducedHalfPitch:
-    """Reduce half a pitch under given load vectors.
+    """Reduce half a pitch under load vectors (unknowns, patterns) of unit q.
 
-    Parameters
-    ----------
-    half : HalfPitch
-        from `assembled_half_pitch`
-    patterns : array (unknowns, patterns)
-        load vectors of unit q
-    share : array (patterns, ...)
-        forces q that make up the loads
-    symmetric : bool
-        loads and fields that are their own mirror image; else the negative of it
-
-    Returns
-    -------
-    ReducedHalfPitch
-
-    Raises
-    ------
-    NotSolved
-        if half a pitch floats
+    `share` (patterns, ...) are the forces q that make up the loads; loads and fields are their own mirror
+    image if `symmetric`, else the negative of it.
+    Raises `NotSolved` if half a pitch floats.
     """
     owner = half.owner.copy()
     owner[half.cut] = 0
@@ -198,23 +148,9 @@ def imbalance(
 ) -> tuple[NDArray, NDArray]:
     """Forces that are left when the whole half pitch follows its face.
 
-    Parameters
-    ----------
-    half : HalfPitch
-        the sparse matrix
-    reduced : ReducedHalfPitch
-        its reduction
-    displacement : array (3 places, columns)
-        u of the face [m]
-    forces : array (patterns, columns)
-        q [N]
-
-    Returns
-    -------
-    inside : array (unknowns, columns)
-        K u - F q [N] along x, y, z, zero on the face and where a plane or a clamp holds
-    on_face : array (3 places, columns)
-        the force f [N] along x, r, t
+    The face is displaced by u (3 places, columns) [m] under q (patterns, columns) [N]. Inside, K u - F q
+    (unknowns, columns) [N] along x, y, z, zero on the face and where a plane or a clamp holds; on the face
+    the force f (3 places, columns) [N] along x, r, t.
     """
     u = interior(half, reduced, displacement, forces)
     left = half.stiffness @ u - reduced.patterns @ forces
@@ -224,19 +160,10 @@ def imbalance(
 
 
 def interior(half: HalfPitch, reduced: ReducedHalfPitch, displacement: NDArray, forces: NDArray) -> NDArray:
-    """Displacement of the whole half pitch from that of its face.
+    """Displacement (unknowns, columns) [m] of the whole half pitch along x, y, z from that of its face.
 
-    Parameters
-    ----------
-    half, reduced, displacement
-        as for `imbalance`
-    forces : array (patterns, columns), or with unit readings of the bars as further rows
-        q [N]
-
-    Returns
-    -------
-    array (unknowns, columns)
-        [m] along x, y, z; inner unknowns of the elements are zero
+    Arguments are those of `imbalance`. Forces q may have unit readings of the bars as further rows; inner
+    unknowns of the elements are zero.
     """
     kept = np.zeros((len(reduced.inside.schur), forces.shape[1]))
     kept[: half.cut.size] = half.turn @ displacement
@@ -245,20 +172,7 @@ def interior(half: HalfPitch, reduced: ReducedHalfPitch, displacement: NDArray, 
 
 
 def in_whole(half: HalfPitch, displacement: NDArray) -> NDArray:
-    """Displacements with the inner unknowns of the elements.
-
-    Parameters
-    ----------
-    half : HalfPitch
-        from `assembled_half_pitch`
-    displacement : array (unknowns, columns)
-        from `interior` [m]
-
-    Returns
-    -------
-    array (unknowns, columns)
-        [m]
-    """
+    """Displacements of `interior` [m] with the inner unknowns of the elements."""
     whole = displacement.copy()
     vector = half.form.mat.CreateColVector()
     for k, values in enumerate(whole.T):

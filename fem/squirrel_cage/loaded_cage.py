@@ -153,31 +153,12 @@ def loaded_cage(
 ) -> LoadedCage:
     """Solve a squirrel cage under roller forces, by two orders of displacements.
 
-    Parameters
-    ----------
-    cage : SquirrelCage
-        ring, bars and flange
-    patches : Patches
-        rollers, and how their forces are resolved
-    forces : array (Z, M)
-        generalised forces of `fem.assembly.roller_loads` [N], positive outward
-    mesh_size : MeshSize
-        the higher order, 2 or more, and element sizes
-    feet : float, optional
-        largest element edge at the feet of the bars [m]; None: that of `feet_size`
-    nodes_of : Shape, optional
-        another cage and band, whose mesh is taken with its nodes moved to these
-
-    Returns
-    -------
-    LoadedCage
-
-    Raises
-    ------
-    ImpossiblePart
-        if the band is longer than the track, or elements are inside out or far too many
-    NotSolved
-        if half a pitch cannot be solved, or the mesh is too coarse for the patches
+    Forces (Z, M) are the generalised ones of `fem.assembly.roller_loads` [N], positive outward. `mesh_size`
+    has the higher order, 2 or more; `feet` is the largest element edge at the feet of the bars [m], by
+    default that of `feet_size`; with `nodes_of` the mesh of another cage and band is taken, its nodes moved
+    to these.
+    Raises `ImpossiblePart` if the band is longer than the track, or elements are inside out or far too many;
+    `NotSolved` if half a pitch cannot be solved, or the mesh is too coarse for the patches.
 
     Valid
     -----

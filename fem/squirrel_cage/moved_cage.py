@@ -75,28 +75,9 @@ class MovedHalf:
 def near_responses(cage: SquirrelCage, resolution: Resolution, last: int, stage: Stage) -> Responses:
     """Answers of the raceway of a cage that differs little from that of `resolution.nodes_of`.
 
-    Parameters
-    ----------
-    cage : SquirrelCage
-        of the same kind as that of `resolution.nodes_of`
-    resolution : Resolution
-        of band and mesh, with `nodes_of`
-    last : int
-        N, the highest harmonic
-    stage : callable (name)
-        around "mesh", "factor" and "condense"
-
-    Returns
-    -------
-    Responses
-        as those of `fem.squirrel_cage.cyclic_symmetry.cage_responses`, without errors
-
-    Raises
-    ------
-    NotSolved
-        if the cage of `resolution.nodes_of` cannot be solved
-    ImpossiblePart
-        if faces that are one would come apart
+    They are those of `fem.squirrel_cage.cyclic_symmetry.cage_responses`, without errors.
+    Raises `NotSolved` if the cage of `resolution.nodes_of` cannot be solved, `ImpossiblePart` if faces that
+    are one would come apart.
 
     Valid
     -----

@@ -25,22 +25,8 @@ def cage_seat_growth(cage: SquirrelCage, resolution: Resolution) -> RacewayGrowt
     over half a pitch a; cage and seat expand alike first, then the cage shrinks by as much in a clamp that
     stays.
 
-    Parameters
-    ----------
-    cage : SquirrelCage
-        ring, N bars and flange
-    resolution : Resolution
-        of band and mesh
-
-    Returns
-    -------
-    RacewayGrowth
-        [m] per strain of the seat beyond that of the cage
-
-    Raises
-    ------
-    NotSolved
-        if a residual is too large
+    w [m] is per strain of the seat beyond that of the cage.
+    Raises `NotSolved` if a residual is too large.
 
     Source
     ------

@@ -24,10 +24,7 @@ MOST_SETTINGS = 500  # about three times the keys of a case
 def read(path: str | Path, overrides: Overrides, families: Families) -> Head:
     """Read a case file.
 
-    Raises
-    ------
-    BadCase
-        one line for each problem: file, key, value found, what is allowed, nearest valid name
+    Raises `BadCase`, one line for each problem: file, key, value found, what is allowed, nearest valid name.
     """
     file = Path(path)
     try:

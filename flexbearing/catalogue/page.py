@@ -77,10 +77,7 @@ class Page:
 def read(like: str, options: Mapping[str, str | None], assumed: Mapping[str, str] | None = None) -> Page:
     """Read the entries of a page.
 
-    Raises
-    ------
-    BadCase
-        one line for each entry that is missing, cannot be read, or has no use for this kind
+    Raises `BadCase`, one line for each entry that is missing, cannot be read, or has no use for this kind.
     """
     if like not in LIKES:
         raise BadCase(f"--like {excerpt(like)}: it must be {_either(like, tuple(LIKES))}")

@@ -15,11 +15,8 @@ class BadOutput(ValueError):
 def require_output(path: str | Path, inputs: Iterable[str | Path] = ()) -> Path:
     """Settle where an output goes, and that it can be written there.
 
-    Raises
-    ------
-    BadOutput
-        one line with the reason: a folder, an input or a link to it, a name that is kept for unfinished files
-        or too long, a file or folder that cannot be written
+    Raises `BadOutput` with the reason in one line: a folder, an input or a link to it, a name that is kept
+    for unfinished files or too long, a file or folder that cannot be written.
     """
     try:
         output = _behind_links(path)

@@ -60,14 +60,8 @@ class Track:
 def reach(tracks: Sequence[Track], first: Sequence[float], batch: Batch) -> None:
     """Follow every function from zero to its root, else to its largest value.
 
-    Parameters
-    ----------
-    tracks : sequence of Track
-        each with its value at zero; takes all further ones
-    first : sequence of float
-        where each root is expected
-    batch : callable
-        values of some of the functions, a place each
+    Each track has its value at zero, and takes all further ones; `first` is where each root is expected, and
+    `batch` gives values of some of the functions, a place each.
     """
     _side_by_side(tracks, [_walk(track, place) for track, place in zip(tracks, first, strict=True)], batch)
     refine(tracks, batch)

@@ -14,27 +14,11 @@ _BAD = zipfile.BadZipFile, zlib.error, EOFError, ValueError, NotImplementedError
 
 
 def unpacked(content: bytes, endings: tuple[str, ...], most: int) -> tuple[bytes, tuple[str, ...]]:
-    """Unpack the only file of an archive whose name has one of the endings.
+    """Unpack the only file of an archive whose name has one of the endings, in small letters.
 
-    Parameters
-    ----------
-    content : bytes
-        of the archive
-    endings : tuple of str
-        of names, in small letters
-    most : int
-        bytes that the unpacked file may have; more are not unpacked
-
-    Returns
-    -------
-    bytes, tuple of str
-        content of the file, and the names of all others
-
-    Raises
-    ------
-    Unreadable
-        for no archive, none or several such files, names that lead out of a folder, an encrypted or
-        larger file
+    Its content comes with the names of all other files; `most` bytes are the most that it may have.
+    Raises `Unreadable` for no archive, none or several such files, names that lead out of a folder, an
+    encrypted or larger file, which is not unpacked.
     """
     if len(content) > ARCHIVE:
         raise Unreadable(f"is an archive larger than {size(ARCHIVE)}")

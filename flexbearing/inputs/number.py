@@ -15,10 +15,7 @@ class BadNumber(ValueError):
 def number(text: str, largest: float = LARGEST) -> float:
     """A finite number; 1.5D+06 is that of Fortran, 1.5+6 that of Nastran.
 
-    Raises
-    ------
-    BadNumber
-        for anything else, nan and infinity among it
+    Raises `BadNumber` for anything else, nan and infinity among it.
 
     >>> number(" 1.5D+06 ")
     1500000.0
@@ -36,10 +33,7 @@ def number(text: str, largest: float = LARGEST) -> float:
 def whole(text: str, least: int, most: int) -> int:
     """A whole number between two others.
 
-    Raises
-    ------
-    BadNumber
-        for anything else, 1.5 and digits of other scripts among it
+    Raises `BadNumber` for anything else, 1.5 and digits of other scripts among it.
 
     >>> whole("16", 1, 100)
     16

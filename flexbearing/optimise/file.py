@@ -51,10 +51,7 @@ class Problem:
 def read(source: Source, families: Families, case: Head | None = None) -> Problem:
     """Read an optimisation, from its file or as a dictionary; of its case unless that is given.
 
-    Raises
-    ------
-    BadCase
-        one line for each problem: file, key, value found, what is allowed, nearest valid name
+    Raises `BadCase`, one line for each problem: file, key, value found, what is allowed, nearest valid name.
     """
     raw, file = flat_tables(source, "optimisation", _TABLES)
     raw = raw if case is None else {**raw, "case": case.source.path}

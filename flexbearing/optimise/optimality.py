@@ -37,22 +37,9 @@ def optimality(
         r = \sum_t w_t \nabla f_t + \sum_m \lambda_m \nabla g_m + \sum_k \mu_k n_k, \quad
         w, \lambda, \mu \ge 0, \; \sum w = 1, \; |r|_2 \to \min
 
-    Parameters
-    ----------
-    merits : Terms (T, K)
-        f, whose smallest is made large
-    margins : Terms (M, K)
-        g, at least 0
-    shares : array (K)
-        of the variables, from 0 to 1; n is the normal of a limit that is met, inwards
-    limits : pair of float or array (K), optional
-        least and largest shares
-    spare : float, optional
-        margin up to which a constraint counts as used up
-
-    Returns
-    -------
-    Optimality
+    The merits f (T, K) are made large by their smallest, the margins g (M, K) are at least 0, n is the normal
+    of a limit that is met, inwards. Shares (K) of the variables are from 0 to 1, within their limits; `spare`
+    is the margin up to which a constraint counts as used up.
 
     Source
     ------

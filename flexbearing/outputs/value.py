@@ -33,10 +33,7 @@ class Conversion:
 def conversion(given: str, new: str, *, turning: bool = False) -> Conversion:
     """Find the way from one unit to another.
 
-    Raises
-    ------
-    WrongUnit
-        for a unit that cannot be read, or of another kind
+    Raises `WrongUnit` for a unit that cannot be read, or of another kind.
 
     >>> conversion("Mrev", "h", turning=True)
     Conversion(factor=1745.3292519943295, per_speed=True)

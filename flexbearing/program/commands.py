@@ -37,10 +37,7 @@ def say_json(value: Any) -> None:
 def end(problem: object) -> NoReturn:
     """End a command without a result, and say why.
 
-    Raises
-    ------
-    Exit
-        always
+    Raises `Exit`, always.
     """
     sys.stderr.write(f"{printable(str(problem))}\n")
     raise typer.Exit(NOT_CONVERGED)

@@ -44,20 +44,11 @@ class Recorder(Protocol):
 class Record:
     """Iterations, blocks and root attributes of a run at work; nothing is written anywhere.
 
-    Parameters
-    ----------
-    attributes : mapping
-        root attributes that are known when the run begins, such as ``title`` and ``case_text``
-    family : Family
-        of the bearing; it decides the layout
-    others : "searched", "reported" or "left out"
-        what is done about other equilibria: they are searched, a note says where they are likely, or numbers
-        alone matter, which are compared with those of other cases
-
-    Raises
-    ------
-    NotInLayout
-        for an attribute that the layout does not know, or cannot hold
+    `attributes` are root attributes that are known when the run begins, such as ``title`` and ``case_text``;
+    the family of the bearing decides the layout. Other equilibria are "searched", "reported", where a note
+    says where they are likely, or "left out", where numbers alone matter, which are compared with those of
+    other cases.
+    Raises `NotInLayout` for an attribute that the layout does not know, or cannot hold.
     """
 
     stores: ClassVar[bool] = False

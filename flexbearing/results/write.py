@@ -36,25 +36,10 @@ class ResultFile:
     A run that breaks off leaves the ``.part`` file with all that it reached, and says so in a note of the
     exception; one that finds its input bad leaves none.
 
-    Parameters
-    ----------
-    path : path
-        the final name; a file that is already there stays until the new one is complete
-    attributes : mapping
-        root attributes that are known when the run begins, such as ``title`` and ``case_text``
-    family : Family
-        of the bearing; it decides the layout
-    inputs : sequence of paths
-        files that are read and that the result must not replace
-    others : "searched" or "reported"
-        what is done about other equilibria, as of a `Record`
-
-    Raises
-    ------
-    NotInLayout
-        for an attribute that the layout does not know, or cannot store
-    BadOutput
-        for a name that cannot be written, or that another run is writing (on entering)
+    A file that is already there stays until the new one is complete; `inputs` are files that are read and
+    that the result must not replace, other arguments are those of a `Record`.
+    Raises `NotInLayout` as it does; `BadOutput` for a name that cannot be written, or that another run is
+    writing (on entering).
 
     Examples
     --------

@@ -16,18 +16,9 @@ UNLIKE = 1.5  # width of patches over that of the largest contact, or the invers
 def notes(
     case: FastCase | FourPointCase, angles: NDArray, loads: NDArray, across: NDArray
 ) -> tuple[Note, ...]:
-    """Notes on elastic grooves under contacts.
+    """Notes on elastic grooves of a case that is solved, under contacts by race (2, ...).
 
-    Parameters
-    ----------
-    case : FastCase, FourPointCase
-        solved between elastic rings
-    angles : array (2, ...)
-        contact angles, by race [rad]
-    loads : array (2, ...)
-        of the contacts [N]
-    across : array (2, ...)
-        their semi-axes along the arc [m]
+    Contact angles are in rad, loads in N, the semi-axes `across` along the arc in m.
     """
     from flexbearing.rings import grooves  # finite elements are not described between rigid rings
 

@@ -53,10 +53,7 @@ def parts(case: Case) -> dict[Race, Any]:
 def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
     """A part under the roller loads of a state; it is solved for what is asked of it.
 
-    Raises
-    ------
-    NoFields
-        of a part that is computed on its section only
+    Raises `NoFields` of a part that is computed on its section only.
 
     Valid
     -----

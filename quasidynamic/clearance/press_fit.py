@@ -65,23 +65,9 @@ class Seat:
 
 
 def free_displacement(body: Annulus, radius: float, rise: float, speed: float) -> float:
-    """Radial displacement of a body alone, hot, turning.
+    """Radial displacement [m], positive outwards, of a body alone at a radius [m], hot and turning.
 
-    Parameters
-    ----------
-    body : Annulus
-        the body
-    radius : float
-        where [m]
-    rise : float
-        over the reference temperature [K]
-    speed : float
-        [rad/s]
-
-    Returns
-    -------
-    float
-        [m], positive outwards
+    The rise [K] is over the reference temperature, the speed in rad/s.
 
     Source
     ------
@@ -172,21 +158,9 @@ def seat(fit: PressFit, conditions: FitConditions) -> Seat:
 
 
 def inside_displacement(fit: PressFit, conditions: FitConditions, radius: float) -> float:
-    """Radial displacement of the inside body, pressed from outside.
+    """Radial displacement [m], positive outwards, of the inside body at a radius [m], pressed from outside.
 
-    Parameters
-    ----------
-    fit : PressFit
-        for the outer ring of a bearing: ring inside, housing outside
-    conditions : FitConditions
-        temperature rises [K], speed [rad/s]
-    radius : float
-        where, within the inside body [m]
-
-    Returns
-    -------
-    float
-        [m], positive outwards
+    For the outer ring of a bearing: ring inside, housing outside.
 
     Source
     ------
@@ -197,21 +171,9 @@ def inside_displacement(fit: PressFit, conditions: FitConditions, radius: float)
 
 
 def outside_displacement(fit: PressFit, conditions: FitConditions, radius: float) -> float:
-    """Radial displacement of the outside body, pressed from its bore.
+    """Radial displacement [m], positive outwards, of the outside body at a radius [m], pressed from its bore.
 
-    Parameters
-    ----------
-    fit : PressFit
-        for the inner ring of a bearing: shaft inside, ring outside
-    conditions : FitConditions
-        temperature rises [K], speed [rad/s]
-    radius : float
-        where, within the outside body [m]
-
-    Returns
-    -------
-    float
-        [m], positive outwards
+    For the inner ring of a bearing: shaft inside, ring outside.
 
     Source
     ------

@@ -130,24 +130,11 @@ def corner_couple(skew: NDArray, beyond: NDArray, thrust: NDArray, flange: Flang
 
     .. math:: M = y \min[\max(|F_x|,\; 2 k y (|\psi| - \psi_0)),\; 2 k y |\psi|]
 
-    Beyond psi_0 opposite corners hold the roller. Inside, the thrust presses its end on one flange:
-    nearly flat on both corners of that end for a small skew, on one corner when the other has lifted.
+    Beyond psi_0 opposite corners hold the roller. Inside, the thrust presses its end on one flange: nearly
+    flat on both corners of that end for a small skew, on one corner when the other has lifted.
 
-    Parameters
-    ----------
-    skew, beyond : array (...)
-        abs(psi) and abs(psi) - psi_0 [rad]
-    thrust : array (...)
-        F_x, axial force of the raceways on the roller [N], any sign
-    flange : Flange
-        stiffness k of a corner [N/m]
-    lever : float
-        y [m]
-
-    Returns
-    -------
-    array (...)
-        M [N m], >= 0, against the skew; it rises with the skew at a given thrust
+    M [N m] is >= 0, against the skew, and rises with the skew at a given thrust; arguments are those of
+    `flange_push`, and |psi| [rad].
 
     Source
     ------
@@ -166,17 +153,8 @@ def flange_forces(push: NDArray, thrust: NDArray) -> NDArray:
 
     .. math:: N_\mp = (N_- + N_+ \mp F_x)/2
 
-    Parameters
-    ----------
-    push : array (...)
-        sum of both [N], at least as large as the thrust
-    thrust : array (...)
-        F_x, axial force of the raceways on the roller [N]
-
-    Returns
-    -------
-    array (2, ...)
-        flange at the -x end, which pushes towards +x, and at the +x end, which pushes towards -x [N], >= 0
+    An array (2, ...) [N], >= 0: the flange at the -x end, which pushes towards +x, and that at the +x end,
+    which pushes towards -x. The push is at least as large as the thrust.
 
     Source
     ------

@@ -65,23 +65,11 @@ class Raceways:
         return self.lubrication.oil
 
     def state(self, approach: NDArray, sliding: NDArray, entrainment: NDArray, film: NDArray) -> RacewayState:
-        """Load, traction, inlet shear and film of all rollers at both raceways.
+        """Load [N], traction, inlet shear and film [m] of all rollers at both raceways, with derivatives.
 
-        Parameters
-        ----------
-        approach : array (2, M, C, Z)
-            coefficients of the axial modes [m], film included, profile drop not
-        sliding : array (2, C, Z)
-            raceway over roller surface [m/s]
-        entrainment : array (2, C, Z)
-            mean surface speed [m/s], > 0
-        film : array (2, C, Z)
-            thickness [m] used by the traction law
-
-        Returns
-        -------
-        RacewayState
-            forces [N] and films [m] of all rollers, with their derivatives
+        The approach (2, M, C, Z) [m] are coefficients of the axial modes, film included, profile drop not;
+        the sliding (2, C, Z) [m/s] is raceway over roller surface, the entrainment (2, C, Z) [m/s] the mean
+        surface speed, > 0; the traction law uses the film (2, C, Z) [m].
 
         Source
         ------

@@ -64,25 +64,13 @@ class SolvedGrid:
 def solve(
     points: GridPoints, mapped: Mapped = map, tell: Callable[[str], None] = lambda stage: None
 ) -> SolvedGrid:
-    """Find the states of all points.
+    """Find the states of all points; those where no solve converged have none.
 
     Every point has a state from those around it, or as a run finds it. Where the states of neighbouring
     points differ much, both are followed to the other point and back; where several are likely, others are
     searched, and each of them is followed over the grid.
 
-    Parameters
-    ----------
-    points : GridPoints
-        C of them
-    mapped : callable
-        `map`, or one that shares calls among processes
-    tell : callable (str)
-        hears of each stage
-
-    Returns
-    -------
-    SolvedGrid
-        points where no solve converged have no state
+    `mapped` is `map`, or one that shares calls among processes; `tell` is called with the name of each stage.
 
     Source
     ------

@@ -87,10 +87,6 @@ def ball_motion(
     control : {"outer", "inner", "equal"}
         what sets the attitude beta, see `ball_attitude`
 
-    Returns
-    -------
-    BallMotion
-
     Source
     ------
     Harris, Rolling Bearing Analysis, 4th ed. (2001), ch. 8, with gamma on the pitch circle.

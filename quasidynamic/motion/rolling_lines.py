@@ -93,10 +93,6 @@ def rolling_lines(parameter: ArrayLike, net_force: ArrayLike = 0.0) -> RollingLi
         e, friction in the rolling direction over mu Q [-], in (-1, 1), positive where the outside of the
         lines prevails; zero for a ball that neither drives nor brakes
 
-    Returns
-    -------
-    RollingLines
-
     Raises
     ------
     OutOfRange

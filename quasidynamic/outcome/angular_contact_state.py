@@ -205,18 +205,10 @@ class AngularContactState:
     ) -> RollingContact:
         """Pure rolling lines of the balls that touch both races, each for itself.
 
-        Parameters
-        ----------
-        spin : {"slip field", "contact angle"}
-            S [-] of the ball's motion, or gamma sin(alpha) alone as in Rivera, Tong and Hong (2021), Eq. (15)
-        friction : {"none", "balanced"}
-            no net friction in the rolling direction (e = 0), or as much as balances the friction moments
-            about the spin axis, see `ball_friction`
-
-        Returns
-        -------
-        RollingContact
-            says which balls have no lines
+        It says which balls have no lines. S [-] is that of the ball's motion, or, with "contact angle", gamma
+        sin(alpha) alone as in Rivera, Tong and Hong (2021), Eq. (15). Net friction in the rolling direction
+        is none (e = 0), or, "balanced", as much as balances the friction moments about the spin axis, see
+        `ball_friction`.
 
         Source
         ------

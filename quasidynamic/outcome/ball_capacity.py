@@ -24,15 +24,7 @@ PERMANENT = 4.2e9  # [Pa] peak pressure at C_0
 def require_radial(row: BallRow) -> None:
     """Refuse thrust bearings, whose ratings are axial loads.
 
-    Parameters
-    ----------
-    row : BallRow
-        with its nominal contact angle [rad]
-
-    Raises
-    ------
-    OutOfRange
-        for contact angles above 45 deg
+    Raises `OutOfRange` for nominal contact angles above 45 deg.
 
     Source
     ------

@@ -53,15 +53,7 @@ def ball_reference_life(
 
     .. math:: L_{10r} = \big\{(Q_{ci}/Q_{ei})^{-10/3} + (Q_{ce}/Q_{ee})^{-10/3}\big\}^{-9/10}
 
-    Parameters
-    ----------
-    loads, row, turning, rating
-        as for `ball_raceway_lives`
-
-    Returns
-    -------
-    float
-        L10r [10^6 revolutions]; infinite without load
+    In 10^6 revolutions, infinite without load; arguments as of `ball_raceway_lives`.
 
     Source
     ------

@@ -62,19 +62,8 @@ def race_torques(contacts: BallContacts, slip: NDArray, ellipse: Ellipse) -> Rac
 def torques_by_slip(contacts: BallContacts, by_slip: NDArray, lateral: NDArray) -> RaceTorques:
     """Torque of every ball on both rings, in parts, by friction that is known, see `race_torques`.
 
-    Parameters
-    ----------
-    contacts : BallContacts
-        N balls, G diagonals
-    by_slip : array (N, G, 2, 3)
-        minus the power of the tractions on the ball on a unit of centre slip [N], roll and spin [N m]
-    lateral : array (N, G, 2, 3)
-        its part of tractions across the rolling direction
-
-    Returns
-    -------
-    RaceTorques
-        [N m]
+    `by_slip` (N, G, 2, 3) is minus the power of the tractions on the ball on a unit of centre slip [N], roll
+    and spin [N m]; `lateral` is its part of tractions across the rolling direction. Torques are in N m.
 
     Source
     ------

@@ -23,19 +23,10 @@ def life_errors(states: BearingStates, compliance: Compliances = (None, None)) -
 
     .. math:: \epsilon = 1.6 \max_{n = 2, 4} |L_{10}(n K, M') / L_{10}(K, M) - 1|
 
-    Parameters
-    ----------
-    states : BearingStates
-        C of them, solved with K slices and M axial modes; loads and moments of rollers are kept
-    compliance : pair of arrays (Z, M', Z, M') or None
-        outward deviation of each raceway per outward force [m/N], of more modes than the states have;
-        None where a raceway is rigid, or nothing is known of more modes
-
-    Returns
-    -------
-    array (C)
-        errors over the lives [-]; not a number where no line loads were found that belong to the richer
-        deviations
+    The C states are solved with K slices and M axial modes; loads and moments of rollers are kept. The
+    compliance (Z, M', Z, M') is the outward deviation of each raceway per outward force [m/N], of more modes
+    than the states have; None where a raceway is rigid, or nothing is known of more modes. Errors (C) over
+    the lives [-] are not a number where no line loads were found that belong to the richer deviations.
 
     Source
     ------

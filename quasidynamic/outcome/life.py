@@ -34,23 +34,11 @@ class RollerBody:
 def basic_life(
     inner: NDArray, outer: NDArray, bearing: CylindricalRollerBearing, turning: Turning
 ) -> Any:  # a float for one load case, an array for many
-    r"""Basic life of the raceways from the loads of the slices, with capacities of the 552 form.
+    """Basic life of the raceways from the loads of the slices, with capacities of the 552 form.
 
     `slice_life` with `raceway_capacity`, no edge stress and no fatigue of the rollers.
 
-    Parameters
-    ----------
-    inner, outer : array (..., Z, K)
-        load of each slice [N], >= 0
-    bearing : CylindricalRollerBearing
-        for the capacities
-    turning : pair of float or of array (...)
-        how far the inner and the outer ring turn against the load, 0 standing to 1, see `turning_share` [-]
-
-    Returns
-    -------
-    float or array (...)
-        L10 [10^6 revolutions]; infinite without load
+    L10 [10^6 revolutions], infinite without load; loads (..., Z, K) [N] and `turning` as of `slice_life`.
 
     Source
     ------
@@ -73,15 +61,8 @@ def raceway_lives(
 
     the terms of `slice_life`, with :math:`L_{10}^{-9/8} = L_{10,i}^{-9/8} + L_{10,o}^{-9/8}`.
 
-    Parameters
-    ----------
-    inner, outer, bearing, turning
-        as for `basic_life`
-
-    Returns
-    -------
-    array (..., 2)
-        of the inner and the outer raceway [10^6 revolutions of the ring]; infinite without load
+    An array (..., 2) [10^6 revolutions of the ring], inner and outer raceway; infinite without load.
+    Arguments as of `basic_life`.
 
     Source
     ------
@@ -106,30 +87,12 @@ def reference_life(
     edge_stress: bool = False,
     rating: float | None = None,
 ) -> Any:
-    r"""Basic reference life L10r with the capacities of ISO/TS 16281.
+    """Basic reference life L10r with the capacities of ISO/TS 16281.
 
-    Parameters
-    ----------
-    inner, outer : array (..., Z, K)
-        load of each slice, over the whole length of the roller [N], >= 0
-    bearing : CylindricalRollerBearing
-        for the capacities and the profile
-    turning : pair of float or of array (...)
-        how far the inner and the outer ring turn against the load, 0 standing to 1, see `turning_share` [-]
-    edge_stress : bool
-        multiply the slices by `edge_stress_factor`
-    rating : float, optional
-        C_r [N]; that of ISO 281 if left out
-
-    Returns
-    -------
-    float or array (...)
-        L10r [10^6 revolutions]; infinite without load
-
-    Raises
-    ------
-    OutOfRange
-        when the edge stress is asked of straight rollers, whose end slices do not contain the edge
+    L10r [10^6 revolutions], infinite without load; slices are over the whole length of the roller, loads
+    (..., Z, K) [N] and `turning` as of `slice_life`. With `edge_stress` slices are multiplied by
+    `edge_stress_factor`; the rating C_r [N] is by default that of ISO 281.
+    Raises `OutOfRange` for the edge stress of straight rollers, whose end slices do not contain the edge.
 
     Source
     ------

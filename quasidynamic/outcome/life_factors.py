@@ -283,24 +283,8 @@ def modification_slope(kappa: ArrayLike, load_ratio: ArrayLike, elements: Modifi
 
     with the bracket B of `modification_factor`.
 
-    Parameters
-    ----------
-    kappa : float or array (...)
-        viscosity ratio [-], >= 0.1
-    load_ratio : float or array (...)
-        e_C C_u/P [-], >= 0
-    elements : ModifiedBy
-        constants of `ROLLERS` or of `BALLS`
-
-    Returns
-    -------
-    float or array (...)
-        slope [-]; zero where a_ISO is held at its limit of 50
-
-    Raises
-    ------
-    OutOfRange
-        as `modification_factor`
+    It is zero where a_ISO is held at its limit of 50 [-].
+    Raises `OutOfRange` as `modification_factor`, whose arguments it has.
 
     Source
     ------

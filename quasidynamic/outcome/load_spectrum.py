@@ -44,17 +44,8 @@ def time_shares(revolutions: ArrayLike, speed: ArrayLike) -> NDArray:
 
     .. math:: t_i = (\varphi_i / |n_i|) / \sum_j (\varphi_j / |n_j|)
 
-    Parameters
-    ----------
-    revolutions : array (..., N)
-        phi, share of the revolutions, or any measure of it [-], >= 0
-    speed : array (..., N)
-        n, of the inner ring against the outer one [rad/s]; 0 where phi is 0, whose time is not known
-
-    Returns
-    -------
-    array (..., N)
-        t [-], the sum is 1; 0 of a row at standstill
+    t is (..., N) [-] and its sum 1; 0 of a row at standstill, whose time is not known: phi must be 0 where n
+    is.
 
     Source
     ------
@@ -77,17 +68,7 @@ def mean_speed(time: ArrayLike, speed: ArrayLike) -> Any:
 
     .. math:: n_m = \sum_i t_i |n_i|
 
-    Parameters
-    ----------
-    time : array (..., N)
-        t, share of the time, whose sum is 1 [-], >= 0
-    speed : array (..., N)
-        n, of the inner ring against the outer one [rad/s]
-
-    Returns
-    -------
-    float or array (...)
-        n_m [rad/s]
+    n_m [rad/s] of shares t of the time (..., N) whose sum is 1, and speeds n as of `revolution_shares`.
 
     Source
     ------
@@ -133,15 +114,7 @@ def cumulated_life(revolutions: ArrayLike, lives: ArrayLike) -> Any:
 
     .. math:: L = 1 / \sum_i \varphi_i / L_i
 
-    Parameters
-    ----------
-    revolutions, lives : array (..., N)
-        as for `damage` [-], [rev]
-
-    Returns
-    -------
-    float or array (...)
-        L [rev]; infinite where no row carries load
+    L [rev] of shares and lives as of `damage`; infinite where no row carries load.
 
     Source
     ------
@@ -163,17 +136,8 @@ def cumulated_life_error(revolutions: ArrayLike, lives: ArrayLike, errors: Array
 
     .. math:: e = \sum_i d_i e_i / \sum_j d_j
 
-    Parameters
-    ----------
-    revolutions, lives : array (..., N)
-        as for `damage` [-], [rev]
-    errors : array (..., N)
-        e, error of the life of each row over it, or any multiple such as percent [-], >= 0
-
-    Returns
-    -------
-    float or array (...)
-        error of the cumulated life over it, in the same multiple; not a number where no row does damage
+    e (..., N) is the error of the life of each row over it, or any multiple such as percent, >= 0, and the
+    result is in the same; it is not a number where no row does damage. Shares and lives [rev] as of `damage`.
 
     Source
     ------

@@ -54,21 +54,11 @@ def inertia_shares(
 
 
 def weight_share(mass: float, load: ArrayLike) -> Any:
-    r"""Weight of a rolling element over a load.
+    """Weight of a rolling element over a load.
 
     .. math:: m g / Q
 
-    Parameters
-    ----------
-    mass : float
-        m [kg]
-    load : float or array (...)
-        Q [N], > 0
-
-    Returns
-    -------
-    float or array (...)
-        share [-]
+    m is in kg, Q > 0 in N.
 
     Source
     ------
@@ -89,19 +79,8 @@ def friction_share(torque: ArrayLike, pitch_diameter: float, loads: ArrayLike) -
 
     .. math:: \frac{2 |M|}{d_m \sum Q}
 
-    Parameters
-    ----------
-    torque : float or array (...)
-        M, friction torque between the rings [N m]
-    pitch_diameter : float
-        d_m [m]
-    loads : float or array (...)
-        sum of the loads of all contacts of a ring [N], > 0
-
-    Returns
-    -------
-    float or array (...)
-        share [-], >= 0
+    M [N m] is the friction torque between the rings, d_m [m] the pitch diameter, and the loads [N] are the
+    sum over all contacts of a ring, > 0.
 
     Source
     ------

@@ -17,19 +17,12 @@ SMALL = 1e-3  # residual, of the reference force: loads within about as much
 def with_other_tilt(state: Equilibrium) -> Equilibrium | None:
     """Estimate the equilibrium of a ring whose tilt is held instead of free, or free instead of held.
 
-    Newton steps from the equilibrium, without a search for loaded rollers: two of them cost less than a
-    tenth of a solve, and raceways stay as elastic as they are there. A ring that is held has no slope, one
-    that is free no moment [N m].
+    Newton steps from the equilibrium, without a search for loaded rollers: two of them cost less than a tenth
+    of a solve, and raceways stay as elastic as they are there. A ring that is held has no slope, one that is
+    free no moment [N m].
 
-    Parameters
-    ----------
-    state : Equilibrium
-        between elastic raceways of one case, balanced
-
-    Returns
-    -------
-    Equilibrium or None
-        unbalanced by a thousandth of the reference force at most; None where the steps did not get there
+    The state is of one case between elastic raceways, balanced. The other one is unbalanced by a thousandth
+    of the reference force at most; None where the steps did not get there.
 
     Source
     ------

@@ -84,17 +84,8 @@ def line_loads(contacts: LineContacts, first: NDArray) -> NDArray:
         \frac{2}{\pi E'} \int \frac{q(y')\, dy'}{\sqrt{(y - y')^2 + s^2 b(y')^2}} = \delta + t y + g(y)
         \ \text{where}\ q > 0, \quad \int q\, dy = Q
 
-    Parameters
-    ----------
-    contacts : LineContacts
-        C of them; g, Q
-    first : array (C, n)
-        loads that contacts are as wide as, and zero where they are apart at first [N/m]
-
-    Returns
-    -------
-    array (C, n)
-        q [N/m]
+    q (C, n) is in N/m; contacts are as wide as under the loads `first` (C, n) [N/m], which are zero where
+    they are apart at first.
 
     Source
     ------
@@ -159,22 +150,11 @@ def _touching(matrix: NDArray, contacts: LineContacts, touching: NDArray) -> NDA
 def sliced_peak_error(
     states: BearingStates, bearings: Sequence[CylindricalRollerBearing], sliced: NDArray
 ) -> NDArray:
-    """Error of the largest pressure of slices over that of the same contact on half-spaces.
+    """Error (C) of the largest pressure of slices over that of the same contact on half-spaces [-].
 
-    Parameters
-    ----------
-    states : BearingStates
-        C solved ones
-    bearings : sequence of CylindricalRollerBearing
-        C of them
-    sliced : array (C, 2)
-        largest pressure at the inner and outer raceway, of slices [Pa]
-
-    Returns
-    -------
-    array (C)
-        [-], of the contact with the largest slice: 0 where its pressure is smooth along the roller, 1 at an
-        end that it presses
+    It is that of the contact with the largest slice: 0 where its pressure is smooth along the roller, 1 at an
+    end that it presses. `sliced` (C, 2) is the largest pressure at the inner and outer raceway, of slices
+    [Pa].
 
     Source
     ------

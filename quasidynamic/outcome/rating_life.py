@@ -45,23 +45,11 @@ def rating_life(rating: ArrayLike, load: ArrayLike, exponent: ArrayLike = ROLLER
 
 
 def required_rating(load: ArrayLike, life: ArrayLike, exponent: ArrayLike = ROLLER_EXPONENT) -> Any:
-    r"""Dynamic load rating that a basic rating life requires.
+    """Dynamic load rating that a basic rating life requires.
 
     .. math:: C_r = P_r L_{10}^{1/p}
 
-    Parameters
-    ----------
-    load : float or array (...)
-        P_r, equivalent radial load [N], >= 0
-    life : float or array (...)
-        L10 [10^6 revolutions], >= 0
-    exponent : float or array (...)
-        p [-]
-
-    Returns
-    -------
-    float or array (...)
-        C_r [N]
+    C_r [N] of an equivalent radial load P_r [N] and a life L10 [10^6 revolutions], both >= 0.
 
     Source
     ------

@@ -85,28 +85,9 @@ class Skew:
 def skewed(
     running: RunningRollers, raceways: Raceways, bearing: CylindricalRollerBearing, flange: Flange
 ) -> Skew:
-    """Skew of every roller at an equilibrium that was found without skew.
+    """Skew of every roller at an equilibrium that was found without skew; zero under symmetric loads.
 
-    Parameters
-    ----------
-    running : RunningRollers
-        loads [N/m], speeds [m/s, rad/s] and films [m] of the equilibrium
-    raceways : Raceways
-        laws of the contacts
-    bearing : CylindricalRollerBearing
-        dimensions
-    flange : Flange
-        of one ring
-
-    Returns
-    -------
-    Skew
-        zero for rollers under symmetric loads
-
-    Raises
-    ------
-    NotSolved
-        when nothing holds a roller below half a radian
+    Raises `NotSolved` when nothing holds a roller below half a radian.
 
     Source
     ------

@@ -45,24 +45,10 @@ class SlicedPeak:
 
 
 def sliced_peak(state: Equilibrium, edge_stress: NDArray | None = None) -> SlicedPeak:
-    """Check the largest pressure of all slices by the whole contact they belong to.
+    """Check the largest pressure [Pa] of all slices by the whole contact they belong to.
 
-    Parameters
-    ----------
-    state : Equilibrium
-        solved
-    edge_stress : array (K), optional
-        factor on the load of the slices, `edge_stress_factor` [-]
-
-    Returns
-    -------
-    SlicedPeak
-        of the contact whose slice has the largest pressure [Pa]
-
-    Raises
-    ------
-    OutOfRange, NotSolved
-        as `whole_roller`
+    `edge_stress` (K) is a factor on the load of the slices, `edge_stress_factor` [-].
+    Raises `OutOfRange` or `NotSolved` as `whole_roller`.
 
     Source
     ------
@@ -78,16 +64,8 @@ def corner_rise(state: Equilibrium) -> float:
 
     .. math:: p \approx \frac{E' \theta}{4 \pi} \ln\frac{2a}{x},\quad \theta = \frac{l_s}{2 R}
 
-    Parameters
-    ----------
-    state : Equilibrium
-        solved
-
-    Returns
-    -------
-    float
-        growth of p as the distance x to the corner falls to a tenth, over the peak pressure of the slices
-        [-]; 0 without a corner under load
+    The growth of p as the distance x to the corner falls to a tenth, over the peak pressure of the slices
+    [-]; 0 without a corner under load.
 
     Source
     ------

@@ -160,20 +160,8 @@ def rolling_balls(
 ) -> RollingBalls:
     """Balls with stick and slip, in the place of those in full sliding.
 
-    Parameters
-    ----------
-    sliding : SlidingBalls
-        the same balls in full sliding
-    rolled : mapping
-        those that are driven, by their number
-    hysteresis_loss : float
-        part of the elastic work lost in rolling [-]
-    computed_pressure : bool
-        whether the pressure is not that of Hertz
-
-    Returns
-    -------
-    RollingBalls
+    `rolled` has those that are driven, by their number; `hysteresis_loss` is the part of the elastic work
+    lost in rolling [-], `computed_pressure` whether the pressure is not that of Hertz.
 
     Source
     ------

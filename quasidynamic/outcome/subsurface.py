@@ -32,23 +32,10 @@ class Subsurface:
 def below(
     stresses: Sequence[Stress], pressure: NDArray, half_width: NDArray, friction: NDArray | None = None
 ) -> Subsurface:
-    """Stress field below both contacts.
+    """Stress field below the inner and the outer contact, under the largest pressures (2) [Pa].
 
-    Parameters
-    ----------
-    stresses : pair of callables
-        of the inner and the outer contact
-    pressure : array (2)
-        largest pressure [Pa]
-    half_width : array (2)
-        b along the rolling direction [m]
-    friction : array (2), optional
-        traction over load [-], that the stresses were computed with
-
-    Returns
-    -------
-    Subsurface
-        stresses [Pa], places [m]
+    b (2) is along the rolling direction [m]; `friction` (2) is the traction over load [-] that the stresses
+    were computed with.
 
     Source
     ------

@@ -35,17 +35,9 @@ TURBULENCE = 2500.0  # [-] Reynolds number, `couette_factor`
 
 
 def validity(state: Equilibrium) -> tuple[Note, ...]:
-    """Say which limits of its laws a state is beyond.
+    """Say which limits of its laws a solved state is beyond.
 
-    Parameters
-    ----------
-    state : Equilibrium
-        solved
-
-    Returns
-    -------
-    tuple of Note
-        of grade "outside validity", one for each limit, with the value reached; empty inside all of them
+    One note of grade "outside validity" for each limit, with the value reached; none inside all of them.
 
     Source
     ------

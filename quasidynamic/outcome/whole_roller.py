@@ -122,27 +122,13 @@ def whole_roller(state: Equilibrium) -> WholeRoller:
 
     .. math:: Q = \sum_k q_k \Delta x,\quad M = \sum_k q_k x_k \Delta x
 
-    at either raceway. Between rings whose tilt is held the roller keeps the tilt of its slices against
-    either raceway, and its moments follow; where the ring tilts freely until moments balance it has the
-    moment M, and its tilts follow. Its life goes by the lamina formula of ISO/TS 16281,
-    `basic_life`, with the mean of the half-spaces' load per length over each slice in the place of q_k.
+    at either raceway. Between rings whose tilt is held the roller keeps the tilt of its slices against either
+    raceway, and its moments follow; where the ring tilts freely until moments balance it has the moment M,
+    and its tilts follow. Its life goes by the lamina formula of ISO/TS 16281, `basic_life`, with the mean of
+    the half-spaces' load per length over each slice in the place of q_k.
 
-    Parameters
-    ----------
-    state : Equilibrium
-        solved
-
-    Returns
-    -------
-    WholeRoller
-        the one with the largest inner load [N]
-
-    Raises
-    ------
-    OutOfRange
-        where no roller carries load
-    NotSolved
-        when a contact was not solved
+    The roller is the one with the largest inner load [N].
+    Raises `OutOfRange` where no roller carries load, `NotSolved` when a contact was not solved.
 
     Source
     ------
@@ -170,25 +156,10 @@ def _contacts(
 def whole_contact(
     state: Equilibrium, race: int, number: int, cells: tuple[int, int], tolerance: float = TOLERANCE
 ) -> RollerPressure:
-    """Pressure of a roller on one raceway, under its load and at its tilt or moment, see `whole_roller`.
+    """Pressure [Pa] of a roller on one raceway, under its load and at its tilt or moment, see `whole_roller`.
 
-    Parameters
-    ----------
-    state : Equilibrium
-        solved
-    race : int
-        0 the inner, 1 the outer raceway
-    number : int
-        of the roller, from 0
-    cells : tuple of int
-        across and along
-    tolerance : float
-        of the pressure, see `contact_pressure`
-
-    Returns
-    -------
-    RollerPressure
-        [Pa]
+    `race` is 0 for the inner, 1 for the outer raceway; rollers are numbered from 0; cells are across and
+    along.
 
     Source
     ------

@@ -20,20 +20,11 @@ class WorstLineContact:
 
     @classmethod
     def under(cls, pressure: NDArray, radius: NDArray, modulus: NDArray) -> "WorstLineContact":
-        r"""The strip that has a pressure.
+        """The strip that has a pressure.
 
         .. math:: b = 4 R p_0 / E'
 
-        Parameters
-        ----------
-        pressure : array (..., 2)
-            p0 [Pa], >= 0
-        radius, modulus : array (..., 2)
-            R, reduced [m], and E' [Pa] of both raceways
-
-        Returns
-        -------
-        WorstLineContact
+        p0 [Pa], reduced radii R [m] and E' [Pa] are those of both raceways (..., 2).
 
         Source
         ------
@@ -68,19 +59,9 @@ class LargestSlice:
 
 
 def largest_slice(state: Equilibrium, edge_stress: NDArray | None = None) -> LargestSlice:
-    """Find the slice with the largest pressure.
+    """Find the slice with the largest pressure at each raceway.
 
-    Parameters
-    ----------
-    state : Equilibrium
-        solved
-    edge_stress : array (K), optional
-        factor on the load of the slices, `edge_stress_factor` [-]
-
-    Returns
-    -------
-    LargestSlice
-        of both raceways
+    `edge_stress` (K) is a factor on the load of the slices, `edge_stress_factor` [-].
 
     Source
     ------

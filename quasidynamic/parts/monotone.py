@@ -13,17 +13,7 @@ def monotone_slopes(places: NDArray, values: NDArray) -> NDArray:
     with widths h and secants delta, and zero where the secants differ in sign. At both ends the parabola
     through three points, limited to three times the secant.
 
-    Parameters
-    ----------
-    places : array (n)
-        growing, n >= 2
-    values : array (n)
-        there
-
-    Returns
-    -------
-    array (n)
-        slopes, value over place
+    Places (n), n >= 2, grow; slopes are value over place.
 
     Source
     ------
@@ -58,17 +48,8 @@ def piecewise_cubic(places: NDArray, values: NDArray, slopes: NDArray, at: NDArr
 
     .. math:: f = v_i + t h [d_i + t (3\delta - 2 d_i - d_{i+1} + t (d_i + d_{i+1} - 2\delta))]
 
-    Parameters
-    ----------
-    places, values, slopes : array (n)
-        growing places, values and slopes there
-    at : array (...)
-        within the places
-
-    Returns
-    -------
-    array (...)
-        f at t = (at - x_i)/h, h = x_{i+1} - x_i, delta = (v_{i+1} - v_i)/h
+    Places x (n) grow, values v and slopes d are there; t = (at - x_i)/h with h = x_{i+1} - x_i, delta =
+    (v_{i+1} - v_i)/h, and `at` (...) is within the places.
 
     Source
     ------

@@ -61,22 +61,10 @@ def walther_viscosity(temperature: float, a: float, b: float) -> float:
 
 
 def walther_line(first: Point, second: Point) -> tuple[float, float]:
-    """A and B of `walther_viscosity` through two points.
+    """A and B of `walther_viscosity` through two points (T [K], nu [m2/s]), the second hotter and thinner.
 
-    Parameters
-    ----------
-    first, second : tuple
-        (T [K], nu [m2/s]), the second hotter and thinner, nu above 0.3e-6
-
-    Returns
-    -------
-    tuple
-        A, B [-]
-
-    Raises
-    ------
-    ImpossiblePart
-        when the viscosity does not fall with temperature, or is too low for the equation
+    Raises `ImpossiblePart` when the viscosity does not fall with temperature, or is below the 0.3e-6 m2/s of
+    the equation.
 
     Source
     ------

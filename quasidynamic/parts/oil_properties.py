@@ -95,28 +95,12 @@ def oil_at(oil: str | Oil, temperature: float) -> Lubricant:
 def kinematic_viscosity_at(
     name: str, viscosities: tuple[Point, Point], temperature: float
 ) -> tuple[float, tuple[Note, ...]]:
-    """Viscosity of an oil of which a data sheet prints no more than two viscosities.
+    """Viscosity [m2/s] at T [K] of an oil of which a data sheet prints no more than two viscosities.
 
-    Parameters
-    ----------
-    name : str
-        how notes and messages call it
-    viscosities : tuple
-        two points (T [K], kinematic nu [m2/s]), the second hotter and thinner
-    temperature : float
-        T [K]
-
-    Returns
-    -------
-    tuple
-        nu [m2/s], and a note where T is not between the two points
-
-    Raises
-    ------
-    OutOfRange
-        more than 40 K below or 100 K above the two points
-    ImpossiblePart
-        when the viscosity does not fall with temperature
+    They are points (T [K], kinematic nu [m2/s]), the second hotter and thinner; a note says where T is not
+    between them.
+    Raises `OutOfRange` more than 40 K below or 100 K above the two points, `ImpossiblePart` when the
+    viscosity does not fall with temperature.
 
     Source
     ------

@@ -38,15 +38,7 @@ class RacewayWaves:
 
         .. math:: h_j = \sum_k a_k \cos n_k (\varphi_j - \psi_k)
 
-        Parameters
-        ----------
-        azimuths : array (..., Z)
-            phi [rad]
-
-        Returns
-        -------
-        array (..., Z)
-            h, towards rollers or balls [m]
+        h (..., Z) [m] is towards rollers or balls at azimuths phi (..., Z) [rad].
 
         Source
         ------

@@ -214,23 +214,12 @@ class CylindricalRollerBearing:
         )
 
     def drop(self, race: int, position: NDArray, length: NDArray | float) -> NDArray:
-        r"""Drop of roller and raceway together.
+        """Drop of roller and raceway together.
 
         .. math:: C = C_{roller} + C_{raceway}
 
-        Parameters
-        ----------
-        race : int
-            0 the inner, 1 the outer raceway
-        position : array (...)
-            from mid-roller [m]
-        length : float or array (...)
-            of the roller [m], or of those of many cases
-
-        Returns
-        -------
-        array (...)
-            C [m], >= 0
+        C [m] is >= 0, at positions from mid-roller [m]; lengths [m] may be those of many cases, and `race` is
+        0 inner, 1 outer.
 
         Source
         ------

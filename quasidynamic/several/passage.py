@@ -43,15 +43,7 @@ def after_passing_pitches(state: Equilibrium) -> Passage | None:
     that a roller brings along from a whole pitch behind. Ring, cage, the rollers across the raceways and
     their films follow at once. After a pitch the bearing is the same again, its state may be another one.
 
-    Parameters
-    ----------
-    state : Equilibrium
-        between rigid raceways
-
-    Returns
-    -------
-    Passage or None
-        None where the motion could not be followed, or hardly goes on
+    The state is between rigid raceways. None where the motion could not be followed, or hardly goes on.
 
     Source
     ------

@@ -129,27 +129,12 @@ def follow(
 
     .. math:: R(x, p) = 0,\qquad \dot x \cdot W (x - x_0) + \dot p\,(p - p_0) = \Delta s
 
-    The step grows while few corrections are needed and is halved where the branch bends too much.
-    Folds, where dp/ds changes its sign, are located and stand among the points.
+    The step grows while few corrections are needed and is halved where the branch bends too much. Folds,
+    where dp/ds changes its sign, are located and stand among the points.
 
-    Parameters
-    ----------
-    problem : ParametricEquations
-        equations
-    state : array (N)
-        near a solution at `start`
-    start : float
-        the parameter there, within the bounds
-    bounds : pair of floats
-        smallest and largest parameter
-    upwards : bool
-        whether the parameter goes off to larger values
-
-    Returns
-    -------
-    FollowedBranch
-        without any point when there is no solution near the start; a branch that leaves the range
-        ends exactly on its bound, which may be where it began
+    The state is near a solution at the parameter `start`, within the bounds (smallest, largest). Without a
+    solution there the branch has no point; a branch that leaves the range ends exactly on its bound, which
+    may be where it began.
 
     Source
     ------

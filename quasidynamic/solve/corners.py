@@ -41,21 +41,11 @@ def followed_through(problem: OrientedEquations, state: NDArray) -> BranchPoint 
 
     .. math:: \operatorname{sign} \dot p = \pm \operatorname{sign} \det R_x
 
-    also where the branch bends back on itself by a sharp corner, as when a body touches another one and
-    is swept away at once. There the equations beyond the corner tell the new direction. A step that does
-    not keep the sense has leapt to another branch nearby, and shorter ones take its place.
+    also where the branch bends back on itself by a sharp corner, as when a body touches another one and is
+    swept away at once. There the equations beyond the corner tell the new direction. A step that does not
+    keep the sense has leapt to another branch nearby, and shorter ones take its place.
 
-    Parameters
-    ----------
-    problem : OrientedEquations
-        equations
-    state : array (N)
-        near a solution at parameter 0
-
-    Returns
-    -------
-    BranchPoint or None
-        None where the branch is lost or comes back to parameter 0
+    None where the branch is lost or comes back to parameter 0.
 
     Source
     ------

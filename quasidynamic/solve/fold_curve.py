@@ -251,17 +251,7 @@ def followed(equations: PlaneEquations, first: Fold) -> Search[FoldCurve]:
     Folds are where h = 0. Predictor along that curve in (s, t), corrector across it. At a cusp the curve is
     smooth in (s, t) and turns back in the plane of the places.
 
-    Parameters
-    ----------
-    equations : PlaneEquations
-        whose solutions fold
-    first : Fold
-        of `fold_near`
-
-    Returns
-    -------
-    search of a FoldCurve
-        for `search_together`
+    The search is one for `search_together`; the first fold is of `fold_near`.
 
     Source
     ------

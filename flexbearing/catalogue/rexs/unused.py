@@ -70,18 +70,8 @@ def unused_by_kind(
 def around(model: Model, bearings: Sequence[Part], belongings: Collection[str]) -> list[Part]:
     """Gear units, casings, oils, and what bearings sit on or in, with their sections and materials.
 
-    Parameters
-    ----------
-    model : Model
-        with its relations
-    bearings : sequence of Part
-        all of the model
-    belongings : collection of str
-        numbers of the bearings, their parts, materials and oils, which are named with them
-
-    Returns
-    -------
-    list of Part
+    `bearings` are all of the model; `belongings` are numbers of the bearings, their parts, materials and
+    oils, which are named with them.
     """
     seats = [each for part in bearings for ring in ("inner", "outer") for each in carriers(model, part, ring)]
     units = [each for each in model.parts.values() if each.kind in (GEAR_UNIT, CASING, "lubricant")]

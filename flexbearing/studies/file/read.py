@@ -68,10 +68,7 @@ class Study:
 def read(source: Source, families: Families, case: Head | None = None) -> Study:
     """Read a study, from its file or as a dictionary, and the text of its case unless that is given.
 
-    Raises
-    ------
-    BadCase
-        one line for each problem: file, key, value found, what is allowed, nearest valid name
+    Raises `BadCase`, one line for each problem: file, key, value found, what is allowed, nearest valid name.
     """
     raw, file = flat_tables(source, "study", ("over", "sample", "duty", "set"))
     given = _validated(raw if case is None else {**raw, "case": case.source.path}, file)

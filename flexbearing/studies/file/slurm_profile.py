@@ -42,10 +42,7 @@ class SlurmProfile(Section):
 def profile(path: str | Path) -> SlurmProfile:
     """Read the profile of a cluster.
 
-    Raises
-    ------
-    BadCase
-        one line for each problem: file, key, value found, what is allowed, nearest valid name
+    Raises `BadCase`, one line for each problem: file, key, value found, what is allowed, nearest valid name.
     """
     file = Path(path)
     try:

@@ -54,16 +54,9 @@ class MapRequest:
 def map_case(request: MapRequest, report: Report) -> WrittenMap:
     """Compute a map and write its files.
 
-    Raises
-    ------
-    BadCase
-        when axes, outputs or case make no sense, or maps of such a case are not supported
-    BadOutput
-        when a file cannot be written; nothing is computed then
-    NotStored
-        when there is no room for a file
-    NotSolved
-        when nothing can be computed
+    Raises `BadCase` when axes, outputs or case make no sense, or maps of such a case are not supported;
+    `BadOutput` when a file cannot be written, and then nothing is computed; `NotStored` when there is no room
+    for a file; `NotSolved` when nothing can be computed.
     """
     case, over, overrides, form = request.case, request.over, request.overrides, request.form
     default = Path("results") / f"{stem_of_outputs(case, overrides)}_map.csv"

@@ -118,10 +118,7 @@ class Plan:
     def require_sound(self) -> None:
         """Refuse a study with variants that cannot be computed.
 
-        Raises
-        ------
-        BadCase
-            a line for each of the first ones that differ, and how many there are
+        Raises `BadCase`, a line for each of the first ones that differ, and how many there are.
         """
         if not self.problems:
             return

@@ -104,19 +104,12 @@ def groove_arm(arm: Vectors) -> Vectors:
 
     .. math:: a = x + i \max(y, 0)
 
-    A groove is half a circle, to contact angles of plus and minus a right angle, that goes on as two
-    straight walls: the shoulders, without an end. Without them a ball would be pressed towards the shaft
-    by a groove that closes above it.
+    A groove is half a circle, to contact angles of plus and minus a right angle, that goes on as two straight
+    walls: the shoulders, without an end. Without them a ball would be pressed towards the shaft by a groove
+    that closes above it.
 
-    Parameters
-    ----------
-    arm : complex array (...)
-        x + i y, axial and radial, from the ball to the inner groove or from the outer groove to the ball [m]
-
-    Returns
-    -------
-    complex array (...)
-        a [m]; its size is the distance, convex in the places, its direction the normal
+    x + i y is the arm, axial and radial, from the ball to the inner groove or from the outer groove to the
+    ball [m]. The size of a [m] is the distance, convex in the places, its direction the normal.
 
     Source
     ------

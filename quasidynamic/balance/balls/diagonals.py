@@ -55,17 +55,9 @@ class Diagonals:
                   \frac{dF}{dv} = \tfrac32 K [L - A]_+^{1/2}\,e e^T + \frac{Q}{L}\,(1 - e e^T),\quad
                   e = v/L,\quad L = |v|
 
-        Parameters
-        ----------
-        place : array (5)
-            x, y, z of the inner ring and its tilts about y and z, times the pitch radius [m]
-        deflection : array (Z, 2, 2)
-            by how much elastic rings let the groove centres of each diagonal come closer: the part of v
-            that is lost [m]
-
-        Returns
-        -------
-        LoadedDiagonals
+        The place (5) is x, y, z of the inner ring and its tilts about y and z, times the pitch radius [m].
+        The deflection (Z, 2, 2) [m] is by how much elastic rings let the groove centres of each diagonal come
+        closer: the part of v that is lost.
 
         Source
         ------

@@ -157,19 +157,9 @@ def gyroscopic(motion: NDArray, gyration: NDArray, outer_speed: NDArray) -> tupl
 
     as derivatives of a heat by Omega_o, omega_x, omega_r and omega_t: minus the moments of friction.
 
-    Parameters
-    ----------
-    motion : array (N, 4)
-        outer ring seen from the orbit, spin of the ball in axial, radial and rolling direction [-]
-    gyration : array (N)
-        J over the square of the reference speed [N m]
-    outer_speed : array (N)
-        omega_o in space [-]
-
-    Returns
-    -------
-    array (N, 4), array (N, 4, 4)
-        M and its slopes by the motion [N m]
+    The motion (N, 4) is that of the outer ring seen from the orbit and the spin of the ball in axial, radial
+    and rolling direction [-], `outer_speed` (N) is omega_o in space [-], `gyration` (N) J over the square of
+    the reference speed [N m]. M (N, 4) has slopes by the motion (N, 4, 4) [N m].
 
     Source
     ------

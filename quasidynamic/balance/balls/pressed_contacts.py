@@ -23,20 +23,7 @@ class PressedContacts:
 
 
 def hertz_contacts(ellipse: Ellipse, load: NDArray, cells: tuple[int, int]) -> PressedContacts:
-    """Ellipses of Hertz, whose places across are distances from the contact normal.
-
-    Parameters
-    ----------
-    ellipse : Ellipse
-        (C) semi-axes [m]
-    load : array (C)
-        [N]
-    cells : pair of int
-        over each ellipse, along and across the rolling direction
-
-    Returns
-    -------
-    PressedContacts
+    """Ellipses of C contacts by Hertz under loads [N]; places across are distances from the contact normal.
 
     Source
     ------
@@ -56,18 +43,7 @@ def groove_contacts(
 
     .. math:: x = R \sin(y/R)
 
-    Parameters
-    ----------
-    grooves : tuple of PressedGroove
-        of the C contacts
-    diagonal : array (C)
-        that they belong to: shoulders lie towards negative places across on the first one
-    cells : pair of int
-        over each patch, along and across the rolling direction
-
-    Returns
-    -------
-    PressedContacts
+    Shoulders lie towards negative places across on the first diagonal.
 
     Source
     ------

@@ -49,10 +49,6 @@ def floating_cage(
     oil : Lubricant
         oil in the land
 
-    Returns
-    -------
-    FloatingCage
-
     Source
     ------
     `land_offset`, `land_torque`.

@@ -169,10 +169,6 @@ def spin_transport(
     inertia : float
         J of a roller about its axis [kg m2]
 
-    Returns
-    -------
-    SpinTransport
-
     Source
     ------
     Change of angular momentum along the path of the rollers, upwind differences; derived here.

@@ -183,24 +183,10 @@ def land_force(
 
 
 def land_offset(force: NDArray, speed_sum: NDArray | float, cage: Cage, oil: Lubricant) -> LandOffset:
-    r"""Offset of a cage at which its land carries a force: the inverse of `land_force`.
+    """Offset of a cage at which its land carries a force (..., 2) [N]: the inverse of `land_force`.
 
-    Parameters
-    ----------
-    force : array (..., 2)
-        of the land on the cage, components y and z [N]
-    speed_sum : array (...)
-        cage plus guiding ring [rad/s], not zero
-    cage : Cage
-        land radius R, total width, radial clearance c
-    oil : Lubricant
-        eta0
-
-    Returns
-    -------
-    LandOffset
-        offset from the centre of the guiding ring, with its derivatives by force and speed; not a number
-        for a force that is not finite
+    The speed sum is not zero. The offset is from the centre of the guiding ring, with its derivatives by
+    force and speed; not a number for a force that is not finite.
 
     Source
     ------

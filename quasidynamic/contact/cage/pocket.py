@@ -57,26 +57,11 @@ def roller_on_pocket_force(displacement: NDArray, clearance: float, stop: NDArra
 
 
 def displacement_in_pocket(force: NDArray, clearance: float, stop: NDArray | float) -> NDArray:
-    """Displacement of a roller that presses its pocket with a force: inverse of `roller_on_pocket_force`.
+    """Displacement z [m] of a roller that presses its pocket with a force [N].
 
-    Parameters
-    ----------
-    force : array (...)
-        of the roller on the pocket along the motion [N]
-    clearance : float
-        C_p, distance to either wall from the centre [m], > 0
-    stop : array (...)
-        K of one wall [N/m^(10/9)], > 0
-
-    Returns
-    -------
-    array (...)
-        z [m], signed like the force; found by Newton's method on a convex law from above
-
-    Raises
-    ------
-    NotSolved
-        if a force is not finite
+    The inverse of `roller_on_pocket_force`. It has the sign of the force; found by Newton's method on a
+    convex law from above.
+    Raises `NotSolved` if a force is not finite.
 
     Source
     ------

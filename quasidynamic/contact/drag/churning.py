@@ -65,21 +65,7 @@ def cylinder_churning(spin: NDArray, roller: Roller, oil: Lubricant, gap: float)
     .. math:: T = \tfrac12 f \rho\, \omega^2 r^3 A,\quad A = 2\pi r l,\;
               f = \frac{2}{Re} \frac{f}{f_L},\; Re = \rho\, \omega r c/\eta
 
-    Parameters
-    ----------
-    spin : array (...)
-        omega [rad/s]
-    roller : Roller
-        radius r, length l
-    oil : Lubricant
-        density rho, viscosity eta
-    gap : float
-        c [m], > 0
-
-    Returns
-    -------
-    Churning
-        odd in the spin
+    Odd in the spin; r and l are those of the roller, the gap is c [m].
 
     Source
     ------
@@ -105,19 +91,7 @@ def end_face_churning(spin: NDArray, roller: Roller, oil: Lubricant) -> Churning
     The maximum is smooth (`DISC_SHARPNESS`) and turns turbulent at Re = 5.6e4; a smooth disc in still oil can
     stay laminar up to 3e5, where C_M is then too high by 66 percent.
 
-    Parameters
-    ----------
-    spin : array (...)
-        omega [rad/s]
-    roller : Roller
-        radius r
-    oil : Lubricant
-        density rho, viscosity eta
-
-    Returns
-    -------
-    Churning
-        odd in the spin, as its power 3/2 at rest
+    Odd in the spin, as its power 3/2 at rest.
 
     Source
     ------

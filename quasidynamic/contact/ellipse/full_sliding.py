@@ -311,19 +311,8 @@ def slip_field(slip: NDArray, ellipse: Ellipse, x: NDArray, y: NDArray) -> NDArr
 
     .. math:: v_t = e + A\,\sigma(x) + w x,\quad v_1 = -w_l y
 
-    Parameters
-    ----------
-    slip : array (..., 3)
-        e [m/s], A and w [rad/s], ball against race
-    ellipse : Ellipse
-        contacts, of a shape that broadcasts with x
-    x, y : array (...)
-        places across and along the rolling direction [m]
-
-    Returns
-    -------
-    array (2, ...)
-        v_t along and v_1 across the rolling direction [m/s]
+    An array (2, ...) [m/s], ball against race, of e [m/s], A and w [rad/s]; x and y [m] are across and along
+    the rolling direction, and ellipses broadcast with x.
 
     Source
     ------

@@ -207,17 +207,7 @@ def strip_points(along: NDArray, middle: NDArray, turn: NDArray, points: int) ->
     by Gauss-Chebyshev quadrature of the second kind in q: g may be any smooth function of v, of k - s t and
     of the size of both, however close to zero it comes.
 
-    Parameters
-    ----------
-    along, middle, turn : array (...)
-        v, k and s [m/s]
-    points : int
-        how many, even
-
-    Returns
-    -------
-    pair of arrays (..., points)
-        t and weights [-]
+    v, k and s are in m/s; t and weights are (..., points) [-], of an even number of points.
 
     Source
     ------

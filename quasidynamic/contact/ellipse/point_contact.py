@@ -17,19 +17,9 @@ ROUND = 1e-4  # ln(a/b) below which the slope is that of the circle
 
 
 def require_narrow(across: NDArray, radius: NDArray) -> None:
-    """Refuse contacts that are as wide as the surface they press.
+    """Refuse contacts that are as wide as the surface they press: semi-axis and radius across [m].
 
-    Parameters
-    ----------
-    across : array (...)
-        a, semi-axis across the rolling direction [m]
-    radius : array (...)
-        R of the pressed surface in the plane across [m]
-
-    Raises
-    ------
-    OutOfRange
-        with the largest semi-axis
+    Raises `OutOfRange` with the largest semi-axis.
 
     Source
     ------
@@ -154,10 +144,6 @@ def point_contact(curvatures: Curvatures, modulus: ArrayLike) -> PointContact:
         rho_a, rho_b [1/m], both > 0
     modulus : array (...)
         E' = 2/[(1-nu1^2)/E1 + (1-nu2^2)/E2] [Pa], see `contact_modulus`
-
-    Returns
-    -------
-    PointContact
 
     Raises
     ------

@@ -114,20 +114,10 @@ def rigid_slip(x: NDArray, y: NDArray, radius: NDArray, spin: Spin) -> NDArray:
     see `strip_slip`. The slip of the contact is s_0 + M u with the motion u of ball and rings, M that of
     `ball_slip.turning_slip_by_motion` and s_0 its column of the inner ring's turn: so is v, linear in u.
 
-    Parameters
-    ----------
-    x, y : array (..., n)
-        places across and along the rolling direction [m], |x| < R
-    radius : array (..., 1) or (..., n)
-        R of the pressed surface [m]
-    spin : {"centre", "local"}
-        reading of the slip across: the spin in the middle of the contact everywhere, as Jones, or at each
-        point that about the normal of the surface there, as rigid bodies have it
-
-    Returns
-    -------
-    array (..., n, 2, 5)
-        slip along and across the rolling direction for a unit of e [m/s], A, w [rad/s], c [m/s], B [rad/s]
+    An array (..., n, 2, 5) along and across the rolling direction for a unit of e [m/s], A, w [rad/s], c
+    [m/s] and B [rad/s], at places x, y [m] across and along it. With "centre" the spin in the middle of the
+    contact counts everywhere, as Jones has it; with "local" at each point that about the normal of the
+    surface there, as rigid bodies have it.
 
     Source
     ------

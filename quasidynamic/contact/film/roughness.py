@@ -77,22 +77,9 @@ def lambda_ratio(film: ArrayLike, roughness: ArrayLike) -> NDArray:
 
 
 def regime(ratio: ArrayLike) -> NDArray:
-    """Name of the lubrication regime.
+    """Name of the lubrication regime by lambda [-]: "boundary" below 1, "mixed" below 3, then "full film".
 
-    Parameters
-    ----------
-    ratio : array (...)
-        lambda [-], >= 0
-
-    Returns
-    -------
-    array (...) of str
-        "boundary" below 1, "mixed" from 1 to below 3, "full film" from 3
-
-    Raises
-    ------
-    OutOfRange
-        where lambda is negative or not a number
+    Raises `OutOfRange` where lambda is negative or not a number.
 
     Source
     ------

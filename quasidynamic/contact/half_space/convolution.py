@@ -54,20 +54,8 @@ def convolution(
 
     without wrapping around: the transform is padded by zeros.
 
-    Parameters
-    ----------
-    pair : ElasticPair
-        constants of both half-spaces [1/Pa]
-    grid : CellGrid
-        cells
-    displacements, tractions : tuple of int
-        directions i and j, see `influence_number`
-    shift : pair of float
-        d from the cell centres to the places of the displacements [m]
-
-    Returns
-    -------
-    Convolution
+    Directions i and j are those of `influence_number`; d leads from the cell centres to the places of the
+    displacements [m].
 
     Source
     ------

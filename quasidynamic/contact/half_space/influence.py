@@ -41,23 +41,7 @@ class CellGrid:
 
 
 def grid_over(half_lengths: tuple[float, float], shape: tuple[int, int]) -> CellGrid:
-    """Grid whose cells cover a rectangle of two half lengths [m] about the origin exactly.
-
-    Parameters
-    ----------
-    half_lengths : pair of float
-        of the rectangle along x and y [m]
-    shape : pair of int
-        cells along x and y
-
-    Returns
-    -------
-    CellGrid
-
-    Source
-    ------
-    Geometry.
-    """
+    """Grid whose cells cover a rectangle of two half lengths [m] about the origin exactly."""
     spacing = (2 * half_lengths[0] / shape[0], 2 * half_lengths[1] / shape[1])
     return CellGrid(spacing, shape)
 
@@ -89,19 +73,9 @@ class ElasticPair:
 
 
 def elastic_pair(first: Material, second: Material) -> ElasticPair:
-    r"""Pair of two materials.
+    r"""Constants [1/Pa] of two materials; tractions are counted on the first.
 
     .. math:: G = E / [2 (1 + \nu)]
-
-    Parameters
-    ----------
-    first, second : Material
-        the body on which tractions are counted, and the other one [Pa]
-
-    Returns
-    -------
-    ElasticPair
-        [1/Pa]
 
     Source
     ------
@@ -162,21 +136,10 @@ def influence_number(
 
 
 def influence_lattice(pair: ElasticPair, displacement: int, traction: int, x: NDArray, y: NDArray) -> NDArray:
-    """Influence numbers at places that are whole cells apart, where cells share their corners.
+    """Influence numbers [m/Pa] at places that are whole cells apart, where cells share their corners.
 
-    Parameters
-    ----------
-    pair : ElasticPair
-        constants of both half-spaces [1/Pa]
-    displacement, traction : int
-        directions, see `influence_number`
-    x, y : array (nx), array (ny)
-        places from the centre of the cell, half a cell to their left and right [m]
-
-    Returns
-    -------
-    array (nx - 1, ny - 1)
-        u/p [m/Pa] in the middle between neighbours of x and y
+    They are (nx - 1, ny - 1), in the middle between neighbours of x (nx) and y (ny): places from the centre
+    of the cell [m], half a cell to their left and right.
 
     Source
     ------

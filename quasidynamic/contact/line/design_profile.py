@@ -23,10 +23,6 @@ def lundberg(load: float, length: float, modulus: float) -> Logarithmic:
     modulus : float
         E' of the pair [Pa], `contact_modulus`
 
-    Returns
-    -------
-    Logarithmic
-
     Source
     ------
     Lundberg, Forsch. Ingenieurwes. 10 (1939), 201-211, in the notation of Fujiwara and Kawase (2007): the
@@ -59,10 +55,6 @@ def johns_gohar(load: float, length: float, modulus: float, radius: float) -> Lo
         E' of the pair [Pa]
     radius : float
         R, reduced radius [m], which gives the half-width b under the design load
-
-    Returns
-    -------
-    LogarithmicCrown
 
     Source
     ------
@@ -101,10 +93,6 @@ def fujiwara_kawase(
         K_2, crowned share of each half of the length [-], up to 1
     end_drop : float
         z_m, drop at the end of the length [m], > 0
-
-    Returns
-    -------
-    LogarithmicCrown
 
     Source
     ------

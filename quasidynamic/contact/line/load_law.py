@@ -126,17 +126,8 @@ def smooth_positive(gap: NDArray, rounding: float) -> tuple[NDArray, NDArray]:
               = \max(g, 0) + \tfrac12 \varepsilon^2/(|g| + \sqrt{g^2 + \varepsilon^2}),\quad
               p/p' = \sqrt{g^2 + \varepsilon^2}
 
-    Parameters
-    ----------
-    gap : array (...)
-        g [m], positive is an approach, negative an open gap
-    rounding : float
-        epsilon [m], > 0
-
-    Returns
-    -------
-    tuple of array (...)
-        p and p over its derivative [m], both > 0
+    g [m] is positive for an approach, negative for an open gap; epsilon, the rounding, is in metres and above
+    zero.
 
     Source
     ------

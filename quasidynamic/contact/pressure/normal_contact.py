@@ -130,10 +130,6 @@ def contact_pressure(
     tolerance : float
         gap or overlap left over the overlap of the undeformed surfaces [-]; ten times it of the loads
 
-    Returns
-    -------
-    NormalContact
-
     Raises
     ------
     NotSolved

@@ -20,14 +20,7 @@ def fastsim(contacts: RollingContacts, creep: NDArray, start: NDArray | None = N
     from the leading edge, with one flexibility L for both directions, so that the tractions of full sliding
     oppose the slip.
 
-    Parameters
-    ----------
-    contacts, creep, start
-        see `RollingLaw`; a layer between the bodies adds to L [m/Pa], nothing is iterated
-
-    Returns
-    -------
-    Rolled
+    Arguments as of `RollingLaw`; a layer between the bodies adds to L [m/Pa], nothing is iterated.
 
     Source
     ------
@@ -53,17 +46,7 @@ def fastsim(contacts: RollingContacts, creep: NDArray, start: NDArray | None = N
 
 
 def fastsim_changes(rolled: Rolled, creep_changes: NDArray) -> NDArray:
-    """Changes of the tractions with the creep, the flexibility as it is.
-
-    Parameters
-    ----------
-    rolled, creep_changes
-        see `RollingLaw`
-
-    Returns
-    -------
-    array (C, k, 2, nx, ny)
-        [Pa]
+    """Changes of the tractions [Pa] with the creep, the flexibility as it is, see `RollingLaw`.
 
     Source
     ------

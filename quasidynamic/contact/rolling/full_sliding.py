@@ -59,15 +59,8 @@ def full_sliding(contacts: RollingContacts, creep: NDArray, start: NDArray | Non
 
     .. math:: p = -\mu p_n\, W/|W|
 
-    Parameters
-    ----------
-    contacts, creep, start
-        see `RollingLaw`; of the contacts mu p_n [Pa] alone counts, nothing is iterated
-
-    Returns
-    -------
-    Rolled
-        sticking nowhere; where nothing slips the traction is zero
+    It sticks nowhere; where nothing slips the traction is zero. Of the contacts mu p_n [Pa] alone counts,
+    nothing is iterated, see `RollingLaw`.
 
     Source
     ------
@@ -79,17 +72,7 @@ def full_sliding(contacts: RollingContacts, creep: NDArray, start: NDArray | Non
 
 
 def sliding_changes(rolled: Rolled, creep_changes: NDArray) -> NDArray:
-    """Changes of the tractions with the creep.
-
-    Parameters
-    ----------
-    rolled, creep_changes
-        see `RollingLaw`
-
-    Returns
-    -------
-    array (C, k, 2, nx, ny)
-        [Pa]
+    """Changes of the tractions [Pa] with the creep, see `RollingLaw`.
 
     Source
     ------

@@ -114,19 +114,8 @@ def kalker(contacts: RollingContacts, creep: NDArray, start: NDArray | None = No
 
     Material comes from x + dx, one cell ahead, with the displacement u there.
 
-    Parameters
-    ----------
-    contacts, creep, start
-        see `RollingLaw`; the creep [-] is best taken `MID_STEP` ahead of the cell centres
-
-    Returns
-    -------
-    Rolled
-
-    Raises
-    ------
-    NotSolved
-        when Newton's method finds no solution from any start
+    Arguments as of `RollingLaw`; the creep [-] is best taken `MID_STEP` ahead of the cell centres.
+    Raises `NotSolved` when Newton's method finds no solution from any start.
 
     Source
     ------
@@ -148,17 +137,7 @@ def kalker(contacts: RollingContacts, creep: NDArray, start: NDArray | None = No
 
 
 def kalker_changes(rolled: Rolled, creep_changes: NDArray) -> NDArray:
-    """Changes of the tractions with the creep, the regions of stick and slip as they are.
-
-    Parameters
-    ----------
-    rolled, creep_changes
-        see `RollingLaw`
-
-    Returns
-    -------
-    array (C, k, 2, nx, ny)
-        [Pa]
+    """Changes of the tractions [Pa] with the creep, see `RollingLaw`; stick and slip stay where they are.
 
     Source
     ------

@@ -21,19 +21,8 @@ def solved(multiply: Callable[[NDArray], NDArray], right: NDArray, tolerance: fl
 
     That of SciPy takes up to a third longer in all for systems as small as contacts.
 
-    Parameters
-    ----------
-    multiply : callable
-        product of the matrix with an array of the shape of `right`
-    right : array
-        right side
-    tolerance : float
-        of what is left over the right side [-]
-
-    Returns
-    -------
-    array
-        of the shape and precision of `right`
+    What is left of the solution is `tolerance` of the right side, of whose shape and precision the solution
+    is.
 
     Source
     ------
@@ -99,17 +88,7 @@ def at_traction(law: StickSlipLaw, traction: NDArray) -> StickSlip:
 
     F = 0 is stick (S = 0, |p| <= g) or slip (p = -g S/|S|), for any rho > 0.
 
-    Parameters
-    ----------
-    law : StickSlipLaw
-        S [m], g [Pa], rho [Pa/m]
-    traction : array (2, nx, ny)
-        p [Pa]
-
-    Returns
-    -------
-    StickSlip
-        with F [Pa]; the projection has a kink at |z| = g
+    p and F (2, nx, ny) are in Pa; the projection has a kink at |z| = g.
 
     Source
     ------
@@ -124,23 +103,9 @@ def at_traction(law: StickSlipLaw, traction: NDArray) -> StickSlip:
 
 
 def stick_slip(law: StickSlipLaw, start: NDArray) -> StickSlip:
-    """Tractions that obey the law.
+    """Tractions (2, nx, ny) [Pa] that obey the law, from those of a start.
 
-    Parameters
-    ----------
-    law : StickSlipLaw
-        slip [m] and limit [Pa]
-    start : array (2, nx, ny)
-        tractions [Pa] to start from
-
-    Returns
-    -------
-    StickSlip
-
-    Raises
-    ------
-    NotSolved
-        when Newton's method stalls or reaches its limit
+    Raises `NotSolved` when Newton's method stalls or reaches its limit.
 
     Source
     ------
@@ -172,23 +137,10 @@ def stick_slip(law: StickSlipLaw, start: NDArray) -> StickSlip:
 def traction_changes(
     law: StickSlipLaw, state: StickSlip, offsets: NDArray, tolerance: float = 1e-2
 ) -> NDArray:
-    """Changes of the tractions with the slip, the regions of stick and slip as they are.
+    """Changes (k, 2, nx, ny) [Pa] of the tractions with the slip, the regions of stick and slip as they are.
 
-    Parameters
-    ----------
-    law : StickSlipLaw
-        at the solution
-    state : StickSlip
-        the solution
-    offsets : array (k, 2, nx, ny)
-        changes of the slip without traction [m]
-    tolerance : float
-        of the linear solves, relative [-]
-
-    Returns
-    -------
-    array (k, 2, nx, ny)
-        [Pa]
+    Offsets (k, 2, nx, ny) [m] are changes of the slip without traction; `tolerance` is the relative one of
+    the linear solves.
 
     Source
     ------

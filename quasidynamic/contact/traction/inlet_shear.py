@@ -69,11 +69,6 @@ def biboulet_houpert(load: NDArray, entrainment: NDArray, geometry: Geometry, oi
     oil : Lubricant
         eta0 at the inlet
 
-    Returns
-    -------
-    RollingShear
-        all >= 0, zero without load
-
     Source
     ------
     Biboulet and Houpert, Proc. IMechE J 224 (2010), Part 1, Eq. (42).
@@ -91,25 +86,11 @@ def dowson_higginson(load: NDArray, entrainment: NDArray, geometry: Geometry, oi
 
     .. math:: \frac{F}{l E' R} = 9.2\, G^{-0.3} U^{0.7},\quad U = \frac{\eta_0 u}{E' R},\; G = \alpha E'
 
-    F is half of the pumping force 18.4 (1 -/+ gamma) G^-0.3 U^0.7 of the same source. At M of a few and
-    below it is blended, as in `biboulet_houpert`, with the rigid-isoviscous contact, which no inlet exceeds:
-    2 to 3 percent less than printed at M = 2.
+    F is half of the pumping force 18.4 (1 -/+ gamma) G^-0.3 U^0.7 of the same source. At M of a few and below
+    it is blended, as in `biboulet_houpert`, with the rigid-isoviscous contact, which no inlet exceeds: 2 to 3
+    percent less than printed at M = 2.
 
-    Parameters
-    ----------
-    load : array (...)
-        Q [N], >= 0
-    entrainment : array (...)
-        u, mean of the surface speeds [m/s], > 0
-    geometry : tuple of arrays (...)
-        reduced radius R [m], E' [Pa], length l [m]; anything that broadcasts with the load
-    oil : Lubricant
-        eta0 and alpha at the inlet
-
-    Returns
-    -------
-    RollingShear
-        all >= 0, zero without load
+    Arguments as of `biboulet_houpert`, alpha at the inlet; >= 0, zero without load.
 
     Source
     ------
@@ -131,21 +112,7 @@ def zhou_hoeprich(load: NDArray, entrainment: NDArray, geometry: Geometry, oil: 
 
     F is F_t, half of the pressure force. Blended with the rigid-isoviscous contact as `dowson_higginson`.
 
-    Parameters
-    ----------
-    load : array (...)
-        Q [N], >= 0
-    entrainment : array (...)
-        u, mean of the surface speeds [m/s], > 0
-    geometry : tuple of arrays (...)
-        reduced radius R [m], E' [Pa], length l [m]; anything that broadcasts with the load
-    oil : Lubricant
-        eta0 and alpha at the inlet
-
-    Returns
-    -------
-    RollingShear
-        all >= 0, zero without load
+    Arguments as of `biboulet_houpert`, alpha at the inlet; >= 0, zero without load.
 
     Source
     ------
@@ -177,21 +144,8 @@ def goksem_hargreaves(
     2.74 U2^0.658 W^0.0126 G^-0.342. Blended with the rigid-isoviscous contact as `dowson_higginson`; the
     latter without heating.
 
-    Parameters
-    ----------
-    load : array (...)
-        Q [N], >= 0
-    entrainment : array (...)
-        u, mean of the surface speeds [m/s], > 0
-    geometry : tuple of arrays (...)
-        reduced radius R [m], E' [Pa], length l [m]; anything that broadcasts with the load
-    oil : Lubricant
-        eta0, alpha, beta and conductivity k at the inlet
-
-    Returns
-    -------
-    RollingShear
-        force >= 0, zero without load; at L above 0.5 it falls slowly with a growing load
+    Arguments as of `biboulet_houpert`; alpha, beta and the conductivity k are those at the inlet. The force
+    is >= 0, zero without load; at L above 0.5 it falls slowly with a growing load.
 
     Source
     ------

@@ -77,10 +77,6 @@ class FourPointCurve:
         sign_slip : float
             s0 [-], see the class
 
-        Returns
-        -------
-        FourPointCurve
-
         Raises
         ------
         ImpossiblePart

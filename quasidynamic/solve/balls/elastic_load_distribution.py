@@ -40,31 +40,15 @@ def elastic_ball_loads(bearing: FourPointBearing, load: NDArray, grooves: Elasti
 
     .. math:: v = v_0 + B a - s,\quad s = C(\alpha) F(v),\quad B^T F(v) = P
 
-    with the distance v of opposite groove centres, the place a of the inner ring, the load P and the forces
-    F of `Diagonals`; the compliance C follows the contact angles. It is a stationary point of the energy of
+    with the distance v of opposite groove centres, the place a of the inner ring, the load P and the forces F
+    of `Diagonals`; the compliance C follows the contact angles. It is a stationary point of the energy of
     contacts and rings. Newton's method from the rigid rings.
 
-    Parameters
-    ----------
-    bearing : FourPointBearing
-        as for `ball_loads`
-    load : array (5)
-        P on the face of the inner ring, which moves as a rigid body: axial x, radial y and z [N], moments
-        about y and z [N m]
-    grooves : ElasticGrooves
-        how the arcs of both rings give way, two for each ball, those of its diagonals side by side
-
-    Returns
-    -------
-    ElasticBallLoads
-        the displacement is that of the face of the inner ring against that of the outer one
-
-    Raises
-    ------
-    ImpossiblePart
-        when a load is not finite, or a groove does not fit the balls
-    NotSolved
-        when nothing holds the ring, no balance is found, or it may not be the only one
+    P (5) acts on the face of the inner ring, which moves as a rigid body: axial x, radial y and z [N],
+    moments about y and z [N m]. Grooves have two arcs for each ball, those of its diagonals side by side; the
+    displacement is that of the face of the inner ring against that of the outer one.
+    Raises `ImpossiblePart` when a load is not finite, or a groove does not fit the balls; `NotSolved` when
+    nothing holds the ring, no balance is found, or it may not be the only one.
 
     Source
     ------

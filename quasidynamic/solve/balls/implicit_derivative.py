@@ -31,20 +31,9 @@ def moved_places(places: Places, variants: Sequence[Equations], weights: Sequenc
 
     with the residual r of all, and its derivatives J by their places x, which the variants p_k have.
 
-    Parameters
-    ----------
-    places : Places
-        of one case in equilibrium
-    variants : sequence of pairs
-        balance and grooves of the same case with other values of the parameter; rigid rings are grooves of
-        no compliance
-    weights : sequence of float
-        whose sum of values of the variants is a derivative
-
-    Returns
-    -------
-    Places
-        derivatives, in m and N by the unit of the parameter
+    Places are those of one case in equilibrium, and variants its balance and grooves with other values of the
+    parameter, rigid rings as grooves of no compliance; the weighted sum of their values is a derivative.
+    Derivatives are in m and N by the unit of the parameter.
 
     Source
     ------

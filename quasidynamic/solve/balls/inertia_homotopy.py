@@ -33,23 +33,13 @@ def inertia_homotopy(balance: AngularBalance, budget: int) -> tuple[tuple[NDArra
     .. math:: (1 - p)\,[R_0(x) + s F_{c0}] + p\, R(x) = 0, \qquad 0 \le p \le 1
 
     R are the unbalanced forces at the places x of ring and balls, R_0 those without inertia, F_c0 the
-    constant centrifugal forces of balls on the outer race alone. At p = 0 an energy that is convex in
-    all places has its minimum. Forces of inertia and tractions are bounded, contact forces are not, so
-    the places stay bounded, and the path from p = 0 leads to p = 1 however often p turns back on its way.
-    Should it be lost all the same, another s draws another path.
+    constant centrifugal forces of balls on the outer race alone. At p = 0 an energy that is convex in all
+    places has its minimum. Forces of inertia and tractions are bounded, contact forces are not, so the places
+    stay bounded, and the path from p = 0 leads to p = 1 however often p turns back on its way. Should it be
+    lost all the same, another s draws another path.
 
-    Parameters
-    ----------
-    balance : AngularBalance
-        equations of one case, at speed
-    budget : int
-        evaluations of all balls that it may take
-
-    Returns
-    -------
-    pair
-        ring (1, 5) and ball centres (1, Z) [m] in balance, None where every path was lost or the budget is
-        spent; evaluations of all balls
+    Ring (1, 5) and ball centres (1, Z) [m] are in balance, None where every path was lost or the budget of
+    evaluations of all balls is spent; then how many these were.
 
     Source
     ------

@@ -46,10 +46,6 @@ def ball_loads(bearing: FourPointBearing, load: NDArray) -> BallLoads:
     load : array (5)
         on the inner ring: axial x, radial y and z [N], moments about y and z [N m]
 
-    Returns
-    -------
-    BallLoads
-
     Raises
     ------
     ImpossiblePart

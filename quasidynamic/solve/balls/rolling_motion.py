@@ -70,29 +70,10 @@ def rolling_motion(
 
     Newton's method with slopes of the linearised contacts, kept with Broyden's correction while they serve.
 
-    Parameters
-    ----------
-    ball : RollingBall
-        one ball
-    law : RollingLaw
-        friction of the contacts: `KALKER`, `FASTSIM` or `FULL_SLIDING`
-    motion : array (4)
-        to start from, such as that of `sliding_motion`
-    start : array (C, 2, nx, ny), optional
-        tractions [Pa] to start from
-    slopes : array (4, 4), optional
-        of the balance near the start
-
-    Returns
-    -------
-    RollingMotion
-
-    Raises
-    ------
-    NotSolved
-        when no balance is found; the message has what is left
-    OutOfRange
-        when the material is at rest in a contact
+    The motion (4) to start from is such as that of `sliding_motion`; it may start from tractions (C, 2, nx,
+    ny) [Pa] and slopes of the balance (4, 4), too.
+    Raises `NotSolved` when no balance is found, with what is left; `OutOfRange` when the material is at rest
+    in a contact.
 
     Source
     ------

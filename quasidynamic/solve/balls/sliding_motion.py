@@ -51,25 +51,12 @@ def sliding_motion(contacts: BallContacts, ellipse: Ellipse) -> SlidingMotion:
               \Phi = \sum_{contacts} \int \mu p\, |v|\, dA,\quad \Omega_i - \Omega_o = 1
 
     The heat Phi is convex in the motion: its stationarity is the balance of forces along the orbit and of
-    both moments, its minimum is the torque, and there is no other balance. Newton's method for all balls
-    side by side from the best of these motions: rolling on either diagonal, spinning on both, or rolling on
-    two lines of each contact of the stronger diagonal, without spin on one race or with as much on both.
+    both moments, its minimum is the torque, and there is no other balance. Newton's method for all balls side
+    by side from the best of these motions: rolling on either diagonal, spinning on both, or rolling on two
+    lines of each contact of the stronger diagonal, without spin on one race or with as much on both.
 
-    Parameters
-    ----------
-    contacts : BallContacts
-        N balls, G diagonals
-    ellipse : Ellipse
-        (N, G, 2) semi-axes and friction forces
-
-    Returns
-    -------
-    SlidingMotion
-
-    Raises
-    ------
-    NotSolved
-        when a ball is not in balance; the message names the first one
+    N balls with G diagonals; semi-axes and friction forces of the ellipses are (N, G, 2).
+    Raises `NotSolved` when a ball is not in balance; the message names the first one.
 
     Source
     ------
@@ -148,24 +135,9 @@ def guided_motion(contacts: BallContacts, ellipse: Ellipse, attitude: NDArray) -
 
     What holds the axis does no work, so the heat is the power of the rings.
 
-    Parameters
-    ----------
-    contacts : BallContacts
-        N balls, one diagonal
-    ellipse : Ellipse
-        (N, 1, 2) semi-axes and friction forces, above zero
-    attitude : array (N)
-        beta, of the axis to the shaft [rad]
-
-    Returns
-    -------
-    SlidingMotion
-        all of them driven
-
-    Raises
-    ------
-    NotSolved
-        when a ball is not in balance
+    N balls with one diagonal, all of them driven; semi-axes and friction forces (N, 1, 2) are above zero, and
+    beta (N) [rad] is the angle of the axis to the shaft.
+    Raises `NotSolved` when a ball is not in balance.
 
     Source
     ------

@@ -42,20 +42,10 @@ def sticking_ball_motion(
     the equations of `FreeBalls`, its derivatives of the heat replaced by the power of the tractions, which
     are no derivatives of any function of the motion: a contact that spins pushes across.
 
-    Parameters
-    ----------
-    balls : FreeBalls
-        N balls in full sliding: their inertia, and unknowns that no rounding spoils
-    contacts_at : callable
-        their contacts, inner then outer of each ball, by the growth of the logarithm of all loads and by that
-        of all contact angles [rad]
-    start : array (N, 4)
-        motion to start from: that of full sliding
-
-    Returns
-    -------
-    FreeBallMotion
-        not a number where no balance is found
+    The balls are in full sliding: their inertia, unknowns that no rounding spoils, and the motion (N, 4) to
+    start from. `contacts_at` gives their contacts, inner then outer of each ball, by the growth of the
+    logarithm of all loads and by that of all contact angles [rad]. The motion is not a number where no
+    balance is found.
 
     Source
     ------

@@ -113,18 +113,9 @@ def between_elastic_raceways(
     The chain of the spins s is eliminated, then the border b and the v of closed contacts are solved densely:
     an open contact has no slope by its v.
 
-    Parameters
-    ----------
-    balance : BearingBalance
-        scales and compliances
-    system : Linearisation
-        matrix of C cases
-    table : array (1 + 5 + D, 1 + 5 + P + R, C, Z)
-        rows of spin, border and contact forces; columns of spin, border, v and right-hand sides
-    border : array (C, 5, 5)
-        border balances by border unknowns
-    right : array (C, N, R)
-        right-hand sides, scaled
+    The table (1 + 5 + D, 1 + 5 + P + R, C, Z) has rows of spin, border and contact forces, columns of spin,
+    border, v and right-hand sides; the border (C, 5, 5) are its balances by its unknowns. Right-hand sides
+    (C, N, R) are scaled.
 
     Source
     ------

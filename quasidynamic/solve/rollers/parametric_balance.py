@@ -115,19 +115,8 @@ def moved_unknowns(balance: BearingBalance, system: Linearisation, by_parameter:
 
     .. math:: \frac{dx}{dp} = -J^{-1} \frac{\partial F}{\partial p}
 
-    Parameters
-    ----------
-    balance : BearingBalance
-        of one case
-    system : Linearisation
-        its derivatives J at the equilibrium
-    by_parameter : array (N, P)
-        derivatives of the residuals at fixed unknowns, both in SI units
-
-    Returns
-    -------
-    array (N, P)
-        in SI units; not a number where the matrix is singular, as on a fold
+    J are those at the equilibrium of one case, `by_parameter` (N, P) derivatives of the residuals at fixed
+    unknowns, and all are in SI units; not a number where the matrix is singular, as on a fold.
 
     Source
     ------

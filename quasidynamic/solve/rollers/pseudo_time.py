@@ -131,26 +131,16 @@ def scaled_inertia(balance: BearingBalance) -> NDArray:
 def growth_rates(balance: BearingBalance, system: Linearisation) -> NDArray:
     r"""Eigenvalues of cage and spins with their inertias, at equilibria of C cases.
 
-    Ring, approaches, tilts and films follow at once, as in pseudo-time: with the inertias M of cage
-    and spins, and S what is left of the Jacobian J for them when everything else is eliminated,
+    Ring, approaches, tilts and films follow at once, as in pseudo-time: with the inertias M of cage and
+    spins, and S what is left of the Jacobian J for them when everything else is eliminated,
 
     .. math:: M \dot x = S x,\qquad \lambda v = M^{-1} S v
 
-    S is not formed: its inverse is the block of the inverse of J, so that the eigenvalues of
-    (J^-1)_{dd} M are 1 / lambda. The equilibrium is stable when every real part is negative; one
-    real eigenvalue passes through zero at a fold.
+    S is not formed: its inverse is the block of the inverse of J, so that the eigenvalues of (J^-1)_{dd} M
+    are 1 / lambda. The equilibrium is stable when every real part is negative; one real eigenvalue passes
+    through zero at a fold.
 
-    Parameters
-    ----------
-    balance : BearingBalance
-        of C cases
-    system : Linearisation
-        at their equilibria
-
-    Returns
-    -------
-    array (C, Z + 1), complex
-        growth rates [1/s], negative real parts decay; not a number where the Jacobian is singular
+    Growth rates (C, Z + 1) are complex [1/s]; not a number where the Jacobian is singular.
 
     Source
     ------

@@ -16,22 +16,10 @@ Residual = Callable[[NDArray], tuple[NDArray, NDArray, NDArray]]  # value, slope
 
 
 def skew_equilibrium(balance: SkewBalance) -> tuple[NDArray, NDArray]:
-    """Skew of every roller in balance, and what of it is beyond the touching one.
+    """Skew (Z) [rad] of every roller in balance, and what of it is beyond the touching one.
 
-    Parameters
-    ----------
-    balance : SkewBalance
-        moments of Z rollers
-
-    Returns
-    -------
-    tuple of array (Z)
-        skew, positive when the +x end leads, and its size less the touching skew [rad]
-
-    Raises
-    ------
-    NotSolved
-        when nothing holds a roller below half a radian
+    It is positive when the +x end leads.
+    Raises `NotSolved` when nothing holds a roller below half a radian.
 
     Source
     ------

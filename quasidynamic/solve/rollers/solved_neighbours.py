@@ -73,17 +73,8 @@ def local_fit(solved: NDArray, places: NDArray) -> Weights:
 
     with the coordinates p = x, and their products of two where enough places are solved.
 
-    Parameters
-    ----------
-    solved : array (S, P)
-        coordinates of solved cases
-    places : array (n, P)
-        coordinates of others
-
-    Returns
-    -------
-    Weights
-        exact for values that are linear, or quadratic, in the coordinates, where the solved cases span them
+    Places are coordinates (S, P) of solved cases and (n, P) of others. Weights are exact for values that are
+    linear, or quadratic, in the coordinates, where the solved cases span them.
 
     Source
     ------

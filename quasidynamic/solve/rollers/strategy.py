@@ -35,10 +35,7 @@ def overlaid(under: Any, over: Sequence[tuple[NDArray, Any]]) -> Any:
     >>> overlaid(np.zeros((2, 3)), [(np.array([2]), np.ones((2, 1)))]).tolist()
     [[0.0, 0.0, 1.0], [0.0, 0.0, 1.0]]
 
-    Raises
-    ------
-    NotAlike
-        where there is no such axis
+    Raises `NotAlike` where there is no such axis.
     """
     if isinstance(under, tuple):
         parts = ([(cases, above[place]) for cases, above in over] for place in range(len(under)))
