@@ -54,8 +54,8 @@ class BarResponse:
     def under(self, azimuths: NDArray, forces: NDArray) -> tuple[NDArray, NDArray | None]:
         """Section forces (..., B, 6) [N, N m] of all bars under roller forces (..., Z, M) [N], outward.
 
-        Signs are as in `fem.squirrel_cage.bar_forces`; M is at most that of the response. The second array is of
-        another order of displacements, None where there is none.
+        Signs are as in `fem.squirrel_cage.bar_forces`; M is at most that of the response. The second array is
+        of another order of displacements, None where there is none.
         """
         last = len(self.response) // 2
         n = np.arange(-last, last + 1)
