@@ -32,8 +32,8 @@ def bar_readings(space, cage: SquirrelCage, half: bool) -> NDArray:
     """Load vectors (unknowns, 6) of the bar at azimuth 0, (unknowns, 12) with bars at both ends [N/m, N m/m].
 
     They are N, M_n at the ring and at the flange, M_t at both, T about +x, signs as in
-    `fem.squirrel_cage.bar_forces`. With `half` the mesh holds half of that bar only, t >= 0, and a field that is its own mirror image (the
-    first three), or the negative of it (the last three).
+    `fem.squirrel_cage.bar_forces`. With `half` the mesh holds half of that bar only, t >= 0, and a field that
+    is its own mirror image (the first three), or the negative of it (the last three).
     """
     return np.hstack([_at_end(space, cage, half, end) for end in cage.ends])
 
