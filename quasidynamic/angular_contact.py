@@ -28,6 +28,7 @@ from quasidynamic.solve.balls.ring_on_balls import SINGULAR, RingSolution, solve
 from quasidynamic.solve.step_length import SolverOutcome
 
 DIRECTIONS = ("along x", "along y", "along z", "about y", "about z")
+CARRYING = 1e-3  # of the largest load, from which a contact counts in the angles of a message
 LEAST_SHARE = 1e-3  # of a motion without a force: component that is reported
 
 
@@ -130,7 +131,8 @@ class AngularContactBallBearing:
         for case, operation in enumerate(operations):
             if solution.outcomes[case] is not SolverOutcome.CONVERGED:
                 loose = _loose(ring.stiffness[case], balance.held[case])
-                states.append(_not_solved(operation, solution, case, loose))
+                angle = _steepest(balls.contacts.angles[:, case], balls.contacts.loads[:, case])
+                states.append(_not_solved(operation, solution, case, loose, angle))
                 continue
             if self._too_wide(balls.contacts.loads[:, case]):
                 states.append(
@@ -293,7 +295,14 @@ def _loose(stiffness: NDArray, held: NDArray) -> list[str]:
     return [DIRECTIONS[free[place]] for place in np.flatnonzero(shares > LEAST_SHARE)]
 
 
-def _not_solved(operation: RingOperation, solution: RingSolution, case: int, loose: list[str]) -> NotSolved:
+def _steepest(angles: NDArray, loads: NDArray) -> float:
+    """Largest contact angle [rad] of contacts that carry."""
+    return float(np.abs(angles).max(where=loads > CARRYING * loads.max(), initial=0.0))
+
+
+def _not_solved(
+    operation: RingOperation, solution: RingSolution, case: int, loose: list[str], steepest: float
+) -> NotSolved:
     outcome, evaluations = solution.outcomes[case], solution.evaluations[case]
     where = f"load {operation.load}, inner ring {operation.inner_speed * 30 / np.pi:.5g} rpm"
     if outcome is SolverOutcome.UNDETERMINED:
@@ -309,6 +318,15 @@ def _not_solved(operation: RingOperation, solution: RingSolution, case: int, loo
         return NotSolved(
             f"{where}: nothing holds the inner ring {', '.join(loose) or 'in any direction'}, its place is "
             f"undetermined; {advice}",
+            outcome,
+        )
+    if outcome is SolverOutcome.TOO_SOFT:
+        return NotSolved(
+            f"{where}: no balance of ring and balls between these elastic grooves in {evaluations} "
+            "evaluations by Newton's method and from stiffer grooves; between the softest that have one, "
+            f"contact angles reach {np.degrees(steepest):.1f} deg: where that is beyond the shoulders, balls "
+            "climb over them as the rings give way, and there is no balance; give a smaller axial load or "
+            "tilt, or stiffer rings",
             outcome,
         )
     if outcome is SolverOutcome.NOT_FINITE:

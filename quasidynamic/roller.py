@@ -75,7 +75,11 @@ class RollerBearing:
         rigid = self.balance(deviation=deviation, aligned=False)
         balance = replace(rigid, compliance=(inner, outer))
         near = bool(start.balance.layout.elastic_raceways) or start.balance.deviation is not None
-        for step in iterate(balance, balance.pack(start.unknowns), near, STARTS):
+        unknowns = start.unknowns
+        if near:  # raceways stay in their shape, whichever part of it these forces make of them
+            by_load = start.deviation if deviation is None else start.deviation - deviation
+            unknowns = unknowns._replace(deviation=np.moveaxis(by_load, -1, 1)[:, :, None])
+        for step in iterate(balance, balance.pack(unknowns), near, STARTS):
             state = Equilibrium(balance, step.unknowns[0], step.outcomes[0], step.number, self.axial_modes)
             if step.accepted[0]:  # or the system is that of a step too long
                 state.cases.know(step.system)

@@ -56,6 +56,11 @@ class BallState:
         return self.between.loads
 
     @property
+    def deviation(self) -> NDArray | None:
+        """None at the stations (2, Z, K) [m] of rigid grooves; not known of others."""
+        return np.zeros_like(self.forces) if self.between.groove_displacement is None else None
+
+    @property
     def residual(self) -> float:
         """Largest unbalanced force over the largest force [-]."""
         return self.between.imbalance

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from flexbearing.coupling.acceleration import Rule
 from flexbearing.coupling.history import CouplingHistory
+from flexbearing.coupling.line_search import Tangent, next_tangent
 from flexbearing.coupling.partners import Bearing, Iterating, LinearStructure, PartnerFailed, S, Structure
 
 Status = Literal["", "converged", "iteration limit", "diverging", "stagnating", "not finite", "not solved"]
@@ -19,9 +20,7 @@ DIVERGENCE_RATIO = 10.0
 GROWTHS_OVER_FIRST, GROWTHS_OVER_LEAST = 3, 5
 # Stagnating: so many iterations without a residual below this part of the smallest before them.
 STAGNATION_LIMIT, STAGNATION_RATIO = 40, 0.9
-# A structure that is not linear: part of the mismatch before that is a fall, shortest share of the way to the
-# forces of the last balance, change of forces that is none, tangents that are tried.
-FALLING, SMALLEST_SHARE, SAME_FORCES, MOST_TANGENTS = 0.5, 1 / 16, 1e-7, 40
+MOST_TANGENTS = 40  # of a structure that is not linear
 BALANCED = 1e-10  # unbalanced force over the load at which newton has nothing left to improve
 _REASONS = {
     "diverging": "diverging iterations are stopped: the structure is too soft for a fixed-point iteration; "
@@ -132,54 +131,31 @@ def newton(
     bearing: Iterating[S], structure: Structure, start: S, criterion: StoppingCriterion
 ) -> Iterator[Iteration[S]]:
     """Solve bearing and structure as one system, the structure linearised where it is not linear."""
-    state, number, tangent = start, 0, TangentPlace(start.forces)
+    state, number = start, 0
     try:
-        linear = structure.linearised(tangent.forces)
-        while True:
-            for iteration in _in_one_system(bearing, linear, state, criterion, number):
+        tangent = Tangent(start.forces, structure.linearised(start.forces), start.deviation)
+        for count in range(1, MOST_TANGENTS + 1):
+            balanced = tangent
+            for iteration in _in_one_system(bearing, tangent.linear, state, criterion, number):
                 state = iteration.state
                 if iteration.status == "converged":
-                    answering = structure.linearised(state.forces)
-                    answer = answering.deviation(state.forces)
-                    mismatch = _relative(answer - linear.deviation(state.forces), answer)
+                    balancing = tangent.linear.deviation(state.forces)
+                    balanced = Tangent(state.forces, structure.linearised(state.forces), balancing)
+                    answer = balanced.linear.deviation(state.forces)
+                    mismatch = _relative(answer - balancing, answer)
                     # In balance with one tangent, only what the tangent leaves out can still change.
                     status = criterion.status(number, mismatch)
-                    if not status and tangent.count == MOST_TANGENTS:
+                    if not status and count == MOST_TANGENTS:
                         status = "stagnating"
                     message = _REASONS["tangents"] if status == "stagnating" else ""
                     iteration = replace(iteration, mismatch=mismatch, status=status, message=message)
-                    tangent = tangent.moved(state.forces, mismatch)
-                    linear = answering if tangent.share == 1.0 else structure.linearised(tangent.forces)
                 yield iteration
                 number = iteration.number  # of the last one that was reported: the structure may fail before
                 if iteration.status:
                     return
+            tangent = next_tangent(structure, tangent, balanced)
     except PartnerFailed as failure:
         yield _failed(number + 1, state, failure)
-
-
-@dataclass(frozen=True)
-class TangentPlace:
-    """Forces at which a structure that is not linear is linearised.
-
-    The tangent at the last forces may lead back to those before, and so on in turns, as fits and supports
-    open and close: a mismatch that hardly falls halves the share of the way to the last forces that is taken.
-    Where it falls, or the balance with the new tangent is the one before, the share is doubled.
-    """
-
-    forces: NDArray  # (2, Z, M) [N]
-    balanced: NDArray | None = None  # (2, Z, M) forces [N] in balance with the last tangent
-    mismatch: float = np.inf  # there
-    share: float = 1.0
-    count: int = 1  # of tangents
-
-    def moved(self, forces: NDArray, mismatch: float) -> "TangentPlace":
-        """Where to linearise next, after a balance at some forces."""
-        still = self.balanced is not None and _relative(forces - self.balanced, forces) < SAME_FORCES
-        longer = still or mismatch < FALLING * self.mismatch
-        share = min(1.0, 2 * self.share) if longer else max(SMALLEST_SHARE, self.share / 2)
-        place = forces if share == 1.0 else self.forces + share * (forces - self.forces)
-        return TangentPlace(place, forces, mismatch, share, self.count + 1)
 
 
 def _in_one_system(

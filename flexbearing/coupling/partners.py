@@ -30,6 +30,11 @@ class State(Protocol):
         ...
 
     @property
+    def deviation(self) -> NDArray | None:
+        """Outward raceway deviations (2, Z, M) [m] between which it balances; None: not known."""
+        ...
+
+    @property
     def residual(self) -> float:
         """Largest unbalanced force over the load [-]."""
         ...

@@ -53,3 +53,4 @@ class SolverOutcome(StrEnum):
     LIMIT = "iteration limit"
     WORK = "work limit"  # every way together took as many evaluations as a case may
     NOT_FINITE = "not finite"
+    TOO_SOFT = "too soft"  # a balance between stiffer grooves has none as they become as soft as these

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 from functools import partial
+from itertools import product
 from typing import get_args
 
 import numpy as np
@@ -27,6 +28,7 @@ class ToyState:
     forces: np.ndarray
     residual: float = 0.0
     status: str = ""
+    deviation: np.ndarray | None = None
 
     @property
     def loads(self):
@@ -371,6 +373,76 @@ def test_newton_is_not_led_in_circles_by_the_tangents_of_a_structure():
     assert steps[-1].status == "converged"
     assert steps[-1].number <= 10
     assert steps[-1].state.forces[1] == approx((100 + 8 * 45) / 9, rel=1e-7)
+
+
+@dataclass(frozen=True)
+class Shared(Springs):
+    """Springs on places of the outer raceway that move each other."""
+
+    def iterate(self, compliance, start=None, deviation=None):
+        yield start
+        force, matrix = np.full_like(start.forces, 100.0), compliance[1][:, 0, :, 0]
+        free = 100.0 - self.stiffness * deviation[1]
+        force[1] = np.linalg.solve(np.eye(len(matrix)) + self.stiffness * matrix, free)
+        yield ToyState(force, 1e-15, "converged")
+
+
+@dataclass(frozen=True)
+class AtStops:
+    """Places that move w = w_0 + C F while they touch some stops."""
+
+    matrix: np.ndarray
+    moved: np.ndarray
+
+    @property
+    def compliance(self):
+        return None, self.matrix[:, None, :, None]
+
+    @property
+    def initial_deviation(self):
+        return np.array([0 * self.moved, self.moved])[..., None]
+
+    def deviation(self, forces):
+        return self.initial_deviation + np.array([0 * forces[1], self.matrix @ forces[1]])
+
+
+@dataclass(frozen=True)
+class LooseRing:
+    """Places of a raceway as soft as C that stops hold at gaps, and only push."""
+
+    softness: np.ndarray
+    gaps: np.ndarray
+
+    @classmethod
+    def drawn(cls, seed):
+        rng = np.random.default_rng(seed)
+        root = rng.normal(size=(3, 3))
+        softness = (root @ root.T + 0.1 * np.eye(3)) * 10 ** rng.uniform(-6, -3)
+        return cls(softness, rng.uniform(0, 1, 3) * 10 ** rng.uniform(-6, -3))
+
+    def linearised(self, forces):
+        free = self.softness @ forces[1, :, 0]
+        return min(self._at(np.array(stops), free) for stops in product([False, True], repeat=3))[-1]
+
+    def _at(self, stops, free):
+        """How far stops that touch pull, or others are passed; which; the ring there."""
+        held = np.zeros_like(self.softness)
+        held[np.ix_(stops, stops)] = np.linalg.inv(self.softness[np.ix_(stops, stops)])
+        pushes = held @ (free - self.gaps)
+        passed = (free - self.softness @ pushes - self.gaps).max() / np.abs(free).max()
+        ring = AtStops(self.softness - self.softness @ held @ self.softness, self.softness @ held @ self.gaps)
+        return max(-pushes.min() / 100, passed), tuple(stops), ring
+
+
+@pytest.mark.parametrize("seed", [4, 5, 10, 16])
+def test_newton_finds_what_touches_a_loose_ring(seed):
+    """Tangents of open and closed stops led back to each other, 40 times, at any share of the way."""
+    ring, start = LooseRing.drawn(seed), ToyState(np.full((2, 3, 1), 100.0))
+    *_, last = newton(Shared(1e6), ring, start, CRITERION)
+    assert last.status == "converged"
+    assert last.number <= 12
+    deviation = ring.linearised(last.state.forces).deviation(last.state.forces)
+    assert last.state.forces[1] == approx(100 - 1e6 * deviation[1], rel=1e-6, abs=1e-6)
 
 
 def test_numbers_have_no_gap_where_a_structure_fails_at_a_balance():

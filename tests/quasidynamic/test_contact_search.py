@@ -50,6 +50,19 @@ def test_bearing_and_ring_agree_in_a_few_steps(changes, foundation):
     assert last.deviation[1] == pytest.approx(np.tensordot(matrix, last.forces[1], 2), rel=1e-7, abs=1e-13)
 
 
+def test_a_state_stays_where_other_equations_hold_it_as_well():
+    """Half as soft a raceway of a shape that makes up for it: which rollers touch was searched anew."""
+    model = paper_bearing(axial_modes=3, slices=10)
+    matrix = ring(model.bearing.azimuths, 3.6e-3, 1e8, 3)
+    *_, known = model.iterate((None, matrix), model.solve())
+    shape = np.zeros((2, *known.forces.shape[1:]))
+    shape[1] = np.tensordot(matrix / 2, known.forces[1], 2)
+    first, *_, last = model.iterate((None, matrix / 2), known, shape)
+    assert first.residual < 1e-9
+    assert last.number <= 2
+    assert last.loads == pytest.approx(known.loads, rel=1e-9, abs=1e-9)
+
+
 @pytest.mark.slow
 def test_slow_heavy_bearing_is_solved_though_not_in_a_few_steps():
     """At 10 rad/s it takes 350 evaluations; at 5 rad/s a few steps."""

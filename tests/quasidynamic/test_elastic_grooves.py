@@ -5,7 +5,9 @@ import pytest
 from pytest import approx
 
 from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGrooves, extrapolated, shape_of
-from quasidynamic.errors import ImpossiblePart
+from quasidynamic.errors import ImpossiblePart, NotSolved
+from quasidynamic.solve.balls import ring_in_elastic_grooves
+from quasidynamic.solve.step_length import SolverOutcome
 from tests.random_balls import drawn, unbalanced
 
 ANGLES = np.radians([-45.0, -30.0, -15.0, 0.0, 15.0, 30.0, 45.0])
@@ -110,3 +112,24 @@ def test_random_bearings_are_in_balance_between_random_grooves(seed):
         moved = shape_of(groove, state.contact_angles[race, None], (-force, force)[race][None]).moved[0]
         largest = np.abs(state.groove_displacement).max()
         assert state.groove_displacement[race] == approx(moved, abs=1e-6 * largest)
+
+
+def test_grooves_too_soft_for_a_balance_are_named_with_the_contact_angles_before(monkeypatch):
+    """Newton's method that overflowed between soft rings was said to come from a wrong unit."""
+    model, operation = drawn(5)
+    load, balls = np.abs(operation.load).max(), model.bearing.balls
+    grooves = [random_groove(5 + k, balls, 0.02 * model.bearing.outer_reach / load) for k in (0, 100)]
+    solved = ring_in_elastic_grooves._newton
+
+    def stiff_only(balance, softened, start):
+        state, outcomes = yield from solved(balance, softened, start)
+        too_soft = np.abs(softened.inner.compliance).max() > 0.4 * np.abs(grooves[0].compliance).max()
+        return state, [SolverOutcome.NOT_FINITE] if too_soft else outcomes
+
+    monkeypatch.setattr(ring_in_elastic_grooves, "_newton", stiff_only)
+    with pytest.raises(NotSolved, match="balls climb over") as caught:
+        model.solve(operation, ElasticGrooves(*grooves))
+    assert caught.value.outcome is SolverOutcome.TOO_SOFT
+    between = model.solve(operation, ElasticGrooves(*grooves).softened(0.4))
+    said = float(str(caught.value).split("angles reach ")[1].split(" deg")[0])
+    assert said == approx(np.degrees(np.abs(between.contact_angles).max()), abs=1.0)

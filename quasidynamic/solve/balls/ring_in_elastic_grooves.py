@@ -224,11 +224,15 @@ def _by_parts(
             return balance.take(one), grooves
 
         places = Places(*(array[one] for array in begin))
-        found, spent = _continuation(of_case, places, softening=softening)
-        if found is not None:
+        reached, part = _continuation(of_case, places, softening=softening)
+        evaluations = state.evaluations[case] + reached.evaluations[0]
+        if part == 1.0:
             ended[case] = SolverOutcome.CONVERGED
-            state.put(one, found)
-        state.evaluations[case] += spent
+        elif softening:
+            ended[case] = SolverOutcome.TOO_SOFT
+        if ended[case] in (SolverOutcome.CONVERGED, SolverOutcome.TOO_SOFT):
+            state.put(one, reached)
+        state.evaluations[case] = evaluations
 
 
 @np.errstate(all="ignore")  # a case that ended not finite has no forces
@@ -240,23 +244,25 @@ def as_solution(balance: AngularBalance, state: State, outcomes: list[SolverOutc
     return ElasticSolution(rings, state.grooves[..., None].view(float))
 
 
-def _continuation(equations: Equations, places: Places, *, softening: bool) -> tuple[State | None, int]:
-    """Balance of one case by parts of its equations, step by step, and evaluations before the last."""
-    part, step, count = 0.0, 0.25, 0
-    while step >= LEAST_STEP:
+def _continuation(equations: Equations, places: Places, *, softening: bool) -> tuple[State, float]:
+    """Balance of one case at the largest part of its equations that is reached step by step, and this part.
+
+    The evaluations of the state are those of all steps.
+    """
+    reached, part, step, count = _at(*equations(0.0), places), 0.0, 0.25, 0
+    while part < 1.0 and step >= LEAST_STEP:
         further = min(1.0, part + step)
         balance, grooves = equations(further)
         kept = part / further if softening else 1.0  # what bends softer grooves as far
-        begin = places._replace(pressing=kept * places.pressing)
+        begin = reached.places._replace(pressing=kept * reached.pressing)
         trial, (outcome,) = _last(_newton(balance, grooves, begin))
-        if outcome is not SolverOutcome.CONVERGED:
-            count, step = count + int(trial.evaluations[0]), step / 2
-            continue
-        if further == 1.0:
-            return trial, count
         count += int(trial.evaluations[0])
-        part, places, step = further, trial.places, 2 * step
-    return None, count
+        if outcome is SolverOutcome.CONVERGED:
+            reached, part, step = trial, further, 2 * step
+        else:
+            step /= 2
+    reached.evaluations[:] = count
+    return reached, part
 
 
 def _newton(balance: AngularBalance, grooves: ElasticGrooves, start: Places) -> Steps:
