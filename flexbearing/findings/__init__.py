@@ -11,10 +11,12 @@ from flexbearing.findings.finding import (
     USUAL,
     Finding,
     Judged,
+    by_code,
     evaluate,
     gravest,
     records,
 )
+from flexbearing.findings.row import RowFinding
 from flexbearing.findings.words import text
 
 __all__ = [
@@ -27,6 +29,8 @@ __all__ = [
     "USUAL",
     "Finding",
     "Judged",
+    "RowFinding",
+    "by_code",
     "evaluate",
     "gravest",
     "of_code",

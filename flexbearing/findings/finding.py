@@ -117,6 +117,17 @@ def gravest(records: Iterable[Mapping[str, Any]]) -> Mapping[str, Any]:
     return min(records, key=_rank)
 
 
+def by_code(records: Iterable[Mapping[str, Any]]) -> Iterable[tuple[Mapping[str, Any], tuple[str, ...]]]:
+    """The gravest record of each code, with the places of those of its grade."""
+    groups: dict[str, list[Mapping[str, Any]]] = {}
+    for record in records:
+        groups.setdefault(record["code"], []).append(record)
+    for group in groups.values():
+        worst = gravest(group)
+        places = (each["place"] for each in group if each["grade"] == worst["grade"])
+        yield worst, tuple(filter(None, dict.fromkeys(places)))
+
+
 def _rank(record: Mapping[str, Any]) -> tuple[bool, int, float]:
     broken = record["verdict"] == NOT_MET
     return not broken, GRADES.index(record["grade"]) if broken else 0, -(record["share"] or 0.0)

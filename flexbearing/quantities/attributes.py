@@ -72,7 +72,7 @@ FINDINGS = ListOf(
                 "verdict": OneOf((MET, NOT_MET, NOT_CHECKED)),
             }
         ),
-        is_declared,
+        lambda record: is_declared(record["code"], record["grade"]),
         "with code and grade of a finding of this program",
     )
 )

@@ -18,16 +18,10 @@ _GRADES: dict[str, Grade] = {DANGER: "danger", OUTSIDE: "outside validity", USUA
 def notes(judged: Iterable[Judged], case: int = 0) -> tuple[Note, ...]:
     """A note for each code whose limit a case does not keep, in the order of the findings."""
     broken = [each for each in judged if each.finding.noted and each.broken[case]]
-    by_code: dict[str, list[dict[str, Any]]] = {}
-    for record in findings.records(broken, case):
-        by_code.setdefault(record["code"], []).append(record)
-    return tuple(map(_note, by_code.values()))
-
-
-def _note(records: list[dict[str, Any]]) -> Note:
-    worst = findings.gravest(records)
-    places = [each["place"] for each in records if each["grade"] == worst["grade"]]
-    return Note(_GRADES[worst["grade"]], worst["code"], findings.text(worst, list(dict.fromkeys(places))))
+    return tuple(
+        Note(_GRADES[worst["grade"]], worst["code"], findings.text(worst, places))
+        for worst, places in findings.by_code(findings.records(broken, case))
+    )
 
 
 def pressures(largest: Iterable[Any], limit: float) -> dict[str, Any]:

@@ -45,9 +45,10 @@ def read_csv(path):
 def test_the_table_has_keys_outputs_and_ends_with_units(tmp_path):
     table = computed(toy(tmp_path), tmp_path)
     header, *rows = read_csv(tmp_path / "toy.csv")
-    assert header == ["operation.radial_load [N]", "life [Mrev]", "slip [%]", "status", "message", "seconds"]
-    assert rows[0] == ["1000.0", "", "", "iteration limit", "after 200 iterations", "0.25"]
-    assert rows[3] == ["4000.0", str(1000 / 64), "0.4", "converged", "", "0.5"]
+    ends = ["status", "message", "findings", "seconds"]
+    assert header == ["operation.radial_load [N]", "life [Mrev]", "slip [%]", *ends]
+    assert rows[0] == ["1000.0", "", "", "iteration limit", "after 200 iterations", "", "0.25"]
+    assert rows[3] == ["4000.0", str(1000 / 64), "0.4", "converged", "", "", "0.5"]
     assert len(rows) == len(table) == 10
     assert table.failed == 1
     assert table["slip"].values[9] == table.rows[9]["slip [%]"] == 1.0

@@ -8,6 +8,7 @@ from typing import Any
 
 from flexbearing.case import Head
 from flexbearing.case.head import digests
+from flexbearing.findings import RowFinding
 from flexbearing.quantities.attributes import FORMAT
 
 CONVERGED, BAD_INPUT, WORKER_DIED, ERROR = "converged", "bad input", "worker died", "error"
@@ -114,9 +115,10 @@ class Row:
 
     identity: str
     status: str  # an end of a run, or `BAD_INPUT`, `WORKER_DIED`, `ERROR`, `NOT_STORED`
-    message: str  # one line
+    message: str  # one line: why there is no result; empty where there is one
     seconds: float
     values: Mapping[str, float] = field(default_factory=dict)  # by names of outputs; absent: not known
+    findings: tuple[RowFinding, ...] = ()  # what its numbers exceed or lack
     own_run: str = ""  # why it was not solved beside others; empty where it was, or nothing is
     complaints: tuple[str, ...] = ()  # of its worker, about the cache of rings; not kept in a journal
 
