@@ -1,12 +1,12 @@
 """Findings of a row of a table: what its numbers exceed or lack, as data that a cell holds as JSON."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any, Literal
 
-from flexbearing.findings.declared import is_declared
-from flexbearing.findings.finding import NOT_MET, by_code
+from flexbearing.findings.declared import is_declared, of_code
+from flexbearing.findings.finding import DANGER, Grade, Record, by_code
 from flexbearing.findings.running import NO_MODIFIED_LIFE, PRESSED_ENDS
 from flexbearing.findings.strength import CHANGED_RATING
 from flexbearing.findings.words import text as sentence
@@ -21,7 +21,7 @@ class RowFinding:
     """A limit that a row does not keep, or, as a text, what else is to be known of its numbers."""
 
     code: str
-    grade: Literal["danger", "outside validity", "information"]
+    grade: Grade | Literal["information"]
     value: float | None = None  # in SI units; None of a text
     limit: float | None = None
     places: tuple[str, ...] = ()  # such as raceways
@@ -36,9 +36,14 @@ class RowFinding:
 
     def words(self, values: Iterable[float | None] = ()) -> str:
         """Its sentence with the grade, also with the range of values of several rows."""
-        record = {"code": self.code, "grade": self.grade, "value": self.value, "limit": self.limit}
-        words = self.text or sentence(record, self.places, [each for each in values if each is not None])
+        words = self.text or self._sentence([each for each in values if each is not None])
         return words if self.grade == INFORMATION else f"{self.grade}: {words}"
+
+    def _sentence(self, values: Sequence[float]) -> str:
+        assert self.value is not None  # as `__post_init__` requires
+        assert self.limit is not None
+        finding = of_code(self.code, self.grade)
+        return sentence(finding, values or [self.value], self.limit, self.places, finding.source)
 
 
 def information(code: str, text: str) -> RowFinding:
@@ -48,21 +53,20 @@ def information(code: str, text: str) -> RowFinding:
 
 def in_rows(code: str, grade: str) -> bool:
     """Whether rows report a finding or a note: dangers, and numbers that are absent or doubtful."""
-    return grade == "danger" or code in _CODES
+    return grade == DANGER or code in _CODES
 
 
-def of_records(records: Iterable[Mapping[str, Any]]) -> tuple[RowFinding, ...]:
+def of_records(records: Iterable[Record]) -> tuple[RowFinding, ...]:
     """Of a case's stored findings those that its row reports, one of each code."""
-    broken = (each for each in records if each["verdict"] == NOT_MET)
-    reported = (each for each in broken if in_rows(each["code"], each["grade"]))
+    reported = (each for each in records if each.broken and in_rows(each.code, each.grade))
     return tuple(
-        RowFinding(worst["code"], worst["grade"], _rounded(worst["value"]), _rounded(worst["limit"]), places)
+        RowFinding(worst.code, worst.grade, _rounded(worst.value), _rounded(worst.limit), places)
         for worst, places in by_code(reported)
     )
 
 
-def _rounded(value: float) -> float:
-    return float(f"{value:.{DIGITS}g}")
+def _rounded(value: float | None) -> float | None:
+    return None if value is None else float(f"{value:.{DIGITS}g}")
 
 
 def words(findings: Iterable[RowFinding]) -> str:

@@ -1,19 +1,16 @@
-"""The sentence of a finding, made of its record at the very end."""
+"""The sentence of a finding, made of its numbers at the very end."""
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
-from flexbearing.findings.declared import of_code
+from flexbearing.findings.finding import Finding
 from flexbearing.units import unit
 
 
-def text(record: Mapping[str, Any], places: Sequence[str] = (), values: Sequence[float] = ()) -> str:
+def text(finding: Finding, values: Sequence[float], limit: float, places: Sequence[str], source: str) -> str:
     """Quantity, value or range of values, limit with its source, and what it means."""
-    finding = of_code(record["code"], record["grade"])
-    known = {"side": finding.side, "source": finding.source, **record}
     where = f"{finding.label}, {' and '.join(places)}" if places else finding.label
-    value, limit = (_numbers(each, finding.shown) for each in (values or [known["value"]], [known["limit"]]))
-    return f"{where}: {value}, {known['side']} {limit} ({known['source']}): {finding.meaning}"
+    value, at = (_numbers(each, finding.shown) for each in (values, [limit]))
+    return f"{where}: {value}, {finding.side} {at} ({source}): {finding.meaning}"
 
 
 def _numbers(values: Sequence[float], shown: str) -> str:

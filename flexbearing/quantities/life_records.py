@@ -1,5 +1,7 @@
-"""Root attributes of every bearing that has a rating life."""
+"""Root attributes of every bearing that has a rating life, and what they hold."""
 
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from flexbearing.quantities.attributes import Attribute
@@ -13,6 +15,79 @@ from flexbearing.quantities.forms import (
     Record,
     Such,
 )
+
+ROLLER_BODY = "roller body"  # factor of rollers that fail too
+BY_LOADS = "load"  # effect of a factor that changes loads or capacities, not the life
+
+
+@dataclass(frozen=True)
+class Factor:
+    """A factor of a life."""
+
+    name: str
+    value: float
+    effect: str
+    note: str
+    life_exponent: float | None = None  # how it grows with the life it multiplies; None: not known
+
+    @property
+    def growth(self) -> float | None:
+        """Its exponent; those that loads and capacities have do not follow the life."""
+        return 0.0 if self.effect == BY_LOADS else self.life_exponent
+
+
+@dataclass(frozen=True)
+class FactoredLife:
+    """The basic life of a state [10^6 revolutions], and what its factors make of it."""
+
+    basic_Mrev: float  # noqa: N815
+    factors: list[Factor]
+    modified_Mrev: float | None = None  # noqa: N815  # None where a factor does not hold
+
+
+def factored_lives(stored: Mapping[str, Any]) -> dict[str, FactoredLife]:
+    """Lives of the attribute `life` by block."""
+    return {
+        block: FactoredLife(**{**life, "factors": [Factor(**each) for each in life["factors"]]})
+        for block, life in stored.items()
+    }
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A life on the way from that of a catalogue to that of the case."""
+
+    name: str
+    settings: list[str]  # "key=value" with which `run` computes this life
+    left_out_by: list[str]  # those that leave out what it is named after
+    life_Mrev: float  # noqa: N815
+    life_h: float
+    factor: float | None  # over the life before
+    meaning: str = ""  # of what it is named after
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ratings:
+    """What a catalogue's page says of a bearing, and what it says of the load."""
+
+    ratings_N: dict[str, float]  # noqa: N815
+    given: list[str]  # those that the case gives
+    scales: dict[str, float] = field(default_factory=dict)  # of given ones, by settings that change sizes
+    formulas_N: dict[str, float | None]  # noqa: N815
+    load_N: float  # noqa: N815
+    equivalent_load: dict[str, Any] | None = None  # of balls: what it is made of
+    static_safety: float
+    life_Mrev: float  # noqa: N815
+    life_h: float
+    viscosity_ratio: float | None = None  # of the oil, and what follows of it, where a_ISO counts
+    a_ISO: float | None = None  # noqa: N815
+    modified_Mrev: float | None = None  # noqa: N815
+    modified_h: float | None = None
+
+    def stored(self) -> dict[str, Any]:
+        """The same as JSON can hold it."""
+        return {name: value for name, value in asdict(self).items() if value is not None}
+
 
 BLOCKS = "rigid or flexible"
 RATINGS = ("C_r", "C_0r", "C_u")

@@ -2,9 +2,8 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
 
-from flexbearing.findings import RowFinding
+from flexbearing.findings import Record, RowFinding
 from flexbearing.findings.row import in_rows, of_records, words
 from flexbearing.printable import one_line
 from quasidynamic.note import Note, graded, rank
@@ -31,7 +30,7 @@ class Answer:
 Alone = Callable[[int], Answer]  # the answer of a case, by its place, from a run of its own
 
 
-def row_findings(records: Iterable[Mapping[str, Any]], notes: Iterable[Note]) -> tuple[RowFinding, ...]:
+def row_findings(records: Iterable[Record], notes: Iterable[Note]) -> tuple[RowFinding, ...]:
     """What the row of a converged case reports, the gravest first: findings, and notes of other codes."""
     found = of_records(records)
     judged = {each.code for each in found}

@@ -100,7 +100,7 @@ def _store_nearest(case: FastCase, state: AngularContactState | None, record: Re
 
 
 def _converged(message: str, notes: tuple[Note, ...], found: tuple[Judged, ...]) -> dict[str, Any]:
-    noted = {"notes": [note.record() for note in graded(notes)], "findings": records(found)}
+    noted = {"notes": [note.record() for note in graded(notes)], "findings": [*map(vars, records(found))]}
     return _ending("converged", message, "converged") | noted
 
 

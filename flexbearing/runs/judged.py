@@ -1,6 +1,6 @@
 """Notes on limits that are not kept, and values that bearings of all families are judged by."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -19,9 +19,15 @@ def notes(judged: Iterable[Judged], case: int = 0) -> tuple[Note, ...]:
     """A note for each code whose limit a case does not keep, in the order of the findings."""
     broken = [each for each in judged if each.finding.noted and each.broken[case]]
     return tuple(
-        Note(_GRADES[worst["grade"]], worst["code"], findings.text(worst, places))
+        Note(_GRADES[worst.grade], worst.code, _text(worst, places))
         for worst, places in findings.by_code(findings.records(broken, case))
     )
+
+
+def _text(record: findings.Record, places: Sequence[str]) -> str:
+    assert record.limit is not None  # it is not kept
+    finding = findings.of_code(record.code, record.grade)
+    return findings.text(finding, [record.value], record.limit, places, record.source)
 
 
 def pressures(largest: Iterable[Any], limit: float) -> dict[str, Any]:

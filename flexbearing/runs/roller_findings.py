@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.case.roller import Case
-from flexbearing.findings import declared, evaluate, records
+from flexbearing.findings import Record, declared, evaluate, records
 from flexbearing.findings.row import in_rows
 from flexbearing.findings.strength import BARS
 from flexbearing.runs import judged, life, life_of_state
@@ -88,7 +88,7 @@ def _gyroscopic(rows: SolvedRows) -> NDArray:
     return tilting_share(inertia, length, states.cage_speed, speed, tilt, load)
 
 
-def of_rows(rows: SolvedRows) -> list[list[dict[str, Any]]]:
+def of_rows(rows: SolvedRows) -> list[list[Record]]:
     """Records of each case that its row may report, see `in_rows`; none where every limit is kept."""
     found = evaluate(
         (each for each in declared.OF_ROLLERS if in_rows(each.code, each.grade)), values_of_dangers(rows)

@@ -14,6 +14,7 @@ from flexbearing.case import BadCase, Head
 from flexbearing.case.family import Family
 from flexbearing.case.outputs import ContactOutputs, LifeOutputs
 from flexbearing.files import BadOutput
+from flexbearing.findings import stored
 from flexbearing.outputs import requested
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
@@ -249,7 +250,7 @@ def answered(result: Result, texts: Sequence[str], family: Family) -> Answer:
     from quasidynamic.note import Note
 
     notes = (Note(**each) for each in about["notes"])
-    return Answer(CONVERGED, "", numbers, row_findings(about["findings"], notes))
+    return Answer(CONVERGED, "", numbers, row_findings(stored(about), notes))
 
 
 def _first_line(problem: BadCase, case: Any) -> str:

@@ -203,6 +203,14 @@ def test_notes_of_rows_stand_once_with_the_range_of_their_values(tmp_path):
     assert "row 2: seen" in page
 
 
+def test_a_table_without_findings_is_refused(tmp_path):
+    """Of an earlier version: its dangers are words alone, and would be left out."""
+    place = tmp_path / "old.csv"
+    place.write_text("life [h],status,message,seconds\n1.0,converged,danger: life,1.0\n")
+    with pytest.raises(BadResult, match="it has no rows with status, message, findings, seconds"):
+        report(place)
+
+
 def test_of_many_outputs_twelve_are_shown(tables, tmp_path, monkeypatch):
     from flexbearing.report.html import study
 
