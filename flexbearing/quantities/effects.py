@@ -1,7 +1,7 @@
 """Effects of assumed inputs, as a result stores them."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from typing import Any
 
 INPUT, CHOICE, COMPARISON = "input", "choice", "comparison"  # a comparison is in no combined range
@@ -44,12 +44,11 @@ class Effects:
 
     of: dict[str, float]  # outputs of the case itself
     keys: list[KeyEffects]
-    together: list[OtherCase]  # changes that shorten the life at once, and that lengthen it; may be empty
+    together: list[OtherCase] = field(default_factory=list)  # that shorten the life at once, and lengthen it
 
     def stored(self) -> dict[str, Any]:
         """The same as JSON can hold it."""
-        known = asdict(self)
-        return known if self.together else {name: known[name] for name in ("of", "keys")}
+        return asdict(self)
 
 
 def effects(stored: Mapping[str, Any]) -> Effects:

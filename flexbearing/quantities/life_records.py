@@ -14,6 +14,7 @@ from flexbearing.quantities.forms import (
     ListOf,
     Record,
     Such,
+    of_class,
 )
 
 ROLLER_BODY = "roller body"  # factor of rollers that fail too
@@ -94,30 +95,16 @@ RATINGS = ("C_r", "C_0r", "C_u")
 MODIFIED = {"a_ISO", "modified_Mrev", "modified_h"}  # all of them with a viscosity ratio, or none
 
 
-_FACTOR = Record(
-    {"name": TEXT, "value": NUMBER, "effect": TEXT, "note": TEXT}, optional={"life_exponent": NUMBER_OR_NULL}
-)
-
-
 def _same_factors(lives: Any) -> bool:
     return len({tuple(factor["name"] for factor in life["factors"]) for life in lives.values()}) <= 1
 
 
 LIFE: Form = Such(
-    Each(
-        BLOCKS,
-        Record(
-            {
-                "basic_Mrev": NUMBER,
-                "factors": ListOf(_FACTOR),
-            },
-            optional={"modified_Mrev": NUMBER},
-        ),
-    ),
+    Each(BLOCKS, of_class(FactoredLife, factors=ListOf(of_class(Factor)), modified_Mrev=NUMBER)),
     _same_factors,
     "with the same factors in every block",
 )
-_SETTINGS = ListOf(TEXT)
+_TEXTS = ListOf(TEXT)
 _EQUIVALENT = ("F_r_N", "F_a_N", "P_0_N", "e", "X", "Y", "X_0", "Y_0")
 
 
@@ -126,42 +113,17 @@ def _whole(found: Any) -> bool:
     return bool(found["stages"]) and (not modified or {"viscosity_ratio", *MODIFIED} <= set(found["ratings"]))
 
 
-_CATALOGUE: Form = Record(
-    {
-        "title": TEXT,
-        "ratings": Record(
-            {
-                "ratings_N": Record(dict.fromkeys(RATINGS, NUMBER)),
-                "given": ListOf(TEXT),
-                "formulas_N": Record(dict.fromkeys(RATINGS, NUMBER_OR_NULL)),
-                "load_N": NUMBER,
-                "static_safety": NUMBER,
-                "life_Mrev": NUMBER,
-                "life_h": NUMBER,
-            },
-            optional={
-                "scales": Record({}, optional=dict.fromkeys(RATINGS, NUMBER)),
-                "equivalent_load": Record(
-                    {"note": TEXT} | dict.fromkeys(_EQUIVALENT, NUMBER), further=NUMBER
-                ),
-            }
-            | dict.fromkeys(("viscosity_ratio", *sorted(MODIFIED)), NUMBER),
-        ),
-        "stages": ListOf(
-            Record(
-                {
-                    "name": TEXT,
-                    "settings": _SETTINGS,
-                    "left_out_by": _SETTINGS,
-                    "life_Mrev": NUMBER,
-                    "life_h": NUMBER,
-                    "factor": NUMBER_OR_NULL,
-                },
-                optional={"meaning": TEXT},
-            )
-        ),
-    }
+_RATINGS = of_class(
+    Ratings,
+    ratings_N=Record(dict.fromkeys(RATINGS, NUMBER)),
+    given=_TEXTS,
+    scales=Record({}, optional=dict.fromkeys(RATINGS, NUMBER)),
+    formulas_N=Record(dict.fromkeys(RATINGS, NUMBER_OR_NULL)),
+    equivalent_load=Record({"note": TEXT} | dict.fromkeys(_EQUIVALENT, NUMBER), further=NUMBER),
+    **dict.fromkeys(("viscosity_ratio", *MODIFIED), NUMBER),
 )
+_STAGES = ListOf(of_class(Stage, settings=_TEXTS, left_out_by=_TEXTS))
+_CATALOGUE: Form = Record({"title": TEXT, "ratings": _RATINGS, "stages": _STAGES})
 CATALOGUE_LIFE: Form = Such(
     _CATALOGUE, _whole, "with a first life, and a modified life with all it comes from"
 )
