@@ -254,7 +254,7 @@ class Evaluations:
             numbers = range(first, first + per_design)
             rows = [self.rows[plan.variants[number].identity] for number in numbers]
             wrong = [
-                f"{plan.settings(number)}: {why.get(number) or row.message or row.status}"
+                f"{plan.settings(number)}: {why.get(number) or row.why or row.status}"
                 for number, row in zip(numbers, rows, strict=True)
                 if not _complete(row, texts) or not row.converged
             ]

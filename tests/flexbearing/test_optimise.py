@@ -418,6 +418,20 @@ def test_a_best_design_whose_peak_only_slices_have_is_none(tmp_path):
     assert not former.exists()
 
 
+def test_a_design_that_converges_without_its_output_says_why(tmp_path):
+    file = tmp_path / "thin.toml"
+    file.write_text(
+        f'case = "{CASE}"\n[set]\n"life.lubrication" = "a_ISO"\n"lubricant.viscosity" = "0.8 mPa s"\n'
+        '"life.cleanliness" = "oil, in-line filter, -/17/14"\n[vary]\n'
+        '"bearing.roller.drop" = "log 2 um .. 20 um"\n'
+        '[maximise]\noutput = "modified_life [h]"\n[search]\nstarts = 1\n'
+    )
+    optimum = optimise(file, tmp_path)
+    assert optimum.best.end is End.NO_ANSWER
+    assert "no a_ISO holds there" in optimum.measured.message
+    assert "no-modified-life" in {each.code for each in optimum.findings}
+
+
 def test_of_keys_without_derivatives_each_has_its_reason():
     left_out = [RowFinding(NO_SLOPE_BY, INFORMATION, places=(key,), text=f"{key} jumps") for key in "ab"]
     row = Row("", "converged", "", 0.0, findings=tuple(left_out))

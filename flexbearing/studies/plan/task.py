@@ -8,7 +8,7 @@ from typing import Any
 
 from flexbearing.case import Head
 from flexbearing.case.head import digests
-from flexbearing.findings import RowFinding
+from flexbearing.findings.row import RowFinding, words
 from flexbearing.quantities.attributes import FORMAT
 
 CONVERGED, BAD_INPUT, WORKER_DIED, ERROR = "converged", "bad input", "worker died", "error"
@@ -121,6 +121,11 @@ class Row:
     findings: tuple[RowFinding, ...] = ()  # what its numbers exceed or lack
     own_run: str = ""  # why it was not solved beside others; empty where it was, or nothing is
     complaints: tuple[str, ...] = ()  # of its worker, about the cache of rings; not kept in a journal
+
+    @property
+    def why(self) -> str:
+        """Why it has no result, or lacks numbers: its message and its findings in words."""
+        return "; ".join(filter(None, (self.message, words(self.findings))))
 
     @property
     def converged(self) -> bool:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexbearing.case import BadCase
-from flexbearing.findings.row import words, written
+from flexbearing.findings.row import written
 from flexbearing.outputs.names import ROLLER
 from flexbearing.printable import excerpt
 from flexbearing.report.figure import (
@@ -54,15 +54,10 @@ def ends(rows: Sequence[Row]) -> tuple[Column, ...]:
     return (
         *((Column("own_run", "", own_runs),) if any(own_runs) else ()),
         Column("status", "", tuple(row.status for row in rows)),
-        Column("message", "", tuple(map(_message, rows))),
+        Column("message", "", tuple(row.why for row in rows)),
         Column("findings", "", tuple(written(row.findings) for row in rows)),
         Column("seconds", "", tuple(row.seconds for row in rows)),
     )
-
-
-def _message(row: Row) -> str:
-    """Why a row has no result, and its findings in words."""
-    return "; ".join(filter(None, (row.message, words(row.findings))))
 
 
 @dataclass(frozen=True)
