@@ -9,6 +9,7 @@ from typing import Any
 _UNFIT = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
 MOST = 8  # texts of a list
 LONGEST = 60  # characters of a value or a key that are quoted
+LONGEST_LINE = 500  # characters of a message in a line
 
 
 def printable(text: str) -> str:
@@ -39,6 +40,15 @@ def excerpt(text: str, longest: int = LONGEST) -> str:
     """
     beginning = printable(text[:longest]).replace("\n", "\\n").replace("\t", "\\t")
     return beginning if len(text) <= longest else f"{beginning}... ({len(text)} characters)"
+
+
+def one_line(problem: object, longest: int = LONGEST_LINE) -> str:
+    r"""Join the lines of a message.
+
+    >>> one_line("no life\nno load"), one_line("no life", 2)
+    ('no life; no load', 'no... (7 characters)')
+    """
+    return excerpt("; ".join(str(problem).splitlines()), longest)
 
 
 def enumerated(texts: Collection[str]) -> str:

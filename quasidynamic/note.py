@@ -48,7 +48,10 @@ def information(code: str, text: str) -> Note:
 
 
 def graded(notes: Iterable[Note]) -> list[Note]:
-    """Every note once, the gravest first, a target that was missed before all others."""
-    return sorted(
-        dict.fromkeys(notes), key=lambda note: (note.code != "unmet-target", GRADES.index(note.grade))
-    )
+    """Every note once, by rank."""
+    return sorted(dict.fromkeys(notes), key=lambda note: rank(note.code, note.grade))
+
+
+def rank(code: str, grade: str) -> tuple[bool, int]:
+    """The gravest first, a target that was missed before all others."""
+    return code != "unmet-target", GRADES.index(grade)

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
-from math import isfinite
+from math import isfinite, nan
 
 from flexbearing.case import BadCase, Head
 from flexbearing.case.family import Family
@@ -49,12 +49,13 @@ def _with_other_choices(
         with suppress(BadCase):
             cases.append(read(other.settings))
             known.append((key, other.words))
-    answered = answers(cases, [f"{each.name} [{each.unit}]" for each in outputs], family)
+    texts = [f"{each.name} [{each.unit}]" for each in outputs]
+    answered = answers(cases, texts, family)
     return tuple(
         Chosen(output, key, words, number)
         for (key, words), answer in zip(known, answered, strict=True)
-        for output, number in zip(outputs, answer.numbers.values(), strict=False)
-        if isfinite(number)
+        for output, text in zip(outputs, texts, strict=True)
+        if isfinite(number := answer.numbers.get(text, nan))
     )
 
 

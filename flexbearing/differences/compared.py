@@ -9,6 +9,7 @@ import numpy as np
 
 from flexbearing.case.declarations import by_path
 from flexbearing.case.differing import differing
+from flexbearing.findings import stored
 from flexbearing.outputs import requested
 from flexbearing.outputs.names import BLOCKS, RequestedOutput, outputs
 from flexbearing.results import BadResult, Result
@@ -121,10 +122,7 @@ def _settings(one: Result, other: Result) -> Iterator[Setting]:
 def _verdicts(one: Result, other: Result) -> Iterator[Verdict]:
     """Findings whose verdicts differ, in the order of the results."""
     both = [
-        {
-            (each["code"], each["grade"], each["place"], each["source"]): each["verdict"]
-            for each in result.attributes.get("findings", ())
-        }
+        {(each.code, each.grade, each.place, each.source): each.verdict for each in stored(result.attributes)}
         for result in (one, other)
     ]
     for key in dict.fromkeys((*both[0], *both[1])):

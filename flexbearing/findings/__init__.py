@@ -11,10 +11,14 @@ from flexbearing.findings.finding import (
     USUAL,
     Finding,
     Judged,
+    Record,
+    by_code,
     evaluate,
     gravest,
     records,
+    stored,
 )
+from flexbearing.findings.row import RowFinding
 from flexbearing.findings.words import text
 
 __all__ = [
@@ -27,9 +31,13 @@ __all__ = [
     "USUAL",
     "Finding",
     "Judged",
+    "Record",
+    "RowFinding",
+    "by_code",
     "evaluate",
     "gravest",
     "of_code",
     "records",
+    "stored",
     "text",
 ]

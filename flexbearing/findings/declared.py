@@ -1,8 +1,5 @@
 """Which findings a bearing of a kind is judged by, in the order of their notes."""
 
-from collections.abc import Mapping
-from typing import Any
-
 from flexbearing.findings.finding import Finding
 from flexbearing.findings.neglected import (
     CONTACT_HEIGHT,
@@ -78,9 +75,9 @@ OF_BALLS = (
 DECLARED = tuple(dict.fromkeys((*OF_ROLLERS, *OF_BALLS)))
 
 
-def is_declared(record: Mapping[str, Any]) -> bool:
-    """Whether a stored record is of a finding of this program."""
-    return (record["code"], record["grade"]) in {(each.code, each.grade) for each in DECLARED}
+def is_declared(code: str, grade: str) -> bool:
+    """Whether a stored code with its grade is of a finding of this program."""
+    return any((each.code, each.grade) == (code, grade) for each in DECLARED)
 
 
 def of_code(code: str, grade: str) -> Finding:

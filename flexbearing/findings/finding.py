@@ -1,6 +1,6 @@
 """A limit with its source, and numbers judged by it, cases first."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
@@ -49,6 +49,27 @@ class Finding:
         return AT_LEAST if self.at_most is None else AT_MOST
 
 
+@dataclass(frozen=True, kw_only=True)
+class Record:
+    """What is stored of a finding of one case."""
+
+    code: str
+    grade: Grade
+    quantity: str
+    place: str
+    value: float  # in SI units, as the limit
+    side: str
+    limit: float | None  # None where the case gives none
+    source: str  # of the limit
+    share: float | None  # of the limit; None where it means nothing
+    verdict: str
+
+    @property
+    def broken(self) -> bool:
+        """Whether the limit is not kept."""
+        return self.verdict == NOT_MET
+
+
 @dataclass(frozen=True)
 class Judged:
     """Numbers (C) of cases against the limit of a finding."""
@@ -73,22 +94,22 @@ class Judged:
         """Whether there is a share of the limit: not of a limit of zero, nor of one of the model."""
         return bool(limit and not self.finding.of_model and np.isfinite(share))
 
-    def record(self, case: int = 0) -> dict[str, Any]:
-        """The same of one case as JSON can hold it."""
+    def record(self, case: int = 0) -> Record:
+        """The same of one case."""
         value, limit, share = (float(each[case]) for each in (self.value, self.limit, self.share))
         known, verdict = np.isfinite(limit), NOT_MET if self.broken[case] else MET
-        return {
-            "code": self.finding.code,
-            "grade": self.finding.grade,
-            "quantity": self.finding.quantity,
-            "place": self.place,
-            "value": value,
-            "side": self.finding.side,
-            "limit": limit if known else None,
-            "source": self.finding.source,
-            "share": share if self._has_share(limit, share) else None,
-            "verdict": verdict if known else NOT_CHECKED,
-        }
+        return Record(
+            code=self.finding.code,
+            grade=self.finding.grade,
+            quantity=self.finding.quantity,
+            place=self.place,
+            value=value,
+            side=self.finding.side,
+            limit=limit if known else None,
+            source=self.finding.source,
+            share=share if self._has_share(limit, share) else None,
+            verdict=verdict if known else NOT_CHECKED,
+        )
 
 
 def evaluate(findings: Iterable[Finding], values: Mapping[str, Any]) -> tuple[Judged, ...]:
@@ -107,16 +128,31 @@ def _by_place(finding: Finding, values: Mapping[str, Any], given: Any) -> Iterab
             yield Judged(finding, place, *np.broadcast_arrays(np.atleast_1d(value), limit))
 
 
-def records(judged: Iterable[Judged], case: int = 0) -> list[dict[str, Any]]:
+def records(judged: Iterable[Judged], case: int = 0) -> list[Record]:
     """What is stored of one case; values without bound, such as a life without load, have no place in it."""
     return [each.record(case) for each in judged if np.isfinite(each.value[case])]
 
 
-def gravest(records: Iterable[Mapping[str, Any]]) -> Mapping[str, Any]:
+def stored(attributes: Mapping[str, Any]) -> tuple[Record, ...]:
+    """Records among the attributes of a result; none where it has no solution."""
+    return tuple(Record(**each) for each in attributes.get("findings") or ())
+
+
+def gravest(records: Iterable[Record]) -> Record:
     """The first of some records to act on: the gravest that is not kept, else the nearest to its limit."""
     return min(records, key=_rank)
 
 
-def _rank(record: Mapping[str, Any]) -> tuple[bool, int, float]:
-    broken = record["verdict"] == NOT_MET
-    return not broken, GRADES.index(record["grade"]) if broken else 0, -(record["share"] or 0.0)
+def by_code(records: Iterable[Record]) -> Iterator[tuple[Record, tuple[str, ...]]]:
+    """The gravest record of each code, with the places of those of its grade."""
+    groups: dict[str, list[Record]] = {}
+    for record in records:
+        groups.setdefault(record.code, []).append(record)
+    for group in groups.values():
+        worst = gravest(group)
+        places = (each.place for each in group if each.grade == worst.grade)
+        yield worst, tuple(filter(None, dict.fromkeys(places)))
+
+
+def _rank(record: Record) -> tuple[bool, int, float]:
+    return not record.broken, GRADES.index(record.grade) if record.broken else 0, -(record.share or 0.0)

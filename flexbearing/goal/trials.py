@@ -67,7 +67,7 @@ class Trials:
         for place, answer in zip(cases, solved, strict=True):
             life = answer.numbers.get(self.target.text)
             if life is None:
-                self.problems[settings[place]] = answer.message.splitlines()[0]
+                self.problems[settings[place]] = answer.why
             else:
                 found[place] = self.target.distance(life)
         return found

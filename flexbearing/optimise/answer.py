@@ -6,6 +6,7 @@ from time import perf_counter
 
 import numpy as np
 
+from flexbearing.findings import RowFinding
 from flexbearing.findings.running import PRESSED_ENDS
 from flexbearing.optimise.evaluations import Evaluations, NotComputed, Point
 from flexbearing.optimise.file import Settings
@@ -75,6 +76,7 @@ class Optimum:
     settings: Settings  # of the case at the best point
     peaks: Peaks | None  # of the best point, also by half-spaces; None where slices have none
     violated: tuple[str, ...]  # rows of the best point that miss a constraint, with the value
+    findings: tuple[RowFinding, ...]  # of all rows of the best point
     seconds: tuple[float, float]  # of the search, and of the case and what is verified
 
     @property
@@ -151,6 +153,7 @@ def answer(
         settings=best,
         peaks=_peaks(evaluations, best) if ordered[0].numbers else None,
         violated=tuple(_violated(evaluations, ordered[0])),
+        findings=evaluations.findings(ordered[0].point),
         seconds=(seconds[0], seconds[1] + perf_counter() - began),
     )
 

@@ -3,12 +3,14 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import chain
 from math import isnan
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.case import BadCase
+from flexbearing.findings import RowFinding
 from flexbearing.optimise.file import Problem, Settings
 from flexbearing.optimise.goals import Bound, Goal, Measure, Numbers
 from flexbearing.optimise.variables import keys_of, settings
@@ -180,7 +182,7 @@ class Evaluations:
             if np.isfinite(columns).all():
                 found[key] = dict(zip(texts, columns.T, strict=True))
             else:
-                self.refused.setdefault(key, next((row.message for row in rows if row.message), "it jumps"))
+                self.refused.setdefault(key, next(filter(None, (_why(row, key) for row in rows)), "it jumps"))
         return found
 
     def _verified_beside(self, point: Point) -> bool:
@@ -199,6 +201,12 @@ class Evaluations:
         prepared = designs_of(self.problem, [self._settings(point) for point in points])
         per_design = len(prepared.plan.variants) // len(points)
         return [variant.rings for variant in prepared.plan.variants[::per_design]]
+
+    def findings(self, point: Point) -> tuple[RowFinding, ...]:
+        """What the rows of a design report; empty of one that is not computed."""
+        variants = designs_of(self.problem, [self._settings(point)]).plan.variants
+        known = (row for each in variants if (row := self.rows.get(each.identity)))
+        return tuple(chain.from_iterable(row.findings for row in known))
 
     def row_words(self, row: int, measure: Measure) -> str:
         """Conditions of a row of a design, " (operation.misalignment = 4 arcmin)"; empty where it has one."""
@@ -246,13 +254,18 @@ class Evaluations:
             numbers = range(first, first + per_design)
             rows = [self.rows[plan.variants[number].identity] for number in numbers]
             wrong = [
-                f"{plan.settings(number)}: {why.get(number) or row.message or row.status}"
+                f"{plan.settings(number)}: {why.get(number) or row.why or row.status}"
                 for number, row in zip(numbers, rows, strict=True)
                 if not _complete(row, texts) or not row.converged
             ]
             values = {text: np.array([row.values.get(text, np.nan) for row in rows]) for text in texts}
             found.append(NotComputed(wrong[0]) if wrong else Numbers(values))
         return found
+
+
+def _why(row: Row, key: str) -> str:
+    """Why a row has no derivatives by a key; empty where it does not say."""
+    return row.message or next((f"{key}: {each.text}" for each in row.findings if key in each.places), "")
 
 
 def _complete(row: Row, texts: Sequence[str]) -> bool:

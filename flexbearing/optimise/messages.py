@@ -1,8 +1,10 @@
 """The text that an optimisation prints."""
 
 from collections.abc import Iterator
+from itertools import islice
 from pathlib import Path
 
+from flexbearing.findings.row import by_sentence
 from flexbearing.findings.running import PRESSED_ENDS
 from flexbearing.optimise.answer import Measured, Optimum
 from flexbearing.optimise.gradients import EXACT
@@ -54,6 +56,8 @@ def _design(optimum: Optimum) -> Iterator[str]:
         yield f"  it misses a constraint by {optimum.best.missed:.2%}; no start came closer"
     for words in optimum.violated[:MOST]:
         yield f"  missed: {words}"
+    for words, _ in islice(by_sentence(enumerate(optimum.findings)), MOST):
+        yield f"  {words}"
     yield from _peaks(optimum)
 
 

@@ -9,7 +9,9 @@ from flexbearing.case import BadCase, Head
 from flexbearing.derivatives.any_family import sensitivities
 from flexbearing.derivatives.table import Sensitivities
 from flexbearing.families import FAMILIES
+from flexbearing.findings.row import INFORMATION, RowFinding
 from flexbearing.outputs import UnknownOutput
+from flexbearing.printable import one_line
 from flexbearing.studies.plan import Ring, Row, Task
 from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED
 from flexbearing.studies.prepared_study import PreparedStudy, variants_of
@@ -18,6 +20,7 @@ from flexbearing.studies.worker import rings_in
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 
 BY = " by "  # between the identity of a variant and its keys
+NO_SLOPE_BY = "no-derivative"  # code of a key without them
 NO_SLOPE = "no derivative"  # status of a design without them: differences take their place
 
 
@@ -60,11 +63,12 @@ def _row(identity: str, case: Head, request: SlopeRequest) -> Row:
     try:
         found = sensitivities(case, FAMILIES[case.kind], request.texts, request.keys)
     except (BadCase, UnknownOutput) as problem:
-        return Row(identity, NO_SLOPE, "; ".join(str(problem).splitlines()), perf_counter() - began)
+        return Row(identity, NO_SLOPE, one_line(problem), perf_counter() - began)
     except (NotSolved, ImpossiblePart, OutOfRange) as problem:
-        return Row(identity, BAD_INPUT, "; ".join(str(problem).splitlines()), perf_counter() - began)
-    why = "; ".join(f"{key}: {reason}" for key, reason in found.left_out)
-    return Row(identity, CONVERGED, why, perf_counter() - began, _values(found))
+        return Row(identity, BAD_INPUT, one_line(problem), perf_counter() - began)
+    without = tuple(RowFinding(NO_SLOPE_BY, INFORMATION, places=(key,), text=one_line(reason))
+                    for key, reason in found.left_out)  # fmt: skip
+    return Row(identity, CONVERGED, "", perf_counter() - began, _values(found), without)
 
 
 def _values(found: Sensitivities) -> dict[str, float]:

@@ -3,13 +3,14 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from flexbearing.findings import GRADES as FINDING_GRADES, MET, NOT_CHECKED, NOT_MET
+from flexbearing import findings
+from flexbearing.findings import MET, NOT_CHECKED, NOT_MET
 from flexbearing.findings.declared import is_declared
 from flexbearing.findings.finding import AT_LEAST, AT_MOST
+from flexbearing.quantities.effects import CHOICE, COMPARISON, INPUT, Effects, KeyEffects, OtherCase
 from flexbearing.quantities.forms import (
     COUNT,
     NUMBER,
-    NUMBER_OR_NULL,
     TEXT,
     Anything,
     Each,
@@ -18,6 +19,7 @@ from flexbearing.quantities.forms import (
     OneOf,
     Record,
     Such,
+    of_class,
 )
 
 FORMAT = 10
@@ -40,39 +42,19 @@ GRADES = ("danger", "outside validity", "information")  # of notes, most serious
 NOTES = ListOf(Record({"grade": OneOf(GRADES), "code": TEXT, "text": TEXT}))
 
 
-OTHER_CASE = Record(  # a case with other values, or why it has no result
-    {"words": TEXT, "settings": ListOf(TEXT), "values": Each("output", NUMBER), "problem": TEXT}
-)
-EFFECTS = Record(
-    {
-        "of": Each("output", NUMBER),
-        "keys": ListOf(
-            Record(
-                {"key": TEXT, "source": TEXT, "others": ListOf(OTHER_CASE)},
-                optional={"role": OneOf(("input", "choice", "comparison"))},
-            )
-        ),
-    },
-    optional={"together": ListOf(OTHER_CASE)},
-)
+_OTHER_CASES = ListOf(of_class(OtherCase, settings=ListOf(TEXT), values=Each("output", NUMBER)))
+_KEYS = ListOf(of_class(KeyEffects, others=_OTHER_CASES, role=OneOf((INPUT, CHOICE, COMPARISON))))
+EFFECTS = of_class(Effects, of=Each("output", NUMBER), keys=_KEYS, together=_OTHER_CASES)
 
 FINDINGS = ListOf(
     Such(
-        Record(
-            {
-                "code": TEXT,
-                "grade": OneOf(FINDING_GRADES),
-                "quantity": TEXT,
-                "place": TEXT,
-                "value": NUMBER,
-                "side": OneOf((AT_MOST, AT_LEAST)),
-                "limit": NUMBER_OR_NULL,
-                "source": TEXT,
-                "share": NUMBER_OR_NULL,
-                "verdict": OneOf((MET, NOT_MET, NOT_CHECKED)),
-            }
+        of_class(
+            findings.Record,
+            grade=OneOf(findings.GRADES),
+            side=OneOf((AT_MOST, AT_LEAST)),
+            verdict=OneOf((MET, NOT_MET, NOT_CHECKED)),
         ),
-        is_declared,
+        lambda record: is_declared(record["code"], record["grade"]),
         "with code and grade of a finding of this program",
     )
 )

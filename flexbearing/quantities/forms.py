@@ -1,8 +1,8 @@
 """Forms of JSON attributes: what a record holds, declared once for writer, reader and reference page."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
-from typing import Any, Protocol
+from dataclasses import MISSING, dataclass, field, fields
+from typing import Any, Protocol, get_type_hints
 
 
 class Form(Protocol):
@@ -143,6 +143,20 @@ class Record:
             if problem := form.problem(item):
                 return f".{_short(name)}{problem}"
         return ""
+
+
+def of_class(cls: type, **forms: Form) -> Record:
+    """An object with the fields of a dataclass, those with a default optional; `forms` are of other types."""
+    hints, every = get_type_hints(cls), fields(cls)
+    form = {each.name: forms.get(each.name) or _OF_TYPES[hints[each.name]] for each in every}
+    optional = {each.name for each in every if not each.default is each.default_factory is MISSING}
+    return Record(
+        {name: of for name, of in form.items() if name not in optional},
+        {name: of for name, of in form.items() if name in optional},
+    )
+
+
+_OF_TYPES: dict[Any, Form] = {str: TEXT, float: NUMBER, float | None: NUMBER_OR_NULL}
 
 
 @dataclass(frozen=True)

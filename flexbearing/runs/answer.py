@@ -3,12 +3,12 @@
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
-from flexbearing.findings.running import NO_MODIFIED_LIFE, PRESSED_ENDS
-from flexbearing.findings.strength import CHANGED_RATING
-from quasidynamic.note import Note, graded
+from flexbearing.findings import Record, RowFinding
+from flexbearing.findings.row import in_rows, of_records, words
+from flexbearing.printable import one_line
+from quasidynamic.note import Note, graded, rank
 
 CONVERGED, BAD_INPUT = "converged", "bad input"
-_IN_ROWS = NO_MODIFIED_LIFE, PRESSED_ENDS.code, CHANGED_RATING.code
 
 
 @dataclass(frozen=True)
@@ -16,19 +16,27 @@ class Answer:
     """What a run of a case gives."""
 
     status: str  # "converged", or how it ended
-    message: str  # of a run that converged notes of rows, see `in_rows`; else why it did not
+    message: str  # why it did not converge; empty where it did
     numbers: Mapping[str, float]  # by the texts of outputs; NaN or absent: the case does not have it
+    findings: tuple[RowFinding, ...] = ()  # of a run that converged
     own_run: str = ""  # why it was not solved beside others; empty: it was, or there were none
+
+    @property
+    def why(self) -> str:
+        """Why a number is absent, as far as it is known."""
+        return self.message or words(self.findings)
 
 
 Alone = Callable[[int], Answer]  # the answer of a case, by its place, from a run of its own
 
 
-def in_rows(grade: str, code: str) -> bool:
-    """Whether a note is in the message of a row: dangers, and numbers that are absent or doubtful."""
-    return grade == "danger" or code in _IN_ROWS
-
-
-def message(notes: Iterable[Note]) -> str:
-    """Message of a run that converged: notes for rows, one after the other."""
-    return "; ".join(f"{note.grade}: {note.text}" for note in graded(notes) if in_rows(note.grade, note.code))
+def row_findings(records: Iterable[Record], notes: Iterable[Note]) -> tuple[RowFinding, ...]:
+    """What the row of a converged case reports, the gravest first: findings, and notes of other codes."""
+    found = of_records(records)
+    judged = {each.code for each in found}
+    others = (
+        RowFinding(note.code, note.grade, text=one_line(note.text))
+        for note in graded(notes)
+        if in_rows(note.code, note.grade) and note.code not in judged
+    )
+    return tuple(sorted((*found, *others), key=lambda each: rank(each.code, each.grade)))

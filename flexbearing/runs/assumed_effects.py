@@ -1,13 +1,14 @@
 """How much every input that no source gives matters: outputs of the same case with other values."""
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from math import isfinite
 from typing import Any
 
 from flexbearing.case import BadCase, Head
 from flexbearing.outputs import AbsentOutput, outputs
 from flexbearing.progress import Report
-from flexbearing.quantities.effects import COMPARISON, LIVES, about
+from flexbearing.quantities.effects import COMPARISON, LIVES, Effects, KeyEffects, OtherCase, about
 from flexbearing.results import Result
 from flexbearing.runs.plausible import Other, plausible
 
@@ -39,17 +40,17 @@ def assumed_effects(
                 found.append(row)
             done += 1
             report.stage(STAGE, done / count)
-        rows.append({"key": each.key, "source": each.source, "others": found, "role": each.role})
+        rows.append(KeyEffects(each.key, each.source, found, each.role))
     together = []
     for other in _at_once(rows, of):
         if row := _compared(other, case, read, solved_beside, of):
             together.append(row)
         done += 1
         report.stage(STAGE, done / count)
-    return {"of": of, "keys": rows} | ({"together": together} if together else {})
+    return Effects(of, rows, together).stored()
 
 
-def _at_once(rows: list[dict[str, Any]], of: dict[str, float]) -> Iterator[Other]:
+def _at_once(rows: Sequence[KeyEffects], of: dict[str, float]) -> Iterator[Other]:
     """All changes that shorten the life at once, then all that lengthen it; none without a life.
 
     Of keys that describe one thing, such as the drop and the profile of rollers, the one that changes the
@@ -60,13 +61,13 @@ def _at_once(rows: list[dict[str, Any]], of: dict[str, float]) -> Iterator[Other
         return
     for words, better in (("shortest life", min), ("longest life", max)):
         chosen: dict[str, tuple[float, tuple[str, ...]]] = {}
-        for row in (row for row in rows if row["role"] != COMPARISON):
-            factors = [(other["values"][name] / of[name], tuple(other["settings"]))
-                    for other in row["others"] if name in other["values"]]  # fmt: skip
-            known = [*factors, *filter(None, [chosen.get(about(row["key"]))])]
+        for row in (row for row in rows if row.role != COMPARISON):
+            factors = [(other.values[name] / of[name], tuple(other.settings))
+                    for other in row.others if name in other.values]  # fmt: skip
+            known = [*factors, *filter(None, [chosen.get(about(row.key))])]
             ratio, settings = better(known, default=(1.0, ()))
             if better(ratio, 1.0) == ratio and abs(ratio - 1) > UNCHANGED:
-                chosen[about(row["key"])] = ratio, settings
+                chosen[about(row.key)] = ratio, settings
         if chosen:
             yield Other(words, tuple(setting for _, settings in chosen.values() for setting in settings))
 
@@ -77,16 +78,16 @@ def _compared(
     read: Callable[[Sequence[str]], Any],
     solved: Callable[[Any], Result],
     of: dict[str, float],
-) -> dict[str, Any] | None:
+) -> OtherCase | None:
     """Lives and weighed outputs with another value; None where it is that of the case."""
-    row: dict[str, Any] = {"words": other.words, "settings": list(other.settings)}
+    row = OtherCase(other.words, list(other.settings), {}, "")
     try:
         changed = read(other.settings)
         if _values(changed) == _values(case):
             return None
-        return row | {"values": _of_same_rule(measured(solved(_alone(changed))), of), "problem": ""}
+        return replace(row, values=_of_same_rule(measured(solved(_alone(changed))), of))
     except BadCase as problem:
-        return row | {"values": {}, "problem": str(problem).splitlines()[0]}
+        return replace(row, problem=str(problem).splitlines()[0])
 
 
 def _of_same_rule(values: dict[str, float], of: dict[str, float]) -> dict[str, float]:

@@ -19,7 +19,7 @@ from flexbearing.quantities.layout import Layout
 from flexbearing.results import Recorder
 from flexbearing.runs import angular_contact, four_point
 from flexbearing.runs.angular_contact import Block, named
-from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer, message
+from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer, row_findings
 from quasidynamic import AngularContactState, ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.note import Note, graded
 
@@ -100,7 +100,7 @@ def _store_nearest(case: FastCase, state: AngularContactState | None, record: Re
 
 
 def _converged(message: str, notes: tuple[Note, ...], found: tuple[Judged, ...]) -> dict[str, Any]:
-    noted = {"notes": [note.record() for note in graded(notes)], "findings": records(found)}
+    noted = {"notes": [note.record() for note in graded(notes)], "findings": [*map(vars, records(found))]}
     return _ending("converged", message, "converged") | noted
 
 
@@ -146,8 +146,9 @@ def _of_fast(ended: Mapping[Block, angular_contact.Ended], texts: Sequence[str])
             return _unsolved(block, _numbers(OF_FAST_BALLS, blocks, of_rigid))
         blocks[name] = block
     last: Any = list(ended.values())[-1]
-    words = message(angular_contact.notes(last, angular_contact.judge(last)))
-    return Answer(CONVERGED, words, _numbers(OF_FAST_BALLS, blocks, texts))
+    judged = angular_contact.judge(last)
+    found = row_findings(records(judged), angular_contact.notes(last, judged))
+    return Answer(CONVERGED, "", _numbers(OF_FAST_BALLS, blocks, texts), found)
 
 
 def _of_slow(case: FourPointCase, texts: Sequence[str]) -> Answer:
@@ -158,7 +159,9 @@ def _of_slow(case: FourPointCase, texts: Sequence[str]) -> Answer:
         for name, solution in four_point.blocks(case, Logged()):
             blocks[name] = four_point.block(solution)
         numbers = _numbers(OF_SLOW_BALLS, blocks, texts)
-        return Answer(CONVERGED, message(four_point.notes(solution, four_point.judge(solution))), numbers)
+        judged = four_point.judge(solution)
+        found = row_findings(records(judged), four_point.notes(solution, judged))
+        return Answer(CONVERGED, "", numbers, found)
 
     answer = named(case, solve)
     if isinstance(answer, Exception):

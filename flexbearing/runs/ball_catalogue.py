@@ -8,6 +8,7 @@ from flexbearing.build.ball_fits import kinematic_viscosity
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.deep_groove import DeepGrooveBearing
+from flexbearing.quantities.life_records import Ratings
 from flexbearing.runs import ball_life
 from flexbearing.runs.catalogue_life import Catalogue, Influence
 from flexbearing.runs.life_of_state import LETTERS, of_oil
@@ -141,28 +142,29 @@ def require_load(case: FastCase) -> None:
         raise BadCase("[operation] inner_speed: no ring turns against the other; there is no life.")
 
 
-def ratings(case: FastCase, hours: float) -> dict[str, Any]:
+def ratings(case: FastCase, hours: float) -> Ratings:
     """What a catalogue's page says, and what it says of the load."""
     load, at_rest = ball_life.dynamic_load(case), ball_life.static_load(case)
     radial, axial = case.operation.forces
     static = ball_life.static(case)
     lived = float(rating_life(ball_life.dynamic(case), load.value, BALL_EXPONENT))
     balls, stated = ball_life.rated_balls(case), ball_life.ratings(case)
-    return {
-        "ratings_N": {"C_r": ball_life.dynamic(case), "C_0r": static, "C_u": ball_life.fatigue_limit(case)},
-        "given": [LETTERS[name] for name in stated],
-        "scales": {LETTERS[name]: rating.scale for name, rating in stated.items()},
-        "formulas_N": {LETTERS[name]: _known(of, balls) for name, of in ball_life.FORMULAS.items()},
-        "load_N": load.value,
-        "equivalent_load": {
+    return Ratings(
+        ratings_N={"C_r": ball_life.dynamic(case), "C_0r": static, "C_u": ball_life.fatigue_limit(case)},
+        given=[LETTERS[name] for name in stated],
+        scales={LETTERS[name]: rating.scale for name, rating in stated.items()},
+        formulas_N={LETTERS[name]: _known(of, balls) for name, of in ball_life.FORMULAS.items()},
+        load_N=load.value,
+        equivalent_load={
             "F_r_N": radial, "F_a_N": axial,
             "e": load.limit, "X": load.radial_factor, "Y": load.axial_factor, "note": load.note,
             "X_0": at_rest.radial_factor, "Y_0": at_rest.axial_factor, "P_0_N": at_rest.value,
         },
-        "static_safety": float(static_safety(static, at_rest.value)),
-        "life_Mrev": lived,
-        "life_h": lived * hours,
-    } | _by_oil(case, load.value, lived, hours)  # fmt: skip
+        static_safety=float(static_safety(static, at_rest.value)),
+        life_Mrev=lived,
+        life_h=lived * hours,
+        **_by_oil(case, load.value, lived, hours),
+    )  # fmt: skip
 
 
 def _known(formula: Callable[[Any], float], balls: ball_life.RatedBalls) -> float | None:

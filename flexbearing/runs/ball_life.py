@@ -12,6 +12,7 @@ from flexbearing.build.ball_fits import kinematic_viscosity, solid
 from flexbearing.case.as_written import BALL_SIZES, as_written
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
 from flexbearing.case.balls.mounting import MountedMaterials
+from flexbearing.quantities.life_records import BY_LOADS, Factor
 from flexbearing.runs.life_of_state import (
     LETTERS,
     MREV,
@@ -94,7 +95,7 @@ def _modified(case: FastCase, basic: float) -> LifeOfState:
     if case.life.loads == "rating":
         load = dynamic_load(case).value
         value, note = float(rating_life(dynamic(case), load, BALL_EXPONENT)) / basic, "ISO 281: (C_r/P)^3"
-        by_loads.append({"name": "rating", "value": value, "effect": "load", "note": note})
+        by_loads.append(Factor("rating", value, BY_LOADS, note, 0.0))
     return LifeOfState.of(basic, by_loads, (*_lubrication(case, load), *of_reliability(case.life)))
 
 

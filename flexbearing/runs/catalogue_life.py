@@ -7,6 +7,7 @@ from typing import Any
 
 from flexbearing.case import BadCase
 from flexbearing.findings.running import NO_MODIFIED_LIFE
+from flexbearing.quantities.life_records import Ratings, Stage
 from flexbearing.results import Result
 from flexbearing.runs.life_of_state import Rating
 
@@ -31,7 +32,7 @@ class Catalogue:
     rating: tuple[Influence, ...]  # lives by ratings with settings that give them; last: by all loads
     influences: Callable[[Any], Sequence[Influence]]  # of a case, in the order in which they enter
     require_load: Callable[[Any], None]  # raises `BadCase` where a catalogue knows no life
-    ratings: Callable[[Any, float], dict[str, Any]]  # of a case; and the hours of a million revolutions
+    ratings: Callable[[Any, float], Ratings]  # of a case; and the hours of a million revolutions
     given: Callable[[Any], dict[str, Rating]]  # ratings that a case gives, by their keys
     oil: Callable[[Any, float], dict[str, float]]  # of a case, at the load of a life [Mrev]: `of_oil`
     rated: Callable[[Any], float | None]  # life by ratings alone [rev], where the case has no other
@@ -55,26 +56,6 @@ class Catalogue:
         return [each for each in changed if each.out]
 
 
-@dataclass(frozen=True)
-class Stage:
-    """A life, and what makes it another one than the life before."""
-
-    name: str
-    meaning: str
-    settings: tuple[str, ...]  # "key=value" with which `run` computes this life
-    left_out: tuple[str, ...]  # those that leave out what it is named after
-    life: float  # [10^6 revolutions]
-    factor: float | None  # over the life before
-
-    def record(self, hours: float) -> dict[str, Any]:
-        """The same as JSON can hold it; hours in a million revolutions."""
-        return {
-            "name": self.name, "meaning": self.meaning,
-            "settings": list(self.settings), "left_out_by": list(self.left_out),
-            "life_Mrev": self.life, "life_h": self.life * hours, "factor": self.factor,
-        }  # fmt: skip
-
-
 def against_catalogue(
     case: Any, catalogue: Catalogue, read: Callable[[Sequence[str]], Any], solved: Callable[[Any], Result]
 ) -> dict[str, Any]:
@@ -91,15 +72,15 @@ def against_catalogue(
     if case.life.loads == SUMS:
         raise BadCase('[life] loads = "rating": this is the life of a catalogue already; leave it out.')
     stages: list[Stage] = []
+    hours = _hours(case)
     for each, settings, left_out in _way(catalogue.rating, catalogue.acting(case, read)):
         found = _lived(solved(_alone(read(settings))), each.name)
-        factor = found / stages[-1].life if stages else None
-        stages.append(Stage(each.name, each.meaning, settings, left_out, found, factor))
-    hours = _hours(case)
+        factor = found / stages[-1].life_Mrev if stages else None
+        stages.append(Stage(each.name, [*settings], [*left_out], found, found * hours, factor, each.meaning))
     return {
         "title": case.title,
-        "ratings": catalogue.ratings(case, hours),
-        "stages": [stage.record(hours) for stage in stages],
+        "ratings": catalogue.ratings(case, hours).stored(),
+        "stages": [*map(vars, stages)],
     }
 
 

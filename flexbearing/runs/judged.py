@@ -1,6 +1,6 @@
 """Notes on limits that are not kept, and values that bearings of all families are judged by."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -18,16 +18,16 @@ _GRADES: dict[str, Grade] = {DANGER: "danger", OUTSIDE: "outside validity", USUA
 def notes(judged: Iterable[Judged], case: int = 0) -> tuple[Note, ...]:
     """A note for each code whose limit a case does not keep, in the order of the findings."""
     broken = [each for each in judged if each.finding.noted and each.broken[case]]
-    by_code: dict[str, list[dict[str, Any]]] = {}
-    for record in findings.records(broken, case):
-        by_code.setdefault(record["code"], []).append(record)
-    return tuple(map(_note, by_code.values()))
+    return tuple(
+        Note(_GRADES[worst.grade], worst.code, _text(worst, places))
+        for worst, places in findings.by_code(findings.records(broken, case))
+    )
 
 
-def _note(records: list[dict[str, Any]]) -> Note:
-    worst = findings.gravest(records)
-    places = [each["place"] for each in records if each["grade"] == worst["grade"]]
-    return Note(_GRADES[worst["grade"]], worst["code"], findings.text(worst, list(dict.fromkeys(places))))
+def _text(record: findings.Record, places: Sequence[str]) -> str:
+    assert record.limit is not None  # it is not kept
+    finding = findings.of_code(record.code, record.grade)
+    return findings.text(finding, [record.value], record.limit, places, record.source)
 
 
 def pressures(largest: Iterable[Any], limit: float) -> dict[str, Any]:

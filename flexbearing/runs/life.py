@@ -11,6 +11,7 @@ from flexbearing.build.lubrication import oil, roughness
 from flexbearing.build.roller_bearing import nominal
 from flexbearing.case.as_written import ROLLER_SIZES, as_written
 from flexbearing.case.roller import Case
+from flexbearing.quantities.life_records import BY_LOADS, ROLLER_BODY, Factor
 from flexbearing.runs.life_of_state import (
     CAPACITY,
     EDGE_STRESS,
@@ -107,7 +108,7 @@ def rated(case: Case, bearing: CylindricalRollerBearing) -> float | None:
     return LifeOfState.of(_by_rating(case, bearing), (), factors).modified
 
 
-def _slice_factors(case: Case, state: LoadedState) -> Iterator[dict[str, Any]]:
+def _slice_factors(case: Case, state: LoadedState) -> Iterator[Factor]:
     """What capacity, edge stress and rollers make of the basic life, one after the other."""
     bearing, (inner, outer) = state.bearing, state.loads
     before, edge, capacity = state.basic, None, raceway_capacity(bearing)
@@ -119,7 +120,7 @@ def _slice_factors(case: Case, state: LoadedState) -> Iterator[dict[str, Any]]:
         after = _by_rating(case, bearing)
         reduced = "" if case.life.stress_reduction else f", C_r / {STRESS_REDUCTION}"
         note = f"ISO 281: (C_r/P)^({case.life.load_exponent}){reduced}"
-        yield {"name": "rating", "value": after / before, "effect": "load", "note": note}
+        yield Factor("rating", after / before, BY_LOADS, note, 0.0)
         return
     if case.life.capacity == "iso281":
         rating = dynamic(case, bearing)
@@ -127,20 +128,20 @@ def _slice_factors(case: Case, state: LoadedState) -> Iterator[dict[str, Any]]:
         after = life()
         origin = _rating(case, bearing, "dynamic_rating").origin("ISO 281")
         note = f"ISO/TS 16281 by C_r = {rating:.5g} N, {origin}"
-        yield {"name": CAPACITY, "value": after / before, "effect": "load", "note": note}
+        yield Factor(CAPACITY, after / before, BY_LOADS, note, 0.0)
         before = after
     if case.life.edge_stress:
         edge = edge_stress(case, inner.shape[-1])
         after = life()
         note = f"ISO/TS 16281, {inner.shape[-1]} slices"
-        yield {"name": EDGE_STRESS, "value": after / before, "effect": "load", "note": note}
+        yield Factor(EDGE_STRESS, after / before, BY_LOADS, note, 0.0)
         before = after
     if case.life.roller_body:
         ratio = bearing.diameter_ratio
         turns = (1 - ratio**2) / (2 * ratio)
         after = life(rollers=RollerBody(capacity=roller_capacity(bearing), speed_ratio=turns))
         note = f"rollers fail too; {turns:.3g} turns of a roller in one of the ring"
-        yield {"name": "roller body", "value": after / before, "effect": "load", "note": note}
+        yield Factor(ROLLER_BODY, after / before, BY_LOADS, note, 0.0)
 
 
 def _by_rating(case: Case, bearing: CylindricalRollerBearing) -> float:

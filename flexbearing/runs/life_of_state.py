@@ -1,13 +1,14 @@
 """Ratings that a case gives, the viscosity ratio of its oil, and the lives of a state with them."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import prod
 from typing import Any
 
 from flexbearing.case.ratings import Ratings
 from flexbearing.findings.running import NO_MODIFIED_LIFE
+from flexbearing.quantities.life_records import BY_LOADS, Factor
 from quasidynamic import OutOfRange
 from quasidynamic.note import Note, information, outside
 from quasidynamic.outcome.life_factors import (
@@ -116,32 +117,30 @@ class LifeOfState:
     """The life at one state of the bearing, from the basic one over every factor."""
 
     basic: float  # [10^6 revolutions]
-    factors: tuple[dict[str, Any], ...]  # name, value, effect and note
+    factors: tuple[Factor, ...]
     modified: float | None  # [revolutions]; None where a factor does not hold
 
     @property
     def reference(self) -> float | None:
         """Reference life by ISO/TS 16281 [rev], without rollers that fail; None by other capacities."""
-        loads = {factor["name"]: factor["value"] for factor in self.factors if factor["effect"] == "load"}
+        loads = {factor.name: factor.value for factor in self.factors if factor.effect == BY_LOADS}
         if CAPACITY not in loads:
             return None
         return self.basic * MREV * float(loads[CAPACITY]) * float(loads.get(EDGE_STRESS, 1.0))
 
     @classmethod
-    def of(
-        cls, basic: float, by_loads: Sequence[dict[str, Any]], factors: Sequence[LifeFactor]
-    ) -> "LifeOfState":
+    def of(cls, basic: float, by_loads: Sequence[Factor], factors: Sequence[LifeFactor]) -> "LifeOfState":
         """The life after what changes its loads or capacities, then after factors of different effects."""
-        rated = basic * prod(float(factor["value"]) for factor in by_loads)
+        rated = basic * prod(float(factor.value) for factor in by_loads)
         life = ModifiedLife(basic=rated, factors=tuple(factors))
-        further = ({**asdict(factor), "value": float(factor.value)} for factor in life.factors)
+        further = (Factor(**{**vars(factor), "value": float(factor.value)}) for factor in life.factors)
         return cls(basic, (*by_loads, *further), float(life.life) * MREV)
 
     def record(self) -> dict[str, Any]:
         """The same as JSON can hold it, lives in 10^6 revolutions."""
         return {
             "basic_Mrev": self.basic,
-            "factors": list(self.factors),
+            "factors": [*map(vars, self.factors)],
         } | ({} if self.modified is None else {"modified_Mrev": self.modified / MREV})
 
 

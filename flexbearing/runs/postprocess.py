@@ -105,7 +105,7 @@ class Postprocessing:
             **({"stresses": self.stresses} if self.case.outputs.stresses else {}),
             **({"equilibria": records} if records else {}),
             "clearance": of_clearance,
-            "findings": findings.records(found),
+            "findings": [*map(vars, findings.records(found))],
             "life": {name: life.record() for name, life in lives.items() if life is not None},
             "regimes": {name: rows.regimes[0] for name, rows in self.solved.items() if rows.regimes[0]},
             "notes": [note.record() for note in graded(every_note)],

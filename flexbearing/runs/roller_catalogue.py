@@ -7,6 +7,7 @@ from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
 from flexbearing.case.roller.profile import SHAPES
+from flexbearing.quantities.life_records import Ratings
 from flexbearing.runs import life
 from flexbearing.runs.catalogue_life import Catalogue, Influence
 from flexbearing.runs.life_of_state import LETTERS, Rating, of_oil
@@ -141,7 +142,7 @@ def require_load(case: Case) -> None:
         raise BadCase("[operation] radial_load: without a radial load a catalogue knows no life.")
 
 
-def ratings(case: Case, hours: float) -> dict[str, Any]:
+def ratings(case: Case, hours: float) -> Ratings:
     """What a catalogue's page says, and what it says of the load."""
     bearing, load = roller_bearing.bearing(case).bearing, case.operation.radial_load
     rating, static = life.dynamic(case, bearing), life.static(case, bearing)
@@ -150,16 +151,17 @@ def ratings(case: Case, hours: float) -> dict[str, Any]:
     drawn = roller_bearing.nominal(case, bearing)
     stated = life.ratings(case, bearing)
     formulas = {LETTERS[name]: formula(drawn) for name, formula in life.FORMULAS.items()}
-    return {
-        "ratings_N": found,
-        "given": [LETTERS[name] for name in stated],
-        "scales": {LETTERS[name]: rating.scale for name, rating in stated.items()},
-        "formulas_N": formulas,
-        "load_N": load,
-        "static_safety": static_safety(static, load),
-        "life_Mrev": lived,
-        "life_h": lived * hours,
-    } | _by_oil(case, bearing, lived, hours)
+    return Ratings(
+        ratings_N=found,
+        given=[LETTERS[name] for name in stated],
+        scales={LETTERS[name]: rating.scale for name, rating in stated.items()},
+        formulas_N=formulas,
+        load_N=load,
+        static_safety=static_safety(static, load),
+        life_Mrev=lived,
+        life_h=lived * hours,
+        **_by_oil(case, bearing, lived, hours),
+    )
 
 
 def _by_oil(case: Case, bearing: CylindricalRollerBearing, lived: float, hours: float) -> dict[str, Any]:

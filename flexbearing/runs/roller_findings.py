@@ -6,15 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.case.roller import Case
-from flexbearing.findings import declared, evaluate
+from flexbearing.findings import Record, declared, evaluate, records
+from flexbearing.findings.row import in_rows
 from flexbearing.findings.strength import BARS
 from flexbearing.runs import judged, life, life_of_state
-from flexbearing.runs.answer import in_rows
 from flexbearing.runs.life_of_state import MREV
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import CylindricalRollerBearing, Equilibrium, OutOfRange
 from quasidynamic.contact.film.roughness import MIXED_FROM
-from quasidynamic.note import Note
 from quasidynamic.outcome.neglected import tilting_share
 from quasidynamic.outcome.rating_life import ROLLERS
 
@@ -89,13 +88,13 @@ def _gyroscopic(rows: SolvedRows) -> NDArray:
     return tilting_share(inertia, length, states.cage_speed, speed, tilt, load)
 
 
-def dangers(rows: SolvedRows) -> list[tuple[Note, ...]]:
-    """Notes of each case for the row of a table, see `in_rows`."""
+def of_rows(rows: SolvedRows) -> list[list[Record]]:
+    """Records of each case that its row may report, see `in_rows`; none where every limit is kept."""
     found = evaluate(
-        (each for each in declared.OF_ROLLERS if in_rows(each.grade, each.code)), values_of_dangers(rows)
+        (each for each in declared.OF_ROLLERS if in_rows(each.code, each.grade)), values_of_dangers(rows)
     )
     broken = np.any([each.broken for each in found], axis=0)
-    return [judged.notes(found, case) if broken[case] else () for case in range(len(rows))]
+    return [records(found, case) if broken[case] else [] for case in range(len(rows))]
 
 
 def _stress_of_bars(rows: SolvedRows) -> dict[str, Any]:

@@ -5,11 +5,12 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from flexbearing.case.roller import Case
+from flexbearing.findings import RowFinding
 from flexbearing.outputs import RequestedOutput, requested
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs import notes, roller_findings
-from flexbearing.runs.answer import CONVERGED, Alone, Answer, message
+from flexbearing.runs.answer import CONVERGED, Alone, Answer, row_findings
 from flexbearing.runs.side_by_side import Solved, solved_side_by_side
 from quasidynamic import NotSolved, OutOfRange
 from quasidynamic.note import Note
@@ -35,7 +36,7 @@ def answers(
     outputs = {text: requested(LAYOUT, text) for text in texts}
     blocks = {output.block for output in outputs.values()}
     numbers: list[dict[str, float]] = [{} for _ in cases]
-    messages: dict[int, str] = {}
+    findings: dict[int, tuple[RowFinding, ...]] = {}
     own_run: dict[int, str] = {}
     of_levels = tuple(levels.notes()) if levels else ()
     # The bearings' matrices are small: threads of the linear algebra would only wait for each other.
@@ -48,14 +49,13 @@ def answers(
                 for place, found in zip(solved.places, _numbers(solved, outputs), strict=True):
                     numbers[place] |= found
                 if solved.answer:
-                    for place, dangers in zip(solved.places, _dangers(solved, search), strict=True):
-                        messages[place] = message((*of_levels, *dangers))
+                    findings |= zip(solved.places, _findings(solved, search, of_levels), strict=True)
             except (NotSolved, OutOfRange) as problem:  # of one of them
                 own_run |= dict.fromkeys(solved.places, str(problem))
     return [
         replace(alone(place), own_run=own_run[place])
         if place in own_run
-        else Answer(CONVERGED, messages[place], numbers[place])
+        else Answer(CONVERGED, "", numbers[place], findings[place])
         for place in range(len(cases))
     ]
 
@@ -68,10 +68,11 @@ def _numbers(solved: Solved, outputs: Mapping[str, RequestedOutput]) -> Iterator
     return (dict(zip(some, row, strict=True)) for row in rows)
 
 
-def _dangers(solved: Solved, search: bool) -> Iterator[tuple[Note, ...]]:
-    """Dangers and absent life of each case; without a `search` it is reported where others are likely."""
+def _findings(solved: Solved, search: bool, of_levels: Sequence[Note]) -> Iterator[tuple[RowFinding, ...]]:
+    """Findings of each case; without a `search` it is reported where other equilibria are likely."""
     rows = solved.rows
-    each = zip(roller_findings.dangers(rows), rows.several_likely.tolist(), strict=True)
-    for place, (dangers, likely) in enumerate(each):
+    each = zip(roller_findings.of_rows(rows), rows.several_likely.tolist(), strict=True)
+    for place, (records, likely) in enumerate(each):
         without = notes.without_life(rows.cases[place], rows.models[place].bearing)
-        yield (*dangers, *without, *(notes.of_others(rows, place, search=search) if likely else ()))
+        others = notes.of_others(rows, place, search=search) if likely else ()
+        yield row_findings(records, (*of_levels, *without, *others))

@@ -14,12 +14,13 @@ from flexbearing.case import BadCase, Head
 from flexbearing.case.family import Family
 from flexbearing.case.outputs import ContactOutputs, LifeOutputs
 from flexbearing.files import BadOutput
+from flexbearing.findings import stored
 from flexbearing.outputs import requested
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
 from flexbearing.results import Others, Record, Result, ResultFile, case_file
 from flexbearing.runs import effects_file
-from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer
+from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer, row_findings
 from flexbearing.runs.validate import require_possible
 
 if TYPE_CHECKING:
@@ -232,11 +233,24 @@ def _alone(cases: Sequence[Any], texts: Sequence[str], family: Family, place: in
         result = compared(cases[place], family)
     except BadCase as problem:
         return Answer(BAD_INPUT, _first_line(problem, cases[place]), {})
-    blocks = {"rigid": result.rigid, "flexible": result.flexible}
-    numbers = {text: requested(family.layout(), text).number(blocks) for text in texts}
-    status = str(result.attributes["status"])
-    solved = status == CONVERGED
-    return Answer(status, str(result.attributes["message"]), numbers if solved else {})
+    return answered(result, texts, family)
+
+
+def answered(result: Result, texts: Sequence[str], family: Family) -> Answer:
+    """The answer that a result holds; of a run that did not converge numbers between rigid raceways alone."""
+    about, blocks = result.attributes, {"rigid": result.rigid, "flexible": result.flexible}
+    solved = about["status"] == CONVERGED
+    numbers = {
+        text: requested(family.layout(), text).number(blocks)
+        for text in texts
+        if solved or text.startswith("rigid.")
+    }
+    if not solved:
+        return Answer(about["status"], about["message"], numbers)
+    from quasidynamic.note import Note
+
+    notes = (Note(**each) for each in about["notes"])
+    return Answer(CONVERGED, "", numbers, row_findings(stored(about), notes))
 
 
 def _first_line(problem: BadCase, case: Any) -> str:

@@ -10,6 +10,7 @@ from typing import Any
 
 from flexbearing.case.problems import MOST
 from flexbearing.files import require_folder_name
+from flexbearing.findings.row import read, words
 from flexbearing.printable import excerpt
 from flexbearing.progress import Report
 from flexbearing.studies.placement import RING, Cost, costs, expected
@@ -106,15 +107,16 @@ def end(prepared: PreparedStudy, table: Table, folder: Path) -> str:
 
 
 def _noted(table: Table) -> Iterator[str]:
-    """How many converged rows have a message, such as a danger, and the first of them."""
-    rows = zip(table["status"].values, table["message"].values, strict=True)
-    noted = [
-        (number, words) for number, (status, words) in enumerate(rows, 1) if status == CONVERGED and words
-    ]
+    """How many converged rows have findings, of which codes, and those of the first."""
+    rows = zip(table["status"].values, table["findings"].values, strict=True)
+    noted = [(number, read(cell)) for number, (status, cell) in enumerate(rows, 1)
+             if status == CONVERGED and cell]  # fmt: skip
     if noted:
-        number, words = noted[0]
-        first = f"the first is variant {number}: {excerpt(words, LONGEST)}"
-        yield f"converged rows with a message: {len(noted)}, {first}"
+        counts = Counter(each.code for _, found in noted for each in found)
+        codes = ", ".join(f"{code} {count}" for code, count in counts.most_common())
+        number, found = noted[0]
+        first = f"the first is variant {number}: {excerpt(words(found), LONGEST)}"
+        yield f"converged rows with findings: {len(noted)} ({codes}), {first}"
 
 
 def cycles(lives: Table) -> list[str]:

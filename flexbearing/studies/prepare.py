@@ -14,7 +14,7 @@ from flexbearing.case.roller import Case
 from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
 from flexbearing.files import require_folder_name
-from flexbearing.printable import excerpt
+from flexbearing.printable import one_line
 from flexbearing.program.threads import limited_to
 from flexbearing.program.workers import shared_map
 from flexbearing.studies.file import Study, read
@@ -31,7 +31,6 @@ from flexbearing.studies.table.drawn import drawn
 
 FOLDER, HERE = Path("results"), Placement()
 TellChecked = Callable[[int, int], None]
-LONGEST = 500  # characters of what is wrong with a variant
 
 
 def prepare_source(
@@ -116,7 +115,7 @@ def _variant(read: Variants, values: Values, *, cycle: bool) -> Variant | Imposs
         case = read.case(values)
         require_possible(case, FAMILIES[case.kind])
     except BadCase as problem:
-        return Impossible(excerpt("; ".join(str(without_load or problem).splitlines()), LONGEST))
+        return Impossible(one_line(without_load or problem))
     thin = too_thin(case) if cycle else ""
     return Variant(values, identity(case), rings(case), levels(case), read.in_si(case), thin=thin)
 

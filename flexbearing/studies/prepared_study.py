@@ -160,8 +160,8 @@ class PreparedStudy:
             kinds=tuple(life_kinds(self.plan, spectrum, self._case)),
         )
         ordered = [
-            replace(row, message="; ".join(filter(None, (row.message, words))))
-            for row, words in zip(ordered, cycles.messages(), strict=True)
+            replace(row, findings=(*row.findings, *of_cycle))
+            for row, of_cycle in zip(ordered, cycles.findings(), strict=True)
         ]
         others = [
             replace(column, values=column.values[::length])

@@ -18,6 +18,7 @@ from flexbearing.report.html.units import METRIC
 from flexbearing.report.panels import picture
 from flexbearing.report.picture import picture_bytes
 from flexbearing.sampling.linear import Linear
+from flexbearing.studies.file.read import ENDS
 from flexbearing.studies.file.sampled import Drawn, Factor
 from flexbearing.studies.prepared_study import PreparedStudy, variants_of
 from flexbearing.studies.table import Column, Table
@@ -93,7 +94,7 @@ def _paths(factor: Factor) -> list[str]:
 
 
 MOST = 6  # outputs of the picture; the tables have all
-APART = ("status", "message", "seconds", "result")  # columns that are no outputs
+APART = (*ENDS, "result")  # columns that are no outputs
 
 
 def add_scatter(prepared: PreparedStudy, table: Table, folder: Path) -> Table:

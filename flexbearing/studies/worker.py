@@ -1,7 +1,7 @@
 """What a worker does with a task: variants side by side, with the answers of single runs."""
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from math import isnan
@@ -21,22 +21,21 @@ from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, NotStored
-from flexbearing.printable import excerpt
+from flexbearing.findings.row import information
+from flexbearing.printable import one_line
 from flexbearing.program.processes import keep_freed
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged
 from flexbearing.results import store
-from flexbearing.runs.answer import Answer, message
+from flexbearing.runs.answer import Answer
+from flexbearing.runs.run_case import answered
 from flexbearing.studies.idle import bounded, without_factor
 from flexbearing.studies.plan import Condensed, Corners, Ring, Row, Task, Variant
 from flexbearing.studies.plan.task import BAD_INPUT, CONVERGED, ERROR, NOT_STORED, RATED, file_name
 from flexbearing.studies.prepared_study import variants_of
-from flexbearing.studies.table.collected import errors, numbers
+from flexbearing.studies.table.collected import errors
 from flexbearing.studies.table.duty import MODIFIED, MREV
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
-from quasidynamic.note import Note
-
-LONGEST = 500  # characters of a message
 
 
 @dataclass(frozen=True)
@@ -164,16 +163,23 @@ def _alone(variant: Variant, case: Head, request: RowRequest) -> Row:
 
 
 def _row(variant: Variant, case: Head, answer: Answer, seconds: float, request: RowRequest) -> Row:
-    words = excerpt("; ".join(answer.message.splitlines()), LONGEST)
     values = {text: number for text, number in answer.numbers.items() if not isnan(number)}
     if request.levels is not None and answer.status == CONVERGED:
         values |= errors(request.levels.estimate, request.texts, case.kind, FAMILIES)
-    row = Row(variant.identity, answer.status, words, round(seconds, 6), values, own_run=answer.own_run)
+    row = Row(
+        variant.identity,
+        answer.status,
+        one_line(answer.message),
+        round(seconds, 6),
+        values,
+        answer.findings,
+        answer.own_run,
+    )
     if request.cycle and MODIFIED in request.texts and MODIFIED not in values:
         row = _by_ratings(row, case)
     if variant.thin:
-        words = "; ".join(filter(None, (variant.thin, row.message)))
-        row = replace(row, values=bounded(row.values), message=words)
+        least = information("least-factor", variant.thin)
+        row = replace(row, values=bounded(row.values), findings=(least, *row.findings))
     return row
 
 
@@ -186,9 +192,11 @@ def _by_ratings(row: Row, case: Any) -> Row:
         life = None
     if life is None:
         return row
-    words = row.message if row.converged else f"life by ratings alone; {row.status}: {row.message}"
-    status = row.status if row.converged else RATED
-    return replace(row, status=status, message=words, values={**row.values, MODIFIED: life / MREV})
+    rated = replace(row, values={**row.values, MODIFIED: life / MREV})
+    if row.converged:
+        return rated
+    why = information("life-by-ratings", f"life by ratings alone; {row.status}: {row.message}")
+    return replace(rated, status=RATED, message="", findings=(why,))
 
 
 def _answer(case: Head, request: RowRequest, file: Path | None = None) -> Answer:
@@ -207,10 +215,4 @@ def _answer(case: Head, request: RowRequest, file: Path | None = None) -> Answer
         return Answer(ERROR, "out of memory", {})
     except Exception as problem:  # of one variant, which must not end the others
         return Answer(ERROR, f"{type(problem).__name__}: {problem}", {})
-    status = result.attributes["status"]
-    blocks: Mapping[str, Any] = {"rigid": result.rigid, "flexible": result.flexible}
-    if status == CONVERGED:
-        words = message(Note(**note) for note in result.attributes["notes"])
-        return Answer(status, words, numbers(blocks, request.texts, case.kind, FAMILIES))
-    of_rigid = tuple(text for text in request.texts if text.startswith("rigid."))
-    return Answer(status, result.attributes["message"], numbers(blocks, of_rigid, case.kind, FAMILIES))
+    return answered(result, request.texts, FAMILIES[case.kind])

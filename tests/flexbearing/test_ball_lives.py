@@ -159,7 +159,7 @@ def test_a_law_that_does_not_hold_takes_the_modified_life_alone(settings, reason
     (note,) = [each for each in result.attributes["notes"] if each["code"] == "no-modified-life"]
     assert reason in note["text"]
     (row,) = angular_answers([read_case(DEEP, settings)], ["peak_pressure.inner", "modified_life"])
-    assert row.message == f"outside validity: {note['text']}"
+    assert row.why == f"outside validity: {note['text']}"
     assert row.numbers["peak_pressure.inner"] > 0
 
 

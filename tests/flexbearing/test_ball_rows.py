@@ -35,7 +35,7 @@ def test_every_output_of_a_row_is_that_of_its_run(name, changes):
         run = flexbearing.api.compute(case)
         assert row.status == run.attributes["status"]
         assert bool(run.dangers) == (case.operation.load.axial == 5e5)
-        assert row.message == "; ".join(f"danger: {note['text']}" for note in run.dangers)
+        assert row.why == "; ".join(f"danger: {note['text']}" for note in run.dangers)
         expected = [requested(layout, text).number({"rigid": run.rigid}) for text in texts]
         found = [row.numbers[text] for text in texts]
         assert found == approx(expected, rel=1e-9, abs=1e-6, nan_ok=True)

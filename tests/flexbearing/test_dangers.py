@@ -128,4 +128,6 @@ def test_dangers_of_rows_reach_the_end_of_a_study(tmp_path):
     file.write_text(f'case = "{case}"\n[over]\n"operation.load.axial" = ["3 kN", "-3 kN"]\n')
     prepared = prepare_source(file)
     words = messages.end(prepared, compute(prepared, tmp_path), tmp_path).splitlines()
-    assert words[1].startswith("converged rows with a message: 1, the first is variant 2: danger: ")
+    assert words[1].startswith(
+        "converged rows with findings: 1 (reversed-thrust 1), the first is variant 2: danger: "
+    )

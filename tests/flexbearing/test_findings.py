@@ -11,6 +11,7 @@ from pytest import approx
 from flexbearing import api, findings
 from flexbearing.findings import DANGER, MET, NOT_CHECKED, NOT_MET, OUTSIDE, USUAL, declared
 from flexbearing.findings.finding import AT_MOST
+from flexbearing.findings.row import RowFinding, in_rows, information, read, words, written
 from flexbearing.report.html import METRIC, checks as of_report
 from flexbearing.report.html.reader import Reader
 from flexbearing.runs import fields, judged
@@ -162,7 +163,7 @@ def test_note_and_check_change_at_the_limit(finding):
     result = computed("nu209.toml", ())
     for value in (limit - step, limit + step):
         found = findings.evaluate([finding], BASES | {finding.quantity: value})
-        about = {**result.attributes, "findings": findings.records(found)}
+        about = {**result.attributes, "findings": [*map(vars, findings.records(found))]}
         reader = Reader(replace(result, attributes=about), METRIC)
         checks = [each for each in of_report.ranked(reader) if not each.unchecked]
         broken = (value > limit) == (finding.side == AT_MOST)
@@ -230,7 +231,7 @@ def test_values_are_judged_cases_first():
     (note,) = judged.notes(found[:2])
     assert "inner: 5,000 MPa, at most 4,000 MPa (ISO 76)" in note.text
     first = found[0].record()
-    assert (first["share"], first["verdict"], first["limit"]) == (approx(1.25, rel=1e-12), NOT_MET, 4e9)
+    assert (first.share, first.verdict, first.limit) == (approx(1.25, rel=1e-12), NOT_MET, 4e9)
 
 
 def test_share_of_a_limit_from_below_is_the_limit_over_the_value():
@@ -238,9 +239,45 @@ def test_share_of_a_limit_from_below_is_the_limit_over_the_value():
     assert (found[0].finding.at_least, found[0].share) == (1.0, approx([1.25, 0.5]))
 
 
+def test_findings_of_rows_are_named_by_code_and_grade():
+    """A table keeps no more of them: limit, source and meaning are those that are declared."""
+    of_rows = [(each.code, each.grade) for each in declared.DECLARED if in_rows(each.code, each.grade)]
+    assert len(of_rows) == len({*of_rows})
+
+
+ROW = RowFinding("contact-pressure", DANGER, 4.5e9, 4e9, ("inner", "outer"))
+NO_ROWS = {
+    "no JSON": "danger: life",
+    "no list": '{"code":"life"}',
+    "unknown code": '[{"code":"weight","grade":"danger","value":1.0,"limit":2.0}]',
+    "unknown grade": '[{"code":"seen","grade":"grave","text":"seen"}]',
+    "number as text": written([ROW]).replace("4500000000.0", '"4.5e9"'),
+    "no number": written([ROW]).replace("4500000000.0", "NaN"),
+    "without a limit": written([ROW]).replace('"limit":4000000000.0,', ""),
+    "further keys": written([ROW]).replace('"code"', '"label":"life","code"'),
+    "number and text": written([ROW]).replace('"code"', '"text":"life","code"'),
+    "deep": "[" * 100_000,
+}
+
+
+def test_a_cell_holds_findings_whole():
+    found = (ROW, information("seen", 'a "text";\nof two lines'))
+    assert read(written(found)) == found
+    assert (read(written(())), written(())) == ((), "")
+    assert words(found[:1]).startswith("danger: peak contact pressure, inner and outer: 4,500 MPa, at most 4")
+
+
+@pytest.mark.parametrize("cell", NO_ROWS.values(), ids=NO_ROWS)
+def test_a_cell_with_something_else_is_refused(cell):
+    with pytest.raises(ValueError):  # noqa: PT011
+        read(cell)
+
+
 def test_what_to_act_on_first_is_the_gravest_broken_one_else_the_nearest_to_its_limit():
+    (anything,) = findings.records(findings.evaluate([declared.STATIC_SAFETY], {"static_safety": 2.0}))
+
     def record(grade, verdict, share):
-        return {"grade": grade, "verdict": verdict, "share": share}
+        return replace(anything, grade=grade, verdict=verdict, share=share)
 
     far, near = record(DANGER, "met", 0.2), record("usual", "met", 0.9)
     slight, grave, graver = (
@@ -261,7 +298,7 @@ def test_a_limit_that_the_case_does_not_give_is_not_checked_and_warns_of_nothing
     (found,) = findings.evaluate(
         declared.OF_ROLLERS, {"stress": {"bars": 1e9}, "yield_stress": {"bars": None}}
     )
-    assert found.record() | {"verdict": NOT_CHECKED, "limit": None, "share": None} == found.record()
+    assert replace(found.record(), verdict=NOT_CHECKED, limit=None, share=None) == found.record()
     assert judged.notes([found]) == ()
 
 

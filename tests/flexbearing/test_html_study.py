@@ -11,6 +11,7 @@ from pytest import approx
 import flexbearing
 from flexbearing.case import BadCase
 from flexbearing.files import as_csv
+from flexbearing.findings.row import RowFinding, information, written
 from flexbearing.inputs import Unreadable
 from flexbearing.pages.make import report
 from flexbearing.report.html.parquet import sealed
@@ -97,7 +98,8 @@ def test_a_parquet_table_has_the_report_of_its_csv(tables, tmp_path):
 def test_a_large_table_is_counted_whole_and_left_in_its_file(tmp_path, form):
     pyarrow = pytest.importorskip("pyarrow")
     count = HANDED_OUT + 1
-    ends = {"status": ["converged"] * (count - 1) + ["error"], "message": [""] * (count - 1) + ["no =1+1"]}
+    ends = {"status": ["converged"] * (count - 1) + ["error"], "message": [""] * (count - 1) + ["no =1+1"],
+            "findings": [""] * count}  # fmt: skip
     loads = {"operation.radial_load [N]": np.arange(1.0, 1 + count), "life [h]": np.ones(count)}
     columns = loads | ends | {"seconds": np.ones(count)}
     place = tmp_path / f"large.{form}"
@@ -188,15 +190,25 @@ def test_a_duty_cycle_has_its_worst_row_and_its_life_over_the_required_one(table
     assert f"Row {bars['customdata'][0]} is the worst" in "".join(page.shown)
 
 
-def test_notes_of_rows_stand_once_with_the_range_of_their_values():
-    from flexbearing.report.html import study
+def test_notes_of_rows_stand_once_with_the_range_of_their_values(tmp_path):
+    """Found by their data: the message, which says the same in words, may be any text."""
+    lives = [RowFinding("short-life", "danger", value=seconds, limit=3600.0) for seconds in (1044.0, 1080.0)]
+    cells = [written([lives[0]]), written([information("seen", "seen")]), written([lives[1]])]
+    rows = [("converged", "danger: life: 7 h", cell, 1) for cell in cells]
+    place = tmp_path / "lives.csv"
+    place.write_text(as_csv([["status", "message", "findings", "seconds"], *rows]))
+    page = report(place)[0].read_text("utf-8")
+    said = "danger: life after all factors: 0.29 to 0.3 h, at least 1 h (an hour, limit of this program): "
+    assert f"rows 1, 3: {said}" in page
+    assert "row 2: seen" in page
 
-    rows = [(1, "danger: life: 0.29 h, at least 1 h (an hour): it fails"), (2, "information: seen"),
-            (3, "danger: life: 0.3 h, at least 1 h (an hour): it fails")]  # fmt: skip
-    assert list(study._by_message(study._ranges(rows))) == [
-        "rows 1, 3: danger: life: 0.29 to 0.3 h, at least 1 h (an hour): it fails",
-        "row 2: information: seen",
-    ]
+
+def test_a_table_without_findings_is_refused(tmp_path):
+    """Of an earlier version: its dangers are words alone, and would be left out."""
+    place = tmp_path / "old.csv"
+    place.write_text("life [h],status,message,seconds\n1.0,converged,danger: life,1.0\n")
+    with pytest.raises(BadResult, match="it has no rows with status, message, findings, seconds"):
+        report(place)
 
 
 def test_of_many_outputs_twelve_are_shown(tables, tmp_path, monkeypatch):

@@ -186,8 +186,8 @@ def packed(place):
 TABLES = {
     "variants": "operation.radial_load [N],operation.radial_load [kN]\n",
     "duty cycle": "time [%],operation.radial_load [N],time [%]\n",
-    "table": "life [h],status,message,seconds,life [h]\n",
-    "table in Parquet": "life [h],status,message,seconds,life [h]\n",
+    "table": "life [h],status,message,findings,seconds,life [h]\n",
+    "table in Parquet": "life [h],status,message,findings,seconds,life [h]\n",
     "table for ROSS": "operation.inner_speed [rpm],status,status\n",
     "scatter": "output,unit,output\n",
 }
@@ -201,7 +201,7 @@ def test_a_column_twice_is_refused_before_its_cells_are_read(kind, tmp_path, mon
     if kind == "scatter":
         for part in ("percentiles", "shares", "histogram"):
             (tmp_path / f"t_{part}.csv").write_text(f"{TABLES[kind]}{row}\n")
-        (tmp_path / "t.csv").write_text("status,message,seconds\nconverged,,1\n")
+        (tmp_path / "t.csv").write_text("status,message,findings,seconds\nconverged,,,1\n")
     suffix, words = READERS[kind if kind != "scatter" else "table"]
     place = tmp_path / f"t{suffix}"
     if suffix == ".parquet":

@@ -15,6 +15,7 @@ from flexbearing import read, run
 from flexbearing.api import against_catalogue, read_case
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
+from flexbearing.quantities.life_records import Ratings
 from flexbearing.report.catalogue_life import scaled
 from flexbearing.report.output import text
 from quasidynamic.outcome.capacity import STRESS_REDUCTION, dynamic_rating
@@ -165,7 +166,7 @@ def test_a_given_rating_that_is_scaled_says_so():
     maker = PLAIN.parent / "catalogue" / "nu210.toml"
     found = against_catalogue(maker, {"bearing.roller.length": "8 mm"})["ratings"]
     assert found["ratings_N"]["C_r"] == approx(73.5e3 * found["scales"]["C_r"], rel=1e-12)
-    assert scaled(found, "C_r") == f", times {found['scales']['C_r']:.4g} by the formula"
+    assert scaled(Ratings(**found), "C_r") == f", times {found['scales']['C_r']:.4g} by the formula"
 
 
 @pytest.mark.slow

@@ -229,10 +229,10 @@ def test_single_runs_rows_and_derivatives_agree_that_there_is_no_modified_life()
     (row, other) = answers([read_case(PLAIN, THIN), read_case(PLAIN, CLEAN)], texts, lambda place: None)
     assert np.isnan(row.numbers["modified_life"])
     assert row.numbers["life_L10"] == approx(float(alone["life_L10"].number), rel=1e-9)
-    assert row.message == "outside validity: " + next(
+    assert row.why == "outside validity: " + next(
         each["text"] for each in alone.attributes["notes"] if each["code"] == "no-modified-life"
     )
-    assert (other.message, other.numbers["modified_life"] > 0) == ("", True)
+    assert (other.why, other.numbers["modified_life"] > 0) == ("", True)
     with pytest.raises(BadCase, match="no such output"):
         sensitivities(read_case(PLAIN, THIN), ["modified_life"], ["bearing.roller.length"])
 

@@ -146,7 +146,7 @@ GIVEN = {"dynamic_rating": "C_r", "static_rating": "C_0r", "fatigue_limit_load":
 def rated(case):
     """Ratings that are used over those of the formulas."""
     found = FAMILIES[case.kind].catalogue().ratings(case, 1.0)
-    return {name: found["ratings_N"][name] / found["formulas_N"][name] for name in GIVEN.values()}
+    return {name: found.ratings_N[name] / found.formulas_N[name] for name in GIVEN.values()}
 
 
 @pytest.mark.parametrize(("file", "key", "value"), EACH, ids=[f"{file}-{key}" for file, key, _ in EACH])
@@ -154,7 +154,7 @@ def test_given_ratings_keep_their_factor_on_the_formula_where_a_size_changes(fil
     plain, changed = (read_case(CATALOGUE / f"{file}.toml", each) for each in ({}, {key: value}))
     assert rated(changed) == approx(rated(plain), rel=1e-9)
     again = read_case(CATALOGUE / f"{file}.toml", {key: value, "life.dynamic_rating": "50 kN"})
-    found = FAMILIES[again.kind].catalogue().ratings(again, 1.0)["ratings_N"]
+    found = FAMILIES[again.kind].catalogue().ratings(again, 1.0).ratings_N
     assert found["C_r"] == 50e3  # a rating of a setting is that of the bearing that results
     assert rated(again)["C_0r"] == approx(rated(plain)["C_0r"], rel=1e-9)
 
@@ -179,7 +179,7 @@ def test_derivative_of_the_life_is_that_of_a_rating_by_the_formula(file, key):
     factors, lives, step = rated(case), [], 1e-4
     for side in (-1, 1):
         size = {key: f"{found.key.value * (1 + side * step)!r} m"}
-        of = FAMILIES[case.kind].catalogue().ratings(read_case(place, size), 1.0)["formulas_N"]
+        of = FAMILIES[case.kind].catalogue().ratings(read_case(place, size), 1.0).formulas_N
         given = {f"life.{name}": f"{factors[to] * of[to]!r} N" for name, to in GIVEN.items()}
         lives.append(float(api.run(place, size | given).rigid["modified_life"]))
     expected = np.log(lives[1] / lives[0]) / np.log((1 + step) / (1 - step))

@@ -9,12 +9,13 @@ from pytest import approx
 
 import flexbearing
 from flexbearing.api import read_case
-from flexbearing.outputs import outputs, requested
+from flexbearing.families import FAMILIES
+from flexbearing.outputs import outputs
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.runs.answer import Answer, message
+from flexbearing.runs.answer import Answer
 from flexbearing.runs.rows import answers
+from flexbearing.runs.run_case import answered
 from flexbearing.runs.side_by_side import _shapes
-from quasidynamic.note import Note
 from quasidynamic.outcome.ring_stiffness import Tangent
 from tests.cold_oil import PAPER, RIGID, cold_case, settings
 
@@ -52,10 +53,7 @@ def variants(path, changes, loads=(9000, 12000, 15000)):
 def single(case, texts, others="searched"):
     """The answer of a run."""
     result = flexbearing.api.compute(case, others=others)
-    blocks = {"rigid": result.rigid, "flexible": result.flexible}
-    numbers = {text: requested(LAYOUT, text).number(blocks) for text in texts}
-    notes = message(Note(**note) for note in result.attributes["notes"])
-    return Answer(result.attributes["status"], notes, numbers)
+    return answered(result, texts, FAMILIES[case.kind])
 
 
 def refused(place):
@@ -69,7 +67,7 @@ def column(found, text):
 def assert_equal(found, cases, texts, others="searched"):
     expected = [single(case, texts, others) for case in cases]
     assert [answer.status for answer in found] == [answer.status for answer in expected]
-    assert [answer.message for answer in found] == [answer.message for answer in expected]
+    assert [answer.why for answer in found] == [answer.why for answer in expected]
     for text in texts:
         of_each = np.array([answer.numbers[text] for answer in expected])
         least = 1e-12
@@ -119,9 +117,9 @@ def test_cases_of_other_kinds_keep_their_places():
 def test_a_row_says_the_dangers_of_its_run():
     cases = variants(CONFIGS / "nu209.toml", {}, (9000, 2e5, 9e4))
     found = answers(cases, ["max_roller_load"], refused)
-    assert [answer.message.count("danger: ") for answer in found] == [0, 3, 2]
-    assert "life after all factors" in found[1].message
-    assert "contact pressure" in found[2].message
+    assert [answer.why.count("danger: ") for answer in found] == [0, 3, 2]
+    assert "life after all factors" in found[1].why
+    assert "contact pressure" in found[2].why
     assert_equal(found[:1] + found[2:], cases[:1] + cases[2:], ["max_roller_load"])
 
 
@@ -129,14 +127,14 @@ def test_a_row_says_the_dangers_of_its_run():
 def test_a_row_tells_other_equilibria_as_its_run_does(tmp_path):
     case = read_case(cold_case(tmp_path), [*RIGID, *settings(13)])
     found = answers([case], ["life_L10"], refused, search=True)
-    assert "several equilibria between rigid raceways" in found[0].message
+    assert "several equilibria between rigid raceways" in found[0].why
     assert_equal(found, [case], ["life_L10"])
 
 
 def test_without_a_search_a_row_says_that_other_equilibria_are_likely(tmp_path):
     case = read_case(cold_case(tmp_path), [*RIGID, *settings(13)])
     found = answers([case], ["life_L10"], refused)
-    assert "several equilibria are likely" in found[0].message
+    assert "several equilibria are likely" in found[0].why
     assert_equal(found, [case], ["life_L10"], others="reported")
 
 
@@ -151,7 +149,7 @@ def test_every_output_of_cases_between_the_same_elastic_rings_is_that_of_single_
     cases = variants(PAPER, BEAM, (9000, 12000, 19000))
     found = answers(cases, EVERY_BLOCK, refused)
     assert_equal(found, cases, EVERY_BLOCK)
-    assert all("squirrel-cage bars (nominal): " in answer.message for answer in found)
+    assert all("squirrel-cage bars (nominal): " in answer.why for answer in found)
     assert (column(found, "flexible.max_roller_load") < column(found, "rigid.max_roller_load")).all()
 
 

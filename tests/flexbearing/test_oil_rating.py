@@ -45,9 +45,9 @@ def test_no_cleanliness_has_a_larger_factor(kind, file, oil):
         for each in cleanliness
     ]
     rated = [catalogue.ratings(case, 1.0) for case in cases]
-    found = catalogue.oil(cases[0], rated[0]["life_Mrev"])
-    assert max(each["a_ISO"] for each in rated) <= found["largest_a_ISO"]
-    assert rated[0]["viscosity_ratio"] == approx(found["viscosity_ratio"], rel=1e-12)
+    found = catalogue.oil(cases[0], rated[0].life_Mrev)
+    assert max(each.a_ISO for each in rated) <= found["largest_a_ISO"]
+    assert rated[0].viscosity_ratio == approx(found["viscosity_ratio"], rel=1e-12)
 
 
 def test_a_ball_bearing_without_an_oil_has_nothing_of_it():

@@ -2,6 +2,7 @@
 
 import tomllib
 from contextlib import nullcontext
+from dataclasses import replace
 from functools import partial
 from math import exp
 from pathlib import Path
@@ -17,7 +18,8 @@ from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput
-from flexbearing.optimise import messages, run
+from flexbearing.findings.row import INFORMATION, RowFinding
+from flexbearing.optimise import evaluations, messages, run
 from flexbearing.optimise.answer import Optimum
 from flexbearing.optimise.case_file import case_text
 from flexbearing.optimise.evaluations import Workers, designs_of
@@ -29,7 +31,7 @@ from flexbearing.optimise.run import optimise
 from flexbearing.optimise.schema import Search
 from flexbearing.optimise.search import End, ScaledProblem, search
 from flexbearing.optimise.variables import Variable
-from flexbearing.optimise.worker import BY, slope_name
+from flexbearing.optimise.worker import BY, NO_SLOPE_BY, slope_name
 from flexbearing.outputs import requested
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs import life
@@ -408,8 +410,31 @@ def test_a_best_design_whose_peak_only_slices_have_is_none(tmp_path):
     assert not optimum.converged
     assert optimum.peaks.whole > 1.5 * optimum.peaks.sliced
     assert "no best design" in page
+    assert [each.code for each in optimum.findings] == ["pressed-end"]
+    assert "\n  outside validity: error of the peak pressure of slices: " in page
     assert "%)" not in page.split("case -> best")[1].splitlines()[1]
     assert not former.exists()
+
+
+def test_a_design_that_converges_without_its_output_says_why(tmp_path):
+    file = tmp_path / "thin.toml"
+    file.write_text(
+        f'case = "{CASE}"\n[set]\n"life.lubrication" = "a_ISO"\n"lubricant.viscosity" = "0.8 mPa s"\n'
+        '"life.cleanliness" = "oil, in-line filter, -/17/14"\n[vary]\n'
+        '"bearing.roller.drop" = "log 2 um .. 20 um"\n'
+        '[maximise]\noutput = "modified_life [h]"\n[search]\nstarts = 1\n'
+    )
+    optimum = optimise(file, tmp_path)
+    assert optimum.best.end is End.NO_ANSWER
+    assert "no a_ISO holds there" in optimum.measured.message
+    assert "no-modified-life" in {each.code for each in optimum.findings}
+
+
+def test_of_keys_without_derivatives_each_has_its_reason():
+    left_out = [RowFinding(NO_SLOPE_BY, INFORMATION, places=(key,), text=f"{key} jumps") for key in "ab"]
+    row = Row("", "converged", "", 0.0, findings=tuple(left_out))
+    assert [evaluations._why(row, key) for key in "abc"] == ["a: a jumps", "b: b jumps", ""]
+    assert evaluations._why(replace(row, message="no balance"), "a") == "no balance"
 
 
 def test_the_case_is_compared_under_the_operation_of_the_designs(tmp_path):

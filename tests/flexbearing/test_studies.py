@@ -1,6 +1,7 @@
 """A study from its variants to its table: resumed, interrupted, with variants that fail or kill."""
 
 import csv
+import json
 from dataclasses import replace
 from functools import partial
 from math import isnan
@@ -43,9 +44,16 @@ def read_csv(path):
 def test_the_table_has_keys_outputs_and_ends_with_units(tmp_path):
     table = computed(toy(tmp_path), tmp_path)
     header, *rows = read_csv(tmp_path / "toy.csv")
-    assert header == ["operation.radial_load [N]", "life [Mrev]", "slip [%]", "status", "message", "seconds"]
-    assert rows[0] == ["1000.0", "", "", "iteration limit", "after 200 iterations", "0.25"]
-    assert rows[3] == ["4000.0", str(1000 / 64), "0.4", "converged", "", "0.5"]
+    ends = ["status", "message", "findings", "seconds"]
+    assert header == ["operation.radial_load [N]", "life [Mrev]", "slip [%]", *ends]
+    assert rows[0] == ["1000.0", "", "", "iteration limit", "after 200 iterations", "", "0.25"]
+    assert rows[3] == ["4000.0", str(1000 / 64), "0.4", "converged", "", "", "0.5"]
+    words = "danger: peak contact pressure, inner raceway: 4,500 MPa, at most 4,000 MPa (ISO 76): "
+    assert rows[9][4].startswith(words)
+    assert json.loads(rows[9][5]) == [
+        {"code": "contact-pressure", "grade": "danger", "value": 4.5e9, "limit": 4e9,
+         "places": ["inner raceway"]}
+    ]  # fmt: skip
     assert len(rows) == len(table) == 10
     assert table.failed == 1
     assert table["slip"].values[9] == table.rows[9]["slip [%]"] == 1.0
@@ -283,13 +291,14 @@ def test_a_folder_that_cannot_be_written_is_told_before_anything_is_computed(tmp
 
 def test_progress_counts_rows_failures_and_the_time_left(tmp_path):
     heard = []
-    computed(toy(tmp_path), tmp_path, tell=heard.append)
+    table = computed(toy(tmp_path), tmp_path, tell=heard.append)
     assert [progress.done for progress in heard] == [0, 2, 4, 6, 8, 10]
     assert {progress.failed for progress in heard[1:]} == {1}
     assert heard[0].left is None
     assert heard[-1].left == 0.0
     resumed = []
-    computed(toy(tmp_path), tmp_path, tell=resumed.append)
+    again = computed(toy(tmp_path), tmp_path, tell=resumed.append)
+    assert str(again.rows) == str(table.rows)  # with messages and findings
     assert [(progress.done, progress.begun) for progress in resumed] == [(10, 10)]
 
 

@@ -11,6 +11,7 @@ from pytest import approx
 import flexbearing
 from flexbearing.api import check
 from flexbearing.case import BadCase
+from flexbearing.findings import row as row_findings
 from flexbearing.runs import ball_life, roller_catalogue
 from flexbearing.studies.file.spectrum import Spectrum
 from flexbearing.studies.idle import LEAST_FACTOR
@@ -199,7 +200,11 @@ def test_the_damage_of_a_row_without_an_answer_is_that_of_the_next_higher_load()
     assert column(columns, "bounded_time_share [%]") == approx([25.0], rel=1e-14)
     assert column(columns, "left_out_time_share [%]") == (0.0,)
     assert column(columns, "status") == ("bounded",)
-    assert [*found.messages()] == ["", "counted with the life of row 3 of the cycle", ""]
+    assert [row_findings.words(each) for each in found.findings()] == [
+        "",
+        "counted with the life of row 3 of the cycle",
+        "",
+    ]
 
 
 @pytest.mark.parametrize(("loads", "others"), [((9.0, 10.0, 7.0), (0, 0, 0)), ((9.0, 5.0, 7.0), (0, 1, 0))])

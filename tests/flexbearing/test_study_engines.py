@@ -14,6 +14,7 @@ from flexbearing.case import BadCase
 from flexbearing.program.processes import Processes
 from flexbearing.program.threads import limited_to
 from flexbearing.studies.engine import Done, completed
+from flexbearing.studies.engine.attempts import DIED
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.placement import RING, Placement, expected
 from flexbearing.studies.plan import Ring
@@ -147,9 +148,13 @@ def test_two_jobs_give_the_table_of_one(tmp_path):
 def test_a_variant_that_kills_its_process_is_found_and_the_others_are_computed(tmp_path):
     place = tmp_path / "attempts"
     table = computed(toy(tmp_path, FORTY), tmp_path, Processes(2), toy_studies.deadly, place=place)
-    died = [row["operation.radial_load [N]"] for row in table.rows if row["status"] == "worker died"]
-    assert died == [7e3]
+    (died,) = [row for row in table.rows if row["status"] == "worker died"]
+    assert (died["operation.radial_load [N]"], died["message"], died["findings"]) == (7e3, DIED, "")
     assert table.failed == 1
+    dangers = [
+        row["operation.radial_load [N]"] for row in table.rows if "contact-pressure" in row["findings"]
+    ]
+    assert dangers == [1e3 * load for load in range(10, 42)]
     assert place.read_text().split() == ["5", "3", "2", "1"]
 
 

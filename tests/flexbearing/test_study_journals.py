@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from flexbearing.files import BadOutput, NotStored
+from flexbearing.findings.row import RowFinding, information
 from flexbearing.studies.plan import Row, Task, Variant
 from flexbearing.studies.plan.task import Base
 from flexbearing.studies.table import journal
@@ -17,11 +18,19 @@ from flexbearing.studies.table import journal
 NAMES = "life_L10 [h]", "cage_slip [%]"
 
 
-def row(identity, *numbers, status="converged", message=""):
-    return Row(identity, status, message, 0.125, dict(zip(NAMES, numbers, strict=False)))
+def row(identity, *numbers, status="converged", message="", findings=()):
+    return Row(identity, status, message, 0.125, dict(zip(NAMES, numbers, strict=False)), findings)
 
 
-ROWS = [row("a", 1.5, 0.1), row("b", inf, -2e-300), row("c", status="not solved", message='"line"\nbreak')]
+FOUND = (
+    RowFinding("contact-pressure", "danger", 4.5e9, 4e9, ("inner raceway",)),
+    information("seen", 'a "text"'),
+)
+ROWS = [
+    row("a", 1.5, 0.1, findings=FOUND),
+    row("b", inf, -2e-300),
+    row("c", status="not solved", message='"line"\nbreak'),
+]
 
 
 @pytest.fixture
@@ -159,7 +168,7 @@ def sealed(rest: bytes) -> bytes:
 
 def tampered(**parts):
     entry = {"of": journal._of(NAMES), "identity": "x", "status": "converged", "message": "", "seconds": 0.1,
-             "values": [1.0, 2.0]} | parts  # fmt: skip
+             "values": [1.0, 2.0], "findings": ""} | parts  # fmt: skip
     return sealed(json.dumps(entry).encode()[1:])
 
 
@@ -175,6 +184,8 @@ FOREIGN = {
     "long status": tampered(status="s" * 100),
     "message is a list": tampered(message=["a"]),
     "long message": tampered(message="m" * 20_000),
+    "findings of an earlier version": tampered(findings=None),
+    "a finding that is none": tampered(findings='[{"code":"life","grade":"danger","value":1.0,"limit":2.0}]'),
     "half a character": tampered(message="\ud800"),
     "no seconds": tampered(seconds="fast"),
     "identity is missing": tampered(identity=None),

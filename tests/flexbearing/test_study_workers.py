@@ -11,6 +11,7 @@ from fem import condense as finite_elements
 from fem.raceway.harmonics import HarmonicCompliance
 from flexbearing.cache import configured, recent
 from flexbearing.case.declarations import toml
+from flexbearing.findings.row import words as in_words
 from flexbearing.program.processes import Processes
 from flexbearing.program.threads import cores
 from flexbearing.studies import worker
@@ -142,6 +143,6 @@ def test_a_row_alone_says_what_it_says_in_a_batch(alone, tmp_path):
     for prepared in (several, pressed):
         request = worker.RowRequest(("life_L10 [h]",), files=tmp_path if alone else None, final=alone)
         tasks = prepared.plan.tasks(lambda variant: True)
-        words += [row.message for task in tasks for row in worker.rows(task, request)]
+        words += [in_words(row.findings) for task in tasks for row in worker.rows(task, request)]
     assert words[0] == "danger: several equilibria are likely; others than the computed one were not searched"
     assert all(each.startswith("outside validity: error of the peak pressure") for each in words[1:])

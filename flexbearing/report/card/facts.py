@@ -6,7 +6,7 @@ from typing import Any
 
 from flexbearing.findings import DANGER, NOT_CHECKED
 from flexbearing.findings.running import REQUIRED_LIFE
-from flexbearing.findings.strength import CONTACT_PRESSURE
+from flexbearing.findings.strength import BARS, CONTACT_PRESSURE
 from flexbearing.outputs import outputs
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.quantities.effects import LIVES
@@ -37,7 +37,7 @@ def loads(reader: Reader) -> Iterator[Item]:
         yield Item(f"largest {most.word}", most.load, remark=f"{most.carrying} of {most.count} loaded")
     pressures = [
         check for check in checks.ranked(reader)
-        if check.what.lower().startswith(CONTACT_PRESSURE.label) and isinstance(check.value, Number)
+        if check.code == CONTACT_PRESSURE.code and isinstance(check.value, Number)
     ]  # fmt: skip
     if pressures:
         worst = max(pressures, key=lambda check: check.used)
@@ -74,7 +74,7 @@ def _clearance(reader: Reader) -> Iterator[Item]:
     ends = None
     if "ends" in found.get("tolerances", {}):
         ends = number(rings.TIGHT), number("tolerances/ends/loosest_m")
-    mark = "" if found["steps"] else rings.clearance_origin(reader).partition(",")[0]
+    mark = "" if found["steps"] else rings.clearance_origin(reader)
     yield Item("clearance", number("operating_m"), ends, mark if mark in ("assumed", "fitted") else "")
 
 
@@ -157,7 +157,7 @@ def _moved(reader: Reader, output: str) -> str:
 
 def uncertain(reader: Reader) -> Iterator[Item]:
     """Inputs that are not known and move the life most; without their effects, how many there are."""
-    if reader.attributes.get("assumed_effects"):
+    if reader.effects is not None:
         output = effects.most_moved(reader)
         for place, (key, ratios) in enumerate(effects.largest(reader, output, _INPUTS)):
             words = f"x{_span(ratios)} by {effects.name(key)}"
@@ -177,27 +177,26 @@ def _span(ratios: list[Number]) -> str:
 
 _LONGEST = 160  # characters of a danger
 _MOST = 3  # limits of damage that are named
-_AUTHORS = ", Lundberg and Palmgren"  # of a life, which its kind names
+_PLACES = {BARS: "squirrel-cage bars"}  # in short
 
 
 def usable(reader: Reader) -> Iterator[Item]:
     """The verdict of the report, then the limits that are not kept, or the nearest one."""
     checks = ranked(reader)
-    yield Item(judged(reader).partition(":")[0].rstrip("."))
+    yield Item(judged(reader)[0])
     broken = [check for check in checks if check.broken]
     yield from _missed(broken) if broken else _nearest(checks)
     for check in checks:
         if check.urgent and isinstance(check.value, Number):
-            yield Item(
-                check.place.removesuffix(" (nominal)") or lower(check.what), check.value, remark="no limit"
-            )
+            place = _PLACES.get(check.place, check.place)
+            yield Item(place or lower(check.what), check.value, remark="no limit")
         elif check.unchecked and check.code in NOTED:
             yield Item(lower(check.what), remark=NOT_CHECKED)
 
 
 def dangers(reader: Reader) -> Iterator[Item]:
     """The first danger that no limit covers."""
-    limits = {record["code"] for record in reader.attributes.get("findings") or ()}
+    limits = {record.code for record in reader.findings}
     for note in reader.attributes["notes"]:
         if note["grade"] == DANGER and note["code"] not in limits:
             yield Item(shorten(note["text"], _LONGEST, placeholder=" ..."))
@@ -221,7 +220,7 @@ def _missed(broken: Sequence[Check]) -> Iterator[Item]:
 
 def _missing(check: Check) -> Item:
     """A limit that is not kept; the numbers of a required life are those of the life."""
-    if check.what.lower() == REQUIRED_LIFE.label:
+    if check.code == REQUIRED_LIFE.code:
         return Item("required life not reached")
     if isinstance(check.value, str):
         return Item(lower(f"{check.what} (required: {check.limit})"))
@@ -245,7 +244,7 @@ def lives(reader: Reader) -> Iterator[Item]:
             yield Item(f"{kind(life)}:", rounded(number), _range(reader, number))
             yield _required(reader, required)
         elif life.key == "catalogue":
-            yield Item(f"{kind(life).partition(',')[0]}:", rounded(number))
+            yield Item(f"{lower(life.kind)}:", rounded(number))
 
 
 def _range(reader: Reader, number: Number) -> tuple[Number, Number] | None:
@@ -266,7 +265,7 @@ def _required(reader: Reader, required: float | None) -> Item:
 
 def kind(life: of_report.Life) -> str:
     """What life it is, in words."""
-    return lower(life.name.removesuffix(_AUTHORS))
+    return lower(life.kind if life.source == of_report.AUTHORS else life.name)
 
 
 def lower(words: str) -> str:

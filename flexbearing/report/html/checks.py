@@ -2,11 +2,11 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Any
 
-from flexbearing.findings import DANGER, MET, NOT_CHECKED, NOT_MET, OUTSIDE, USUAL, gravest, of_code
+from flexbearing.findings import DANGER, MET, NOT_CHECKED, OUTSIDE, USUAL, Record, gravest, of_code
 from flexbearing.findings.finding import AT_LEAST, AT_MOST
 from flexbearing.findings.running import CLEARANCE, PEAK_AT_ENDS, REQUIRED_LIFE, SHORT_LIFE
+from flexbearing.findings.strength import CONTACT_PRESSURE, YIELD_STRESS
 from flexbearing.report.html import effects
 from flexbearing.report.html.document import Cell, Number
 from flexbearing.report.html.keys import in_words
@@ -25,12 +25,12 @@ BROKEN = {
     (USUAL, AT_LEAST): "BELOW THE USUAL MINIMUM",
 }
 WORST_FIRST = (DANGER, OUTSIDE, BUILD, USUAL)
-JUDGED = {  # by the worst grade of what is not kept
-    DANGER: "No: a limit of damage is exceeded.",
-    OUTSIDE: "Not assured: a law is used outside its range.",
-    BUILD: "Not as drawn: dimensions overlap.",
-    USUAL: "Only with a reason: a usual minimum or maximum is not kept.",
-    "": "Yes, as far as checked.",
+JUDGED = {  # answer and reason, by the worst grade of what is not kept
+    DANGER: ("No", "a limit of damage is exceeded"),
+    OUTSIDE: ("Not assured", "a law is used outside its range"),
+    BUILD: ("Not as drawn", "dimensions overlap"),
+    USUAL: ("Only with a reason", "a usual minimum or maximum is not kept"),
+    "": ("Yes, as far as checked", ""),
 }
 MET_BY_SLICES = "met by slices"  # which have no pressure at the ends of rollers
 SHOULDERS = "Shoulders of races"
@@ -73,7 +73,7 @@ class Check:
     @property
     def urgent(self) -> bool:
         """Whether it has no limit here, and must be compared with one before the bearing is used."""
-        return self.unchecked and self.code == "yield-stress"
+        return self.unchecked and self.code == YIELD_STRESS.code
 
     @property
     def rank(self) -> tuple[bool, int, float]:
@@ -101,30 +101,30 @@ def ranked(reader: Reader) -> tuple[Check, ...]:
     return tuple(sorted((*_of_findings(reader), *_noted(reader)), key=lambda each: each.rank))
 
 
-def judged(reader: Reader) -> str:
-    """Whether the bearing can be used, in a few words."""
+def judged(reader: Reader) -> tuple[str, str]:
+    """Whether the bearing can be used, and why not."""
     unmet = [check for check in ranked(reader) if check.broken]
     broken = {check.grade for check in unmet}
     if reader.notes(DANGER) and DANGER not in broken:
-        return "No: see the dangers."
+        return "No", "see the dangers"
     if {check.code for check in unmet if check.grade == DANGER} == {REQUIRED_LIFE.code}:
-        return "No: the required life is not reached."
+        return "No", "the required life is not reached"
     worst = next((each for each in WORST_FIRST if each in broken), "")
-    overlap = "; dimensions overlap." if BUILD in broken and worst in (DANGER, OUTSIDE) else "."
-    return JUDGED[worst].removesuffix(".") + overlap
+    (answer, why), further = JUDGED[worst], BUILD in broken and worst in (DANGER, OUTSIDE)
+    return answer, f"{why}; {JUDGED[BUILD][1]}" if further else why
 
 
 def verdict(reader: Reader, code: str) -> str:
     """Whether the limit of a code is kept; empty where nothing was judged by it."""
-    found = [record for record in reader.findings if record["code"] == code]
-    return str(gravest(found)["verdict"]) if found else ""
+    found = [record for record in reader.findings if record.code == code]
+    return gravest(found).verdict if found else ""
 
 
 def missed_at_low_end(reader: Reader) -> bool:
     """Whether the required life is reached, but not by the low end of the range of the life."""
     span, code = effects.span(reader), REQUIRED_LIFE.code
-    met = [record for record in reader.findings if record["code"] == code and record["verdict"] == MET]
-    return bool(span and met and span.squares[0] * met[0]["value"] < met[0]["limit"])
+    met = [record for record in reader.findings if record.code == code and record.verdict == MET]
+    return bool(span and met and span.squares[0] * met[0].value < (met[0].limit or 0.0))
 
 
 def first_and_further(reader: Reader) -> tuple[tuple[Check, ...], tuple[Check, ...]]:
@@ -150,46 +150,44 @@ def _life(reader: Reader) -> Iterator[Check]:
 
 def _of_findings(reader: Reader) -> Iterator[Check]:
     """A check for every finding; of one code and place, of that to act on first."""
-    groups: dict[tuple[str, str], list[dict[str, Any]]] = {}
-    for number, record in enumerate(reader.findings):
-        if of_code(record["code"], record["grade"]).of_model and record["verdict"] != NOT_MET:
-            continue
-        numbered = {**record, "at": f"findings/{number}"}
-        groups.setdefault((record["code"], record["place"]), []).append(numbered)
+    groups: dict[tuple[str, str], list[Record]] = {}
+    for record in reader.findings:
+        if record.broken or not of_code(record.code, record.grade).of_model:
+            groups.setdefault((record.code, record.place), []).append(record)
     for records in groups.values():
-        yield _check(reader, dict(gravest(records)))
+        yield _check(reader, gravest(records))
 
 
-def _check(reader: Reader, record: dict[str, Any]) -> Check:
-    finding, at = of_code(record["code"], record["grade"]), record["at"]
-    what = ", ".join(filter(None, (finding.label[0].upper() + finding.label[1:], record["place"])))
+def _check(reader: Reader, record: Record) -> Check:
+    finding, at = of_code(record.code, record.grade), f"findings/{reader.findings.index(record)}"
+    what = ", ".join(filter(None, (finding.label[0].upper() + finding.label[1:], record.place)))
     value = reader.of_attribute(f"{at}/value", finding.unit, finding.shown, ",.4g")
-    if record["verdict"] == NOT_CHECKED:
-        return Check(what, value, place=record["place"], code=record["code"])
+    if record.verdict == NOT_CHECKED:
+        return Check(what, value, place=record.place, code=record.code)
     limit = reader.of_attribute(f"{at}/limit", finding.unit, finding.shown, ",.4g")
-    broken, share = record["verdict"] == NOT_MET, record["share"] or 0.0
-    preload = broken and record["code"] == CLEARANCE.code  # which may be intended
-    at_ends = record["code"] == "contact-pressure" and not broken and bool(PEAK_AT_ENDS & reader.codes)
+    broken, share = record.broken, record.share or 0.0
+    preload = broken and record.code == CLEARANCE.code  # which may be intended
+    at_ends = record.code == CONTACT_PRESSURE.code and not broken and bool(PEAK_AT_ENDS & reader.codes)
     return Check(
         what,
         value,
-        f"{record['side']} {text_of(limit)}",
-        record["source"],
-        "" if record["share"] is None else reader.of_attribute(f"{at}/share", "", "%", ",.0f"),
+        f"{record.side} {text_of(limit)}",
+        record.source,
+        "" if record.share is None else reader.of_attribute(f"{at}/share", "", "%", ",.0f"),
         share,
-        "preload" if preload else _verdict(record, broken, at_ends),
-        record["grade"],
-        record["side"],
-        record["place"],
-        record["code"],
+        "preload" if preload else _verdict(record, at_ends),
+        record.grade,
+        record.side,
+        record.place,
+        record.code,
         in_words(finding.meaning) if broken else "",
         in_words(finding.action.format(share=share)) if broken else "",
     )
 
 
-def _verdict(record: dict[str, Any], broken: bool, at_ends: bool) -> str:
-    if broken:
-        return BROKEN[record["grade"], record["side"]]
+def _verdict(record: Record, at_ends: bool) -> str:
+    if record.broken:
+        return BROKEN[record.grade, record.side]
     return MET_BY_SLICES if at_ends else "met"
 
 

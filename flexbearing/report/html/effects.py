@@ -2,11 +2,10 @@
 
 from dataclasses import dataclass
 from math import exp, hypot, inf, log
-from typing import Any
 
 from flexbearing.outputs import Output, outputs
 from flexbearing.quantities import SummaryValue
-from flexbearing.quantities.effects import COMPARISON, LIVES, about
+from flexbearing.quantities.effects import COMPARISON, LIVES, Effects, about
 from flexbearing.report.figure import Axis, Figure, Line, Rule
 from flexbearing.report.html.document import Cell, Number, Table
 from flexbearing.report.html.keys import name
@@ -42,58 +41,64 @@ class Span:
     most: str  # key
 
 
+def known(reader: Reader) -> Effects:
+    """Effects of a result that has them."""
+    assert reader.effects is not None
+    return reader.effects
+
+
 def ranked(reader: Reader) -> list[int]:
     """Places of the keys among the effects, the largest effect first."""
-    found, output = reader.attributes["assumed_effects"], ranked_by(reader)
-    return sorted(range(len(found["keys"])), key=lambda place: -_effect(found, place, output))
+    found, output = known(reader), ranked_by(reader)
+    return sorted(range(len(found.keys)), key=lambda place: -_effect(found, place, output))
 
 
 def largest(reader: Reader, output: str, count: int) -> list[tuple[str, list[Number]]]:
     """Keys with the largest effects on an output, no comparisons and minor ones, each with growing ratios."""
-    found = reader.attributes["assumed_effects"]
+    found = known(reader)
     moving = {place: _effect(found, place, output) for place in _inputs(found)}
     least = max(SMALLEST, MINOR * max(moving.values(), default=0.0))
     chosen = sorted((place for place in moving if moving[place] > least), key=lambda place: -moving[place])
     rows = []
     for place in chosen[:count]:
-        others = range(len(found["keys"][place]["others"]))
+        others = range(len(found.keys[place].others))
         ratios = [ratio for number in others
                   if isinstance(ratio := _ratio(reader, place, number, output), Number)]  # fmt: skip
-        rows.append((found["keys"][place]["key"], sorted(ratios, key=lambda ratio: ratio.size)))
+        rows.append((found.keys[place].key, sorted(ratios, key=lambda ratio: ratio.size)))
     return rows
 
 
 def ranked_by(reader: Reader) -> str:
     """Name of the output that effects are ranked by: a life, else the first that there is."""
-    of = reader.attributes["assumed_effects"]["of"]
+    of = known(reader).of
     return next((each for each in (*LIVES, *of) if each in of), "")
 
 
-def _inputs(found: dict[str, Any]) -> list[int]:
+def _inputs(found: Effects) -> list[int]:
     """Places of the keys that are no comparisons."""
-    return [place for place, key in enumerate(found["keys"]) if key.get("role") != COMPARISON]
+    return [place for place, key in enumerate(found.keys) if key.role != COMPARISON]
 
 
 def most_moved(reader: Reader) -> str:
     """Name of the output that effects are ranked by; where nothing moves it, of the one that moves most."""
-    found, first = reader.attributes["assumed_effects"], ranked_by(reader)
+    found, first = known(reader), ranked_by(reader)
     effect = {
         output: max((_effect(found, place, output) for place in _inputs(found)), default=0.0)
-        for output in (first, *found["of"])
+        for output in (first, *found.of)
     }
     return first if effect[first] > SMALLEST else max(effect, key=lambda output: effect[output])
 
 
 def _base(reader: Reader, output: str) -> float | None:
     """An output of the case, for ratios to it; None where it is not known or zero to the printed digit."""
-    value = reader.attributes["assumed_effects"]["of"].get(output)
+    value = known(reader).of.get(output)
     return None if value is None or _output(reader, output).rounds_to_zero(value) else value
 
 
-def _effect(found: dict[str, Any], place: int, output: str) -> float:
+def _effect(found: Effects, place: int, output: str) -> float:
     """Largest change of an output with other values of a key, as the size of its logarithm."""
-    base = found["of"].get(output)
-    values = (other["values"].get(output) for other in found["keys"][place]["others"])
+    base = found.of.get(output)
+    values = (other.values.get(output) for other in found.keys[place].others)
     ratios = [value / base for value in values if base and value is not None]
     return max((abs(log(ratio)) for ratio in ratios if ratio > 0), default=0.0)
 
@@ -104,15 +109,13 @@ def _output(reader: Reader, output: str) -> Output:
 
 def label(reader: Reader, output: str) -> str:
     """What an output is, without its unit."""
-    return heading(reader, output).partition(" [")[0]
+    declared, part = _output(reader, output).declared, output.partition(".")[2].split(".")[0]
+    return ", ".join(filter(None, [_STIFFNESSES.get(output) or reader.label(declared).strip(), part]))
 
 
 def heading(reader: Reader, output: str) -> str:
-    """Label of an output with its unit, lives in millions of revolutions."""
-    declared = _output(reader, output).declared
-    part = output.partition(".")[2].split(".")[0]
-    words = ", ".join(filter(None, [_STIFFNESSES.get(output) or reader.label(declared).strip(), part]))
-    unit = reader.units.of(_unit(declared))
+    """The same with its unit, lives in millions of revolutions."""
+    words, unit = label(reader, output), reader.units.of(_unit(_output(reader, output).declared))
     return f"{words} [10⁶ revolutions]" if unit == "Mrev" else with_unit(words, unit)
 
 
@@ -127,8 +130,8 @@ def _at(place: int, number: int, output: str) -> str:
 
 
 def _value(reader: Reader, place: int, number: int, output: str) -> Cell:
-    other = reader.attributes["assumed_effects"]["keys"][place]["others"][number]
-    if output not in other["values"]:
+    other = known(reader).keys[place].others[number]
+    if output not in other.values:
         return NOTHING
     declared = _output(reader, output).declared
     stored = reader.layout[declared.of[0]].unit if declared.in_si else unit_of(declared).name
@@ -138,8 +141,8 @@ def _value(reader: Reader, place: int, number: int, output: str) -> Cell:
 
 def _ratio(reader: Reader, place: int, number: int, output: str) -> Cell:
     """An output over that of the case."""
-    found, of_case = reader.attributes["assumed_effects"], _base(reader, output)
-    value = found["keys"][place]["others"][number]["values"].get(output)
+    found, of_case = known(reader), _base(reader, output)
+    value = found.keys[place].others[number].values.get(output)
     if of_case is None or value is None:
         return NOTHING
     of = f"ratio/attributes/{_at(place, number, output)}:attributes/assumed_effects/of/{output}"
@@ -148,40 +151,40 @@ def _ratio(reader: Reader, place: int, number: int, output: str) -> Cell:
 
 def table(reader: Reader) -> Table:
     """A row for each other value, the largest effect first."""
-    found, output = reader.attributes["assumed_effects"], ranked_by(reader)
-    shown = [each for each in found["of"] if each == output or each not in LIVES]
+    found, output = known(reader), ranked_by(reader)
+    shown = [each for each in found.of if each == output or each not in LIVES]
     rows: list[tuple[Cell, ...]] = []
     for place in ranked(reader):
-        key = found["keys"][place]
-        for number, other in enumerate(key["others"]):
-            words = units_in_words(other["words"])
-            if other["values"]:
+        key = found.keys[place]
+        for number, other in enumerate(key.others):
+            words = units_in_words(other.words)
+            if other.values:
                 first, *further = (_value(reader, place, number, each) for each in shown)
                 ratio = _ratio(reader, place, number, output)
-                rows.append((key["key"], words, first, ratio, *further, units_in_words(key["source"])))
+                rows.append((key.key, words, first, ratio, *further, units_in_words(key.source)))
             else:
                 empty = [NOTHING] * (len(shown) + 1)
-                rows.append((key["key"], words, *empty, units_in_words(other["problem"])))
+                rows.append((key.key, words, *empty, units_in_words(other.problem)))
     first, *others = (heading(reader, each) for each in shown)
     return Table(("key", "with", first, "times", *others, "range from"), tuple(rows))
 
 
 def figure(reader: Reader) -> Figure | None:
     """Range of the output with other values of each key, over that of the case; None without an effect."""
-    found, output = reader.attributes["assumed_effects"], ranked_by(reader)
+    found, output = known(reader), ranked_by(reader)
     keys = [place for place in ranked(reader) if _effect(found, place, output) >= SMALLEST]
     if not keys:
         return None
     x: list[float | None] = []
     y: list[str | None] = []
     lines: list[str] = []
-    base = found["of"][output]
+    base = found.of[output]
     for place in keys:
-        key = found["keys"][place]
-        values = [(o["values"][output] / base, o["words"]) for o in key["others"] if output in o["values"]]
+        key = found.keys[place]
+        values = [(o.values[output] / base, o.words) for o in key.others if output in o.values]
         for ratio, words in sorted([(1.0, "this case"), *values]):
             x.append(float(f"{ratio:.6g}"))
-            y.append(name(key["key"]))
+            y.append(name(key.key))
             lines.append(units_in_words(words))
         x.append(None)
         y.append(None)
@@ -207,14 +210,14 @@ def span(reader: Reader) -> Span | None:
 
 def changes(reader: Reader) -> dict[str, list[Change]]:
     """Changes of the life by each input, those of one thing together."""
-    found = reader.attributes.get("assumed_effects")
+    found = reader.effects
     collected: dict[str, list[Change]] = {}
-    if not found or (output := ranked_by(reader)) not in LIVES or _base(reader, output) is None:
+    if found is None or (output := ranked_by(reader)) not in LIVES or _base(reader, output) is None:
         return {}
-    for key in (key for key in found["keys"] if key.get("role") != COMPARISON):
-        for values in (other["values"] for other in key["others"]):
+    for key in (key for key in found.keys if key.role != COMPARISON):
+        for values in (other.values for other in key.others):
             if values.get(output, 0.0) > 0:
-                collected.setdefault(about(key["key"]), []).append(_change(values, found["of"], output))
+                collected.setdefault(about(key.key), []).append(_change(values, found.of, output))
     return collected
 
 
@@ -257,20 +260,22 @@ def _end(values: list[Change], sign: int) -> Change:
 
 def _room(reader: Reader) -> tuple[float, float]:
     """Logarithms by which a factor of the life that a rule bounds may shrink and grow."""
-    factors = ((reader.attributes.get("life") or {}).get(reader.last) or {}).get("factors", ())
-    bounded = next(((each["name"], each["value"]) for each in factors if each["name"] in _LIMITS), None)
+    life = reader.lives.get(reader.last)
+    bounded = next((each for each in life.factors if each.name in _LIMITS), None) if life else None
     if bounded is None:
         return inf, inf
-    least, most = _LIMITS[bounded[0]]
-    return max(0.0, log(bounded[1] / least)), max(0.0, log(most / bounded[1]))
+    least, most = _LIMITS[bounded.name]
+    return max(0.0, log(bounded.value / least)), max(0.0, log(most / bounded.value))
 
 
 def _at_once(reader: Reader) -> tuple[float, float] | None:
     """The life with all changes at once over that of the case; None where it was not solved."""
-    found = reader.attributes.get("assumed_effects") or {}
-    output = ranked_by(reader) if found else ""
-    lives = [each["values"][output] for each in found.get("together", ()) if output in each["values"]]
-    if not lives or len(lives) < len(found["together"]):
+    found = reader.effects
+    if found is None:
         return None
-    ratios = (1.0, *(life / found["of"][output] for life in lives))
+    output = ranked_by(reader)
+    lives = [each.values[output] for each in found.together if output in each.values]
+    if not lives or len(lives) < len(found.together):
+        return None
+    ratios = (1.0, *(life / found.of[output] for life in lives))
     return min(ratios), max(ratios)

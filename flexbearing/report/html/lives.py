@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from math import inf, isclose
 
+from flexbearing.quantities.life_records import BY_LOADS, ROLLER_BODY, Stage
 from flexbearing.quantities.reductions import RACES
 from flexbearing.report.html import ratings
 from flexbearing.report.html.document import Cell, Number, Table
@@ -12,15 +13,16 @@ from flexbearing.report.html.reader import Reader, once
 _FORMULA, _NOT_KNOWN, _NO_GRID = "none: a formula", "not estimated", "none: no slices"
 _LUNDBERG, _REFERENCE, _RATING = "basic", "reference", "rating"  # what the life of a case is made of
 _ORDER = ("modified", "reference", "basic", "catalogue", "catalogue modified")
-_NAMES = {  # of lives by loads, by whether the bearing has rollers
-    True: ("basic", "Basic life L10, Lundberg and Palmgren"),
-    False: ("reference", "Reference life L10r, ISO/TS 16281"),
+AUTHORS = "Lundberg and Palmgren"
+_NAMES = {  # of lives by loads with their source, by whether the bearing has rollers
+    True: ("basic", "Basic life L10", AUTHORS),
+    False: ("reference", "Reference life L10r", "ISO/TS 16281"),
 }
-MODIFIED = {
-    _REFERENCE: "Modified reference life, ISO/TS 16281", _LUNDBERG: "Modified life",
-    _RATING: "Modified life of the catalogue, ISO 281",
+_MODIFIED = {
+    _REFERENCE: ("Modified reference life", "ISO/TS 16281"), _LUNDBERG: ("Modified life", ""),
+    _RATING: ("Modified life of the catalogue", "ISO 281"),
 }  # fmt: skip
-_AS_CATALOGUE = "Life L10 of the catalogue, ISO 281"  # without factors
+_AS_CATALOGUE = "Life L10 of the catalogue", "ISO 281"  # without factors
 
 
 @dataclass(frozen=True)
@@ -28,12 +30,18 @@ class Life:
     """A life of the last end state, or of a catalogue."""
 
     key: str  # "basic", "reference", "modified", "catalogue", "catalogue modified"
-    name: str
+    kind: str  # in words
+    source: str
     turns: Number  # [10^6 revolutions]
     hours: Cell  # empty where nothing turns
     error: Cell  # numerical, in percent of the life, or why there is none
     chosen: bool = False  # the most detailed one of the case
     output: str = ""  # its name among the outputs; empty of a catalogue
+
+    @property
+    def name(self) -> str:
+        """What it is, with its source."""
+        return ", ".join(filter(None, (self.kind, self.source)))
 
 
 @once
@@ -70,17 +78,17 @@ def table(reader: Reader) -> Table | None:
 
 def factors(reader: Reader, block: str) -> Table | None:
     """From the life by loads to the modified one of an end state; None where it has no factors."""
-    life = (reader.attributes.get("life") or {}).get(block)
-    if not life or "modified_Mrev" not in life or block not in reader.blocks:
+    life = reader.lives.get(block)
+    if life is None or life.modified_Mrev is None or block not in reader.blocks:
         return None
-    path, reached = f"life/{block}", life["basic_Mrev"]
+    path, reached = f"life/{block}", life.basic_Mrev
     reference = float(reader.blocks[block].get("reference_life", inf)) / 1e6
     rows: list[tuple[Cell, ...]] = []
-    for place, factor in enumerate(life["factors"]):
+    for place, factor in enumerate(life.factors):
         value = reader.of_attribute(f"{path}/factors/{place}/value", "", "", ".4g")
-        reached *= factor["value"]
+        reached *= factor.value
         after = "gives the reference life; " if isclose(reached, reference, rel_tol=1e-9) else ""
-        rows.append((factor["name"], value, after + factor["note"]))
+        rows.append((factor.name, value, after + factor.note))
     return Table(("factor", "value", "note"), tuple(rows)) if rows else None
 
 
@@ -90,11 +98,11 @@ def stages(reader: Reader) -> Table | None:
     if not found:
         return None
     rows: list[tuple[Cell, ...]] = []
-    for place, stage in enumerate(found["stages"]):
+    for place, stage in enumerate(Stage(**each) for each in found["stages"]):
         path = f"catalogue_life/stages/{place}"
-        factor: Cell = "" if stage["factor"] is None else reader.of_attribute(f"{path}/factor", "", "", ".4g")
+        factor: Cell = "" if stage.factor is None else reader.of_attribute(f"{path}/factor", "", "", ".4g")
         both = (reader.of_attribute(f"{path}/life_{unit}", unit, unit, ",.4g") for unit in ("Mrev", "h"))
-        rows.append((stage["name"], factor, *both))
+        rows.append((stage.name, factor, *both))
     return Table(("influence", "factor", "10⁶ revolutions", "hours"), tuple(rows))
 
 
@@ -115,15 +123,15 @@ def _of_case(reader: Reader) -> Iterator[Life]:
     if "reference_life" in block:
         yield _life(reader, "reference_life", *_NAMES[False])
     if "modified_life" in block:
-        of, counted = _kind(reader), reader.attributes["life"][reader.last]["factors"]
-        extra = any(each["effect"] != "load" or each["name"] == "roller body" for each in counted)
+        of, counted = _kind(reader), reader.lives[reader.last].factors
+        extra = any(each.effect != BY_LOADS or each.name == ROLLER_BODY for each in counted)
         if of != _REFERENCE or extra:
-            name = MODIFIED[of] if extra or of != _RATING else _AS_CATALOGUE
-            yield _life(reader, "modified_life", "modified", name)
+            name = _MODIFIED[of] if extra or of != _RATING else _AS_CATALOGUE
+            yield _life(reader, "modified_life", "modified", *name)
 
 
-def _life(reader: Reader, name: str, key: str, label: str) -> Life:
-    return Life(key, label, *_of_output(reader, name), error(reader, name), output=name)
+def _life(reader: Reader, name: str, key: str, kind: str, source: str) -> Life:
+    return Life(key, kind, source, *_of_output(reader, name), error(reader, name), output=name)
 
 
 def _of_output(reader: Reader, name: str) -> tuple[Number, Cell]:
@@ -149,10 +157,7 @@ def error(reader: Reader, name: str) -> Cell:
     value, path = found
     if name != "modified_life":
         return reader.units.number(value, "1", "%", ".2g", f"life_error:{path}")
-    exponents = [
-        factor.get("life_exponent", 0.0 if factor["effect"] == "load" else None)
-        for factor in reader.attributes["life"][reader.last]["factors"]
-    ]
+    exponents = [factor.growth for factor in reader.lives[reader.last].factors]
     if None in exponents:
         return _NOT_KNOWN
     carried = value * (1 + sum(filter(None, exponents)))
@@ -175,15 +180,15 @@ def _of_catalogue(reader: Reader) -> Iterator[Life]:
         return
     rated, at = found
     turning = reader.blocks[reader.last].get("relative_speed")
-    names = {"catalogue": ("Catalogue's life L10, ISO 281", "life")}
-    if "a_ISO" in rated:
-        names["catalogue modified"] = ("Catalogue's modified life L10m, ISO 281", "modified")
-    for key, (label, name) in names.items():
+    names = {"catalogue": ("Catalogue's life L10", "life")}
+    if rated.a_ISO is not None:
+        names["catalogue modified"] = ("Catalogue's modified life L10m", "modified")
+    for key, (kind, name) in names.items():
         turns, hours = (
-            reader.units.number(rated[f"{name}_{unit}"], unit, unit, ",.4g", f"{at}/{name}_{unit}")
+            reader.units.number(getattr(rated, f"{name}_{unit}"), unit, unit, ",.4g", f"{at}/{name}_{unit}")
             for unit in ("Mrev", "h")
         )
-        yield Life(key, label, turns, hours if turning else "", _FORMULA)
+        yield Life(key, kind, "ISO 281", turns, hours if turning else "", _FORMULA)
 
 
 def rounded(number: Number, times: float = 1.0) -> Number:

@@ -1,8 +1,8 @@
 """Load ratings of a bearing, and the viscosity ratio of its oil."""
 
 from math import inf, pi
-from typing import Any
 
+from flexbearing.quantities.life_records import Ratings
 from flexbearing.report.catalogue_life import scaled
 from flexbearing.report.html.document import Cell, Number
 from flexbearing.report.html.reader import Reader, once
@@ -18,11 +18,11 @@ BY_A_ISO = (  # for any cleanliness: κ does not depend on it
 
 
 @once
-def found(reader: Reader) -> tuple[dict[str, Any], str] | str:
+def found(reader: Reader) -> tuple[Ratings, str] | str:
     """Ratings with their place in the file, or why there are none."""
     stored = reader.attributes.get("catalogue_life")
     if stored:
-        return stored["ratings"], "attributes/catalogue_life/ratings"
+        return Ratings(**stored["ratings"]), "attributes/catalogue_life/ratings"
     catalogue = reader.result.family.catalogue
     if catalogue is None:
         return "ISO 281 and ISO 76 do not rate this kind"
@@ -46,8 +46,9 @@ def viscosity_ratio(reader: Reader) -> Number | None:
     known, catalogue = found(reader), reader.result.family.catalogue
     if isinstance(known, str) or catalogue is None:
         return None
-    if "viscosity_ratio" in known[0]:
-        return reader.units.number(known[0]["viscosity_ratio"], "", "", ".3g", f"{known[1]}/viscosity_ratio")
+    rated, at = known
+    if rated.viscosity_ratio is not None:
+        return reader.units.number(rated.viscosity_ratio, "", "", ".3g", f"{at}/viscosity_ratio")
     try:
         kappa = catalogue().viscosity_ratio(reader.case_with(BY_A_ISO))
     except ValueError:  # no oil in the case, or one outside its data
@@ -62,11 +63,11 @@ def rows(reader: Reader) -> list[tuple[Cell, ...]]:
         return []
     rated, at = known
     numbers = {
-        name: reader.units.number(rated["ratings_N"][name], "N", "kN", ",.4g", f"{at}/ratings_N/{name}")
-        for name in rated["ratings_N"]
+        name: reader.units.number(rating, "N", "kN", ",.4g", f"{at}/ratings_N/{name}")
+        for name, rating in rated.ratings_N.items()
     }
     return [
         (NAMES[name], number, printed(number.unit),
-         f"given{scaled(rated, name)}" if name in rated["given"] else f"formula of {_STANDARDS[name]}")
+         f"given{scaled(rated, name)}" if name in rated.given else f"formula of {_STANDARDS[name]}")
         for name, number in numbers.items()
     ]  # fmt: skip

@@ -11,9 +11,12 @@ import numpy as np
 
 from flexbearing.case import understood
 from flexbearing.case.declarations import toml
+from flexbearing.findings import Record, stored
 from flexbearing.printable import all_printable
 from flexbearing.quantities import SummaryValue, Unit
+from flexbearing.quantities.effects import Effects, effects
 from flexbearing.quantities.layout import Layout
+from flexbearing.quantities.life_records import FactoredLife, factored_lives
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.keys import in_words
 from flexbearing.report.html.units import Units, converted
@@ -118,9 +121,20 @@ class Reader:
         )
 
     @cached_property
-    def findings(self) -> tuple[dict[str, Any], ...]:
+    def findings(self) -> tuple[Record, ...]:
         """Its findings."""
-        return tuple(self.attributes.get("findings") or ())
+        return stored(self.attributes)
+
+    @cached_property
+    def effects(self) -> Effects | None:
+        """Effects of inputs that are not known; None where they were not computed."""
+        stored = self.attributes.get("assumed_effects")
+        return effects(stored) if stored else None
+
+    @cached_property
+    def lives(self) -> dict[str, FactoredLife]:
+        """Its lives with their factors, by end state."""
+        return factored_lives(self.attributes.get("life") or {})
 
     @property
     def clearance_words(self) -> str:

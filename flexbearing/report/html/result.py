@@ -81,10 +81,10 @@ def _of_solution(reader: Reader) -> dict[str, Any]:
     """Results by subject."""
     shown = reader.result.family.report().elements
     first, further = checks.first_and_further(reader)
-    known, bent = bool(reader.attributes.get("assumed_effects")), deviations(reader)
+    known, bent = reader.effects is not None, deviations(reader)
     loads = elements.figures(reader, shown.figures, shown.azimuth) if shown else []
     return {
-        "judged": checks.judged(reader),
+        "judged": f"{': '.join(filter(None, checks.judged(reader)))}.",
         "checks": _checked(first),
         "further_checks": _checked(further) if further else None,
         "load": loads[0] if loads else None,
@@ -141,7 +141,7 @@ def _checked(found: tuple[checks.Check, ...]) -> Table:
 
 def _notes(reader: Reader) -> tuple[list[tuple[str, str]], Table]:
     """Notes that no finding is judged by: the gravest for the first page, the others with grades and keys."""
-    judged = {record["code"] for record in reader.findings} | set(checks.NOTED)
+    judged = {record.code for record in reader.findings} | set(checks.NOTED)
     notes = [
         (note["grade"], in_words(note["text"]), keys_in(note["text"]))
         for grade in GRADES for note in reader.attributes["notes"]

@@ -1,18 +1,18 @@
 """The report of a study: outputs over what was varied, duty cycles, every row."""
 
-import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 from math import isnan
 from typing import Any
 
+from flexbearing.findings.row import RowFinding, by_sentence
 from flexbearing.printable import excerpt, printable
 from flexbearing.report.figure import COLOURS, Axis, Figure, Line
 from flexbearing.report.html.document import Cell, Document, Table
 from flexbearing.report.html.duty import duty_parts
 from flexbearing.report.html.effects import name
 from flexbearing.report.html.scatter import ScatterTables, scatter_parts
-from flexbearing.report.html.table import MOST_ROWS, NOT_COMPUTED, StudyColumn, StudyTable, words
+from flexbearing.report.html.table import ENDS, MOST_ROWS, NOT_COMPUTED, StudyColumn, StudyTable, words
 from flexbearing.report.html.units import METRIC, Units, converted, printed, with_unit
 
 LINES = 12  # of a figure at most; more are points
@@ -21,10 +21,6 @@ FIGURES = 12  # that are shown; others on request
 LONGEST = 40  # characters of a list that a cell shows
 SHORT = 4  # lines that a legend names within a figure of usual height
 CONVERGED, RATED, IDLE = "converged", "rated", "no damage"  # status of rows with an answer
-_NOTES = re.compile(r"; (?=(?:danger|outside validity|information): )")  # between notes of a row
-_FINDING = re.compile(
-    r"(?P<what>[^:]+: [^:]+: )(?P<value>[\d.,]*\d)(?P<limit>(?: \S+)?, at (?:most|least) .*)", re.S
-)
 _STYLES = ("solid", "dash", "dot")
 
 
@@ -73,50 +69,31 @@ def _drawn(
 
 
 def _endings(table: StudyTable) -> dict[str, Any]:
-    """How many rows have a result, and why others have none; dangers of those that do."""
-    ends = [
-        (row, status, printable(message))
-        for row, (status, message) in enumerate(zip(table.statuses, table.messages, strict=True), 1)
-    ]
-    answered = (CONVERGED, RATED, IDLE)
-    failed = [(row, f"{status}: {message}") for row, status, message in ends
-              if status not in (*answered, NOT_COMPUTED)]  # fmt: skip
-    noted = [(row, note) for row, status, message in ends if message and status in (CONVERGED, RATED)
-             for note in _NOTES.split(message)]  # fmt: skip
-    idle = sum(status == IDLE for _, status, _ in ends)
+    """How many rows have a result, and why others have none; findings of those that do."""
+    failed: dict[str, list[int]] = {}
+    noted: list[tuple[int, RowFinding]] = []
+    ends = zip(table.statuses, table.messages, table.findings, strict=True)
+    for row, (status, message, findings) in enumerate(ends, 1):
+        if status in (CONVERGED, RATED):
+            noted += ((row, each) for each in findings)
+        elif status not in (IDLE, NOT_COMPUTED):
+            failed.setdefault(f"{status}: {message}", []).append(row)
+    idle = table.statuses.count(IDLE)
     return {
-        "converged": len(ends) - len(failed) - table.to_come - idle,
+        "converged": len(table.statuses) - sum(map(len, failed.values())) - table.to_come - idle,
         "idle": idle,
         "to_come": table.to_come,
         "failed": [*_by_message(failed)],
-        "noted": [*_by_message(_ranges(noted))],
+        "noted": [*_by_message(dict(by_sentence(noted)))],
     }
 
 
-def _ranges(rows: list[tuple[int, str]]) -> list[tuple[int, str]]:
-    """Findings of several rows with the range of their values, so that each is said once."""
-    sizes: dict[tuple[str, ...], list[str]] = {}
-    for _, note in rows:
-        if found := _FINDING.fullmatch(note):
-            sizes.setdefault(found.group("what", "limit"), []).append(found["value"])
-    ends = {key: sorted(values, key=lambda text: float(text.replace(",", "")))[:: max(1, len(values) - 1)]
-            for key, values in sizes.items()}  # fmt: skip
-    return [
-        (row, note if (found := _FINDING.fullmatch(note)) is None else
-         f"{found['what']}{' to '.join(dict.fromkeys(ends[found.group('what', 'limit')]))}{found['limit']}")
-        for row, note in rows
-    ]  # fmt: skip
-
-
-def _by_message(rows: list[tuple[int, str]]) -> Iterator[str]:
-    """The first messages, each once with its first rows."""
-    alike: dict[str, list[int]] = {}
-    for row, message in rows:
-        alike.setdefault(message, []).append(row)
+def _by_message(alike: Mapping[str, list[int]]) -> Iterator[str]:
+    """The first messages, each with its first rows."""
     for message, numbers in islice(alike.items(), MOST_MESSAGES):
         shown = ", ".join(map(str, numbers[:MOST_MESSAGES]))
         more = f" and {len(numbers) - MOST_MESSAGES} more" if len(numbers) > MOST_MESSAGES else ""
-        yield f"row{'s' if len(numbers) > 1 else ''} {shown}{more}: {message}"
+        yield f"row{'s' if len(numbers) > 1 else ''} {shown}{more}: {printable(message)}"
     if len(alike) > MOST_MESSAGES:
         yield f"{len(alike) - MOST_MESSAGES} further messages, in the table"
 
@@ -202,11 +179,9 @@ def _value(column: StudyColumn, row: int, units: Units) -> float | str | None:
 
 def _rows(table: StudyTable, units: Units, place: str) -> Table:
     """Every row of a table, to be sorted by any column."""
-    head = (
-        "row",
-        *(with_unit(column.name.replace("_", " "), units.of(column.unit)) for column in table.columns),
-    )
-    rows = tuple((str(row + 1), *_cells(table.columns, row, units, place)) for row in range(len(table)))
+    columns = [column for column in table.columns if column.name != ENDS[2]]  # the message has them in words
+    head = ("row", *(with_unit(column.name.replace("_", " "), units.of(column.unit)) for column in columns))
+    rows = tuple((str(row + 1), *_cells(columns, row, units, place)) for row in range(len(table)))
     return Table(head, rows, sortable=True)
 
 

@@ -28,7 +28,7 @@ ERROR, CHANGE = "error [%]", "rigid to flexible [%]"
 def tables(reader: Reader) -> dict[str, Table]:
     """A table for each subject, and "further" with all that belongs to none."""
     rows: dict[str, list[tuple[Cell, ...]]] = {name: [] for name in (*SUBJECTS, "further")}
-    judged = {record["quantity"] for record in reader.findings}
+    judged = {record.quantity for record in reader.findings}
     for entry in (each for each in reader.layout.summary if each.label):
         alone = entry.key == "peak_pressure_MPa" and len(reader.blocks) == 1 and "contact_pressure" in judged
         if not (alone or entry.key in FIRST_PAGE or entry.key.startswith(ELSEWHERE)):

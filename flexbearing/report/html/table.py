@@ -13,11 +13,14 @@ from pathlib import Path
 from flexbearing import inputs
 from flexbearing.case.declarations import find
 from flexbearing.case.family import Families
+from flexbearing.findings import RowFinding
+from flexbearing.findings.row import read as read_findings
 from flexbearing.inputs.file import TABLE
+from flexbearing.printable import one_line
 from flexbearing.results import BadResult
 
 PARQUET = ".parquet"
-ENDS = ("status", "message", "seconds")
+ENDS = ("status", "message", "findings", "seconds")
 NOT_COMPUTED = (
     "not computed"  # status of a variant that is still to come, in the table of an interrupted study
 )
@@ -78,6 +81,7 @@ class StudyTable:
     columns: tuple[StudyColumn, ...]  # of all rows, or of the first of a large table
     statuses: Sequence[str]  # of all rows
     messages: Sequence[str]
+    findings: Sequence[tuple[RowFinding, ...]]
 
     @property
     def name(self) -> str:
@@ -131,17 +135,24 @@ def read_table(place: Path, families: Families, most: int | None = None) -> Stud
         head = next(lines)
         inputs.require_different(head)
         cells = _cells(islice(lines, most), len(head))
-        places = [head.index(name) for name in ENDS] if any(cells) and set(ENDS) <= set(head) else []
-        ends = _packed_ends(place) if packed and places else [cells[column] for column in places[:2]]
+        _require_rows(head, cells)
+        ends = _packed_ends(place) if packed else [cells[head.index(name)] for name in ENDS[:3]]
+        statuses, messages, findings = ends
+        known = {cell: read_findings(cell) for cell in {*findings}}
     except inputs.Unreadable as problem:
         raise BadResult(f"{place}: {problem}.") from problem
     except (ValueError, StopIteration, csv.Error) as problem:
-        raise BadResult(f"{place}: is no table of a study: {problem}.") from problem
-    if not places:
-        raise BadResult(f"{place}: is no table of a study: it has no rows with {', '.join(ENDS)}.")
-    if len(ends[0]) > HANDED_OUT:
+        raise BadResult(f"{place}: is no table of a study: {one_line(problem)}.") from problem
+    if len(statuses) > HANDED_OUT:
         text, cells = "", [column[:MOST_ROWS] for column in cells]
-    return StudyTable(place, text, tuple(_columns(head, cells, families)), *ends)
+    columns = tuple(_columns(head, cells, families))
+    return StudyTable(place, text, columns, statuses, messages, [known[cell] for cell in findings])
+
+
+def _require_rows(head: list[str], cells: list[list[str]]) -> None:
+    """Raises ValueError for a table without rows, or without the columns that every study has."""
+    if not any(cells) or not set(ENDS) <= set(head):
+        raise ValueError(f"it has no rows with {', '.join(ENDS)}")
 
 
 def _row_count(place: Path) -> int:
@@ -153,7 +164,7 @@ def _row_count(place: Path) -> int:
 def _packed_ends(place: Path) -> list[list[str]]:
     from flexbearing.report.html.parquet import texts
 
-    return texts(place, ENDS[:2])
+    return texts(place, ENDS[:3])
 
 
 def table_text(place: Path, most: int | None = None) -> str:

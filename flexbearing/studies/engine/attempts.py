@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+from flexbearing.printable import one_line
 from flexbearing.program.interpreter import Died
 from flexbearing.program.processes import Done
 from flexbearing.studies.plan import Row, Task
@@ -128,4 +129,4 @@ def _deaths(task: Task, deaths: Counter[str], again: deque[Task]) -> Iterator[Ro
 def _failed(done: Done) -> Iterator[Row]:
     """Rows of a task whose function raised what it should have turned into rows."""
     for variant in done.argument.variants:
-        yield Row(variant.identity, ERROR, "; ".join(done.problem.splitlines()), 0.0)
+        yield Row(variant.identity, ERROR, one_line(done.problem), 0.0)

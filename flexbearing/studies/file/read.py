@@ -23,7 +23,7 @@ from flexbearing.studies.file.values import BadValues
 
 _PLAIN_NAME = re.compile(r"[^./\\\x00-\x1f\x7f][^/\\\x00-\x1f\x7f]{0,99}")
 Source = str | Path | Mapping[str, Any]  # of a study: its file, or the same as a dictionary
-ENDS = "status", "message", "seconds"  # columns that every table has
+ENDS = "status", "message", "findings", "seconds"  # columns that every table has
 _COLUMN = re.compile(rf"(?!(?:{'|'.join(ENDS)})$)[\w.]{{1,100}}")
 
 

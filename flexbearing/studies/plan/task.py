@@ -8,6 +8,7 @@ from typing import Any
 
 from flexbearing.case import Head
 from flexbearing.case.head import digests
+from flexbearing.findings.row import RowFinding, words
 from flexbearing.quantities.attributes import FORMAT
 
 CONVERGED, BAD_INPUT, WORKER_DIED, ERROR = "converged", "bad input", "worker died", "error"
@@ -114,11 +115,17 @@ class Row:
 
     identity: str
     status: str  # an end of a run, or `BAD_INPUT`, `WORKER_DIED`, `ERROR`, `NOT_STORED`
-    message: str  # one line
+    message: str  # one line: why there is no result; empty where there is one
     seconds: float
     values: Mapping[str, float] = field(default_factory=dict)  # by names of outputs; absent: not known
+    findings: tuple[RowFinding, ...] = ()  # what its numbers exceed or lack
     own_run: str = ""  # why it was not solved beside others; empty where it was, or nothing is
     complaints: tuple[str, ...] = ()  # of its worker, about the cache of rings; not kept in a journal
+
+    @property
+    def why(self) -> str:
+        """Why it has no result, or lacks numbers: its message and its findings in words."""
+        return "; ".join(filter(None, (self.message, words(self.findings))))
 
     @property
     def converged(self) -> bool:

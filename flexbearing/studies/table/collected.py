@@ -3,13 +3,12 @@
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from math import isnan, nan
 
 from flexbearing.case import BadCase
 from flexbearing.case.family import Families
 from flexbearing.outputs import RequestedOutput, UnknownOutput, WrongUnit, of_rollers, outputs, requested
-from flexbearing.outputs.names import BLOCKS, Block
+from flexbearing.outputs.names import BLOCKS
 from flexbearing.outputs.value import conversion, quoted
 from flexbearing.quantities.layout import Layout
 from flexbearing.studies.file import Study
@@ -122,18 +121,6 @@ def of_text(column: str, text: str, layout: Layout, rollers: int = 0) -> Collect
     )
 
 
-def numbers(
-    blocks: Mapping[str, Block], texts: tuple[str, ...], kind: str, families: Families
-) -> dict[str, float]:
-    """Numbers of one variant by the texts that name them; what it does not have is left out."""
-    found = {}
-    for text, output in _requested(texts, kind, families[kind].layout):
-        number = output.number(blocks)
-        if not isnan(number):
-            found[text] = number
-    return found
-
-
 def with_errors(columns: Iterable[Collected], layout: Layout) -> tuple[Collected, ...]:
     """Columns with those of their estimated errors behind them; quotients have none."""
     found = []
@@ -156,7 +143,8 @@ def errors(
 ) -> dict[str, float]:
     """Estimated errors of outputs by the texts that name them."""
     found = {}
-    for text, output in _requested(texts, kind, families[kind].layout):
+    for text in texts:
+        output = requested(families[kind].layout(), text)
         whole = 100.0 if output.output.declared.error_relative else 1.0  # in percent of the output
         error = output.error(estimates, whole)
         if not isnan(error):
@@ -167,8 +155,3 @@ def errors(
 def of_error(text: str) -> str:
     """What the estimated error of an output is called among the numbers of a row."""
     return f"{text} error"
-
-
-@lru_cache(maxsize=16)
-def _requested(texts: tuple[str, ...], kind: str, layout) -> tuple[tuple[str, RequestedOutput], ...]:
-    return tuple((text, requested(layout(), text)) for text in texts)

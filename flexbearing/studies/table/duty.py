@@ -10,11 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.case.family import Family
+from flexbearing.findings import RowFinding
+from flexbearing.findings.row import information
 from flexbearing.studies.file.spectrum import Spectrum
 from flexbearing.studies.plan import Plan, Row, Variant
 from flexbearing.studies.plan.task import CONVERGED, NO_DAMAGE, NOT_COMPUTED
 from flexbearing.studies.table.collected import of_error
-from flexbearing.studies.table.table import Column
+from flexbearing.studies.table.table import Column, ends
 from quasidynamic import OutOfRange
 from quasidynamic.outcome.load_spectrum import (
     cumulated_life,
@@ -160,12 +162,16 @@ class Cycles:
             with np.errstate(invalid="ignore"):  # no load, no damage
                 yield _column(f"{words}damage_share", "%", 100 * each / each.sum(axis=1, keepdims=True))
 
-    def messages(self) -> Iterator[str]:
+    def findings(self) -> Iterator[tuple[RowFinding, ...]]:
         """What a row without a life counts as, C N of them."""
         lives, to_come = self._lives[""], np.repeat(self._to_come, self.speed.shape[1])
         for waits, left_out, bound in zip(to_come, lives.left_out.ravel(), lives.bounds.ravel(), strict=True):
-            words = f"counted with the life of row {bound + 1} of the cycle" if bound != NONE else ""
-            yield "" if waits else "left out of the life of the cycle" if left_out else words
+            if left_out and not waits:
+                yield (information("left-out", "left out of the life of the cycle"),)
+            elif bound != NONE and not waits:
+                yield (information("bounded", f"counted with the life of row {bound + 1} of the cycle"),)
+            else:
+                yield ()
 
     def of_cycles(self) -> Iterator[Column]:
         """Columns of the table of cycles, C long: lives in revolutions and hours, what they lack, ends."""
@@ -187,9 +193,7 @@ class Cycles:
         if self.catalogued:
             yield from self.catalogued.columns(self.shares_of_revolutions, speed)
         yield Column("kind", "", tuple(self.kinds or (KINDS[self.spectrum.life],) * len(self.rows)))
-        yield Column("status", "", tuple(map(self._status, range(len(self.rows)))))
-        yield Column("message", "", tuple(map(self._message, range(len(self.rows)))))
-        yield Column("seconds", "", tuple(sum(row.seconds for row in cycle) for cycle in self.rows))
+        yield from ends([self._end(cycle) for cycle in range(len(self.rows))])
 
     def _of_bins(self) -> Iterator[Column]:
         """Rows of the time series, and by how much its bins may change the damage, in percent of it."""
@@ -215,10 +219,15 @@ class Cycles:
         for name, shares in (("time", self.shares_of_time), ("revolution", self.shares_of_revolutions)):
             yield _column(f"{words}_{name}_share", "%", 100 * (shares * which).sum(axis=1))
 
+    def _end(self, cycle: int) -> Row:
+        """How a cycle ended, as a row."""
+        seconds = sum(row.seconds for row in self.rows[cycle])
+        if self._to_come[cycle]:
+            return Row("", NOT_COMPUTED, "rows are not computed yet", seconds)
+        return Row("", self._status(cycle), "", seconds, findings=tuple(self._lacking(cycle)))
+
     def _status(self, cycle: int) -> str:
         lives = self._lives[""]
-        if self._to_come[cycle]:
-            return NOT_COMPUTED
         life = self._life(lives)[cycle]
         if np.isnan(life):
             return INCOMPLETE
@@ -228,17 +237,14 @@ class Cycles:
             return LEFT_OUT
         return BOUNDED if self._bounded[cycle].any() else CONVERGED
 
-    def _message(self, cycle: int) -> str:
-        if self._to_come[cycle]:
-            return "rows are not computed yet"
+    def _lacking(self, cycle: int) -> Iterator[RowFinding]:
+        """Rows of a cycle that are left out or bounded."""
         left_out, bounded = self._lives[""].left_out[cycle], self._bounded[cycle]
         shares = 100 * self.shares_of_time[cycle]
-        parts = (("left out", left_out), ("damage bounded", bounded))
-        return "; ".join(
-            f"{words}: row{'s' * int(rows.sum() > 1)} {_listed(rows)}, {shares[rows].sum():.3g} % of the time"
-            for words, rows in parts
-            if rows.any()
-        )
+        for code, what, rows in (("left-out", "left out", left_out), ("bounded", "damage bounded", bounded)):
+            if rows.any():
+                those = f"row{'s' * int(rows.sum() > 1)} {_listed(rows)}"
+                yield information(code, f"{what}: {those}, {shares[rows].sum():.3g} % of the time")
 
 
 @dataclass(frozen=True)

@@ -21,6 +21,7 @@ from zlib import crc32
 
 from flexbearing import inputs
 from flexbearing.files import NotStored, lock
+from flexbearing.findings.row import read as read_findings, written
 from flexbearing.studies.plan import Row
 from flexbearing.studies.plan.task import Call, names as names_of
 
@@ -179,6 +180,7 @@ def _entry(row: Row, names: Sequence[str], of: str) -> dict[str, Any]:
         "message": row.message,
         "seconds": row.seconds,
         "values": [_stored(row.values.get(name)) for name in names],
+        "findings": written(row.findings),
         **({"own_run": row.own_run} if row.own_run else {}),
     }
 
@@ -204,7 +206,12 @@ def _row(entry: Mapping[str, Any], names: Sequence[str]) -> Row:
     identity, status, message = (_text(entry.get(name)) for name in ("identity", "status", "message"))
     if not status.isprintable() or len(status) > LONGEST_STATUS:
         raise _Damaged
-    return Row(identity, status, message, float(seconds), numbers, _text(entry.get("own_run", "")))
+    try:
+        findings = read_findings(_text(entry.get("findings")))
+    except ValueError:
+        raise _Damaged from None
+    own_run = _text(entry.get("own_run", ""))
+    return Row(identity, status, message, float(seconds), numbers, findings, own_run)
 
 
 def _number(stored: Any) -> float:

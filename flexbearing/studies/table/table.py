@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexbearing.case import BadCase
+from flexbearing.findings.row import written
 from flexbearing.outputs.names import ROLLER
 from flexbearing.printable import excerpt
 from flexbearing.report.figure import (
@@ -55,7 +56,8 @@ def ends(rows: Sequence[Row]) -> tuple[Column, ...]:
     return (
         *((Column("own_run", "", own_runs),) if any(own_runs) else ()),
         Column("status", "", tuple(row.status for row in rows)),
-        Column("message", "", tuple(row.message for row in rows)),
+        Column("message", "", tuple(row.why for row in rows)),
+        Column("findings", "", tuple(written(row.findings) for row in rows)),
         Column("seconds", "", tuple(row.seconds for row in rows)),
     )
 
@@ -65,7 +67,7 @@ class Table:
     """What a study found."""
 
     name: str
-    columns: tuple[Column, ...]  # keys, outputs, then status, message and seconds
+    columns: tuple[Column, ...]  # keys, outputs, then status, message, findings and seconds
     axes: tuple[Axis, ...]  # crossed, the last one changes fastest
     cycles: "Table | None" = None  # lives under the duty cycle, where there is one
     arrays: tuple[Column, ...] = ()  # outputs roller by roller, a tuple of numbers in each row
