@@ -1,5 +1,6 @@
 """A groove for balls in a raceway, as frozen data; lengths and directions as in `fem.parts.rings`."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import acos, asin, pi, sin, sqrt
 
@@ -64,6 +65,12 @@ class Groove:
         """Radius of the bottom of the groove [m]."""
         return self.centre_radius + outward * self.depth
 
+    def surface(self, x: float, land: float, outward: int) -> float:
+        """Radius of groove and lands at an axial place [m]."""
+        along = abs(x) + self.aside
+        depth = sqrt(self.radius**2 - along**2) if along < self.radius else 0.0
+        return self.centre_radius + outward * max(depth, outward * (land - self.centre_radius))
+
 
 @dataclass(frozen=True, kw_only=True)
 class Stations:
@@ -80,3 +87,17 @@ class Stations:
             "angles", self.angles, "an odd number of different angles",
         )  # fmt: skip
         require(max(map(abs, self.angles)) < pi / 2, "angles", self.angles, "between -pi/2 and pi/2")
+
+
+@dataclass(frozen=True, kw_only=True)
+class BallPatches:
+    """Where balls load a groove of one arc."""
+
+    azimuths: Sequence[float]  # (Z,) [rad] of the balls
+    length: float  # [m] axial width of the groove
+    stations: Stations
+
+    @property
+    def width(self) -> float:
+        """Standard deviation of a patch [m]."""
+        return self.stations.width

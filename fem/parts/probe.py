@@ -5,6 +5,7 @@ from math import degrees, pi, sin
 from typing import TYPE_CHECKING
 
 from fem.parts.boundary_conditions import Housing
+from fem.parts.groove import Groove
 from fem.parts.material import ImpossiblePart, in_mm
 from fem.parts.rings import OuterRing, Part, RingOnShaft
 from fem.parts.squirrel_cage import SquirrelCage
@@ -42,10 +43,10 @@ def radius(part: "Part | StepSolid", probe: Probe) -> float:
     if not there:
         raise ImpossiblePart(f"x = {in_mm(probe.x)} is beside the part")
     low, high = min(wall[2] for wall in there), max(wall[3] for wall in there)
-    if isinstance(part, SquirrelCage) and (low, high) == part.bar_radii and _in_slot(part, probe):
-        raise ImpossiblePart(
-            f"x = {in_mm(probe.x)} at {degrees(probe.azimuth):.4g} deg is in a slot between bars"
-        )
+    if isinstance(part, SquirrelCage) and (low, high) == part.bar_radii:
+        _require_on_bar(part, probe)
+    if part.groove is not None:
+        low, high = _beside_groove(part, part.groove, probe.x, low, high)
     if not probe.outside and low == 0:
         raise ImpossiblePart("a solid shaft has no inner surface; allowed is the outer one with a depth")
     if probe.depth > high - low:
@@ -87,8 +88,20 @@ def _at_end(end: int, near: float, far: float, inner: float, outer: float) -> Wa
     return first, last, inner, outer
 
 
-def _in_slot(cage: SquirrelCage, probe: Probe) -> bool:
-    """Whether a probe between ring and flange misses the bars."""
+def _beside_groove(part: Part, groove: Groove, x: float, low: float, high: float) -> tuple[float, float]:
+    """Inner and outer radius [m] of a wall between which the groove leaves material."""
+    land = part.raceway_diameter / 2
+    if isinstance(part, RingOnShaft):
+        return low, groove.surface(x, land, -1) if high == land else high
+    return groove.surface(x, land, 1) if low == land else low, high
+
+
+def _require_on_bar(cage: SquirrelCage, probe: Probe) -> None:
+    """Refuse a probe between ring and flange that misses the bars, or on bars that are spread evenly."""
+    at = f"x = {in_mm(probe.x)} at {degrees(probe.azimuth):.4g} deg"
+    if cage.groove is not None:
+        raise ImpossiblePart(f"{at} is between ring and flange, where bars below balls are spread evenly")
     pitch = 2 * pi / cage.bars
     off = (probe.azimuth + pitch / 2) % pitch - pitch / 2
-    return abs(cage.bar_radii[1] * sin(off)) > cage.bar_width / 2
+    if abs(cage.bar_radii[1] * sin(off)) > cage.bar_width / 2:
+        raise ImpossiblePart(f"{at} is in a slot between bars")

@@ -25,6 +25,16 @@ def narrowest_patch(radius: float) -> float:
     return FINENESS * radius / (DETAIL * MOST)
 
 
+def fade(groove: Groove, outward: int, angles: NDArray, width: float, last: int) -> NDArray:
+    """Share of a line that patches of some width [m] at contact angles (K,) [rad] carry in harmonic n [-].
+
+    (N + 1, K), as they read rigid motions.
+    """
+    radii = groove.centre_radius + outward * groove.radius * np.cos(angles)
+    n = np.arange(last + 1)
+    return np.exp(-(n[:, None] ** 2 - 1) * (width / radii) ** 2 / 2)
+
+
 @dataclass(frozen=True, kw_only=True)
 class GrooveCompliance:
     r"""How a groove answers the harmonics of forces on its stations; the azimuths of the balls stay free.
@@ -99,9 +109,7 @@ class GrooveCompliance:
     def fade(self) -> NDArray:
         """Share of a line that patches of some width carry in each harmonic (N + 1, A K) [-]."""
         angles = np.tile(self.angles, len(self.groove.sides))
-        radii = self.groove.centre_radius + self.outward * self.groove.radius * np.cos(angles)
-        n = np.arange(len(self.response))
-        return np.exp(-(n[:, None] ** 2 - 1) * (self.width / radii) ** 2 / 2)
+        return fade(self.groove, self.outward, angles, self.width, len(self.response) - 1)
 
     @property
     def _half_space(self) -> NDArray:

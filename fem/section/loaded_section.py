@@ -1,11 +1,12 @@
-r"""Displacement and stress of a body of revolution under its rollers, from harmonics on its axial section.
+r"""Displacement and stress of a body of revolution under its rollers or balls, in harmonics on its section.
 
 .. math:: F_{nm}(\varphi) = \frac{2 - \delta_{n0}}{2\pi} e^{-(n s/R)^2/2}
           \sum_j F_{jm} e^{in(\varphi - \varphi_j)}, \quad
           \varepsilon(\varphi) = \sum_{nm} \varepsilon_{nm} \{\mathrm{Re}, \mathrm{Im}\} F_{nm}(\varphi)
 
 with the real part for what is its own mirror image in the plane of a roller, the imaginary part for the rest,
-and s the width of a roller's patch. Heat and rotation come on top, in harmonic 0.
+and s the width of a roller's patch; those of balls fade as in `fem.raceway.stations`. Heat and rotation come
+on top, in harmonic 0.
 
 Source
 ------
@@ -30,13 +31,16 @@ from fem.mesh.notches import notches
 from fem.mesh.section_mesh import faces_of
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.boundary_conditions import FreeMotions
-from fem.parts.resolution import Shape
-from fem.parts.rings import MeshSize, OuterRing, Patches, RingOnShaft
+from fem.parts.groove import BallPatches
+from fem.parts.resolution import Resolution, Shape
+from fem.parts.rings import MeshSize, OuterRing, Patches, RingOnShaft, SquirrelCage
 from fem.parts.surroundings import Surroundings
+from fem.raceway.stations import fade
 from fem.section.expansion import heating, rotation
-from fem.section.revolved_body import Body, edge_modes
-from fem.section.rigid_body_modes import body_of, held_on_points
-from fem.solid.extremes import Samples
+from fem.section.raceway_shapes import body_of_revolution, outward, raceway_modes
+from fem.section.revolved_body import Body
+from fem.section.rigid_body_modes import held_on_points
+from fem.solid.extremes import NOWHERE, Samples
 from fem.solid.lattice import Spread, hooke, located, spread
 
 SMOOTH = 4.3  # standard deviations of a Gaussian's spectrum, beyond which 1e-4 of it is left
@@ -47,21 +51,24 @@ AXES = [0, 1, 2, 3, 5, 4]  # xx, rr, tt, xr, rt, xt of what the forms give as xx
 EVEN = [0, 1, 2, 3]  # of them, which go with the cosine
 
 
+Revolved = OuterRing | RingOnShaft | SquirrelCage  # the last with a groove, its bars spread evenly
+
+
 @dataclass(frozen=True)
 class Field:
     """What one order of displacements answers."""
 
     body: Body
-    rollers: HarmonicAnswers  # to the axial shapes of a unit of force per radian
+    elements: HarmonicAnswers  # to the shapes of the raceway, a unit of force per radian each
     steady: NDArray  # (unknowns,) of heat and rotation [m]
 
 
 @dataclass(frozen=True, kw_only=True)
 class LoadedSection:
-    """A body of revolution under roller forces; see `fem.solid.extremes.Sampled`."""
+    """A body of revolution under rollers or balls; see `fem.solid.extremes.Sampled`."""
 
-    part: OuterRing | RingOnShaft
-    patches: Patches
+    part: Revolved
+    patches: Patches | BallPatches
     forces: NDArray  # (Z, M) [N] positive outward
     surroundings: Surroundings
     fields: tuple[Field, Field]  # of the lower and the higher order
@@ -107,6 +114,8 @@ class LoadedSection:
         azimuth = (np.arctan2(y, z) + step / 2) % (2 * pi) - step / 2
         low, high = ((piece + k) * CHUNK - 0.5 for k in (0, 1))
         kept = (azimuth >= low * step) & (azimuth < high * step)
+        if not kept.any():
+            return NOWHERE
         flat = np.stack([x, np.hypot(y, z)], axis=1)[kept] * MILLIMETRES
         of_order = self.fields[higher]
         points, which = located(of_order.body.space.mesh, body, flat, self.moved)
@@ -136,7 +145,7 @@ class LoadedSection:
         """Samples of points, each at its azimuth, or everywhere at all of some azimuths."""
         x, r = ngs.CF((ngs.x, ngs.y))(points.mapped).T / MILLIMETRES
         moved, plain, turned = _strains(of_order, points.mapped, r)
-        cosine, sine = self._waves(of_order.rollers, azimuth)
+        cosine, sine = self._waves(of_order.elements, azimuth)
         of = np.matmul if everywhere else _each
         strain = np.stack([
             of(plain[:, c], wave[0]) + of(turned[:, c], wave[1])
@@ -152,21 +161,29 @@ class LoadedSection:
             points.key, points.even, place.reshape(-1, 3), shift.reshape(-1, 3), stress.reshape(-1, 6)
         )  # fmt: skip
 
-    def _waves(self, rollers: HarmonicAnswers, azimuth: NDArray) -> tuple[NDArray, NDArray]:
+    def _waves(self, elements: HarmonicAnswers, azimuth: NDArray) -> tuple[NDArray, NDArray]:
         """Factors of the basis and the steady field (2, B + 1, azimuths), with the cosine and the sine.
 
         The first are for strains without the harmonic n, the second for those with it.
         """
-        n = np.arange(len(rollers.factors))
-        weight = np.exp(-((n * self.patches.width / self.radius) ** 2) / 2) / pi
+        n = np.arange(len(elements.factors))
+        weight = self._spectrum(n) / pi
         weight[0] /= 2
-        own = np.exp(-1j * np.outer(n, self.patches.azimuths)) @ self.forces * weight[:, None]
-        load = np.einsum("nbm,nm->bn", rollers.factors, own)
+        own = np.exp(-1j * np.outer(n, self.patches.azimuths)) @ self.forces * weight
+        load = np.einsum("nbm,nm->bn", elements.factors, own)
         turn = np.exp(1j * np.outer(n, azimuth))
         waves = np.stack([load @ turn, (load * n) @ turn])
         steady = np.zeros((2, 1, azimuth.size))
         steady[0] = 1.0
         return np.hstack([np.real(waves), steady]), np.hstack([np.imag(waves), 0 * steady])
+
+    def _spectrum(self, n: NDArray) -> NDArray:
+        """Share of a line that patches carry in harmonics (N + 1, M), or (N + 1, 1) of rollers [-]."""
+        groove, patches = self.part.groove, self.patches
+        if groove is not None and isinstance(patches, BallPatches):
+            angles = np.array(patches.stations.angles)
+            return fade(groove, outward(self.part), angles, patches.width, int(n[-1]))
+        return np.exp(-((n[:, None] * patches.width / self.radius) ** 2) / 2)
 
 
 def _each(fields: NDArray, waves: NDArray) -> NDArray:
@@ -176,7 +193,7 @@ def _each(fields: NDArray, waves: NDArray) -> NDArray:
 
 def _strains(of_order: Field, mapped: Any, radius: NDArray) -> tuple[NDArray, NDArray, NDArray]:
     """Displacement (n, 3, B + 1), strain without the harmonic and that with it (n, 6, B + 1) of the basis."""
-    fields = np.column_stack([of_order.rollers.basis, of_order.steady])
+    fields = np.column_stack([of_order.elements.basis, of_order.steady])
     values = ngs.GridFunction(of_order.body.space)
     gradient = ngs.CF(tuple(ngs.Grad(component) for component in values.components))
     moved, plain, turned = (np.zeros((radius.size, k, fields.shape[1])) for k in (3, 6, 6))
@@ -195,18 +212,19 @@ def _strains(of_order: Field, mapped: Any, radius: NDArray) -> tuple[NDArray, ND
 
 @threads(1)  # sections are small: a second thread would only wait
 def loaded_section(
-    part: OuterRing | RingOnShaft,
-    patches: Patches,
+    part: Revolved,
+    patches: Patches | BallPatches,
     forces: NDArray,
     mesh_size: MeshSize,
     surroundings: Surroundings | None = None,
     nodes_of: Shape | None = None,
 ) -> LoadedSection:
-    """Solve a body of revolution under generalised roller forces (Z, M) [N], by two orders of displacements.
+    """Solve a body of revolution under rollers or balls, by two orders of displacements.
 
-    Forces are as in `fem.assembly.roller_loads`, positive outward, and the part is held in every direction.
-    `mesh_size` has the higher order, 2 or more; surroundings are heat and rotation; with `nodes_of` the mesh
-    of another part and band is taken, its nodes moved to these.
+    Forces (Z, M) [N] are those of `fem.assembly.roller_loads`, or on stations of a groove, positive outward;
+    the part is held in every direction, a cage may have a groove. `mesh_size` has the higher order, 2 or more;
+    surroundings are heat and rotation; with `nodes_of` the mesh of another part and band is taken, its nodes
+    moved to these.
     Raises `ImpossiblePart` if the part is not known as a body of revolution, `NotSolved` if a solve fails.
 
     Valid
@@ -219,8 +237,8 @@ def loaded_section(
     fields = []
     for order in (mesh_size.order - 1, mesh_size.order):
         mesh = replace(mesh_size, order=order)
-        body, rollers = _answered(part, patches.length, patches.axial_modes, mesh, last, nodes_of)
-        fields.append(Field(body, rollers, _steady(body, around)))
+        body, elements = _answered(part, _resolution(patches, mesh, nodes_of), last)
+        fields.append(Field(body, elements, _steady(body, around)))
     lower, higher = fields
     moved = None
     if nodes_of is not None:
@@ -236,12 +254,17 @@ def loaded_section(
     )
 
 
+def _resolution(patches: Patches | BallPatches, mesh: MeshSize, nodes_of: Shape | None) -> Resolution:
+    plain = {"length": patches.length, "mesh_size": mesh, "nodes_of": nodes_of}
+    if isinstance(patches, BallPatches):
+        return Resolution(**plain, stations=patches.stations)
+    return Resolution(**plain, axial_modes=patches.axial_modes)
+
+
 @lru_cache(maxsize=4)  # both orders of both rings: only the forces differ from row to row of a study
-def _answered(
-    part: Any, length: float, modes: int, mesh: MeshSize, last: int, nodes_of: Shape | None
-) -> tuple[Body, HarmonicAnswers]:
-    body = body_of(part, length, mesh, nodes_of)
-    return body, answers(body.stiffness, edge_modes(body, "raceway", modes), last)
+def _answered(part: Revolved, resolution: Resolution, last: int) -> tuple[Body, HarmonicAnswers]:
+    body = body_of_revolution(part, resolution)
+    return body, answers(body.stiffness, raceway_modes(body, part, resolution), last)
 
 
 def _steady(body: Body, around: Surroundings) -> NDArray:

@@ -29,7 +29,14 @@ def raceway_modes(body: Body, part: Part | BoltedRing, resolution: Resolution) -
     """
     if part.groove is None:
         return edge_modes(body, "raceway", resolution.axial_modes)
-    return station_modes(body, part.groove, _outward(part), _stations(part, part.groove, resolution))
+    return station_modes(body, part.groove, outward(part), _stations(part, part.groove, resolution))
+
+
+def body_of_revolution(part: Part | BoltedRing, resolution: Resolution) -> Body:
+    """Assembled sections of a part; bars of a cage are spread evenly around it."""
+    if isinstance(part, SquirrelCage):
+        return assembled_cage(part, resolution)
+    return body_of(part, resolution.length, resolution.mesh, resolution.nodes_of)
 
 
 def raceway_compliance(
@@ -44,7 +51,7 @@ def raceway_compliance(
     stations = _stations(part, part.groove, resolution)
     return GrooveCompliance(
         groove=part.groove,
-        outward=_outward(part),
+        outward=outward(part),
         angles=np.array(stations.angles),
         width=stations.width,
         response=answers.response,
@@ -63,7 +70,7 @@ def last_harmonic_of_patches(part: Part | BoltedRing, resolution: Resolution) ->
     groove, stations = part.groove, resolution.stations
     if groove is None or stations is None:
         raise ImpossiblePart(f"groove = {groove} with stations = {stations} is impossible; give both")
-    outermost = max(groove.bottom(_outward(part)), groove.centre_radius)
+    outermost = max(groove.bottom(outward(part)), groove.centre_radius)
     return highest_harmonic(outermost, DETAIL * stations.width, resolution.mesh, resolution.harmonics)
 
 
@@ -80,10 +87,8 @@ def groove_compliance(
     """
     last = last_harmonic_of_patches(part, resolution)
     with stage("factor"):
-        if isinstance(part, SquirrelCage):
-            body, free = assembled_cage(part, resolution), FreeMotions()
-        else:
-            body, free = body_of(part, resolution.length, resolution.mesh), part.free_motions
+        body = body_of_revolution(part, resolution)
+    free = FreeMotions() if isinstance(part, SquirrelCage) else part.free_motions
     with stage("condense"):
         modes = raceway_modes(body, part, resolution)
         W = responses(body, free, modes, last) / (2 * np.pi)
@@ -115,7 +120,7 @@ def _stations(part: Part | BoltedRing, groove: Groove, resolution: Resolution) -
     stations = resolution.stations
     if stations is None:
         raise ImpossiblePart(f"groove = {groove} with stations = None is impossible; give both")
-    end = groove.end(part.raceway_diameter / 2, _outward(part))
+    end = groove.end(part.raceway_diameter / 2, outward(part))
     first = groove.bottom_angle if groove.aside else -end
     margin = stations.width / groove.radius
     require(
@@ -125,7 +130,7 @@ def _stations(part: Part | BoltedRing, groove: Groove, resolution: Resolution) -
     return stations
 
 
-def _outward(part: Part | BoltedRing) -> int:
+def outward(part: Part | BoltedRing) -> int:
     """1 where a part is outside of the balls, else -1."""
     if isinstance(part, BoltedRing):
         return part.outward

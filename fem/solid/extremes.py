@@ -26,6 +26,9 @@ class Samples(NamedTuple):
     stress: NDArray  # (n, 6) [Pa] xx, yy, zz, xy, yz, xz in the same axes
 
 
+NOWHERE = Samples(np.zeros(0, int), np.zeros(0, bool), *(np.zeros((0, k)) for k in (3, 3, 6)))
+
+
 def in_axes(samples: Samples, axes: NDArray) -> Samples:
     """Samples in other axes: their directions (n, 3, 3) in the axes of the samples, one after the other."""
     a, b = np.array([(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2)]).T

@@ -1,10 +1,15 @@
 """Parts at their temperature: how much they expand, and what they are made of."""
 
-from flexbearing.case.materials import Material
+from typing import TYPE_CHECKING, overload
+
+from flexbearing.case.materials import Elastic, Material
 from flexbearing.case.roller import Case
 
+if TYPE_CHECKING:
+    from flexbearing.case.balls.angular_contact import FastCase
 
-def hot_over_cold(case: Case, part: str) -> float:
+
+def hot_over_cold(case: "Case | FastCase", part: str) -> float:
     """Dimension of a part at its temperature over that at the reference temperature [-].
 
     A housing whose temperature is not given follows the outer ring.
@@ -18,14 +23,20 @@ def hot_over_cold(case: Case, part: str) -> float:
     return 1.0 + expansion_coefficient(case, part) * (temperature - temperatures.reference)
 
 
-def expansion_coefficient(case: Case, part: str) -> float:
+def expansion_coefficient(case: "Case | FastCase", part: str) -> float:
     """Coefficient of linear thermal expansion of a part [1/K]; 0 where the case needs none and gives none."""
-    return material(case, part).expansion or 0.0
+    return getattr(material(case, part), "expansion", None) or 0.0
 
 
-def material(case: Case, part: str) -> Material:
-    """Material of a part; that of the outer ring where a housing has none of its own."""
-    return getattr(case.materials, part) or case.materials.outer_ring
+@overload
+def material(case: Case, part: str) -> Material: ...
+@overload
+def material(case: "FastCase", part: str) -> Elastic: ...
+def material(case: "Case | FastCase", part: str) -> Elastic:
+    """Material of a part; where it has none of its own that of the outer ring, or of a ring by the balls."""
+    if isinstance(case, Case):
+        return getattr(case.materials, part) or case.materials.outer_ring
+    return getattr(case.materials, part) or case.materials.ring("inner" if part == "inner_ring" else "outer")
 
 
 def outer_raceway_diameter(case: Case) -> float:

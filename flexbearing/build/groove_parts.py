@@ -34,6 +34,21 @@ def groove_part(case: BallCase, race: Race) -> GroovePart | None:
         raise BadCase(f"{case.source.path}: [{section}] {problem}") from problem
 
 
+def why_no_solid(case: FastCase, race: Race) -> str:
+    """Why stress and strain of a part are not known; empty where they are."""
+    outer = case.outer
+    if race == "outer" and outer.kind == "matrix":
+        return 'outer.kind = "matrix" has no solid: its body is known by a matrix alone'
+    if race == "outer" and outer.kind == "ring" and outer.support in ("lines", "planet"):
+        known = '"side", "seat", "foundation" and "housing" have one'
+        return f'outer.support = "{outer.support}" has no solid; {known}'
+    on_bars = race == "outer" and outer.kind == "squirrel_cage"  # which are taken at rest
+    turning = getattr(case.operation, f"{race}_speed") and not on_bars
+    if turning and getattr(case.materials.ring(race), "density", None) is None:
+        return f"strain of a ring that turns needs materials.{race}_ring.density"
+    return ""
+
+
 def _bolted(case: FourPointCase, race: Race) -> BoltedRing:
     ring, groove = getattr(case.rings, race), case.groove(race)
     return BoltedRing(

@@ -1,17 +1,22 @@
 """From a case to the probes on its rings."""
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
 import fem
 from fem.parts.probe import Probe, radius
-from flexbearing.build import ring_parts
 from flexbearing.build.expansion import hot_over_cold
-from flexbearing.build.ring_parts import Race
+from flexbearing.build.ring_parts import NAMES, Race
 from flexbearing.case.roller import Case
 
+if TYPE_CHECKING:
+    from flexbearing.case.balls.angular_contact import FastCase
 
-def probes(case: Case, race: Race) -> dict[int, Probe]:
-    """Probes on one ring by their numbers from 0, at its temperature."""
+
+def probes(case: "Case | FastCase", race: Race) -> dict[int, Probe]:
+    """Probes on one ring by their numbers from 0, at the temperature of its finite elements."""
     table = case.outputs.probes
-    hot = hot_over_cold(case, f"{race}_ring")
+    hot = hot_over_cold(case, f"{race}_ring") if isinstance(case, Case) else 1.0
     return {
         number: Probe(
             azimuth=row.azimuth,
@@ -26,17 +31,19 @@ def probes(case: Case, race: Race) -> dict[int, Probe]:
     }
 
 
-def require_probes(case: Case) -> None:
+def require_probes(
+    case: "Case | FastCase", part_of: Callable[[Any, Race], Any], why_no_solid: Callable[[Any, Race], str]
+) -> None:
     """Refuse probes on rigid rings, on those whose solid is not known, and beside their material.
 
     Raises `ImpossiblePart` naming the probe.
     """
-    for race in ring_parts.NAMES:
+    for race in NAMES:
         there = probes(case, race)
         if not there:
             continue
-        part = ring_parts.part_of(case, race)
-        words = ring_parts.why_no_solid(case, race) if part else f'{race}.kind = "rigid" does not deflect'
+        part, kind = part_of(case, race), getattr(case, race).kind
+        words = why_no_solid(case, race) if part else f'{race}.kind = "{kind}" does not deflect'
         if part is None or words:
             raise fem.ImpossiblePart(f"[outputs.probes] probe {min(there) + 1}: {words}")
         for number, probe in there.items():

@@ -146,4 +146,4 @@ def require_around(case: Case, bearing: CylindricalRollerBearing) -> None:
     if case.outputs.probes:
         from flexbearing.build.probes import require_probes
 
-        require_probes(case)
+        require_probes(case, ring_parts.part_of, ring_parts.why_no_solid)

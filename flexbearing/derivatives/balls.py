@@ -15,6 +15,7 @@ from flexbearing.derivatives.keys import Key, announced, given_keys, keys_of, wi
 from flexbearing.derivatives.sides import Differentiable, Stencil, tabled
 from flexbearing.derivatives.table import Sensitivities
 from flexbearing.outputs import RequestedOutput
+from flexbearing.outputs.names import PROBE
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.runs import angular_contact
@@ -30,7 +31,7 @@ from quasidynamic.solve.balls.ring_in_elastic_grooves import (
 from quasidynamic.solve.step_length import SolverOutcome
 
 if TYPE_CHECKING:
-    from flexbearing.derivatives.near_grooves import NearGrooves
+    from flexbearing.derivatives.near_grooves import NearGrooves, NearReadings
 
 OUTPUTS = Differentiable(
     LAYOUT,
@@ -63,6 +64,8 @@ def sensitivities(
     keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
     life = "life_L10" if case.life.is_basic else "modified_life"
     asked = OUTPUTS.requested(of, life, elastic=not case.rigid)
+    if not any(output.name.partition("_")[0] == PROBE for output in asked):
+        case = case.model_copy(update={"outputs": case.outputs.model_copy(update={"probes": None})})
     report = report or Logged()
     state = _Differentiated(_State.of(case, report), asked)
     shorter = [replace(key, relative_step=RELATIVE_STEP) for key in keys]
@@ -99,15 +102,15 @@ class _Variant:
     def equations(self) -> Equations:
         return self.model.equations([self.operation]), self.grooves
 
-    def block(self, places: Places) -> dict[str, NDArray]:
-        """Quantities at places of ring, grooves and balls; raises `NotSolved` where friction is not known."""
+    def solution(self, places: Places) -> angular_contact.Solution:
+        """Solution at places of ring, grooves and balls; raises `NotSolved` where friction is not known."""
         balance, grooves = self.equations
         solution = as_solution(balance, unmoved(balance, grooves, places), [SolverOutcome.CONVERGED])
         moved = None if self.case.rigid else solution.moved
         (state,) = self.model.states([self.operation], balance, solution.rings, moved)
         if isinstance(state, NotSolved):
             raise state
-        return angular_contact.block(angular_contact.followed(self.case, state))
+        return angular_contact.followed(self.case, state)
 
 
 @dataclass(frozen=True)
@@ -144,7 +147,23 @@ class _State:
 
     @cached_property
     def block(self) -> dict[str, NDArray]:
-        return self.base.block(self.places)
+        return self.block_of(self.base, self.places)
+
+    def block_of(self, variant: _Variant, places: Places) -> dict[str, NDArray]:
+        """Quantities of a variant at places of ring, grooves and balls."""
+        solution = variant.solution(places)
+        if self._readings is not None:
+            solution = replace(solution, probes=self._readings.of(variant.case, solution.state))
+        return angular_contact.block(solution)
+
+    @cached_property
+    def _readings(self) -> "NearReadings | None":
+        """What probes read; None without any."""
+        if self.base.case.outputs.probes is None:
+            return None
+        from flexbearing.derivatives.near_grooves import NearReadings
+
+        return NearReadings(self.base.case, self.base.solution(self.places).state)
 
     def variant(self, key: Key, change: float) -> _Variant:
         """The case with a key changed by so many steps, held to first order where it is at rest."""
@@ -177,7 +196,7 @@ class _Differentiated:
         equations = [variant.equations for variant in variants]
         by_step = moved_places(state.places, equations, stencil.weights)
         blocks = [
-            variant.block(state.places.further(change, by_step).held(variant.equations[0]))
+            state.block_of(variant, state.places.further(change, by_step).held(variant.equations[0]))
             for variant, change in zip(variants, stencil.places, strict=True)
         ]
         return Differences(

@@ -7,10 +7,17 @@ from functools import cached_property, partial
 import numpy as np
 from numpy.typing import NDArray
 
+from fem.parts.probe import Probe
+from fem.solid.probes import Readings
+from flexbearing.build.probes import probes as probes_of
 from flexbearing.case.balls.angular_contact import FastCase
+from flexbearing.case.balls.ring_room import Race
 from flexbearing.derivatives.ring_slopes import RingSlopes
 from flexbearing.progress import Silent
 from flexbearing.rings.grooves import RACES, groove_of_shape, shape_of
+from flexbearing.runs import probes
+from flexbearing.runs.groove_fields import readings_of_shape
+from quasidynamic import AngularContactState, NotSolved
 from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGrooves
 
 # Of the dimension that changes most: grooves are meshed anew, as moved nodes would not follow their arcs.
@@ -45,6 +52,50 @@ class NearGrooves:
             groove and RingSlopes(shape_of(self.case, race), groove, of_shape, combined, STEP)
             for race, groove in zip(RACES, self.grooves, strict=True)
         ]
+
+
+@dataclass(frozen=True)
+class NearReadings:
+    """What probes read of a case in some state, and what other cases and states change of it."""
+
+    case: FastCase
+    state: AngularContactState
+
+    def of(self, case: FastCase, state: AngularContactState) -> Readings:
+        """Readings of another case, to first order.
+
+        Raises `NotSolved` where a ring is not solved; `RingChanged`, `ImpossiblePart`, `BadCase` as
+        `NearGrooves.of`.
+        """
+
+        def near(race: Race, there: Sequence[Probe]) -> Readings:
+            slopes, shape = self._slopes[race], shape_of(case, race)
+            moved = readings_of_shape(case, state, slopes.shape, there)
+            return _summed([moved, slopes.near(shape), slopes.raceway], [1.0, 1.0, -1.0])
+
+        read = probes.readings(case, near)
+        if isinstance(read, str):
+            raise NotSolved(read, "not solved")
+        return read
+
+    @cached_property
+    def _slopes(self) -> dict[Race, RingSlopes[Readings]]:
+        """Of rings with probes, under the balls of this state."""
+        return {
+            race: self._slopes_of(race, list(there.values()))
+            for race in RACES
+            if (there := probes_of(self.case, race))
+        }
+
+    def _slopes_of(self, race: Race, there: Sequence[Probe]) -> RingSlopes[Readings]:
+        shape = shape_of(self.case, race)
+        assert shape  # as it has probes
+        of_shape = partial(readings_of_shape, self.case, self.state, there=there)
+        return RingSlopes(shape, of_shape(shape), of_shape, _summed, STEP)
+
+
+def _summed(readings: Sequence[Readings], weights: Sequence[float]) -> Readings:
+    return Readings(*(np.tensordot(weights, column, 1) for column in zip(*readings, strict=True)))
 
 
 def combined(grooves: Sequence[ElasticGroove], weights: Sequence[float]) -> ElasticGroove:

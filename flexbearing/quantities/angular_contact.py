@@ -13,6 +13,7 @@ from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, static_safety
 from flexbearing.quantities.coupling import ATTEMPTS, ITERATIONS, METHOD, STRUCTURE
 from flexbearing.quantities.layout import Axis, Layout
 from flexbearing.quantities.life_records import CATALOGUE_ATTRIBUTE, LIFE_ATTRIBUTE
+from flexbearing.quantities.probes import PROBE_AXIS, PROBES
 from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
 from flexbearing.quantities.reductions import (
     ABOUT_YZ,
@@ -212,6 +213,8 @@ QUANTITIES = (
         f"displacement of the grooves under the balls along x; {_OF_RINGS}",
         source="state.groove_axial", people=UM, optional=True),
 
+    *PROBES,
+
     # pure rolling lines
     Quantity("line_parameter", "E", "race Z", "1", "block",
         f"E of the pure rolling lines, c1 + c2 = -E; {_APART}", source="lines.line_parameter",
@@ -312,6 +315,7 @@ right-handed.
         Axis("P", "point", coordinate="slip_position"),
         Axis("P1", "across"),
         Axis("P2", "along"),
+        PROBE_AXIS,
         *SUBSURFACE_AXES,
     ),
     quantities=QUANTITIES,

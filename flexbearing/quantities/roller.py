@@ -9,6 +9,7 @@ from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, static_safety
 from flexbearing.quantities.coupling import ATTEMPTS, ITERATIONS, METHOD, STRUCTURE
 from flexbearing.quantities.layout import Axis, Layout
 from flexbearing.quantities.life_records import CATALOGUE_ATTRIBUTE, LIFE_ATTRIBUTE
+from flexbearing.quantities.probes import PROBE_AXIS, PROBES
 from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
 from flexbearing.quantities.reductions import (
     RACES,
@@ -43,7 +44,6 @@ from flexbearing.quantities.units import (
     PERCENT,
     RPM,
     UM,
-    UM_PER_M,
 )
 
 _DEVIATION = "positive outward, without form error, local indentation and rigid translation"
@@ -51,7 +51,6 @@ _DEVIATIONS = ("inner_deviation", "outer_deviation")
 _FLANGED = "absent without [bearing.flange]"
 _NOT_IN_SERIES = "absent where bearing and supports in series are not total_stiffness within 2 %"
 _NO_BARS = "absent without bars"
-_NO_PROBES = "absent without [outputs.probes]"
 _NO_ROUGHNESS = "absent without roughness"
 _PRESSURE = (
     "by Hertz, with the edge stress factor where life.edge_stress is on; that of half-spaces for the "
@@ -69,16 +68,6 @@ CAGE_SLIP = Quantity(
     summary=(SummaryValue("cage_slip_percent", label="cage slip", digits=".2f",
                           error="cage_slip", error_relative=False),),
 )  # fmt: skip
-
-
-def _reading(name: str, symbol: str, meaning: str, people: Unit, source: str = "") -> Quantity:
-    """What every probe reads."""
-    unit = people.name.replace("/", "_per_")
-    return Quantity(
-        f"probe_{name}", symbol, "P", "m" if people is UM else "1", "block",
-        f"{meaning}, mean along the gauge; {_NO_PROBES}", source=f"probes.{source or name}", people=people,
-        optional=True, summary=(SummaryValue(f"probes.{name}_{unit}"),),
-    )  # fmt: skip
 
 
 # declarations read best as a table:
@@ -415,25 +404,7 @@ QUANTITIES = (
         summary=(SummaryValue("bar_torsion_stress_MPa", largest, "largest torsion stress of a bar",
                               ",.0f"),)),
 
-    # probes on the rings
-    Quantity("probe_azimuth", "", "P", "rad", "block",
-        f"middle of the probe, 0 on the z axis, positive towards y; {_NO_PROBES}", source="probes.azimuth",
-        people=DEG, optional=True, summary=(SummaryValue("probes.azimuth_deg"),)),
-    _reading("radial_displacement", "u_r", "displacement of the ring, positive outward", UM,
-        "displacement.1"),
-    _reading("tangential_displacement", "u_t", "displacement of the ring, positive to +azimuth", UM,
-        "displacement.2"),
-    _reading("axial_displacement", "u_x", "displacement of the ring, positive to +x", UM,
-        "displacement.0"),
-    _reading("gauge_strain", "epsilon", "strain along the gauge by stress, without free expansion", UM_PER_M),
-    _reading("hoop_strain", "epsilon_t", "strain along the circumference", UM_PER_M, "strain.2"),
-    _reading("axial_strain", "epsilon_x", "strain along the axis", UM_PER_M, "strain.0"),
-    _reading("radial_strain", "epsilon_r", "strain along the radius", UM_PER_M, "strain.1"),
-    _reading("largest_strain", "epsilon_1", "larger principal strain in the surface", UM_PER_M,
-        "principal_strains.0"),
-    _reading("smallest_strain", "epsilon_2", "smaller principal strain in the surface", UM_PER_M,
-        "principal_strains.1"),
-    _reading("strain_error", "", "estimated discretisation error of the strains", UM_PER_M),
+    *PROBES,
 
     # power
     Quantity("loss_sliding", "", "", "W", "block", "power lost by sliding of the raceways on the rollers",
@@ -627,7 +598,7 @@ left-handed about +x. Rotations about y and z are right-handed.
         Axis("Z", "roller", coordinate="roller_azimuth"),
         Axis("K", "slice", coordinate="slice_position"),
         Axis("B", "bar", coordinate="bar_azimuth"),
-        Axis("P", "probe", coordinate="probe_azimuth"),
+        PROBE_AXIS,
         Axis("X", "place_across"),
         Axis("Y", "place_along", coordinate="whole_roller_position"),
         Axis("N", "unknown"),

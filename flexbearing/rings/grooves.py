@@ -69,7 +69,7 @@ def parts(case: BallCase) -> tuple[Arguments | None, Arguments | None]:
 
     Raises `BadCase` when no such part can exist, or its elements are too small.
     """
-    inner, outer = (shape and _arguments(case, shape) for shape in (shape_of(case, race) for race in RACES))
+    inner, outer = (shape and arguments_of(case, shape) for shape in (shape_of(case, race) for race in RACES))
     for race, arguments in zip(RACES, (inner, outer), strict=True):
         if arguments:
             _require_affordable(case, race, arguments)
@@ -111,7 +111,8 @@ def _require_harmonics(case: BallCase, race: Race, width: float, radius: float) 
         )
 
 
-def _arguments(case: BallCase, shape: GrooveShape) -> Arguments:
+def arguments_of(case: BallCase, shape: GrooveShape) -> Arguments:
+    """What decides a groove of some shape, as finely resolved as a case has it."""
     accuracy, part = accuracy_of(case)[1], shape.part
     resolution = fem.Resolution(
         length=shape.length,
@@ -144,7 +145,7 @@ def elastic_grooves(case: BallCase, azimuths: NDArray, report: Report) -> Elasti
 def groove_pair(case: FastCase, azimuths: NDArray, report: Report) -> GroovePair:
     """Both grooves under balls at azimuths (Z) [rad] as partners of a coupling; raises as above."""
     shapes = [shape_of(case, race) for race in RACES]
-    angles = [shape and _stations(case, shape).angles for shape in shapes]
+    angles = [shape and stations_of(case, shape).angles for shape in shapes]
     known = next(each for each in angles if each)
     raceways = RacewayPair(*(_raceway(case, shape, azimuths, report) for shape in shapes))
     elastic = None
@@ -178,8 +179,9 @@ def _raceway(case: FastCase, shape: GrooveShape | None, azimuths: NDArray, repor
         return SupportedRaceway(name, under_balls, line_figures, ring.under_rollers, from_ground=True)
 
 
-def _stations(case: BallCase, shape: GrooveShape) -> fem.Stations:
-    stations = _arguments(case, shape)[2].stations
+def stations_of(case: BallCase, shape: GrooveShape) -> fem.Stations:
+    """Stations of a groove of some shape."""
+    stations = arguments_of(case, shape)[2].stations
     assert stations  # of every part with a groove
     return stations
 
@@ -196,7 +198,7 @@ def groove_of_shape(case: BallCase, shape: GrooveShape, azimuths: NDArray, repor
 
 def _groove(case: BallCase, shape: GrooveShape, at_balls: LinearRaceway) -> ElasticGroove:
     try:
-        angles = np.array(_stations(case, shape).angles)
+        angles = np.array(stations_of(case, shape).angles)
         return ElasticGroove(angles, at_balls.absolute, at_balls.initial_deviation)
     except ImpossiblePart as problem:  # of a part that hardly anything holds
         raise NotSolved(
@@ -212,7 +214,7 @@ def compliance(case: BallCase, shape: GrooveShape, report: Report) -> Any:
     name = f"{shape.race} ring"
     report.stage(name, None)
     with _named(case, shape.race):
-        return condensed_part(name, _arguments(case, shape), report)
+        return condensed_part(name, arguments_of(case, shape), report)
 
 
 @contextmanager

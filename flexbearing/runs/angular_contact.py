@@ -28,6 +28,7 @@ from flexbearing.runs import (
     life_of_state,
     neglect,
     not_round,
+    probes,
     shoulders,
     subsurface,
     teeth,
@@ -42,6 +43,7 @@ from quasidynamic.outcome.rating_life import BALLS
 from quasidynamic.outcome.worst_point_contact import WorstPointContact
 
 if TYPE_CHECKING:
+    from fem.solid.probes import Readings
     from flexbearing.coupled.balls import CouplingRecord
     from flexbearing.rings.grooves import GroovePair
 
@@ -58,6 +60,7 @@ class Solution:
     static_safety: float | None = None  # [-] s_0; None where ISO 76 has none
     unrolled: str = ""  # why stick and slip are not known, where the case requires them
     without_torque: str = ""  # why the torque of friction is not known, though a coefficient is
+    probes: "Readings | str | None" = None  # or why there are none, though the case has some
 
     @property
     def worst(self) -> WorstPointContact:
@@ -153,6 +156,11 @@ def build(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperatio
         grooves.parts(case)
         if not set(case.operation.held) & {"displacement.radial_y", "displacement.radial_z"}:
             grooves.require_held(case, _radial(case))
+    if case.outputs.probes:
+        from flexbearing.build import groove_parts
+        from flexbearing.build.probes import require_probes
+
+        require_probes(case, groove_parts.groove_part, groove_parts.why_no_solid)
     return bearing(case), operation(case)
 
 
@@ -179,8 +187,18 @@ def solved(
         states = _balanced(elastic, models, rings, run)
         flexible = _finished(elastic, states, report)
         for k, each in zip(some, flexible, strict=True):
-            ended[k]["flexible"] = each
+            ended[k]["flexible"] = each if isinstance(each, Exception) else _probed(each, report)
     return ended
+
+
+def _probed(solution: Solution, report: Report) -> Solution:
+    """A solution between elastic rings with what its probes read."""
+    if solution.case.outputs.probes is None:
+        return solution
+    from flexbearing.runs import groove_fields  # with finite elements
+
+    report.stage("strains at the probes", None)
+    return replace(solution, probes=groove_fields.readings(solution.case, solution.state))
 
 
 def on_cam(case: FastCase, model: qd.AngularContactBallBearing) -> qd.AngularContactBallBearing:
@@ -350,6 +368,7 @@ def block(solution: Solution) -> dict[str, NDArray]:
         "fields": _fields(solution),
         "lines": lines,
         "free": free,
+        "probes": None if isinstance(solution.probes, str) else solution.probes,
         "life": solution.lives,
         "rated": {"static_safety": solution.static_safety},
     }
@@ -487,6 +506,7 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
         + _stick(case, solution)
         + shoulders.unrolled(solution.unrolled)
         + shoulders.without_torque(solution.without_torque)
+        + probes.notes(solution.probes)
         + subsurface.notes(case, solution.worst)
         + ball_life.notes(case)
     )

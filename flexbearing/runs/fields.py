@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
@@ -18,6 +18,9 @@ from flexbearing.program.threads import of_solids
 from flexbearing.rings.resolution import patches
 from flexbearing.runs.part_fields import MEGA, NAMES, NoFields, PartFields, Race, Sizes
 from quasidynamic.contact.line import Slices
+
+if TYPE_CHECKING:
+    from flexbearing.case.balls.angular_contact import FastCase
 
 Arrays = Mapping[str, Any]  # name to array
 
@@ -68,7 +71,7 @@ def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
     usual = FOR_STRESSES[type(part)] if plain or isinstance(part, fem.SquirrelCage) else IN_SPACE
     sizes = Sizes(
         solid=mesh_size(case, WITHOUT_BARS if plain else IN_SPACE),
-        stresses=(stresses := _of_two_orders(mesh_size(case, usual))),
+        stresses=(stresses := of_two_orders(mesh_size(case, usual))),
         coarseness=stresses.size / (usual[1] * roller_length(case.nodes_of or case)),
         threads=of_solids(case.accuracy.threads),
     )
@@ -81,12 +84,12 @@ def fields(case: Case, race: Race, state: str, values: Arrays) -> PartFields:
     )  # fmt: skip
 
 
-def _of_two_orders(sizes: fem.MeshSize) -> fem.MeshSize:
+def of_two_orders(sizes: fem.MeshSize) -> fem.MeshSize:
     """Sizes whose order has a useful one below it."""
     return replace(sizes, order=max(sizes.order, 3))
 
 
-def surroundings(case: Case, race: Race) -> Surroundings:
+def surroundings(case: Case | FastCase, race: Race) -> Surroundings:
     """Heat and rotation of a ring with its shaft or housing.
 
     Its bodies are meshed as warm as the ring: what counts is by how much the other body grows more.
@@ -95,13 +98,12 @@ def surroundings(case: Case, race: Race) -> Surroundings:
         ("inner_ring", "shaft", "shaft") if race == "inner" else ("outer_ring", "housing", "housing")
     )
     hot = {body: expansion.hot_over_cold(case, body) for body in (ring, mate)}
+    materials = {"ring": expansion.material(case, ring), name: expansion.material(case, mate)}
+    densities = {body: getattr(material, "density", None) for body, material in materials.items()}
     speed = case.operation.inner_speed if race == "inner" else case.operation.outer_speed
     return Surroundings(
         thermal_strains={"ring": 0.0, name: hot[mate] / hot[ring] - 1},
-        densities={
-            "ring": expansion.material(case, ring).density,
-            name: expansion.material(case, mate).density,
-        },
+        densities={body: density for body, density in densities.items() if density is not None},
         speed=speed,
     )
 

@@ -1,6 +1,6 @@
 """What the probes of a case read of its rings."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -8,24 +8,33 @@ import numpy as np
 from flexbearing.build.probes import probes
 from flexbearing.build.ring_parts import NAMES, Race
 from flexbearing.case.roller import Case
+from quasidynamic.note import Note, information
 
 if TYPE_CHECKING:
+    from fem.parts.probe import Probe
     from fem.solid.probes import Readings
-    from flexbearing.runs.part_fields import PartFields
+    from flexbearing.case.balls.angular_contact import FastCase
 
 
-def readings(case: Case, fields: "Callable[[Race], PartFields]") -> "Readings | str":
-    """Readings of the fields of its rings in the order of its probes, or why there are none."""
+def readings(
+    case: "Case | FastCase", read: "Callable[[Race, Sequence[Probe]], Readings]"
+) -> "Readings | str":
+    """Readings of its rings in the order of the probes of a case, or why there are none."""
     from fem.solid.probes import Readings
     from flexbearing.runs.part_fields import NoFields
 
-    numbers, read = [], []
+    numbers, of_rings = [], []
     for race in NAMES:
         if there := probes(case, race):
             numbers += there
             try:
-                read.append(fields(race).readings(list(there.values())))
+                of_rings.append(read(race, list(there.values())))
             except NoFields as problem:
                 return str(problem)
     order = np.argsort(numbers)
-    return Readings(*(np.concatenate(column, axis=-1)[..., order] for column in zip(*read, strict=True)))
+    return Readings(*(np.concatenate(column, axis=-1)[..., order] for column in zip(*of_rings, strict=True)))
+
+
+def notes(read: "Readings | str | None") -> tuple[Note, ...]:
+    """Why there are no readings."""
+    return (information("no-probes", f"no probes: {read}"),) if isinstance(read, str) else ()

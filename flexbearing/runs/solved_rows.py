@@ -26,7 +26,7 @@ from flexbearing.runs.life_of_state import MREV, LifeOfState
 from flexbearing.runs.several import SeveralEquilibria
 from quasidynamic import Equilibrium, RollerBearing, SolverOutcome
 from quasidynamic.contact.film import lambda_ratio, regime
-from quasidynamic.note import Note, information
+from quasidynamic.note import Note
 from quasidynamic.outcome.acting_forces import Losses
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.pressed_ends import sliced_peak_error
@@ -198,9 +198,7 @@ class SolvedRows:
     @property
     def notes_of_probes(self) -> list[Note]:
         """Why there are no readings."""
-        return [
-            information("no-probes", f"no probes: {each}") for each in self._probes if isinstance(each, str)
-        ]
+        return [note for each in self._probes for note in probes.notes(each)]
 
     @cached_property
     def _probes(self) -> "list[Readings | str | None]":
@@ -210,7 +208,7 @@ class SolvedRows:
             each = zip(self.cases, self.models, self.each, self.rings, strict=True)
             return [SolvedRows.of(*one)._probes[0] for one in each]
         self.report.stage("strains at the probes", None)
-        return [probes.readings(self.cases[0], self.fields)]
+        return [probes.readings(self.cases[0], lambda race, there: self.fields(race).readings(there))]
 
     @property
     def _friction_of_worst(self) -> NDArray:

@@ -19,8 +19,10 @@ from fem import (
     Patches,
     RingOnShaft,
     SquirrelCage,
+    Stations,
 )
 from fem.parts.bar_section import bar_section
+from fem.parts.groove import BallPatches, Groove
 from fem.parts.probe import Probe, radius
 from fem.parts.surroundings import Surroundings
 from fem.section.loaded_section import loaded_section
@@ -91,6 +93,62 @@ def test_diameters_of_the_pulled_ring_change_as_those_of_a_thin_one(pulled_ring)
     along, across = found.radial_displacement.reshape(2, 2).sum(axis=0)
     assert along == approx(PULL * middle**3 / stiffness * (pi / 4 - 2 / pi), rel=0.01)
     assert across == approx(-PULL * middle**3 / stiffness * (2 / pi - 1 / 2), rel=0.01)
+
+
+LAND, GROOVE = 37.5e-3, Groove(radius=0.6e-3, centre_radius=37.1e-3)
+GROOVED = OuterRing(
+    raceway_diameter=2 * LAND, thickness=2e-3, width=2e-3, elastic=STEEL, support=SOFT, groove=GROOVE
+)  # fmt: skip
+
+
+def pinched(ring=GROOVED, turned=0.0):
+    """A ring that two balls press apart, at stations of its groove."""
+    stations = Stations(angles=(-0.5, 0.0, 0.5), width=0.15e-3)
+    loads = BallPatches(azimuths=(turned, turned + pi), length=GROOVE.width(LAND, 1), stations=stations)
+    size = MeshSize(order=4, size=1e-3, raceway_size=0.4e-3)
+    return loaded_section(ring, loads, PULL * np.array([[0.0, 1.0, 0.0]] * 2), size)
+
+
+@pytest.fixture(scope="module")
+def pinched_ring():
+    return pinched()
+
+
+def grooved_strain(degrees, r):
+    """Of the section with its groove, as above: its area, middle and neutral line by sums over its height."""
+    height = np.linspace(LAND, LAND + GROOVED.thickness, 20001)
+    below = np.maximum(GROOVE.radius**2 - (height - GROOVE.centre_radius) ** 2, 0.0)
+    wide = GROOVED.width - 2 * np.sqrt(below) * (height < GROOVE.bottom(1))
+    area, moment, curved = (np.trapezoid(wide * f, height) for f in (1.0, height, 1 / height))
+    middle, neutral = moment / area, area / curved
+    s = abs(sin(radians(degrees)))
+    bending = -PULL * middle * (s / 2 - 1 / pi) * (r - neutral) / (area * (middle - neutral) * r)
+    return (PULL * s / 2 / area + bending) / STEEL.youngs_modulus
+
+
+def test_hoop_strain_of_a_grooved_ring_between_two_balls_is_that_of_a_curved_bar(pinched_ring):
+    """Outside, at the bottom of the groove, on a shoulder: the innermost surface follows the groove."""
+    faces = [
+        (POINT, LAND + GROOVED.thickness),
+        (replace(POINT, outside=False), GROOVE.bottom(1)),
+        (replace(POINT, outside=False, x=0.7e-3), LAND),
+    ]
+    for degrees in (20.0, 90.0, 155.0, 300.0):
+        found = read(pinched_ring, GROOVED, *(replace(p, azimuth=radians(degrees)) for p, _ in faces))
+        expected = [grooved_strain(degrees, r) for _, r in faces]
+        assert found.hoop_strain == approx(expected, rel=0.01), degrees
+
+
+def test_a_grooved_ring_turned_with_its_balls_reads_the_same_and_less_the_stiffer_it_is(pinched_ring):
+    at = replace(POINT, azimuth=0.8)
+    expected = read(pinched_ring, GROOVED, at).strain[0]
+    turned = read(pinched(turned=0.3), GROOVED, replace(at, azimuth=1.1)).strain[0]
+    assert turned == approx(expected, rel=0, abs=1e-9 * np.abs(expected).max())
+    steel, springs = replace(STEEL, youngs_modulus=2**20 * STEEL.youngs_modulus), 2**20 * SOFT.radial
+    held = Foundation(axial=springs, radial=springs, tangential=springs)
+    stiff = replace(GROOVED, elastic=steel, support=held)
+    rigid = read(pinched(stiff), stiff, at).strain[0]
+    assert 2**20 * rigid == approx(expected, rel=0, abs=1e-6 * np.abs(expected).max())
 
 
 def lame(outside, pressure):

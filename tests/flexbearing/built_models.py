@@ -91,8 +91,12 @@ def _roller(case: Case):
         else None,
         "seat": {"strain": seat_growth.seat_strain(case)},
         "running": {"roller_length": expansion.roller_length(case)},
-        "probes": {race: probes(case, race) for race in ring_parts.NAMES},
+        "probes": _probes(case),
     }
+
+
+def _probes(case):
+    return {race: probes(case, race) for race in ring_parts.NAMES}
 
 
 def _fit(condense):
@@ -151,4 +155,5 @@ def _angular(case):
         "approach": dict(zip(("first", "second"), model.bearing.approaches, strict=False)),
         "operation": angular_contact.operation(case),
         "viscosity": None if case.lubricant is None else kinematic_viscosity(case.lubricant)[0],
+        "probes": _probes(case),
     }

@@ -5,6 +5,18 @@ models comes several times.
 """
 
 # fmt: off
+PROBED = [
+    ("outputs.probes.azimuths", ["1 deg", "90 deg"], "probes.outer.0.azimuth"),
+    ("outputs.probes.parts", ["outer", "inner"],
+     "probes.{inner.1.angle,inner.1.azimuth,inner.1.depth,inner.1.is,inner.1.length} "
+     "probes.{inner.1.outside,inner.1.x,outer.1.angle,outer.1.azimuth,outer.1.depth,outer.1.is} "
+     "probes.{outer.1.length,outer.1.outside,outer.1.x}"),
+    ("outputs.probes.places", ["1 mm"], "probes.outer.{0.x,1.x}"),
+    ("outputs.probes.surfaces", ["inside"], "probes.outer.{0.outside,1.outside}"),
+    ("outputs.probes.depths", ["1 mm"], "probes.outer.{0.depth,1.depth}"),
+    ("outputs.probes.gauge_angles", ["45 deg"], "probes.outer.{0.angle,1.angle}"),
+    ("outputs.probes.gauge_lengths", ["3 mm"], "probes.outer.{0.length,1.length}"),
+]
 EFFECTS = (
     ("cage", "title", "Squirrel-cage roller bearing of Mao, Wang and Zhang (2016)x", "case.title"),
     ("cage", "bearing.rollers", 31, "model.bearing.rollers"),
@@ -314,16 +326,7 @@ EFFECTS = (
     ("cage", "accuracy.patch_width", "0.5 mm", "patches.width"),
     ("cage", "accuracy.threads", 3, "case.accuracy.threads"),
     ("cage", "outputs.stresses", True, "case.outputs.stresses"),
-    ("probed", "outputs.probes.azimuths", ["1 deg", "90 deg"], "probes.outer.0.azimuth"),
-    ("probed", "outputs.probes.parts", ["outer", "inner"],
-     "probes.{inner.1.angle,inner.1.azimuth,inner.1.depth,inner.1.is,inner.1.length} "
-     "probes.{inner.1.outside,inner.1.x,outer.1.angle,outer.1.azimuth,outer.1.depth,outer.1.is} "
-     "probes.{outer.1.length,outer.1.outside,outer.1.x}"),
-    ("probed", "outputs.probes.places", ["1 mm"], "probes.outer.{0.x,1.x}"),
-    ("probed", "outputs.probes.surfaces", ["inside"], "probes.outer.{0.outside,1.outside}"),
-    ("probed", "outputs.probes.depths", ["1 mm"], "probes.outer.{0.depth,1.depth}"),
-    ("probed", "outputs.probes.gauge_angles", ["45 deg"], "probes.outer.{0.angle,1.angle}"),
-    ("probed", "outputs.probes.gauge_lengths", ["3 mm"], "probes.outer.{0.length,1.length}"),
+    *((context, *row) for context in ("probed", "fast, probed", "deep groove, probed") for row in PROBED),
     ("cage", "outputs.subsurface_stresses", True, "case.outputs.subsurface_stresses"),
     ("cage", "outputs.assumed_effects", True, "case.outputs.assumed_effects"),
     ("three balls", "title", "ED20 bearing of Joshi et al. (2015)x", "case.title"),

@@ -238,6 +238,9 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
        for name, file, *sizes in (
            ("fast", "harris218", "5 mm", "90 mm"), ("deep groove", "6209", "3 mm", "45 mm"))
        for support in _HOLDS},
+    **{f"{name}, probed": (file, {**_elastic(*sizes), "outputs.probes.azimuths": ["0 deg", "90 deg"]})
+       for name, file, *sizes in (
+           ("fast", "harris218", "5 mm", "90 mm"), ("deep groove", "6209", "3 mm", "45 mm"))},
     **{f"{name}, on a matrix": (file, {
         "outer.kind": "matrix", "outer.width": "12 mm", "outer.centre_x": "3 mm",
         "outer.matrix": str(HERE / "seat" / "springs.mtx"), "outer.nodes": str(HERE / "seat" / "springs.inp"),

@@ -16,16 +16,19 @@ from flexbearing.units import unit
 CONFIGS = Path(__file__).parents[2] / "configs"
 ROLLERS = FAMILIES["cylindrical_roller"].layout()
 BEAM = {"inner.kind": "rigid", "outer.kind": "ring", "accuracy.structure": "beam"}  # nothing is meshed
+PROBES = {
+    "probes.azimuth_deg",
+    *(f"probes.{along}_displacement_um" for along in ("axial", "radial", "tangential")),
+    *(f"probes.{name}_um_per_m" for name in (
+        "gauge_strain", "hoop_strain", "axial_strain", "radial_strain", "largest_strain", "smallest_strain",
+        "strain_error")),
+}  # fmt: skip
 LISTS = {  # what the summary holds one by one for rollers, balls or directions
     "cylindrical_roller": {
         "roller_loads_N", "outer_loads_N", "roller_azimuths_deg", "stiffness_matrix_SI",
         "compliance_matrix_SI",
         "lambda_ratios", "skew.roller_skew_mrad", "skew.skew_moments_Nm", "skew.roller_thrusts_N",
-        "skew.flange_forces_N", "probes.azimuth_deg",
-        *(f"probes.{along}_displacement_um" for along in ("axial", "radial", "tangential")),
-        *(f"probes.{name}_um_per_m" for name in (
-            "gauge_strain", "hoop_strain", "axial_strain", "radial_strain", "largest_strain",
-            "smallest_strain", "strain_error")),
+        "skew.flange_forces_N", *PROBES,
     },
     "four_point_ball": {
         "max_contact_loads_N", "contact_loads_N", "ball_azimuths_deg", "contact_angles_deg",
@@ -33,7 +36,7 @@ LISTS = {  # what the summary holds one by one for rollers, balls or directions
     },
     "angular_contact_ball": {
         "contact_loads_N", "ball_azimuths_deg", "contact_angles_deg", "stiffness_matrix_SI", "first_lines",
-        "second_lines", "line_counts",
+        "second_lines", "line_counts", *PROBES,
     },
 }  # fmt: skip
 LISTS["deep_groove_ball"] = LISTS["angular_contact_ball"]

@@ -37,7 +37,7 @@ from flexbearing.case.balls.ring_room import Race, elastic_groove, require_room
 from flexbearing.case.coupling import MethodsOfCoupling
 from flexbearing.case.head import KIND
 from flexbearing.case.materials import Oil
-from flexbearing.case.outputs import LifeOutputs
+from flexbearing.case.outputs import RingOutputs
 from flexbearing.case.quantity import (
     Angle,
     Force,
@@ -295,7 +295,7 @@ class FastCase(MountedCase):
     rolling_lines: RollingLines = key("lines on which the balls roll without slip", {})
     lubricant: Oil | None = key("the oil, for the viscosity ratio of ISO 281", None)
     life: BallLife = key("what the life is rated with, and what modifies it", {})
-    outputs: LifeOutputs = key("further results to compute", {})
+    outputs: RingOutputs = key("further results to compute", {})
     outer: BallOuter = key("what carries the outer groove", {})
     inner: BallInner = key("what carries the inner groove", {})
     accuracy: GrooveAccuracy = key("how finely elastic rings are resolved", {})
