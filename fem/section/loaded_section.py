@@ -222,7 +222,8 @@ def loaded_section(
     """Solve a body of revolution under rollers or balls, by two orders of displacements.
 
     Forces (Z, M) [N] are those of `fem.assembly.roller_loads`, or on stations of a groove, positive outward;
-    the part is held in every direction, a cage may have a groove. `mesh_size` has the higher order, 2 or more;
+    the part is held in every direction, a cage may have a groove. `mesh_size` has the higher order, 2 or
+    more;
     surroundings are heat and rotation; with `nodes_of` the mesh of another part and band is taken, its nodes
     moved to these.
     Raises `ImpossiblePart` if the part is not known as a body of revolution, `NotSolved` if a solve fails.
