@@ -223,9 +223,8 @@ def loaded_section(
 
     Forces (Z, M) [N] are those of `fem.assembly.roller_loads`, or on stations of a groove, positive outward;
     the part is held in every direction, a cage may have a groove. `mesh_size` has the higher order, 2 or
-    more;
-    surroundings are heat and rotation; with `nodes_of` the mesh of another part and band is taken, its nodes
-    moved to these.
+    more; surroundings are heat and rotation; with `nodes_of` the mesh of another part and band is taken, its
+    nodes moved to these.
     Raises `ImpossiblePart` if the part is not known as a body of revolution, `NotSolved` if a solve fails.
 
     Valid

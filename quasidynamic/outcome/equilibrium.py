@@ -110,6 +110,11 @@ class Equilibrium:
         """Forces (2, Z, M) [N] of the rollers on the raceways; [..., 0] is the load."""
         return self.cases.forces[0]
 
+    @property
+    def deviation(self) -> NDArray:
+        """Outward deviations (2, Z, M) [m] of the raceways by axial modes."""
+        return self.cases.deviation[0]
+
     def __getattr__(self, name: str) -> Any:
         """Every other quantity: row 0 of that of `BearingStates`."""
         if name.startswith("_"):  # requested by copies and pickles before there is any state
