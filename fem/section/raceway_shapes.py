@@ -93,9 +93,14 @@ def groove_compliance(
         modes = raceway_modes(body, part, resolution)
         W = responses(body, free, modes, last) / (2 * np.pi)
         if free.axial:
-            W[0] = referred(W[0], modes.T @ rigid_motions(body)[0][:, :1], np.full(len(W[0]), True))
+            W[0] = without_axial_motion(W[0], body, modes)
     answers = Responses(W, body.stiffness.unknowns, body.space.mesh.ne)
     return raceway_compliance(part, resolution, answers, seconds)
+
+
+def without_axial_motion(W: NDArray, body: Body, modes: NDArray) -> NDArray:
+    """Answer (L, L) [m/N] of shapes to loads all around, with no axial motion of their mean."""
+    return referred(W, modes.T @ rigid_motions(body)[0][:, :1], np.full(len(W), True))
 
 
 def referred(W: NDArray, rigid: NDArray, of_raceway: NDArray) -> NDArray:

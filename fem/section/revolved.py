@@ -9,7 +9,7 @@ from fem.assembly.factorisation import threads
 from fem.parts.resolution import Resolution, neighbour
 from fem.parts.rings import OuterRing, RingOnShaft
 from fem.raceway.harmonics import Responses, support_error
-from fem.section.raceway_shapes import raceway_modes
+from fem.section.raceway_shapes import raceway_modes, without_axial_motion
 from fem.section.revolved_body import edge_modes
 from fem.section.rigid_body_modes import body_of, responses
 from fem.stages import Stage
@@ -42,6 +42,8 @@ def section_responses(
         if face_modes:
             modes = np.hstack([modes, edge_modes(body, "foundation", face_modes)])
         W = responses(body, part.free_motions, modes, last) / (2 * np.pi)
+        if part.groove is not None and part.free_motions.axial:
+            W[0] = without_axial_motion(W[0], body, modes)
         estimated = not part.free_motions.across and resolution.nodes_of is None and part.groove is None
         error = _support_error(part, resolution, W) if estimated else None
     return Responses(W, body.stiffness.unknowns, body.space.mesh.ne, support_error=error)

@@ -68,7 +68,15 @@ class RingOnFoundation:
             face=np.einsum("pqn,nab->paqb", between, self.face, optimize=True).reshape(size, size),
             through=np.einsum("pjn,nam->pajm", to_rollers, self.through, optimize=True).reshape(size, -1),
             shifted=np.einsum("pd,a->pad", first, self.through[1, :, 0]).reshape(size, 2),
+            reading=self.reading,
         )
+
+    @property
+    def reading(self) -> NDArray:
+        """What shapes of the raceway read of a translation towards them (M,) [-]."""
+        if isinstance(self.raceway, GrooveCompliance):
+            return np.cos(self.raceway.angles)
+        return np.eye(self.through.shape[2])[0]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -83,6 +91,7 @@ class RollersOnFoundation:
     face: NDArray  # (P A, P A) [m/N] outward displacement per outward force there, springs pull as well
     through: NDArray  # (P A, Z M) [m/N] the same per roller force
     shifted: NDArray  # (P A, 2) [m/N] the same per pressure on the raceway like sin and cos
+    reading: NDArray  # (M,) [-] what shapes of the raceway read of a translation towards them
     pushing: bool = True  # points open where they would pull
 
     @property
@@ -161,6 +170,7 @@ class RollersOnFoundation:
         return replace(
             self,
             through=self.through.reshape(-1, Z, M)[..., :count].reshape(-1, Z * count),
+            reading=self.reading[:count],
             closed=replace(
                 closed,
                 absolute=closed.absolute[:, :count, :, :count],

@@ -42,6 +42,8 @@ def why_no_solid(case: FastCase, race: Race) -> str:
     if race == "outer" and outer.kind == "ring" and outer.support in ("lines", "planet"):
         known = '"side", "seat", "foundation" and "housing" have one'
         return f'outer.support = "{outer.support}" has no solid; {known}'
+    if race == "outer" and outer.lifts_off:
+        return "outer.bilateral = false has no solid: allowed are springs that pull as well"
     on_bars = race == "outer" and outer.kind == "squirrel_cage"  # which are taken at rest
     turning = getattr(case.operation, f"{race}_speed") and not on_bars
     if turning and getattr(case.materials.ring(race), "density", None) is None:
@@ -82,7 +84,7 @@ def _outer(case: FastCase) -> fem.OuterRing | fem.SquirrelCage:
         return fem.OuterRing(**ring, support=reduced_body(case))
     if outer.kind == "ring":
         housing = case.materials.housing and _elastic(case.materials.housing)
-        return fem.OuterRing(**ring, support=held_ring.support(outer, housing))
+        return fem.OuterRing(**ring, support=held_ring.support(outer, housing, pushing=outer.lifts_off))
     bars = dict(zip(BARS, require_bars(outer), strict=True))
     return fem.SquirrelCage(**ring, **bars, two_sided=outer.bar_ends == "both")
 

@@ -23,13 +23,7 @@ from flexbearing.rings.fits import RacewayInFit, inner_ring_in_fit, is_in_fit, o
 from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway, with_axial_modes
 from flexbearing.rings.resolution import discretisation_of, resolved
 from flexbearing.rings.stored import Ahead, condensed_part
-from flexbearing.rings.supported import (
-    RINGS,
-    SupportedRaceway,
-    foundation_figures,
-    is_on_supports,
-    line_figures,
-)
+from flexbearing.rings.supported import FIGURES, RINGS, SupportedRaceway, is_on_supports
 
 if TYPE_CHECKING:
     from fem.raceway.compliance import RacewayCompliance
@@ -147,8 +141,8 @@ def on_supports(
 
     ring = under_rollers(azimuths)
     report.stage(f"{name}: {perf_counter() - began:.1f} s", None)
-    figures = line_figures if case.outer.support == "lines" else foundation_figures
-    return SupportedRaceway(RINGS[case.outer.support], ring, figures, under_rollers)
+    name, figures = RINGS[case.outer.support], FIGURES[case.outer.support]
+    return SupportedRaceway(name, ring, figures, under_rollers)
 
 
 @dataclass(frozen=True)

@@ -166,17 +166,19 @@ def require_held(case: FastCase, load: complex) -> None:
 def _raceway(case: FastCase, shape: GrooveShape | None, azimuths: NDArray, report: Report) -> Raceway:
     # a case is checked without what knows rollers
     from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway
-    from flexbearing.rings.supported import RINGS, SupportedRaceway, line_figures
+    from flexbearing.rings.supported import FIGURES, RINGS, SupportedRaceway
 
     if shape is None:
         return RigidRaceway(azimuths)
     with _named(case, shape.race):
         ring = compliance(case, shape, report)
-        if shape.race == "inner" or case.outer.support != "lines" or case.outer.kind != "ring":
+        outer, support = case.outer, case.outer.support
+        on_lines = outer.kind == "ring" and support == "lines"
+        if shape.race == "inner" or not (on_lines or outer.lifts_off):
             return CondensedRaceway(ring.at(azimuths), ring.at)
         under_balls = ring.under_rollers(azimuths)
-        name = RINGS["lines"]
-        return SupportedRaceway(name, under_balls, line_figures, ring.under_rollers, from_ground=True)
+        name, figures = RINGS[support], FIGURES[support]
+        return SupportedRaceway(name, under_balls, figures, ring.under_rollers, from_ground=True)
 
 
 def stations_of(case: BallCase, shape: GrooveShape) -> fem.Stations:

@@ -127,7 +127,7 @@ def foundation_figures(ring: "RollersOnFoundation", outward: NDArray) -> dict[st
             "open_share": float(np.average((pressure <= 0).mean(axis=0), weights=ring.area)),
             "touching_deg": _arcs(degrees, pressure.max(axis=1) > 0),
             "resultant_N": _resultant(ring.around, force),
-            "rollers_N": _resultant(ring.azimuths, outward[:, 0]),
+            "rollers_N": _resultant(ring.azimuths, outward @ ring.reading),
             "azimuths_deg": degrees.tolist(),
             "width_mm": (1e3 * ring.x).tolist(),
             "pressure_MPa": (1e-6 * pressure).tolist(),
@@ -151,3 +151,6 @@ def _arcs(degrees: NDArray, touching: NDArray) -> list[list[float]]:
         later = ends[ends >= begin]
         arcs.append([degrees[begin], degrees[later[0]] if later.size else degrees[ends[0]] + 360.0])
     return [[float(a), float(b)] for a, b in arcs]
+
+
+FIGURES = {"lines": line_figures, "foundation": foundation_figures}

@@ -622,6 +622,7 @@ EFFECTS += (
             ("on side", "outer.groove_offset", "1 mm", "outer.part.offset"),
             ("on side", "outer.support", "seat", "outer.part.support.is"),
             ("on springs", "outer.foundation_radial", "110 N/mm^3", "outer.part.support.radial"),
+            ("on springs", "outer.bilateral", False, "outer.part.support.pushing"),
             ("on springs", "outer.foundation_axial", "110 N/mm^3", "outer.part.support.axial"),
             ("on springs", "outer.foundation_tangential", "110 N/mm^3", "outer.part.support.tangential"),
             ("in housing", "outer.housing_thickness", "11 mm", "outer.part.support.thickness"),

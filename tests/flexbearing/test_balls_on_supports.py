@@ -32,6 +32,10 @@ TEETH = RING | {
     "outer.support": "planet", "outer.tooth_azimuths": ["90 deg", "270 deg"],
     "outer.tooth_radial": ["-1.5 kN", "-1.5 kN"], "outer.tooth_tangential": ["4.45 kN", "-4.45 kN"],
 }  # fmt: skip
+SPRINGS = RING | {
+    "outer.support": "foundation", "outer.bilateral": False,
+    **{f"outer.foundation_{way}": "1000 N/mm^3" for way in ("radial", "axial", "tangential")},
+}  # fmt: skip
 ALL_ROUND = [f"{20 * k} deg" for k in range(18)]
 
 
@@ -55,6 +59,34 @@ def test_stiffer_rings_tend_to_rigid_ones(support):
     assert errors[0] > 1e-5
     assert errors[1] == approx(1e-2 * errors[0], rel=0.05)
     assert errors[2] < 1e-6
+
+
+def test_a_ring_lifts_off_springs_that_would_pull():
+    case, model, load, azimuths = built(SPRINGS | {"outer.foundation_tangential": "1 N/mm^3"})
+    grooves = groove_pair(case, azimuths, Silent())
+    state = equilibrium(case.coupling, model, load, grooves)
+    springs = grooves.raceways.outer.figures()["foundation"]
+    assert springs["least_pressure_MPa"] == 0.0
+    assert 0.1 < springs["open_share"] < 0.9
+    assert springs["rollers_N"] == approx([0.0, 8900.0], abs=0.2)
+    assert springs["resultant_N"] == approx([0.0, 8900.0], abs=90.0)
+    pulling = flexbearing.run(CASE, SPRINGS | {"outer.bilateral": None})
+    assert np.abs(state.loads - pulling.flexible["contact_load"]).max() > 1e-4 * state.loads.max()
+
+
+def test_springs_that_are_pressed_everywhere_need_not_pull():
+    """Under a clearance below zero, on springs that leave the axial place to the groove, too."""
+    tight = SPRINGS | {
+        "bearing.clearance": "-20 um", "operation.load.radial_z": "10 N", "operation.load.axial": "500 N",
+        "outer.foundation_axial": "0 N/mm^3",
+    }  # fmt: skip
+    pushing, pulling = (
+        flexbearing.run(CASE, tight | {"outer.bilateral": each}).flexible for each in (False, True)
+    )
+    assert pushing["contact_load"] == approx(pulling["contact_load"], rel=1e-8)
+    assert pushing["ring_displacement"] == approx(pulling["ring_displacement"], rel=1e-8, abs=1e-14)
+    with pytest.raises(BadCase, match=r"outer\.bilateral = false has no solid"):
+        check(CASE, tight | {"outputs.probes.azimuths": ["0 deg"]})
 
 
 def test_a_ring_lifts_off_lines_that_would_pull():

@@ -50,10 +50,12 @@ class BallOuter(Section):
     housing_thickness: Length | None = held_ring.housing_thickness()
     housing_width: Length | None = held_ring.housing_width()
     housing_support: Literal["seat", "side"] = held_ring.housing_support()
-    bilateral: bool = key(
-        "whether lines also pull; without it they only push, and the ring lifts off them",
-        False,
-        only={**RING, "support": ("lines",)},
+    bilateral: bool | None = key(
+        "whether lines or springs also pull; without it springs do and lines do not. The ring lifts off what "
+        "only pushes",
+        None,
+        example=False,
+        only={**RING, "support": ("lines", "foundation")},
     )
     line_azimuths: tuple[Angle, ...] = held_ring.line_azimuths()
     tooth_azimuths: tuple[Angle, ...] = held_ring.tooth_azimuths()
@@ -83,7 +85,8 @@ class BallOuter(Section):
     @property
     def lifts_off(self) -> bool:
         """Whether what holds the ring only pushes, so that its raceway is not linear."""
-        return self.kind == "ring" and self.support == "lines" and not self.bilateral
+        pulls = self.support != "lines" if self.bilateral is None else self.bilateral
+        return self.kind == "ring" and self.support in ("lines", "foundation") and not pulls
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
