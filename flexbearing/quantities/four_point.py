@@ -177,10 +177,10 @@ QUANTITIES = (
     Quantity("ring_displacement", "delta", "displacement", "m, rad", "block",
         f"displacement of the inner ring ({_ORDER}), of its bolted face when it is elastic; {_GIVEN}",
         source="ring.displacement", optional=True, summary=(
-            SummaryValue("ring_displacement_um", displacements, "displacement x, y, z", ".3f", unit=UM,
+            SummaryValue("ring_displacement_um", displacements, "displacement", ".3f", unit=UM,
                 entries=XYZ,
                 section=RING),
-            SummaryValue("ring_tilt_mrad", tilts, "tilt about y, z", ".4f", unit=MRAD,
+            SummaryValue("ring_tilt_mrad", tilts, "tilt", ".4f", unit=MRAD,
                 section=RING, entries=ABOUT_YZ),
         )),
     Quantity("ring_yield", "s", "Z G race", "m", "block",

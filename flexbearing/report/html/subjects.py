@@ -120,11 +120,7 @@ def _rows(reader: Reader, entry: SummaryValue) -> Iterator[tuple[Cell, ...]]:
 def _label(reader: Reader, entry: SummaryValue, words: str) -> str:
     """Label of an entry, or of one of its numbers, which names its own axis."""
     label = reader.label(entry)
-    return (
-        f"{label.partition(' x, y')[0].partition(' about y, z')[0]}, {words.replace('_', ' ')}"
-        if words
-        else label
-    )
+    return f"{label}, {words.replace('_', ' ')}" if words else label
 
 
 def error(reader: Reader, entry: SummaryValue) -> Number | str:
