@@ -294,6 +294,18 @@ def test_a_negative_stiffness_is_a_finding(family):
     assert [note.code for note in judged.notes(found)] == ["no-positive-stiffness"]
 
 
+@pytest.mark.parametrize("case", ["harris218.toml", "joshi2015_qj309.toml"])
+def test_balls_are_judged_by_their_radial_stiffness(case):
+    result = computed(case, ())
+    radial = result.rigid["stiffness_matrix"][1:3, 1:3]
+    (found,) = records(result, declared.LEAST_STIFFNESS)
+    assert found["value"] == approx(np.linalg.eigvalsh((radial + radial.T) / 2)[0], rel=1e-9)
+
+
+def test_a_life_lasts_as_long_in_either_sense_of_rotation():
+    assert judged.seconds([2.0, 2.0], [100 * np.pi, -100 * np.pi]) == approx([4e4, 4e4])
+
+
 def test_a_limit_that_the_case_does_not_give_is_not_checked_and_warns_of_nothing():
     (found,) = findings.evaluate(
         declared.OF_ROLLERS, {"stress": {"bars": 1e9}, "yield_stress": {"bars": None}}
