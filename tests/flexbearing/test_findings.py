@@ -288,6 +288,13 @@ def test_what_to_act_on_first_is_the_gravest_broken_one_else_the_nearest_to_its_
     assert findings.gravest([slight, grave, graver, near]) is graver
 
 
+def test_a_note_names_the_places_of_its_grade_alone():
+    shares = {"neglected": {"weight": 0.2, "friction": 0.05}}
+    found = findings.evaluate((declared.MUCH_NEGLECTED, declared.NEGLECTED), shares)
+    ((worst, places),) = findings.by_code(each for each in findings.records(found) if each.broken)
+    assert (worst.grade, places) == (DANGER, ("weight",))
+
+
 @pytest.mark.parametrize("family", ["OF_ROLLERS", "OF_BALLS"])
 def test_a_negative_stiffness_is_a_finding(family):
     found = findings.evaluate(getattr(declared, family), {"least_stiffness": -1e6})
