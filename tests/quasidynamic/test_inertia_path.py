@@ -105,12 +105,17 @@ def test_derivatives_of_the_path():
 
 def test_cases_beside_each_other_end_on_their_own_paths(monkeypatch):
     monkeypatch.setattr(ring_on_balls, "LIMIT", 1)  # of Newton's method, so that each needs a path
-    each = [balance(load, "outer", speed) for load, speed in ((LOADS["heavier"], 400.0), (PRESSED, SPEED))]
+    cases = (LOADS["heavier"], 400.0, 0.0), (PRESSED, SPEED, 2e-6)
+    held = np.arange(5)[None] > 2  # against tilting, at a tilt of its own
+    each = [
+        replace(balance(load, "outer", speed), held=held, place=np.where(held, tilt, 0.0))
+        for load, speed, tilt in cases
+    ]
     whole = replace(
         each[0],
         load=np.concatenate([own.load for own in each]),
-        held=np.zeros((len(each), 5), bool),
-        place=np.zeros((len(each), 5)),
+        held=np.concatenate([own.held for own in each]),
+        place=np.concatenate([own.place for own in each]),
         speeds=np.concatenate([own.speeds for own in each], axis=1),
     )
     together = solve(whole)
