@@ -97,21 +97,23 @@ def test_a_deep_groove_bearing_on_every_support(support):
 
 
 def test_rows_of_a_table_are_those_of_runs():
-
+    """Two of the same rings, one of softer rings between them, one of rigid rings before all."""
     rows = FAMILIES["deep_groove_ball"].rows()
     names = [
         "contact_load_range.outer.largest",
         "rigid.contact_load_range.outer.largest",
         "groove_displacement.outer",
     ]
-    loads = ({"operation.load.radial_z": "4 kN"}, {"operation.load.radial_z": "6 kN"})
-    found = rows([read_case("configs/6209.toml", RING | each) for each in loads], names)
-    for row, each in zip(found, loads, strict=True):
-        result = flexbearing.run("configs/6209.toml", RING | each)
+    loads = [{"operation.load.radial_z": f"{load} kN"} for load in (4, 5, 6)]
+    elastic = [RING | loads[0], RING | loads[1] | {"outer.foundation_radial": "300 N/mm^3"}, RING | loads[2]]
+    of_rigid, *found = rows([read_case("configs/6209.toml", each) for each in (loads[1], *elastic)], names)
+    for row, each in zip(found, elastic, strict=True):
+        result = flexbearing.run("configs/6209.toml", each)
         assert row.numbers[names[0]] == approx(result.flexible["contact_load"][1].max(), rel=1e-9)
         assert row.numbers[names[1]] == approx(result.rigid["contact_load"][1].max(), rel=1e-9)
         moved = 1e6 * np.abs(result.flexible["groove_displacement"][1]).max()
         assert row.numbers[names[2]] == approx(moved, rel=1e-6)
+    assert of_rigid.numbers[names[0]] == approx(found[1].numbers[names[1]], rel=1e-9)
 
 
 def test_a_study_condenses_each_ring_once_before_its_rows(tmp_path, monkeypatch):

@@ -288,10 +288,29 @@ def test_what_to_act_on_first_is_the_gravest_broken_one_else_the_nearest_to_its_
     assert findings.gravest([slight, grave, graver, near]) is graver
 
 
+def test_a_note_names_the_places_of_its_grade_alone():
+    shares = {"neglected": {"weight": 0.2, "friction": 0.05}}
+    found = findings.evaluate((declared.MUCH_NEGLECTED, declared.NEGLECTED), shares)
+    ((worst, places),) = findings.by_code(each for each in findings.records(found) if each.broken)
+    assert (worst.grade, places) == (DANGER, ("weight",))
+
+
 @pytest.mark.parametrize("family", ["OF_ROLLERS", "OF_BALLS"])
 def test_a_negative_stiffness_is_a_finding(family):
     found = findings.evaluate(getattr(declared, family), {"least_stiffness": -1e6})
     assert [note.code for note in judged.notes(found)] == ["no-positive-stiffness"]
+
+
+@pytest.mark.parametrize("case", ["harris218.toml", "joshi2015_qj309.toml"])
+def test_balls_are_judged_by_their_radial_stiffness(case):
+    result = computed(case, ())
+    radial = result.rigid["stiffness_matrix"][1:3, 1:3]
+    (found,) = records(result, declared.LEAST_STIFFNESS)
+    assert found["value"] == approx(np.linalg.eigvalsh((radial + radial.T) / 2)[0], rel=1e-9)
+
+
+def test_a_life_lasts_as_long_in_either_sense_of_rotation():
+    assert judged.seconds([2.0, 2.0], [100 * np.pi, -100 * np.pi]) == approx([4e4, 4e4])
 
 
 def test_a_limit_that_the_case_does_not_give_is_not_checked_and_warns_of_nothing():

@@ -146,10 +146,11 @@ EVERY_BLOCK = [f"{block}.{name}" for block in ("rigid", "flexible") for name in 
 
 
 def test_every_output_of_cases_between_the_same_elastic_rings_is_that_of_single_runs():
-    cases = variants(PAPER, BEAM, (9000, 12000, 19000))
+    first = variants(PAPER, BEAM | {"materials.outer_ring.yield_stress": ""}, (9000,))
+    cases = first + variants(PAPER, BEAM, (9000, 12000, 19000))[1:]
     found = answers(cases, EVERY_BLOCK, refused)
     assert_equal(found, cases, EVERY_BLOCK)
-    assert all("squirrel-cage bars (nominal): " in answer.why for answer in found)
+    assert ["squirrel-cage bars (nominal): " in answer.why for answer in found] == [False, True, True]
     assert (column(found, "flexible.max_roller_load") < column(found, "rigid.max_roller_load")).all()
 
 

@@ -14,6 +14,8 @@ from flexbearing.__main__ import command
 from flexbearing.catalogue import page as pages
 from flexbearing.catalogue.rexs.bearings import bearing as bearing_of
 from flexbearing.catalogue.rexs.file import ENDINGS, read
+from flexbearing.catalogue.rexs.load_cases import Point, heaviest, points
+from flexbearing.catalogue.rexs.parts import Model, Part, Value
 from flexbearing.catalogue.rexs.unused import unused_around
 
 HERE = Path(__file__).parent / "rexs"
@@ -235,6 +237,20 @@ def test_forces_along_the_shaft_and_across_it(unit, scale, axial, names, tmp_pat
     assert (found.options["axial"], found.options["load"]) == (f"{axial * scale} N", f"{5 * scale} N")
     assert found.not_used == ()
     assert "on the inner ring, positive along u" in found.side
+
+
+def test_a_force_as_a_vector_lies_along_the_shaft_and_across_it():
+    part = Part("3", CATALOGUE, "", {"reaction_force": Value("N", "", ("-2", "3", "-4"))})
+    (point,) = points(Model("1.4", {"3": part}, {}, ()), part)
+    assert (point.axial, point.radial) == (-2.0, 5.0)
+
+
+def test_a_case_is_of_the_most_load_among_those_that_turn():
+    turning = [
+        Point({}, radial=load, speeds=(speed, 0.0)) for load, speed in ((9.0, 0.0), (3.0, 5.0), (4.0, -5.0))
+    ]
+    assert heaviest(turning) == 2
+    assert heaviest(turning[:1]) == 0
 
 
 @pytest.fixture

@@ -350,9 +350,9 @@ def test_a_spectrum_with_idling_against_a_calculation_by_hand(tmp_path):
     of_oil = ("lubrication", "cleanliness")
     case.write_text("\n".join(line for line in lines if not line.startswith(of_oil)) + '\nloads = "rating"\n')
     file = duty_of(
-        tmp_path, (3000, 2000, 1000, 0), (1000, 1000, 1000, 1000),
+        tmp_path, (0, 3000, 2000, 1000), (1000, 1000, 1000, 1000),
         '"life.dynamic_rating" = "5.54 kN"', 'life = "modified_life"', 'required_life = "500 h"',
-        case=case, shares=("10 %", "20 %", "30 %", "40 %"),
+        case=case, shares=("40 %", "10 %", "20 %", "30 %"),
     )  # fmt: skip
     cycle = flexbearing.study(file, tmp_path, jobs=1).cycles
     assert cycle["kind"].values == ("catalogue L10",)

@@ -51,11 +51,15 @@ def test_zipped_keys_are_coordinates_of_one_dimension(tmp_path):
 
 
 def test_rows_of_a_file_are_crossed_with_other_keys(tmp_path):
+    import xarray
+
     (tmp_path / "list.csv").write_text(
         "operation.radial_load [kN],operation.inner_speed [rpm]\n2,3000\n4,5000\n"
     )
     over = 'file = "list.csv"\n"bearing.clearance" = ["20 um", "30 um", "40 um"]'
     arrays = computed(toy(tmp_path, over), tmp_path).to_xarray()
+    with xarray.open_dataset(tmp_path / "toy.nc") as stored:
+        xarray.testing.assert_identical(stored.load(), arrays)
     assert dict(arrays.sizes) == {"row": 2, "bearing.clearance": 3}
     assert arrays["operation.inner_speed"].values.tolist() == [3000.0, 5000.0]
     assert arrays["life"].values.tolist() == [[125.0] * 3, [15.625] * 3]

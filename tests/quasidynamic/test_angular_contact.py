@@ -150,12 +150,23 @@ def test_displacement_of_a_load_brings_back_the_load():
     assert mixed.ring_load[3:] == approx(LOAD[3:], rel=1e-5)
 
 
-def test_operations_side_by_side_are_those_alone():
-    operations = [RingOperation(load=LOAD, inner_speed=speed) for speed in (0.0, 500.0, 1500.0)]
-    found = AngularContactBallBearing(bearing=BEARING).solve_many(operations)
-    for operation, state in zip(operations, found, strict=True):
-        alone = AngularContactBallBearing(bearing=BEARING).solve(operation)
+@pytest.mark.parametrize("control", ["outer", "coulomb"])
+def test_operations_side_by_side_are_those_alone(control):
+    model = AngularContactBallBearing(bearing=BEARING, control=control, friction=0.06)
+    cases = ((None, 4e3), 0.5, 0.0, 0.0), ((60e-6, 0.0), 1.0, 500.0, 0.0), ((40e-6, 0.0), 0.7, 1500.0, -300.0)
+    operations = [
+        RingOperation(
+            load=(thrust, *(part * each for each in LOAD[1:])),
+            displacement=(place, *FREE[1:]),
+            inner_speed=inner,
+            outer_speed=outer,
+        )
+        for (place, thrust), part, inner, outer in cases
+    ]
+    for operation, state in zip(operations, model.solve_many(operations), strict=True):
+        alone = model.solve(operation)
         assert state.loads == approx(alone.loads, rel=1e-7)
+        assert state.orbital_speed == approx(alone.orbital_speed, rel=1e-6)
 
 
 @CONTROLS

@@ -40,6 +40,8 @@ LOADS = {  # over the centrifugal force of a ball, moments over the groove radiu
     "heavier": (7.4, -1.5, 4.0, -3.0, 4.0),
 }
 
+PRESSED = (60.0, 2.0, 5.0, 2.0, -1.0)
+
 
 def balance(load, control, speed=SPEED):
     own = AngularBalance(
@@ -76,7 +78,7 @@ def test_path_of_growing_inertia_ends_in_balance(load, control):
 
 
 def test_path_ends_where_newtons_method_does_when_all_balls_are_pressed():
-    own = balance((60.0, 2.0, 5.0, 2.0, -1.0), "outer")
+    own = balance(PRESSED, "outer")
     ring, centres = on_path(own)
     direct = newton(own, *start(own))
     assert direct.outcomes == [SolverOutcome.CONVERGED]
@@ -99,6 +101,29 @@ def test_derivatives_of_the_path():
         assert solved == approx(np.eye(len(state)), abs=2e-3)
         sign, _ = np.linalg.slogdet(matrix)
         assert family.orientation(state, parameter) == sign
+
+
+def test_cases_beside_each_other_end_on_their_own_paths(monkeypatch):
+    monkeypatch.setattr(ring_on_balls, "LIMIT", 1)  # of Newton's method, so that each needs a path
+    cases = (LOADS["heavier"], 400.0, 0.0), (PRESSED, SPEED, 2e-6)
+    held = np.arange(5)[None] > 2  # against tilting, at a tilt of its own
+    each = [
+        replace(balance(load, "outer", speed), held=held, place=np.where(held, tilt, 0.0))
+        for load, speed, tilt in cases
+    ]
+    whole = replace(
+        each[0],
+        load=np.concatenate([own.load for own in each]),
+        held=np.concatenate([own.held for own in each]),
+        place=np.concatenate([own.place for own in each]),
+        speeds=np.concatenate([own.speeds for own in each], axis=1),
+    )
+    together = solve(whole)
+    for case, own in enumerate(each):
+        alone = solve(own)
+        assert together.outcomes[case] is alone.outcomes[0] is SolverOutcome.CONVERGED
+        assert together.ring[case] == approx(alone.ring[0], rel=1e-9)
+        assert together.centres[case] == approx(alone.centres[0], rel=1e-9)
 
 
 @pytest.mark.slow
