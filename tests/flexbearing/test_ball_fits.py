@@ -71,6 +71,16 @@ def test_a_housing_that_presses_narrows_the_outer_groove():
     assert 1e-6 < loose - pressed < 10e-6
 
 
+def test_an_outer_ring_that_turns_widens_its_groove_with_the_square_of_the_speed():
+    speeds = [
+        {"operation.inner_speed": "0 rpm", "operation.outer_speed": f"{n} rpm"} for n in (0, 5000, 10000)
+    ]
+    still, *turning = (clearance.operating(case_of(FITS | each)) for each in speeds)
+    grown = [each - still for each in turning]
+    assert grown[0] > 0.5e-6
+    assert grown[1] == approx(4 * grown[0], rel=1e-9)
+
+
 def test_a_run_with_fits_is_that_of_the_operating_clearance():
     settings = FITS | {"operation.load.axial": "1 kN"}
     fitted = flexbearing.run(DEEP, given(settings))

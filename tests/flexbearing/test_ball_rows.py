@@ -10,7 +10,7 @@ from flexbearing.api import read_case
 from flexbearing.families import FAMILIES
 from flexbearing.outputs import outputs, requested
 from flexbearing.runs import ball_life
-from quasidynamic import AngularContactBallBearing, ImpossiblePart
+from quasidynamic import AngularContactBallBearing, ImpossiblePart, OutOfRange
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 SPEEDS = [{"operation.inner_speed": f"{speed} rpm"} for speed in (3000, 6000, 9000)]
@@ -53,6 +53,20 @@ def test_cases_of_the_same_bearing_are_balanced_side_by_side(monkeypatch):
     cases = [read_case(CONFIGS / "harris218.toml", each) for each in (*SPEEDS, other)]
     assert len({row.numbers["life_L10"] for row in rows_of(cases, ["life_L10"])}) == 4
     assert counts == [3, 1]
+
+
+def test_beside_a_case_beyond_a_law_each_is_solved_for_itself(monkeypatch):
+    cases = [read_case(CONFIGS / "harris218.toml", each) for each in SPEEDS[:2]]
+    expected = [row.numbers["life_L10"] for row in rows_of(cases, ["life_L10"])]
+    solve = AngularContactBallBearing.solve_many
+
+    def alone(self, at, grooves=None):
+        if len(at) > 1:
+            raise OutOfRange("one of them is beyond a law")
+        return solve(self, at, grooves)
+
+    monkeypatch.setattr(AngularContactBallBearing, "solve_many", alone)
+    assert [row.numbers["life_L10"] for row in rows_of(cases, ["life_L10"])] == approx(expected, rel=1e-9)
 
 
 @pytest.mark.parametrize("status", ["not solved", "bad input"])

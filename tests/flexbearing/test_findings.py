@@ -267,6 +267,10 @@ def test_a_cell_holds_findings_whole():
     assert words(found[:1]).startswith("danger: peak contact pressure, inner and outer: 4,500 MPa, at most 4")
 
 
+def test_values_of_several_rows_are_a_range_from_the_least_to_the_greatest():
+    assert "inner and outer: 4,400 to 4,600 MPa, at most 4" in ROW.words([4.5e9, 4.6e9, 4.4e9])
+
+
 @pytest.mark.parametrize("cell", NO_ROWS.values(), ids=NO_ROWS)
 def test_a_cell_with_something_else_is_refused(cell):
     with pytest.raises(ValueError):  # noqa: PT011

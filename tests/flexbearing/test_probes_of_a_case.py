@@ -136,14 +136,16 @@ def test_rings_are_read_in_the_order_of_their_probes():
         "outer.kind": "ring", "outer.support": "side", "outer.width": "12 mm", "outer.thickness": "5 mm",
         "accuracy.element_order": 3, "accuracy.patch_width": "2 mm", "accuracy.slices": 8,
         "accuracy.axial_shapes": 2,
-        "outputs.probes.azimuths": ["0 deg", "180 deg", "0 deg"],
-        "outputs.probes.parts": ["inner", "outer", "outer"],
-        "outputs.probes.surfaces": ["inside", "outside", "outside"],
+        "outputs.probes.azimuths": ["0 deg", "180 deg", "180 deg"],
+        "outputs.probes.parts": ["outer", "inner", "outer"],
+        "outputs.probes.surfaces": ["outside", "inside", "outside"],
     })  # fmt: skip
-    outward = both.run().flexible["probe_radial_displacement"]
-    assert outward[2] > 10e-6 > abs(outward[1])  # in the load and opposite to it
+    block = both.run().flexible
+    outward = block["probe_radial_displacement"]
+    assert outward[0] > 10e-6 > abs(outward[2])  # in the load and opposite to it
+    assert np.degrees(block["probe_azimuth"]) == approx([0.0, 180.0, 180.0])
     head: Any = both.head
-    assert not probes(head, "inner")[0].outside
+    assert not probes(head, "inner")[1].outside
 
 
 @pytest.mark.parametrize(

@@ -6,11 +6,11 @@ from pytest import approx
 
 from flexbearing.outputs import outputs
 from flexbearing.quantities.layout import FIXED
-from flexbearing.quantities.reductions import loaded_arc, loaded_rollers
+from flexbearing.quantities.reductions import across, along, loaded_arc, loaded_rollers
 from flexbearing.quantities.roller import LAYOUT
 
 CASES = 5
-SIZES = {"Z": 9, "K": 6, "B": 7, "P": 3, "N": 20, "X": 5, "Y": 8, "S1": 4, "S2": 3} | {
+SIZES = {"Z": 9, "K": 6, "B": 7, "P": 3, "G": 5, "N": 20, "X": 5, "Y": 8, "S1": 4, "S2": 3} | {
     axis: len(fixed.entries) for axis, fixed in FIXED.items()
 }
 OF_ONE_CASE = ("skew.", "life.")  # parts of the solution that are computed case by case
@@ -45,6 +45,13 @@ def test_an_output_of_many_cases_is_that_of_each(block, name):
 def test_every_scalar_but_those_of_skew_and_modified_life_has_many_cases():
     assert len(NAMES) > 35
     assert {"max_roller_load", "loaded_arc", "life_L10", "peak_pressure.inner", "stiffness_zz"} < set(NAMES)
+
+
+def test_a_displacement_has_a_part_along_a_load_and_one_a_quarter_turn_ahead():
+    azimuth, moved = np.array([0.3, 2.0]), np.array([[1.0, 2.0], [-0.5, 0.7]])
+    sine, cosine = np.sin(azimuth), np.cos(azimuth)
+    whole = along(moved, azimuth) * [sine, cosine] + across(moved, azimuth) * [cosine, -sine]
+    assert whole.T == approx(moved)
 
 
 def test_a_load_that_is_no_number_spoils_its_own_case_alone():
