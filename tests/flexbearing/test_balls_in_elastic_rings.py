@@ -13,9 +13,11 @@ from flexbearing.api import check, read_case
 from flexbearing.case import BadCase
 from flexbearing.case.read import written
 from flexbearing.families import FAMILIES
+from flexbearing.progress import Logged
 from flexbearing.report.output import text
 from flexbearing.rings import stored
 from flexbearing.rings.stored import condense
+from flexbearing.runs import angular_contact
 from flexbearing.runs.ball_catalogue import CATALOGUE
 from flexbearing.runs.catalogue_life import against_catalogue
 from flexbearing.studies.placement import Placement
@@ -114,6 +116,16 @@ def test_rows_of_a_table_are_those_of_runs():
         moved = 1e6 * np.abs(result.flexible["groove_displacement"][1]).max()
         assert row.numbers[names[2]] == approx(moved, rel=1e-6)
     assert of_rigid.numbers[names[0]] == approx(found[1].numbers[names[1]], rel=1e-9)
+
+
+def test_a_ring_under_balls_at_other_azimuths_is_another(monkeypatch):
+    monkeypatch.setattr("flexbearing.rings.grooves.groove_pair", lambda *_: object())
+    settings = [{"bearing.first_ball_azimuth": f"{azimuth} deg"} for azimuth in (0, 10, 0)]
+    cases = [read_case(CAGE, each) for each in settings]
+    built = [angular_contact.build(case) for case in cases]
+    first, other, again = angular_contact._grooves(cases, built, Logged())
+    assert first is again
+    assert other is not first
 
 
 def test_a_study_condenses_each_ring_once_before_its_rows(tmp_path, monkeypatch):

@@ -216,6 +216,7 @@ def test_a_row_that_takes_no_time_needs_no_answer():
     found = list(cycles(2.0, None, 4.0, spectrum=Spectrum("time", (0.5, 0.0, 0.5), "life_L10")).of_cycles())
     assert column(found, "revolutions [Mrev]") == approx([1 / (0.5 / 2 + 0.5 / 4)], rel=1e-15)
     assert column(found, "life [h]") == approx([8e6 / 3 * 2 * pi / 100 / 3600], rel=1e-15)
+    assert [each.values for each in found if each.name == "status"] == [("converged",)]
 
 
 def test_shares_of_time_and_of_revolutions_are_inverse_to_each_other():
