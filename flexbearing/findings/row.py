@@ -1,7 +1,7 @@
 """Findings of a row of a table: what its numbers exceed or lack, as data that a cell holds as JSON."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 from typing import Any, Literal
 
@@ -76,11 +76,12 @@ def words(findings: Iterable[RowFinding]) -> str:
 
 def by_sentence(noted: Iterable[tuple[int, RowFinding]]) -> Iterator[tuple[str, list[int]]]:
     """Findings of numbered rows in words, those with the same limit once with the range of their values."""
-    alike: dict[RowFinding, list[tuple[int, float | None]]] = {}
+    alike: dict[tuple, tuple[RowFinding, list[tuple[int, float | None]]]] = {}
     for row, each in noted:
-        alike.setdefault(replace(each, value=each.limit), []).append((row, each.value))
-    for limit, those in alike.items():
-        yield limit.words(value for _, value in those), [row for row, _ in those]
+        kind = each.code, each.grade, each.limit, each.places, each.text
+        alike.setdefault(kind, (each, []))[1].append((row, each.value))
+    for each, those in alike.values():
+        yield each.words(value for _, value in those), [row for row, _ in those]
 
 
 def written(findings: Iterable[RowFinding]) -> str:

@@ -5,15 +5,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from flexbearing.build.probes import probes
-from flexbearing.build.ring_parts import NAMES, Race
-from flexbearing.case.roller import Case
 from quasidynamic.note import Note, information
 
 if TYPE_CHECKING:
     from fem.parts.probe import Probe
     from fem.solid.probes import Readings
+    from flexbearing.build.ring_parts import Race
     from flexbearing.case.balls.angular_contact import FastCase
+    from flexbearing.case.roller import Case
 
 
 def readings(
@@ -21,6 +20,8 @@ def readings(
 ) -> "Readings | str":
     """Readings of its rings in the order of the probes of a case, or why there are none."""
     from fem.solid.probes import Readings
+    from flexbearing.build.probes import probes
+    from flexbearing.build.ring_parts import NAMES
     from flexbearing.runs.part_fields import NoFields
 
     numbers, of_rings = [], []

@@ -10,6 +10,7 @@ import pytest
 
 from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
+from flexbearing.findings.row import by_sentence, information
 from flexbearing.report.html.study import MOST_MESSAGES, _by_message
 from flexbearing.studies import messages
 from flexbearing.studies.file import read, sampled
@@ -142,9 +143,9 @@ def test_the_time_of_a_long_check_is_said_once_it_is_known(monkeypatch):
 
 
 def test_messages_of_many_rows_are_grouped_once():
-    rows = [(number, f"message {number % 20_000}") for number in range(200_000)]
+    rows = [(number, information("code", f"message {number % 20_000}")) for number in range(200_000)]
     began = process_time()
-    lines = list(_by_message(rows))
+    lines = list(_by_message(dict(by_sentence(rows))))
     assert process_time() - began < 1
     assert len(lines) == MOST_MESSAGES + 1
     assert lines[0] == "rows 0, 20000, 40000, 60000, 80000, 100000, 120000, 140000, 160000, 180000: message 0"

@@ -9,6 +9,7 @@ import flexbearing
 from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from flexbearing.coupling import LinearPair
+from flexbearing.findings.row import of_records
 from flexbearing.runs import notes, roller_findings
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic.errors import NotSolved
@@ -72,8 +73,8 @@ def test_pressed_end_is_a_finding_without_a_whole_contact(settings, monkeypatch)
     rows, notes = solved(settings)
     assert rows.sliced_peak_error[0] > 0.09
     assert notes == ()
-    (found,) = roller_findings.dangers(rows)
-    assert [(note.grade, note.code) for note in found] == [("outside validity", "pressed-end")]
+    (found,) = roller_findings.of_rows(rows)
+    assert [(each.grade, each.code) for each in of_records(found)] == [("outside validity", "pressed-end")]
 
 
 @pytest.mark.parametrize("settings", [[], TILTED, ["operation.misalignment=4 arcmin"]])
