@@ -77,7 +77,10 @@ class RollerBearing:
         near = bool(start.balance.layout.elastic_raceways) or start.balance.deviation is not None
         unknowns = start.unknowns
         if near:  # raceways stay in their shape, whichever part of it these forces make of them
-            by_load = start.deviation if deviation is None else start.deviation - deviation
+            common = min(start.axial_modes, self.axial_modes)
+            by_load = start.deviation[..., :common]
+            if deviation is not None:
+                by_load = by_load - deviation[..., :common]
             unknowns = unknowns._replace(deviation=np.moveaxis(by_load, -1, 1)[:, :, None])
         for step in iterate(balance, balance.pack(unknowns), near, STARTS):
             state = Equilibrium(balance, step.unknowns[0], step.outcomes[0], step.number, self.axial_modes)

@@ -47,7 +47,7 @@ def next_tangent(structure: Structure, tangent: Tangent, balanced: Tangent) -> T
     Returns
     -------
     Tangent
-        at F + s d, 0 < s <= 1; at the balance where w_0 is not known
+        at F + s d, 0 < s <= 1; at the balance where w_0 is not known, or of other axial modes
 
     Raises
     ------
@@ -64,7 +64,7 @@ def next_tangent(structure: Structure, tangent: Tangent, balanced: Tangent) -> T
     Contacts and structure without friction; with it nearly.
     """
     begin, end = tangent.balancing, balanced.balancing
-    if begin is None or end is None:
+    if begin is None or end is None or begin.shape != end.shape:  # that of a start with other axial modes
         return balanced
     way = balanced.forces - tangent.forces
     least, before = 0.0, tangent.slope(way, begin)

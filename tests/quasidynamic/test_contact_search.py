@@ -63,6 +63,20 @@ def test_a_state_stays_where_other_equations_hold_it_as_well():
     assert last.loads == pytest.approx(known.loads, rel=1e-9, abs=1e-9)
 
 
+@pytest.mark.parametrize(("before", "after"), [(3, 4), (4, 3)])
+def test_a_state_of_other_axial_modes_is_a_start(before, after):
+    """As levels of accuracy differ by; the raceways are given a shape, too."""
+
+    def solved(modes, start=None):
+        model = paper_bearing(axial_modes=modes, slices=10)
+        matrix, shape = ring(model.bearing.azimuths, 3.6e-3, 1e8, modes), np.zeros((2, 30, modes))
+        shape[1, :, 1] = 1e-6
+        *_, last = model.iterate((None, matrix), start or model.solve(), shape)
+        return last
+
+    assert solved(after, solved(before)).loads == pytest.approx(solved(after).loads, rel=1e-9, abs=1e-6)
+
+
 @pytest.mark.slow
 def test_slow_heavy_bearing_is_solved_though_not_in_a_few_steps():
     """At 10 rad/s it takes 350 evaluations; at 5 rad/s a few steps."""
