@@ -63,7 +63,10 @@ if TYPE_CHECKING:
         RollerBearing as RollerBearing,
         solve_many as solve_many,
     )
-    from quasidynamic.solve.balls.preloaded_place import preloaded_place as preloaded_place
+    from quasidynamic.solve.balls.preloaded_place import (
+        preloaded_place as preloaded_place,
+        unloading_force as unloading_force,
+    )
     from quasidynamic.solve.step_length import SolverOutcome as SolverOutcome
     from quasidynamic.static import static_loads as static_loads
 
@@ -97,7 +100,7 @@ EXPORTS = {
     ),
     "parts.roller_bearing": ("Cage", "CylindricalRollerBearing", "Operation", "Roller"),
     "roller": ("Equilibria", "Equilibrium", "RollerBearing", "solve_many"),
-    "solve.balls.preloaded_place": ("preloaded_place",),
+    "solve.balls.preloaded_place": ("preloaded_place", "unloading_force"),
     "solve.step_length": ("SolverOutcome",),
     "static": ("static_loads",),
 }

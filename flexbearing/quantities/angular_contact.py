@@ -45,6 +45,7 @@ def _largest_of_races(values: np.ndarray) -> np.ndarray:
     return values.max(1)
 
 
+_ONE_ROW = "absent of one row"
 _OF_RINGS = "by elastic rings alone, the indentation of the contacts left out; absent between rigid rings"
 # declarations read best as a table:
 
@@ -62,7 +63,10 @@ QUANTITIES = (
     Quantity("ball_azimuth", "phi", "Z", "rad", "block",
         "place of the ball, 0 on the z axis, positive towards y", source="state.bearing.azimuths", people=DEG,
         summary=(SummaryValue("ball_azimuths_deg"),)),
-    Quantity("contact_angle", "alpha", "race Z", "rad", "state", "contact angle from the radial plane",
+    Quantity("ball_row", "", "Z", "1", "block", f"number of the row of the ball, from 0; {_ONE_ROW}",
+        source="state.ball_row", optional=True),
+    Quantity("contact_angle", "alpha", "race Z", "rad", "state",
+        "contact angle from the radial plane, positive towards the shoulder that the row leans on",
         source="state.contact_angles", people=DEG, summary=(
             SummaryValue("contact_angle_range_deg", _range_of_races, "contact angle", ".2f", parts=RACES,
                 entries=EXTENT),
@@ -180,10 +184,18 @@ QUANTITIES = (
         summary=(SummaryValue("radial_clearance_um", label="radial clearance", digits=".2f"),)),
     Quantity("end_play", "", "", "m", "block",
         "axial clearance: way of the inner ring between the places where balls just touch on either side, "
-        "2 A sin(alpha_0), of rigid rings; zero with an interference; absent of an angular-contact bearing, "
+        "2 A sin(alpha_0), of rigid rings; zero with an interference; absent of one row with an angle, "
         "whose shoulders are on one side",
         source="state.bearing.end_play", people=UM, optional=True,
         summary=(SummaryValue("end_play_um", label="end play", digits=".2f"),)),
+    Quantity("row_load", "", "R row_force", "N", "block",
+        f"what each row carries for the inner ring (x, y, z); {_ONE_ROW}", source="state.row_load",
+        optional=True, summary=(SummaryValue("row_loads_N"),)),
+    Quantity("unloading_force", "", "", "N", "block",
+        "axial load that takes the load off a row which another presses, at rest and by it alone, of rigid "
+        "rings; zero with play between them; absent without rows against each other",
+        source="rated.unloading_force", optional=True,
+        summary=(SummaryValue("unloading_force_N", label="axial load that unloads a row", digits=",.1f"),)),
     Quantity("ring_load", "P", "force", "N, N m", "block",
         f"what the balls carry for the inner ring ({_ORDER}): load or reaction",
         summary=(
@@ -312,6 +324,7 @@ right-handed.
 """,
     axes=(
         Axis("Z", "ball", coordinate="ball_azimuth"),
+        Axis("R", "row"),
         Axis("P", "point", coordinate="slip_position"),
         Axis("P1", "across"),
         Axis("P2", "along"),

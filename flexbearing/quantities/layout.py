@@ -29,6 +29,7 @@ FIXED = {  # of every kind of bearing, by symbol
         "slope": ("dz/dx", "dy/dx"),
         "radial_force": YZ,
         "force": _DIRECTIONS,
+        "row_force": XYZ,
         "displacement": _DIRECTIONS,
         "part": ("outwards", "along"),
         "bar_end": ("ring", "flange"),

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import quasidynamic as qd
-from flexbearing.build import clearance, out_of_round
+from flexbearing.build import ball_rows, clearance, out_of_round
 from flexbearing.build.ball_fits import ball, groove
 from flexbearing.case import BadCase, Head
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
@@ -91,9 +91,9 @@ def bearing(case: FastCase) -> qd.AngularContactBallBearing:
         balls=parts.balls,
         pitch_diameter=parts.pitch_diameter,
         contact_angle=contact_angle,
-        clearance=change,
         first_ball_azimuth=parts.first_ball_azimuth,
     )
+    round_one = replace(round_one, clearance=change, rows=ball_rows.rows(case, round_one))
     waves = out_of_round.approaches(case, round_one.azimuths)
     return qd.AngularContactBallBearing(
         bearing=round_one if waves is None else replace(round_one, approaches=tuple(waves)),
@@ -370,7 +370,10 @@ def block(solution: Solution) -> dict[str, NDArray]:
         "free": free,
         "probes": None if isinstance(solution.probes, str) else solution.probes,
         "life": solution.lives,
-        "rated": {"static_safety": solution.static_safety},
+        "rated": {
+            "static_safety": solution.static_safety,
+            "unloading_force": qd.unloading_force(state.bearing),
+        },
     }
     return row(taken(LAYOUT.quantities, {name: [part] for name, part in parts.items()}), 0)
 
@@ -436,7 +439,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
         life = lives.basic if lives.modified is None else lives.modified
         values |= {
             "load": {"by the loads of the balls": ball_life.equivalent(case, lives)},
-            "dynamic_rating": ball_life.dynamic(case),
+            "dynamic_rating": ball_rows.rating_factor(case) * ball_life.dynamic(case),
             "static_rating": ball_life.static_or_none(case),
             **judged.lives(life / MREV, speed, [case.life.required]),
         }

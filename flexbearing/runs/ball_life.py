@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 import quasidynamic as qd
 from flexbearing.build.ball_fits import kinematic_viscosity, solid
+from flexbearing.build.ball_rows import rating_factor
 from flexbearing.case.as_written import BALL_SIZES, as_written
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
 from flexbearing.case.balls.mounting import MountedMaterials
@@ -86,12 +87,17 @@ def lives(case: FastCase, state: qd.AngularContactState) -> BallLives | None:
 
 def equivalent(case: FastCase, lives: BallLives) -> float:
     """Load that gives the same life by C_r, P_ref of ISO/TS 16281 [N]."""
-    return float(reference_load(lives.basic / MREV, dynamic(case), BALL_EXPONENT))
+    return _reference(case, lives.basic / MREV)
+
+
+def _reference(case: FastCase, basic: float) -> float:
+    """Load that gives a life [10^6 revolutions] by C_r of all rows [N]."""
+    return float(reference_load(basic, rating_factor(case) * dynamic(case), BALL_EXPONENT))
 
 
 def _modified(case: FastCase, basic: float) -> LifeOfState:
     """The life after every factor, from the basic one [10^6 revolutions]."""
-    by_loads, load = [], float(reference_load(basic, dynamic(case), BALL_EXPONENT))
+    by_loads, load = [], _reference(case, basic)
     if case.life.loads == "rating":
         load = dynamic_load(case).value
         value, note = float(rating_life(dynamic(case), load, BALL_EXPONENT)) / basic, "ISO 281: (C_r/P)^3"
@@ -184,7 +190,7 @@ PARTS = {part: f"materials.{part}" for part in ("ball", "inner_ring", "outer_rin
 
 
 def dynamic(case: FastCase) -> float:
-    """C_r of the case, or of ISO 281 [N].
+    """C_r of the case, or of ISO 281, of one row [N].
 
     Raises `OutOfRange` where ISO 281 has none: balls that are not of steel, contact angles and sizes beyond
     its table.
@@ -200,12 +206,12 @@ def dynamic(case: FastCase) -> float:
 
 
 def static(case: FastCase) -> float:
-    """C_0r of the case, or of ISO 76 [N]."""
+    """C_0r of the case, or of ISO 76, of one row [N]."""
     return _rating(case, "static_rating").value
 
 
 def fatigue_limit(case: FastCase) -> float:
-    """C_u of the case, or of ISO 281 from C_0r [N]."""
+    """C_u of the case, or of ISO 281 from C_0r, of one row [N]."""
     if case.life.fatigue_limit_load is None:
         return ball_fatigue_load_limit(row(case), static(case))
     return _rating(case, "fatigue_limit_load").value
@@ -298,9 +304,9 @@ def static_or_none(case: FastCase) -> float | None:
 
 
 def safety(case: FastCase, state: qd.AngularContactState) -> float | None:
-    """Static safety s_0 under what the balls carry for the ring, preload with it."""
+    """Static safety s_0 under what the balls carry for the ring, preload with it; None of two rows."""
     rated = case.materials.steel_balls or case.materials.hybrid
-    if case.life.static_rating is None and not rated:
+    if case.bearing.second_row is not None or (case.life.static_rating is None and not rated):
         return None
     axial, radial_y, radial_z = state.ring_load[:3]
     try:
@@ -313,16 +319,23 @@ def safety(case: FastCase, state: qd.AngularContactState) -> float | None:
 
 
 def dynamic_load(case: FastCase) -> EquivalentLoad:
-    """P_r of ISO 281."""
+    """P_r of ISO 281; raises `OutOfRange` of two rows."""
+    _require_one_row(case)
     balls, (radial, axial) = rated_balls(case), case.operation.forces
     ratio = static_factor(*balls) * axial / static(case)
     return ball_dynamic_load(radial, axial, balls.row.contact_angle, ratio)
 
 
 def static_load(case: FastCase) -> EquivalentLoad:
-    """P_0r of ISO 76."""
+    """P_0r of ISO 76; raises `OutOfRange` of two rows."""
+    _require_one_row(case)
     radial, axial = case.operation.forces
     return ball_static_load(radial, axial, row(case).contact_angle)
+
+
+def _require_one_row(case: FastCase) -> None:
+    if case.bearing.second_row is not None:
+        raise OutOfRange("equivalent loads of two rows are not offered")
 
 
 def kappa(case: FastCase) -> float:
@@ -346,7 +359,8 @@ def rated_kappa(case: FastCase) -> float | None:
 
 
 def fatigue_share(case: FastCase) -> float:
-    """Fatigue load limit that hard particles leave [N]."""
+    """Fatigue load limit of all rows that hard particles leave [N]."""
     cleanliness = CLEANLINESS[str(case.life.cleanliness)]
     left = contamination_factor(kappa(case), case.bearing.pitch_diameter, cleanliness)
-    return float(left) * fatigue_limit(case)
+    rows = 1 if case.bearing.second_row is None else 2
+    return float(left) * rows * fatigue_limit(case)

@@ -254,6 +254,22 @@ class AngularContactState:
         return None if self.groove_displacement is None else self.groove_displacement[..., 1]
 
     @property
+    def ball_row(self) -> NDArray | None:
+        """Number of the row of each ball (Z), from 0; None of one row."""
+        return self.bearing.ball_rows if len(self.bearing.rows) > 1 else None
+
+    @property
+    def row_load(self) -> NDArray | None:
+        """Force along x, y, z that each row takes for the inner ring (R, 3) [N]; None of one row."""
+        bearing = self.bearing
+        if len(bearing.rows) == 1:
+            return None
+        forces = (self.loads[0] - 1j * self.tractions[0]) * 1j * np.exp(-1j * self.contact_angles[0])
+        axial = np.where(bearing.of_balls("mirrored"), -1.0, 1.0) * forces.real
+        around = np.exp(1j * bearing.azimuths) * forces.imag  # z + i y
+        return np.array([axial, around.imag, around.real]).T.reshape(len(bearing.rows), -1, 3).sum(1)
+
+    @property
     def on_inner(self) -> NDArray:
         """Balls that the inner race touches (Z), bool."""
         return self.loads[0] > 0

@@ -17,18 +17,19 @@ def ball_raceway_lives(
 
     .. math:: L_{10,i} = (Q_{ci}/Q_{ei})^3,\quad Q_e = \Big(\frac1Z \sum_j Q_j^s\Big)^{1/s}
 
-    with s = 3 of a ring that turns against the load and 10/3 of one that is at rest under it.
+    with s = 3 of a ring that turns against the load and 10/3 of one that is at rest under it, for each row;
+    a raceway of several rows survives where all of them do.
 
     Parameters
     ----------
-    loads : array (2, Z)
-        normal loads at the inner and the outer race [N], >= 0
+    loads : array (2, R Z)
+        normal loads at the inner and the outer race [N], >= 0, of R rows of Z balls one after the other
     row : BallRow
         for the capacities
     turning : tuple of float
         how far the inner and the outer ring turn against the load, 0 standing to 1, see `turning_share` [-]
     rating : float, optional
-        C_r [N]; that of ISO 281 if left out
+        C_r of one row [N]; that of ISO 281 if left out
 
     Returns
     -------
@@ -49,9 +50,9 @@ def ball_raceway_lives(
 def ball_reference_life(
     loads: NDArray, row: BallRow, turning: tuple[float, float], rating: float | None = None
 ) -> float:
-    r"""Basic reference life L10r of both raceways together.
+    r"""Basic reference life L10r of both raceways, and of all rows together.
 
-    .. math:: L_{10r} = \big\{(Q_{ci}/Q_{ei})^{-10/3} + (Q_{ce}/Q_{ee})^{-10/3}\big\}^{-9/10}
+    .. math:: L_{10r} = \big\{\sum (Q_{ci}/Q_{ei})^{-10/3} + (Q_{ce}/Q_{ee})^{-10/3}\big\}^{-9/10}
 
     In 10^6 revolutions, infinite without load; arguments as of `ball_raceway_lives`.
 
@@ -67,11 +68,13 @@ def ball_reference_life(
 
 
 def _damages(loads: NDArray, row: BallRow, turning: tuple[float, float], rating: float | None) -> NDArray:
-    """Of the inner and the outer raceway (2)."""
-    sides = zip(np.asarray(loads), ball_raceway_capacity(row, rating), turning, strict=True)
-    return np.array(
-        [raceway_damage(load[:, None], capacity, share, POINT) for load, capacity, share in sides]
-    )
+    """Of the inner and the outer raceway (2), all rows together."""
+    rows = np.asarray(loads).reshape(2, -1, row.balls)
+    sides = zip(rows, ball_raceway_capacity(row, rating), turning, strict=True)
+    return np.array([
+        sum(raceway_damage(load[:, None], capacity, share, POINT) for load in of_race)
+        for of_race, capacity, share in sides
+    ])  # fmt: skip
 
 
 def _life(damage: Any) -> Any:

@@ -11,21 +11,32 @@ from quasidynamic.parts.ball import Ball, Groove
 
 
 @dataclass(frozen=True, kw_only=True)
-class AngularContactBearing:
-    """Balls between two rings of one groove each.
+class RowPlace:
+    """Where a row of balls is on common rings."""
 
-    A deep groove bearing has the contact angle zero, and a clearance.
+    axial: float = 0.0  # [m] of the plane of its inner groove centres, along x
+    mirrored: bool = False  # its inner ring pushes the balls against their shoulders along -x
+    closer: float = 0.0  # [m] axial, of its grooves to each other: preload; negative is play
+
+
+@dataclass(frozen=True, kw_only=True)
+class AngularContactBearing:
+    """Rows of balls between two rings, each with one groove for a row.
+
+    A deep groove bearing has the contact angle zero, and a clearance. Z counts the balls of all rows, one row
+    after the other; rows are equal, but that a mirrored one is seen with x reversed.
     """
 
     ball: Ball
     inner: Groove
     outer: Groove
-    balls: int
+    balls: int  # of a row
     pitch_diameter: float  # [m] of the ball centres
     contact_angle: float  # [rad] without load, from the radial plane, the clearance below left out
     clearance: float = 0.0  # [m] of the diameter beyond that of contact_angle; negative is an interference
     first_ball_azimuth: float = 0.0  # [rad] from z towards y
     approaches: tuple[float, ...] = ()  # (Z) [m] by how much raceways are closer to each ball than round ones
+    rows: tuple[RowPlace, ...] = (RowPlace(),)
 
     def __post_init__(self):
         require_positive("bearing.pitch_diameter", self.pitch_diameter)
@@ -35,8 +46,9 @@ class AngularContactBearing:
             raise ImpossiblePart(f"bearing.balls = {self.balls}: a ring needs at least 3")
         if self.ball.diameter >= self.pitch_diameter * np.sin(np.pi / self.balls):
             raise ImpossiblePart(f"{self.balls} balls do not fit on the pitch circle")
-        if len(self.approaches) not in (0, self.balls) or not np.isfinite(self.approaches).all():
-            raise ImpossiblePart(f"approaches = {self.approaches} must be {self.balls} finite numbers")
+        all_balls = self.balls * len(self.rows)
+        if len(self.approaches) not in (0, all_balls) or not np.isfinite(self.approaches).all():
+            raise ImpossiblePart(f"approaches = {self.approaches} must be {all_balls} finite numbers")
         most = 2 * self.centre_distance * np.cos(self.contact_angle)
         if not abs(self.clearance) < most:
             raise ImpossiblePart(
@@ -95,8 +107,15 @@ class AngularContactBearing:
     def end_play(self) -> float | None:
         """Axial way of the ring from balls that touch on one side to the other, 2 A sin(alpha_0) [m].
 
-        Zero with an interference; none in a bearing with a contact angle, whose shoulders are on one side.
+        Of rows against each other what they lack to touch both. Zero with an interference; none where
+        shoulders are on one side, as of one row with a contact angle.
         """
+        if len({row.mirrored for row in self.rows}) == 2:
+            towards, back = (
+                self.touching_place - max(row.closer for row in self.rows if row.mirrored is mirrored)
+                for mirrored in (False, True)
+            )
+            return max(towards + back, 0.0)
         return None if self.contact_angle > 0 else 2 * float(self.touching_place)
 
     @property
@@ -107,7 +126,17 @@ class AngularContactBearing:
     @cached_property
     def azimuths(self) -> NDArray:
         """Ball azimuths from z towards y (Z) [rad]."""
-        return self.first_ball_azimuth + 2 * np.pi * np.arange(self.balls) / self.balls
+        of_row = self.first_ball_azimuth + 2 * np.pi * np.arange(self.balls) / self.balls
+        return np.tile(of_row, len(self.rows))
+
+    @cached_property
+    def ball_rows(self) -> NDArray:
+        """Number of the row of each ball, from 0 (Z)."""
+        return np.repeat(np.arange(len(self.rows)), self.balls)
+
+    def of_balls(self, name: str) -> NDArray:
+        """A value of `RowPlace` for each ball (Z)."""
+        return np.array([getattr(row, name) for row in self.rows])[self.ball_rows]
 
 
 @dataclass(frozen=True, kw_only=True)

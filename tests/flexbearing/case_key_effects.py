@@ -471,6 +471,16 @@ EFFECTS = (
     ("fast balls", "operation.displacement.tilt_z", "1 deg", "operation.displacement.4"),
     ("fast, preloaded", "operation.preload.force", "260 N", "operation.displacement.0"),
     ("fast, offset", "operation.preload.displacement", "6 um", "operation.displacement.0"),
+    ("fast, pair", "bearing.pair.arrangement", "face_to_face",
+     "model.bearing.rows.0.{axial,mirrored} model.bearing.rows.1.{axial,mirrored}"),
+    ("fast, tandem", "bearing.pair.distance", "42 mm",
+     "model.bearing.rows.0.axial model.bearing.rows.1.axial"),
+    ("fast, pair", "bearing.pair.distance", "42 mm",
+     "model.bearing.rows.0.axial model.bearing.rows.1.axial"),
+    ("fast, pair", "bearing.pair.preload", "260 N",
+     "model.bearing.rows.0.closer model.bearing.rows.1.closer"),
+    ("fast, pair with offset", "bearing.pair.offset", "6 um",
+     "model.bearing.rows.0.closer model.bearing.rows.1.closer"),
     *(("three balls, fitted", f"bearing.fits.{name}", value, "model.bearing.{clearance,contact_angle}")
       for name, value in (
           ("bore", "18 mm"), ("outer_diameter", "43 mm"), ("shaft_bore", "6 mm"),

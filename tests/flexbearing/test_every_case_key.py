@@ -209,6 +209,11 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
         "axial": "20 um", "radial_z": "1 um", "radial_y": "2 um", "tilt_z": "0 deg", "tilt_y": "0 deg"}}),
     "fast, preloaded": ("harris218", {"operation.load.axial": "0 N", "operation.preload.force": "250 N"}),
     "fast, offset": ("harris218", {"operation.load.axial": "0 N", "operation.preload.displacement": "5 um"}),
+    "fast, pair": ("harris218", {"bearing.pair": {
+        "arrangement": "back_to_back", "distance": "40 mm", "preload": "250 N"}}),
+    "fast, pair with offset": ("harris218", {"bearing.pair": {
+        "arrangement": "back_to_back", "distance": "40 mm", "offset": "5 um"}}),
+    "fast, tandem": ("harris218", {"bearing.pair": {"arrangement": "tandem", "distance": "40 mm"}}),
     "fast, fitted": ("harris218", {**_FITTED, **_SEATS_218, **_IN_218}),
     "three balls, fitted": ("joshi2015_ed20", {**_SEATS_ED20, "bearing.fits.shaft_interference": "5 um",
         "bearing.fits.housing": {"diameter": "60 mm", "interference": "5 um"}}),

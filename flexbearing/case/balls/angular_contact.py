@@ -14,6 +14,7 @@ from flexbearing.case.balls.mounting import (
     Temperatures,
     require_growing,
 )
+from flexbearing.case.balls.pair import Pair
 from flexbearing.case.balls.parts import (
     CELLS,
     DISPLACEMENT,
@@ -88,6 +89,11 @@ class FastBearing(MountedBearing):
         return 0.0
 
     @property
+    def second_row(self) -> Pair | None:
+        """What a second row of balls is; None of one row."""
+        return None
+
+    @property
     def waves(self) -> dict[Race, Waves]:
         """Form errors of the raceways that are not round."""
         form = self.form_error
@@ -124,11 +130,20 @@ class AngularBearing(FastBearing):
         ge=0,
         lt=RIGHT_ANGLE,
     )
+    pair: Pair | None = key(
+        "a second row of the same balls between rings in common: a pair of bearings, or a double-row one",
+        None,
+    )
 
     @property
     def groove_angle(self) -> float:
         """Contact angle to whose shape elastic rings are cut [rad]."""
         return self.contact_angle
+
+    @property
+    def second_row(self) -> Pair | None:
+        """What a second row of balls is; None of one row."""
+        return self.pair
 
     @property
     def stated_clearance(self) -> float:
@@ -339,6 +354,21 @@ class FastCase(MountedCase):
         if require(self.inner, ("cam_amplitude",), "a cam")[0] > HIGHEST * self.bearing.pitch_diameter / 2:
             most = at_most(HIGHEST * self.bearing.pitch_diameter / 2)
             raise impossible("inner.cam_amplitude", f"{most}, {HIGHEST:.0%} of the pitch radius")
+        return self
+
+    @model_validator(mode="after")
+    def _second_row(self) -> Self:
+        pair = self.bearing.second_row
+        if pair is None:
+            return self
+        if pair.distance < self.bearing.ball.diameter:
+            least = f"at least the ball diameter, {1e3 * self.bearing.ball.diameter:.4g} mm"
+            raise impossible("bearing.pair.distance", least)
+        if not self.rigid:
+            name = "outer" if self.outer.kind != "rigid" else "inner"
+            raise impossible(f"{name}.kind", '"rigid" beside bearing.pair')
+        if self.operation.preload:
+            raise impossible("operation.preload", "left out beside bearing.pair, which has a preload")
         return self
 
     @model_validator(mode="after")

@@ -1,7 +1,8 @@
 """Figures of a result."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -110,11 +111,13 @@ def _load_mark(reader: Reader) -> tuple[Rule, ...]:
 
 
 def _lines(reader: Reader, block: str, name: str, around: str) -> Iterator[tuple[str, tuple[Any, ...]]]:
-    """Words and index of every line of an array along an axis."""
+    """Words and index of every line of an array along an axis, one of each row of balls."""
     shape, values = reader.layout[name].shape, reader.blocks[block][name]
     others = [axis for axis in range(values.ndim) if shape[axis] != around]
-    for place in np.ndindex(*(values.shape[axis] for axis in others)):
-        index: list[Any] = [slice(None)] * values.ndim
+    for place, (row, part) in product(
+        np.ndindex(*(values.shape[axis] for axis in others)), _rows(reader.blocks[block]).items()
+    ):
+        index: list[Any] = [part] * values.ndim
         for axis, step in zip(others, place, strict=True):
             index[axis] = step
         words = [
@@ -122,7 +125,19 @@ def _lines(reader: Reader, block: str, name: str, around: str) -> Iterator[tuple
             for axis, step in zip(others, place, strict=True)
             if shape[axis] == "race" or values.shape[axis] > 1
         ]
-        yield ", ".join(words), tuple(index)
+        yield ", ".join(filter(None, [*words, row])), tuple(index)
+
+
+def _rows(block: Mapping[str, Any]) -> dict[str, slice]:
+    """Places of each row of rolling elements, by its words; all of one row, without words."""
+    if "ball_row" not in block:
+        return {"": slice(None)}
+    counts = np.bincount(np.asarray(block["ball_row"], int))
+    ends = np.cumsum(counts)
+    return {
+        f"row {number}": slice(int(end - count), int(end))
+        for number, (count, end) in enumerate(zip(counts, ends, strict=True), start=1)
+    }
 
 
 def _label(name: str, words: str, *, alone: bool) -> str:
@@ -133,7 +148,8 @@ def _label(name: str, words: str, *, alone: bool) -> str:
 def _line(reader: Reader, block: str, name: str, index: tuple[Any, ...], azimuth: str, label: str) -> Line:
     """One line, its places in order from -180 to 180 degrees."""
     values, unit, of = reader.drawn(block, name, index)
-    degrees, order = closed(reader.blocks[block][azimuth])
+    row = index[reader.layout[name].shape.index(reader.layout[azimuth].shape[0])]
+    degrees, order = closed(reader.blocks[block][azimuth][row])
     if "0 without load" in reader.layout[name].meaning:
         values = [value or None for value in values]
     if name == "contact_angle":  # without load it is that of no contact
@@ -148,7 +164,7 @@ def _line(reader: Reader, block: str, name: str, index: tuple[Any, ...], azimuth
         dash=DASHES[block] if several else "solid",
         mark=marked,
         group=label,
-        places=tuple(order),
+        places=tuple(place + (row.start or 0) for place in order),
         hover=f"%{{x:.1f}}°<br>%{{y}} {printed(unit)}<extra>{label}</extra>",
         of=of,
     )

@@ -100,20 +100,26 @@ class AngularBalance:
 
     @cached_property
     def ring_to_groove(self) -> Vectors:
-        """Place of the inner groove centre, axial + i radial, at each ball per ring displacement (Z, 5)."""
-        azimuth = self.bearing.azimuths
-        sine, cosine = np.sin(azimuth), np.cos(azimuth)
-        return np.array([1 + 0 * sine, 1j * sine, 1j * cosine, cosine, -sine], dtype=complex).T.copy()
+        """Place of the inner groove centre, axial + i radial, at each ball per ring displacement (Z, 5).
+
+        Axial is towards the shoulder of the row: along -x where it is mirrored. A tilt moves rows beside its
+        centre radially.
+        """
+        bearing = self.bearing
+        sine, cosine = np.sin(bearing.azimuths), np.cos(bearing.azimuths)
+        axial = np.where(bearing.of_balls("mirrored"), -1.0, 1.0)
+        tilt = axial - 1j * bearing.of_balls("axial") / bearing.inner_groove_radius
+        return np.array([axial, 1j * sine, 1j * cosine, tilt * cosine, -tilt * sine], dtype=complex).T.copy()
 
     def grooves(self, ring: NDArray) -> Vectors:
         """Inner groove centres from the outer ones (C, Z) [m] at ring displacements (C, 5)."""
         return self.unloaded_groove + ring @ self.ring_to_groove.T
 
     @cached_property
-    def unloaded_groove(self) -> complex | Vectors:
-        """Inner groove centres from the outer ones where the ring is not displaced: of all or each ball."""
+    def unloaded_groove(self) -> Vectors:
+        """Inner groove centres from the outer ones where the ring is not displaced (Z)."""
         approaches = np.array(self.bearing.approaches or 0.0)
-        return complex(*self.bearing.groove_offset) + 1j * approaches
+        return complex(*self.bearing.groove_offset) + self.bearing.of_balls("closer") + 1j * approaches
 
     def out_of_round(self, part: float) -> "AngularBalance":
         """The same with a part of what makes raceways approach the balls."""

@@ -80,7 +80,7 @@ class InertiaFamily:
     @property
     def weight(self) -> NDArray:
         """Balls count together as much as a direction of the ring."""
-        count = self.balance.bearing.balls
+        count = len(self.balance.bearing.azimuths)
         return np.concatenate([np.ones(len(self._free)), np.full(2 * count, 1 / count)])
 
     def bounded(self, before: NDArray, after: NDArray) -> NDArray:

@@ -1,4 +1,4 @@
-"""Where a ring stands that is held axially under a preload."""
+"""Rings under axial forces alone, at rest: where a preload holds them, and what takes it off."""
 
 from typing import cast
 
@@ -12,27 +12,37 @@ from quasidynamic.parts.angular_contact_bearing import AngularContactBearing
 
 
 def preloaded_place(bearing: AngularContactBearing, force: float) -> float:
-    r"""Axial displacement at which an inner ring at rest carries an axial force alone.
+    """Axial displacement [m] at which the inner ring of one row carries a force [N] by `axial_force`.
 
-    .. math:: Z K (L - A)^{3/2} x / L = F, \quad L = \sqrt{x^2 + r^2}
+    Raises `ImpossiblePart` for a force that is not positive.
+    """
+    require_positive("preload.force", force)
+    distance, (offset, radial) = bearing.centre_distance, bearing.groove_offset
+    touching, stiffness = bearing.touching_place, _stiffness(bearing)
+    beyond = distance + radial + 2 * (force / stiffness) ** (2 / 3) - offset  # carries twice the force
+    return cast(
+        float,
+        brentq(lambda axial: axial_force(bearing, axial) - force, touching, beyond, xtol=1e-16),
+    )
+
+
+def axial_force(bearing: AngularContactBearing, displacement: float) -> float:
+    r"""Axial force on one row of balls at rest, the inner ring displaced along the axis alone.
+
+    .. math:: F = Z K \max(L - A, 0)^{3/2} x / L, \quad L = \sqrt{x^2 + r^2}
 
     Parameters
     ----------
     bearing : AngularContactBearing
-        Z balls, K of both contacts in series [N/m^1.5], A the distance of the groove centres at which balls
-        just touch, r their radial distance [m]
-    force : float
-        F [N], > 0
+        Z balls of a row, K of both contacts in series [N/m^1.5], A the distance of the groove centres at
+        which balls just touch, r their radial distance [m]
+    displacement : float
+        x less the axial distance of the groove centres at zero displacement [m]
 
     Returns
     -------
     float
-        displacement [m], x less the axial distance of the groove centres at zero displacement
-
-    Raises
-    ------
-    ImpossiblePart
-        for a force that is not positive
+        F [N]
 
     Source
     ------
@@ -42,14 +52,27 @@ def preloaded_place(bearing: AngularContactBearing, force: float) -> float:
     -----
     At rest; rings concentric, without tilt; K of the contact angle without load.
     """
-    require_positive("preload.force", force)
-    distance, (offset, radial) = bearing.centre_distance, bearing.groove_offset
-    stiffness = bearing.balls * float(in_series(*race_contacts(bearing)))
+    offset, radial = bearing.groove_offset
+    axial = offset + displacement
+    length = np.hypot(axial, radial)
+    pressed = max(length - bearing.centre_distance, 0.0)
+    return float(_stiffness(bearing) * pressed**1.5 * axial / length)
 
-    def excess(axial: float) -> float:
-        length = np.hypot(axial, radial)
-        return stiffness * max(length - distance, 0.0) ** 1.5 * axial / length - force
 
-    touching = offset + bearing.touching_place
-    beyond = distance + radial + 2 * (force / stiffness) ** (2 / 3)  # carries twice the force
-    return cast(float, brentq(excess, touching, beyond, xtol=1e-16)) - offset
+def unloading_force(bearing: AngularContactBearing) -> float | None:
+    """Least axial load that takes the load off a row which others press, at rest and by it alone [N].
+
+    Zero with play between the rows; None without rows against each other.
+    """
+    sides = [[row.closer for row in bearing.rows if row.mirrored is side] for side in (False, True)]
+    if not all(sides):
+        return None
+    return min(
+        sum(axial_force(bearing, min(there) - bearing.touching_place + closer) for closer in here)
+        for here, there in (sides, sides[::-1])
+    )
+
+
+def _stiffness(bearing: AngularContactBearing) -> float:
+    """Of all contacts of a row [N/m^1.5]."""
+    return bearing.balls * float(in_series(*race_contacts(bearing)))
