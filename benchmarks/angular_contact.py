@@ -1,13 +1,14 @@
 """Time and sureness of angular-contact solves.
 
-Run from the project directory: python -m benchmarks.angular_contact [count [seed]] [coulomb]
+Run from the project directory: python -m benchmarks.angular_contact [count [seed]] [coulomb | pairs]
 
 First the 218 bearing of the textbook, in CPU time of a warm interpreter on one core. Then bearings drawn at
 random: size, conformity, contact angle, steel or ceramic balls, raceway control, loads over five decades, up
 to about the static capacity in any direction from axial to radial, 10 to 500 000 mm/min; the ring free under
 moments up to load times pitch radius, held against tilt, or held against tilt with an axial preload. Where
 nothing holds the ring against such loads the outcome is "undetermined", which counts for itself. With
-`coulomb`, friction of 0.03 to 0.12 moves the balls of the same bearings.
+`coulomb`, friction of 0.03 to 0.12 moves the balls of the same bearings; with `pairs` they have a second row
+in O, X or tandem arrangement, with play or preload.
 """
 
 import collections
@@ -25,7 +26,7 @@ from quasidynamic.errors import NotSolved
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.solve.step_length import SolverOutcome
-from tests.random_balls import RPM, STEEL, drawn, drawn_sliding, unbalanced
+from tests.random_balls import RPM, STEEL, drawn, drawn_pair, drawn_sliding, unbalanced
 
 STRAIGHT = (None, None, None, 0.0, 0.0)
 OPERATIONS = {
@@ -44,8 +45,10 @@ def main() -> None:
     print(describe())
     with threadpool_limits(limits=1, user_api="blas"):
         textbook()
-        numbers = [int(word) for word in sys.argv[1:] if word != "coulomb"]
-        at_random(*numbers or (1000,), draw=drawn_sliding if "coulomb" in sys.argv else drawn)
+        kinds = {"coulomb": drawn_sliding, "pairs": drawn_pair}
+        numbers = [int(word) for word in sys.argv[1:] if word not in kinds]
+        draw = next((draw for word, draw in kinds.items() if word in sys.argv), drawn)
+        at_random(*numbers or (1000,), draw=draw)
 
 
 def textbook() -> None:

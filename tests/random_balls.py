@@ -1,10 +1,13 @@
 """Random angular-contact and deep groove bearings, with a check of forces that the solver does not use."""
 
+from dataclasses import replace
+
 import numpy as np
 
+from quasidynamic import preloaded_place
 from quasidynamic.angular_contact import AngularContactBallBearing as Model
 from quasidynamic.outcome.angular_contact_state import AngularContactState
-from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
+from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation, RowPlace
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
 
@@ -21,8 +24,11 @@ def unbalanced(state: AngularContactState) -> float:
     ball = np.abs([axial[0] - axial[1], radial[0] - radial[1] + state.centrifugal_force])
     azimuth, own = state.bearing.azimuths, state.bearing
     lever = own.inner.conformity * own.ball.diameter / own.inner_groove_radius
-    moment = axial[0] - lever * traction[0]
-    arms = [axial[0], radial[0] * np.sin(azimuth), radial[0] * np.cos(azimuth)]
+    towards, place = np.array([(-1.0 if row.mirrored else 1.0, row.axial) for row in own.rows])[
+        own.ball_rows
+    ].T
+    moment = towards * (axial[0] - lever * traction[0]) - place / own.inner_groove_radius * radial[0]
+    arms = [towards * axial[0], radial[0] * np.sin(azimuth), radial[0] * np.cos(azimuth)]
     arms += [moment * np.cos(azimuth), -moment * np.sin(azimuth)]
     scale = np.array([1.0, 1.0, 1.0, own.inner_groove_radius, own.inner_groove_radius])
     free = [place is None for place in state.operation.displacement]
@@ -36,6 +42,20 @@ def drawn_sliding(seed: int) -> tuple[Model, RingOperation]:
     model, operation = drawn(seed)
     friction = np.exp(np.random.default_rng([seed, 1]).uniform(np.log(0.03), np.log(0.12)))
     return Model(bearing=model.bearing, control="coulomb", friction=float(friction)), operation
+
+
+def drawn_pair(seed: int) -> tuple[Model, RingOperation]:
+    """Two rows of the same balls in any arrangement, from play to a preload of a tenth of the rating."""
+    model, operation = drawn(seed)
+    random, row = np.random.default_rng([seed, 3]), model.bearing
+    first, second = ((False, True), (True, False), (False, False))[int(random.integers(3))]
+    static = row.balls * row.ball.diameter**2 * 5e7
+    pressed = preloaded_place(row, static * 10 ** random.uniform(-5.0, -1.0))
+    closer = pressed if random.random() < 0.8 else -random.uniform(0.0, 1e-3) * row.ball.diameter
+    apart = row.ball.diameter * 10 ** random.uniform(0.0, 1.0)
+    rows = ((-apart / 2, first), (apart / 2, second))
+    places = tuple(RowPlace(axial=at, mirrored=mirrored, closer=closer) for at, mirrored in rows)
+    return Model(bearing=replace(row, rows=places), control=model.control), operation
 
 
 def drawn(seed: int) -> tuple[Model, RingOperation]:

@@ -15,6 +15,7 @@ from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, Ri
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
 from quasidynamic.solve.step_length import SolverOutcome
+from tests.random_balls import drawn_pair, unbalanced
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
 BEARING = AngularContactBearing(
@@ -25,6 +26,7 @@ BEARING = AngularContactBearing(
     pitch_diameter=125.26e-3,
     contact_angle=np.radians(40.0),
 )
+
 LOAD = (9000.0, 1000.0, 3000.0, 100.0, -50.0)
 FREE = (None,) * 5
 CONTROLS = pytest.mark.parametrize("control", ["outer", "inner", "equal"])
@@ -368,3 +370,9 @@ def test_contacts_reach_up_the_races():
         assert state.needed_shoulders[race] == approx(np.full(16, height), rel=1e-9)
     idle = solved(load=(4000.0, 0.0, 8000.0, 0.0, 0.0), displacement=(None, None, None, 0.0, 0.0))
     assert (idle.needed_shoulders[0, ~idle.on_inner] == 0).all()
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_random_pairs_are_in_balance(seed):
+    model, operation = drawn_pair(seed)
+    assert unbalanced(model.solve(operation)) < 1e-9
