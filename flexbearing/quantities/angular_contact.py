@@ -19,6 +19,7 @@ from flexbearing.quantities.reductions import (
     ABOUT_YZ,
     EXTENT,
     RACES,
+    ROWS,
     XYZ,
     displacements,
     finite_range,
@@ -66,7 +67,7 @@ QUANTITIES = (
     Quantity("ball_row", "", "Z", "1", "block", f"number of the row of the ball, from 0; {_ONE_ROW}",
         source="state.ball_row", optional=True),
     Quantity("contact_angle", "alpha", "race Z", "rad", "state",
-        "contact angle from the radial plane, positive towards the shoulder that the row leans on",
+        "contact angle from the radial plane, positive towards the shoulder that the load presses in its row",
         source="state.contact_angles", people=DEG, summary=(
             SummaryValue("contact_angle_range_deg", _range_of_races, "contact angle", ".2f", parts=RACES,
                 entries=EXTENT),
@@ -188,9 +189,14 @@ QUANTITIES = (
         "whose shoulders are on one side",
         source="state.bearing.end_play", people=UM, optional=True,
         summary=(SummaryValue("end_play_um", label="end play", digits=".2f"),)),
-    Quantity("row_load", "", "R row_force", "N", "block",
+    Quantity("row_load", "", "row row_force", "N", "block",
         f"what each row carries for the inner ring (x, y, z); {_ONE_ROW}", source="state.row_load",
-        optional=True, summary=(SummaryValue("row_loads_N"),)),
+        optional=True, summary=(
+            SummaryValue("row_axial_force_N", lambda forces: forces[:, 0], "axial force", ",.1f",
+                entries=ROWS, section=RING),
+            SummaryValue("row_radial_force_N", lambda forces: np.hypot(forces[:, 1], forces[:, 2]),
+                "radial force", ",.1f", entries=ROWS, section=RING),
+        )),
     Quantity("unloading_force", "", "", "N", "block",
         "axial load that takes the load off a row which another presses, at rest and by it alone, of rigid "
         "rings; zero with play between them; absent without rows against each other",
@@ -324,7 +330,6 @@ right-handed.
 """,
     axes=(
         Axis("Z", "ball", coordinate="ball_azimuth"),
-        Axis("R", "row"),
         Axis("P", "point", coordinate="slip_position"),
         Axis("P1", "across"),
         Axis("P2", "along"),

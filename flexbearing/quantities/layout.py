@@ -7,7 +7,7 @@ from typing import Literal
 from flexbearing.quantities.attributes import COMMON, HEAD, Attribute
 from flexbearing.quantities.forms import TEXT, Anything, Record
 from flexbearing.quantities.quantity import Quantity, SummaryValue, with_defaults
-from flexbearing.quantities.reductions import RACES, XYZ, YZ
+from flexbearing.quantities.reductions import RACES, ROWS, XYZ, YZ
 
 
 @dataclass(frozen=True)
@@ -29,6 +29,7 @@ FIXED = {  # of every kind of bearing, by symbol
         "slope": ("dz/dx", "dy/dx"),
         "radial_force": YZ,
         "force": _DIRECTIONS,
+        "row": ROWS,
         "row_force": XYZ,
         "displacement": _DIRECTIONS,
         "part": ("outwards", "along"),

@@ -34,7 +34,6 @@ SIZE = {
     "N": 7,
     "X": 6,
     "Y": 8,
-    "R": 2,
     "S1": 9,
     "S2": 11,
     **{name: len(axis.entries) for name, axis in FIXED.items()},
