@@ -1,11 +1,13 @@
 """A note: what a reader of a result must know besides its numbers."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import Any, Literal, get_args
 
 Grade = Literal["danger", "outside validity", "information"]
 GRADES: tuple[Grade, ...] = get_args(Grade)  # gravest first
+Keys = Mapping[str, str]  # of the case that a note is about, with values to consider; empty for no value
+NO_KEYS: Keys = {}
 
 
 @dataclass(frozen=True)
@@ -20,31 +22,40 @@ class Note:
     code : str
         fixed name of its kind for programs, such as "contact-pressure"
     text : str
-        what, where, and against which limit
+        what, where, and against which limit; names no key of the case
+    keys : tuple of (str, str)
+        keys of the case that it is about, each with a value to consider; empty for no value
     """
 
     grade: Grade
     code: str
     text: str
+    keys: tuple[tuple[str, str], ...] = ()
 
-    def record(self) -> dict[str, str]:
-        """Grade, code and text for a file."""
-        return {"grade": self.grade, "code": self.code, "text": self.text}
+    def record(self) -> dict[str, Any]:
+        """Grade, code, text and keys for a file."""
+        keys = {"keys": dict(self.keys)} if self.keys else {}
+        return {"grade": self.grade, "code": self.code, "text": self.text, **keys}
 
 
-def danger(code: str, text: str) -> Note:
+def of_record(record: Mapping[str, Any]) -> Note:
+    """The note of a record."""
+    return Note(**{**record, "keys": tuple(record.get("keys", NO_KEYS).items())})
+
+
+def danger(code: str, text: str, keys: Keys = NO_KEYS) -> Note:
     """A note of grade "danger"."""
-    return Note("danger", code, text)
+    return Note("danger", code, text, tuple(keys.items()))
 
 
-def outside(code: str, text: str) -> Note:
+def outside(code: str, text: str, keys: Keys = NO_KEYS) -> Note:
     """A note of grade "outside validity"."""
-    return Note("outside validity", code, text)
+    return Note("outside validity", code, text, tuple(keys.items()))
 
 
-def information(code: str, text: str) -> Note:
+def information(code: str, text: str, keys: Keys = NO_KEYS) -> Note:
     """A note of grade "information"."""
-    return Note("information", code, text)
+    return Note("information", code, text, tuple(keys.items()))
 
 
 def graded(notes: Iterable[Note]) -> list[Note]:

@@ -50,8 +50,9 @@ class AdaptiveResolution:
         if not away <= self.selection.target:
             yield danger(
                 "several-equilibria",
-                f"accuracy.target: the loads of this solution differ by {percent(away)} from those that "
+                f"required accuracy: the loads of this solution differ by {percent(away)} from those that "
                 "the errors were estimated at: there are several equilibria, and the estimate is of another",
+                {"accuracy.target": ""},
             )
 
 

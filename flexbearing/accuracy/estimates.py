@@ -58,24 +58,24 @@ def unmet(selections: Sequence[Selection]) -> Iterator[Note]:
         selection.verdicts,
         key=lambda verdict: max(verdict.estimate.get(name, 0.0) for name in JUDGED),
     )
+    coarse = _too_coarse(selection)
     yield danger(
         "unmet-target",
-        f"accuracy.target of {percent(selection.target)} is not met: the estimated errors are {errors}, "
-        f"most of it from {worst.choice.name} ({worst.choice.levels[worst.level]}){_held_back(selection)}",
+        f"the target of {percent(selection.target)} is not met: the estimated errors are {errors}, "
+        f"most of it from {worst.choice.name} ({worst.choice.levels[worst.level]})"
+        + (
+            "; levels that the case fixes are too coarse: leave them out, or make them finer"
+            if coarse
+            else ""
+        ),
+        {"accuracy.target": "", **coarse},
     )
 
 
-def _held_back(selection: Selection) -> str:
-    """Keys that fix choices at levels which leave more than their parts of the target; empty for none."""
+def _too_coarse(selection: Selection) -> dict[str, str]:
+    """Keys that fix choices at levels which leave more than their parts of the target."""
     coarse = (verdict for verdict in selection.verdicts if verdict.excess and _is_fixed(verdict))
-    keys = dict.fromkeys(f"accuracy.{key}" for verdict in coarse for key in verdict.choice.fixed_by)
-    if not keys:
-        return ""
-    them = "it" if len(keys) == 1 else "them"
-    return (
-        f"; held back by {' and '.join(keys)}, which the case fixes: "
-        f"leave {them} out for the program to choose, or make {them} finer"
-    )
+    return {f"accuracy.{key}": "" for verdict in coarse for key in verdict.choice.fixed_by}
 
 
 def _is_fixed(verdict: Verdict) -> bool:

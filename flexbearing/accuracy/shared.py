@@ -54,8 +54,8 @@ class UsualLevels:
 
     def notes(self) -> tuple[Note, ...]:
         """What every answer at these levels must say."""
-        words = "accuracy.target: nothing could be chosen or estimated, so the usual levels are used: "
-        return (danger("unmet-target", f"{words}{self.problem}"),)
+        words = "required accuracy: nothing could be chosen or estimated, so the usual levels are used: "
+        return (danger("unmet-target", f"{words}{self.problem}", {"accuracy.target": ""}),)
 
     def attributes(self) -> dict[str, Any]:
         """What a result file says of levels and errors."""

@@ -26,6 +26,7 @@ class Finding:
     source: str  # of the limit
     meaning: str  # what happens beyond it
     action: str  # what keeps it; {share} stands for the share of the limit
+    keys: tuple[tuple[str, str], ...] = ()  # of the case that act, with values
     at_most: float | None = None  # one of both, in SI units
     at_least: float | None = None
     times: str = ""  # value that the limit is a multiple of, such as a rating

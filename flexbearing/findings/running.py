@@ -11,7 +11,8 @@ SHORT_LIFE = Finding(
 )  # fmt: skip
 REQUIRED_LIFE = Finding(
     code="required-life", label="life against the required one", quantity="life_to_reach",
-    at_least=1.0, times="required_life", grade=DANGER, source="life.required", unit="s", shown="h",
+    at_least=1.0, times="required_life", grade=DANGER, source="required life of the case",
+    unit="s", shown="h",
     meaning="the required life is not reached",
     action="take a bearing with a longer life, a lower load, a cleaner, cooler or more viscous oil",
 )  # fmt: skip
@@ -37,9 +38,10 @@ FILM_RATIO = Finding(
 )  # fmt: skip
 GYROSCOPIC_MOMENT = Finding(
     code="gyroscopic-moment", label="friction needed to hold the gyroscopic moments",
-    quantity="needed_friction", at_most=1.0, times="friction", grade=OUTSIDE, source="friction.coefficient",
+    quantity="needed_friction", at_most=1.0, times="friction", grade=OUTSIDE,
+    source="friction coefficient of the case",
     meaning="in reality balls would turn about the rolling direction",
-    action='set operation.control = "coulomb", which lets the balls turn',
+    action="compute how far the balls turn", keys=(("operation.control", "coulomb"),),
 )  # fmt: skip
 STIFFNESS_IN_SERIES = Finding(
     code="stiffness-not-in-series", label="bearing and supports in series, off the stiffness with supports",
@@ -72,7 +74,8 @@ PRESSED_ENDS = Finding(
     code="pressed-end", label="error of the peak pressure of slices", quantity="sliced_peak_error",
     at_most=0.095, grade=OUTSIDE, source="calibrated against half-spaces",
     unit="1", shown="%", of_model=True,
-    meaning="slices miss the pressure at pressed ends and corners, and life.edge_stress is not made for it",
-    action='set bearing.contact = "half_space", or take a profile that relieves the ends',
+    meaning="slices miss the pressure at pressed ends and corners, which the edge stress factor is not for",
+    action="compute whole contacts, or take a profile that relieves the ends",
+    keys=(("bearing.contact", "half_space"),),
 )  # fmt: skip
 PEAK_AT_ENDS = {PRESSED_ENDS.code, "sharp-roller-end", "sliced-peak"}  # notes: slices do not have the peak

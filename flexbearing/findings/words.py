@@ -1,6 +1,7 @@
-"""The sentence of a finding, made of its numbers at the very end."""
+"""Sentences of findings and notes, made of their data at the very end."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 from flexbearing.findings.finding import Finding
 from flexbearing.units import unit
@@ -11,6 +12,20 @@ def text(finding: Finding, values: Sequence[float], limit: float, places: Sequen
     where = f"{finding.label}, {' and '.join(places)}" if places else finding.label
     value, at = (_numbers(each, finding.shown) for each in (values, [limit]))
     return f"{where}: {value}, {finding.side} {at} ({source}): {finding.meaning}"
+
+
+def settings(keys: Mapping[str, str]) -> str:
+    """Keys and values as on a command line.
+
+    >>> settings({"bearing.contact": "half_space", "life.edge_stress": ""})
+    'bearing.contact=half_space, life.edge_stress'
+    """
+    return ", ".join(f"{key}={value}" if value else key for key, value in keys.items())
+
+
+def of_note(record: Mapping[str, Any]) -> str:
+    """Text of the record of a note, with its keys."""
+    return f"{record['text']} ({settings(keys)})" if (keys := record.get("keys")) else record["text"]
 
 
 def _numbers(values: Sequence[float], shown: str) -> str:

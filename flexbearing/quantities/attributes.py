@@ -39,7 +39,9 @@ STATUSES = (*ENDS, "unfinished")  # of a run that is at work, or was interrupted
 Kind = Literal["text", "texts", "integer", "number", "json", "records"]
 OBJECT = Each("name", Anything())
 GRADES = ("danger", "outside validity", "information")  # of notes, most serious first
-NOTES = ListOf(Record({"grade": OneOf(GRADES), "code": TEXT, "text": TEXT}))
+NOTES = ListOf(
+    Record({"grade": OneOf(GRADES), "code": TEXT, "text": TEXT}, optional={"keys": Each("key", TEXT)})
+)
 
 
 _OTHER_CASES = ListOf(of_class(OtherCase, settings=ListOf(TEXT), values=Each("output", NUMBER)))
@@ -126,7 +128,8 @@ COMMON = (
     Attribute(
         "notes",
         "records",
-        "what a reader must know in addition to the numbers, the most serious first",
+        "what a reader must know in addition to the numbers, the most serious first; keys of the case that a "
+        "note is about, with values to consider",
         form=NOTES,
     ),
     Attribute(

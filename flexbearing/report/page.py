@@ -6,6 +6,7 @@ from typing import Any
 from rich.console import RenderableType
 from rich.text import Text
 
+from flexbearing.findings.words import of_note
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.quantities.roller import CONTACT, SKEW
 from flexbearing.report.catalogue_life import against_catalogue
@@ -35,7 +36,7 @@ def _opening(numbers: dict[str, Any]) -> Iterator[RenderableType]:
     """Dangers, each in a line of its own, then the title and how the inner ring is held."""
     for note in numbers["notes"]:
         if note["grade"] == GRADES[0]:
-            yield Text(f"DANGER: {note['text']}", style="bold red")
+            yield Text(f"DANGER: {of_note(note)}", style="bold red")
     yield Text(numbers["title"], style="bold")
     if held := numbers.get("tilt"):
         choice = held["inner_ring"]

@@ -1,6 +1,7 @@
 """Sections of a page of text: tables with a title, and lists of lines."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
 
 from rich import box
 from rich.console import RenderableType
@@ -8,6 +9,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from flexbearing.findings.words import of_note
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.report.html import document
 from flexbearing.report.html.document import Cell, Number
@@ -53,10 +55,10 @@ def listed(title: str, lines: Iterable[str]) -> Iterator[RenderableType]:
         yield from (Text(title, style="bold"), *rows, Text(""))
 
 
-def noted(notes: Iterable[dict[str, str]]) -> Iterator[RenderableType]:
+def noted(notes: Iterable[Mapping[str, Any]]) -> Iterator[RenderableType]:
     """Notes by grade, the gravest first."""
     texts: dict[str, list[str]] = {grade: [] for grade in GRADES}
     for note in notes:
-        texts[note["grade"]].append(note["text"])
+        texts[note["grade"]].append(of_note(note))
     for grade, lines in texts.items():
         yield from listed(grade, lines)

@@ -542,9 +542,9 @@ def _stick(case: FastCase, solution: Solution) -> tuple[Note, ...]:
             "stick-and-slip",
             f"friction torque: {case.friction.model} on {along} by {across} cells a contact, within "
             f"{rolling.grid_error.sum():.2g} N m of finer ones; "
-            f"{100 * (rolling.friction_torque / torque - 1):+.1f} % against {balance} with the same "
-            f'friction.spin = "{case.friction.spin}", of {torque:.5g} N m'
-            f"{shoulders.by_springs(case.friction.model, rolling.stick_share)}",
+            f"{100 * (rolling.friction_torque / torque - 1):+.1f} % against {balance} with the same spin, of "
+            f"{torque:.5g} N m{shoulders.by_springs(case.friction.model, rolling.stick_share)}",
+            {"friction.spin": case.friction.spin},
         ),
         information(
             "kept-motion",
@@ -563,15 +563,17 @@ def _lineless(solution: Solution) -> tuple[Note, ...]:
     contact, count = solution.contact, solution.state.loads.shape[1]
     if not (solution.state.loads > 0).all(0).any():
         return (information("no-rolling-lines", "no pure rolling lines: no ball touches both races"),)
-    reasons = {
-        "a contact is as wide as the surface it presses, nor is there a friction torque: the load is far too "
-        "high": len(contact.wide),
-        'their friction moments about the spin axis do not balance (rolling_lines.net_force = "balanced"), '
-        "they slide on one race": len(contact.sliding),
-    }
+    high = (
+        "contacts as wide as the surface they press, nor is there a friction torque: the load is far too high"
+    )
+    sliding = "their friction moments about the spin axis do not balance, they slide on one race"
+    reasons = (
+        (len(contact.wide), high, {}),
+        (len(contact.sliding), sliding, {"rolling_lines.net_force": "balanced"}),
+    )
     return tuple(
-        information("no-rolling-lines", f"no pure rolling lines of {balls} of {count} balls: {reason}")
-        for reason, balls in reasons.items()
+        information("no-rolling-lines", f"no pure rolling lines of {balls} of {count} balls: {reason}", keys)
+        for balls, reason, keys in reasons
         if balls
     )
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from flexbearing.findings import Record, RowFinding
 from flexbearing.findings.row import in_rows, of_records, words
+from flexbearing.findings.words import of_note
 from flexbearing.printable import one_line
 from quasidynamic.note import Note, graded, rank
 
@@ -35,7 +36,7 @@ def row_findings(records: Iterable[Record], notes: Iterable[Note]) -> tuple[RowF
     found = of_records(records)
     judged = {each.code for each in found}
     others = (
-        RowFinding(note.code, note.grade, text=one_line(note.text))
+        RowFinding(note.code, note.grade, text=one_line(of_note(note.record())))
         for note in graded(notes)
         if in_rows(note.code, note.grade) and note.code not in judged
     )

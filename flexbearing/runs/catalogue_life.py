@@ -7,6 +7,7 @@ from typing import Any
 
 from flexbearing.case import BadCase
 from flexbearing.findings.running import NO_MODIFIED_LIFE
+from flexbearing.findings.words import of_note
 from flexbearing.quantities.life_records import Ratings, Stage
 from flexbearing.results import Result
 from flexbearing.runs.life_of_state import Rating
@@ -125,7 +126,7 @@ def _lived(result: Result, name: str) -> float:
         return float(modified)
     for note in result.attributes["notes"]:
         if note["code"] == NO_MODIFIED_LIFE:
-            raise BadCase(f"{name}: {note['text']}")
+            raise BadCase(f"{name}: {of_note(note)}")
     return float(result[f"{block}.life_L10"].to("Mrev"))
 
 

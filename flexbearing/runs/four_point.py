@@ -331,7 +331,7 @@ def _stick(solution: Solution, balls: qd.RollingBalls) -> tuple[Note, ...]:
     """What stick makes of the torque, and how exact it is."""
     friction, share = solution.case.friction, balls.torque / solution.full_sliding_torque - 1
     (along, across), computed = friction.cells, friction.contact_pressure != "hertz"
-    same = f'the same friction.spin = "{friction.spin}"' + (" and the pressure of Hertz" if computed else "")
+    same = "the same spin" + (" and the pressure of Hertz" if computed else "")
     lines = (
         information(
             "stick-and-slip",
@@ -339,6 +339,7 @@ def _stick(solution: Solution, balls: qd.RollingBalls) -> tuple[Note, ...]:
             f"{balls.grid_error.sum():.2g} N m of finer ones; {100 * share:+.1f} % against full sliding with "
             f"{same}, of {solution.full_sliding_torque:.5g} N m"
             f"{shoulders.by_springs(friction.model, balls.stick_share)}",
+            {"friction.spin": friction.spin},
         ),
     )
     lines += (*shoulders.compliant(friction.interface_compliance),)
@@ -350,8 +351,9 @@ def _computed(pressure: str, balls: qd.RollingBalls) -> tuple[Note, ...]:
     lines = (
         information(
             "computed-pressure",
-            f'contact pressure: computed on the true arcs (friction.contact_pressure = "{pressure}"); loads, '
-            "contact angles, the coefficient of friction and the hysteresis are those of ellipses",
+            "contact pressure: computed on the true arcs; loads, contact angles, the coefficient of friction "
+            "and the hysteresis are those of ellipses",
+            {"friction.contact_pressure": pressure},
         ),
     )
     if not balls.cut.any():
@@ -379,8 +381,9 @@ def _local_spin(balls: qd.SlidingBalls) -> tuple[Note, ...]:
     return (
         information(
             "spin-of-centre",
-            f'torque: with the local spin of each point of the contacts (friction.spin = "local") instead of '
-            f"that of their centres it would be {100 * change:+.1f} %",
+            "torque: with the local spin of each point of the contacts instead of that of their centres it "
+            f"would be {100 * change:+.1f} %",
+            {"friction.spin": "local"},
         ),
     )
 

@@ -59,12 +59,14 @@ def _sharp_end(state: Equilibrium, whole: "WholeRoller") -> Iterator[Note]:
     """What must be said where a contact reaches an end of the roller."""
     if not whole.at_ends:
         return
-    rest = "the life depends on accuracy.slices; a profile that keeps the ends apart has none of it"
+    rest = "the life depends on the number of slices; a profile that keeps the ends apart has none of it"
+    slices = {"accuracy.slices": ""}
     if not whole.peak_at_ends.any():
         yield outside(
             "sharp-roller-end",
             "the contact of the most loaded roller reaches an end of it, where a sharp end has pressure "
             f"without bound; on these cells the largest is elsewhere, but {rest}",
+            slices,
         )
         return
     cell = state.balance.roller.bearing.roller.length / len(whole.positions)
@@ -79,4 +81,5 @@ def _sharp_end(state: Equilibrium, whole: "WholeRoller") -> Iterator[Note]:
         "peak pressure: not usable; the largest pressure of the most loaded roller is in the "
         f"cells at an end without relief left, where it has no bound: {places}. It is the mean of a cell of "
         f"{cell / MICROMETRE:.3g} um along the roller, and overstated as free end faces are softer; {rest}",
+        slices,
     )

@@ -19,9 +19,13 @@ def notes(judged: Iterable[Judged], case: int = 0) -> tuple[Note, ...]:
     """A note for each code whose limit a case does not keep, in the order of the findings."""
     broken = [each for each in judged if each.finding.noted and each.broken[case]]
     return tuple(
-        Note(_GRADES[worst.grade], worst.code, _text(worst, places))
+        Note(_GRADES[worst.grade], worst.code, _text(worst, places), _keys(worst))
         for worst, places in findings.by_code(findings.records(broken, case))
     )
+
+
+def _keys(record: findings.Record) -> tuple[tuple[str, str], ...]:
+    return findings.of_code(record.code, record.grade).keys
 
 
 def _text(record: findings.Record, places: Sequence[str]) -> str:

@@ -15,11 +15,14 @@ from flexbearing.progress import Report
 from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.rings.more_shapes import more_shapes_matter, with_more_shapes
 from quasidynamic import Equilibrium, RollerBearing
-from quasidynamic.note import Note, outside
+from quasidynamic.note import NO_KEYS, Keys, Note, outside
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.finer_life import ERROR_OVER_CHANGE, FINER, Compliances, life_errors
 
 RESOLVED = 0.05  # of the life: an error that is worth a word (assumed)
+
+
+RESOLVING = ("accuracy.slices", "accuracy.axial_shapes", "accuracy.target")  # keys
 
 
 @dataclass(frozen=True)
@@ -42,13 +45,13 @@ class LifeErrors:
         if problem:
             notes.append(_resolution(f"its error counts slices, not axial shapes: {problem}"))
         if value > RESOLVED:
-            words = "accuracy.slices, accuracy.axial_shapes or accuracy.target resolve it"
-            notes.append(_resolution(f"numerical error of about {value:.0%}; {words}"))
+            words = f"numerical error of about {value:.0%}; more slices or axial shapes resolve it"
+            notes.append(_resolution(words, dict.fromkeys(RESOLVING, "")))
         return tuple(notes)
 
 
-def _resolution(words: str) -> Note:
-    return outside("life-resolution", f"life: {words}")
+def _resolution(words: str, keys: Keys = NO_KEYS) -> Note:
+    return outside("life-resolution", f"life: {words}", keys)
 
 
 def estimated(case: Case, states: BearingStates, rings: LinearPair, report: Report) -> LifeErrors:

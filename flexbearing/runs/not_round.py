@@ -33,7 +33,8 @@ def turning(race: str, crest: str, *, cam: bool = False) -> Note:
     return information(
         "turning-waves",
         f"the {race} raceway is not round and turns; loads and life are those of one moment, with its crests "
-        f"at {crest}: other crests give those of other moments; lives are rated as if the load {does}",
+        f"as in the case: other crests give those of other moments; lives are rated as if the load {does}",
+        {crest: ""},
     )
 
 

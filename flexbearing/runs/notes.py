@@ -126,8 +126,8 @@ def _information(case: Case, state: Equilibrium) -> Iterator[Note]:
         yield information(
             "drag-loss",
             f"losses: {losses.drag / losses.total:.0%} are drag of the oil-air mixture on the rollers, "
-            "which grows "
-            f"with lubricant.oil_fraction = {case.lubricant.oil_fraction:g}{how}",
+            f"which grows with the share of oil in it, {case.lubricant.oil_fraction:g}{how}",
+            {key: ""},
         )
 
 
@@ -154,8 +154,9 @@ def _corner(rise: float) -> Note:
     return outside(
         "profile-corner",
         "peak pressure: circular ends meet a straight middle with a corner, where pressure has a weak peak "
-        f"without bound: cells ten times finer raise it by {rise:.0%} of the largest; profile = "
-        '"tangent_crowned" has no corner',
+        f"without bound: cells ten times finer raise it by {rise:.0%} of the largest; tangent crowning has "
+        "no corner",
+        {"bearing.roller.profile": "tangent_crowned"},
     )
 
 
@@ -178,12 +179,12 @@ def _of_slices(state: Equilibrium, peak: SlicedPeak) -> Iterator[Note]:
             "has a peak",
         )
         return
-    instead = " instead of life.edge_stress, which is meant for the life" if peak.edge_stress else ""
+    instead = {"life.edge_stress": "false"} if peak.edge_stress else {}  # which is meant for the life
     place = peak.whole.positions[peak.whole.largest_along.argmax()]
     yield outside(
         "sliced-peak",
         f"{sliced} is {abs(peak.error):.0%} {'below' if peak.error < 0 else 'above'} the "
         f"{peak.whole.peak_pressure / GIGAPASCAL:.3g} GPa that {contact} has as a whole, "
-        f"{abs(place) / MILLIMETRE:.3g} mm from its middle: slices neglect their neighbours and the "
-        f'ends; bearing.contact = "half_space"{instead}',
+        f"{abs(place) / MILLIMETRE:.3g} mm from its middle: slices neglect their neighbours and the ends",
+        {"bearing.contact": "half_space", **instead},
     )

@@ -78,8 +78,8 @@ def notes(case: Case, model: RollerBearing, rings: RacewayPair, end: Equilibrium
             f"{_life(end.life)} Mrev ({life / end.life - 1:+.1%}), the radial stiffness along y and z "
             f"{_stiffnesses(moved, rings)} instead of {_stiffnesses(end, rings)} kN/mm"
         )
-    asks = "operation.roller_positions = 8 gives the range over a pitch"
-    return (information("roller-position", f"roller position: {words}; {asks}"),)
+    words = f"roller position: {words}; more positions give the range over a pitch"
+    return (information("roller-position", words, {"operation.roller_positions": "8"}),)
 
 
 def _stiffnesses(state: Equilibrium, rings: RacewayPair) -> str:

@@ -247,9 +247,9 @@ def answered(result: Result, texts: Sequence[str], family: Family) -> Answer:
     }
     if not solved:
         return Answer(about["status"], about["message"], numbers)
-    from quasidynamic.note import Note
+    from quasidynamic.note import of_record
 
-    notes = (Note(**each) for each in about["notes"])
+    notes = map(of_record, about["notes"])
     return Answer(CONVERGED, "", numbers, row_findings(stored(about), notes))
 
 

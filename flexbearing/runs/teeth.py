@@ -20,15 +20,16 @@ def notes(outer: Any, pin: complex, key: str) -> Iterator[Note]:
     if outer.tooth_radius is None and any(outer.tooth_tangential):
         yield information(
             "tooth-forces-at-rim",
-            "outer.tooth_radius is left out: tooth forces act on the outer surface of the rim, without the "
+            "tooth forces act on the outer surface of the rim, as no radius is given for them, without the "
             "couple by which tangential forces at the pitch circle bend it",
+            {"outer.tooth_radius": ""},
         )
     forces = np.array(outer.tooth_radial) + 1j * np.array(outer.tooth_tangential)
     left = abs(pin + (forces * np.exp(1j * np.array(outer.tooth_azimuths))).sum())
     if left > UNBALANCED * abs(pin):
         yield outside(
             "unbalanced-teeth",
-            f"tooth forces and the load of {abs(pin):,.0f} N ({key}) leave {left:,.0f} N "
-            "unbalanced: outer.tooth_radial, outer.tooth_tangential and the load must add up to zero, else "
-            "the rim bends differently from that of a planet gear",
+            f"tooth forces and the load of {abs(pin):,.0f} N leave {left:,.0f} N unbalanced: they must add "
+            "up to zero, else the rim bends differently from that of a planet gear",
+            dict.fromkeys(("outer.tooth_radial", "outer.tooth_tangential", key), ""),
         )

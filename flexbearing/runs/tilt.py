@@ -67,12 +67,13 @@ class TiltComparison:
                 f"would be {other.loads[0].max():,.5g} N ({load:+.1%}) and "
                 f"{other.life:,.3g} Mrev ({life:+.0%})"
             )
-        instead = f'operation.tilt = "{OTHER[operation.tilt]}" instead of "{operation.tilt}"'
+        other = OTHER[operation.tilt]
         return (
             information(
                 "tilt",
-                f"tilt: with {instead} the largest roller load and the life {words}; "
+                f"tilt: {other} instead of {operation.tilt}, the largest roller load and the life {words}; "
                 "how the shaft holds the inner ring must be known",
+                {"operation.tilt": other},
             ),
         )
 

@@ -61,8 +61,8 @@ def _slide_to_roll(state: Equilibrium) -> Iterator[Note]:
     if not law.film_heating and ratio > ISOTHERMAL:
         yield outside(
             "slide-to-roll",
-            f"traction: {reached}; an isothermal film overestimates traction above {ISOTHERMAL:g}: "
-            "lubricant.film_heating = true",
+            f"traction: {reached}; an isothermal film overestimates traction above {ISOTHERMAL:g}",
+            {"lubricant.film_heating": "true"},
         )
     if law.film_heating and ratio > 1.0:
         yield outside("slide-to-roll", f"traction: {reached}; film heating is an order of magnitude above 1")
@@ -108,7 +108,8 @@ def _asperity_slip(state: Equilibrium) -> Iterator[Note]:
                 "sign-speed",
                 f"asperity friction: its sign changes over {friction.sign_speed:.2g} m/s, though rolling "
                 f"elastic surfaces slip as a whole from {speed:.2g} m/s on: slips of cage and rollers are "
-                'those of the rounding; lubricant.mixed.asperity_friction = "carter"',
+                "those of the rounding",
+                {"lubricant.mixed.asperity_friction": "carter"},
             )
 
 
@@ -136,8 +137,9 @@ def _flooding(state: Equilibrium) -> Iterator[Note]:
             "flooding",
             "film: inlets are computed as fully flooded, though only "
             f"{lubrication.oil_fraction:.2g} of the mixture around the rollers is oil, so films may be "
-            f"thinner: {_left_in_short_inlets(state)} (formula of lubricant.inlet_length, which "
-            "computes short inlets; how far the oil reaches is not known)",
+            f"thinner: {_left_in_short_inlets(state)} (by the formula of short inlets; how far the "
+            "oil reaches is not known)",
+            {"lubricant.inlet_length": ""},
         )
 
 
@@ -220,8 +222,8 @@ def _land_flow(state: Equilibrium) -> Iterator[Note]:
             "land-flow",
             f"cage land: Taylor number {taylor:,.0f}, Reynolds number {reynolds:,.0f}; laminar up to "
             f"{VORTICES:g} and {TURBULENCE:g}, and computed as laminar: vortices raise the friction of the "
-            f"land {factor:.2g} times, and with it the drive or drag of the cage; "
-            'bearing.cage.land_flow = "vortices" counts them',
+            f"land {factor:.2g} times, and with it the drive or drag of the cage",
+            {"bearing.cage.land_flow": "vortices"},
         )
     outer_faster = abs(points.outer_speed[0, 0]) > abs(state.cage_speed)
     if cage.land_flow == "vortices" and taylor > VORTICES and cage.guidance == "outer" and outer_faster:

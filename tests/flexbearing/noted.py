@@ -3,6 +3,12 @@
 from flexbearing.results import Result
 
 
+def keys(result: Result, code: str) -> dict[str, str]:
+    """Keys of the note of a code, with values to consider."""
+    (note,) = [note for note in result.attributes["notes"] if note["code"] == code]
+    return note["keys"]
+
+
 def texts(result: Result) -> list[str]:
     """Texts of all notes, in their order."""
     return [note["text"] for note in result.attributes["notes"]]

@@ -9,6 +9,7 @@ from pytest import approx
 
 import flexbearing
 from flexbearing.__main__ import command
+from flexbearing.findings.running import REQUIRED_LIFE
 from flexbearing.report.html import METRIC, checks, html, of_result
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.reader import Reader
@@ -123,7 +124,7 @@ def test_rigid_rings_are_compared_where_rings_are_elastic(results):
 def test_life_is_judged_by_the_required_one(required, said):
     result = flexbearing.run(CONFIGS / "catalogue/nu210.toml", {"life.required": required})
     (record,) = [each for each in result.attributes["findings"] if each["code"] == "required-life"]
-    assert (record["verdict"], record["source"]) == (said.partition(",")[0], "life.required")
+    assert (record["verdict"], record["source"]) == (said.partition(",")[0], REQUIRED_LIFE.source)
     assert record["value"] / 3600 == approx(result["modified_life [h]"].number)
     lines = {line.subject: line.items for line in result.card.lines}
     _, against, _ = lines["life"]

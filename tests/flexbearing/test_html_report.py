@@ -16,6 +16,7 @@ from pytest import approx
 from flexbearing import api
 from flexbearing.__main__ import command
 from flexbearing.case import BadCase
+from flexbearing.case.declarations import by_path
 from flexbearing.case.differing import differing
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput
@@ -319,8 +320,11 @@ def test_what_is_shown_is_short_and_each_fact_stands_once(results, pages, name):
     for check in checks.ranked(reader):
         assert shown[check.what] <= 1
         assert shown[check.what] or check.code in ("required-life", "short-life")
+    keys = by_path(result.family.case())
     for note in result.attributes["notes"]:
         assert sum(note["text"][:40] in text for text in page.shown) <= 1, note
+        assert note.get("keys", {}).keys() <= keys.keys()
+        assert not [key for key in keys if "." in key and f"{key} " in note["text"]]  # it has them as data
 
 
 @pytest.mark.parametrize("name", ALL)

@@ -142,7 +142,7 @@ def test_a_row_alone_has_the_numbers_of_the_row_beside_others(table, tmp_path):
 def test_a_target_that_is_not_met_is_told_in_every_row_that_shares_the_levels(tmp_path):
     coarse = '"accuracy.slices" = 12\n"accuracy.target" = "0.01 %"\n'
     table = flexbearing.study(study(tmp_path, coarse + LOADS), tmp_path, jobs=1)
-    assert all("accuracy.target of 0.01 % is not met" in words for words in table["message"].values)
+    assert all("the target of 0.01 % is not met" in words for words in table["message"].values)
     assert min(table["life error"].values) > 0.01
 
 

@@ -7,12 +7,12 @@ from flexbearing.findings import DANGER, MET, NOT_CHECKED, OUTSIDE, USUAL, Recor
 from flexbearing.findings.finding import AT_LEAST, AT_MOST
 from flexbearing.findings.running import CLEARANCE, PEAK_AT_ENDS, REQUIRED_LIFE, SHORT_LIFE
 from flexbearing.findings.strength import CONTACT_PRESSURE, YIELD_STRESS
+from flexbearing.findings.words import settings
 from flexbearing.report.html import effects
 from flexbearing.report.html.document import Cell, Number
-from flexbearing.report.html.keys import in_words
 from flexbearing.report.html.lives import lives
 from flexbearing.report.html.reader import Reader, once
-from flexbearing.report.html.units import printed
+from flexbearing.report.html.units import printed, units_in_words
 
 BUILD = "build"  # grade of dimensions that overlap
 BROKEN = {
@@ -59,6 +59,7 @@ class Check:
     code: str = ""
     meaning: str = ""  # what follows where it is not kept
     action: str = ""  # what keeps it
+    keys: str = ""  # of the case that do
 
     @property
     def broken(self) -> bool:
@@ -180,8 +181,9 @@ def _check(reader: Reader, record: Record) -> Check:
         record.side,
         record.place,
         record.code,
-        in_words(finding.meaning) if broken else "",
-        in_words(finding.action.format(share=share)) if broken else "",
+        units_in_words(finding.meaning) if broken else "",
+        units_in_words(finding.action.format(share=share)) if broken else "",
+        settings(dict(finding.keys)) if broken else "",
     )
 
 
@@ -196,4 +198,6 @@ def _noted(reader: Reader) -> Iterator[Check]:
         if code in reader.codes:
             verdict = BROKEN[grade, AT_MOST] if broken else NOT_CHECKED
             note = next(each["text"] for each in reader.attributes["notes"] if each["code"] == code)
-            yield Check(what, "", limit, verdict=verdict, grade=grade, code=code, meaning=in_words(note))
+            yield Check(
+                what, "", limit, verdict=verdict, grade=grade, code=code, meaning=units_in_words(note)
+            )

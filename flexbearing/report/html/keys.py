@@ -1,14 +1,5 @@
-"""Keys of a case in plain words, alone and within sentences."""
+"""Keys of a case in plain words."""
 
-import re
-
-from flexbearing.report.html.units import units_in_words
-
-_TABLES_OF_KEYS = (
-    "accuracy", "bearing", "friction", "inner", "life", "lubricant", "materials", "operation", "outer",
-    "outputs",
-)  # fmt: skip
-_KEY = re.compile(rf"\b(?:{'|'.join(_TABLES_OF_KEYS)})(?:\.[a-z]\w*)+")
 _NAMES = {
     "bearing.fits.at": "tolerances of clearance and fits",  # stands for all classes of clearance and fits
     "bearing.rollers": "number of rollers",
@@ -51,21 +42,3 @@ def name(key: str) -> str:
     if key in _OF_RINGS:
         return f"{words} of the {table} ring"
     return words if table in _TABLES or len(rest) > 1 else f"{table} {words}"
-
-
-def keys_in(text: str) -> str:
-    """The keys in a sentence, each once.
-
-    >>> keys_in('set bearing.contact = "half_space", or lower lubricant.inlet_length; bearing.contact may be')
-    'bearing.contact, lubricant.inlet_length'
-    """
-    return ", ".join(dict.fromkeys(_KEY.findall(text)))
-
-
-def in_words(text: str) -> str:
-    """A sentence whose keys are words, and whose units are those of the page.
-
-    >>> in_words('for 3 um set bearing.contact = "half_space", or lower lubricant.inlet_length')
-    'for 3 µm set contact = "half_space", or lower inlet length'
-    """
-    return units_in_words(_KEY.sub(lambda found: name(found[0]), text))

@@ -18,8 +18,7 @@ from flexbearing.quantities.effects import Effects, effects
 from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.life_records import FactoredLife, factored_lives
 from flexbearing.report.html.document import Number
-from flexbearing.report.html.keys import in_words
-from flexbearing.report.html.units import Units, converted
+from flexbearing.report.html.units import Units, converted, units_in_words
 from flexbearing.results import BadResult, Result
 
 _LABELS = {  # of labels that do not name a method or a part, by whether the bearing has balls
@@ -150,7 +149,9 @@ class Reader:
 
     def notes(self, grade: str) -> tuple[str, ...]:
         """Texts of the notes of a grade."""
-        return tuple(in_words(note["text"]) for note in self.attributes["notes"] if note["grade"] == grade)
+        return tuple(
+            units_in_words(note["text"]) for note in self.attributes["notes"] if note["grade"] == grade
+        )
 
     def error_path(self, name: str) -> str:
         """Path among the attributes of an estimated error: by the target, else by slices; empty: none."""

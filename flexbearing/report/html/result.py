@@ -3,6 +3,7 @@
 from typing import Any
 
 from flexbearing.case import BadCase
+from flexbearing.findings.words import settings
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.report.drawing.of_case import drawings as drawn
 from flexbearing.report.figure import Figure
@@ -19,9 +20,9 @@ from flexbearing.report.html import (
 )
 from flexbearing.report.html.document import Cell, Document, Drawing, Number, Table
 from flexbearing.report.html.figures import around, convergence, deviations, shows_something
-from flexbearing.report.html.keys import in_words, keys_in, name
+from flexbearing.report.html.keys import name
 from flexbearing.report.html.reader import Reader
-from flexbearing.report.html.units import METRIC, Units, printed
+from flexbearing.report.html.units import METRIC, Units, printed, units_in_words
 from flexbearing.results import Result
 
 CAVEATS = 3  # on the first page
@@ -129,11 +130,20 @@ def _checked(found: tuple[checks.Check, ...]) -> Table:
     """Results against their limits; what follows where a limit is not kept is below its name."""
     rows: list[tuple[Cell, ...]] = []
     for check in found:
-        why = "; ".join(filter(None, (check.meaning, check.action)))
+        action = f"{check.action} ({check.keys})" if check.keys else check.action
+        why = "; ".join(filter(None, (check.meaning, action)))
         unit = "" if isinstance(check.value, str) else printed(check.value.unit)
         what = "\n".join(filter(None, (check.what, why)))
         rows.append(
-            (what, check.value, unit, check.limit, in_words(check.source), checks.used(check), check.verdict)
+            (
+                what,
+                check.value,
+                unit,
+                check.limit,
+                units_in_words(check.source),
+                checks.used(check),
+                check.verdict,
+            )
         )
     head = ("result", "value", "unit", "limit", "source", "compared", "verdict")
     return Table(head, tuple(rows))
@@ -143,7 +153,7 @@ def _notes(reader: Reader) -> tuple[list[tuple[str, str]], Table]:
     """Notes that no finding is judged by: the gravest for the first page, the others with grades and keys."""
     judged = {record.code for record in reader.findings} | set(checks.NOTED)
     notes = [
-        (note["grade"], in_words(note["text"]), keys_in(note["text"]))
+        (note["grade"], units_in_words(note["text"]), settings(note.get("keys", {})))
         for grade in GRADES for note in reader.attributes["notes"]
         if note["grade"] == grade and note["code"] not in judged
     ]  # fmt: skip

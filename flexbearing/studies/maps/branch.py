@@ -16,6 +16,7 @@ from flexbearing.case.roller import Case
 from flexbearing.coupled.coupled import BearingPartner, equilibrium
 from flexbearing.coupling import PartnerFailed, RacewayPair
 from flexbearing.coupling.partners import Compliance
+from flexbearing.findings.words import of_note
 from flexbearing.printable import excerpt
 from flexbearing.program.processes import Processes
 from flexbearing.program.threads import linear_algebra_alone
@@ -109,7 +110,7 @@ class FollowedMap:
         lines.append(f"end: {self.branch.end} at {values[-1]:.6g} {self.axis.unit}")
         if self.complete and values[-1] == values[0]:
             lines.append("the branch came back to where it began: a wider range shows the rest of it")
-        return "\n".join([*lines, *(f"{note.grade}: {note.text}" for note in self.notes)]) + "\n"
+        return "\n".join([*lines, *(f"{note.grade}: {of_note(note.record())}" for note in self.notes)]) + "\n"
 
 
 def is_followed(over: Sequence[str]) -> bool:
