@@ -1,25 +1,29 @@
-"""Estimated against true errors of accuracy on order: `python -m benchmarks.accuracy [TARGET] [--random N]`.
+"""Estimated against true errors of accuracy on order: `python -m benchmarks.accuracy [TARGET]`.
 
 Every case is solved at the levels that the target leads to, and again much more finely: 2560 slices, ten
 axial shapes, elements of order 7 on sections, of order 4 and two thirds of the size in cages. The true error
 is the difference of the two; parts that were left rigid yield in the second one. The factors of the estimate
-were chosen with the named cases in view; random ones were not.
+were chosen with the named cases in view; random ones (`--random N`) were not. Balls between elastic rings
+(`--balls`) are solved again with 17 stations and elements of order 6.
 """
 
 import argparse
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe
-from flexbearing.accuracy.adaptive import JUDGED, AdaptiveResolution, adaptive_resolution
-from flexbearing.accuracy.trials import Trial, changes, with_accuracy
+from flexbearing.accuracy.adaptive import AdaptiveResolution, adaptive_resolution
+from flexbearing.accuracy.case_levels import with_accuracy
+from flexbearing.accuracy.trials import ROLLERS, Trial
 from flexbearing.build import expansion
 from flexbearing.case import understood
+from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.roller import Case
 from flexbearing.coupled.coupled import BearingPartner
 from flexbearing.coupling import RacewayPair, StoppingCriterion, newton
@@ -27,6 +31,7 @@ from flexbearing.families import FAMILIES
 from flexbearing.progress import Logged
 from flexbearing.rings import condensed
 from flexbearing.rings.fits import is_in_fit
+from flexbearing.runs.ball_levels import BALLS, BallTrial, BallTrials
 
 PAPER, NU209 = "configs/mao2016.toml", "configs/nu209.toml"
 SLICES, SHAPES = 2560, 10
@@ -113,6 +118,35 @@ CASES: Cases = {
 }  # fmt: skip
 
 
+DEEP_GROOVE, IN_CAGE, ON_CAM = "configs/6209.toml", "configs/harris218_cage.toml", "configs/strain_wave.toml"
+THRUST = {"operation.load.axial": "3 kN", "operation.load.radial_z": "5 kN"}
+GROOVED = {"bearing.outer.shoulder": "2.2 mm"}
+INNER = {
+    "inner.kind": "ring_on_shaft", "inner.bore": "45 mm", "inner.width": "19 mm",
+    "inner.shaft_length": "60 mm", "bearing.inner.shoulder": "2.2 mm",
+    **{f"materials.shaft.{name}": STEEL[name] for name in ("youngs_modulus", "poisson_ratio", "density")},
+}  # fmt: skip
+OF_BALLS: Cases = {
+    "218 on a squirrel cage": (IN_CAGE, {}),
+    "218 on a squirrel cage, thrust": (IN_CAGE, {"operation.load.radial_z": "0 N"}),
+    "strain wave": (ON_CAM, {}),
+    "strain wave, 0.2 mm": (ON_CAM, {"inner.cam_amplitude": "0.2 mm"}),
+    "6209, 3.65 mm, side clamped": (DEEP_GROOVE, {**ring(3.65, "side"), **GROOVED}),
+    "the same with thrust": (DEEP_GROOVE, {**ring(3.65, "side"), **GROOVED, **THRUST}),
+    "6209, 2 mm on springs, thrust": (
+        DEEP_GROOVE, {
+            **ring(2, "foundation", foundation_radial="200 N/mm^3", foundation_tangential="50 N/mm^3",
+                   foundation_axial="50 N/mm^3"),
+            **GROOVED, **THRUST,
+        }
+    ),
+    "6209, both rings, thrust, 10000 rpm": (
+        DEEP_GROOVE,
+        {**ring(3.65, "seat"), **GROOVED, **THRUST, **INNER, "operation.inner_speed": "10000 rpm"},
+    ),
+}  # fmt: skip
+
+
 def drawn(number: int, seed: int) -> Cases:
     """Random cases: a plain ring of any thickness, or the cage, any load, speed, clearance and profile."""
     random, cases = np.random.default_rng(seed), {}
@@ -135,18 +169,23 @@ def drawn(number: int, seed: int) -> Cases:
     return cases
 
 
-def case_of(file: str, settings: dict[str, object], target: str) -> Case:
+def case_of(file: str, settings: dict[str, object], target: str) -> Case | FastCase:
     """A case that leaves all its levels open."""
     text = Path(file).read_text(encoding="utf-8").partition("[accuracy]")[0]
     found = understood(text, Path(file), {**settings, "accuracy.target": target}, FAMILIES)
-    assert isinstance(found, Case)
+    assert isinstance(found, Case | FastCase)
     return found
+
+
+def reference_of_balls(case: FastCase, trials: BallTrials) -> BallTrial:
+    """The same equilibrium, resolved much more finely."""
+    return BallTrials(with_accuracy(case, stations=17, element_order=6), (), trials.report)(())
 
 
 def reference(case: Case, resolution: AdaptiveResolution) -> Trial:
     """The same equilibrium, resolved much more finely."""
     case = with_accuracy(case, axial_shapes=SHAPES)
-    model = replace(resolution.model, slices=SLICES, axial_modes=SHAPES)
+    model = replace(resolution.trials.model(resolution.place), slices=SLICES, axial_modes=SHAPES)
     cage = CAGE if case.outer.kind == "squirrel_cage" else SECTION
     shaft = SECTION if case.inner.fit == "bonded" else FITTED
     inner, outer = (
@@ -173,14 +212,19 @@ def _meshed(case: Case, mesh: tuple[int, float, float]) -> Case:
     )
 
 
-def measured(target: str, cases: Cases) -> Iterator[tuple[str, AdaptiveResolution, dict[str, float], float]]:
+def measured(
+    target: str, cases: Cases
+) -> Iterator[tuple[str, AdaptiveResolution, Mapping[str, float], float]]:
     """Name, choice, true errors and seconds of every case."""
     for name, (file, settings) in cases.items():
         case = case_of(file, settings, target)
         began = time.perf_counter()
-        found = adaptive_resolution(case, Logged())
+        of_balls = isinstance(case, FastCase)
+        family: Any = BALLS if of_balls else ROLLERS
+        found = adaptive_resolution(case, family, Logged())
         seconds = time.perf_counter() - began
-        yield name, found, changes(found.trial, reference(case, found)), seconds
+        better = reference_of_balls(case, found.trials) if of_balls else reference(case, found)
+        yield name, found, family.changes(found.trial, better), seconds
 
 
 def main() -> None:
@@ -188,20 +232,23 @@ def main() -> None:
     parser.add_argument("target", nargs="?", default="1 %")
     parser.add_argument("--random", type=int, default=0)
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--balls", action="store_true")
     asked = parser.parse_args()
-    cases = drawn(asked.random, asked.seed) if asked.random else CASES
+    named = OF_BALLS if asked.balls else CASES
+    cases = drawn(asked.random, asked.seed) if asked.random else named
     print(f"{describe()}\ntarget {asked.target}; errors in %: true/estimate, estimate over true error")
     kept, ratios, promised = [], [], []
     with threadpool_limits(limits=1, user_api="blas"):
         for name, found, true, seconds in measured(asked.target, cases):
             estimate, words = found.selection.estimate, []
-            for output in JUDGED:
+            judged = [output for output in found.selection.verdicts[0].judged if output in true]
+            for output in judged:
                 error, bound = true[output], estimate[output]
                 kept.append(error <= bound)
                 ratios.append(bound / error if error else np.inf)
                 words.append(f"{output} {100 * error:.4f}/{100 * bound:.4f} x{ratios[-1]:<6.1f}")
             promised.append(
-                not found.selection.met or max(true[output] for output in JUDGED) <= found.selection.target
+                not found.selection.met or max(true[output] for output in judged) <= found.selection.target
             )
             levels = ", ".join(
                 verdict.choice.levels[verdict.level].partition(",")[0] for verdict in found.selection.verdicts

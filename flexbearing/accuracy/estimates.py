@@ -6,10 +6,14 @@ from typing import Any
 import numpy as np
 
 from flexbearing.accuracy.ladder import Selection, Unusable, Verdict
+from flexbearing.quantities.coupling import BALL_LOAD, ROLLER_LOAD
 from quasidynamic.note import Note, danger
 
-JUDGED = ("roller_load", "life")  # outputs that the target is of
-ERRORS = ("{} of the largest load for the load of any roller", "{} for the life")
+ERRORS = {  # of the outputs that a target may be of
+    ROLLER_LOAD: "{} of the largest load for the load of any roller",
+    BALL_LOAD: "{} of the largest load for the load of any ball",
+    "life": "{} for the life",
+}
 
 
 def require_resolved(selection: Selection) -> None:
@@ -51,12 +55,12 @@ def unmet(selections: Sequence[Selection]) -> Iterator[Note]:
     selection = _worst(selections)
     errors = " and ".join(
         words.format(percent(selection.estimate[name]))
-        for name, words in zip(JUDGED, ERRORS, strict=True)
+        for name, words in ERRORS.items()
         if name in selection.estimate
     )
     worst = max(
         selection.verdicts,
-        key=lambda verdict: max(verdict.estimate.get(name, 0.0) for name in JUDGED),
+        key=lambda verdict: max(verdict.estimate.get(name, 0.0) for name in ERRORS),
     )
     coarse = _too_coarse(selection)
     yield danger(
@@ -89,7 +93,7 @@ def percent(share: float) -> str:
 
 
 def _worst(selections: Sequence[Selection]) -> Selection:
-    return max(selections, key=lambda each: max(each.estimate.get(name, 0.0) for name in JUDGED))
+    return max(selections, key=lambda each: max(each.estimate.get(name, 0.0) for name in ERRORS))
 
 
 def _record(verdict: Verdict) -> dict[str, Any]:

@@ -202,6 +202,8 @@ def climb_together(
 
     Raises `Unusable` if a problem has no result at the poorest levels, or at those where it begins.
     """
+    if len(evaluates) == 1:
+        return (climb(choices, evaluates[0], changes, target, judged),)
     start, place, selections = None, tuple(choice.start for choice in choices), []
     while place != start:
         start, selections = place, []

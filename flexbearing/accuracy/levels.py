@@ -5,12 +5,21 @@ case on their levels.
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
-from enum import IntEnum
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import fem
 from fem.parts.step_solid import StepSolid
+from flexbearing.accuracy.case_levels import (
+    ABOVE,
+    BELOW,
+    WEIGHT,
+    Cost,
+    Ladder,
+    Settings,
+    counted,
+    fixed,
+    given,
+)
 from flexbearing.accuracy.ladder import Choice
 from flexbearing.build.expansion import roller_length
 from flexbearing.build.mesh_sizes import IN_SPACE, ON_A_SECTION
@@ -22,8 +31,6 @@ from flexbearing.rings.fits import is_in_fit
 
 if TYPE_CHECKING:
     from flexbearing.build.ring_parts import Part
-
-Settings = Mapping[str, Any]  # keys of [accuracy]
 
 
 class MeshLevel(NamedTuple):
@@ -43,38 +50,11 @@ ON_HALF_A_PITCH = tuple(MeshLevel(order, 0.6, 0.4) for order in (2, 3, 4, 5))
 ON_SOLIDS = tuple(MeshLevel(order, 0.6, 0.4) for order in (2, 3, 4))
 
 FEWEST_FOR_A_TARGET = 10  # slices: below, the error does not fall as the estimate assumes
-COMPARED = 2  # richer levels of slices and modes: the life may pass its limit, and be the same on both sides
 MESH_KEYS = ("element_order", "mesh_size", "raceway_mesh_size")
 FEWEST, MORE = 22, 1.5  # harmonics that the coarsest raceway resolves at least, and their growth by level
 FEWEST_OF_A_FIT = 37  # which has 36 of its own
 PER_MODE = 6.0  # harmonics for each axial mode on an arc as long as the radius
 PER_ORDER = 0.6  # harmonics for each order and element on an arc as long as the radius
-
-
-class Cost(IntEnum):
-    """Kinds of choices, the cheapest first."""
-
-    BEARING = 0
-    SECTION = 1
-    CYCLIC = 2
-    SOLID = 3
-    FIT = 4
-
-
-WEIGHT = {Cost.BEARING: 2, Cost.SECTION: 5, Cost.CYCLIC: 15, Cost.SOLID: 15, Cost.FIT: 15}  # of the target
-# Errors over the change to the next level, and over that from the one before.
-ABOVE = {Cost.BEARING: 1.6, Cost.SECTION: 2.0, Cost.CYCLIC: 1.6, Cost.SOLID: 2.0, Cost.FIT: 2.0}
-BELOW = {Cost.SECTION: 1.0, Cost.CYCLIC: 0.6, Cost.SOLID: 1.0, Cost.FIT: 1.0}
-
-
-@dataclass(frozen=True)
-class Ladder:
-    """A choice with the settings of each of its levels."""
-
-    choice: Choice
-    settings: tuple[Settings | None, ...]  # None leaves a part rigid
-    race: Race | None = None  # of a part; None: of the bearing, or of both parts
-    cost: Cost = field(default=Cost.BEARING, compare=False)  # place in the order of the climb
 
 
 def mesh_levels(case: Case, part: "Part") -> tuple[MeshLevel, ...]:
@@ -92,51 +72,27 @@ def ladders(case: Case) -> tuple[Ladder, ...]:
     return tuple(sorted(choices, key=lambda ladder: ladder.cost))
 
 
-def _given(case: Case, *keys: str) -> tuple[str, ...]:
-    """Those of these keys that the case itself sets."""
-    return tuple(key for key in keys if key in case.accuracy.model_fields_set)
-
-
 def _slices(case: Case) -> Ladder:
     """Slices double: what sharp ends of the line load leave falls as (log K) / K."""
-    if _given(case, "slices"):
-        return _fixed("slices", "slices", tuple(n * case.accuracy.slices for n in (1, 2, 4)))
+    if given(case, "slices"):
+        return fixed("slices", "slices", tuple(n * case.accuracy.slices for n in (1, 2, 4)))
     least = max(FEWEST_FOR_A_TARGET, FEWEST_SLICES if case.life.edge_stress else 0)
-    return _counted("slices", "slices", tuple(n for n in SLICES if n >= least))
+    return counted("slices", "slices", tuple(n for n in SLICES if n >= least))
 
 
 def _axial_modes(case: Case, parts: "Mapping[Race, Part]") -> Ladder:
     """Axial modes come two at a time. A raceway with few of them has too few harmonics for a fit."""
-    if _given(case, "axial_shapes"):
+    if given(case, "axial_shapes"):
         modes = tuple(case.accuracy.axial_shapes + more for more in range(0, MORE_SHAPES + 1, 2))
-        return _fixed("axial shapes", "axial_shapes", modes)
+        return fixed("axial shapes", "axial_shapes", modes)
     in_fits = [part.raceway_diameter / 2 for race, part in parts.items() if is_in_fit(case, race)]
     least = FEWEST_OF_A_FIT * roller_length(case) / (PER_MODE * min(in_fits)) if in_fits else 0
-    return _counted("axial shapes", "axial_shapes", tuple(n for n in AXIAL_MODES if n >= least))
-
-
-def _counted(name: str, key: str, counts: tuple[int, ...]) -> Ladder:
-    """A number that grows; the richest level only measures."""
-    choice = Choice(
-        name=name,
-        levels=tuple(str(count) for count in counts),
-        weight=WEIGHT[Cost.BEARING],
-        above=ABOVE[Cost.BEARING],
-        compared=COMPARED,
-        last=len(counts) - 2,
-    )
-    return Ladder(choice, tuple({key: count} for count in counts))
-
-
-def _fixed(name: str, key: str, counts: tuple[int, ...]) -> Ladder:
-    """A number that the case gives; the richer levels only measure."""
-    counted = _counted(name, key, counts)
-    return replace(counted, choice=replace(counted.choice, last=0, fixed_by=(key,)))
+    return counted("axial shapes", "axial_shapes", tuple(n for n in AXIAL_MODES if n >= least))
 
 
 def _harmonics(case: Case) -> Iterator[Ladder]:
     """Harmonics are those that a mesh resolves, a level of the part; unless the case says how many."""
-    if fixed_by := _given(case, "harmonics"):
+    if fixed_by := given(case, "harmonics"):
         counts = (case.accuracy.harmonics, None)
         choice = Choice(
             name="harmonics",
@@ -151,7 +107,7 @@ def _harmonics(case: Case) -> Iterator[Ladder]:
 
 def _part(case: Case, race: Race, part: "Part") -> Ladder:
     """Rigid, then finer and finer; a mesh or structure that the case gives is only measured."""
-    meshes, last, of_mesh = mesh_levels(case, part), None, _given(case, *MESH_KEYS)
+    meshes, last, of_mesh = mesh_levels(case, part), None, given(case, *MESH_KEYS)
     fixed_by = of_mesh if case.accuracy.structure in ("harmonics", "solid") else (*of_mesh, "structure")
     if fixed_by:
         usual, _, _ = ON_A_SECTION if meshes is ON_SECTIONS else IN_SPACE
@@ -184,19 +140,3 @@ def _settings(mesh: MeshLevel, harmonics: float, case: Case, part: "Part") -> Se
     coarsest = PER_ORDER * mesh.order * radius / harmonics
     sizes = mesh.order, mesh.size * length, min(mesh.raceway_size * length, coarsest)
     return dict(zip(MESH_KEYS, sizes, strict=True))
-
-
-def case_at(
-    case: Case, ladders: tuple[Ladder, ...], place: tuple[int, ...], race: Race | None
-) -> Case | None:
-    """The case as it is resolved at a level of each choice; None where a part is left rigid."""
-    update: dict[str, Any] = {}
-    for ladder, level in zip(ladders, place, strict=True):
-        if ladder.race not in (None, race):
-            continue
-        settings = ladder.settings[level]
-        if settings is None:
-            return None
-        update |= settings
-    accuracy = case.accuracy.model_copy(update=update)
-    return case.model_copy(update={"accuracy": accuracy})

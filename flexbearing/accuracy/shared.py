@@ -5,12 +5,9 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any
 
-from flexbearing.accuracy.estimates import JUDGED, attributes, largest, require_resolved, unmet
+from flexbearing.accuracy.estimates import attributes, largest, require_resolved, unmet
+from flexbearing.accuracy.family import LevelsOfFamily, T
 from flexbearing.accuracy.ladder import Place, Selection, Unusable, climb_together
-from flexbearing.accuracy.levels import ladders
-from flexbearing.accuracy.trials import Trials, changes
-from flexbearing.case.roller import Case
-from flexbearing.program.threads import of_solids
 from flexbearing.progress import Report
 from quasidynamic.note import Note, danger
 
@@ -65,18 +62,29 @@ class UsualLevels:
 Levels = SharedLevels | UsualLevels
 
 
-def shared_levels(cases: Sequence[Case], report: Report) -> Levels:
+def shared_levels(cases: Sequence[Any], family: LevelsOfFamily, report: Report) -> Levels:
     """Choose the levels of cases between the same parts."""
-    target, choices = cases[0].accuracy.target, ladders(cases[0])
-    assert target is not None
-    trials = [Trials(case, choices, report) for case in cases]
     try:
-        with ThreadPoolExecutor() as pool:
-            if of_solids(cases[0].accuracy.threads) > 1:
-                trials[0].foresee(pool)
-            selections = climb_together([each.choice for each in choices], trials, changes, target, JUDGED)
-        for selection in selections:
-            require_resolved(selection)
+        selections, _ = chosen(cases, family, report)
     except Unusable as problem:
         return UsualLevels(str(problem))
     return SharedLevels(selections)
+
+
+def chosen(
+    cases: Sequence[Any], family: LevelsOfFamily[T], report: Report
+) -> tuple[tuple[Selection, ...], list[T]]:
+    """Levels of cases between the same parts, and what was solved at them.
+
+    Raises `Unusable` if there is no answer at the coarsest levels.
+    """
+    target, ladders = cases[0].accuracy.target, family.ladders(cases[0])
+    trials = [family.trials(case, ladders, report) for case in cases]
+    choices = [each.choice for each in ladders]
+    with ThreadPoolExecutor() as pool:
+        if family.begin:
+            family.begin(trials[0], pool)
+        selections = climb_together(choices, trials, family.changes, target, family.judged)
+    for selection in selections:
+        require_resolved(selection)
+    return selections, trials

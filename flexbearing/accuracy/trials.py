@@ -10,8 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.accuracy import Unusable
+from flexbearing.accuracy.case_levels import Cost, Ladder, case_at, with_accuracy
+from flexbearing.accuracy.family import LevelsOfFamily, relative_changes
 from flexbearing.accuracy.ladder import Place
-from flexbearing.accuracy.levels import Cost, Ladder, case_at
+from flexbearing.accuracy.levels import ladders
 from flexbearing.build import roller_bearing
 from flexbearing.build.ring_parts import Race
 from flexbearing.case import BadCase
@@ -29,7 +31,9 @@ from flexbearing.coupling import (
     fixed_point,
     newton,
 )
+from flexbearing.program.threads import of_solids
 from flexbearing.progress import Report
+from flexbearing.quantities.coupling import ROLLER_LOAD
 from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.rings import condensed
 from flexbearing.rings.fits import RacewayInFit, is_in_fit
@@ -64,13 +68,10 @@ class Trial:
 
 
 def changes(trial: Trial, other: Trial) -> dict[str, float]:
-    """How much two trials differ."""
-    shares = {
-        "roller_load": np.abs(other.loads - trial.loads).max() / trial.loads.max(),
-        CAGE_SLIP.name: abs(other.state.cage_slip - trial.state.cage_slip),
-        **{name: abs(other.numbers[name] / value - 1) for name, value in trial.numbers.items()},
-    }
-    return {name: float(share) for name, share in shares.items() if np.isfinite(share)}
+    """How much two trials differ, the cage slip in parts of that of rolling."""
+    slip = abs(other.state.cage_slip - trial.state.cage_slip)
+    slips = {CAGE_SLIP.name: float(slip)} if np.isfinite(slip) else {}
+    return relative_changes(ROLLER_LOAD, trial, other) | slips
 
 
 @dataclass
@@ -168,12 +169,14 @@ class Trials:
     def _condense(self, case: Case, race: Race) -> Raceway:
         return condensed.raceway(case, race, self._bearing.bearing.azimuths, self.report)
 
-    def foresee(self, pool: Executor) -> None:
-        """Begin with the first two levels of a squirrel cage, which take longest.
+    def begin(self, pool: Executor) -> None:
+        """Begin with the first two levels of a squirrel cage, which take longest, given two threads.
 
         The first is needed to judge the cage, the second nearly always; they are condensed in processes
         of their own, while this one does all else.
         """
+        if of_solids(self.case.accuracy.threads) < 2:
+            return
         place = tuple(ladder.choice.start for ladder in self.ladders)
         for k, ladder in enumerate(self.ladders):
             if ladder.cost is Cost.CYCLIC:
@@ -204,6 +207,4 @@ def with_most_modes(case: Case) -> Case:
     return with_accuracy(case, axial_shapes=max(case.accuracy.axial_shapes, MOST_MODES))
 
 
-def with_accuracy(case: Case, **settings: Any) -> Case:
-    """The case with other settings of [accuracy]."""
-    return case.model_copy(update={"accuracy": case.accuracy.model_copy(update=settings)})
+ROLLERS = LevelsOfFamily(ladders, Trials, changes, (ROLLER_LOAD, "life"), Trials.begin)

@@ -38,6 +38,7 @@ class Family:
     neighbouring_state: Callable[[], Callable[..., Any]] | None = None  # of a case that differs little
     initial_state: Callable[[], Callable[..., Any]] | None = None  # from another result; None: it has no such
     sensitivities: Callable[[], Callable[..., Any]] | None = None  # of outputs by keys; None: there are none
+    levels: Callable[[], Any] | None = None  # a `flexbearing.accuracy.family.LevelsOfFamily`; None: no target
     rows: Callable[[], Callable[..., Any]] | None = None  # as `flexbearing.runs.rows.answers`; None: by runs
     catalogue: Callable[[], Any] | None = (
         None  # a `flexbearing.runs.catalogue_life.Catalogue`; None: no ratings

@@ -52,6 +52,11 @@ def sensitivities(
     friction has no derivatives; `UnknownOutput`, `WrongUnit` for texts that name no output; `NotSolved` where
     there is no equilibrium.
     """
+    if case.accuracy.target is not None:
+        raise BadCase(
+            f"{case.source.path}: accuracy.target chooses levels anew for every value of a key; take the key "
+            "out for derivatives."
+        )
     refused = {"operation.control": case.operation.control == "coulomb"}
     refused |= {"outer.bilateral": case.outer.lifts_off}
     refused |= {"friction.model": case.friction.model != "full_sliding"}

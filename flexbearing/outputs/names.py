@@ -88,7 +88,9 @@ class RequestedOutput:
     @property
     def estimated(self) -> bool:
         """Whether a target estimates its error; not of states between rigid raceways beside others."""
-        return bool(self.output.declared.error) and self.block != "rigid"
+        declared = self.output.declared
+        of_entry = not declared.error_of or self.output.name.rpartition(".")[2] in declared.error_of
+        return bool(declared.error) and of_entry and self.block != "rigid"
 
     def error(self, estimates: Mapping[str, float | None], number: float) -> float:
         """Estimated error of its number in `unit`, by the names of `SummaryValue.error`; NaN without one."""

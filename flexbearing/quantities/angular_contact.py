@@ -10,7 +10,15 @@ import numpy as np
 from flexbearing.quantities.attributes import HEAD
 from flexbearing.quantities.ball_clearance import CLEARANCE_ATTRIBUTE
 from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, static_safety, subsurface, worst_contact
-from flexbearing.quantities.coupling import ATTEMPTS, ITERATIONS, METHOD, STRUCTURE
+from flexbearing.quantities.coupling import (
+    ATTEMPTS,
+    BALL_LOAD,
+    CHOICES,
+    ERROR_ESTIMATE,
+    ITERATIONS,
+    METHOD,
+    STRUCTURE,
+)
 from flexbearing.quantities.layout import Axis, Layout
 from flexbearing.quantities.life_records import CATALOGUE_ATTRIBUTE, LIFE_ATTRIBUTE
 from flexbearing.quantities.probes import PROBE_AXIS, PROBES
@@ -28,6 +36,7 @@ from flexbearing.quantities.reductions import (
 from flexbearing.quantities.stiffness import RADIAL_STIFFNESSES
 from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, MREV, RPM, UM
 
+STIFFNESSES = ("stiffness_xx", "stiffness_yy", "stiffness_zz")  # whose errors are estimated
 DRY_TORQUE = "friction torque (dry contacts only; no cage, no oil)"
 RING = "ring"  # section of the page
 _APART = "NaN for a ball without lines, as one that does not touch both races"
@@ -46,6 +55,12 @@ def _largest_of_races(values: np.ndarray) -> np.ndarray:
     return values.max(1)
 
 
+def _estimated(stiffness: SummaryValue) -> SummaryValue:
+    """A stiffness with its error, where one is estimated."""
+    name = stiffness.key.removesuffix("_N_per_m")
+    return replace(stiffness, error=name if name in STIFFNESSES else "")
+
+
 _ONE_ROW = "absent of one row"
 _OF_RINGS = "by elastic rings alone, the indentation of the contacts left out; absent between rigid rings"
 # declarations read best as a table:
@@ -58,7 +73,7 @@ QUANTITIES = (
         SummaryValue("balls_on_both_races", lambda load: int((load > 0).all(0).sum()),
             "balls on both races", "d", unit=COUNT),
         SummaryValue("contact_load_range_N", _range_of_races, "contact load", ",.1f", parts=RACES,
-            entries=EXTENT),
+            entries=EXTENT, error=BALL_LOAD, error_of=EXTENT[1:]),
         SummaryValue("contact_loads_N", parts=RACES),
     )),
     Quantity("ball_azimuth", "phi", "Z", "rad", "block",
@@ -158,7 +173,7 @@ QUANTITIES = (
         f"reference rating life of both raceways together by ISO/TS 16281, 90 % survival; {_UNRATED}",
         source="life.basic", people=MREV, optional=True,
         summary=(SummaryValue("life_L10_Mrev", label="reference life L10r, ISO/TS 16281", digits=",.4g",
-                              speed="relative_speed"),)),
+                              error="life", speed="relative_speed"),)),
     Quantity("raceway_life", "L_10,i, L_10,o", "race", "rev", "block",
         f"the same of each raceway alone (inner, outer); {_UNRATED}", source="life.raceways",
         people=MREV, optional=True, infinite=True,
@@ -220,7 +235,7 @@ QUANTITIES = (
         )),
     Quantity("stiffness_matrix", "K", "force displacement", "N/m, N/rad, N m/m, N m/rad", "block",
         f"load on the inner ring by its displacement ({_ORDER}), balls in balance", source="state.stiffness",
-        summary=(*RADIAL_STIFFNESSES, SummaryValue("stiffness_matrix_SI"))),
+        summary=(*map(_estimated, RADIAL_STIFFNESSES), SummaryValue("stiffness_matrix_SI"))),
 
     Quantity("groove_displacement", "w_r", "race Z", "m", "state",
         f"outward displacement of the grooves under the balls; {_OF_RINGS}",
@@ -357,7 +372,19 @@ right-handed.
         replace(LIFE_ATTRIBUTE, optional=True),
         CATALOGUE_ATTRIBUTE,
         *(replace(attribute, optional=True) for attribute in (METHOD, ATTEMPTS, STRUCTURE)),
+        CHOICES,
+        ERROR_ESTIMATE,
     ),
-    head=("kind", *HEAD, "method", "clearance", "life", "catalogue_life", "structure"),
+    head=(
+        "kind",
+        *HEAD,
+        "method",
+        "clearance",
+        "life",
+        "catalogue_life",
+        "structure",
+        "choices",
+        "error_estimate",
+    ),
     case_keys=(("friction_model", "friction", "model"), ("friction_spin", "friction", "spin")),
 )

@@ -4,6 +4,7 @@ from flexbearing.quantities import roller_records as records
 from flexbearing.quantities.attributes import Attribute
 from flexbearing.quantities.quantity import Quantity
 
+LOAD_ERRORS = ROLLER_LOAD, BALL_LOAD = "roller_load", "ball_load"  # names of estimated errors
 METHOD = Attribute("method", "text", "method of the coupling")
 ATTEMPTS = Attribute(
     "attempts",
@@ -16,6 +17,23 @@ STRUCTURE = Attribute(
     "json",
     "figures of the finite elements: unknowns, seconds per stage; what lines, springs and fits carry",
     form=records.STRUCTURE,
+)
+CHOICES = Attribute(
+    "choices",
+    "json",
+    "levels that accuracy.target led to, by choice: the level, whether the case fixes it, the level it "
+    "was compared with, the changes found, the error over a change, and the error allowed; absent "
+    "without a target",
+    optional=True,
+    form=records.CHOICES,
+)
+ERROR_ESTIMATE = Attribute(
+    "error_estimate",
+    "json",
+    "estimated numerical errors of the flexible block, over the values but for the cage slip; the "
+    "target, and whether it is met; absent without a target, empty where nothing could be estimated",
+    optional=True,
+    form=records.ERROR_ESTIMATE,
 )
 # fmt: off
 ITERATIONS = (

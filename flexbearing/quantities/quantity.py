@@ -42,6 +42,7 @@ class SummaryValue:
     compared: bool = True  # whether its change from block to block means something
     error: str = ""  # name of its estimated numerical error in the attribute error_estimate
     error_relative: bool = True  # the estimate is over the value
+    error_of: tuple[str, ...] = ()  # those of its entries that have this error; empty: all
 
 
 @dataclass(frozen=True)

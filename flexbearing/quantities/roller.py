@@ -6,7 +6,14 @@ The page of a result shows its rows in the order of declaration.
 from flexbearing.quantities import roller_records as records
 from flexbearing.quantities.attributes import HEAD, Attribute
 from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, static_safety, subsurface, worst_contact
-from flexbearing.quantities.coupling import ATTEMPTS, ITERATIONS, METHOD, STRUCTURE
+from flexbearing.quantities.coupling import (
+    ATTEMPTS,
+    CHOICES,
+    ERROR_ESTIMATE,
+    ITERATIONS,
+    METHOD,
+    STRUCTURE,
+)
 from flexbearing.quantities.layout import Axis, Layout
 from flexbearing.quantities.life_records import CATALOGUE_ATTRIBUTE, LIFE_ATTRIBUTE
 from flexbearing.quantities.probes import PROBE_AXIS, PROBES
@@ -560,23 +567,8 @@ _ATTRIBUTES = (
         optional=True,
         form=records.PASSAGE,
     ),
-    Attribute(
-        "choices",
-        "json",
-        "levels that accuracy.target led to, by choice: the level, whether the case fixes it, the level it "
-        "was compared with, the changes found, the error over a change, and the error allowed; absent "
-        "without a target",
-        optional=True,
-        form=records.CHOICES,
-    ),
-    Attribute(
-        "error_estimate",
-        "json",
-        "estimated numerical errors of the flexible block, over the values but for the cage slip; the "
-        "target, and whether it is met; absent without a target, empty where nothing could be estimated",
-        optional=True,
-        form=records.ERROR_ESTIMATE,
-    ),
+    CHOICES,
+    ERROR_ESTIMATE,
     Attribute(
         "slice_error",
         "json",

@@ -165,30 +165,47 @@ def build(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperatio
 
 
 def solved(
-    cases: Sequence[FastCase], report: Report, run: "CouplingRecord | None" = None
+    cases: Sequence[FastCase],
+    report: Report,
+    run: "CouplingRecord | None" = None,
+    known: dict[Any, Any] | None = None,
 ) -> list[dict[Block, Ended]]:
     """Balance, pure rolling lines, and stick and slip where a case requires them; or why there is none.
 
     By the names of their blocks: between rigid rings, then between elastic ones where a case has them and
     there is a balance between rigid ones. Cases whose bearings are the same are balanced side by side, but
-    for one whose iterations are stored.
+    for one whose iterations are stored. Grooves that are `known` are not condensed again.
     """
-    built = [named(case, partial(_built, case)) for case in cases]
+    models = [prepared(case) for case in cases]
     report.stage("fast balls between rigid rings", None)
     ended: list[dict[Block, Ended]] = [
-        {"rigid": each} for each in _finished(cases, _balanced(cases, built), report)
+        {"rigid": each} for each in _finished(cases, _balanced(cases, models), report)
     ]
     some = [k for k, each in enumerate(ended) if not cases[k].rigid and isinstance(each["rigid"], Solution)]
     if some:
-        elastic, models = [cases[k] for k in some], [built[k] for k in some]
-        rings = _grooves(elastic, models, report)
-        report.stage("fast balls between elastic rings", None)
-        models = [_preloaded(*each) for each in zip(elastic, models, rings, strict=True)]
-        states = _balanced(elastic, models, rings, run)
+        elastic, of_elastic = [cases[k] for k in some], [models[k] for k in some]
+        states = between_elastic_rings(elastic, of_elastic, report, known, run)
         flexible = _finished(elastic, states, report)
         for k, each in zip(some, flexible, strict=True):
             ended[k]["flexible"] = each if isinstance(each, Exception) else _probed(each, report)
     return ended
+
+
+def between_elastic_rings(
+    cases: Sequence[FastCase],
+    built: Sequence[Any],
+    report: Report,
+    known: dict[Any, Any] | None = None,
+    run: "CouplingRecord | None" = None,
+) -> list[Any]:
+    """States of `prepared` cases between their elastic rings, or why there are none.
+
+    Grooves are those that are `known` by what decides them, to which others are added.
+    """
+    rings = _grooves(cases, built, report, {} if known is None else known)
+    report.stage("fast balls between elastic rings", None)
+    models = [_preloaded(*each) for each in zip(cases, built, rings, strict=True)]
+    return _balanced(cases, models, rings, run)
 
 
 def _probed(solution: Solution, report: Report) -> Solution:
@@ -245,14 +262,18 @@ def _finished(cases: Sequence[FastCase], states: Sequence[Any], report: Report) 
     ]
 
 
-def _grooves(cases: Sequence[FastCase], built: Sequence[Any], report: Report) -> list[Any]:
+def _grooves(
+    cases: Sequence[FastCase], built: Sequence[Any], report: Report, known: dict[Any, Any]
+) -> list[Any]:
     """Elastic grooves of cases, one object for all that have the same; or why there are none."""
     from flexbearing.rings import grooves  # finite elements are not described between rigid rings
 
-    known: dict[Any, Any] = {}
     grooves_of_cases = []
-    for case, (model, _) in zip(cases, built, strict=True):
-        azimuths = model.bearing.azimuths
+    for case, each in zip(cases, built, strict=True):
+        if isinstance(each, Exception):
+            grooves_of_cases.append(each)
+            continue
+        azimuths = each[0].bearing.azimuths
         key = named(case, partial(grooves.parts, case))
         if not isinstance(key, Exception):
             key = key, azimuths.tobytes()
@@ -275,8 +296,9 @@ def named(case: Head, solve: Callable[[], Any]) -> Any:
         return BadCase(f"{case.source.path}: {problem}")
 
 
-def _built(case: FastCase) -> tuple[qd.AngularContactBallBearing, qd.RingOperation]:
-    return bearing(case), operation(case)
+def prepared(case: FastCase) -> Any:
+    """Bearing and operation of a case, or why there are none."""
+    return named(case, lambda: (bearing(case), operation(case)))
 
 
 def _balanced(

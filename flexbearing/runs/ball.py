@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flexbearing.build import clearance
 from flexbearing.case import BadCase, Head
@@ -17,11 +17,14 @@ from flexbearing.quantities.angular_contact import LAYOUT as OF_FAST_BALLS
 from flexbearing.quantities.four_point import LAYOUT as OF_SLOW_BALLS
 from flexbearing.quantities.layout import Layout
 from flexbearing.results import Recorder
-from flexbearing.runs import angular_contact, four_point
+from flexbearing.runs import angular_contact, ball_levels, four_point
 from flexbearing.runs.angular_contact import Block, named
 from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer, row_findings
 from quasidynamic import AngularContactState, ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.note import Note, graded
+
+if TYPE_CHECKING:
+    from flexbearing.accuracy.shared import Levels
 
 NOT_SOLVED = "not solved"
 
@@ -57,18 +60,23 @@ def solve_four_point(case: FourPointCase, record: Recorder, report: Report) -> d
     return {**ending, "clearance": clearance.record(case)}
 
 
-def solve_angular(case: FastCase, record: Recorder, report: Report) -> dict[str, object]:
+def solve_angular(
+    case: FastCase, record: Recorder, report: Report, levels: "Levels | None" = None
+) -> dict[str, object]:
     """Write the solution of a fast bearing; returns the root attributes that say how it ended.
+
+    A case with a target is solved at the `levels` that were chosen for it and others, where they are given.
 
     Raises `BadCase` when no such bearing can exist.
     """
-    run = None
+    run, resolved = None, ball_levels.ResolvedCase(case)
     if not case.rigid:
         from flexbearing.coupled.balls import CouplingRecord  # with finite elements
 
-        run = CouplingRecord(record, report)
-    (ended,) = angular_contact.solved([case], report, run)
-    coupled = {"method": case.coupling.method, **run.attributes} if run else {}
+        run, resolved = CouplingRecord(record, report), ball_levels.resolved(case, levels, report)
+    (ended,) = angular_contact.solved([resolved.case], report, run, resolved.grooves)
+    coupled = dict(resolved.attributes)
+    coupled |= {"method": case.coupling.method, **run.attributes} if run else {}
     last: tuple[Block, angular_contact.Solution] | None = None
     for name, each in ended.items():
         if isinstance(each, BadCase):
@@ -85,7 +93,8 @@ def solve_angular(case: FastCase, record: Recorder, report: Report) -> dict[str,
         f"{solution.state.evaluations} evaluations of all balls"
     )
     found = angular_contact.judge(solution)
-    ending = _converged(words, angular_contact.notes(solution, found), found)
+    notes = *resolved.notes(solution.state.loads), *angular_contact.notes(solution, found)
+    ending = _converged(words, notes, found)
     life = solution.lives and solution.lives.of_state
     lives = {name: life.record()} if life else {}
     return {**ending, "clearance": clearance.record(case), "life": lives, **coupled}
@@ -120,11 +129,20 @@ def _ending(status: str, message: str, ending: str) -> dict[str, Any]:
 
 
 def angular_answers(
-    cases: Sequence[FastCase], texts: Sequence[str], *_: object, **__: object
+    cases: Sequence[FastCase],
+    texts: Sequence[str],
+    *_: object,
+    levels: "Levels | None" = None,
+    **__: object,
 ) -> list[Answer]:
     """Outputs of fast bearings, see `flexbearing.runs.rows.answers`; same parts are side by side."""
+    report, known = Logged(), {}
     with linear_algebra_alone():
-        return [_of_fast(each, texts) for each in angular_contact.solved(cases, Logged())]
+        resolved = [ball_levels.resolved(case, levels, report) for case in cases]
+        for each in resolved:
+            known |= each.grooves
+        ended = angular_contact.solved([each.case for each in resolved], report, known=known)
+        return [_of_fast(*each, texts) for each in zip(ended, resolved, strict=True)]
 
 
 def four_point_answers(
@@ -135,7 +153,9 @@ def four_point_answers(
         return [_of_slow(case, texts) for case in cases]
 
 
-def _of_fast(ended: Mapping[Block, angular_contact.Ended], texts: Sequence[str]) -> Answer:
+def _of_fast(
+    ended: Mapping[Block, angular_contact.Ended], resolved: ball_levels.ResolvedCase, texts: Sequence[str]
+) -> Answer:
     blocks: dict[str, Any] = {}
     for name, each in ended.items():
         block = (
@@ -147,7 +167,8 @@ def _of_fast(ended: Mapping[Block, angular_contact.Ended], texts: Sequence[str])
         blocks[name] = block
     last: Any = list(ended.values())[-1]
     judged = angular_contact.judge(last)
-    found = row_findings(records(judged), angular_contact.notes(last, judged))
+    notes = *resolved.notes(last.state.loads), *angular_contact.notes(last, judged)
+    found = row_findings(records(judged), notes)
     return Answer(CONVERGED, "", _numbers(OF_FAST_BALLS, blocks, texts), found)
 
 

@@ -86,12 +86,18 @@ def _resolved(
     from flexbearing.accuracy import Unusable
     from flexbearing.accuracy.adaptive import adaptive_resolution
     from flexbearing.accuracy.shared import UsualLevels
+    from flexbearing.accuracy.trials import ROLLERS
 
     try:
-        resolution = adaptive_resolution(case, report)
+        resolution = adaptive_resolution(case, ROLLERS, report)
     except Unusable as problem:
         return _at_shared_levels(case, usual, UsualLevels(str(problem)), postprocessing, report)
-    return ResolvedCase(resolution.model, lambda: resolution.rings, resolution.attributes(), resolution.notes)
+    return ResolvedCase(
+        resolution.trials.model(resolution.place),
+        lambda: resolution.trial.rings,
+        resolution.attributes(),
+        lambda end: resolution.notes(end.loads),
+    )
 
 
 def _raceways(case: Case, azimuths: NDArray, report: Report, ahead: "Ahead | None") -> RacewayPair:

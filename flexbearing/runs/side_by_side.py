@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.accuracy.case_levels import case_at
 from flexbearing.accuracy.ladder import Place
-from flexbearing.accuracy.levels import case_at, ladders
+from flexbearing.accuracy.levels import ladders
 from flexbearing.accuracy.trials import model_at, with_most_modes
 from flexbearing.build import ring_parts, roller_bearing
 from flexbearing.build.expansion import roller_length

@@ -149,7 +149,7 @@ def _relative_error(value: float, exact: float) -> float:
 def _with_levels(case: Head) -> Case | BallCase:
     if not isinstance(case, Case | FastCase | FourPointCase):
         raise BadCase(f'{case.source.path}: a case of kind "{case.kind}" has no ladder of levels')
-    if isinstance(case, Case) and case.accuracy.target is not None:
+    if isinstance(case, Case | FastCase) and case.accuracy.target is not None:
         raise BadCase(
             f"{case.source.path}: accuracy.target chooses levels by itself, here all are run; leave it out"
         )

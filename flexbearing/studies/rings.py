@@ -4,13 +4,13 @@ from collections.abc import Mapping
 from functools import lru_cache
 from typing import Any
 
-from flexbearing.accuracy.levels import ladders
 from flexbearing.build.ring_parts import Race, part_of
 from flexbearing.cache.key import digest
 from flexbearing.case import Head
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.case.roller import Case
+from flexbearing.families import FAMILIES
 
 RACES: tuple[Race, Race] = ("inner", "outer")
 
@@ -40,7 +40,18 @@ def _digest(ring: Any) -> str:
 
 def levels(case: Head) -> str:
     """Digest of the parts of a case with a target and of all that its levels are chosen from."""
-    if not isinstance(case, Case) or case.accuracy.target is None:
+    if not isinstance(case, Case | FastCase) or case.accuracy.target is None:
         return ""
-    choices = [(ladder.choice, ladder.settings, ladder.race) for ladder in ladders(case)]
-    return digest([[part_of(case, race) for race in RACES], case.accuracy.model_dump(), choices])
+    of_family = FAMILIES[case.kind].levels
+    assert of_family  # of every family whose cases may have a target
+    choices = [(ladder.choice, ladder.settings, ladder.race) for ladder in of_family().ladders(case)]
+    return digest([_parts(case), case.accuracy.model_dump(), choices])
+
+
+def _parts(case: Case | FastCase) -> list[Any]:
+    """What carries both raceways, however finely it is resolved; None where that is rigid."""
+    if isinstance(case, Case):
+        return [part_of(case, race) for race in RACES]
+    from flexbearing.rings import grooves  # finite elements are not described between rigid rings
+
+    return [grooves.shape_of(case, race) for race in RACES]

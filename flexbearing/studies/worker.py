@@ -71,16 +71,18 @@ def condense(ring: Ring | Corners, cache: str | None = None, *, here: bool = Fal
         levels = None
         if isinstance(ring, Corners):
             with rings_in(cache), linear_algebra_alone():
-                levels = shared_levels(_cases(ring), Logged())
+                cases = _cases(ring)
+                of_family = FAMILIES[cases[0].kind].levels
+                assert of_family  # of cases that share levels
+                levels = shared_levels(cases, of_family(), Logged())
         else:
             _keep(ring, cache, here=here)
     return Condensed(levels, tuple(dict.fromkeys(heard)))
 
 
-def _cases(corners: Corners) -> list[Case]:
+def _cases(corners: Corners) -> list[Head]:
     read = variants_of(corners.base)
-    cases = (read.known(variant.values, variant.in_si) for variant in corners.variants)
-    return [case for case in cases if isinstance(case, Case)]  # others have no target
+    return [read.known(variant.values, variant.in_si) for variant in corners.variants]
 
 
 def _keep(ring: Ring, cache: str | None, *, here: bool) -> None:

@@ -672,6 +672,7 @@ EFFECTS += (
                 ("relaxation", 0.101))),
             ("on side", "accuracy.patch_width", "0.6 mm",
              "inner.{last,width,mesh.raceway_size} outer.{last,width,mesh.raceway_size}"),
+            ("on side", "accuracy.target", "1 %", "case.accuracy.target"),
             ("on side", "accuracy.stations", 5, "inner.stations outer.stations"),
             ("on side", "accuracy.element_order", 4,
              "inner.mesh.{order,raceway_size} outer.mesh.{order,raceway_size}"),

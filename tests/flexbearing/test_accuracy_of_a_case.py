@@ -9,8 +9,8 @@ from pytest import approx
 
 import flexbearing
 from flexbearing.__main__ import command
+from flexbearing.accuracy.case_levels import with_accuracy
 from flexbearing.accuracy.levels import ladders
-from flexbearing.accuracy.trials import with_accuracy
 from flexbearing.api import read_case
 from flexbearing.case import BadCase
 from flexbearing.progress import Logged

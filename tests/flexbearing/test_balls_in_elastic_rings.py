@@ -123,7 +123,7 @@ def test_a_ring_under_balls_at_other_azimuths_is_another(monkeypatch):
     settings = [{"bearing.first_ball_azimuth": f"{azimuth} deg"} for azimuth in (0, 10, 0)]
     cases = [read_case(CAGE, each) for each in settings]
     built = [angular_contact.build(case) for case in cases]
-    first, other, again = angular_contact._grooves(cases, built, Logged())
+    first, other, again = angular_contact._grooves(cases, built, Logged(), {})
     assert first is again
     assert other is not first
 

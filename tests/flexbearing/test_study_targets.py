@@ -51,9 +51,9 @@ def chosen(monkeypatch):
     """Numbers of variants at which levels were chosen, for each choice."""
     found = []
 
-    def counted(cases, report):
+    def counted(cases, family, report):
         found.append(len(cases))
-        return choose(cases, report)
+        return choose(cases, family, report)
 
     choose = worker.shared_levels
     monkeypatch.setattr(worker, "shared_levels", counted)

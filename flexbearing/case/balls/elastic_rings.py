@@ -4,11 +4,21 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
-from flexbearing.case import held_ring
+from flexbearing.case import accuracy, held_ring
 from flexbearing.case.balls import groove_accuracy
 from flexbearing.case.balls.parts import EndingGroove
 from flexbearing.case.held_ring import CAGE, MATRIX, ON_SHAFT, RING, Direction
-from flexbearing.case.quantity import Angle, Force, Foundation, Length, Section, key, needed, require
+from flexbearing.case.quantity import (
+    Angle,
+    Force,
+    Foundation,
+    Fraction,
+    Length,
+    Section,
+    key,
+    needed,
+    require,
+)
 
 ELASTIC = ({"outer.kind": ("ring", "squirrel_cage", "matrix")}, {"inner.kind": ("ring_on_shaft",)})
 ON_CAM = {"kind": ("cam",)}
@@ -147,8 +157,9 @@ class BallInner(Section):
 
 
 class GrooveAccuracy(Section):
-    """How finely elastic rings with grooves are resolved."""
+    """How finely elastic rings with grooves are resolved: as given, or as a target requires."""
 
+    target: Fraction | None = accuracy.target("ball", ELASTIC)
     patch_width: Length | None = groove_accuracy.patch_width(ELASTIC)
     stations: groove_accuracy.Odd = groove_accuracy.stations(7, ELASTIC)
     element_order: int = groove_accuracy.element_order(ELASTIC)

@@ -4,6 +4,7 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
+from flexbearing.case import accuracy
 from flexbearing.case.coupling import MethodsOfCoupling
 from flexbearing.case.quantity import Fraction, Length, Section, impossible, key
 
@@ -34,14 +35,7 @@ class Coupling(MethodsOfCoupling):
 class Accuracy(Section):
     """How finely everything is resolved: as given, or as a target requires; what is given stays."""
 
-    target: Fraction | None = key(
-        "allowed numerical error of the load of every roller, over the largest load, and of the life; what "
-        "this table does not give is chosen for it, and the errors are estimated",
-        None,
-        example="1 %",
-        gt=0,
-        lt=1,
-    )
+    target: Fraction | None = accuracy.target("roller")
     slices: int = key("slices of a roller", 20, ge=2, le=1000)
     axial_shapes: int = key(
         "Legendre shapes along a roller that carry loads to the rings and deviations back", 3, ge=2, le=6

@@ -1,5 +1,8 @@
 """What was computed, where, when and with which versions."""
 
+from collections.abc import Mapping
+
+from flexbearing.quantities.coupling import LOAD_ERRORS
 from flexbearing.report.html.document import Cell, Table
 from flexbearing.report.html.reader import Reader
 from flexbearing.results.content import digest
@@ -54,7 +57,7 @@ def levels(reader: Reader) -> Table | None:
     """Levels of accuracy, what set them, and their estimated errors."""
     rows: list[tuple[Cell, ...]] = []
     for name, choice in (reader.attributes.get("choices") or {}).items():
-        changes = [choice["changes"].get(output) for output in ("roller_load", "life")]
+        changes = [_change(choice["changes"], outputs) for outputs in (LOAD_ERRORS, ("life",))]
         errors = (None if change is None else change * choice["factor"] for change in changes)
         percent = (
             reader.units.number(share, "1", "%", ".2g", f"choices/{name}/{word}")
@@ -63,6 +66,11 @@ def levels(reader: Reader) -> Table | None:
         rows.append((name, choice["level"], "the case" if choice["fixed"] else "accuracy.target", *percent))
     head = ("choice", "level", "set by", "load ± [%]", "life ± [%]", "allowed [%]")
     return Table(head, tuple(rows)) if rows else None
+
+
+def _change(changes: Mapping[str, float], outputs: tuple[str, ...]) -> float | None:
+    """The change of the one of these outputs that a bearing has."""
+    return next((changes[output] for output in outputs if output in changes), None)
 
 
 def accuracy(reader: Reader) -> str:
