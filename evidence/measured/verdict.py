@@ -25,7 +25,7 @@ def _place(prediction: Prediction, printed: Printed | None) -> str:
     if printed is None:
         return WITHOUT
     if outside := widths_outside(prediction, printed):
-        return f"outside by {outside:.2g} widths"
+        return f"outside by {outside:.2g} widths" if prediction.width else "outside a band without width"
     if printed.is_number or (printed.low <= prediction.low and prediction.high <= printed.high):
         return INSIDE
     return BOTH_SIDES
