@@ -55,7 +55,12 @@ def page(experiment: Experiment, prediction: Prediction, printed: Printed | None
         "",
         f"Registered {prediction.date}, version {prediction.version}, digest {prediction.digest}, "
         f"{prediction.rows} bearings{unsolved}. "
-        + (f"The width comes most from `{origin}`." if origin else "The band has no width."),
+        + (
+            f"The width comes most from `{origin}`. Shares are total Sobol indices of {experiment.count} base points: "
+            "trust their order, not their size."
+            if origin
+            else "The band has no width."
+        ),
         "",
         "|input that the source does not give|range|reason|share of the variance|",
         "|---|---|---|---|",
