@@ -1,8 +1,8 @@
 """Rolling contacts as the program CONTACT solves them, from the outputs that its author ships with it.
 
 Source: E.A.H. Vollebregt, CONTACT, open source version, revision 2707 of 2025-07-23, reference outputs
-(*.ref_out) of examples/fastsim.inp (case 1), tractcurv.inp (1 to 12), catt_to_cart.inp, conformal.inp and of
-testbank/testbank.inp (7). Lengths and forces are in mm and N there.
+of testbank/test_table (3220 steady cases, which src/test_table.f90 defines), examples/fastsim.inp (case 1),
+catt_to_cart.inp and conformal.inp. Lengths and forces are in mm and N there.
 """
 
 from dataclasses import dataclass
@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 from pytest import approx
+from scipy.special import ellipe, ellipk
 
 from quasidynamic.contact.half_space import CellGrid, ElasticPair, grid_over
 from quasidynamic.contact.pressure.normal_contact import (
@@ -24,8 +25,8 @@ from tests.reference.rolling_steps import RollingSteps
 ALLOWED = 2e-3  # of mu N, and of mu N sqrt(a b)
 
 
-def steel(shear=82e9, poisson=0.28):
-    return ElasticPair(shear=1 / shear, poisson=poisson / shear)
+def steel():
+    return ElasticPair(shear=1 / 82e9, poisson=0.28 / 82e9)
 
 
 def pressed(grid, curvatures, load, pair, ahead=0.0):
@@ -49,7 +50,6 @@ class Ellipse:
     moment: float = 0.0
     cells: tuple[int, int] = (44, 44)
     around: float = 1.1  # the grid over the ellipse
-    shear: float = 82e9
 
     @property
     def limit(self):
@@ -63,69 +63,103 @@ class Ellipse:
         """Forces along and across, and the spin moment."""
         half = tuple(self.around * side for side in self.semi_axes)
         grid = grid_over(half, (finer * self.cells[0], finer * self.cells[1]))
-        pressure = pressed(grid, self.curvatures, self.load, steel(self.shear)).pressure
-        contacts = RollingContacts((grid,), (steel(self.shear),), self.friction * pressure[None])
+        pressure = pressed(grid, self.curvatures, self.load, steel()).pressure
+        contacts = RollingContacts((grid,), (steel(),), self.friction * pressure[None])
         x, y = contacts.places(MID_STEP)
         along, across, spin = self.creep
         rolled = kalker(contacts, np.stack([along - spin * y + 0 * x, across + spin * x + 0 * y], 1))
         return *rolled.force[0], rolled.moment[0]
 
 
-EUROSPRINTER = {  # creep along the rolling direction: force over mu N
-    1e-5: -7.015e-3,
-    4e-4: -0.2588,
-    8e-4: -0.4742,
-    1.2e-3: -0.6482,
-    1.6e-3: -0.7831,
-    2e-3: -0.8816,
-    2.4e-3: -0.9467,
-    2.8e-3: -0.9832,
-    3.2e-3: -0.9976,
-    3.6e-3: -0.9991,
-    4e-3: -0.9993,
-    4.4e-3: -0.9994,
-}
+def curvatures(a, b, load):
+    """Of a paraboloid whose contact with steel has some semi-axes [1/m]; Johnson (1985), eq. (4.26)."""
+    large, small = max(a, b), min(a, b)
+    share = 3 * load / (2 * np.pi * a * b) * (1 - 0.28) / 82e9
+    if large == small:
+        return (np.pi * share / (4 * a),) * 2
+    m = 1 - (small / large) ** 2
+    first, second = ellipk(m), ellipe(m)
+    scale = share * small / (large**2 * m)
+    along_large, along_small = scale * (first - second), scale * ((large / small) ** 2 * second - first)
+    return (along_large, along_small) if a == large else (along_small, along_large)
+
+
+# a [mm], a/b, spin, angle [deg] and size of the creep as shares of what slides; forces over mu N, moment over
+# mu N sqrt(ab): four rows of each ellipse, drawn from 3220 of testbank/test_table_mx11.ref_fx (11 x 11 cells)
+TABLE = (
+    (4, 0.2, 0, 0, 0.1, -0.147035, 0, 0),
+    (4, 0.2, 0.5, -90, 0.4, 0, 0.241868, -0.589685),
+    (4, 0.2, 0.5, -60, 0.5, -0.219055, 0.266655, -0.567485),
+    (4, 0.2, 2, -30, 0.4, -0.110514, -0.144223, -0.825331),
+    (6, 0.5, 0, -30, 1.1, -0.750594, 0.361142, -0.026036),
+    (6, 0.5, 0.5, -30, 0.5, -0.37702, 0.066664, -0.237727),
+    (6, 0.5, 1, -30, 1.7, -0.822, 0.281856, -0.157136),
+    (6, 0.5, 2, -60, 2, -0.40264, 0.505709, -0.409157),
+    (9, 1, 0, -60, 0.9, -0.395315, 0.60953, -0.092224),
+    (9, 1, 0.5, -90, 1.7, 0, 0.886425, -0.144943),
+    (9, 1, 1, -60, 1.1, -0.405707, 0.358725, -0.306266),
+    (9, 1, 2, 0, 0.7, -0.377751, -0.547523, -0.332481),
+    (12, 2, 0, 30, 0.3, -0.366583, -0.204201, 0.067787),
+    (12, 2, 0.5, -90, 0.4, 0, 0.13677, -0.30487),
+    (12, 2, 1, -60, 1.1, -0.512272, 0.28517, -0.363327),
+    (12, 2, 1, 90, 3, 0, -0.996054, -0.028001),
+    (20, 5, 0, 90, 0.2, 0, -0.5875, 0.225498),
+    (20, 5, 0.5, 30, 2, -0.818512, -0.5436, -0.156993),
+    (20, 5, 1, 0, 1.7, -0.882582, -0.189238, -0.41323),
+    (20, 5, 2, 60, 0.4, -0.136085, -0.474189, -0.688759),
+)
+TABLE_ALLOWED = 1e-6  # six decimals are printed
+
+
+def of_table(a, ratio, spin, angle, size, *known):
+    """A row of the table: creep is made dimensionless by friction, sqrt(ab) and an effective radius."""
+    axes, load, friction = (1e-3 * a, 1e-3 * a / ratio), 82e3, 0.3
+    curved = curvatures(*axes, load)
+    by_radius, length = friction * sum(curved) / 2, np.sqrt(axes[0] * axes[1])
+    creep = size * length * by_radius
+    along, across, moment = friction * load * np.array(known)
+    direction = np.radians(angle)
+    return Ellipse(
+        semi_axes=axes,
+        curvatures=curved,
+        load=load,
+        friction=friction,
+        creep=(creep * np.cos(direction), creep * np.sin(direction), spin * by_radius),
+        force=(along, across),
+        moment=moment * length,
+        cells=(11, 11),
+        around=11 / 7,
+    )
+
+
 STEADY = {
-    "lateral creep and spin": Ellipse(
-        semi_axes=(8e-3, 4e-3),
-        curvatures=(0.8464, 2.406),
-        load=82e3,
-        friction=0.3,
-        creep=(0.0, -6.25e-4, 0.625),
-        force=(0.0, -14940.0),
-        moment=-48.21,
-    ),
-    "circle, creep -0.00304": Ellipse(
-        semi_axes=(3.5e-3, 3.5e-3),
-        curvatures=(2.963, 2.963),
-        load=0.4705e6,
-        friction=0.4013,
-        creep=(-3.04e-3, 0.0, 0.0),
-        force=(0.6466 * 0.4013 * 0.4705e6, 0.0),
-        cells=(41, 41),
-        around=4.1 / 3.5,
-        shear=1e12,
-    ),
-    **{
-        f"creep {creep:g}": Ellipse(
-            semi_axes=(6.304e-3, 12.61e-3),
-            curvatures=(0.8, 0.2814),
-            load=106.7e3,
-            friction=0.33,
-            creep=(creep, 0.0, 0.0),
-            force=(share * 0.33 * 106.7e3, 0.0),
-            cells=(48, 44),
-        )
-        for creep, share in EUROSPRINTER.items()
-    },
+    f"a/b {row[1]:g}, spin {row[2]:g}, creep {row[4]:g} at {row[3]:g} deg": of_table(*row) for row in TABLE
 }
 
 
 @pytest.mark.parametrize("ellipse", STEADY.values(), ids=STEADY.keys())
-def test_steady_rolling_of_ellipses(ellipse):
+def test_steady_rolling_to_the_printed_digits(ellipse):
     along, across, moment = ellipse.solved()
-    assert (along, across) == approx(ellipse.force, rel=0, abs=ALLOWED * ellipse.limit)
-    assert moment == approx(ellipse.moment, rel=0, abs=ALLOWED * ellipse.limit * ellipse.length)
+    limit = TABLE_ALLOWED * ellipse.limit
+    assert (along, across) == approx(ellipse.force, rel=0, abs=limit)
+    assert moment == approx(ellipse.moment, rel=0, abs=limit * ellipse.length)
+
+
+FINE = Ellipse(  # examples/fastsim.inp, case 1
+    semi_axes=(8e-3, 4e-3),
+    curvatures=curvatures(8e-3, 4e-3, 82e3),
+    load=82e3,
+    friction=0.3,
+    creep=(0.0, -6.25e-4, 0.625),
+    force=(0.0, -14940.0),
+    moment=-48.21,
+)
+
+
+def test_steady_rolling_on_finer_cells():
+    along, across, moment = FINE.solved()
+    assert (along, across) == approx(FINE.force, rel=0, abs=ALLOWED * FINE.limit)
+    assert moment == approx(FINE.moment, rel=0, abs=ALLOWED * FINE.limit * FINE.length)
 
 
 ONSET = {0: 1.774e-2, 1: 1.824e-3, 5: 2.140e-3, 10: 2.676e-3, 56: 3.101e-3}  # cells rolled: creep
