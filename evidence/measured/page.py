@@ -12,7 +12,8 @@ Registered = tuple[Prediction, Printed | None]
 
 def _range(given: Input) -> str:
     scale = ", by its logarithm" if given.logarithmic else ""
-    return f"{shown(given.low)} to {shown(given.high)} {given.unit}{scale}".replace(" um", " µm")
+    unit = f" {given.unit}".rstrip().replace("um", "µm")
+    return f"{shown(given.low)} to {shown(given.high)}{unit}{scale}"
 
 
 def _share(share: float) -> str:
