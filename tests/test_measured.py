@@ -1,5 +1,6 @@
 """Measurements: predictions first, printed values in later commits, one rule for the verdict."""
 
+import shutil
 import subprocess
 from dataclasses import replace
 from math import inf
@@ -66,7 +67,10 @@ def git(*arguments):
 
 
 def has_history():
-    return git("rev-parse", "--is-shallow-repository").stdout.strip() == "false"
+    return (
+        shutil.which("git") is not None
+        and git("rev-parse", "--is-shallow-repository").stdout.strip() == "false"
+    )
 
 
 def commits(path, *only):
