@@ -72,6 +72,7 @@ class Case:
     error: str  # how the error of ours is known
     case_files: tuple[str, ...] = ()
     reason: str = ""  # why ours differ, as far as it is known
+    chosen: str = ""  # by us, of what the source does not give and the statements hang on: no test then
     moves: float = 1e-3  # share of a number by which it may move before the check fails
     draw: Callable[[Findings], Figure] | None = None
     caption: str = ""

@@ -4,13 +4,10 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 
 from evidence.case import Case, Findings, Number
+from evidence.markdown import cells, shown
 from evidence.verdict import differs, verdict
 
 MOST_ROWS = 5  # of a page: the numbers that take most of what is allowed
-
-
-def _shown(value: float, digits: int = 6) -> str:
-    return f"{value:.{digits}g}".replace("e-0", "e-").replace("e+0", "e")
 
 
 def _percent(share: float) -> str:
@@ -21,14 +18,10 @@ def _percent(share: float) -> str:
 
 
 def _row(number: Number) -> str:
-    ours = _shown(number.ours, 6 if number.known else 1)
-    allowed = "±" + _shown(number.allowed, 2) if number.allowed else "exact"
+    ours = shown(number.ours, 6 if number.known else 1)
+    allowed = "±" + shown(number.allowed, 2) if number.allowed else "exact"
     misfit = _percent(number.misfit) if number.within else f"**{_percent(number.misfit)}**"
-    return _cells(number.name, number.unit, _shown(number.known), ours, misfit, allowed)
-
-
-def _cells(*cells: str) -> str:
-    return f"|{'|'.join(cells)}|"
+    return cells(number.name, number.unit, shown(number.known), ours, misfit, allowed)
 
 
 def _exhaustion(number: Number) -> float:
@@ -39,18 +32,18 @@ def _exhaustion(number: Number) -> float:
 
 def _beside(case: Case, findings: Findings) -> list[str]:
     lines = []
-    shown = sorted(findings.numbers, key=_exhaustion, reverse=True)[:MOST_ROWS]
-    if shown:
+    most = sorted(findings.numbers, key=_exhaustion, reverse=True)[:MOST_ROWS]
+    if most:
         lines += ["|quantity|unit|known|ours|misfit [%]|allowed|", "|---|---|---|---|---|---|"]
-        lines += [*(_row(number) for number in findings.numbers if number in shown), ""]
-    if rest := len(findings.numbers) - len(shown):
+        lines += [*(_row(number) for number in findings.numbers if number in most), ""]
+    if rest := len(findings.numbers) - len(most):
         lines += [f"{rest} more take less of what is allowed: `docs/evidence/numbers/{case.name}.json`.", ""]
     if findings.trends:
         lines += ["|the source says|ours|unit|holds|", "|---|---|---|---|"]
         for trend in findings.trends:
-            values = (f"{place}: {_shown(v, 4)}" for place, v in zip(trend.places, trend.ours, strict=True))
+            values = (f"{place}: {shown(v, 4)}" for place, v in zip(trend.places, trend.ours, strict=True))
             holds = "yes" if trend.holds else "**no**"
-            lines.append(_cells(trend.statement, "; ".join(values), trend.unit, holds))
+            lines.append(cells(trend.statement, "; ".join(values), trend.unit, holds))
         lines.append("")
     return lines
 
@@ -90,13 +83,14 @@ def page(case: Case, findings: Findings) -> str:
         "",
         f"**Run:** {case.run}" + (f" Case files: {files}." if files else ""),
         "",
+        *([f"**Chosen by us, so no test of the source:** {case.chosen}", ""] if case.chosen else []),
         *_beside(case, findings),
         f"**Our error:** {case.error}",
         "",
     ]
     if findings.errors:
         lines += ["|estimate|value|unit|", "|---|---|---|"]
-        lines += [_cells(e.name, _shown(e.value, 2), e.unit) for e in findings.errors] + [""]
+        lines += [cells(e.name, shown(e.value, 2), e.unit) for e in findings.errors] + [""]
     if case.reason:
         lines += ["## Why it differs", "", case.reason, ""]
     elif differs(verdict(case, findings)):
@@ -120,15 +114,15 @@ Each case has a page: what is known, from where, what was run, the misfit and ou
 |agrees within x %|some misfits (bold on the page) are not allowed, none is above x %|
 |differs, reason known|one above 5 %, or a statement that does not hold; the page gives the reason|
 |differs, reason not known|the same without a reason|
+|not testable|bearing, load or oil are chosen by us: agreement would say nothing|
 
 Allowed are the printed digits of the source, the scatter of its formulas, programs or measurements, or the
 error of our own grid. The tables show the number that decides the verdict: the largest misfit outside its
 allowance, or of all where all are within.
 
-**"Agrees" does not mean "measured".** Most cases compare with standards, closed forms or other programs.
-The only measured numbers are friction torques of slow ball bearings, which are not met. Skidding is
-compared with directions of published trends, without numbers; one is not met. No bearing with flexible
-rings was measured.
+**"Agrees" does not mean "measured".** [How far to trust each number](trust.md) has the largest misfit of
+every output and its kind. Friction torques of slow ball bearings were measured and are not met. No table of
+measured loads, strains or stiffnesses of a bearing with flexible rings could be had.
 """
 
 HEADING = "|case|verdict|misfit [%]|allowed [%]|"
@@ -142,13 +136,18 @@ TOCTREE = """```{toctree}
 """
 
 
-def index(cases: Sequence[Case], findings: Mapping[str, Findings]) -> str:
-    """All cases with their verdicts."""
+def index(cases: Sequence[Case], findings: Mapping[str, Findings], measurements: str) -> str:
+    """All cases with their verdicts, measurements first."""
     verdicts = {case.name: verdict(case, findings[case.name]) for case in cases}
     kinds = Counter("agrees within 5 %" if v.startswith("agrees w") else v for v in verdicts.values())
     count = ", ".join(f"{number} {kind}" for kind, number in sorted(kinds.items()))
     values = sum(len(found.numbers) + len(found.trends) for found in findings.values())
-    lines = [HEAD, f"{len(cases)} cases with {values} known numbers and statements: {count}.", ""]
+    lines = [
+        HEAD,
+        measurements,
+        f"{len(cases)} cases with {values} known numbers and statements: {count}.",
+        "",
+    ]
     for subject in dict.fromkeys(case.subject for case in cases):
         lines += [f"## {subject}", "", HEADING, "|---|---|---|---|"]
         for case in (case for case in cases if case.subject == subject):

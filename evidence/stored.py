@@ -8,7 +8,8 @@ from pathlib import Path
 from evidence.case import Case, Estimate, Findings, Number, Trend
 from evidence.verdict import verdict
 
-DOCS = Path(__file__).parents[1] / "docs" / "evidence"
+ROOT = Path(__file__).parents[1]
+DOCS = ROOT / "docs" / "evidence"
 
 
 def file_of(case: Case) -> Path:

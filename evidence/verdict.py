@@ -3,7 +3,8 @@
 from evidence.case import Case, Findings
 
 STEPS = (0.001, 0.002, 0.005, 0.01, 0.02, 0.05)  # misfits beyond the last one are called a difference
-AGREES, WITHIN, KNOWN, UNKNOWN = (
+NOT_TESTABLE, AGREES, WITHIN, KNOWN, UNKNOWN = (
+    "not testable",
     "agrees",
     "agrees within {:g} %",
     "differs, reason known",
@@ -17,7 +18,9 @@ def worst(findings: Findings) -> float:
 
 
 def verdict(case: Case, findings: Findings) -> str:
-    """Agreement within what is allowed, within a step, or a difference with or without a known reason."""
+    """Agreement within what is allowed or a step, a difference with or without a known reason, or no test."""
+    if case.chosen:
+        return NOT_TESTABLE
     largest = worst(findings)
     if all(trend.holds for trend in findings.trends) and largest <= STEPS[-1]:
         if largest == 0.0:

@@ -5,8 +5,12 @@ from dataclasses import replace
 
 import pytest
 
+from evidence import trust
 from evidence.case import Case, Estimate, Findings, Number, Trend
 from evidence.cases import CASES
+from evidence.measured.experiments import EXPERIMENTS
+from evidence.measured.page import listed
+from evidence.measured.stored import all_registered
 from evidence.page import index, page
 from evidence.stored import DOCS, moved, read
 from evidence.verdict import verdict
@@ -24,16 +28,54 @@ def test_page_is_what_its_declaration_and_its_numbers_say(case, kept):
     assert (DOCS / f"{case.name}.md").read_text() == page(case, kept[case.name])
 
 
-def test_index_lists_every_case_with_its_verdict(kept):
+@pytest.fixture(scope="module")
+def registered():
+    return all_registered(EXPERIMENTS.values())
+
+
+def test_index_lists_every_case_with_its_verdict(kept, registered):
     text = (DOCS / "index.md").read_text()
-    assert text == index(list(CASES.values()), kept)
-    assert re.findall(r"\]\((.+?)\.md\)", text) == [
+    measurements = listed(EXPERIMENTS.values(), registered)
+    assert text == index(list(CASES.values()), kept, measurements)
+    assert set(re.findall(r"\]\((.+?)\.md\)", measurements)) == set(EXPERIMENTS)
+    cases = text.split("known numbers and statements")[1]
+    assert re.findall(r"\]\((.+?)\.md\)", cases) == [
         case.name for case in sorted(CASES.values(), key=lambda case: subjects().index(case.subject))
     ]
 
 
+def test_table_of_trust_is_what_the_evidence_says_on_one_screen(kept, registered):
+    text = (DOCS / "trust.md").read_text()
+    assert text == trust.page(kept, registered)
+    assert len(trust.ROWS) <= trust.MOST_ROWS
+    assert {name for row in trust.ROWS for name in row.measured} == set(EXPERIMENTS)
+
+
+def test_table_of_trust_shows_the_largest_misfit_of_each_kind(kept):
+    (torque,) = (row for row in trust.ROWS if (row.family, row.output) == (trust.SLOW, "torque"))
+    size, name = trust.largest(torque, "measured", kept)
+    assert (name, round(100 * size)) == ("joshi-measured", 24)
+    larger = replace(kept["joshi-measured"].numbers[0], ours=0.0)
+    changed = {**kept, "joshi-measured": replace(kept["joshi-measured"], numbers=(larger,))}
+    assert trust.largest(torque, "measured", changed) == (1.0, "joshi-measured")
+    assert trust.largest(torque, "closed form", kept) is None
+
+
+@pytest.mark.parametrize("row", trust.ROWS, ids=lambda row: f"{row.family}, {row.output}")
+def test_every_comparison_of_the_table_of_trust_has_numbers(row, kept):
+    assert all(compared.numbers(kept) for compared in row.compared)
+
+
 def subjects():
     return list(dict.fromkeys(case.subject for case in CASES.values()))
+
+
+def test_statements_on_bearings_that_we_chose_are_no_tests():
+    assert {case.name for case in CASES.values() if case.chosen} == {
+        "gearbox-slip",
+        "skidding",
+        "skidding-guidance",
+    }
 
 
 def test_there_are_forty_cases_of_many_sources():
@@ -42,7 +84,7 @@ def test_there_are_forty_cases_of_many_sources():
 
 
 def test_no_page_is_left_over():
-    pages = {path.stem for path in DOCS.glob("*.md")} - {"index"}
+    pages = {path.stem for path in DOCS.glob("*.md")} - {"index", "trust", *EXPERIMENTS}
     numbers = {path.stem for path in (DOCS / "numbers").glob("*.json")}
     figures = {path.stem for path in (DOCS / "figures").glob("*.png")}
     assert pages == numbers == set(CASES)
@@ -94,6 +136,8 @@ def toy(ours, allowed=0.0, holds=True, **changes):
         (94.9, {}, "differs, reason not known"),
         (94.9, {"reason": "another load"}, "differs, reason known"),
         (100.0, {"holds": False}, "differs, reason not known"),
+        (100.0, {"chosen": "the bearing"}, "not testable"),
+        (94.9, {"chosen": "the bearing"}, "not testable"),
     ],
 )
 def test_verdict_follows_from_the_numbers(ours, changes, expected):

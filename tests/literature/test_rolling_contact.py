@@ -1,4 +1,4 @@
-"""Rolling contact against closed solutions, Kalker's table and the program CONTACT."""
+"""Rolling contact against closed solutions and Kalker's table."""
 
 import numpy as np
 import pytest
@@ -129,29 +129,3 @@ def test_spheres_under_a_side_force_slip_in_a_ring(share):
     force, radius = cattaneo(share)
     assert force == approx(share, rel=0.002)
     assert radius == approx((1 - share) ** (1 / 3), abs=2 / 64)
-
-
-CONTACT = {"lateral force": -14940.0, "spin moment": -48.21}  # [N], [N m]
-
-
-def lateral_creep_and_spin(cells=44):
-    """Force and moment of example fastsim.inp of CONTACT, first case."""
-    a, b, load = 8e-3, 4e-3, 82000.0
-    grid = grid_over((1.1 * a, 1.1 * b), (cells, cells))
-    x, y = grid.centres
-    pressure = np.where((x / a) ** 2 + (y / b) ** 2 < 1, hertz_pressure(grid, (a, b), load), 0.0)
-    pressure *= load / (pressure.sum() * grid.cell_area)
-    steel = ElasticPair(shear=1 / 82e9, poisson=0.28 / 82e9)
-    contacts = RollingContacts((grid,), (steel,), 0.3 * pressure[None])
-    x, y = contacts.places(MID_STEP)
-    creep = np.stack([-0.625 * y + 0 * x, -6.25e-4 + 0.625 * x + 0 * y], 1)
-    rolled = kalker(contacts, creep)
-    return rolled.force[0], rolled.moment[0]
-
-
-def test_lateral_creep_and_spin_as_in_contact():
-    """Example fastsim.inp of CONTACT (first case), 44 by 44 cells: forces to its printed digits."""
-    (along, across), moment = lateral_creep_and_spin()
-    assert along == approx(0.0, abs=0.01)
-    assert across == approx(CONTACT["lateral force"], rel=0.001)
-    assert moment == approx(CONTACT["spin moment"], rel=0.002)
