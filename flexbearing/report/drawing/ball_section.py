@@ -38,6 +38,11 @@ def one_groove(words: Words) -> Drawing:
     _label(sheet, case, angle, stated)
     for path in ("bearing.clearance_class", "bearing.fits.cold_clearance"):
         sheet.label(path, _at(bearing, 0.5, 0.5 * angle))
+    if pair := bearing.second_row:
+        arrangement = pair.arrangement.replace("_", " ")
+        sheet.notes.append(
+            f"One row of two, {arrangement}, {1e3 * pair.distance:.4g} mm apart: that which +x presses."
+        )
     _thrust(sheet, bearing)
     return _finished(sheet, "two points under thrust")
 
