@@ -1,7 +1,9 @@
-"""Calls of worker processes that load nothing."""
+"""Calls of worker processes that load little."""
 
 import os
 import time
+
+from quasidynamic.errors import NotSolved
 
 
 def own_process(place):
@@ -16,4 +18,27 @@ def second(folder):
     while len(list(folder.iterdir())) < 2:
         assert time.monotonic() < gone_by
         time.sleep(0.02)
+    return number
+
+
+def process_of(number):
+    time.sleep(0.01 * (number % 3))
+    return number, os.getpid()
+
+
+def unsolved(number):
+    if number == 3:
+        raise NotSolved("number 3", "stalled")
+    return number
+
+
+def dead(_):
+    os._exit(1)
+
+
+def dead_once(number, place):
+    """The first worker that is given the number 3 dies."""
+    if number == 3 and not place.exists():
+        place.touch()
+        os._exit(1)
     return number
