@@ -130,7 +130,9 @@ def test_a_ring_under_balls_at_other_azimuths_is_another(monkeypatch):
 
 def test_a_study_condenses_each_ring_once_before_its_rows(tmp_path, monkeypatch):
     ring = "\n".join(
-        f'"{key}" = {json.dumps(value)}' for key, value in RING.items() if key != "outer.thickness"
+        f'"{key}" = {json.dumps(value)}'
+        for key, value in (RING | {"accuracy.stations": 3, "accuracy.patch_width": "2 mm"}).items()
+        if key != "outer.thickness"
     )
     over = '"outer.thickness" = ["3.65 mm", "5 mm"]\n"operation.load.radial_z" = ["4 kN", "6 kN"]'
     file = tmp_path / "study.toml"

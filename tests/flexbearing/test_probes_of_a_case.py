@@ -1,6 +1,5 @@
 """Probes of a case: one number each by name in runs, studies, maps, sensitivities and passages."""
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -9,8 +8,6 @@ import pytest
 from pytest import approx
 
 import flexbearing
-from fem.solid.extremes import von_mises
-from fem.solid.lattice import hooke
 from flexbearing import AbsentOutput, BadCase, Case
 from flexbearing.build.probes import probes
 from flexbearing.progress import Logged
@@ -59,14 +56,7 @@ def test_every_probe_has_its_numbers_by_name(result):
 
 
 def test_readings_are_those_of_the_stored_fields(result):
-    """Largest von Mises stress of the ring, by Hooke's law from a probe at its place."""
     (outer,) = stored_fields.of_result(result)
-    largest = outer.extremes["ring"].von_mises
-    probe = probes(HEAD, "outer")[0]
-    depth = outer.part.raceway_diameter / 2 + outer.part.thickness - largest.radius
-    there = replace(probe, azimuth=largest.azimuth, x=largest.x, depth=max(depth, 0.0), length=0.0)
-    strain = outer.readings([there]).strain.T
-    assert von_mises(hooke(strain, outer.part.elastic)) == approx(largest.value, rel=1e-3)
     again = outer.readings(list(probes(HEAD, "outer").values()))
     assert again.gauge_strain == approx(result.flexible["probe_gauge_strain"], rel=1e-9)
 

@@ -1,7 +1,6 @@
 """Worker processes: answers, exceptions, deaths, starts that fail, and the end."""
 
 import os
-import time
 from contextlib import closing
 
 import pytest
@@ -9,19 +8,10 @@ import pytest
 from flexbearing.program import interpreter
 from flexbearing.program.interpreter import Interpreter, NeverStarted
 from flexbearing.program.processes import STARTS, Processes
+from tests.flexbearing.process_calls import own_process, second
 from tests.flexbearing.test_interpreter import await_gone, both, with_a_child
-from tests.flexbearing.toy_studies import own_process
 
 pytestmark = pytest.mark.usefixtures("two_cores")
-
-
-def second(folder):
-    """The process; after another one has begun a call, too."""
-    number, gone_by = own_process(folder), time.monotonic() + 120
-    while len(list(folder.iterdir())) < 2:
-        assert time.monotonic() < gone_by
-        time.sleep(0.02)
-    return number
 
 
 def test_answers_exceptions_and_deaths_are_handed_back():

@@ -2,7 +2,6 @@
 
 import os
 import signal
-import time
 from functools import partial
 from pathlib import Path
 
@@ -17,6 +16,8 @@ from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, Ri
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
 from tests.ball_bearings import slow_bearing
+from tests.flexbearing import process_calls
+from tests.flexbearing.process_calls import dead, dead_once, process_of, unsolved
 from tests.flexbearing.test_interruptions import ended, started, wait_for
 
 pytestmark = pytest.mark.usefixtures("two_cores")
@@ -24,29 +25,6 @@ pytestmark = pytest.mark.usefixtures("two_cores")
 JOSHI = Path(__file__).parents[2] / "configs" / "joshi2015_fourpoint.toml"
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
 NUMBERS = range(2 * FEWEST)
-
-
-def process_of(number):
-    time.sleep(0.01 * (number % 3))
-    return number, os.getpid()
-
-
-def unsolved(number):
-    if number == 3:
-        raise NotSolved("number 3", "stalled")
-    return number
-
-
-def dead(_):
-    os._exit(1)
-
-
-def dead_once(number, place):
-    """The first worker that is given the number 3 dies."""
-    if number == 3 and not place.exists():
-        place.touch()
-        os._exit(1)
-    return number
 
 
 def in_two_processes(function):
@@ -60,7 +38,7 @@ def children(process):
 
 def test_workers_that_load_a_module_ahead_give_the_same_answers_and_end(monkeypatch):
     started_ones = children(os.getpid())
-    with shared_map(ahead=__name__) as mapped:
+    with shared_map(ahead=process_calls.__name__) as mapped:
         assert len(children(os.getpid())) == len(started_ones) + 2
         numbers, processes = zip(*mapped(process_of, NUMBERS), strict=True)
         assert [number for number, _ in mapped(process_of, NUMBERS)] == [*NUMBERS]
@@ -68,7 +46,7 @@ def test_workers_that_load_a_module_ahead_give_the_same_answers_and_end(monkeypa
     assert os.getpid() not in processes  # one may have answered all before the other was loaded
     assert children(os.getpid()) == started_ones
     monkeypatch.setenv("FLEXBEARING_THREADS", "1")
-    with shared_map(ahead=__name__) as mapped:
+    with shared_map(ahead=process_calls.__name__) as mapped:
         assert children(os.getpid()) == started_ones
         assert {process for _, process in mapped(process_of, NUMBERS)} == {os.getpid()}
 

@@ -102,12 +102,6 @@ def deadly_here(ring, place, *, here=False):
         file.write(f"{ring.race}\n")
 
 
-def own_process(place):
-    """The process, which stands in a file, too."""
-    (place / str(os.getpid())).touch()
-    return os.getpid()
-
-
 def deadly_level(run):
     """The same answer on every level of `pareto`, but the process of 5 slices is killed."""
     if run.name == "5 slices":
