@@ -226,7 +226,7 @@ def test_balls_off_both_races_fall_back_on_them():
     own = balance((3.0, -0.1, 0.2, 0.0, 0.0), "outer")
     ring = np.zeros((1, 5))
     inside = np.full((1, BEARING.balls), 0.9j * BEARING.outer_reach)
-    ring[0, 0] = -own.unloaded_groove.real
+    ring[0, 0] = -own.unloaded_groove[0].real
     assert (np.abs(own.grooves(ring) - inside) < BEARING.inner_reach).all()
     pull = 1j * own.free_centrifugal + np.zeros_like(inside)
     found, centres = frozen_solve(own, (ring, inside), (pull, np.zeros((1, 5))), 1e-9, 400)
