@@ -52,7 +52,7 @@ def sensitivities(
     friction has no derivatives; `UnknownOutput`, `WrongUnit` for texts that name no output; `NotSolved` where
     there is no equilibrium.
     """
-    refused = {"operation.control": case.operation.control == "coulomb"}
+    refused = {"operation.control": case.operation.control in ("coulomb", "oil")}
     refused |= {"outer.bilateral": case.outer.lifts_off}
     refused |= {"friction.model": case.friction.model != "full_sliding"}
     for key, given in refused.items():
