@@ -13,7 +13,7 @@ from quasidynamic.contact.ellipse.rigid_slip import CENTRE
 from quasidynamic.contact.film import Film
 from quasidynamic.contact.lubricated_ellipse import LubricatedRaces
 from quasidynamic.contact.traction import RollingShear
-from quasidynamic.motion.ball_slip import AXIAL, INNER, ORBIT, BallContacts
+from quasidynamic.motion.ball_slip import AXIAL, ORBIT, BallContacts
 
 STANDSTILL = 1e-5  # of the pitch radius: mean surface speed over that of the rings below which it is rounded
 
@@ -59,7 +59,7 @@ class OiledContacts:
 
     races: LubricatedRaces
     speed: NDArray  # (N) [rad/s] of the rings against each other, > 0
-    hold: NDArray  # (N, 2) [-] part of the load that drives which is there, see `driving_load`
+    hold: NDArray  # (N) [-] part of the loads that drive which is there, see `driving_load`
     mean_by_motion: NDArray  # (N, 2, 4) [m] mean surface speed by the motion, of rings seen from the orbit
 
     def taken(self, keep: NDArray) -> "OiledContacts":
@@ -76,7 +76,7 @@ class OiledContacts:
         speed = self.speed[:, None] * entrainment
         sliding, film = self.races.traction(slip, ellipse, self.speed, speed, points)
         rolling = self.races.rolling(ellipse.traction, ellipse.width, speed)
-        rolling = RollingShear(*(self.hold * each for each in rolling))
+        rolling = RollingShear(*(self.hold[:, None] * each for each in rolling))
         return OiledFriction(sliding, film, rolling, entrainment, mean / entrainment)
 
     def rolling_by_motion(self, friction: OiledFriction) -> NDArray:
@@ -110,7 +110,7 @@ class OiledContacts:
         drag, by_speed = ball_drag_force(
             self.speed * pitch * orbit, diameter, laws.oil, laws.oil_fraction, laws.drag_coefficient
         )
-        drag, by_speed = self.hold[:, INNER] * drag, self.hold[:, INNER] * by_speed
+        drag, by_speed = self.hold * drag, self.hold * by_speed
         left, slopes = np.zeros((count, 4)), np.zeros((count, 4, 4))
         left[:, ORBIT] = -pitch * drag
         slopes[:, ORBIT, ORBIT] = self.speed * pitch**2 * by_speed
@@ -123,7 +123,7 @@ class OiledContacts:
             churning, by_spin = ball_churning(
                 self.speed * size, diameter, laws.oil, oil_fraction=laws.oil_fraction, gap=laws.churning_gap
             )
-            churning, by_spin = self.hold[:, INNER] * churning, self.hold[:, INNER] * by_spin
+            churning, by_spin = self.hold * churning, self.hold * by_spin
             whole = (churning / np.where(size > 0, size, 1.0))[:, None, None]
             outer = along[:, :, None] * along[:, None, :]
             matrix = whole * (np.eye(3) - outer) + (self.speed * by_spin)[:, None, None] * outer

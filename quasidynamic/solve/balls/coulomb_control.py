@@ -206,7 +206,7 @@ class CoulombControl:
             self._ellipses(axes, loads),
             self.bearing.ball.inertia * ahead[moving] ** 2,
             outer_speed[moving] / ahead[moving],
-            self.oil and (self.oil, np.abs(ahead[moving]), driven.hold[:, moving].T),
+            self.oil and (self.oil, np.abs(ahead[moving]), driven.hold[:, moving].prod(0)),
         )
 
     def oiled(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> OiledBalls:
