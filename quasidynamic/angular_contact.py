@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.angular_contact import AngularBalance, race_contacts
+from quasidynamic.balance.balls.angular_contact import AngularBalance, lubricated_races, race_contacts
 from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves
 from quasidynamic.balance.balls.race_control import PrescribedControl, RaceControl
 from quasidynamic.balance.balls.rolling_ball import rolling_ball
@@ -16,8 +16,10 @@ from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.point_contact import PointContact
 from quasidynamic.contact.ellipse.rigid_slip import Spin
 from quasidynamic.contact.half_space import ElasticPair, elastic_pair
+from quasidynamic.contact.lubrication import BallLubrication
 from quasidynamic.errors import ImpossiblePart, NotSolved, OutOfRange, require_positive
 from quasidynamic.motion.ball_slip import BallContacts
+from quasidynamic.motion.ball_speeds import Control
 from quasidynamic.outcome.angular_contact_state import AngularContactState
 from quasidynamic.outcome.fast_balls import FastRollingBalls
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
@@ -36,8 +38,8 @@ LEAST_SHARE = 1e-3  # of a motion without a force: component that is reported
 class AngularContactBallBearing:
     """An angular-contact ball bearing between rigid rings, or between grooves that give way.
 
-    What balls do follows from an assumption on which race controls their spin, or, with control "coulomb",
-    from the friction of their contacts.
+    What balls do follows from an assumption on which race controls their spin, or from the friction of their
+    contacts: of dry ones with control "coulomb", of lubricated ones with "oil".
 
     >>> from quasidynamic.parts.ball import Ball, Groove
     >>> from quasidynamic.parts.material import Material
@@ -54,13 +56,19 @@ class AngularContactBallBearing:
     """
 
     bearing: AngularContactBearing
-    control: Literal["outer", "inner", "equal", "coulomb"] = "outer"  # "coulomb": none, friction decides
+    control: Literal["outer", "inner", "equal", "coulomb", "oil"] = "outer"  # the last two: friction decides
     friction: float | None = None  # [-] Coulomb coefficient of the contacts; no torque of friction without it
     spin: Spin = "centre"  # that makes slip across in contacts: of their middle as Jones, or of each point
     sticking: tuple[int, int] | None = None  # cells over each contact, for FASTSIM in the balance of friction
     interface_compliance: float = 0.0  # [m] elastic slip of an interface at mu p; assumed, none by theory
+    lubrication: BallLubrication | None = None  # laws of the oil, with control "oil"
 
     def __post_init__(self):
+        if (self.control == "oil") != (self.lubrication is not None):
+            raise ImpossiblePart(
+                f'control = "{self.control}" with lubrication = {self.lubrication}: control = "oil" needs '
+                "it, no other has any"
+            )
         if self.control == "coulomb" and self.friction is None:
             raise ImpossiblePart(
                 'control = "coulomb" with friction = None: it needs a coefficient of friction'
@@ -125,7 +133,11 @@ class AngularContactBallBearing:
         """
         balls, ring = solution.forces(balance)
         kinematics, scale, control, heat = balls.kinematics, self._scale, self._race_control, None
-        if isinstance(control, CoulombControl):
+        oiled = None
+        if isinstance(control, CoulombControl) and control.oil is not None:
+            oiled = control.oiled(balls.contacts, balance.speeds, balance.free_centrifugal)
+            heat = oiled.heat
+        elif isinstance(control, CoulombControl):
             heat = control.heat(balls.contacts, balance.speeds, balance.free_centrifugal)
         states: list[AngularContactState | NotSolved] = []
         for case, operation in enumerate(operations):
@@ -163,6 +175,7 @@ class AngularContactBallBearing:
                     friction=self.friction,
                     spin=self.spin,
                     sliding_heat=None if heat is None else heat[case],
+                    oil=oiled and oiled.of_case(case),
                     sticking=self.sticking is not None,
                     imbalance=float(solution.imbalance[case]),
                     groove_displacement=None if groove_displacements is None else groove_displacements[case],
@@ -214,12 +227,15 @@ class AngularContactBallBearing:
 
     @cached_property
     def _race_control(self) -> RaceControl:
+        if self.lubrication is not None:
+            races = lubricated_races(self.bearing, self._contacts, self.lubrication)
+            return CoulombControl(self.bearing, self._contacts, 1.0, self.spin, oil=races)
         if self.control == "coulomb":
             friction, stick = cast(float, self.friction), None
             if self.sticking is not None:
                 stick = StickingContacts(self._pairs, self.sticking, self.interface_compliance)
             return CoulombControl(self.bearing, self._contacts, friction, self.spin, stick)
-        return PrescribedControl(self.bearing, self.control)
+        return PrescribedControl(self.bearing, cast(Control, self.control))
 
     def _too_wide(self, loads: NDArray) -> bool:
         """Whether friction is asked of contacts (2, Z) nearly as wide as the ball."""

@@ -2,20 +2,39 @@
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
 import quasidynamic as qd
-from flexbearing.case.roller import Case
-from quasidynamic.contact.film import composite_roughness
+from quasidynamic.contact.film import ELLIPTIC_FORMULAS, composite_roughness
+from quasidynamic.contact.lubrication import BallLubrication
 from quasidynamic.contact.traction import ROLLING_LAWS, TractionLaw, in_any_contact
 from quasidynamic.parts.oil_properties import two_point_oil
 
+if TYPE_CHECKING:  # checking rollers loads no balls, and the other way round
+    from flexbearing.case.balls.angular_contact import FastCase
+    from flexbearing.case.roller import Case
 
-def lubrication(case: Case) -> qd.Lubrication:
-    """Oil of a case and the laws it follows."""
-    lubricant = case.lubricant
+    Lubricated = Case | FastCase
+
+
+def lubrication(case: "Case") -> qd.Lubrication:
+    """Oil of a case with rollers and the laws it follows."""
+    return qd.Lubrication(film=qd.FORMULAS[case.lubricant.film], **_laws(case))
+
+
+def ball_lubrication(case: "FastCase") -> BallLubrication | None:
+    """Oil of a case whose balls it moves, and the laws it follows; None where it does not."""
+    if case.operation.control != "oil":
+        return None
+    assert case.lubricant  # checked on reading
+    return BallLubrication(film=ELLIPTIC_FORMULAS[case.lubricant.film], **_laws(case))
+
+
+def _laws(case: "Lubricated") -> dict[str, Any]:
+    """Oil and laws, but for that of the film."""
+    lubricant: Any = case.lubricant
     traction = _FLUIDS[lubricant.traction](case)
     if lubricant.mixed is not None:
         from flexbearing.build.rough_surfaces import mixed
@@ -23,20 +42,19 @@ def lubrication(case: Case) -> qd.Lubrication:
         rough = roughness(case)
         assert rough is not None  # checked on reading
         traction = mixed(lubricant.mixed, rough, traction)
-    return qd.Lubrication(
-        oil=oil(case),
-        oil_fraction=lubricant.oil_fraction,
-        traction=traction,
-        film=qd.FORMULAS[lubricant.film],
-        rolling=ROLLING_LAWS[lubricant.rolling],
-        inlet_heating=lubricant.inlet_heating,
-        inlet_length=lubricant.inlet_length,
-        drag_coefficient=lubricant.drag_coefficient,
-        churning_gap=lubricant.churning_gap,
-    )
+    return {
+        "oil": oil(case),
+        "oil_fraction": lubricant.oil_fraction,
+        "traction": traction,
+        "rolling": ROLLING_LAWS[lubricant.rolling],
+        "inlet_heating": lubricant.inlet_heating,
+        "inlet_length": lubricant.inlet_length,
+        "drag_coefficient": lubricant.drag_coefficient,
+        "churning_gap": lubricant.churning_gap,
+    }
 
 
-def oil(case: Case) -> qd.Lubricant:
+def oil(case: "Lubricated") -> qd.Lubricant:
     """The oil at the inlet temperature, with its notes."""
     # Which values are there depends on how the oil is described, checked on reading.
     lubricant: Any = case.lubricant
@@ -54,17 +72,18 @@ def oil(case: Case) -> qd.Lubricant:
     )
 
 
-def roughness(case: Case) -> NDArray | None:
+def roughness(case: "Lubricated") -> NDArray | None:
     """Composite roughness (2) of inner and outer contact [m]; None when the case does not give it."""
-    surfaces = case.bearing.roughness
+    surfaces: Any = case.bearing.roughness
     if surfaces is None:
         return None
-    return composite_roughness(surfaces.roller, [surfaces.inner_raceway, surfaces.outer_raceway])
+    element = surfaces.roller if hasattr(surfaces, "roller") else surfaces.ball
+    return composite_roughness(element, [surfaces.inner_raceway, surfaces.outer_raceway])
 
 
-def oil_name(case: Case) -> str:
+def oil_name(case: "Lubricated") -> str:
     """What the oil is called in notes."""
-    lubricant = case.lubricant
+    lubricant: Any = case.lubricant
     return lubricant.oil or (lubricant.data_sheet.name if lubricant.data_sheet else "the given oil")
 
 
@@ -85,7 +104,7 @@ def _data_sheet_oil(sheet):
     )
 
 
-def _eyring(case: Case) -> Callable[..., TractionLaw]:
+def _eyring(case: "Lubricated") -> Callable[..., TractionLaw]:
     lubricant: Any = case.lubricant
     stress = lubricant.eyring_stress or 2 * lubricant.limiting_ratio / oil(case).pressure_viscosity
     return partial(
@@ -96,12 +115,12 @@ def _eyring(case: Case) -> Callable[..., TractionLaw]:
     )
 
 
-def _bair_winer(case: Case) -> Callable[..., TractionLaw]:
+def _bair_winer(case: "Lubricated") -> Callable[..., TractionLaw]:
     lubricant: Any = case.lubricant
     return partial(qd.BairWiner, limiting_ratio=lubricant.limiting_ratio, film_heating=lubricant.film_heating)
 
 
-def _adore(case: Case) -> Callable[..., TractionLaw]:
+def _adore(case: "Lubricated") -> Callable[..., TractionLaw]:
     from quasidynamic.contact.traction.adore import ADORE_OILS
 
     lubricant: Any = case.lubricant
@@ -110,15 +129,16 @@ def _adore(case: Case) -> Callable[..., TractionLaw]:
     )
 
 
-def _four_point(case: Case) -> Callable[..., TractionLaw]:
-    points: Any = case.lubricant.traction_curve
+def _four_point(case: "Lubricated") -> Callable[..., TractionLaw]:
+    lubricant: Any = case.lubricant
+    points = lubricant.traction_curve
     curve = qd.FourPointCurve.through(
         at_rest=points.at_rest, peak=points.peak, peak_slip=points.peak_slip, far=points.far
     )
     return partial(in_any_contact, curve)
 
 
-_FLUIDS: dict[str, Callable[[Case], Callable[..., TractionLaw]]] = {
+_FLUIDS: dict[str, Callable[[Any], Callable[..., TractionLaw]]] = {
     "4109": lambda case: qd.Regression4109,
     "eyring": _eyring,
     "bair-winer": _bair_winer,

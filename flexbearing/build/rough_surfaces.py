@@ -5,7 +5,7 @@ from functools import partial
 
 from numpy.typing import NDArray
 
-from flexbearing.case.roller.lubricant import Mixed
+from flexbearing.case.film_oil import Mixed
 from quasidynamic.contact.traction import TractionLaw, in_any_contact
 from quasidynamic.contact.traction.asperity_friction import AsperityFriction, Carter, RoundedCoulomb
 from quasidynamic.contact.traction.mixed import (

@@ -34,14 +34,21 @@ from flexbearing.quantities.reductions import (
     tilts,
 )
 from flexbearing.quantities.stiffness import RADIAL_STIFFNESSES
-from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, MREV, RPM, UM
+from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, MREV, PERCENT, RPM, UM
 
 STIFFNESSES = ("stiffness_xx", "stiffness_yy", "stiffness_zz")  # whose errors are estimated
-DRY_TORQUE = "friction torque (dry contacts only; no cage, no oil)"
+DRY_TORQUE = "friction torque (no cage; dry without control oil)"
 RING = "ring"  # section of the page
 _APART = "NaN for a ball without lines, as one that does not touch both races"
 _FRICTION = "absent where a contact is as wide as the surface it presses"
 _SLIDING = "absent in full sliding"
+_IN_OIL = "absent but with control oil"
+LOSSES = {
+    "sliding": "sliding in the contacts",
+    "rolling": "hydrodynamic rolling friction of the oil film",
+    "drag": "drag of the mixture on the orbiting balls",
+    "churning": "churning around the spinning balls",
+}
 _UNRATED = "absent at rest, and where ISO 281 has no rating and the case gives none"
 _CELLS = "of the ball that carries most on both races; absent in full sliding"
 _ORDER = "x, y, z, about y, about z; about the point of the axis in the plane of the inner groove centres"
@@ -135,11 +142,13 @@ QUANTITIES = (
         "moment that turns the ball's axis with the orbit", people=Unit("mN m", 1e3),
         summary=(SummaryValue("gyroscopic_moment_range_Nm", finite_range, "gyroscopic moment", ".4f",
             in_si=True, entries=EXTENT),)),
-    Quantity("friction_torque", "", "", "N m", "block", "torque between the rings by Coulomb friction in "
-        f"dry contacts, cage and oil not counted, by friction.model, with any race control; {_FRICTION}",
+    Quantity("friction_torque", "", "", "N m", "block", "torque between the rings, all heat over their "
+        "speed: by Coulomb friction in dry contacts, cage and oil not counted, by friction.model; with "
+        f"control oil by its tractions, rolling friction, drag and churning; {_FRICTION}",
         source="friction.friction_torque", optional=True,
         summary=(SummaryValue("friction_torque_Nm", label=DRY_TORQUE, digits=".4g"),)),
-    Quantity("friction_heat", "Phi", "Z", "W", "block", f"heat of friction of both contacts; {_FRICTION}",
+    Quantity("friction_heat", "Phi", "Z", "W", "block",
+        f"heat of friction of both contacts, with control oil by all its causes; {_FRICTION}",
         source="friction.friction_heat", optional=True,
         summary=(SummaryValue("friction_heat_range_W", finite_range, "heat of friction of a ball", ".4g",
             entries=EXTENT),)),
@@ -167,6 +176,51 @@ QUANTITIES = (
         f"largest friction forces; {_SLIDING}", source="rolling.unbalanced_section_force",
         optional=True, summary=(SummaryValue("largest_unbalanced_section_force", lambda force: force.max(),
             "force in the section plane that stick leaves unbalanced", ".2g"),)),
+
+    # oil
+    Quantity("ring_torque", "T_i, T_o", "race", "N m", "block",
+        f"torque that turns each ring (inner, outer) against its balls, positive to +azimuth; {_IN_OIL}",
+        source="oil.ring_torques", optional=True,
+        summary=(SummaryValue("ring_torque_Nm", label="torque of the ring", digits=".4g", parts=RACES),)),
+    *(
+        Quantity(f"loss_{cause}", "", "", "W", "block", f"power lost by {words}; {_IN_OIL}",
+            source=f"oil.losses.{cause}", optional=True,
+            summary=(SummaryValue(f"power_loss_W.{cause}", label=f"power lost by {words}", digits=",.3g"),))
+        for cause, words in LOSSES.items()
+    ),
+    Quantity("mean_ball_slip", "s", "", "1", "block",
+        "mean of ball_slip over the balls that both races guide, as they drive a cage; absent where there "
+        f"are none, and {_IN_OIL}", source="oil.mean_ball_slip", people=PERCENT, optional=True,
+        summary=(SummaryValue("mean_ball_slip_percent", label="mean slip of the balls", digits=".2f"),)),
+    Quantity("ball_slip", "", "Z", "1", "block",
+        "1 - orbital speed / that without slip in the middle of both contacts, with the same axis, both "
+        f"against the outer ring; positive: the ball lags behind; {_IN_OIL}",
+        source="oil.slip", people=PERCENT, optional=True,
+        summary=(SummaryValue("ball_slip_range_percent", finite_range, "slip of a ball", ".2f",
+            entries=EXTENT),)),
+    Quantity("film", "h", "race Z", "m", "block", f"film thickness by lubricant.film; {_IN_OIL}",
+        source="oil.film", people=UM, optional=True,
+        summary=(SummaryValue("film_range_um", _range_of_races, "film", ".3f", parts=RACES,
+            entries=EXTENT),)),
+    Quantity("film_ratio", "Lambda", "race Z", "1", "block",
+        "film over composite roughness; absent without bearing.roughness", source="oil.film_ratio",
+        optional=True,
+        summary=(SummaryValue("film_ratio_range", _range_of_races, "film ratio", ".2f", parts=RACES,
+            entries=EXTENT),)),
+    Quantity("entrainment", "u", "race Z", "m/s", "block",
+        f"mean surface speed through the middle of the contact, >= 0; {_IN_OIL}", source="oil.entrainment",
+        optional=True),
+    Quantity("sliding_heat", "", "race Z", "W", "block", f"heat of the slip in the contact; {_IN_OIL}",
+        source="oil.sliding_heat", optional=True),
+    Quantity("spin_to_roll", "", "race Z", "1", "block",
+        f"spin over roll of the ball against the race; {_IN_OIL}", source="oil.spin_to_roll", optional=True,
+        summary=(SummaryValue("largest_spin_to_roll", lambda ratio: np.abs(ratio).max(1),
+            "largest spin over roll", ".3f", parts=RACES),)),
+    Quantity("sliding_power", "p V", "race Z", "W/m^2", "block",
+        f"pressure times slip, mean over the contact; {_IN_OIL}", source="oil.sliding_power",
+        people=Unit("W/mm^2", 1e-6), optional=True,
+        summary=(SummaryValue("largest_sliding_power_W_per_mm2", _largest_of_races,
+            "largest pressure times slip", ",.0f", parts=RACES),)),
 
     # life
     Quantity("life_L10", "L_10r", "", "rev", "block",

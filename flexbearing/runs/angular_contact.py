@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import quasidynamic as qd
-from flexbearing.build import ball_rows, clearance, out_of_round
+from flexbearing.build import ball_rows, clearance, lubrication, out_of_round
 from flexbearing.build.ball_fits import ball, groove
 from flexbearing.case import BadCase, Head
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
@@ -37,6 +37,7 @@ from flexbearing.runs.ball_life import BallLives
 from flexbearing.runs.life_of_state import MREV
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.columns import kind_and_numbers
+from quasidynamic.contact.film import lambda_ratio
 from quasidynamic.note import Note, information, outside
 from quasidynamic.outcome.angular_contact_state import RollingContact
 from quasidynamic.outcome.rating_life import BALLS
@@ -75,6 +76,7 @@ class Solution:
 
 STICK = "stick and slip, ball by ball"  # what is reported while it is found
 OUT_OF_RANGE = "outside a law"  # how a solver ended
+FRICTION = ("coulomb", "oil")  # controls by which friction decides what balls do
 USUAL = MethodsOfCoupling()  # by which cases are solved side by side
 Ended = Solution | NotSolved | BadCase  # or why there is no solution
 Block = Literal["rigid", "flexible"]  # the rings between which there is a solution
@@ -102,6 +104,7 @@ def bearing(case: FastCase) -> qd.AngularContactBallBearing:
         spin=case.friction.spin,
         sticking=_sticking(case),
         interface_compliance=case.friction.interface_compliance or 0.0,
+        lubrication=lubrication.ball_lubrication(case),
     )
 
 
@@ -380,7 +383,7 @@ def block(solution: Solution) -> dict[str, NDArray]:
     """Quantities of the solution."""
     case, state, contact = solution.case, solution.state, solution.contact
     lines = _lines(case, state, contact) if len(contact.balls) else None
-    free = {"yaw": state.yaw} if case.operation.control == "coulomb" else None
+    free = {"yaw": state.yaw} if case.operation.control in FRICTION else None
     parts = {
         "worst": solution.worst,
         "subsurface": subsurface.of_balls(case, solution.worst),
@@ -390,6 +393,7 @@ def block(solution: Solution) -> dict[str, NDArray]:
         "fields": _fields(solution),
         "lines": lines,
         "free": free,
+        "oil": _oil(case, state),
         "probes": None if isinstance(solution.probes, str) else solution.probes,
         "life": solution.lives,
         "rated": {
@@ -398,6 +402,24 @@ def block(solution: Solution) -> dict[str, NDArray]:
         },
     }
     return row(taken(LAYOUT.quantities, {name: [part] for name, part in parts.items()}), 0)
+
+
+def _oil(case: FastCase, state: qd.AngularContactState) -> dict[str, Any] | None:
+    """What the oil does to the balls; None where it does not move them."""
+    if (oil := state.oil) is None:
+        return None
+    rough = lubrication.roughness(case)
+    return oil._asdict() | {
+        "ring_torques": oil.ring_torque.sum(1),
+        "losses": {
+            "sliding": oil.sliding_heat.sum(),
+            "rolling": oil.rolling_heat.sum(),
+            "drag": oil.drag_heat.sum(),
+            "churning": oil.churning_heat.sum(),
+        },
+        "mean_ball_slip": oil.slip[state.guided].mean() if state.guided.any() else None,
+        "film_ratio": None if rough is None else lambda_ratio(oil.film, rough[:, None]),
+    }
 
 
 def _fields(solution: Solution) -> dict[str, NDArray] | None:
@@ -455,7 +477,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
         **life_of_state.rating_ratios([ratings]),
         **life_of_state.rating_changes([ratings]),
     }
-    if operation.control != "coulomb":  # there balls turn where friction does not hold them
+    if operation.control not in FRICTION:  # there balls turn where friction does not hold them
         values |= {"needed_friction": state.needed_friction.max(), "friction": case.friction.coefficient}
     if lives is not None:
         life = lives.basic if lives.modified is None else lives.modified
@@ -513,7 +535,7 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
         lines += shoulders.reached_over(name, heights, angles, case.bearing.ball.diameter, shoulder)
     unguided = int((state.on_inner & ~state.guided).sum())
     if unguided:
-        far = "" if case.operation.control == "coulomb" else " or too far round"
+        far = "" if case.operation.control in FRICTION else " or too far round"
         lines += (
             outside(
                 "unguided-balls",
@@ -603,7 +625,7 @@ def _lineless(solution: Solution) -> tuple[Note, ...]:
 def _lying(case: FastCase, state: qd.AngularContactState) -> tuple[Note, ...]:
     """Balls that friction does not hold against their gyroscopic moment, and how they turn."""
     lying = state.on_inner & ~state.upright
-    if case.operation.control != "coulomb" or not lying.any():
+    if case.operation.control not in FRICTION or not lying.any():
         return ()
     return (
         information(

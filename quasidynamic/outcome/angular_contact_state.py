@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.angular_contact import race_contacts
+from quasidynamic.balance.balls.free_ball import OiledBalls
 from quasidynamic.balance.balls.light_ball import FULL_ANGLE, FULL_GRIP
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.point_contact import INNER, OUTER, PointContact
@@ -88,7 +89,8 @@ class AngularContactState:
     evaluations: int  # of all balls
     friction: float | None = None  # [-] Coulomb coefficient of the contacts
     spin: Spin = "centre"  # that makes slip across in contacts, see `strip_slip`
-    sliding_heat: NDArray | None = None  # (Z) [W] of both contacts, where friction decides what balls do
+    sliding_heat: NDArray | None = None  # (Z) [W] by all causes, where friction decides what balls do
+    oil: OiledBalls | None = None  # what it does to the balls; None: dry contacts
     sticking: bool = False  # whether these contacts stick and slip as by FASTSIM
     imbalance: float = 0.0  # [-] largest unbalanced force over the largest force
     groove_displacement: NDArray | None = None  # (2, Z, 2) [m] axial, outward; None: rigid

@@ -154,6 +154,8 @@ def _angular(case):
         "model": replace(model, bearing=replace(model.bearing, approaches=())),
         "approach": dict(zip(("first", "second"), model.bearing.approaches, strict=False)),
         "operation": angular_contact.operation(case),
+        "law": model.lubrication and model.lubrication.traction(**CONTACT),
+        "roughness": roughness(case),
         "viscosity": None if case.lubricant is None else kinematic_viscosity(case.lubricant)[0],
         "probes": _probes(case),
     }

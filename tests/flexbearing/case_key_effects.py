@@ -17,6 +17,59 @@ PROBED = [
     ("outputs.probes.gauge_angles", ["45 deg"], "probes.outer.{0.angle,1.angle}"),
     ("outputs.probes.gauge_lengths", ["3 mm"], "probes.outer.{0.length,1.length}"),
 ]
+_OIL = "model.lubrication.oil"
+_STRESS = "law.eyring_stress model.lubrication.traction.eyring_stress"
+IN_OIL = [  # of fast balls and of deep groove bearings
+    ("in oil", "lubricant.film", "hamrock_dowson_minimum",
+     "model.lubrication.film.{leaking,narrowing,starved,inlet.0,inlet.1} "
+     "model.lubrication.film.formula.{factor,load,material,source,speed}"),
+    ("in oil", "lubricant.inlet_heating", False, "model.lubrication.inlet_heating"),
+    ("in oil", "lubricant.inlet_length", 1.0, "model.lubrication.inlet_length"),
+    ("in oil", "lubricant.rolling", "dowson-higginson", "model.lubrication.rolling"),
+    ("in oil", "lubricant.oil_fraction", 0.03, "model.lubrication.oil_fraction"),
+    ("in oil", "lubricant.drag_coefficient", 1.2, "model.lubrication.drag_coefficient"),
+    ("in oil", "lubricant.churning_gap", "1 mm", "model.lubrication.churning_gap"),
+    ("in an Eyring oil", "lubricant.pressure_viscosity", "18.18 1/GPa",
+     f"{_STRESS} {_OIL}.pressure_viscosity"),
+    ("in an Eyring oil", "lubricant.temperature_viscosity", "0.036 1/K", f"{_OIL}.temperature_viscosity"),
+    ("in an Eyring oil", "lubricant.conductivity", "0.15 W/(m K)", f"{_OIL}.conductivity"),
+    ("in an Eyring oil", "lubricant.traction", "bair-winer",
+     "law.{eyring_stress,is} model.lubrication.traction.{eyring_stress,law}"),
+    ("in an Eyring oil", "lubricant.limiting_ratio", 0.0505,
+     "law.{eyring_stress,limiting_ratio} model.lubrication.traction.{eyring_stress,limiting_ratio}"),
+    ("in an Eyring oil", "lubricant.eyring_stress", "9 MPa", _STRESS),
+    ("in an Eyring oil", "lubricant.film_heating", True,
+     "law.film_heating model.lubrication.traction.film_heating"),
+    ("in an oil of a data sheet", "lubricant.data_sheet.density", "880 kg/m^3",
+     f"{_OIL}.{{density,temperature_viscosity,viscosity}}"),
+    ("in an oil of a data sheet", "lubricant.data_sheet.cold_pressure_viscosity", "20.2 1/GPa",
+     f"{_STRESS} {_OIL}.pressure_viscosity"),
+    ("in an oil of a data sheet", "lubricant.data_sheet.hot_pressure_viscosity", "15.15 1/GPa",
+     f"{_STRESS} {_OIL}.pressure_viscosity"),
+    ("in an oil of a data sheet", "lubricant.data_sheet.conductivity", "0.138 W/(m K)",
+     f"{_OIL}.conductivity"),
+    ("in an ADORE oil", "lubricant.adore_oil", "MIL-L-23699",
+     "law.rheology.{decay,name,pressure_viscosity,thinning_313,thinning_power,viscosity_313} "
+     "model.lubrication.traction.rheology.{decay,name,pressure_viscosity,thinning_313} "
+     "model.lubrication.traction.rheology.{thinning_power,viscosity_313}"),
+    ("by a traction curve", "lubricant.traction_curve.at_rest", 0.0101, "law.{a,b,c}"),
+    ("by a traction curve", "lubricant.traction_curve.peak", 0.0505, "law.{b,c}"),
+    ("by a traction curve", "lubricant.traction_curve.peak_slip", 0.0202, "law.{b,c}"),
+    ("by a traction curve", "lubricant.traction_curve.far", 0.0303, "law.{a,b,c,d}"),
+    ("in mixed lubrication", "lubricant.mixed.boundary_friction", 0.101, "law.asperities.coefficient"),
+    ("in mixed lubrication", "lubricant.mixed.asperity_friction", "carter",
+     "law.asperities.{is,modulus,radius,sign_speed,smallest_load} "
+     "model.lubrication.traction.asperities.{coefficient,law}"),
+    ("in mixed lubrication", "lubricant.mixed.share", "film-1.8",
+     "law.share.{power,rate} model.lubrication.traction.share.{power,rate}"),
+    ("in mixed lubrication", "lubricant.mixed.sign_speed", "1.01 mm/s", "law.asperities.sign_speed"),
+    ("in mixed lubrication", "bearing.roughness.ball", "0.03 um",
+     "law.roughness roughness model.lubrication.traction.{inner_roughness,outer_roughness}"),
+    ("in mixed lubrication", "bearing.roughness.inner_raceway", "0.06 um",
+     "law.roughness roughness model.lubrication.traction.inner_roughness"),
+    ("in mixed lubrication", "bearing.roughness.outer_raceway", "0.06 um",
+     "law.roughness roughness model.lubrication.traction.outer_roughness"),
+]
 EFFECTS = (
     ("cage", "title", "Squirrel-cage roller bearing of Mao, Wang and Zhang (2016)x", "case.title"),
     ("cage", "bearing.rollers", 31, "model.bearing.rollers"),
@@ -699,6 +752,7 @@ EFFECTS += (
              "shaft.poisson_ratio,shaft.youngs_modulus,shaft_bore,shaft_length,track_width,width"),
         )
     ),
+    *((f"{family}, {context}", *row) for family in ("fast", "deep groove") for context, *row in IN_OIL),
     *(
         (f"{family}, {context}", key, value, "approach.{first,second}")
         for family in ("fast", "deep groove")

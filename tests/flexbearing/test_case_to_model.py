@@ -11,15 +11,10 @@ import quasidynamic as qd
 from flexbearing.api import check, read_case
 from flexbearing.build import lubrication, roller_bearing, rough_surfaces
 from flexbearing.case import BadCase
+from flexbearing.case.film_oil import AdoreOilName, RollingName, ShareName, TractionName
 from flexbearing.case.materials import OilName
 from flexbearing.case.ratings import CleanlinessName
-from flexbearing.case.roller.lubricant import (
-    AdoreOilName,
-    FilmName,
-    RollingName,
-    ShareName,
-    TractionName,
-)
+from flexbearing.case.roller.lubricant import FilmName
 from flexbearing.coupling import LinearPair
 from flexbearing.runs import notes
 from flexbearing.runs.solved_rows import SolvedRows

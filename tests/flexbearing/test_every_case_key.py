@@ -80,6 +80,32 @@ _BY_DATA = {**_OILED, "lubricant.viscosity": "10 mPa s", "lubricant.density": "8
 _THIN_SHEET = {**_OILED, "lubricant.data_sheet": {
     "name": "oil 46", "cold_temperature": "40 degC", "cold_viscosity": "46 cSt",
     "hot_temperature": "100 degC", "hot_viscosity": "6.8 mm^2/s"}}  # fmt: skip
+_IN_OIL = {"operation.control": "oil", "lubricant.inlet_temperature": "70 degC",
+           "lubricant.oil_fraction": 0.02}  # fmt: skip
+_EYRING = {**_IN_OIL, "lubricant.traction": "eyring", "lubricant.limiting_ratio": 0.05}
+_LUBRICATED = {
+    "in oil": {**_IN_OIL, "lubricant.oil": "ISO VG 32"},
+    "in an Eyring oil": {
+        **_EYRING, "lubricant.viscosity": "10 mPa s", "lubricant.density": "870 kg/m^3",
+        "lubricant.pressure_viscosity": "18 1/GPa", "lubricant.temperature_viscosity": "0.035 1/K",
+        "lubricant.conductivity": "0.14 W/(m K)",
+    },
+    "in an oil of a data sheet": {
+        **_EYRING, **_SHEET, "lubricant.data_sheet.hot_pressure_viscosity": "15 1/GPa"},
+    "in an ADORE oil": {
+        **_EYRING, "lubricant.oil": "ISO VG 32", "lubricant.traction": "adore",
+        "lubricant.adore_oil": "MIL-L-7808"},
+    "by a traction curve": {
+        **_IN_OIL, "lubricant.oil": "ISO VG 32", "lubricant.traction": "four-point",
+        "lubricant.traction_curve": {"at_rest": 0.01, "peak": 0.05, "peak_slip": 0.02, "far": 0.03}},
+    "in mixed lubrication": {
+        **_IN_OIL, "lubricant.oil": "ISO VG 32", "lubricant.mixed": {"boundary_friction": 0.1},
+        "bearing.roughness": {"ball": "0.02 um", "inner_raceway": "0.05 um", "outer_raceway": "0.05 um"}},
+    "in creeping contacts": {
+        **_IN_OIL, "lubricant.oil": "ISO VG 32",
+        "lubricant.mixed": {"boundary_friction": 0.1, "asperity_friction": "carter"},
+        "bearing.roughness": {"ball": "0.02 um", "inner_raceway": "0.05 um", "outer_raceway": "0.05 um"}},
+}  # fmt: skip
 _HOLDS = {
     "on side": {},
     "on springs": {"outer.support": "foundation", "outer.foundation_radial": "100 N/mm^3"},
@@ -255,6 +281,9 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
            ("fast", "harris218", {
                "outer.thickness": "6.264 mm", "bearing.outer.shoulder": "0.9 mm", "bearing.balls": 6,
                "bearing.pitch_diameter": "50 mm"}))},
+    **{f"{name}, {context}": (file, settings)
+       for name, file in (("fast", "harris218"), ("deep groove", "6209"))
+       for context, settings in _LUBRICATED.items()},
     "fast, ring materials": ("harris218", {
         "materials.inner_ring": {"youngs_modulus": "205 GPa", "poisson_ratio": 0.29},
         "materials.outer_ring": {"youngs_modulus": "206 GPa", "poisson_ratio": 0.28}}),

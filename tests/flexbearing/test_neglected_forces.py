@@ -131,7 +131,7 @@ def test_contacts_above_a_shoulder_are_counted_with_their_largest_angle():
 
 
 def test_friction_torque_of_fast_balls_is_that_of_dry_contacts():
-    assert "friction torque (dry contacts only; no cage, no oil) " in text(solved("rivera2021_7008.toml", {}))
+    assert "friction torque (no cage; dry without control oil) " in text(solved("rivera2021_7008.toml", {}))
 
 
 @pytest.mark.parametrize(

@@ -70,8 +70,8 @@ def friction(p, race, angle, load, ball, ring):
     return force.sum((0, 1)), np.cross(arm, force).sum((0, 1))
 
 
-def thrust_bearing(p, thrust):  # noqa: PLR0915
-    """Contact angles, loads, orbit, spin (x, r, t) and friction torque of all balls under a thrust."""
+def thrust_bearing(p, thrust, contact=friction, drag=lambda p, orbit: 0.0):  # noqa: PLR0915
+    """Contact angles, loads, orbit, spin (x, r, t) and torque of the inner ring under a thrust."""
     D, dm, fi, fo, alpha, Z = (p[key] for key in ("D", "dm", "fi", "fo", "alpha", "Z"))
     mass, Rc, race = DENSITY * pi / 6 * D**3, dm / 2, D / dm * cos(alpha)
     Ki = hertz(2 / D - 1 / (fi * D), 2 / D + 2 / D * race / (1 - race))
@@ -99,13 +99,13 @@ def thrust_bearing(p, thrust):  # noqa: PLR0915
 
         def frictions(u):
             orbit, ball = moved(u, ai, ao)
-            on_inner = friction(p, "inner", ai, Qi, ball, p["omega"] - orbit)
-            return orbit, ball, on_inner, friction(p, "outer", ao, Qo, ball, -orbit)
+            on_inner = contact(p, "inner", ai, Qi, ball, p["omega"] - orbit)
+            return orbit, ball, on_inner, contact(p, "outer", ao, Qo, ball, -orbit)
 
         def driven(u):
             orbit, ball, (Fi, Mi), (Fo, Mo) = frictions(u)
             moment = Mi + Mo - inertia * orbit * np.cross([1.0, 0.0, 0.0], ball)
-            return [(Fi + Fo)[2] / (p["mu"] * Qi), *(moment / (p["mu"] * Qi * D / 2))]
+            return [((Fi + Fo)[2] - drag(p, orbit)) / (p["mu"] * Qi), *(moment / (p["mu"] * Qi * D / 2))]
 
         solution = root(driven, motion, tol=1e-11)
         assert np.abs(driven(solution.x)).max() < 1e-8, solution.message

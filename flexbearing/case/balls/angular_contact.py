@@ -36,8 +36,9 @@ from flexbearing.case.balls.parts import (
 )
 from flexbearing.case.balls.ring_room import Race, elastic_groove, require_room
 from flexbearing.case.coupling import MethodsOfCoupling
+from flexbearing.case.film_oil import FilmOil
 from flexbearing.case.head import KIND
-from flexbearing.case.materials import Oil
+from flexbearing.case.materials import Oil, ViscositySheet
 from flexbearing.case.outputs import RingOutputs
 from flexbearing.case.quantity import (
     Angle,
@@ -57,6 +58,7 @@ from flexbearing.case.ratings import BallLife
 
 PLANE = "about the point of the bearing axis in the plane of the inner groove centres"
 HIGHEST = 0.03  # of the pitch radius: cam whose largest load is still known to some 10 %, assumed
+OILED = {"operation.control": ("oil",)}  # contacts of balls in oil
 PRELOAD = "operation.preload; give operation.displacement.axial instead"
 DIRECTIONS = {  # name of a load, and of the displacement that may be held instead
     "axial": "axial",
@@ -74,6 +76,41 @@ class BallFormError(Section):
     outer: Waves | None = key("form error of the outer raceway", None)
 
 
+class BallRoughness(Section):
+    """Root-mean-square roughness of the surfaces, about 1.25 Ra."""
+
+    ball: Length = key("Rq of the balls", example="0.02 um", gt=0)
+    inner_raceway: Length = key("Rq of the inner raceway", example="0.05 um", gt=0)
+    outer_raceway: Length = key("Rq of the outer raceway", example="0.05 um", gt=0)
+
+
+class BallOil(FilmOil):
+    """The oil: by name, by its data sheet, or by its data at the inlet temperature; and its laws."""
+
+    film: Literal["hamrock_dowson", "hamrock_dowson_minimum"] = key(
+        "regression of the film thickness: central, or minimum", "hamrock_dowson"
+    )
+
+    @property
+    def of_contacts(self) -> list[str]:
+        """Keys that are given for contacts in oil alone."""
+        sheet = self.data_sheet.model_fields_set - set(ViscositySheet.model_fields) if self.data_sheet else ()
+        names = [name for name in self.model_fields_set if name not in Oil.model_fields]
+        return sorted([*names, *(f"data_sheet.{name}" for name in sheet)])
+
+    def require_film(self, choice: str) -> None:
+        """Raise where something is missing that contacts in oil need."""
+        needs: dict[str, float | None] = {"oil_fraction": self.oil_fraction}
+        if self.data_sheet is not None:
+            names = ("density", "cold_pressure_viscosity", "conductivity")
+            needs |= {f"data_sheet.{name}": getattr(self.data_sheet, name) for name in names}
+        elif self.oil is None:
+            names = ("pressure_viscosity", "temperature_viscosity", "conductivity")
+            needs |= {name: getattr(self, name) for name in names}
+        if missing := [f"lubricant.{name}" for name, value in needs.items() if value is None]:
+            raise needed(missing, choice)
+
+
 class FastBearing(MountedBearing):
     """Balls between one groove in each ring."""
 
@@ -82,6 +119,9 @@ class FastBearing(MountedBearing):
     balls: int = key("number of balls", example=18, ge=3, le=1000)
     first_ball_azimuth: Angle = key("azimuth of a ball, from z towards y", "0 deg")
     form_error: BallFormError | None = key("form errors: raceways that are not round", None)
+    roughness: BallRoughness | None = key(
+        "roughness of balls and raceways, for film ratios", None, only=OILED
+    )
 
     @property
     def groove_angle(self) -> float:
@@ -207,9 +247,10 @@ class FastOperation(Section):
 
     inner_speed: Speed = key("speed of the inner ring", example="15000 rpm")
     outer_speed: Speed = key("speed of the outer ring", "0 rpm")
-    control: Literal["outer", "inner", "equal", "coulomb"] = key(
+    control: Literal["outer", "inner", "equal", "coulomb", "oil"] = key(
         "race on which the balls do not spin; equal: the spin axis halves the angle between both contacts; "
-        "coulomb: no assumption, friction in both contacts decides"
+        "coulomb: no assumption, dry friction in both contacts decides; oil: the same with the tractions of "
+        "the oil by [lubricant], its rolling friction and its drag"
     )
     load: FastLoad = key("load on the inner ring; axial pushes the balls against their shoulders", {})
     displacement: Displacement = key("where the inner ring is held instead of loaded", {})
@@ -308,7 +349,9 @@ class FastCase(MountedCase):
     operation: FastOperation = key("load and speed")
     friction: FastFriction = key("friction of the contacts")
     rolling_lines: RollingLines = key("lines on which the balls roll without slip", {})
-    lubricant: Oil | None = key("the oil, for the viscosity ratio of ISO 281", None)
+    lubricant: BallOil | None = key(
+        'the oil, for the viscosity ratio of ISO 281, and for the balls with operation.control = "oil"', None
+    )
     life: BallLife = key("what the life is rated with, and what modifies it", {})
     outputs: RingOutputs = key("further results to compute", {})
     outer: BallOuter = key("what carries the outer groove", {})
@@ -338,6 +381,21 @@ class FastCase(MountedCase):
             if self.materials.shaft is None:
                 raise needed(["materials.shaft"], 'inner.kind = "ring_on_shaft"')
         require_room(self)
+        return self
+
+    @model_validator(mode="after")
+    def _oil_moves_the_balls(self) -> Self:
+        oil, choice = self.lubricant, 'operation.control = "oil"'
+        if self.operation.control != "oil":
+            if oil and oil.of_contacts:
+                raise impossible(f"lubricant.{oil.of_contacts[0]}", f"left out but with {choice}")
+            return self
+        if oil is None:
+            raise needed(["lubricant"], choice)
+        oil.require_film(choice)
+        oil.require_rough_surfaces(self.bearing.roughness is not None)
+        if self.friction.model != "full_sliding":
+            raise impossible("friction.model", f'"full_sliding" with {choice}')
         return self
 
     @model_validator(mode="after")

@@ -12,10 +12,13 @@ from quasidynamic.balance.balls.race_control import BallKinematics, LoadedContac
 from quasidynamic.contact.ellipse.point_contact import (
     INNER,
     OUTER,
+    Curvatures,
     PointContact,
     point_contact,
     race_curvatures,
 )
+from quasidynamic.contact.lubricated_ellipse import LubricatedRaces
+from quasidynamic.contact.lubrication import BallLubrication
 from quasidynamic.motion.roller_speeds import rolling_cage_speed
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing
 from quasidynamic.parts.material import contact_modulus
@@ -241,22 +244,41 @@ def race_contacts(
 ) -> tuple[PointContact, PointContact]:
     """Hertz contacts with the inner and with the outer race, at angles (2, ...) or the unloaded one."""
     inner, outer = (
-        point_contact(
-            race_curvatures(
-                bearing.ball.diameter,
-                groove.conformity * bearing.ball.diameter,
-                bearing.pitch_diameter,
-                angle,
-                side,
-            ),
-            contact_modulus(bearing.ball.material, groove.material),
-        )
-        for groove, side, angle in (
-            (bearing.inner, INNER, bearing.contact_angle if angles is None else angles[0]),
-            (bearing.outer, OUTER, bearing.contact_angle if angles is None else angles[1]),
-        )
+        point_contact(curvatures, modulus)
+        for curvatures, modulus in zip(_curvatures(bearing, angles), _moduli(bearing), strict=True)
     )
     return inner, outer
+
+
+def lubricated_races(
+    bearing: AngularContactBearing, contacts: tuple[PointContact, PointContact], lubrication: BallLubrication
+) -> LubricatedRaces:
+    """Contacts with oil, at the unloaded angle."""
+    return LubricatedRaces(
+        lubrication=lubrication,
+        contacts=contacts,
+        radius=np.array([1.0 / float(each.along) for each in _curvatures(bearing, None)]),
+        modulus=np.array(_moduli(bearing)),
+    )
+
+
+def _curvatures(bearing: AngularContactBearing, angles: NDArray | None) -> list[Curvatures]:
+    """Curvatures of the inner and of the outer contact, at angles (2, ...) or the unloaded one."""
+    return [
+        race_curvatures(
+            bearing.ball.diameter,
+            groove.conformity * bearing.ball.diameter,
+            bearing.pitch_diameter,
+            bearing.contact_angle if angles is None else angles[race],
+            side,
+        )
+        for race, (groove, side) in enumerate(((bearing.inner, INNER), (bearing.outer, OUTER)))
+    ]
+
+
+def _moduli(bearing: AngularContactBearing) -> list[float]:
+    """E' of the inner and of the outer contact [Pa]."""
+    return [contact_modulus(bearing.ball.material, each.material) for each in (bearing.inner, bearing.outer)]
 
 
 def moved(by_place: Vectors, move: Vectors) -> Vectors:

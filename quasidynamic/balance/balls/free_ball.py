@@ -1,11 +1,12 @@
-"""Balance of friction and gyroscopic moments of a ball that two races drive."""
+"""Balance of friction and gyroscopic moments of a ball that two races drive, dry or in oil."""
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.balance.balls.oiled_ball import OiledContacts, OiledFriction, mean_by_motion
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.general_sliding import (
     FINE,
@@ -13,8 +14,10 @@ from quasidynamic.contact.ellipse.general_sliding import (
     GeneralSliding,
     sliding_ellipse,
 )
-from quasidynamic.contact.ellipse.rigid_slip import CENTRE
+from quasidynamic.contact.ellipse.rigid_slip import ACROSS, CENTRE, ROLL, SPIN
+from quasidynamic.contact.lubricated_ellipse import LubricatedRaces
 from quasidynamic.motion.ball_slip import (
+    AXIAL,
     INNER,
     ORBIT,
     OUTER,
@@ -26,6 +29,41 @@ from quasidynamic.motion.ball_slip import (
 )
 
 _RIDGE = 1e-12  # of `above`: keeps slopes of saturated friction regular
+OILED = 2e-3  # of the load: friction that moments of lubricated contacts are measured with
+
+
+class ContactPowers(NamedTuple):
+    """Power of both contacts of balls, as far as races do it."""
+
+    by_motion: NDArray  # (N, 2, 4) [N m] on a unit of each component of the motion
+    across: NDArray  # (N, 2) [N] friction on the ball along the groove sections
+    sliding: NDArray  # (N, 2) [N m] heat of the slip
+    friction: OiledFriction | None  # what the oil does there
+
+
+class OiledBalls(NamedTuple):
+    """What the oil does to balls, arrays (N, ...) of balls or (..., C, Z) of cases; two races inner first."""
+
+    film: NDArray  # (2) [m]
+    entrainment: NDArray  # (2) [m/s] mean surface speed, >= 0
+    sliding_heat: NDArray  # (2) [W]
+    rolling_heat: NDArray  # (2) [W]
+    drag_heat: NDArray  # [W]
+    churning_heat: NDArray  # [W]
+    ring_torque: NDArray  # (2) [N m] that turns each ring, signed like speeds
+    slip: NDArray  # [-] of the orbit against rolling with the same axis, both against the outer ring
+    spin_to_roll: NDArray  # (2) [-]
+    sliding_power: NDArray  # (2) [W/m2] pressure times slip, mean over the contact
+
+    def of_case(self, case: int) -> "OiledBalls":
+        """Return that of one of the cases."""
+        return OiledBalls(*(array[..., case, :] for array in self))
+
+    @property
+    def heat(self) -> NDArray:
+        """Heat by all causes [W]."""
+        contacts = self.sliding_heat + self.rolling_heat
+        return contacts.sum(0) + self.drag_heat + self.churning_heat
 
 
 class FreeBallBalance(NamedTuple):
@@ -67,6 +105,10 @@ class FreeBalls:
     J omega_m e_x x omega that turns the spin with the orbit, and that does no work: the heat is the power of
     the rings. For a given orbit Phi is convex and the gyroscopic part skew: there is one balance.
 
+    In oil tractions are those of a law of the slip, and rolling friction, drag and churning join. Phi is then
+    the potential of `sliding_ellipse` instead of the heat, for the films and the speeds through the contacts
+    as they are; these change a little with the motion, which no potential has.
+
     The unknowns that no rounding spoils: slip in the centres of both contacts, the spin with neither, the
     speed of the surface by the turn about the rolling direction; from rolling without turning.
 
@@ -86,12 +128,18 @@ class FreeBalls:
     unknowns: NDArray  # (N, 4, 4) motion by the unknowns
     by_unknown: NDArray  # (N, 2, 5, 4) slip by the unknowns
     scale: NDArray  # (N, 4) largest friction by unknown
+    oil: OiledContacts | None = (
+        None  # None: dry contacts, whose friction the ellipse has; else it has the load
+    )
 
     def taken(self, keep: NDArray) -> "FreeBalls":
         """Return some of the balls."""
-        names = [field.name for field in fields(self)[2:]]
+        names = [field.name for field in fields(self)[2:-1]]
         arrays = {name: getattr(self, name)[keep] for name in names}
-        return FreeBalls(contacts=self.contacts.taken(keep), ellipse=self.ellipse.taken(keep), **arrays)
+        oil = self.oil and self.oil.taken(keep)
+        return FreeBalls(
+            contacts=self.contacts.taken(keep), ellipse=self.ellipse.taken(keep), oil=oil, **arrays
+        )
 
     def slip(self, unknowns: NDArray) -> NDArray:
         """Slip (N, 2, 5) at unknowns (N, 4)."""
@@ -101,27 +149,123 @@ class FreeBalls:
         """Outer ring seen from the orbit, spin in axial, radial and rolling direction (N, 4) [-]."""
         return self.rolling + np.einsum("nij,nj->ni", self.unknowns, unknowns)
 
-    def friction(self, unknowns: NDArray, points: EllipsePoints = FINE) -> GeneralSliding:
+    def friction(self, unknowns: NDArray, points: EllipsePoints = FINE) -> GeneralSliding | OiledFriction:
         """Friction (N, 2) at unknowns (N, 4)."""
-        return sliding_ellipse(self.slip(unknowns), self.ellipse, points)
+        return self._friction(self.slip(unknowns), self.motion(unknowns), points)
 
-    def balance(self, unknowns: NDArray, friction: GeneralSliding, part: float = 1.0) -> FreeBallBalance:
-        """Balance at unknowns (N, 4), of the friction there with a part of the gyroscopic moments."""
-        by_motion, slopes = gyroscopic(self.motion(unknowns), part * self.gyration, self.outer_speed)
-        back = np.swapaxes(self.unknowns, -1, -2)
-        turned = np.swapaxes(self.by_unknown, -1, -2)
-        return FreeBallBalance(
-            left=np.einsum("ngij,ngi->nj", self.by_unknown, friction.by_slip)
-            - (back @ by_motion[..., None])[..., 0],
-            slopes=(turned @ friction.curvature @ self.by_unknown).sum(1) - back @ slopes @ self.unknowns,
-            above=np.einsum("ngij,ngi->nj", self.by_unknown**2, friction.majorant),
+    def _friction(
+        self, slip: NDArray, motion: NDArray, points: EllipsePoints
+    ) -> GeneralSliding | OiledFriction:
+        if self.oil is None:
+            return sliding_ellipse(slip, self.ellipse, points)
+        mean = _of_rings(self.oil.mean_by_motion, motion)
+        return self.oil.friction(slip, mean, (self.contacts, self.ellipse), points)
+
+    def powers(self, motion: NDArray) -> ContactPowers:
+        """Power of both contacts at a motion (N, 4)."""
+        friction = self._friction(_of_rings(self.by_motion, motion), motion, FINE)
+        sliding = sliding_of(friction)
+        by_motion = np.einsum("ngij,ngi->ngj", self.by_motion, sliding.by_slip)
+        across = -sliding.by_slip[..., ACROSS]
+        if isinstance(friction, GeneralSliding) or self.oil is None:
+            return ContactPowers(by_motion, across, sliding.power, None)
+        return ContactPowers(
+            by_motion + self.oil.rolling_by_motion(friction), across, sliding.power, friction
         )
+
+    def oiled(self, motion: NDArray, sense: NDArray) -> OiledBalls:
+        """What the oil does at motions (N, 4) between rings of this sense (N), the sign of their speed."""
+        oil, powers = self.oil, self.powers(motion)
+        assert oil is not None  # of lubricated balls
+        assert powers.friction is not None
+        slip, friction, speed = _of_rings(self.by_motion, motion), powers.friction, oil.speed[:, None]
+        mixture = oil.mixture(motion, self.contacts, self.outer_speed)
+        alone = sliding_ellipse(slip, self.ellipse).power  # of a coefficient of one
+        area = np.pi * self.ellipse.across * self.ellipse.along
+        rolled = 2 * friction.rolling.force * friction.sense**2 * friction.entrainment
+        return OiledBalls(
+            film=friction.film.thickness,
+            entrainment=speed * friction.entrainment,
+            sliding_heat=speed * friction.sliding.power,
+            rolling_heat=speed * rolled,
+            drag_heat=oil.speed * mixture.drag * self.contacts.pitch_radius * np.abs(mixture.orbit),
+            churning_heat=oil.speed * mixture.churning * mixture.spin,
+            ring_torque=sense[:, None] * powers.by_motion[..., ORBIT],
+            slip=1.0 - motion[:, ORBIT] / _rolling_orbit(self.by_motion[:, :, CENTRE], motion),
+            spin_to_roll=slip[..., SPIN] / slip[..., ROLL],
+            sliding_power=speed * alone / area,
+        )
+
+    def balance(
+        self, unknowns: NDArray, friction: GeneralSliding | OiledFriction, part: float = 1.0
+    ) -> FreeBallBalance:
+        """Balance at unknowns (N, 4), of the friction there with a part of the gyroscopic moments."""
+        motion, sliding = self.motion(unknowns), sliding_of(friction)
+        by_motion, by_motions = gyroscopic(motion, part * self.gyration, self.outer_speed)
+        above = np.einsum("ngij,ngi->nj", self.by_unknown**2, sliding.majorant)
+        turned, back = np.swapaxes(self.by_unknown, -1, -2), np.swapaxes(self.unknowns, -1, -2)
+        slopes = (turned @ self.force_slopes(friction)).sum(1)
+        if self.oil is not None and isinstance(friction, OiledFriction):
+            mixture = self.oil.mixture(motion, self.contacts, self.outer_speed)
+            by_motion = by_motion - mixture.left - self.oil.rolling_by_motion(friction).sum(1)
+            by_motions = by_motions - mixture.slopes
+            rolling, most = self.oil.rolling_slopes(friction, self._mean_by_unknown)
+            slopes, above = slopes + rolling, above + most
+        return FreeBallBalance(
+            left=np.einsum("ngij,ngi->nj", self.by_unknown, sliding.by_slip)
+            - (back @ by_motion[..., None])[..., 0],
+            slopes=slopes - back @ by_motions @ self.unknowns,
+            above=above,
+        )
+
+    def force_slopes(self, friction: GeneralSliding | OiledFriction) -> NDArray:
+        """Derivatives (N, 2, 5, 4) of the power by slip, by the unknowns."""
+        slopes = sliding_of(friction).curvature @ self.by_unknown
+        if self.oil is not None and isinstance(friction, OiledFriction):
+            slopes += self.oil.by_speed(friction, self.by_unknown, self._mean_by_unknown)
+        return slopes
+
+    @property
+    def _mean_by_unknown(self) -> NDArray:
+        """Mean surface speed (N, 2, 4) [m] by the unknowns, of balls in oil."""
+        assert self.oil is not None
+        return self.oil.mean_by_motion @ self.unknowns
+
+
+def sliding_of(friction: GeneralSliding | OiledFriction) -> GeneralSliding:
+    """The part of the friction that works on the slip."""
+    return friction if isinstance(friction, GeneralSliding) else friction.sliding
+
+
+def _of_rings(by_motion: NDArray, motion: NDArray) -> NDArray:
+    """What both contacts have (N, 2, ...) at motions (N, 4); the inner ring is one faster than the outer."""
+    each = np.repeat(motion[:, None], 2, axis=1)
+    each[:, INNER, ORBIT] += 1.0
+    return np.einsum("ng...j,ngj->ng...", by_motion, each)
+
+
+def _rolling_orbit(centre: NDArray, motion: NDArray) -> NDArray:
+    """Outer ring seen from the orbit (N) of balls that do not slip in the middle of both contacts.
+
+    Their axes are those of a motion (N, 4); `centre` (N, 2, 4) is the slip there by the motion.
+    """
+    turning = np.einsum("ngj,nj->ng", centre[..., AXIAL:], motion[:, AXIAL:])
+    driven, outer = centre[..., ORBIT].T
+    return driven * turning[:, OUTER] / (outer * turning[:, INNER] - driven * turning[:, OUTER])
 
 
 def free_balls(
-    contacts: BallContacts, ellipse: Ellipse, gyration: NDArray, outer_speed: NDArray
+    contacts: BallContacts,
+    ellipse: Ellipse,
+    gyration: NDArray,
+    outer_speed: NDArray,
+    oil: tuple[LubricatedRaces, NDArray, NDArray] | None = None,
 ) -> FreeBalls:
-    """Balls at these contacts, see the fields of `FreeBalls`."""
+    """Balls at these contacts, see the fields of `FreeBalls`.
+
+    Oil is what both races are lubricated with, the speed (N) [rad/s] of the rings against each other, and the
+    part of the driving loads that is there (N) [-].
+    """
     by_motion = turning_slip_by_motion(contacts)[:, 0]
     rolling = np.pad(rolling_motion(contacts, 0), [(0, 0), (0, 1)])
     base = np.einsum("ngij,nj->ngi", by_motion, rolling)
@@ -134,9 +278,13 @@ def free_balls(
     ones = np.ones_like(fall)
     most = ellipse.traction[..., None] * np.stack([ones, fall, ellipse.across, ones, fall], -1)
     scale = np.einsum("ngi,ngij->nj", most, np.abs(by_unknown))
-    return FreeBalls(
+    balls = FreeBalls(
         contacts, ellipse, gyration, outer_speed, by_motion, rolling, base, unknowns, by_unknown, scale
     )
+    if oil is None:
+        return balls
+    oiled = OiledContacts(*oil, mean_by_motion(by_motion[..., CENTRE, :]))
+    return replace(balls, scale=OILED * scale, oil=oiled)
 
 
 def motion_by_slip(centre: NDArray, ball_radius: NDArray) -> NDArray:

@@ -1,13 +1,15 @@
 """Oil film between the cage and the land that guides it."""
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.note import Note, outside
 from quasidynamic.parts.oil_properties import Lubricant
-from quasidynamic.parts.roller_bearing import Cage
+
+if TYPE_CHECKING:  # balls load no rollers
+    from quasidynamic.parts.roller_bearing import Cage
 
 ECCENTRICITY_LIMIT = 0.995  # beyond it the film functions go on along their tangent, see `land_notes`
 OFFSET_ITERATIONS = 60  # Newton's method on a convex function from above: a light land takes about twenty
@@ -40,7 +42,7 @@ class LandForce(NamedTuple):
     by_speed: NDArray  # (..., 2) [N s]
 
 
-def land_drag(cage: Cage, oil: Lubricant) -> float:
+def land_drag(cage: "Cage", oil: Lubricant) -> float:
     r"""Torque of the guiding land per speed difference, concentric and laminar.
 
     .. math:: M/\Delta\omega = 2 \pi \eta_0 R^3 L / c
@@ -72,7 +74,7 @@ def land_drag(cage: Cage, oil: Lubricant) -> float:
 
 
 def land_torque(
-    speed_difference: NDArray | float, cage: Cage, oil: Lubricant, eccentricity: NDArray | float = 0.0
+    speed_difference: NDArray | float, cage: "Cage", oil: Lubricant, eccentricity: NDArray | float = 0.0
 ) -> LandTorque:
     r"""Torque of the guiding land, laminar, with vortices or turbulent.
 
@@ -125,7 +127,7 @@ def land_torque(
 
 
 def land_force(
-    offset: NDArray, speed_sum: NDArray | float, cage: Cage, oil: Lubricant, lands: int = 2
+    offset: NDArray, speed_sum: NDArray | float, cage: "Cage", oil: Lubricant, lands: int = 2
 ) -> LandForce:
     r"""Force of a steadily eccentric land on the cage: short bearing, half of the film cavitated.
 
@@ -182,7 +184,7 @@ def land_force(
     return LandForce(by_speed * speed[..., None], by_offset, by_speed)
 
 
-def land_offset(force: NDArray, speed_sum: NDArray | float, cage: Cage, oil: Lubricant) -> LandOffset:
+def land_offset(force: NDArray, speed_sum: NDArray | float, cage: "Cage", oil: Lubricant) -> LandOffset:
     """Offset of a cage at which its land carries a force (..., 2) [N]: the inverse of `land_force`.
 
     The speed sum is not zero. The offset is from the centre of the guiding ring, with its derivatives by
@@ -208,7 +210,7 @@ def land_offset(force: NDArray, speed_sum: NDArray | float, cage: Cage, oil: Lub
     return LandOffset(offset, by_force, -(by_force @ land.by_speed[..., None])[..., 0])
 
 
-def _force_unit(cage: Cage, oil: Lubricant, lands: int) -> float:
+def _force_unit(cage: "Cage", oil: Lubricant, lands: int) -> float:
     """Force of all lands per speed at the land [N s], before its dependence on the eccentricity."""
     radius, clearance = cage.land_diameter / 2, cage.land_clearance / 2
     return oil.viscosity * radius * lands * (cage.land_width / lands) ** 3 / clearance**2

@@ -1,6 +1,6 @@
-"""Churning of the oil-air mixture by a roller's own spin."""
+"""Churning of the oil-air mixture by the own spin of rollers and balls."""
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,20 +8,22 @@ from numpy.typing import NDArray
 from quasidynamic.contact.cage import couette_factor
 from quasidynamic.contact.drag.orbit_drag import mixture_density
 from quasidynamic.parts.oil_properties import Lubricant
-from quasidynamic.parts.roller_bearing import Roller
 
-DISC_SHARPNESS = 8  # of the smooth maximum of laminar and turbulent disc friction
+if TYPE_CHECKING:  # balls load no rollers
+    from quasidynamic.parts.roller_bearing import Roller
+
+DISC_SHARPNESS = 8  # of the smooth maximum of both kinds of friction of a disc, and of a ball
 
 
 class Churning(NamedTuple):
-    """Braking torque of the mixture on a roller."""
+    """Braking torque of the mixture on a roller or a ball."""
 
     torque: NDArray  # [N m] against the spin, signed like it
     by_spin: NDArray  # [N m s] >= 0
 
 
 def churning_torque(
-    spin: NDArray, roller: Roller, oil: Lubricant, *, oil_fraction: float, gap: float
+    spin: NDArray, roller: "Roller", oil: Lubricant, *, oil_fraction: float, gap: float
 ) -> Churning:
     r"""Torque that brakes the spin of a roller: its cylinder in the gap, its two end faces as free discs.
 
@@ -59,7 +61,7 @@ def churning_torque(
     return Churning(share * (cylinder.torque + ends.torque), share * (cylinder.by_spin + ends.by_spin))
 
 
-def cylinder_churning(spin: NDArray, roller: Roller, oil: Lubricant, gap: float) -> Churning:
+def cylinder_churning(spin: NDArray, roller: "Roller", oil: Lubricant, gap: float) -> Churning:
     r"""Torque of pure oil on the cylinder of a roller that spins in a narrow gap.
 
     .. math:: T = \tfrac12 f \rho\, \omega^2 r^3 A,\quad A = 2\pi r l,\;
@@ -82,7 +84,7 @@ def cylinder_churning(spin: NDArray, roller: Roller, oil: Lubricant, gap: float)
     return Churning(laminar * factor * spin, laminar * factor * (1 + slope))
 
 
-def end_face_churning(spin: NDArray, roller: Roller, oil: Lubricant) -> Churning:
+def end_face_churning(spin: NDArray, roller: "Roller", oil: Lubricant) -> Churning:
     r"""Torque of pure oil on both end faces of a roller.
 
     .. math:: T = \tfrac12 C_M\, \rho\, \omega^2 r^5,\quad
@@ -108,3 +110,52 @@ def end_face_churning(spin: NDArray, roller: Roller, oil: Lubricant) -> Churning
     resistance = 0.5 * radius**3 * oil.viscosity * 3.87 * np.sqrt(reynolds)
     resistance = resistance * (1 + turbulent) ** (1 / DISC_SHARPNESS)
     return Churning(resistance * spin, resistance * (1.5 + 0.3 * turbulent / (1 + turbulent)))
+
+
+def ball_churning(
+    spin: NDArray, diameter: float, oil: Lubricant, *, oil_fraction: float, gap: float
+) -> Churning:
+    r"""Torque that brakes the spin of a ball: creeping flow in a gap around it, or its boundary layer.
+
+    .. math:: T = \frac{\rho}{\rho_{oil}} \max\left[8 \pi \eta\, \omega r^3
+              \frac{(r+c)^3}{(r+c)^3 - r^3},\;
+              \tfrac12 \frac{6.45}{\sqrt{Re}} \rho_{oil} \omega^2 r^5\right],\quad
+              Re = \rho_{oil} \omega r^2/\eta
+
+    The maximum is smooth (`DISC_SHARPNESS`).
+
+    Parameters
+    ----------
+    spin : array (...)
+        omega in space [rad/s], the mixture at rest
+    diameter : float
+        2 r [m]
+    oil : Lubricant
+        density and viscosity
+    oil_fraction : float
+        X, volume share of oil in the mixture [-]
+    gap : float
+        c, mean distance from the ball to raceways and cage [m], > 0
+
+    Returns
+    -------
+    Churning
+        odd in the spin, with a continuous derivative, zero at rest
+
+    Source
+    ------
+    Creeping flow between concentric spheres: Landau and Lifshitz, Fluid Mechanics, sec. 20; boundary layer:
+    leading term of Dennis, Singh and Ingham, J. Fluid Mech. 101 (1980) 257 (recalled).
+
+    Valid
+    -----
+    A mixture with the kinematic viscosity of the oil, as in `ball_drag_force`; laminar, Re up to about 1e5.
+    """
+    radius = diameter / 2
+    outside = (radius + gap) ** 3
+    creeping = 8 * np.pi * oil.viscosity * radius**3 * outside / (outside - radius**3)
+    layer = 0.5 * 6.45 * np.sqrt(oil.density * oil.viscosity * np.abs(spin)) * radius**4
+    greater = (layer / creeping) ** DISC_SHARPNESS
+    share = mixture_density(oil, oil_fraction) / oil.density
+    resistance = share * creeping * (1 + greater) ** (1 / DISC_SHARPNESS)
+    return Churning(resistance * spin, resistance * (1 + 0.5 * greater / (1 + greater)))

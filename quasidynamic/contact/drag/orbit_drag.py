@@ -1,21 +1,32 @@
-"""Drag of the oil-air mixture on orbiting rollers."""
+"""Drag of the oil-air mixture on orbiting rollers and balls."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.note import Note, outside
 from quasidynamic.parts.oil_properties import Lubricant
-from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
+
+if TYPE_CHECKING:  # balls load no rollers
+    from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 AIR_DENSITY = 1.2  # [kg/m3]
 
-# Cylinder across a stream, linear in log10(Re) between the points.
+# Drag coefficients across a stream, linear in log10(Re) between the points.
 _LOG_REYNOLDS = np.log10([0.1, 1, 10, 100, 1e3, 1e4, 1e5, 2e5, 3e5, 4e5, 5e5, 1e6])
 _CYLINDER_DRAG = np.array([60, 10, 3, 1.8, 1.0, 1.2, 1.2, 1.2, 0.9, 0.65, 0.3, 0.3])
-# dC_d/dln(Re), before, between and after the points
-_CYLINDER_SLOPE = np.concatenate(
-    ([0.0], np.diff(_CYLINDER_DRAG) / np.diff(_LOG_REYNOLDS) / np.log(10), [0.0])
-)
+_SPHERE_DRAG = np.array([275, 30, 4.2, 1.2, 0.48, 0.40, 0.45, 0.40, 0.10, 0.09, 0.09, 0.09])
+
+DragTable = Callable[[NDArray | float], tuple[NDArray, NDArray]]
+
+
+def _interpolated(reynolds: NDArray | float, points: NDArray) -> tuple[NDArray, NDArray]:
+    """Drag coefficient by its points, and its derivative by ln(Re), zero before and after them."""
+    position = np.log10(np.maximum(reynolds, 1e-300))
+    slopes = np.concatenate(([0.0], np.diff(points) / np.diff(_LOG_REYNOLDS) / np.log(10), [0.0]))
+    return np.interp(position, _LOG_REYNOLDS, points), slopes[_LOG_REYNOLDS.searchsorted(position)]
 
 
 def cylinder_drag(reynolds: NDArray | float) -> tuple[NDArray, NDArray]:
@@ -39,9 +50,31 @@ def cylinder_drag(reynolds: NDArray | float) -> tuple[NDArray, NDArray]:
     -----
     Re from 0.1 to 1e6; one cylinder far from others and from walls.
     """
-    position = np.log10(np.maximum(reynolds, 1e-300))
-    piece = _LOG_REYNOLDS.searchsorted(position)
-    return np.interp(position, _LOG_REYNOLDS, _CYLINDER_DRAG), _CYLINDER_SLOPE[piece]
+    return _interpolated(reynolds, _CYLINDER_DRAG)
+
+
+def sphere_drag(reynolds: NDArray | float) -> tuple[NDArray, NDArray]:
+    """Drag coefficient of a sphere, and its derivative by ln(Re).
+
+    Parameters
+    ----------
+    reynolds : array (...)
+        Re [-] with the diameter, >= 0; held at the end values outside 0.1 to 1e6
+
+    Returns
+    -------
+    tuple of array (...)
+        C_d [-], dC_d/dln Re [-]; the slope jumps at the table's points
+
+    Source
+    ------
+    Table used in quasi-dynamic bearing programs, after Schlichting.
+
+    Valid
+    -----
+    Re from 0.1 to 1e6; one sphere far from others and from walls.
+    """
+    return _interpolated(reynolds, _SPHERE_DRAG)
 
 
 def drag_notes(reynolds: NDArray | float) -> tuple[Note, ...]:
@@ -88,7 +121,7 @@ def mixture_density(oil: Lubricant, oil_fraction: float) -> float:
 
 def orbit_drag_force(
     cage_speed: NDArray | float,
-    bearing: CylindricalRollerBearing,
+    bearing: "CylindricalRollerBearing",
     oil: Lubricant,
     oil_fraction: float,
     coefficient: float | None = None,
@@ -124,14 +157,63 @@ def orbit_drag_force(
     -----
     As `cylinder_drag`.
     """
-    roller = bearing.roller
-    radius = bearing.pitch_diameter / 2
-    speed = cage_speed * radius
-    size = np.abs(speed)
+    roller, radius = bearing.roller, bearing.pitch_diameter / 2
     area = roller.length * np.maximum(roller.diameter - bearing.cage.thickness, 0.0)
+    pushed = oil, mixture_density(oil, oil_fraction) * area, roller.diameter
+    force, by_speed = _stream_force(cage_speed * radius, pushed, cylinder_drag, coefficient)
+    return force, by_speed * radius
+
+
+def ball_drag_force(
+    speed: NDArray, diameter: float, oil: Lubricant, oil_fraction: float, coefficient: float | None = None
+) -> tuple[NDArray, NDArray]:
+    r"""Force of the oil-air mixture on a ball.
+
+    .. math:: F = \tfrac{\pi}{8} \rho\, C_d V^2 D^2
+
+    Parameters
+    ----------
+    speed : array (...)
+        V of the ball centre [m/s]
+    diameter : float
+        D [m]
+    oil : Lubricant
+        density and viscosity; the Reynolds number is that of the oil
+    oil_fraction : float
+        X, volume share of oil in the mixture [-]
+    coefficient : float, optional
+        C_d [-] at any speed, instead of `sphere_drag`
+
+    Returns
+    -------
+    tuple of array (...)
+        force against the motion [N], signed like the speed; derivative by speed [N s/m],
+        which jumps where the slope of the table of C_d does
+
+    Source
+    ------
+    As `orbit_drag_force`, of a sphere.
+
+    Valid
+    -----
+    As `sphere_drag`; no cage shields the ball.
+    """
+    pushed = oil, mixture_density(oil, oil_fraction) * np.pi / 4 * diameter**2, diameter
+    return _stream_force(speed, pushed, sphere_drag, coefficient)
+
+
+def _stream_force(
+    speed: NDArray | float,
+    pushed: tuple[Lubricant, NDArray | float, NDArray | float],
+    table: DragTable,
+    coefficient: float | None,
+) -> tuple[NDArray, NDArray]:
+    """Drag [N] of a stream and its derivative by speed; from oil, density times area [kg/m], diameter [m]."""
+    oil, mass, diameter = pushed
+    size = np.abs(speed)
     if coefficient is None:
-        value, slope = cylinder_drag(oil.density * roller.diameter / oil.viscosity * size)
+        value, slope = table(oil.density * diameter / oil.viscosity * size)
     else:
         value, slope = coefficient, 0.0
-    half = (0.5 * mixture_density(oil, oil_fraction) * area) * size
-    return half * value * speed, half * (2 * value + slope) * radius
+    half = 0.5 * mass * size
+    return half * value * speed, half * (2 * value + slope)

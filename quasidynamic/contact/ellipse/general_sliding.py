@@ -1,5 +1,6 @@
-"""Full sliding friction in a contact ellipse that slips in any direction."""
+"""Friction in a contact ellipse that slips in any direction: full sliding, or by a law of the slip."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from math import pi
@@ -39,6 +40,19 @@ COARSE = EllipsePoints(8, 10, 0.1)  # of 1e-3
 _FAN = np.array([-1.0, 1.0, -1.0, 1.0])
 
 
+class SlipFriction(NamedTuple):
+    """Coefficient of friction at points, of the load there, with its derivatives."""
+
+    coefficient: NDArray  # [-] >= 0
+    by_slip: NDArray  # [s/m] by the size of the slip
+    by_entrainment: NDArray  # [s/m] by the mean surface speed
+    by_film: NDArray  # [1/m]
+
+
+# From 1 - x^2/a^2 of strips (..., n) and the size of the slip at points (..., n, m).
+FrictionLaw = Callable[[NDArray, NDArray], SlipFriction]
+
+
 class _Strips(NamedTuple):
     """Strips (..., n) of ellipses along the rolling direction, with points (..., n, m) on them.
 
@@ -54,6 +68,7 @@ class _Strips(NamedTuple):
     across: NDArray  # [m/s] slip of the points
     square: NDArray  # [m2/s2] of the whole slip of the points
     share: NDArray  # [N s/m] friction over slip of the points
+    steep: NDArray | float  # [N s/m] derivative of the friction by the size of the slip; zero of Coulomb's
 
 
 @dataclass(frozen=True)
@@ -65,6 +80,8 @@ class GeneralSliding:
     ellipse: Ellipse
     points: EllipsePoints
     strips: _Strips
+    by_entrainment: NDArray | None = None  # (..., 5) derivative of `by_slip` by the mean surface speed
+    by_film: NDArray | None = None  # (..., 5) the same by the film; neither of Coulomb friction
 
     @property
     def power(self) -> NDArray:
@@ -105,7 +122,7 @@ class GeneralSliding:
         points: the derivative by v_t is taken at a slip across that the points still resolve.
         """
         strips = self.strips
-        cubed, along = strips.share / strips.square, strips.along
+        cubed, along = (strips.share - strips.steep) / strips.square, strips.along
         turned, leaned = cubed * strips.across, cubed * strips.place
         bends = np.empty((*along.shape[:-1], 3, 3, along.shape[-1]))
         bends[..., 0, 0, :] = np.einsum("...m,...m", turned, strips.across)
@@ -116,10 +133,17 @@ class GeneralSliding:
         bends[..., 2, 2, :] = along**2 * np.einsum("...m,...m", leaned, strips.place)
         least, narrow = self._narrow
         if narrow.any():
-            shares, squares = strips.share[narrow], strips.square[narrow]
+            shares, squares = (strips.share - strips.steep)[narrow], strips.square[narrow]
             lateral = least[narrow][..., None, None] + np.abs(strips.across[narrow])
             wider = along[narrow][..., None] ** 2 + lateral**2
             bends[narrow, 0, 0, :] = (shares * np.sqrt(squares) * lateral**2 / wider**1.5).sum(-1)
+        if isinstance(strips.steep, np.ndarray):
+            bends[..., 0, 0, :] += strips.steep.sum(-1)
+            bends[..., 1, 1, :] += strips.steep.sum(-1)
+            moment = np.einsum("...m,...m", strips.steep, strips.place)
+            bends[..., 1, 2, :] += moment
+            bends[..., 2, 1, :] += moment
+            bends[..., 2, 2, :] += np.einsum("...m,...m", strips.steep, strips.place**2)
         return bends
 
     @property
@@ -133,8 +157,10 @@ class GeneralSliding:
         return least, (np.abs(across) + turn * ellipse.along < least) & (ellipse.traction > 0.0)
 
 
-def sliding_ellipse(slip: NDArray, ellipse: Ellipse, points: EllipsePoints = FINE) -> GeneralSliding:
-    r"""Friction of full sliding under slip in both directions.
+def sliding_ellipse(
+    slip: NDArray, ellipse: Ellipse, points: EllipsePoints = FINE, law: FrictionLaw | None = None
+) -> GeneralSliding:
+    r"""Friction under slip in both directions, of full sliding or by a law of the slip.
 
     .. math:: \Phi = \int \mu p\, |v|\, dA,\quad p = \frac{3 Q}{2 \pi a b} \sqrt{1 - x^2/a^2 - y^2/b^2},\\
               v_t = e + A\,\sigma(x) + w x,\quad v_1 = k(x) - w_l(x)\, y
@@ -151,11 +177,16 @@ def sliding_ellipse(slip: NDArray, ellipse: Ellipse, points: EllipsePoints = FIN
         a, b, R, mu Q and the spin that makes slip across
     points : EllipsePoints
         panels between the lines v_t = 0, see `strip_points` for those of a strip
+    law : FrictionLaw
+        coefficient by place and size of the slip, of the load that the ellipse has for its friction; None:
+        one everywhere, the friction is that of the ellipse
 
     Returns
     -------
     GeneralSliding
-        homogeneous of degree one in the slip and convex
+        without a law homogeneous of degree one in the slip and convex; with one, `by_slip` are the
+        derivatives of a potential, int p int_0^|v| mu dv dA, convex where no traction falls with the slip,
+        and `power` stays the heat
 
     Source
     ------
@@ -164,8 +195,8 @@ def sliding_ellipse(slip: NDArray, ellipse: Ellipse, points: EllipsePoints = FIN
 
     Valid
     -----
-    Coulomb friction of one coefficient per contact, sliding everywhere: no stick. Where the slip vanishes all
-    over a contact the heat has a kink.
+    Sliding everywhere: no stick. Without a law Coulomb friction of one coefficient per contact: where the
+    slip vanishes all over a contact the heat has a kink.
     """
     x, width = _panels(slip, ellipse, points)
     part = np.maximum(1.0 - (x / ellipse.width[..., None]) ** 2, 0.0)  # rounding alone makes it negative
@@ -177,11 +208,23 @@ def sliding_ellipse(slip: NDArray, ellipse: Ellipse, points: EllipsePoints = FIN
     square = (along**2 + SMALLEST)[..., None] + lateral * lateral
     share /= np.sqrt(square)
     share *= (width * part * (1.5 / pi * ellipse.traction / ellipse.width)[..., None])[..., None]
-    pushed, whole = share * lateral, share.sum(-1)
-    friction = np.stack([along * whole, pushed.sum(-1), np.einsum("...m,...m", pushed, place)], -2)
-    by_all = (by_slip @ friction[..., None])[..., 0].sum(-2)
-    strips = _Strips(x, by_slip, friction, along, whole, place, lateral, square, share)
-    return GeneralSliding(slip, by_all, ellipse, points, strips)
+
+    def summed(share: NDArray) -> tuple[NDArray, NDArray, NDArray]:
+        """Friction of strips, over slip and by slip; the latter of the contact, from that of points."""
+        pushed, whole = share * lateral, share.sum(-1)
+        friction = np.stack([along * whole, pushed.sum(-1), np.einsum("...m,...m", pushed, place)], -2)
+        return whole, friction, (by_slip @ friction[..., None])[..., 0].sum(-2)
+
+    steep, by_entrainment, by_film = 0.0, None, None
+    if law is not None:
+        pressed, size = share, np.sqrt(square)
+        found = law(part, size)
+        share, steep = pressed * found.coefficient, pressed * size * found.by_slip
+        _, _, by_entrainment = summed(pressed * found.by_entrainment)
+        _, _, by_film = summed(pressed * found.by_film)
+    whole, friction, by_all = summed(share)
+    strips = _Strips(x, by_slip, friction, along, whole, place, lateral, square, share, steep)
+    return GeneralSliding(slip, by_all, ellipse, points, strips, by_entrainment, by_film)
 
 
 def _grown(strips: _Strips, radius: NDArray, spin: Spin) -> NDArray:

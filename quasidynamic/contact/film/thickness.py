@@ -43,7 +43,7 @@ class FilmFormula:
     """
 
     source: str
-    factor: float  # c
+    factor: NDArray | float  # c
     material: float  # exponent g
     speed: float  # exponent s
     load: float  # exponent w, counted positive

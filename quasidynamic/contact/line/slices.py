@@ -2,13 +2,16 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quasidynamic.contact.section_stress import SectionStress
 from quasidynamic.errors import ImpossiblePart
-from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
+
+if TYPE_CHECKING:  # balls load no rollers
+    from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 ORTHOGONAL_SHEAR, ORTHOGONAL_DEPTH = 0.25, 0.5  # amplitude over p0, its depth over b; exact, see below
 
@@ -81,7 +84,7 @@ class Slices:
     def _lengths_differ(self) -> bool:
         return isinstance(self.length, np.ndarray)
 
-    def drop(self, bearing: CylindricalRollerBearing) -> NDArray:
+    def drop(self, bearing: "CylindricalRollerBearing") -> NDArray:
         """Drop of rollers and raceways at the computed slices (K, 2, 1 or C, 1) [m], inner raceway first."""
         centres = self.places[:, None, None] * (self.length / 2)
         drops = (bearing.drop(race, centres, self.length) for race in (0, 1))

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.free_ball import FreeBalls, free_balls
+from quasidynamic.balance.balls.free_ball import FreeBalls, OiledBalls, free_balls
 from quasidynamic.balance.balls.light_ball import RELEASE
 from quasidynamic.balance.balls.race_control import (
     BallKinematics,
@@ -21,6 +21,7 @@ from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.point_contact import PointContact
 from quasidynamic.contact.ellipse.rigid_slip import Spin
 from quasidynamic.contact.half_space import ElasticPair
+from quasidynamic.contact.lubricated_ellipse import LubricatedRaces
 from quasidynamic.motion.ball_slip import (
     AXIAL,
     INNER,
@@ -90,6 +91,7 @@ class CoulombControl:
     friction: float  # [-] Coulomb coefficient
     spin: Spin = "centre"  # that makes slip across
     stick: StickingContacts | None = None  # None: full sliding
+    oil: LubricatedRaces | None = None  # whose tractions take the place of the coefficient; None: dry
 
     @property
     def simpler(self) -> RaceControl:
@@ -136,8 +138,11 @@ class CoulombControl:
 
     def heat(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> NDArray:
         """Heat of friction on both races (C, Z) [W]; for what is given see `RaceControl`."""
-        driven, balls, ahead, _ = self._in_a_row(contacts, speeds, centrifugal)
-        heat = np.abs(ahead) * (driven.hold * balls.power.T).sum(0)
+        driven, motion, ahead, outer = self._in_a_row(contacts, speeds, centrifugal)
+        power, moving = motion.power, _moving(driven, ahead)
+        if self.stick is None and moving.any():  # that of the search was one step away
+            power[moving] = self._free(driven, ahead, outer, moving).powers(motion.motion[moving]).sliding
+        heat = np.abs(ahead) * (driven.hold * power.T).sum(0)
         return heat.reshape(contacts.angles.shape[1:])
 
     def _in_a_row(
@@ -175,24 +180,69 @@ class CoulombControl:
 
         Balls that nothing drives roll at no slope.
         """
-        count = len(ahead)
-        axes = np.array([c.semi_axes(n) for c, n in zip(self.contacts, driven.loads, strict=True)])
-        axes[:, 0] = np.minimum(axes[:, 0], self.widest)
-        moving = (ahead != 0) & (driven.loads > 0).all(0)
-        motion = FreeBallMotion(*(np.zeros((count, *size)) for size in ((4,), (4, 4), (2,), (2, 4), (2,))))
+        moving = _moving(driven, ahead)
+        motion = FreeBallMotion(
+            *(np.zeros((len(ahead), *size)) for size in ((4,), (4, 4), (2,), (2, 4), (2,)))
+        )
         motion.motion[:, ORBIT] = -(1 - self.bearing.diameter_ratio) / 2
         if moving.any():
-            loads = driven.loads[:, moving]
-            balls = free_balls(
-                self._places(driven.angles[:, moving].T, axes[:, 0, moving].T),
-                self._ellipses(axes[:, :, moving], loads),
-                self.bearing.ball.inertia * ahead[moving] ** 2,
-                outer_speed[moving] / ahead[moving],
-            )
-            sliding = free_ball_motion(balls)
-            for array, part in zip(motion, self._sticking(balls, loads, sliding), strict=True):
+            balls, loads = self._free(driven, ahead, outer_speed, moving), driven.loads[:, moving]
+            if self.oil is None:
+                found = self._sticking(balls, loads, free_ball_motion(balls))
+            else:
+                found = self._in_oil(self.oil, balls, loads)
+            for array, part in zip(motion, found, strict=True):
                 array[moving] = part
         return motion
+
+    def _free(
+        self, driven: DrivenContacts, ahead: NDArray, outer_speed: NDArray, moving: NDArray
+    ) -> FreeBalls:
+        """Balls that move, of all."""
+        loads = driven.loads[:, moving]
+        axes = self._axes(loads)
+        return free_balls(
+            self._places(driven.angles[:, moving].T, axes[:, 0].T),
+            self._ellipses(axes, loads),
+            self.bearing.ball.inertia * ahead[moving] ** 2,
+            outer_speed[moving] / ahead[moving],
+            self.oil and (self.oil, np.abs(ahead[moving]), driven.hold[:, moving].prod(0)),
+        )
+
+    def oiled(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> OiledBalls:
+        """What the oil does to balls (C, Z); for what is given see `RaceControl`. Zero of balls at rest."""
+        driven, motion, ahead, outer = self._in_a_row(contacts, speeds, centrifugal)
+        moving = _moving(driven, ahead)
+        shape, arrays = contacts.angles.shape[1:], []
+        found = self._free(driven, ahead, outer, moving).oiled(motion.motion[moving], np.sign(ahead[moving]))
+        for part in found:
+            array = np.zeros((*part.shape[1:], len(ahead)))
+            array[..., moving] = np.moveaxis(part, 0, -1)
+            arrays.append(array.reshape(*part.shape[1:], *shape))
+        return OiledBalls(*arrays)
+
+    def _in_oil(self, oil: LubricatedRaces, balls: FreeBalls, loads: NDArray) -> FreeBallMotion:
+        """Motion of balls (N) of loads (2, N) in oil."""
+        numbers, found = np.arange(loads.shape[1]), []
+        for block in np.split(numbers, range(BLOCK, len(numbers), BLOCK)):
+            some = balls.taken(block)
+            found.append(free_ball_motion(some, partial(self._nearby, oil, some, loads[:, block])))
+        return FreeBallMotion(*(np.concatenate(arrays) for arrays in zip(*found, strict=True)))
+
+    def _nearby(
+        self, oil: LubricatedRaces, balls: FreeBalls, loads: NDArray, growth: float, turn: float
+    ) -> FreeBalls:
+        """Balls (N), their loads (2, N) times e^growth, their angles by a turn [rad] further."""
+        assert balls.oil is not None
+        more = np.exp(growth) * loads
+        axes = self._axes(more)
+        return free_balls(
+            self._places(balls.contacts.angle[:, 0] + turn, axes[:, 0].T),
+            self._ellipses(axes, more),
+            balls.gyration,
+            balls.outer_speed,
+            (oil, balls.oil.speed, balls.oil.hold),
+        )
 
     def _sticking(self, balls: FreeBalls, loads: NDArray, sliding: FreeBallMotion) -> FreeBallMotion:
         """Motion of balls (N) of loads (2, N) whose contacts stick, from that in full sliding."""
@@ -214,8 +264,7 @@ class CoulombControl:
     ) -> RollingBall:
         """Contacts of balls (N), their loads (2, N) times e^growth, their angles by a turn [rad] further."""
         more = np.exp(growth) * loads
-        axes = np.array([c.semi_axes(n) for c, n in zip(self.contacts, more, strict=True)])
-        axes[:, 0] = np.minimum(axes[:, 0], self.widest)
+        axes = self._axes(more)
         places = self._places(balls.contacts.angle[:, 0] + turn, axes[:, 0].T)
         ellipse = self._ellipses(axes, more)
         ball = rolling_balls(places, ellipse, balls.unknowns, stick.pairs, stick.cells)
@@ -229,11 +278,18 @@ class CoulombControl:
         """
         return WIDEST * self.bearing.ball.diameter / 2
 
+    def _axes(self, loads: NDArray) -> NDArray:
+        """Semi-axes (2, 2, N) [m] of contacts of loads (2, N), none too wide."""
+        axes = np.array([c.semi_axes(n) for c, n in zip(self.contacts, loads, strict=True)])
+        axes[:, 0] = np.minimum(axes[:, 0], self.widest)
+        return axes
+
     def _ellipses(self, axes: NDArray, loads: NDArray) -> Ellipse:
         """Contacts (N, 2) of semi-axes (2, 2, N) and loads (2, N)."""
         across, along = axes[:, 0].T, axes[:, 1].T
         surfaces = self._surfaces + np.zeros_like(across)
-        return Ellipse(across, along, surfaces, self.friction * loads.T, self.spin)
+        share = self.friction if self.oil is None else 1.0  # of the load
+        return Ellipse(across, along, surfaces, share * loads.T, self.spin)
 
     def _places(self, angles: NDArray, across: NDArray) -> BallContacts:
         """Contacts at angles (N, 2) of semi-axes (N, 2)."""
@@ -248,3 +304,8 @@ class CoulombControl:
         bearing, diameter = self.bearing, self.bearing.ball.diameter
         grooves = diameter * np.array([bearing.inner.conformity, bearing.outer.conformity])
         return pressed_radius(np.array(diameter / 2), grooves)
+
+
+def _moving(driven: DrivenContacts, ahead: NDArray) -> NDArray:
+    """Balls (N) that both races drive."""
+    return (ahead != 0) & (driven.loads > 0).all(0)

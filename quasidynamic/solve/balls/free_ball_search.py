@@ -1,11 +1,12 @@
 """Newton's method for the motion of balls that friction and inertia alone move."""
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.free_ball import FreeBallBalance, FreeBalls, gyroscopic
+from quasidynamic.balance.balls.free_ball import FreeBallBalance, FreeBalls, gyroscopic, sliding_of
 from quasidynamic.contact.ellipse.general_sliding import (
     COARSE,
     FINE,
@@ -28,6 +29,9 @@ NEUTRAL = 0.347**2  # of the fall of the surface to the edge of a contact: lines
 SHARES = (0.01, 0.9)  # of the friction, across
 NO_SPIN = 1e-6  # spin by the third unknown below which a race does not see it
 LONGEST = 2.0  # of the speeds of the rolling ball: step
+NEAR = 1e-5  # change of the logarithm of a load, of an angle [rad]: step of differences in oil
+
+Nearby = Callable[[float, float], FreeBalls]  # balls by the growth of the logarithm of loads, of angles [rad]
 
 
 class FreeBallMotion(NamedTuple):
@@ -44,19 +48,20 @@ class _Contact(NamedTuple):
     """What changes at one contact with its load or angle, the motion given: (N, 2, ...) load, then angle."""
 
     left: NDArray  # (N, 2, 4) by motion
-    force: NDArray  # (N, 2, 5) derivative of the heat by the slip
+    across: NDArray  # (N, 2) [N] derivative of the heat by the slip across
 
 
-def free_ball_motion(balls: FreeBalls) -> FreeBallMotion:
-    """Balance of balls with its slopes, by implicit differentiation."""
+def free_ball_motion(balls: FreeBalls, nearby: Nearby | None = None) -> FreeBallMotion:
+    """Balance of balls with its slopes, by implicit differentiation; of balls in oil those `nearby`, too."""
     unknowns = nearly_balanced(balls)
-    solution, left, unknowns = _motion_at(balls, unknowns)
+    solution, left, unknowns = _motion_at(balls, unknowns, nearby)
     for search in (None, None, searched_again):
         lost = ~(left <= ONE_STEP_AWAY)
         if not lost.any():
             break
         some, start = balls.taken(lost), unknowns[lost]
-        again, left[lost], unknowns[lost] = _motion_at(some, search(some, start) if search else start)
+        near = nearby and (lambda *growth, keep=lost: nearby(*growth).taken(keep))
+        again, left[lost], unknowns[lost] = _motion_at(some, search(some, start) if search else start, near)
         for array, new in zip(solution, again, strict=True):
             array[lost] = new
     for array in solution:
@@ -64,27 +69,42 @@ def free_ball_motion(balls: FreeBalls) -> FreeBallMotion:
     return solution
 
 
-def _motion_at(balls: FreeBalls, unknowns: NDArray) -> tuple[FreeBallMotion, NDArray, NDArray]:
+def _motion_at(
+    balls: FreeBalls, unknowns: NDArray, nearby: Nearby | None
+) -> tuple[FreeBallMotion, NDArray, NDArray]:
     """Balls after a last Newton step from unknowns (N, 4), what was left before it, and its end."""
     friction = balls.friction(unknowns)
     near_balance = balls.balance(unknowns, friction)
-    motion = balls.motion(unknowns)
-    by_contact = [_given(balls, race, motion, friction) for race in (INNER, OUTER)]
+    motion, sliding = balls.motion(unknowns), sliding_of(friction)
+    if nearby is None:
+        by_contact = [_given(balls, race, motion, sliding) for race in (INNER, OUTER)]
+    else:
+        by_contact = _by_differences(nearby, motion)
     changed = np.concatenate([change.left for change in by_contact], axis=1) @ balls.unknowns  # (N, 4, 4)
     moments = np.concatenate([np.swapaxes(changed, -1, -2), near_balance.left[..., None]], axis=-1)
     slopes, last = np.split(-near_balance.resolved(moments), [4], axis=-1)  # by contact, Newton step
-    by_unknown = friction.curvature[:, :, [ACROSS]] @ balls.by_unknown  # (N, 2, 1, 4)
+    by_unknown = balls.force_slopes(friction)[:, :, [ACROSS]]  # (N, 2, 1, 4)
     across = -(by_unknown @ slopes[:, None])[:, :, 0]
     for race, change in enumerate(by_contact):
-        across[:, race, 2 * race : 2 * race + 2] -= change.force[..., ACROSS]
+        across[:, race, 2 * race : 2 * race + 2] -= change.across
     solution = FreeBallMotion(
         motion=motion + (balls.unknowns @ last)[..., 0],
         motion_slopes=balls.unknowns @ slopes,
-        across=-friction.by_slip[..., ACROSS] - (by_unknown @ last[:, None])[..., 0, 0],
+        across=-sliding.by_slip[..., ACROSS] - (by_unknown @ last[:, None])[..., 0, 0],
         across_slopes=across,
-        power=friction.power,
+        power=sliding.power,
     )
     return solution, (np.abs(near_balance.left) / balls.scale).max(1), unknowns + last[..., 0]
+
+
+def _by_differences(nearby: Nearby, motion: NDArray) -> list[_Contact]:
+    """What changes at both contacts, the motion (N, 4) given."""
+    left, across = [], []
+    for kind in np.eye(2) * NEAR:
+        more, less = nearby(*kind).powers(motion), nearby(*-kind).powers(motion)
+        left.append((more.by_motion - less.by_motion) / (2 * NEAR))
+        across.append((less.across - more.across) / (2 * NEAR))
+    return [_Contact(np.stack(left, 2)[:, race], np.stack(across, 2)[:, race]) for race in (INNER, OUTER)]
 
 
 def _given(balls: FreeBalls, race: int, motion: NDArray, friction: GeneralSliding) -> _Contact:
@@ -99,7 +119,7 @@ def _given(balls: FreeBalls, race: int, motion: NDArray, friction: GeneralSlidin
     force = slip @ curvature
     force[:, LOAD] += friction.by_load[:, race]
     left = force @ balls.by_motion[:, race] + np.einsum("nksj,ns->nkj", by_contact, by_slip)
-    return _Contact(left, force)
+    return _Contact(left, force[..., ACROSS])
 
 
 def _higher(balls: FreeBalls, race: int) -> NDArray:
@@ -125,11 +145,14 @@ def _turned(contacts: BallContacts) -> NDArray:
 def nearly_balanced(balls: FreeBalls) -> NDArray:
     """Unknowns (N, 4) of balls that most often leave less than `ONE_STEP_AWAY` of the largest friction.
 
-    From whichever control makes the least heat, with few points in the contacts; then one step with all.
+    From whichever control makes the least heat, with few points in the contacts; then one step with all, and
+    in oil, whose friction is less than what it is measured with, another one.
     """
     unknowns, _ = _searched(balls, _least_heat(balls), 1.0, (COARSE, COARSE_TOLERANCE))
-    near_balance = balls.balance(unknowns, balls.friction(unknowns))
-    return unknowns - near_balance.resolved(near_balance.left[..., None])[..., 0]
+    for _ in range(1 if balls.oil is None else 2):
+        near_balance = balls.balance(unknowns, balls.friction(unknowns))
+        unknowns = unknowns - near_balance.resolved(near_balance.left[..., None])[..., 0]
+    return unknowns
 
 
 def searched_again(balls: FreeBalls, start: NDArray) -> NDArray:
