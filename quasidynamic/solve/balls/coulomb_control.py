@@ -109,7 +109,9 @@ class CoulombControl:
     @property
     def cost(self) -> int:
         """A search for the motion of every ball, and less of all else."""
-        return 20 if self.stick is None else 100
+        if self.stick is not None:
+            return 100
+        return 20 if self.oil is None else 60
 
     def kinematics(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> BallKinematics:
         """Motion of balls and what it asks of the races, see `RaceControl`."""
