@@ -48,7 +48,7 @@ def attributes(case: Head) -> dict[str, Any]:
         of_case, of_files, effects = _understood(inputs.content(place, LARGEST))
     except (inputs.Unreadable, ValueError) as problem:
         raise BadCase(f"{place}: {problem}; delete it.") from problem
-    if of_files == digests(case) and _unchanged(of_case, _inputs(case), _inputs(case, exclude_unset=True)):
+    if of_files == digests(case) and unchanged(of_case, _inputs(case), _inputs(case, exclude_unset=True)):
         return {"assumed_effects": effects}
     return {"effects_left_out": LEFT_OUT}
 
@@ -58,15 +58,15 @@ def _inputs(case: Head, *, exclude_unset: bool = False) -> dict[str, Any]:
     return case.model_dump(mode="json", exclude=_NO_INPUTS, exclude_unset=exclude_unset)
 
 
-def _unchanged(stored: Any, now: Any, given: Any) -> bool:
+def unchanged(stored: Any, now: Any, given: Any) -> bool:
     """Whether inputs are as stored; keys that are not, as they were declared later, must not be given."""
     if isinstance(stored, dict) and isinstance(now, dict):
         given = given or {}
         return given.keys() <= stored.keys() <= now.keys() and all(
-            _unchanged(value, now[key], given.get(key)) for key, value in stored.items()
+            unchanged(value, now[key], given.get(key)) for key, value in stored.items()
         )
     if isinstance(stored, list) and isinstance(now, list):
-        return len(stored) == len(now) and all(map(_unchanged, stored, now, given or [None] * len(now)))
+        return len(stored) == len(now) and all(map(unchanged, stored, now, given or [None] * len(now)))
     return stored == now
 
 
