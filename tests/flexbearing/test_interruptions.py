@@ -129,10 +129,9 @@ def test_signal_ends_a_run_in_one_line_with_its_exit_code(number, tmp_path):
 
 def test_what_the_terminal_sends_to_all_processes_ends_meshing_without_a_trace(tmp_path):
     solid = [
-        "inner.kind=rigid", "outer.kind=ring", "outer.support=side", "outer.thickness=5 mm",
-        "accuracy.structure=solid", "accuracy.element_order=2", "accuracy.mesh_size=8 mm",
-        "accuracy.raceway_mesh_size=4 mm", "accuracy.patch_width=1.8 mm", "accuracy.slices=8",
-        "accuracy.axial_shapes=2",
+        "inner.kind=rigid", "accuracy.structure=solid", "accuracy.element_order=2", "outer.bars=8",
+        "outer.bar_width=10 mm", "accuracy.mesh_size=8 mm", "accuracy.raceway_mesh_size=3.5 mm",
+        "accuracy.patch_width=1.5 mm", "accuracy.slices=8", "accuracy.axial_shapes=2",
     ]  # fmt: skip
     process = started("run", PAPER, "-o", tmp_path / "out.h5", *sets(solid))
     wait_for(process.stderr, "outer ring")
