@@ -57,7 +57,7 @@ def sensitivities(
             f"{case.source.path}: accuracy.target chooses levels anew for every value of a key; take the key "
             "out for derivatives."
         )
-    refused = {"operation.control": case.operation.control in ("coulomb", "oil")}
+    refused = {"operation.control": case.operation.by_friction}
     refused |= {"outer.bilateral": case.outer.lifts_off}
     refused |= {"friction.model": case.friction.model != "full_sliding"}
     for key, given in refused.items():

@@ -76,7 +76,6 @@ class Solution:
 
 STICK = "stick and slip, ball by ball"  # what is reported while it is found
 OUT_OF_RANGE = "outside a law"  # how a solver ended
-FRICTION = ("coulomb", "oil")  # controls by which friction decides what balls do
 USUAL = MethodsOfCoupling()  # by which cases are solved side by side
 Ended = Solution | NotSolved | BadCase  # or why there is no solution
 Block = Literal["rigid", "flexible"]  # the rings between which there is a solution
@@ -383,7 +382,7 @@ def block(solution: Solution) -> dict[str, NDArray]:
     """Quantities of the solution."""
     case, state, contact = solution.case, solution.state, solution.contact
     lines = _lines(case, state, contact) if len(contact.balls) else None
-    free = {"yaw": state.yaw} if case.operation.control in FRICTION else None
+    free = {"yaw": state.yaw} if case.operation.by_friction else None
     parts = {
         "worst": solution.worst,
         "subsurface": subsurface.of_balls(case, solution.worst),
@@ -477,7 +476,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
         **life_of_state.rating_ratios([ratings]),
         **life_of_state.rating_changes([ratings]),
     }
-    if operation.control not in FRICTION:  # there balls turn where friction does not hold them
+    if not operation.by_friction:  # there balls turn where friction does not hold them
         values |= {"needed_friction": state.needed_friction.max(), "friction": case.friction.coefficient}
     if lives is not None:
         life = lives.basic if lives.modified is None else lives.modified
@@ -535,7 +534,7 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
         lines += shoulders.reached_over(name, heights, angles, case.bearing.ball.diameter, shoulder)
     unguided = int((state.on_inner & ~state.guided).sum())
     if unguided:
-        far = "" if case.operation.control in FRICTION else " or too far round"
+        far = "" if case.operation.by_friction else " or too far round"
         lines += (
             outside(
                 "unguided-balls",
@@ -625,7 +624,7 @@ def _lineless(solution: Solution) -> tuple[Note, ...]:
 def _lying(case: FastCase, state: qd.AngularContactState) -> tuple[Note, ...]:
     """Balls that friction does not hold against their gyroscopic moment, and how they turn."""
     lying = state.on_inner & ~state.upright
-    if case.operation.control not in FRICTION or not lying.any():
+    if not case.operation.by_friction or not lying.any():
         return ()
     return (
         information(

@@ -19,7 +19,7 @@ def of_fast_balls(solution: Any) -> Mapping[str, Any]:
         return {}
     found = {WEIGHT + OF_BALLS: weight_share(bearing.ball.mass, state.loads.max())}
     torque = solution.friction.friction_torque
-    if case.operation.control in ("coulomb", "oil") or torque is None:
+    if case.operation.by_friction or torque is None:
         return {"neglected": found}
     return {"neglected": found | {FRICTION: friction_share(torque, bearing.pitch_diameter, total / 2)}}
 

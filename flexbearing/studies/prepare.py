@@ -147,7 +147,7 @@ def _is_side_by_side(case: Head | None) -> bool:
 def _is_in_cells(case: Head | None) -> bool:
     """Whether contacts of cases like this one are divided into cells, or their friction is in the balance."""
     if isinstance(case, FastCase):
-        return case.operation.control in ("coulomb", "oil") or case.friction.model != "full_sliding"
+        return case.operation.by_friction or case.friction.model != "full_sliding"
     if isinstance(case, Case):
         return case.bearing.contact == "half_space"
     return isinstance(case, FourPointCase) and case.bearing.balls is not None

@@ -266,6 +266,11 @@ class FastOperation(Section):
     )
 
     @property
+    def by_friction(self) -> bool:
+        """Whether friction decides what balls do, and no race."""
+        return self.control in ("coulomb", "oil")
+
+    @property
     def held(self) -> tuple[str, ...]:
         """Keys that hold the ring in place of a force, which is not known then."""
         places = [f"displacement.{name}" for name in ("axial", "radial_y", "radial_z")]
