@@ -90,7 +90,8 @@ def record(
     changes = {
         name: [np.abs(other[name] - value[name]).max() / scale for other in numbers[1:]]
         for name in value
-        if (scale := 1.0 if name == CAGE_SLIP.name else np.abs(value[name]).max()) > 0
+        if all(name in other for other in numbers[1:])
+        and (scale := 1.0 if name == CAGE_SLIP.name else np.abs(value[name]).max()) > 0
     }
     errors = {name: ERROR_OVER_CHANGE * float(max(each)) for name, each in changes.items()}
     return {"slice_error": {"slices": counts, **{n: e for n, e in errors.items() if np.isfinite(e)}}}

@@ -5,6 +5,8 @@ from pathlib import Path
 import pytest
 
 import flexbearing
+from flexbearing.coupled.states import EndStates
+from flexbearing.runs import life_error
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 BEAM = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam"]  # nothing is meshed
@@ -38,3 +40,20 @@ def test_a_target_estimates_instead(tmp_path):
 def test_runs_in_memory_spend_no_time_on_estimates(tmp_path):
     assert "slice_error" not in flexbearing.run(CONFIGS / "nu209.toml").attributes
     assert "slice_error" in flexbearing.run(CONFIGS / "nu209.toml", output=tmp_path / "out.h5").attributes
+
+
+def test_an_output_that_finer_slices_do_not_have_has_no_error(monkeypatch, tmp_path):
+    """Bearing and supports may be springs in series at some slices only."""
+    seen = []
+
+    class InSeriesAtFirst(EndStates):
+        @property
+        def stiffness(self):
+            seen.append(self)
+            return None if len(seen) > 1 else super().stiffness
+
+    monkeypatch.setattr(life_error, "EndStates", InSeriesAtFirst)
+    result = flexbearing.run(CONFIGS / "nu209.toml", output=tmp_path / "out.h5")
+    assert len(seen) == 3
+    assert "stiffness" not in result.attributes["slice_error"]
+    assert "total_stiffness" in result.attributes["slice_error"]
