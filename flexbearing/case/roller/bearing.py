@@ -216,6 +216,11 @@ class Bearing(Section):
         pitch = (self.outer_raceway_diameter - self.roller.diameter) / 2
         return pitch - cage.thickness / 2, pitch + cage.thickness / 2
 
+    def raceway_radius(self, race: Literal["inner", "outer"]) -> float:
+        """Radius of curvature of a raceway [m], negative of the hollow outer one."""
+        outer = self.outer_raceway_diameter / 2
+        return -outer if race == "outer" else outer - self.roller.diameter
+
     @property
     def relieved(self) -> bool:
         """Whether roller or raceway has a profile at both contacts."""
