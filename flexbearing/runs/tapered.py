@@ -143,7 +143,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
             "dynamic_rating": rated.dynamic,
             **judged.lives(life / MREV, loads.operation.relative_speed, [case.life.required]),
         }
-    return evaluate(declared.OF_ROLLERS, values)
+    return evaluate(declared.OF_TAPERED, values)
 
 
 def _neglected(solution: Solution) -> dict[str, float]:
