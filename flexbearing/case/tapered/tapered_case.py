@@ -45,7 +45,7 @@ class Rib(Section):
         example="150 mm",
         gt=0,
     )
-    friction: float = key("Coulomb friction of the ends on the rib, for its heat and torque", ge=0, le=1)
+    friction: float = key("Coulomb friction of the ends on the rib, for its heat", example=0.05, ge=0, le=1)
 
 
 class TaperedBearing(Section):
