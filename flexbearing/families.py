@@ -55,5 +55,18 @@ _ANGULAR = Family(
 _DEEP_GROOVE = replace(  # an angular-contact bearing whose contact angle comes from its clearance
     _ANGULAR, kind="deep_groove_ball", case=Entry("flexbearing.case.balls.deep_groove:DeepGrooveCase")
 )
+_TAPERED = Family(
+    kind="tapered_roller",
+    case=Entry("flexbearing.case.tapered:TaperedCase"),
+    build=Entry("flexbearing.build.tapered_bearing:build"),
+    opening=Entry("flexbearing.runs.tapered:opening"),
+    solve=Entry("flexbearing.runs.tapered:solve"),
+    rows=Entry("flexbearing.runs.tapered:answers"),
+    layout=Entry("flexbearing.quantities.tapered:LAYOUT"),
+    report=Entry("flexbearing.report.family_report:TAPERED"),
+    card=_CARD,
+    profiles=Entry("flexbearing.build.profiles:drawn"),
+    catalogue=Entry("flexbearing.runs.tapered_catalogue:CATALOGUE"),
+)
 
-FAMILIES = {family.kind: family for family in (_ROLLER, _FOUR_POINT, _ANGULAR, _DEEP_GROOVE)}
+FAMILIES = {family.kind: family for family in (_ROLLER, _FOUR_POINT, _ANGULAR, _DEEP_GROOVE, _TAPERED)}

@@ -57,6 +57,10 @@ if TYPE_CHECKING:
         Operation as Operation,
         Roller as Roller,
     )
+    from quasidynamic.parts.tapered_bearing import (
+        Rib as Rib,
+        TaperedRollerBearing as TaperedRollerBearing,
+    )
     from quasidynamic.roller import (
         Equilibria as Equilibria,
         Equilibrium as Equilibrium,
@@ -69,6 +73,7 @@ if TYPE_CHECKING:
     )
     from quasidynamic.solve.step_length import SolverOutcome as SolverOutcome
     from quasidynamic.static import static_loads as static_loads
+    from quasidynamic.tapered import TaperedLoads as TaperedLoads, tapered_loads as tapered_loads
 
 EXPORTS = {
     "angular_contact": ("AngularContactBallBearing",),
@@ -99,10 +104,12 @@ EXPORTS = {
         "TangentCrowned",
     ),
     "parts.roller_bearing": ("Cage", "CylindricalRollerBearing", "Operation", "Roller"),
+    "parts.tapered_bearing": ("Rib", "TaperedRollerBearing"),
     "roller": ("Equilibria", "Equilibrium", "RollerBearing", "solve_many"),
     "solve.balls.preloaded_place": ("preloaded_place", "unloading_force"),
     "solve.step_length": ("SolverOutcome",),
     "static": ("static_loads",),
+    "tapered": ("TaperedLoads", "tapered_loads"),
 }
 
 

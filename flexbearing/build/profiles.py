@@ -3,14 +3,13 @@
 import re
 from functools import lru_cache
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 import quasidynamic as qd
 from flexbearing import inputs
-from flexbearing.build.expansion import material
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
 from flexbearing.case.roller.profile import Generatrix
@@ -21,6 +20,11 @@ from quasidynamic import ImpossiblePart
 from quasidynamic.contact.line import fujiwara_kawase, johns_gohar, lundberg, reduced_radius
 from quasidynamic.parts.material import contact_modulus
 
+if TYPE_CHECKING:
+    from flexbearing.case.tapered import TaperedCase
+
+    RollerCase = Case | TaperedCase
+
 Race = Literal["inner", "outer"]
 RACES: tuple[Race, Race] = "inner", "outer"
 OF_ISO = 0.00035  # A over the roller's diameter [-], ISO/TS 16281
@@ -29,18 +33,18 @@ HEADING = re.compile(r"\s*(position|drop)\s*\[([^\[\]]+)\]\s*")
 _HEADER = 'a header holds "position [mm]" and "drop [um]", each with a unit of length'
 
 
-def of_roller(case: Case) -> qd.Profile:
+def of_roller(case: "RollerCase") -> qd.Profile:
     """Profile of the rollers; one for a design load belongs to the inner contact."""
     return _profile(case, case.bearing.roller, "inner", "bearing.roller")
 
 
-def of_raceway(case: Case, race: Race) -> qd.Profile:
+def of_raceway(case: "RollerCase", race: Race) -> qd.Profile:
     """Profile of a raceway along the rollers."""
     table = getattr(case.bearing, f"{race}_raceway")
     return qd.Straight() if table is None else _profile(case, table, race, f"bearing.{race}_raceway")
 
 
-def drawn(case: Case, number: int = 121) -> dict[str, tuple[NDArray, NDArray]]:
+def drawn(case: "RollerCase", number: int = 121) -> dict[str, tuple[NDArray, NDArray]]:
     """Profiles that are not straight, from end to end of a cold roller.
 
     Raises `BadCase` where points of a profile cannot be read or are none of such a roller.
@@ -58,7 +62,7 @@ def drawn(case: Case, number: int = 121) -> dict[str, tuple[NDArray, NDArray]]:
     return {table: (places, drop) for table, drop in drops.items() if drop.any()}
 
 
-def _profile(case: Case, table: Generatrix, race: Race, name: str) -> qd.Profile:
+def _profile(case: "RollerCase", table: Generatrix, race: Race, name: str) -> qd.Profile:
     """Profile of a roller or a raceway; at its temperature it is as long as the roller."""
     given: Any = table  # which values are there depends on the profile, checked on reading
     match table.profile:
@@ -78,12 +82,11 @@ def _profile(case: Case, table: Generatrix, race: Race, name: str) -> qd.Profile
             return _designed(case, given, race)
 
 
-def _designed(case: Case, given: Any, race: Race) -> qd.Profile:
+def _designed(case: "RollerCase", given: Any, race: Race) -> qd.Profile:
     """Profile for a design load, under the modulus and the radius of a contact."""
     roller = case.bearing.roller
-    outer = case.bearing.outer_raceway_diameter / 2
-    radius = reduced_radius(roller.diameter / 2, -outer if race == "outer" else outer - roller.diameter)
-    pair = (material(case, part) for part in ("roller", f"{race}_ring"))
+    radius = reduced_radius(roller.diameter / 2, case.bearing.raceway_radius(race))
+    pair = (getattr(case.materials, part) for part in ("roller", f"{race}_ring"))
     load, length, modulus = given.design_load, roller.length, contact_modulus(*map(elastic, pair))
     if given.profile == "lundberg":
         return lundberg(load, length, modulus)
@@ -106,8 +109,9 @@ def elastic(solid: Any) -> qd.Material:
     )
 
 
-def _through_points(case: Case, table: Generatrix, name: str) -> qd.Profile:
-    file = case.points_file(table)
+def _through_points(case: "RollerCase", table: Generatrix, name: str) -> qd.Profile:
+    name_of_file = table.points_file
+    file = None if name_of_file is None else Path(case.source.path).parent / name_of_file
     try:
         lists = (table.point_positions, table.point_drops) if file is None else points(file)
         positions, drops = map(np.array, lists)

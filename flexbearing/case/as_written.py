@@ -27,6 +27,14 @@ BALL_SIZES = (
     "bearing.contact_angle",
     *GROOVES,
 )
+TAPERED_SIZES = (
+    "bearing.rollers",
+    "bearing.pitch_diameter",
+    "bearing.cup_angle",
+    "bearing.roller.diameter",
+    "bearing.roller.length",
+)
+SIZES = (*ROLLER_SIZES, *BALL_SIZES, *TAPERED_SIZES)
 RATINGS = tuple(f"life.{name}" for name in OF_CATALOGUE)
 
 
@@ -36,7 +44,7 @@ def rated_apart(rated: Iterable[str], varied: Iterable[str]) -> str:
     A rating of a setting belongs to the bearing that results, so that it would not follow what varies.
     """
     ratings = [key for key in rated if key in RATINGS]
-    sizes = [key for key in varied if key in (*ROLLER_SIZES, *BALL_SIZES)]
+    sizes = [key for key in varied if key in SIZES]
     if not (ratings and sizes):
         return ""
     return f"{ratings[0]} is set while {sizes[0]} varies; write it into the case file, then it follows"
@@ -60,7 +68,7 @@ def require_readable(case: Head) -> None:
     """Refuse a case with a rating whose sizes in the file cannot be read."""
     for rating in RATINGS:
         if getattr(getattr(case, "life", None), rating.partition(".")[2], None) is not None:
-            as_written(case, rating, (*ROLLER_SIZES, *BALL_SIZES))
+            as_written(case, rating, SIZES)
 
 
 @lru_cache(maxsize=256)

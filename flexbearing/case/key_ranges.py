@@ -65,7 +65,7 @@ def _temperature(keys: str, spread: float, *, lever: bool = True) -> KeyRange:
     return KeyRange(keys, plus(-spread, spread), THUMB, 5.0, True, about(60.0, 250.0) if lever else None)
 
 
-TWO_DEG = pi / 90
+TWO_DEG, RIB = pi / 90, pi / 900
 MOST_STEPS = 20  # to either side of zero
 _ANY = within(3.0)
 _FIFTH = times(0.8, 1.25), f"a fifth less, a quarter more: {THUMB}"
@@ -98,6 +98,11 @@ RANGES: tuple[KeyRange, ...] = (  # of keys that hold numbers, the first that fi
     KeyRange(
         "bearing.contact_angle", plus(-TWO_DEG, TWO_DEG), f"2 deg: {THUMB}", TWO_DEG, True, about(0.35, 0.0),
     ),
+    KeyRange("bearing.cup_angle", plus(-RIB, RIB), f"0.2 deg: {THUMB}", RIB, True, about(RIB, 0.0)),
+    KeyRange("bearing.cone_angle", plus(-RIB, RIB), f"0.2 deg: {THUMB}", RIB, True, about(RIB, 0.0)),
+    KeyRange("bearing.rib.angle", plus(-RIB, RIB), f"0.2 deg: {THUMB}", RIB, True, about(RIB, 0.0)),
+    KeyRange("bearing.rib.end_radius", times(0.95, 1.03), f"0.9 to 0.98 of the apex distance: {THUMB}", 0.03),
+    KeyRange("bearing.rib.friction", instead(0.02, 0.1), THUMB),
     KeyRange("bearing.first_roller_azimuth", *_FIFTH, pi / 90, True),
     KeyRange("bearing.roughness.*", times(0.5, 2.0), THUMB, lever=within(10.0)),
     KeyRange("friction.coefficient", times(0.5, 1.5), THUMB),

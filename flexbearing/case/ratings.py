@@ -133,3 +133,13 @@ class BallLife(Ratings):
         "and the equivalent load P of the radial and the axial load, (C_r/P)^3 of ISO 281",
         "balls",
     )
+
+
+class TaperedLife(Ratings):
+    """What the life is rated with, and what modifies it; nothing does unless it is given."""
+
+    loads: Literal["rollers", "rating"] = key(
+        "rollers: life under the loads of all slices, by ISO/TS 16281; rating: as a catalogue has it, from "
+        "C_r and the equivalent load P of the radial and the axial load, (C_r/P)^(10/3) of ISO 281",
+        "rollers",
+    )

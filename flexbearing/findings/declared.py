@@ -16,6 +16,7 @@ from flexbearing.findings.running import (
     RACEWAY_SLOPE,
     RATED_VISCOSITY_RATIO,
     REQUIRED_LIFE,
+    RIB_CONTACT,
     SHORT_LIFE,
     STIFFNESS_IN_SERIES,
     VISCOSITY_RATIO,
@@ -72,7 +73,23 @@ OF_BALLS = (
     REVERSED_THRUST,
     CONTACT_HEIGHT,
 )
-DECLARED = tuple(dict.fromkeys((*OF_ROLLERS, *OF_BALLS)))
+OF_TAPERED = (
+    CONTACT_PRESSURE,
+    STATIC_SAFETY,
+    USUAL_STATIC_SAFETY,
+    SHORT_LIFE,
+    REQUIRED_LIFE,
+    HEAVY_LOAD,
+    LIGHT_LOAD_OF_ROLLERS,
+    VISCOSITY_RATIO,
+    RATED_VISCOSITY_RATIO,
+    RIB_CONTACT,
+    *RATINGS,
+    LEAST_STIFFNESS,
+    MUCH_NEGLECTED,
+    NEGLECTED,
+)
+DECLARED = tuple(dict.fromkeys((*OF_ROLLERS, *OF_BALLS, *OF_TAPERED)))
 
 
 def is_declared(code: str, grade: str) -> bool:

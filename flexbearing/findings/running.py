@@ -78,4 +78,10 @@ PRESSED_ENDS = Finding(
     action="compute whole contacts, or take a profile that relieves the ends",
     keys=(("bearing.contact", "half_space"),),
 )  # fmt: skip
+RIB_CONTACT = Finding(
+    code="rib-contact", label="reach of the rib contact on the roller's end, over its radius",
+    quantity="rib_reach", at_most=1.0, grade=OUTSIDE, source="there the end is chamfered", of_model=True,
+    meaning="the end of the roller presses its edge into the rib: pressure and heat are larger",
+    action="take a rib angle closer to the axis of the rollers, or a lower load",
+)  # fmt: skip
 PEAK_AT_ENDS = {PRESSED_ENDS.code, "sharp-roller-end", "sliced-peak"}  # notes: slices do not have the peak

@@ -19,6 +19,7 @@ from flexbearing.studies.file.slurm_profile import SlurmProfile
 from flexbearing.studies.file.values import MOST, RANGE
 
 ROLLERS = ("cylindrical_roller",)
+TAPERED = ("tapered_roller",)
 BALLS = ("four_point_ball", "angular_contact_ball", "deep_groove_ball")
 
 
@@ -29,12 +30,13 @@ class Page:
     name: str  # of its file, without ending
     title: str
     keys: tuple[str, ...]  # patterns of the tables on it
-    kinds: tuple[str, ...] = (*ROLLERS, *BALLS)
+    kinds: tuple[str, ...] = (*ROLLERS, *TAPERED, *BALLS)
 
 
 PAGES = (  # a table is on the first page that takes it
     Page("fits", "Fits and temperatures", ("bearing.fits*", "operation.temperatures*")),
     Page("roller-bearing", "Cylindrical roller bearing", ("bearing*",), ROLLERS),
+    Page("tapered-bearing", "Tapered roller bearing", ("bearing*",), TAPERED),
     Page("ball-bearing", "Ball bearings", ("bearing*",), BALLS),
     Page("materials", "Materials", ("materials*",)),
     Page("lubricant", "Oil", ("lubricant*",)),

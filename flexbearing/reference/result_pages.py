@@ -72,6 +72,7 @@ that links to other files, or that does not follow these tables is refused.
 """
 _KINDS = {
     "cylindrical_roller": ("roller", "Results of cylindrical roller bearings"),
+    "tapered_roller": ("tapered", "Results of tapered roller bearings"),
     "four_point_ball": ("four-point", "Results of four-point ball bearings"),
     "angular_contact_ball": ("ball", "Results of angular-contact and deep groove ball bearings"),
 }

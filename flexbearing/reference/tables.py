@@ -47,6 +47,7 @@ SHORT = {
     "four_point_ball": "four-point",
     "angular_contact_ball": "angular-contact",
     "deep_groove_ball": "deep groove",
+    "tapered_roller": "tapered",
 }
 
 

@@ -144,3 +144,19 @@ ANGULAR_CONTACT = _of_balls(
     {"orbital speed": ("orbital_speed",), "gyroscopic moment": ("gyroscopic_moment",)},
     "of_fast_balls",
 )
+TAPERED = FamilyReport(
+    pictures=Entry("flexbearing.report.roller.figures:tapered_pictures"),
+    elements=Elements(
+        word="roller",
+        azimuth="roller_azimuth",
+        columns=("roller_azimuth", "inner_load", "outer_load", "rib_load", "rib_pressure", "roller_tilt"),
+        figures={
+            "contact load": ("inner_load", "outer_load"),
+            "rib load": ("rib_load",),
+            "tilt of the rollers": ("roller_tilt",),
+        },
+        contact_figures={"rib pressure": ("rib_pressure",)},
+        maps=ELEMENTS.maps,
+    ),
+    short={"loads": "roller_loads", "pressure": "pressure_along"},
+)

@@ -68,8 +68,8 @@ def graded(case: Any, *, every: bool = False) -> Iterator[Plausible]:
 
 
 def _choices(case: Any) -> Iterator[Plausible]:
-    """Rules of the life that a case of rollers could choose otherwise, and how the shaft holds the ring."""
-    if not hasattr(case.bearing, "roller") or not case.operation.radial_load:
+    """Rules of the life that a case of cylinders could choose otherwise, and how the shaft holds the ring."""
+    if not hasattr(getattr(case, "life", None), "capacity") or not case.operation.radial_load:
         return
     life, operation = case.life, case.operation
     if any(ring.kind != "rigid" for ring in (case.outer, case.inner)):
@@ -194,8 +194,7 @@ def _counts(case: Any) -> tuple[tuple[Other, ...], str]:
     beside = (bearing.rollers - 1, bearing.rollers + 1)
     if "bearing.roller.length" not in case.assumed:
         return tuple(_set(path, count) for count in beside), "one less, one more"
-    diameter = bearing.roller.diameter
-    fitting = plausible_numbers(diameter / (bearing.outer_raceway_diameter - diameter))
+    fitting = plausible_numbers(bearing.roller.diameter / bearing.pitch_diameter)
     ends = [count for count in (fitting[0], fitting[-1]) if count != bearing.rollers]
     others = []
     for count in ends or beside:
@@ -221,6 +220,15 @@ def _diameters(case: Any) -> tuple[tuple[Other, ...], str]:
     return tuple(others), f"10 %, the inner or the outer raceway kept: {THUMB}"
 
 
+def _pitches(case: Any) -> tuple[tuple[Other, ...], str]:
+    """Pitch circles of inclined rollers about the mean of a catalogue's diameters; of balls by a fifth."""
+    rollers = hasattr(case.bearing, "roller")
+    factors, source = ((0.99, 1.02), "1 to 2 %") if rollers else ((0.8, 1.25), "a fifth less, a quarter more")
+    path = "bearing.pitch_diameter"
+    others = (f"{1e3 * factor * case.bearing.pitch_diameter:.6g} mm" for factor in factors)
+    return tuple(_set(path, each) for each in others), f"{source}: {THUMB}"
+
+
 def _tractions(case: Any) -> tuple[tuple[Other, ...], str]:
     """Other traction laws of any oil, with a usual limit of the shear stress where the case has none."""
     limit = getattr(case.lubricant, "limiting_ratio", None)
@@ -232,6 +240,7 @@ def _tractions(case: Any) -> tuple[tuple[Other, ...], str]:
 
 
 FURTHER: dict[str, Callable[[Any], tuple[tuple[Other, ...], str]]] = {  # keys that change with others
+    "bearing.pitch_diameter": _pitches,
     "bearing.rollers": _counts,
     "bearing.roller.diameter": _diameters,
     "bearing.roller.profile": _profiles,

@@ -12,15 +12,16 @@ if TYPE_CHECKING:
     from flexbearing.case.balls.angular_contact import FastCase
     from flexbearing.case.balls.four_point import FourPointCase
     from flexbearing.case.roller import Case
+    from flexbearing.case.tapered import TaperedCase
     from flexbearing.coupled.states import EndStates
-    from quasidynamic import CylindricalRollerBearing
+    from quasidynamic import CylindricalRollerBearing, TaperedRollerBearing
     from quasidynamic.outcome.subsurface import Subsurface
     from quasidynamic.outcome.worst_point_contact import WorstPointContact
 
 
 def of_rollers(
-    case: "Case",
-    bearing: "CylindricalRollerBearing",
+    case: "Case | TaperedCase",
+    bearing: "CylindricalRollerBearing | TaperedRollerBearing",
     pressure: NDArray,
     half_width: NDArray,
     friction: NDArray,

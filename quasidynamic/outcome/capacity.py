@@ -1,9 +1,11 @@
 """Load ratings of the bearing and its contacts."""
 
+from typing import Protocol
+
 import numpy as np
 
 from quasidynamic.errors import OutOfRange
-from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
+from quasidynamic.parts.roller_bearing import Roller
 
 MILLIMETRE = 1e-3  # [m] the printed forms are in N and mm
 MATERIAL_FACTOR = 1.1  # b_m of modern cylindrical roller bearings
@@ -11,7 +13,31 @@ STRESS_REDUCTION = 0.83  # lambda nu of ISO 281, edge stress and uneven load alo
 TABULATED = (0.01, 0.30)  # gamma, the range of the f_c table of ISO 281
 
 
-def raceway_capacity(bearing: CylindricalRollerBearing) -> tuple[float, float]:
+class RatedRollers(Protocol):
+    """What load ratings know of a row of rollers."""
+
+    @property
+    def rollers(self) -> int:
+        """Their number Z."""
+        ...
+
+    @property
+    def roller(self) -> Roller:
+        """Diameter D and length l; inclined rollers count with l cos(alpha)."""
+        ...
+
+    @property
+    def pitch_diameter(self) -> float:
+        """D_pw [m]."""
+        ...
+
+    @property
+    def diameter_ratio(self) -> float:
+        """Gamma, D cos(alpha)/D_pw [-]."""
+        ...
+
+
+def raceway_capacity(bearing: RatedRollers) -> tuple[float, float]:
     r"""Roller load that a raceway survives for a million revolutions with 90 % probability.
 
     .. math:: Q_c = 552\, b_m \frac{(1 \mp \gamma)^{29/27}}{(1 \pm \gamma)^{1/4}}
@@ -19,7 +45,7 @@ def raceway_capacity(bearing: CylindricalRollerBearing) -> tuple[float, float]:
 
     Parameters
     ----------
-    bearing : CylindricalRollerBearing
+    bearing : RatedRollers
         gamma, D, l, Z
 
     Returns
@@ -80,14 +106,14 @@ def geometry_factor(diameter_ratio: float) -> float:
     return 551.13373 * 0.377 * STRESS_REDUCTION * inner * both
 
 
-def dynamic_rating(bearing: CylindricalRollerBearing, material_factor: float = MATERIAL_FACTOR) -> float:
+def dynamic_rating(bearing: RatedRollers, material_factor: float = MATERIAL_FACTOR) -> float:
     r"""Radial load that the bearing survives for a million revolutions with 90 % probability.
 
     .. math:: C_r = b_m f_c\, l^{7/9} Z^{3/4} D^{29/27} \quad \text{(N, mm; one row)}
 
     Parameters
     ----------
-    bearing : CylindricalRollerBearing
+    bearing : RatedRollers
         gamma, D, l, Z
     material_factor : float
         b_m [-]
@@ -109,9 +135,7 @@ def dynamic_rating(bearing: CylindricalRollerBearing, material_factor: float = M
     return factor * _roller_size(bearing) * bearing.rollers ** (3 / 4)
 
 
-def reference_raceway_capacity(
-    bearing: CylindricalRollerBearing, rating: float | None = None
-) -> tuple[float, float]:
+def reference_raceway_capacity(bearing: RatedRollers, rating: float | None = None) -> tuple[float, float]:
     r"""Roller load that a raceway survives for a million revolutions, from the rating C_r.
 
     .. math:: Q_{ci} = \frac{C_r}{0.378\, \lambda\nu\, Z} \{1 + X^{9/2}\}^{2/9},\quad
@@ -120,7 +144,7 @@ def reference_raceway_capacity(
 
     Parameters
     ----------
-    bearing : CylindricalRollerBearing
+    bearing : RatedRollers
         gamma, D, l, Z
     rating : float, optional
         C_r [N]; `dynamic_rating` if left out
@@ -143,7 +167,7 @@ def reference_raceway_capacity(
     return share / 0.378 * (1 + x) ** (2 / 9), share / 0.364 * (1 + 1 / x) ** (2 / 9)
 
 
-def roller_capacity(bearing: CylindricalRollerBearing) -> tuple[float, float]:
+def roller_capacity(bearing: RatedRollers) -> tuple[float, float]:
     r"""Load that a roller itself survives for a million of its own turns with 90 % probability.
 
     .. math:: Q_{cr} = 464\, (1 \mp \gamma)^{1.324} D^{29/27} l^{7/9}
@@ -154,7 +178,7 @@ def roller_capacity(bearing: CylindricalRollerBearing) -> tuple[float, float]:
 
     Parameters
     ----------
-    bearing : CylindricalRollerBearing
+    bearing : RatedRollers
         gamma, D, l
 
     Returns
@@ -174,14 +198,14 @@ def roller_capacity(bearing: CylindricalRollerBearing) -> tuple[float, float]:
     return size * (1 - g) ** 1.324, size * (1 + g) ** 1.324
 
 
-def static_rating(bearing: CylindricalRollerBearing) -> float:
+def static_rating(bearing: RatedRollers) -> float:
     r"""Radial load at which the most loaded roller meets the inner raceway with 4000 MPa.
 
     .. math:: C_0 = 44\, (1 - \gamma) Z\, l\, D \quad \text{(N, mm; one row)}
 
     Parameters
     ----------
-    bearing : CylindricalRollerBearing
+    bearing : RatedRollers
         gamma, D, l, Z
 
     Returns
@@ -202,14 +226,14 @@ def static_rating(bearing: CylindricalRollerBearing) -> float:
     return 44 * (1 - bearing.diameter_ratio) * bearing.rollers * area
 
 
-def fatigue_load_limit(bearing: CylindricalRollerBearing, rating: float | None = None) -> float:
+def fatigue_load_limit(bearing: RatedRollers, rating: float | None = None) -> float:
     r"""Radial load at which the most loaded contact just reaches the fatigue limit of the steel.
 
     .. math:: C_u = \frac{C_0}{8.2} \min\Big(1, \frac{100}{D_{pw}}\Big)^{0.3} \quad \text{(N, mm)}
 
     Parameters
     ----------
-    bearing : CylindricalRollerBearing
+    bearing : RatedRollers
         for C_0 and D_pw
     rating : float, optional
         C_0 [N]; `static_rating` if left out
@@ -232,7 +256,7 @@ def fatigue_load_limit(bearing: CylindricalRollerBearing, rating: float | None =
     return rating / 8.2 * float(np.minimum(1.0, 100 / pitch)) ** 0.3
 
 
-def _roller_size(bearing: CylindricalRollerBearing) -> float:
+def _roller_size(bearing: RatedRollers) -> float:
     """D^(29/27) l^(7/9) of the roller (N, mm)."""
     roller = bearing.roller
     return (roller.diameter / MILLIMETRE) ** (29 / 27) * (roller.length / MILLIMETRE) ** (7 / 9)

@@ -8,7 +8,7 @@ from unittest.mock import patch
 import numpy as np
 
 import quasidynamic as qd
-from flexbearing.build import expansion, ring_parts, roller_bearing, seat_growth
+from flexbearing.build import expansion, ring_parts, roller_bearing, seat_growth, tapered_bearing
 from flexbearing.build.ball_fits import kinematic_viscosity
 from flexbearing.build.lubrication import roughness
 from flexbearing.build.mesh_sizes import IN_SPACE, mesh_size
@@ -41,12 +41,14 @@ class Stop(Exception):
 def built(case):
     """Fields of everything that the case is built into, by dotted names."""
     FAMILIES[case.kind].build()(case)
-    makers = {"cylindrical_roller": _roller, "four_point_ball": _four_point}
+    makers = {"cylindrical_roller": _roller, "four_point_ball": _four_point, "tapered_roller": _tapered}
     models = makers.get(case.kind, _angular)(case)
     models["case"] = {
         path: value
         for path, value in leaves(case.model_dump())
-        if path.startswith(DIRECT) or path == "bearing.contact"
+        if path.startswith(DIRECT)
+        or path in ("bearing.contact", "bearing.rib.friction")
+        or (case.kind == "tapered_roller" and path == "accuracy.slices")
     }
     return dict(leaves(models))
 
@@ -118,6 +120,12 @@ def _fit(condense):
 
 def _four_point(case):
     return _elastic_grooves(case) | {"model": four_point.bearing(case), "load": _given_load(case)}
+
+
+def _tapered(case):
+    model, operation = tapered_bearing.build(case)
+    viscosity = None if case.lubricant is None else kinematic_viscosity(case.lubricant)[0]
+    return {"model": {"bearing": model}, "operation": operation, "viscosity": viscosity}
 
 
 def _given_load(case):

@@ -4,6 +4,8 @@ A row is context, key, value, fields; contexts stand in test_every_case_key. A k
 models comes several times.
 """
 
+from tests.flexbearing.tapered_key_effects import EFFECTS as TAPERED
+
 # fmt: off
 PROBED = [
     ("outputs.probes.azimuths", ["1 deg", "90 deg"], "probes.outer.0.azimuth"),
@@ -771,3 +773,4 @@ EFFECTS += (
         )
     ),
 )  # fmt: skip
+EFFECTS += TAPERED

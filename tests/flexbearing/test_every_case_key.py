@@ -10,6 +10,7 @@ from flexbearing.case import BadCase, understood
 from flexbearing.case.declarations import declared
 from flexbearing.case.problems import shown
 from flexbearing.families import FAMILIES
+from tests.flexbearing import tapered_key_effects
 from tests.flexbearing.built_models import built
 from tests.flexbearing.case_key_effects import EFFECTS
 
@@ -20,9 +21,10 @@ ROLLERS = ("mao2016", "nu209", "nu209_fits", "step_ring")
 SLOW = ("slewing_bolted", "joshi2015_ed20", "heras2017_a1")
 FAST = ("harris218",)
 DEEP_GROOVE = ("6209",)
+TAPERED = ("32207",)
 FILES = {
     "cylindrical_roller": ROLLERS, "four_point_ball": SLOW, "angular_contact_ball": FAST,
-    "deep_groove_ball": DEEP_GROOVE,
+    "deep_groove_ball": DEEP_GROOVE, "tapered_roller": TAPERED,
 }  # fmt: skip
 
 _HEAT = {f"operation.temperatures.{name}": value for name, value in {
@@ -329,6 +331,8 @@ CONTEXTS |= {
     for part in ("roller", "inner_raceway", "outer_raceway")
     for shape, keys in _SHAPES.items()
 }
+
+CONTEXTS |= tapered_key_effects.CONTEXTS
 
 
 def read_in(context, change=None):

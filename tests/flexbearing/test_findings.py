@@ -62,6 +62,7 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
     ("preload", USUAL, ""): 0.0,
     ("raceway-slope", USUAL, ""): np.radians(4 / 60),
     ("pressed-end", OUTSIDE, ""): 0.095,
+    ("rib-contact", OUTSIDE, ""): 1.0,
 }
 BASES = {"static_pressure": rating_life.ROLLERS, "dynamic_rating": 7e4, "static_rating": 6e4,
          "yield_stress": 9e8, "friction": 0.1, "mixed_film_ratio": MIXED_FROM,
@@ -73,6 +74,7 @@ CASES = [
     *((number, "OF_BALLS",
        DEEP if each.code == "preload" else RATED_BALLS if each.code in OF_RATINGS else BALLS)
       for number, each in enumerate(declared.OF_BALLS)),
+    (declared.OF_TAPERED.index(declared.RIB_CONTACT), "OF_TAPERED", ("32207.toml",)),
 ]  # fmt: skip
 
 

@@ -38,6 +38,9 @@ LISTS = {  # what the summary holds one by one for rollers, balls or directions
         "contact_loads_N", "ball_azimuths_deg", "contact_angles_deg", "stiffness_matrix_SI", "first_lines",
         "second_lines", "line_counts", *PROBES,
     },
+    "tapered_roller": {
+        "roller_loads_N", "outer_loads_N", "rib_loads_N", "roller_azimuths_deg", "stiffness_matrix_SI",
+    },
 }  # fmt: skip
 LISTS["deep_groove_ball"] = LISTS["angular_contact_ball"]
 

@@ -213,8 +213,18 @@ class Bearing(Section):
                 return high - cage.thickness, high
             low = (cage.land_diameter + cage.land_clearance) / 2
             return low, low + cage.thickness
-        pitch = (self.outer_raceway_diameter - self.roller.diameter) / 2
+        pitch = self.pitch_diameter / 2
         return pitch - cage.thickness / 2, pitch + cage.thickness / 2
+
+    @property
+    def pitch_diameter(self) -> float:
+        """Of the roller centres, rollers lying on the outer raceway [m]."""
+        return self.outer_raceway_diameter - self.roller.diameter
+
+    def raceway_radius(self, race: Literal["inner", "outer"]) -> float:
+        """Radius of curvature of a raceway [m], negative of the hollow outer one."""
+        outer = self.outer_raceway_diameter / 2
+        return -outer if race == "outer" else outer - self.roller.diameter
 
     @property
     def relieved(self) -> bool:
@@ -258,7 +268,7 @@ class Bearing(Section):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        pitch = self.outer_raceway_diameter - self.roller.diameter
+        pitch = self.pitch_diameter
         if pitch <= self.roller.diameter:
             least = in_mm(2 * self.roller.diameter)
             raise impossible("outer_raceway_diameter", f"above {least}, twice bearing.roller.diameter")
@@ -299,7 +309,7 @@ class Bearing(Section):
         land, guidance = self.cage.land_diameter, self.cage.guidance
         if land is None:
             return
-        outer, pitch = self.outer_raceway_diameter, self.outer_raceway_diameter - self.roller.diameter
+        outer, pitch = self.outer_raceway_diameter, self.pitch_diameter
         inner = outer - 2 * self.roller.diameter - clearance
         low, high = (pitch, outer) if guidance == "outer" else (inner, pitch)
         if not (1 - ROUNDING) * low <= land <= (1 + ROUNDING) * high:

@@ -13,7 +13,6 @@ from flexbearing.case.roller.consistency import bands, require_known, require_mo
 from flexbearing.case.roller.lubricant import Lubricant
 from flexbearing.case.roller.numerics import Accuracy, Coupling
 from flexbearing.case.roller.outputs import Outputs
-from flexbearing.case.roller.profile import Generatrix
 from flexbearing.case.roller.rings import Inner, Outer
 from flexbearing.case.roller.surroundings import Materials, Operation
 from flexbearing.case.tolerances import CLEARANCE, HOUSING, SHAFT, Band, Place
@@ -78,10 +77,6 @@ class Case(Head):
         if inside >= rib or length / 2 + (cage.land_width or 0.0) / 2 <= ring.track_width / 2:
             return ""
         return f"cage inside Ø {2e3 * inside:.6g} mm, inner ribs Ø {2e3 * rib:.6g} mm"
-
-    def points_file(self, table: Generatrix) -> Path | None:
-        """CSV file of a profile, next to the case file; None for one without."""
-        return None if table.points_file is None else Path(self.source.path).parent / table.points_file
 
     @property
     def bands(self) -> dict[str, Band]:

@@ -14,7 +14,7 @@ _FORMULA, _NOT_KNOWN, _NO_GRID = "none: a formula", "not estimated", "none: no s
 _LUNDBERG, _REFERENCE, _RATING = "basic", "reference", "rating"  # what the life of a case is made of
 _ORDER = ("modified", "reference", "basic", "catalogue", "catalogue modified")
 AUTHORS = "Lundberg and Palmgren"
-_NAMES = {  # of lives by loads with their source, by whether the bearing has rollers
+_NAMES = {  # of lives by loads with their source, by whose capacities
     True: ("basic", "Basic life L10", AUTHORS),
     False: ("reference", "Reference life L10r", "ISO/TS 16281"),
 }
@@ -111,7 +111,7 @@ def _kind(reader: Reader) -> str:
     life = reader.attributes["case_si"]["life"]
     if life.get("loads") == "rating":
         return _RATING
-    return _REFERENCE if reader.of_balls or life.get("capacity") == "iso281" else _LUNDBERG
+    return _LUNDBERG if reader.by_authors and life["capacity"] != "iso281" else _REFERENCE
 
 
 def _of_case(reader: Reader) -> Iterator[Life]:
@@ -119,7 +119,7 @@ def _of_case(reader: Reader) -> Iterator[Life]:
     block = reader.blocks.get(reader.last, {})
     if "life_L10" not in block:
         return
-    yield _life(reader, "life_L10", *_NAMES[reader.of_rollers])
+    yield _life(reader, "life_L10", *_NAMES[reader.by_authors])
     if "reference_life" in block:
         yield _life(reader, "reference_life", *_NAMES[False])
     if "modified_life" in block:
@@ -147,7 +147,7 @@ def error(reader: Reader, name: str) -> Cell:
     That of the basic life is carried on by the factors: those that follow the life grow with it, those of
     loads and steel do not change it.
     """
-    if not reader.of_rollers:
+    if "slice_position" not in reader.blocks[reader.last]:
         return _NO_GRID
     if name == "modified_life" and _kind(reader) == _RATING:
         return _FORMULA

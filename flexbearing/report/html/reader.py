@@ -21,10 +21,10 @@ from flexbearing.report.html.document import Number
 from flexbearing.report.html.units import Units, converted, units_in_words
 from flexbearing.results import BadResult, Result
 
-_LABELS = {  # of labels that do not name a method or a part, by whether the bearing has balls
-    ("life L10", False): "basic life L10, Lundberg and Palmgren",
-    ("life L10", True): "reference life L10r of the raceway",
-    ("loaded share of that roller", False): "loaded share of the length of the most pressed roller",
+_LABELS = {  # of labels that do not name a method or a part, by whose capacities its life is of
+    ("life L10", True): "basic life L10, Lundberg and Palmgren",
+    ("life L10", False): "reference life L10r of the raceway",
+    ("loaded share of that roller", True): "loaded share of the length of the most pressed roller",
 }
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -92,14 +92,9 @@ class Reader:
         return self.attributes["case_si"].get("bearing", {})
 
     @property
-    def of_rollers(self) -> bool:
-        """Whether it is a bearing with rollers."""
-        return "roller" in self.bearing
-
-    @property
-    def of_balls(self) -> bool:
-        """Whether it is a bearing with balls."""
-        return "ball" in self.bearing
+    def by_authors(self) -> bool:
+        """Whether its life is of capacities of Lundberg and Palmgren, not of C_r."""
+        return "capacity" in (self.attributes["case_si"].get("life") or {})
 
     @property
     def last(self) -> str:
@@ -172,7 +167,7 @@ class Reader:
 
     def label(self, entry: SummaryValue) -> str:
         """Label of a value of the summary, lives with their method."""
-        return _LABELS.get((entry.label.strip(), self.of_balls), entry.label)
+        return _LABELS.get((entry.label.strip(), self.by_authors), entry.label)
 
     def output(self, name: str, unit: str, digits: str, block: str = "") -> Number:
         """A scalar output of the last end state, or another, in a unit of itself or of its revolutions."""

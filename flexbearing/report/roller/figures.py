@@ -50,6 +50,24 @@ def pictures(result: Result) -> dict[str, Figure | str]:
     return drawn
 
 
+def tapered_pictures(result: Result) -> dict[str, Figure | str]:
+    """Draw every picture of a tapered roller bearing, by the name of its file."""
+    reader = Reader(result, METRIC)
+    title, blocks, shown = reader.attributes["title"], reader.blocks, result.family.report().elements
+    if not blocks or shown is None:
+        return {}
+    wanted = {"contact load": ("inner_load", "outer_load"), "rib load": ("rib_load",)}
+    found = (around(reader, label, names, "roller_azimuth") for label, names in wanted.items())
+    maps = elements.maps(reader, shown)
+    return {
+        "roller_loads": picture(
+            title, "Contact loads of the rollers", [each for each in found if each], size=(7.0, 2.5)
+        ),
+        "pressure_map": picture(title, "Contact pressure along the rollers", maps),
+        "pressure_along": pressure_along(blocks, title),
+    }
+
+
 def _sentence(title: str) -> str:
     return title[:1].upper() + title[1:]
 

@@ -10,6 +10,9 @@ from quasidynamic.parts.material import Material
 
 if TYPE_CHECKING:  # balls load no rollers
     from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
+    from quasidynamic.parts.tapered_bearing import TaperedRollerBearing
+
+    RollersOnRaceways = CylindricalRollerBearing | TaperedRollerBearing
 
 # q/(E' R) [-], a peak pressure of 28 MPa between steel: laws in powers of the load keep their value below it
 SMALLEST_LOAD = 1e-7
@@ -203,7 +206,7 @@ def iso16281(length: float) -> float:
     return roller / length
 
 
-def raceway_coefficients(bearing: "CylindricalRollerBearing") -> tuple[float, float]:
+def raceway_coefficients(bearing: "RollersOnRaceways") -> tuple[float, float]:
     """Load per length over approach^(10/9) at both raceways, inner first [N/m over m^(10/9)].
 
     Source
@@ -216,6 +219,6 @@ def raceway_coefficients(bearing: "CylindricalRollerBearing") -> tuple[float, fl
     return palmgren(roller, bearing.inner_ring, length), palmgren(roller, bearing.outer_ring, length)
 
 
-def gap_rounding(bearing: "CylindricalRollerBearing") -> float:
+def gap_rounding(bearing: "RollersOnRaceways") -> float:
     """Width over which contact begins smoothly in a bearing [m]: `GAP_ROUNDING` of a roller's diameter."""
     return GAP_ROUNDING * bearing.roller.diameter

@@ -1,0 +1,50 @@
+"""From a case to a tapered roller bearing and what is asked of it."""
+
+import quasidynamic as qd
+from flexbearing.build import profiles
+from flexbearing.case.tapered import TaperedCase
+from quasidynamic.parts.tapered_bearing import apex_angles, spherical_rib
+
+
+def bearing(case: TaperedCase) -> qd.TaperedRollerBearing:
+    """Bearing of a case; raises `ImpossiblePart` where there is none."""
+    own = case.bearing
+    roller = qd.Roller(
+        diameter=own.roller.diameter,
+        length=own.roller.length,
+        material=profiles.elastic(case.materials.roller),
+        profile=profiles.of_roller(case),
+    )
+    axis, cone = apex_angles(own.cup_angle, own.roller.diameter / own.pitch_diameter)
+    if own.cone_angle is not None:
+        axis, cone = (own.cup_angle + own.cone_angle) / 2, own.cone_angle
+    ring = profiles.elastic(case.materials.inner_ring)
+    return qd.TaperedRollerBearing(
+        rollers=own.rollers,
+        pitch_diameter=own.pitch_diameter,
+        cup_angle=own.cup_angle,
+        cone_angle=cone,
+        roller=roller,
+        rib=spherical_rib(roller, axis, own.rib.angle, own.rib.end_radius, ring),
+        inner_ring=ring,
+        outer_ring=profiles.elastic(case.materials.outer_ring),
+        contact_law=own.contact_law,
+        first_roller_azimuth=own.first_roller_azimuth,
+        inner_profile=profiles.of_raceway(case, "inner"),
+        outer_profile=profiles.of_raceway(case, "outer"),
+    )
+
+
+def operation(case: TaperedCase) -> qd.RingOperation:
+    """Load, displacement and speeds of a case."""
+    return qd.RingOperation(
+        load=case.operation.load.values,
+        displacement=case.operation.places,
+        inner_speed=case.operation.inner_speed,
+        outer_speed=case.operation.outer_speed,
+    )
+
+
+def build(case: TaperedCase) -> tuple[qd.TaperedRollerBearing, qd.RingOperation]:
+    """Bearing and operation; raises `ImpossiblePart` where they cannot be."""
+    return bearing(case), operation(case)

@@ -1,0 +1,3 @@
+"""A tapered roller bearing, as a case."""
+
+from flexbearing.case.tapered.tapered_case import TaperedCase as TaperedCase

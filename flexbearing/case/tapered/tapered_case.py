@@ -1,0 +1,220 @@
+"""A tapered roller bearing between rigid rings, as a case."""
+
+from math import asin, cos, hypot, pi
+from typing import Literal, Self
+
+from pydantic import model_validator
+
+from flexbearing.case.head import KIND, Head
+from flexbearing.case.materials import HeavyElastic, Oil
+from flexbearing.case.outputs import LifeOutputs
+from flexbearing.case.quantity import (
+    Angle,
+    Force,
+    Length,
+    Moment,
+    Section,
+    Speed,
+    impossible,
+    in_mm,
+    key,
+    needed,
+)
+from flexbearing.case.ratings import TaperedLife
+from flexbearing.case.roller.bearing import Roller
+from flexbearing.case.roller.profile import Generatrix
+
+PLANE = "about the point of the bearing axis in the plane of the roller centres"
+STEEPEST = pi / 4  # [rad] of a cup
+HELD = {"operation.tilt": ("fixed",)}
+FREE = {"operation.tilt": ("free",)}
+
+
+class Rib(Section):
+    """The rib of the inner ring, and the spherical ends of the rollers that touch it."""
+
+    angle: Angle = key(
+        "angle of the rib face from the radial plane where the rollers touch it, which is that of its normal "
+        "from the axis; below that of the rollers' axes, or the ends touch above them",
+        example="12.2 deg",
+        ge=0,
+        lt=STEEPEST,
+    )
+    end_radius: Length = key(
+        "radius of the large ends of the rollers; usual are 0.90 to 0.98 of the distance to the apex",
+        example="150 mm",
+        gt=0,
+    )
+    friction: float = key("Coulomb friction of the ends on the rib, for its heat", example=0.05, ge=0, le=1)
+
+
+class TaperedBearing(Section):
+    """The bearing."""
+
+    rollers: int = key("number of rollers", example=19, ge=3, le=1000)
+    pitch_diameter: Length = key("diameter of the circle of the roller centres", ge=1e-3, le=100)
+    cup_angle: Angle = key(
+        "angle of the outer raceway from the axis, the contact angle of ISO 281: its tangent is e/1.5 of a "
+        "catalogue",
+        example="15.64 deg",
+        gt=0,
+        le=STEEPEST,
+    )
+    cone_angle: Angle | None = key(
+        "angle of the inner raceway from the axis; without it rollers and raceways have one apex on the axis",
+        None,
+        example="11.65 deg",
+        gt=0,
+        lt=STEEPEST,
+    )
+    contact_law: Literal["palmgren", "iso16281"] = key("load law of a roller on a raceway", "palmgren")
+    first_roller_azimuth: Angle = key("azimuth of a roller, from z towards y", "0 deg")
+    roller: Roller = key("the rollers; diameter in the middle of the contact, length along it")
+    inner_raceway: Generatrix | None = key(
+        "profile of the inner raceway along the rollers, which is straight without it", None
+    )
+    outer_raceway: Generatrix | None = key(
+        "profile of the outer raceway along the rollers, which is straight without it", None
+    )
+    rib: Rib = key("the rib of the inner ring, which holds the large ends of the rollers")
+
+    def raceway_radius(self, race: Literal["inner", "outer"]) -> float:
+        """Radius of curvature of a raceway at mid-contact [m], negative of the hollow outer one."""
+        pitch, radius = self.pitch_diameter / 2, self.roller.diameter / 2
+        if race == "outer":
+            return -(pitch / cos(self.cup_angle) + radius)
+        return pitch / cos(self.cone_angle or self.cup_angle) - radius
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if self.roller.diameter >= self.pitch_diameter / 2:
+            most = in_mm(self.pitch_diameter / 2)
+            raise impossible("roller.diameter", f"below {most}, half of bearing.pitch_diameter")
+        most = int(pi / asin(self.roller.diameter / self.pitch_diameter) * (1 - 1e-12))
+        if self.rollers > most:
+            raise impossible("rollers", f"at most {most}, or they touch on the pitch circle")
+        if self.cone_angle is not None and self.cone_angle >= self.cup_angle:
+            raise impossible("cone_angle", "below bearing.cup_angle: rollers taper towards the apex")
+        return self
+
+    @model_validator(mode="after")
+    def _profiles_fit(self) -> Self:
+        for name in ("inner_raceway", "outer_raceway"):
+            table = getattr(self, name)
+            if table and (wrong := table.beyond(self.roller.length)):
+                raise impossible(f"{name}.{wrong[0]}", wrong[1])
+        return self
+
+
+class TaperedMaterials(Section):
+    """Materials of the parts."""
+
+    roller: HeavyElastic = key("of the rollers")
+    inner_ring: HeavyElastic = key("of the inner ring")
+    outer_ring: HeavyElastic = key("of the outer ring")
+
+
+class TaperedLoad(Section):
+    """Load on the inner ring."""
+
+    axial: Force = key("axial force along x, above zero: it presses the inner ring into the cup", "0 N")
+    radial_y: Force = key("radial force along y", "0 N")
+    radial_z: Force = key("radial force along z, where azimuths begin", "0 N")
+    moment_y: Moment = key(f"moment about y, by the right hand, {PLANE}", "0 N m", only=FREE)
+    moment_z: Moment = key(f"moment about z, by the right hand, {PLANE}", "0 N m", only=FREE)
+
+    @property
+    def values(self) -> tuple[float, float, float, float, float]:
+        """Fx, Fy, Fz [N], My, Mz [N m]."""
+        return self.axial, self.radial_y, self.radial_z, self.moment_y, self.moment_z
+
+
+class TaperedDisplacement(Section):
+    """Where the inner ring is held instead of loaded, 0 where rollers and raceways just touch."""
+
+    axial: Length | None = key("displacement along x, into the cup", None, example="20 um")
+    radial_y: Length | None = key("displacement along y", None, example="0 um")
+    radial_z: Length | None = key("displacement along z", None, example="0 um")
+    tilt_y: Angle = key(f"turn about y by the right hand, {PLANE}", "0 deg", only=HELD)
+    tilt_z: Angle = key(f"turn about z by the right hand, {PLANE}", "0 deg", only=HELD)
+
+
+class TaperedOperation(Section):
+    """Load and speed."""
+
+    inner_speed: Speed = key("speed of the inner ring", example="1500 rpm")
+    outer_speed: Speed = key("speed of the outer ring", "0 rpm")
+    tilt: Literal["fixed", "free"] = key(
+        "fixed: shaft and housing hold the rings at the turns of operation.displacement; free: the inner "
+        "ring turns until the moments balance, under a radial load by milliradians"
+    )
+    load: TaperedLoad = key("load on the inner ring", {})
+    displacement: TaperedDisplacement = key("where the inner ring is held instead of loaded", {})
+
+    @property
+    def held(self) -> tuple[str, ...]:
+        """Keys that hold the ring in place of a force, which is not known then."""
+        names = ("axial", "radial_y", "radial_z")
+        return tuple(f"displacement.{name}" for name in names if getattr(self.displacement, name) is not None)
+
+    @property
+    def forces(self) -> tuple[float, float]:
+        """Radial and axial force [N], >= 0, of a ring that is not `held`."""
+        return hypot(self.load.radial_y, self.load.radial_z), abs(self.load.axial)
+
+    @property
+    def places(self) -> tuple[float | None, ...]:
+        """Displacements x, y, z [m] and turns about y, z [rad]; None where the ring is free."""
+        held = self.displacement
+        tilts = (held.tilt_y, held.tilt_z) if self.tilt == "fixed" else (None, None)
+        return held.axial, held.radial_y, held.radial_z, *tilts
+
+    @model_validator(mode="after")
+    def _load_or_displacement(self) -> Self:
+        for name in ("axial", "radial_y", "radial_z"):
+            if getattr(self.load, name) and getattr(self.displacement, name) is not None:
+                allowed = f"left out beside operation.load.{name}; give one of the two"
+                raise impossible(f"displacement.{name}", allowed)
+        return self
+
+    @model_validator(mode="after")
+    def _thrust(self) -> Self:
+        if self.displacement.axial is None and not self.load.axial > 0:
+            allowed = "above 0 N, or operation.displacement.axial: without either the cone leaves the cup"
+            raise impossible("load.axial", allowed)
+        return self
+
+
+class TaperedAccuracy(Section):
+    """Numerical resolution."""
+
+    slices: int = key("slices of each roller", 40, ge=4, le=1000)
+
+
+class TaperedCase(Head):
+    """A tapered roller bearing between rigid rings: loads with inertia, raceways without friction."""
+
+    file_keys = (
+        "bearing.roller.points_file", "bearing.inner_raceway.points_file", "bearing.outer_raceway.points_file"
+    )  # fmt: skip
+
+    kind: Literal["tapered_roller"] = key(KIND)
+    bearing: TaperedBearing = key("the bearing")
+    materials: TaperedMaterials = key("the materials")
+    lubricant: Oil | None = key("the oil, for the viscosity ratio of ISO 281", None)
+    operation: TaperedOperation = key("load and speed")
+    life: TaperedLife = key("what the life is rated with, and what modifies it", {})
+    accuracy: TaperedAccuracy = key("numerical resolution", {})
+    outputs: LifeOutputs = key("further results to compute", {})
+
+    @model_validator(mode="after")
+    def _life_can_be_rated(self) -> Self:
+        turning = self.operation.inner_speed != self.operation.outer_speed
+        if self.life.lubrication and self.lubricant is None:
+            raise needed(["lubricant"], 'life.lubrication = "a_ISO"')
+        if not turning and (self.life.required is not None or not self.life.is_basic):
+            raise impossible("operation.inner_speed", "another one than operation.outer_speed for a life")
+        if self.life.loads == "rating":
+            for name in self.operation.held:
+                raise impossible(f"operation.{name}", 'left out for life.loads = "rating"; give a force')
+        return self

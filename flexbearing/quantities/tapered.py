@@ -1,0 +1,213 @@
+"""Output quantities of a tapered roller bearing; the page of a result shows rows in this order."""
+
+from flexbearing.quantities.attributes import HEAD
+from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, static_safety, subsurface, worst_contact
+from flexbearing.quantities.layout import Axis, Layout
+from flexbearing.quantities.life_records import CATALOGUE_ATTRIBUTE, LIFE_ATTRIBUTE
+from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
+from flexbearing.quantities.reductions import (
+    ABOUT_YZ,
+    RACES,
+    XYZ,
+    azimuth_of_largest,
+    displacements,
+    largest,
+    largest_of_all,
+    loaded_arc_in_degrees,
+    loaded_rollers,
+    place_of_largest,
+    tilts,
+)
+from flexbearing.quantities.stiffness import RADIAL_STIFFNESSES
+from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, MREV, RPM, UM
+
+RING, CONTACT = "ring", "contact"  # sections of the page
+_ORDER = "x, y, z, about y, about z; these about the point of the axis in the plane of the roller centres"
+_UNRATED = "absent at rest, without load, and where ISO 281 has no rating and the case gives none"
+_PRESSURES = ("inner_pressure", "outer_pressure")
+_SLICES = "from the small end of the rollers to the large one"
+
+# declarations read best as a table:
+# fmt: off
+QUANTITIES = (
+    # loads
+    Quantity("inner_load", "Q_i", "Z", "N", "block", "load of the inner contact, >= 0",
+        source="loads.loads.0", summary=(
+            SummaryValue("max_roller_load_N", largest, "largest roller load, inner", ",.1f"),
+            SummaryValue("roller_loads_N"),
+        )),
+    Quantity("outer_load", "Q_o", "Z", "N", "block", "load of the outer contact, >= 0",
+        source="loads.loads.1", summary=(
+            SummaryValue("max_outer_load_N", largest, "largest roller load, outer", ",.1f"),
+            SummaryValue("outer_loads_N"),
+        )),
+    Quantity("inner_slice_load", "q_i", "Z K", "N/m", "block",
+        f"load per length of the inner contact, >= 0, {_SLICES}", source="loads.slice_loads.0"),
+    Quantity("outer_slice_load", "q_o", "Z K", "N/m", "block",
+        f"load per length of the outer contact, >= 0, {_SLICES}", source="loads.slice_loads.1"),
+    Quantity("roller_azimuth", "phi", "Z", "rad", "block",
+        "place of the roller, 0 on the z axis, positive towards y", source="loads.bearing.azimuths",
+        people=DEG, summary=(
+            SummaryValue("loaded_rollers", loaded_rollers, "loaded rollers", "d", of=("inner_load",),
+                         unit=COUNT),
+            SummaryValue("loaded_arc_deg", loaded_arc_in_degrees, "loaded arc", ".0f",
+                         of=("roller_azimuth", "inner_load"), unit=Unit("deg")),
+            SummaryValue("roller_azimuths_deg"),
+        )),
+    Quantity("slice_position", "s", "K", "m", "block",
+        "place of the slice's middle along the contact, 0 in its middle, positive to the large end",
+        source="loads.slices.centres", people=MM),
+
+    # rib
+    Quantity("rib_load", "Q_f", "Z", "N", "block", "load of the roller's large end on the rib, >= 0",
+        source="loads.rib_loads", summary=(
+            SummaryValue("max_rib_load_N", largest, "largest rib load", ",.1f"),
+            SummaryValue("rib_loads_N"),
+        )),
+    Quantity("rib_pressure", "p_f", "Z", "Pa", "block",
+        "peak pressure of the spherical end on the flat rib, 0 without load", source="loads.rib_pressures",
+        people=MPA, summary=(
+            SummaryValue("max_rib_pressure_MPa", largest, "largest rib pressure", ",.0f"),)),
+    Quantity("rib_sliding", "v_f", "", "m/s", "block",
+        "speed of the rib over the roller's end in their contact, positive to +azimuth, rollers in pure "
+        "rolling", source="loads.speeds.rib_sliding", summary=(
+            SummaryValue("rib_sliding_m_per_s", label="sliding on the rib", digits=".3f"),)),
+    Quantity("rib_radius", "r_f", "", "m", "block", "distance of the rib contacts from the bearing axis",
+        source="loads.bearing.rib_radius", people=MM),
+    Quantity("rib_contact_depth", "b", "", "m", "block",
+        "distance of the rib contact from the roller's axis, positive towards the bearing axis",
+        source="loads.bearing.rib.depth", people=MM, summary=(
+            SummaryValue("rib_contact_depth_mm", label="rib contact below roller's axis", digits=".3f"),)),
+    Quantity("rib_heat", "", "Z", "W", "block",
+        "heat of the Coulomb friction of the end on the rib", source="solution.rib_heat", summary=(
+            SummaryValue("rib_heat_W", lambda heat: heat.sum(-1), "heat of the ribs", ",.3g"),)),
+
+    # life
+    Quantity("life_L10", "L_10r", "", "rev", "block",
+        "reference rating life of both raceways together by ISO/TS 16281 from the loads of all slices, the "
+        f"rib left out, 90 % survival; {_UNRATED}", source="life.basic", people=MREV, optional=True,
+        summary=(SummaryValue("life_L10_Mrev", label="reference life L10r, ISO/TS 16281", digits=",.4g",
+                              speed="relative_speed"),)),
+    Quantity("raceway_life", "L_10,i, L_10,o", "race", "rev", "block",
+        f"the same of each raceway alone (inner, outer); {_UNRATED}", source="life.raceways",
+        people=MREV, optional=True, infinite=True,
+        summary=(SummaryValue("raceway_life_Mrev", label="life L10", digits=",.4g", parts=RACES,
+                              speed="relative_speed"),)),
+    Quantity("modified_life", "L_nmr", "", "rev", "block",
+        "life L10r after every factor of [life], see the attribute life; absent when nothing modifies it",
+        source="life.modified", people=MREV, optional=True,
+        summary=(SummaryValue("modified_life_Mrev", label="modified life", digits=",.4g",
+                              speed="relative_speed"),)),
+    Quantity("relative_speed", "", "", "rad/s", "block",
+        "speed of the inner ring less that of the outer ring, by which revolutions become hours",
+        source="loads.operation.relative_speed", people=RPM),
+    Quantity("dynamic_rating", "C_r", "", "N", "block",
+        "basic dynamic radial load rating: life.dynamic_rating, or that of ISO 281; absent where neither is",
+        source="rated.dynamic", optional=True, summary=(
+            SummaryValue("dynamic_rating_N", label="dynamic rating C_r", digits=",.0f"),)),
+    Quantity("equivalent_load", "P", "", "N", "block",
+        "dynamic equivalent radial load of ISO 281, X F_r + Y F_a of what the rollers carry",
+        source="rated.equivalent", summary=(
+            SummaryValue("equivalent_load_N", label="equivalent load P", digits=",.1f"),)),
+    Quantity("axial_load_limit", "e", "", "1", "block",
+        "F_a/F_r up to which an axial load does not count, 1.5 tan(alpha)", source="rated.limit", summary=(
+            SummaryValue("axial_load_limit", label="e", digits=".4f"),)),
+    Quantity("axial_load_factor", "Y", "", "1", "block", "factor of axial loads above e, 0.4 cot(alpha)",
+        source="rated.factor", summary=(SummaryValue("axial_load_factor", label="Y", digits=".4f"),)),
+    Quantity("induced_thrust", "", "", "N", "block",
+        "axial force that the radial load makes in a bearing without play, F_r/(2 Y), which the other "
+        "bearing of a shaft must carry", source="rated.induced", summary=(
+            SummaryValue("induced_thrust_N", label="induced thrust F_r/(2 Y)", digits=",.1f"),)),
+    static_safety("rated.static_safety", "the load on the ring", optional=True),
+
+    # contacts
+    Quantity("peak_pressure", "p", "race", "Pa", "block",
+        "largest contact pressure of a slice (inner, outer)", source="worst.pressure", people=MPA, summary=(
+            SummaryValue("peak_pressure_MPa", label="peak pressure", digits=",.0f", parts=RACES),
+            SummaryValue("peak_pressure_azimuth_deg", azimuth_of_largest, "azimuth of peak pressure", ".1f",
+                         of=(*_PRESSURES, "roller_azimuth"), unit=DEG, compared=False, parts=RACES,
+                         section=CONTACT),
+            SummaryValue("peak_pressure_position_mm", place_of_largest, "place of peak along contact", ".3f",
+                         of=(*_PRESSURES, "slice_position"), unit=MM, compared=False, parts=RACES,
+                         section=CONTACT),
+        )),
+    Quantity("inner_pressure", "p_i", "Z K", "Pa", "block",
+        f"peak pressure of each slice of the inner contact by Hertz, {_SLICES}",
+        source="loads.pressures.0", people=MPA),
+    Quantity("outer_pressure", "p_o", "Z K", "Pa", "block",
+        f"peak pressure of each slice of the outer contact by Hertz, {_SLICES}",
+        source="loads.pressures.1", people=MPA),
+    *worst_contact("worst", CONTACT),
+    *subsurface(CONTACT),
+
+    # motion
+    Quantity("cage_speed", "omega_c", "", "rad/s", "block",
+        "speed of the rollers about the bearing axis in pure rolling, positive to +azimuth",
+        source="loads.speeds.orbit", people=RPM,
+        summary=(SummaryValue("cage_speed_rpm", label="cage speed", digits=",.0f"),)),
+    Quantity("roller_speed", "omega_r", "", "rad/s", "block",
+        "spin of a roller against the cage in pure rolling, positive when it rolls forwards on the inner "
+        "ring", source="loads.speeds.spin", people=RPM),
+    Quantity("centrifugal_force", "F_c", "", "N", "block", "centrifugal force of a roller, outwards",
+        source="loads.speeds.centrifugal_force", summary=(
+            SummaryValue("centrifugal_force_N", label="centrifugal force of a roller", digits=",.2f"),)),
+    Quantity("gyroscopic_moment", "M_g", "", "N m", "block",
+        "moment on a roller by the turn of its axis with the orbit, positive: lifts its large end",
+        source="loads.speeds.gyroscopic_moment", summary=(
+            SummaryValue("gyroscopic_moment_Nm", label="gyroscopic moment of a roller", digits=".4g"),)),
+
+    # ring
+    Quantity("cone_angle", "alpha_i", "", "rad", "block", "angle of the inner raceway from the axis",
+        source="loads.bearing.cone_angle", people=DEG,
+        summary=(SummaryValue("cone_angle_deg", label="angle of the inner raceway", digits=".4f"),)),
+    Quantity("ring_load", "F", "force", "N, N m", "block",
+        f"what the rollers carry for the inner ring ({_ORDER}): load or reaction", source="loads.load",
+        summary=(
+            SummaryValue("ring_load_N", displacements, "load or reaction", ",.1f", unit=Unit("N"),
+                entries=XYZ, section=RING),
+            SummaryValue("ring_moment_Nm", tilts, "moment or reaction", ",.3f", unit=Unit("N m"),
+                section=RING, entries=ABOUT_YZ),
+        )),
+    Quantity("ring_displacement", "delta", "displacement", "m, rad", "block",
+        f"displacement of the inner ring ({_ORDER}), 0 where rollers and raceways just touch",
+        source="loads.displacement", summary=(
+            SummaryValue("ring_displacement_um", displacements, "displacement", ".3f", unit=UM,
+                entries=XYZ, section=RING),
+            SummaryValue("ring_tilt_mrad", tilts, "tilt", ".4f", unit=MRAD, section=RING,
+                entries=ABOUT_YZ),
+        )),
+    Quantity("roller_tilt", "", "Z", "rad", "block",
+        "turn of the roller in the plane of the axis, positive: large end further out",
+        source="loads.roller_tilt", people=MRAD),
+    Quantity("stiffness_matrix", "K", "force displacement", "N/m, N/rad, N m/m, N m/rad", "block",
+        f"tangent stiffness of the inner ring, rollers in balance ({_ORDER}); an entry holds all other "
+        "displacements and tilts", source="loads.stiffness", summary=(
+            SummaryValue("stiffness_xx_N_per_m", lambda matrix: matrix[..., 0, 0], unit=Unit("N/m")),
+            *RADIAL_STIFFNESSES, SummaryValue("stiffness_matrix_SI"))),
+    Quantity("imbalance", "", "", "1", "block",
+        "unbalanced force on the inner ring over the largest force", source="loads.solution.imbalance",
+        summary=(SummaryValue("max_imbalance", largest_of_all),)),
+)
+# fmt: on
+
+LAYOUT = Layout(
+    conventions="""\
+Directions: x axial, into the cup: an axial load > 0 presses the inner ring into it; z along the load,
+azimuth from z towards y, left-handed about +x; rotations about y and z are right-handed.
+""",
+    axes=(
+        Axis("Z", "roller", coordinate="roller_azimuth"),
+        Axis("K", "slice", coordinate="slice_position"),
+        *SUBSURFACE_AXES,
+    ),
+    quantities=QUANTITIES,
+    main=("max_roller_load", "life_L10", "peak_pressure.inner", "max_rib_load", "rib_heat"),
+    weighed=(
+        ("max_roller_load", "largest load"),
+        ("peak_pressure.inner", "peak pressure"),
+        ("stiffness_zz", "stiffness"),
+    ),
+    blocks=("rigid",),
+    further_attributes=(LIFE_ATTRIBUTE, CATALOGUE_ATTRIBUTE),
+    head=("kind", *HEAD, "life", "catalogue_life"),
+)

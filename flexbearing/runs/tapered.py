@@ -1,0 +1,190 @@
+"""Tapered roller bearings, from cases to result files and to rows of a table."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexbearing.build import tapered_bearing
+from flexbearing.case import BadCase
+from flexbearing.case.tapered import TaperedCase
+from flexbearing.findings import Judged, declared, evaluate, records
+from flexbearing.outputs import requested
+from flexbearing.program.threads import linear_algebra_alone
+from flexbearing.progress import Report
+from flexbearing.quantities.quantity import row, taken
+from flexbearing.quantities.tapered import LAYOUT
+from flexbearing.results import Recorder
+from flexbearing.runs import judged, life_of_state, subsurface, tapered_life
+from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer, row_findings
+from flexbearing.runs.life_of_state import MREV
+from flexbearing.runs.tapered_life import Rated, TaperedLives
+from quasidynamic import ImpossiblePart, NotSolved, OutOfRange, TaperedLoads, tapered_loads
+from quasidynamic.note import Note, graded, information
+from quasidynamic.outcome.neglected import weight_share
+from quasidynamic.outcome.rating_life import ROLLERS
+from quasidynamic.outcome.worst_line_contact import WorstLineContact
+
+NOT_SOLVED = "not solved"
+
+
+@dataclass(frozen=True)
+class Solution:
+    """A solved case."""
+
+    case: TaperedCase
+    loads: TaperedLoads
+    rated: Rated
+    lives: TaperedLives | None
+
+    @cached_property
+    def rib_heat(self) -> NDArray:
+        r"""Heat of each roller's end on the rib (Z) [W].
+
+        .. math:: \Phi_f = \mu\, Q_f\, |v_f|
+
+        Source
+        ------
+        Coulomb friction at the speed of pure rolling.
+        """
+        sliding = abs(self.loads.speeds.rib_sliding)
+        return self.case.bearing.rib.friction * self.loads.rib_loads * sliding
+
+    @cached_property
+    def worst(self) -> WorstLineContact:
+        """The most pressed slice of each raceway."""
+        loads = self.loads
+        flat = loads.pressures.reshape(2, -1)
+        places = flat.argmax(axis=1)
+        radii = [loads.reduced_radius(race)[place % loads.slices.count] for race, place in enumerate(places)]
+        return WorstLineContact.under(flat.max(axis=1), np.array(radii), loads.moduli)
+
+
+def opening(case: TaperedCase) -> dict[str, object]:
+    """Root attributes that are known before anything is solved."""
+    return {"notes": [], "life": {}}
+
+
+def solved(case: TaperedCase) -> Solution:
+    """Balance of rollers and inner ring of a case; raises `NotSolved` where there is none."""
+    loads = tapered_loads(*tapered_bearing.build(case), case.accuracy.slices)
+    return Solution(case, loads, tapered_life.rated(case, loads), tapered_life.lives(case, loads))
+
+
+def solve(case: TaperedCase, record: Recorder, report: Report) -> dict[str, object]:
+    """Write the solution of a case; returns the root attributes that say how it ended.
+
+    Raises `BadCase` when no such bearing can exist.
+    """
+    report.stage("tapered rollers between rigid rings", None)
+    try:
+        solution = solved(case)
+    except NotSolved as failure:
+        return _ending(NOT_SOLVED, str(failure), str(failure.outcome))
+    except (ImpossiblePart, OutOfRange) as problem:
+        raise BadCase(f"{case.source.path}: {problem}") from problem
+    record.block("rigid", block(solution))
+    found = judge(solution)
+    words = (
+        f"ring and rollers in balance to {solution.loads.solution.imbalance:.1e} of the largest force after "
+        f"{solution.loads.solution.evaluations} evaluations of all rollers"
+    )
+    life = solution.lives and solution.lives.of_state
+    return {
+        **_ending("converged", words, "converged"),
+        "notes": [note.record() for note in graded(notes(solution, found))],
+        "findings": [*map(vars, records(found))],
+        "life": {"rigid": life.record()} if life else {},
+    }
+
+
+def _ending(status: str, message: str, ending: str) -> dict[str, Any]:
+    return {"status": status, "message": message, "ending": ending, "iterations": 0}
+
+
+def block(solution: Solution) -> dict[str, NDArray]:
+    """Quantities of the solution."""
+    loads, worst = solution.loads, solution.worst
+    parts = {
+        "subsurface": subsurface.of_rollers(
+            solution.case, loads.bearing, worst.pressure, worst.half_width, np.zeros(2)
+        ),
+        "solution": solution,
+        "loads": loads,
+        "rated": solution.rated,
+        "life": solution.lives,
+        "worst": worst,
+    }
+    return row(taken(LAYOUT.quantities, {name: [part] for name, part in parts.items()}), 0)
+
+
+def judge(solution: Solution) -> tuple[Judged, ...]:
+    """The solution against the limits of roller bearings."""
+    case, loads, rated, lives = solution.case, solution.loads, solution.rated, solution.lives
+    ratings = tapered_life.ratings(case)
+    values: dict[str, Any] = {
+        **judged.pressures(solution.worst.pressure, ROLLERS),
+        "static_safety": rated.static_safety,
+        "viscosity_ratio": tapered_life.known_kappa(case),
+        "rated_viscosity_ratio": tapered_life.rated_kappa(case),
+        "least_stiffness": judged.least_stiffness(loads.stiffness[None, 1:3, 1:3]),
+        "neglected": _neglected(solution),
+        "rib_reach": loads.rib_reach.max() / (loads.bearing.roller.diameter / 2),
+        **life_of_state.rating_ratios([ratings]),
+        **life_of_state.rating_changes([ratings]),
+    }
+    if lives is not None:
+        life = lives.basic if lives.modified is None else lives.modified
+        values |= {
+            "load": {"by the loads of the rollers": tapered_life.reference(case, lives.basic / MREV)},
+            "dynamic_rating": rated.dynamic,
+            **judged.lives(life / MREV, loads.operation.relative_speed, [case.life.required]),
+        }
+    return evaluate(declared.OF_TAPERED, values)
+
+
+def _neglected(solution: Solution) -> dict[str, float]:
+    """What the balance of the rollers leaves out and is known, over the largest load [-]."""
+    loads, largest = solution.loads, float(solution.loads.loads.max())
+    if not largest:
+        return {}
+    friction = solution.case.bearing.rib.friction * float(loads.rib_loads.max())
+    return {
+        "weight of the rollers": float(weight_share(loads.bearing.roller.mass, largest)),
+        "friction of the rib": friction / largest,
+    }
+
+
+def notes(solution: Solution, found: Sequence[Judged]) -> tuple[Note, ...]:
+    """What a user must know of the solution, judged by findings before."""
+    left_out = information(
+        "rollers-in-pure-rolling",
+        "rollers roll without slip at mid-contact: friction of the raceways, oil film and cage are left out "
+        "of loads and speeds; centrifugal forces and gyroscopic moments are in them",
+    )
+    return (*judged.notes(found), left_out, *tapered_life.notes(solution.case))
+
+
+# -- rows of a table -------------------------------------------------------------------------------
+
+
+def answers(cases: Sequence[TaperedCase], texts: Sequence[str], *_: Any, **__: Any) -> list[Answer]:
+    """Outputs of cases, see `flexbearing.runs.rows.answers`; each is solved alone."""
+    with linear_algebra_alone():
+        return [_answer(case, texts) for case in cases]
+
+
+def _answer(case: TaperedCase, texts: Sequence[str]) -> Answer:
+    try:
+        solution = solved(case)
+    except NotSolved as failure:
+        return Answer(NOT_SOLVED, str(failure), {})
+    except (ImpossiblePart, OutOfRange) as problem:
+        return Answer(BAD_INPUT, str(problem), {})
+    blocks = {"rigid": block(solution)}
+    numbers = {text: requested(LAYOUT, text).number(blocks) for text in texts}
+    judgement = judge(solution)
+    return Answer(CONVERGED, "", numbers, row_findings(records(judgement), notes(solution, judgement)))

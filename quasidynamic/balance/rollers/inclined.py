@@ -1,0 +1,134 @@
+"""Rollers between inclined raceways, on the rib of the inner ring: forces and their derivatives."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.contact.line.load_law import LoadLaw, gap_rounding, raceway_coefficients, smooth_positive
+from quasidynamic.contact.line.slices import Slices
+from quasidynamic.parts.tapered_bearing import TaperedRollerBearing
+
+INNER, OUTER = 0, 1
+HELD = 5  # displacements of a ring: x, y, z, and turns about y and z times the pitch radius
+SECTION = 3  # those of a section: along the axis, outwards, turn times half of the roller's length
+RIB_EXPONENT = 1.5
+
+
+class InclinedState(NamedTuple):
+    """Forces at one place of ring and rollers; Z rollers, K slices."""
+
+    ring: NDArray  # (5) [m]
+    rollers: NDArray  # (Z, 3) [m]
+    slice_load: NDArray  # (2, Z, K) [N/m] inner, outer
+    rib_load: NDArray  # (Z) [N]
+    excess: NDArray  # (Z, 3) [N] of forces on rollers: minus the gradient of the energy
+    on_ring: NDArray  # (Z, 3) [N] of the rollers on a section of the inner ring
+    stiffness: NDArray  # (Z, 3, 3) [N/m] of a roller against both rings
+    by_ring: NDArray  # (Z, 3, 3) [N/m] of the forces on a roller by the section of the inner ring
+
+
+@dataclass(frozen=True)
+class InclinedRollers:
+    r"""Rollers whose radial direction is turned by alpha_o at the outer and alpha_i at the inner contact.
+
+    .. math:: \delta_o = N_o \cdot u_w + \vartheta_w s - C_o,\quad
+              \delta_i = N_i \cdot (u_w - u) - (\vartheta_w - \vartheta) s - G/2 \cos\alpha_i - C_i,
+
+    .. math:: \delta_f = N_f \cdot (u_w - u) + h (\vartheta_w - \vartheta),
+
+    with N_o = (-sin, cos) alpha_o, N_i = (sin, -cos) alpha_i, N_f = (cos, sin) alpha_f, places s along the
+    contact, u and theta of the section of the inner ring, u_w and theta_w of the roller, which lift the end
+    at the rib; x towards the rib. All forces derive from one convex energy.
+
+    Source
+    ------
+    Geometry, small displacements; derived here. Angles zero: the cylindrical roller of `Kinematics`.
+    """
+
+    law: LoadLaw  # of both raceways, inner first
+    slices: Slices
+    drops: NDArray  # (2, 1, K) [m]
+    normals: NDArray  # (3, 3) of inner and outer raceway and rib: unit displacements to their approaches [-]
+    gap: float  # [m] at the inner raceway
+    rib_stiffness: float  # [N/m^1.5]
+    sections: NDArray  # (Z, 3, 5) displacements of a section of the inner ring by those of the ring [-]
+    dead: NDArray  # (3) [N] on every roller: axial, outwards, moment over half the length
+
+    @classmethod
+    def of(cls, bearing: TaperedRollerBearing, slices: Slices, dead: NDArray) -> "InclinedRollers":
+        """Build from a bearing and the centrifugal force and gyroscopic moment on its rollers."""
+        half = bearing.roller.length / 2
+        cone, cup, rib = bearing.cone_angle, bearing.cup_angle, bearing.rib
+        law = LoadLaw(np.reshape(raceway_coefficients(bearing), (2, 1, 1)), gap_rounding(bearing))
+        drops = np.array([bearing.drop(race, slices.centres, slices.length) for race in (INNER, OUTER)])
+        return cls(
+            law=law,
+            slices=slices,
+            drops=drops[:, None],
+            normals=np.array(
+                [
+                    [np.sin(cone), -np.cos(cone), -1.0],
+                    [-np.sin(cup), np.cos(cup), 1.0],
+                    [np.cos(rib.angle), np.sin(rib.angle), rib.lever / half],
+                ]
+            ),
+            gap=bearing.clearance / 2 * np.cos(cone),
+            rib_stiffness=rib.stiffness,
+            sections=_sections(bearing, half),
+            dead=dead,
+        )
+
+    @cached_property
+    def _modes(self) -> NDArray:
+        """Approaches of slices by mean and turn: (K, 2) [-]."""
+        return self.slices.modes
+
+    @cached_property
+    def _levers(self) -> NDArray:
+        """Unit displacements of a section to the mean and the turn of its approach (2, 2, 3) [-]."""
+        mean = self.normals[:2] * [1.0, 1.0, 0.0]
+        turn = self.normals[:2] * [0.0, 0.0, 1.0]
+        return np.stack([mean, turn], axis=1)
+
+    def at(self, ring: NDArray, rollers: NDArray) -> InclinedState:
+        """Evaluate every slice and the rib."""
+        section = self.sections @ ring
+        moved = np.stack([rollers - section, rollers])  # against inner and outer ring
+        approach = np.einsum("rmd,rzd->rzm", self._levers, moved) @ self._modes.T - self.drops
+        approach[INNER] -= self.gap
+        load, slope = self.law(approach)
+        force = load @ self.slices.weights  # (2, Z, 2)
+        stiff = (slope @ self.slices.products).reshape(2, len(rollers), 2, 2)
+        on = np.einsum("rmd,rzm->rzd", self._levers, force)
+        by = np.einsum("rmd,rzmn,rne->rzde", self._levers, stiff, self._levers)
+        closed, root = smooth_positive(moved[INNER] @ self.normals[2], self.law.rounding)
+        rib = self.rib_stiffness * closed**RIB_EXPONENT
+        towards = self.normals[2]
+        inner = on[INNER] + rib[:, None] * towards
+        inner_by = by[INNER] + (RIB_EXPONENT * rib / root)[:, None, None] * np.outer(towards, towards)
+        return InclinedState(
+            ring=ring,
+            rollers=rollers,
+            slice_load=load,
+            rib_load=rib,
+            excess=self.dead - inner - on[OUTER],
+            on_ring=inner,
+            stiffness=inner_by + by[OUTER],
+            by_ring=inner_by,
+        )
+
+
+def _sections(bearing: TaperedRollerBearing, half: float) -> NDArray:
+    """Displacements of the sections (Z, 3, 5) towards the rib, outwards and turn times `half`, by a ring's.
+
+    Those of the ring are x, y, z and the turns about y and z times the pitch radius.
+    """
+    sin, cos, zero = np.sin(bearing.azimuths), np.cos(bearing.azimuths), np.zeros(bearing.rollers)
+    rib, turn = -bearing.side, half / (bearing.pitch_diameter / 2)
+    along = rib * np.array([zero + 1, zero, zero, cos, -sin])
+    outwards = np.array([zero, sin, cos, zero, zero])
+    turned = rib * turn * np.array([zero, zero, zero, -cos, sin])
+    return np.stack([along, outwards, turned]).transpose(2, 0, 1)

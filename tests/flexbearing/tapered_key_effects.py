@@ -1,0 +1,130 @@
+"""Keys of tapered roller bearings, as rows of `case_key_effects`, and the contexts that they stand in."""
+
+_STEEL = {"youngs_modulus": "206 GPa", "poisson_ratio": 0.3, "density": "7800 kg/m^3"}
+_FILE = {
+    "bearing.cone_angle": "10 deg",
+    **{f"materials.{part}": _STEEL for part in ("roller", "inner_ring", "outer_ring")},
+}
+_OILED = {
+    **_FILE, "life.lubrication": "a_ISO", "life.cleanliness": "grease, normal cleanliness",
+    "lubricant.inlet_temperature": "60 degC",
+}  # fmt: skip
+_SHEET = {f"lubricant.data_sheet.{name}": value for name, value in {
+    "name": "oil 46", "cold_temperature": "40 degC", "cold_viscosity": "46 cSt",
+    "hot_temperature": "100 degC", "hot_viscosity": "6.8 mm^2/s"}.items()}  # fmt: skip
+_SHAPES = {
+    "crowned": {"profile": "crowned", "straight_length": "4 mm", "crown_radius": "600 mm"},
+    "logarithmic": {"profile": "logarithmic", "drop": "1.75 um"},
+    "designed": {"profile": "fujiwara_kawase", "design_load": "4 kN", "load_factor": 1.5,
+                 "crowned_share": 0.6, "end_drop": "20 um"},
+    "points": {"profile": "points", "point_positions": ["0 mm", "2.5 mm", "7.5 mm"],
+               "point_drops": ["0 um", "1 um", "12 um"]},
+}  # fmt: skip
+PROFILES = {"roller": "roller.profile", "inner_raceway": "inner_profile", "outer_raceway": "outer_profile"}
+CONTEXTS = {
+    "tapered": ("32207", _FILE),
+    "tapered, free to tilt": ("32207", {**_FILE, "operation.tilt": "free"}),
+    "tapered, held": ("32207", {
+        **_FILE, "operation.load.axial": "0 N", "operation.load.radial_z": "0 N",
+        "operation.displacement": {"axial": "20 um", "radial_y": "1 um", "radial_z": "2 um"}}),
+    "tapered, rated": ("32207", {**_OILED, "lubricant.oil": "ISO VG 32"}),
+    "tapered, oil by its data": ("32207", {
+        **_OILED, "lubricant.viscosity": "10 mPa s", "lubricant.density": "870 kg/m^3"}),
+    "tapered, data sheet": ("32207", {**_OILED, **_SHEET}),
+    **{
+        f"tapered, {part} {shape}": ("32207", {
+            **_FILE, **{f"bearing.{part}.{name}": value for name, value in keys.items()}})
+        for part in PROFILES
+        for shape, keys in _SHAPES.items()
+    },
+}  # fmt: skip
+
+# fmt: off
+EFFECTS = (
+    ("tapered", "title", "x", "case.title"),
+    ("tapered", "bearing.rollers", 16, "model.bearing.rollers"),
+    ("tapered", "bearing.pitch_diameter", "54 mm", "model.bearing.pitch_diameter"),
+    ("tapered", "bearing.cup_angle", "14.1 deg",
+     "model.bearing.cup_angle model.bearing.rib.depth model.bearing.rib.lever"),
+    ("tapered", "bearing.cone_angle", "10.1 deg",
+     "model.bearing.cone_angle model.bearing.rib.depth model.bearing.rib.lever"),
+    ("tapered", "bearing.contact_law", "iso16281", "model.bearing.contact_law"),
+    ("tapered", "bearing.first_roller_azimuth", "12 deg", "model.bearing.first_roller_azimuth"),
+    ("tapered", "bearing.roller.diameter", "8.7 mm",
+     "model.bearing.roller.diameter model.bearing.roller.profile.amplitude"),
+    ("tapered", "bearing.roller.length", "14.9 mm", "model.bearing.rib.lever model.bearing.roller.length"),
+    ("tapered", "bearing.rib.angle", "10.4 deg",
+     "model.bearing.rib.angle model.bearing.rib.depth model.bearing.rib.lever"),
+    ("tapered", "bearing.rib.end_radius", "121 mm",
+     "model.bearing.rib.curvature model.bearing.rib.depth "
+     "model.bearing.rib.lever model.bearing.rib.stiffness"),
+    ("tapered", "bearing.rib.friction", 0.06, "case.bearing.rib.friction"),
+    ("tapered", "materials.roller.youngs_modulus", "208 GPa",
+     "model.bearing.rib.stiffness model.bearing.roller.material.youngs_modulus"),
+    ("tapered", "materials.roller.poisson_ratio", 0.303,
+     "model.bearing.rib.stiffness model.bearing.roller.material.poisson_ratio"),
+    ("tapered", "materials.roller.density", "7878 kg/m^3", "model.bearing.roller.material.density"),
+    ("tapered", "materials.inner_ring.youngs_modulus", "208 GPa",
+     "model.bearing.inner_ring.youngs_modulus model.bearing.rib.stiffness"),
+    ("tapered", "materials.inner_ring.poisson_ratio", 0.303,
+     "model.bearing.inner_ring.poisson_ratio model.bearing.rib.stiffness"),
+    ("tapered", "materials.inner_ring.density", "7878 kg/m^3", "model.bearing.inner_ring.density"),
+    ("tapered", "materials.outer_ring.youngs_modulus", "208 GPa", "model.bearing.outer_ring.youngs_modulus"),
+    ("tapered", "materials.outer_ring.poisson_ratio", 0.303, "model.bearing.outer_ring.poisson_ratio"),
+    ("tapered", "materials.outer_ring.density", "7878 kg/m^3", "model.bearing.outer_ring.density"),
+    ("tapered", "operation.inner_speed", "2100 rpm", "operation.inner_speed"),
+    ("tapered", "operation.outer_speed", "100 rpm", "operation.outer_speed"),
+    ("tapered", "operation.tilt", "free", "operation.displacement.3 operation.displacement.4"),
+    ("tapered", "operation.load.axial", "4.1 kN", "operation.load.0"),
+    ("tapered", "operation.load.radial_y", "1 kN", "operation.load.1"),
+    ("tapered", "operation.load.radial_z", "8.1 kN", "operation.load.2"),
+    ("tapered, free to tilt", "operation.load.moment_y", "1 N m", "operation.load.3"),
+    ("tapered, free to tilt", "operation.load.moment_z", "1 N m", "operation.load.4"),
+    ("tapered, held", "operation.displacement.axial", "21 um", "operation.displacement.0"),
+    ("tapered, held", "operation.displacement.radial_y", "1.1 um", "operation.displacement.1"),
+    ("tapered, held", "operation.displacement.radial_z", "2.1 um", "operation.displacement.2"),
+    ("tapered", "operation.displacement.tilt_y", "0.01 deg", "operation.displacement.3"),
+    ("tapered", "operation.displacement.tilt_z", "0.01 deg", "operation.displacement.4"),
+    ("tapered", "accuracy.slices", 41, "case.accuracy.slices"),
+    ("tapered", "outputs.subsurface_stresses", True, "case.outputs.subsurface_stresses"),
+    ("tapered", "outputs.assumed_effects", True, "case.outputs.assumed_effects"),
+    ("tapered", "outputs.catalogue_life", True, "case.outputs.catalogue_life"),
+    ("tapered, rated", "life.loads", "rating", "case.life.loads"),
+    ("tapered, rated", "life.dynamic_rating", "66 kN", "case.life.dynamic_rating"),
+    ("tapered, rated", "life.static_rating", "78 kN", "case.life.static_rating"),
+    ("tapered, rated", "life.fatigue_limit_load", "8.5 kN", "case.life.fatigue_limit_load"),
+    ("tapered, rated", "life.reliability", 0.95, "case.life.reliability"),
+    ("tapered", "life.lubrication", {
+        "life.lubrication": "a_ISO",
+        "life.cleanliness": "grease, normal cleanliness",
+        "lubricant.oil": "ISO VG 32",
+        "lubricant.inlet_temperature": "60 degC",
+    }, "case.life.cleanliness case.life.lubrication viscosity"),
+    ("tapered, rated", "life.cleanliness", "oil, in-line filter, -/13/10", "case.life.cleanliness"),
+    ("tapered, rated", "lubricant.oil", "ISO VG 68", "viscosity"),
+    ("tapered, rated", "lubricant.inlet_temperature", "61 degC", "viscosity"),
+    ("tapered, oil by its data", "lubricant.viscosity", "10.1 mPa s", "viscosity"),
+    ("tapered, oil by its data", "lubricant.density", "880 kg/m^3", "viscosity"),
+    ("tapered, data sheet", "lubricant.data_sheet.cold_temperature", "41 degC", "viscosity"),
+    ("tapered, data sheet", "lubricant.data_sheet.cold_viscosity", "46.46 cSt", "viscosity"),
+    ("tapered, data sheet", "lubricant.data_sheet.hot_temperature", "101 degC", "viscosity"),
+    ("tapered, data sheet", "lubricant.data_sheet.hot_viscosity", "6.868 mm^2/s", "viscosity"),
+    *(
+        (f"tapered, {part} {context}", f"bearing.{part}.{name}", value,
+         " ".join(f"model.bearing.{profile}.{field}" for field in fields.split()))
+        for part, profile in PROFILES.items()
+        for context, name, value, fields in (
+            ("crowned", "profile", "tangent_crowned", "is"),
+            ("crowned", "straight_length", "4.04 mm", "straight_length"),
+            ("crowned", "crown_radius", "606 mm", "crown_radius"),
+            ("logarithmic", "drop", "1.8 um", "amplitude"),
+            ("designed", "design_load", "4.04 kN", "amplitude"),
+            ("designed", "load_factor", 1.6, "amplitude"),
+            ("designed", "crowned_share", 0.7, "crowned_share"),
+            ("designed", "end_drop", "21 um", "end_drop"),
+            ("points", "point_positions", ["0 mm", "3 mm", "7.5 mm"], "places slopes"),
+            ("points", "point_drops", ["0 um", "1.5 um", "12 um"], "drops slopes"),
+        )
+    ),
+)
+# fmt: on

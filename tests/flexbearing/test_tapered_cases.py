@@ -1,0 +1,155 @@
+"""Tapered roller bearings as cases: what a run, a study and a report of them have."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from flexbearing import BadCase, api
+from flexbearing.build.tapered_bearing import bearing
+from flexbearing.families import FAMILIES
+from flexbearing.report.html import html, of_result
+from flexbearing.runs.validate import require_possible
+from quasidynamic.outcome.tapered_life import InclinedRow, axial_factor, load_limit, tapered_dynamic_load
+
+CASE = Path(__file__).parents[2] / "configs" / "32207.toml"
+CHECKED = {  # the bearing of the independent program of tests/quasidynamic/test_tapered.py
+    "bearing.rollers": "19", "bearing.pitch_diameter": "71 mm", "bearing.cup_angle": "15.6422 deg",
+    "bearing.cone_angle": "11.6462 deg", "bearing.roller.diameter": "10.5 mm",
+    "bearing.roller.length": "15.5 mm", "bearing.rib.angle": "12.2434 deg",
+    "bearing.rib.end_radius": "150.33 mm",
+}  # fmt: skip
+LIFE = ["life.lubrication=a_ISO", "life.cleanliness=grease, normal cleanliness", "lubricant.oil=ISO VG 100",
+        "lubricant.inlet_temperature=60 degC"]  # fmt: skip
+
+
+def read(settings=()):
+    return api.read_case(CASE, list(settings))
+
+
+@pytest.fixture(scope="module")
+def result():
+    return api.run(CASE, LIFE)
+
+
+def test_balances_hold_for_the_stored_loads(result):
+    values, case = result.rigid, read()
+    model = bearing(case)
+    cone, cup, rib = model.cone_angle, model.cup_angle, model.rib
+    inner, outer, axial = values["inner_load"], values["outer_load"], values["rib_load"]
+    size = 1e-9 * outer.max()
+    assert inner * np.sin(cone) + axial * np.cos(rib.angle) == approx(outer * np.sin(cup), abs=size)
+    across = outer * np.cos(cup) - inner * np.cos(cone) + axial * np.sin(rib.angle)
+    assert across - values["centrifugal_force"] == approx(0.0, abs=size)
+    width = case.bearing.roller.length / case.accuracy.slices
+    assert values["outer_slice_load"].sum(1) * width == approx(outer, rel=1e-12)
+    levers = (values["outer_slice_load"] - values["inner_slice_load"]) @ values["slice_position"] * width
+    assert levers + axial * rib.lever - values["gyroscopic_moment"] == approx(0.0, abs=size * 1e-2)
+    azimuth = values["roller_azimuth"]
+    assert (outer * np.sin(cup)).sum() == approx(4000.0, rel=1e-9)
+    assert outer * np.cos(cup) @ np.cos(azimuth) == approx(8000.0, rel=1e-9)
+    assert values["ring_load"][:3] == approx([4000.0, 0.0, 8000.0], abs=1e-6)
+
+
+def test_heat_of_the_ribs_is_friction_times_sliding(result):
+    values = result.rigid
+    assert values["rib_heat"] == approx(0.05 * values["rib_load"] * abs(values["rib_sliding"]), rel=1e-12)
+    assert float(result["rib_heat"].to("W")) == approx(values["rib_heat"].sum(), rel=1e-12)
+
+
+def test_pressure_of_a_slice_is_that_of_its_cones(result):
+    """On a plane through the middle of the contact, normal to it, both are circles."""
+    model, values = bearing(read()), result.rigid
+    middle = values["inner_slice_load"][0, 19:21].mean()
+    roller = model.roller.diameter / 2 / np.cos(model.taper)
+    cone = (model.pitch_diameter / 2 - roller * np.cos(model.cone_angle)) / np.cos(model.cone_angle)
+    modulus = 210e9 / (1 - 0.3**2)
+    pressure = np.sqrt(middle * modulus / (2 * np.pi) * (1 / roller + 1 / cone))
+    assert values["inner_pressure"][0, 19:21].mean() == approx(pressure, rel=1e-4)
+
+
+def test_lives_are_those_of_the_ratings(result):
+    values, case = result.rigid, read()
+    row = InclinedRow.of(bearing(case))
+    assert values["dynamic_rating"] == approx(row.dynamic_rating, rel=1e-12)
+    assert values["equivalent_load"] == approx(0.4 * 8000 + axial_factor(row.contact_angle) * 4000, rel=1e-9)
+    inner, outer = values["raceway_life"]
+    assert values["life_L10"] ** (-9 / 8) == approx(inner ** (-9 / 8) + outer ** (-9 / 8), rel=1e-12)
+    a_iso = result.attributes["life"]["rigid"]["factors"][-1]["value"]
+    assert values["modified_life"] == approx(a_iso * values["life_L10"], rel=1e-12)
+
+
+def test_life_by_rating_is_that_of_a_catalogue():
+    found = api.run(CASE, ["life.loads=rating"])
+    expected = (found.rigid["dynamic_rating"] / found.rigid["equivalent_load"]) ** (10 / 3)
+    assert float(found["modified_life"].to("Mrev")) == approx(expected, rel=1e-9)
+
+
+def test_ratings_of_the_independent_program():
+    row = InclinedRow.of(bearing(read(f"{key}={value}" for key, value in CHECKED.items())))
+    assert row.diameter_ratio == approx(0.14241, abs=5e-6)
+    assert row.dynamic_rating == approx(89.99e3, rel=1e-3)  # whose f_c has 207.9 for 207.78
+    assert row.static_rating == approx(112.36e3, rel=1e-4)
+
+
+# SKF, General catalogue 6000 (2005), single row tapered roller bearings: e and Y by the angles of ISO 355
+@pytest.mark.parametrize(
+    ("angle", "limit", "factor"),
+    [
+        pytest.param(14 + 2 / 60 + 10 / 3600, 0.37, 1.6, id="32207"),
+        pytest.param(11 + 51 / 60 + 35 / 3600, 0.31, 1.9, id="30307"),
+        pytest.param(28 + 48 / 60 + 39 / 3600, 0.83, 0.72, id="31307"),
+        pytest.param(12 + 57 / 60 + 10 / 3600, 0.35, 1.7, id="32310"),
+        pytest.param(15 + 38 / 60 + 32 / 3600, 0.43, 1.4, id="30210"),
+    ],
+)
+def test_factors_of_a_catalogue_follow_from_the_angle(angle, limit, factor):
+    cup = np.radians(angle)
+    assert load_limit(cup) == approx(limit, abs=0.011)
+    assert axial_factor(cup) == approx(factor, rel=0.035)
+    at_limit = tapered_dynamic_load(1.0, load_limit(cup) * (1 + 1e-9), cup)
+    assert at_limit.value == approx(1.0, rel=1e-8)  # nothing jumps at e
+
+
+def test_rows_of_a_table_are_those_of_runs(result):
+    (answer,) = FAMILIES["tapered_roller"].rows()([read(LIFE)], ["max_rib_load", "life_L10", "stiffness_zz"])
+    for name, number in answer.numbers.items():
+        assert number == approx(float(result[name]), rel=1e-12), name
+    assert answer.status == "converged"
+
+
+def test_free_tilt_turns_the_ring_and_shortens_the_life(result):
+    free = api.run(CASE, [*LIFE, "operation.tilt=free"])
+    assert free.rigid["ring_load"][3:] == approx([0.0, 0.0], abs=1e-6)
+    assert abs(free.rigid["ring_displacement"][3]) > 1e-3
+    assert free.rigid["life_L10"] < 0.3 * result.rigid["life_L10"]
+
+
+def test_what_is_left_out_is_noted(result):
+    assert "rollers-in-pure-rolling" in [note["code"] for note in result.attributes["notes"]]
+    page = html(of_result(result))
+    assert "friction of the raceways, oil film and cage are left out" in page
+    assert "rib load" in page
+
+
+REFUSED = {
+    "cone that leaves its cup": (["operation.load.axial=0 N"], "the cone leaves the cup"),
+    "moment on a held ring": (["operation.load.moment_y=1 N m"], 'it belongs to operation.tilt = "free"'),
+    "rib beside the end": (["bearing.rib.angle=5 deg"], "must be within the end of the roller"),
+    "rollers that touch": (["bearing.rollers=20"], "they touch on the pitch circle"),
+    "taper the wrong way": (["bearing.cone_angle=15 deg"], "rollers taper towards the apex"),
+    "load and place": (["operation.displacement.axial=1 um"], "give one of the two"),
+}
+
+
+@pytest.mark.parametrize(("settings", "why"), REFUSED.values(), ids=REFUSED)
+def test_impossible_cases_are_refused(settings, why):
+    with pytest.raises(BadCase, match=why):
+        require_possible(read(settings), FAMILIES["tapered_roller"])
+
+
+def test_too_small_a_thrust_is_no_solution():
+    found = api.run(CASE, ["operation.load.axial=1.9 kN"])
+    assert found.attributes["status"] == "not solved"
+    assert "above 2006 N are needed" in found.attributes["message"]

@@ -1,0 +1,64 @@
+"""Random tapered roller bearings: short and long rollers, at rest and at speed, held and free."""
+
+from math import pi, radians
+
+import numpy as np
+
+from quasidynamic.motion.tapered_speeds import tapered_speeds
+from quasidynamic.parts.angular_contact_bearing import RingOperation
+from quasidynamic.parts.material import Material
+from quasidynamic.parts.profile import STRAIGHT, Logarithmic
+from quasidynamic.parts.roller_bearing import Roller
+from quasidynamic.parts.tapered_bearing import TaperedRollerBearing, apex_angles, spherical_rib
+from quasidynamic.tapered import least_thrust
+
+STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7850)
+
+
+def drawn(seed: int) -> tuple[TaperedRollerBearing, RingOperation]:
+    """A bearing and what is asked of it; axial loads are above the least that holds cup and cone together."""
+    random = np.random.default_rng(seed)
+    rollers, filled = int(random.integers(8, 60)), random.uniform(0.7, 0.95)
+    pitch = 10 ** random.uniform(-1.6, 0.3)
+    diameter = filled * pi * pitch / rollers
+    cup = radians(random.uniform(8, 32))
+    axis, cone = apex_angles(cup, diameter / pitch)
+    length = diameter * random.uniform(0.8, 2.5)
+    drop = random.uniform(1e-4, 6e-4) * diameter
+    profile = Logarithmic(amplitude=drop) if random.random() < 0.7 else STRAIGHT
+    roller = Roller(diameter=diameter, length=length, material=STEEL, profile=profile)
+    radius = random.uniform(0.85, 0.98) * (pitch / 2 / np.sin(axis) + length / 2)
+    depth = random.uniform(0.3, 0.9) * diameter / 2
+    bearing = TaperedRollerBearing(
+        rollers=rollers,
+        pitch_diameter=pitch,
+        cup_angle=cup,
+        cone_angle=cone,
+        roller=roller,
+        rib=spherical_rib(roller, axis, axis - np.arcsin(depth / radius), radius, STEEL),
+        inner_ring=STEEL,
+        outer_ring=STEEL,
+        side=random.choice([-1, 1]),
+        first_roller_azimuth=random.uniform(0, 1),
+    )
+    rating = 60e6 * rollers * diameter * length  # [N] a pressure of some 1 to 2 GPa
+    radial, turn = rating * 10 ** random.uniform(-4, 0), random.uniform(0, 2 * pi)
+    speed = random.choice([0.0, 1.0]) * 10 ** random.uniform(-1, 1.2) / pitch  # up to 8 m/s of the rollers
+    centrifugal = tapered_speeds(bearing, speed).centrifugal_force
+    axial = least_thrust(bearing, radial, centrifugal) * random.choice([1.1, 1.5, 3.0, 20.0])
+    sin, cos, held = np.sin(turn), np.cos(turn), random.random()
+    load = [bearing.side * axial, radial * sin, radial * cos, 0.0, 0.0]
+    if held < 0.3:  # free to tilt, the load near the centre of pressure
+        arm = bearing.side * radial * pitch / 2 * np.tan(cup) * random.uniform(0.95, 1.05)
+        load[3:] = arm * cos, -arm * sin
+        displacement: list[float | None] = [None] * 5
+    else:
+        displacement = [None, None, None, *(random.normal(0, 3e-4, 2) * random.integers(0, 2))]
+    if held > 0.8:  # held axially as well, pressed or with a gap
+        load[0], displacement[0] = 0.0, bearing.side * random.normal(0, 1e-3) * diameter
+    axial_force, y, z, about_y, about_z = map(float, load)
+    return bearing, RingOperation(
+        load=(axial_force, y, z, about_y, about_z),
+        displacement=tuple(None if place is None else float(place) for place in displacement),
+        inner_speed=float(speed),
+    )
