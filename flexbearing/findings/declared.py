@@ -17,6 +17,7 @@ from flexbearing.findings.running import (
     RATED_VISCOSITY_RATIO,
     REQUIRED_LIFE,
     SHORT_LIFE,
+    SMALL_OSCILLATION,
     STIFFNESS_IN_SERIES,
     VISCOSITY_RATIO,
 )
@@ -72,7 +73,11 @@ OF_BALLS = (
     REVERSED_THRUST,
     CONTACT_HEIGHT,
 )
-DECLARED = tuple(dict.fromkeys((*OF_ROLLERS, *OF_BALLS)))
+OF_SLOW_BALLS = (  # which need no load against skidding
+    *(finding for finding in OF_BALLS if finding is not LIGHT_LOAD_OF_BALLS),
+    SMALL_OSCILLATION,
+)
+DECLARED = tuple(dict.fromkeys((*OF_ROLLERS, *OF_BALLS, *OF_SLOW_BALLS)))
 
 
 def is_declared(code: str, grade: str) -> bool:
