@@ -17,7 +17,7 @@ from flexbearing.quantities.angular_contact import LAYOUT as OF_FAST_BALLS
 from flexbearing.quantities.four_point import LAYOUT as OF_SLOW_BALLS
 from flexbearing.quantities.layout import Layout
 from flexbearing.results import Recorder
-from flexbearing.runs import angular_contact, ball_levels, four_point, slow_life
+from flexbearing.runs import angular_contact, ball_levels, four_point, life_rules, slow_life
 from flexbearing.runs.angular_contact import Block, named
 from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer, row_findings
 from quasidynamic import AngularContactState, ImpossiblePart, NotSolved, OutOfRange
@@ -97,7 +97,8 @@ def solve_angular(
     ending = _converged(words, notes, found)
     life = solution.lives and solution.lives.of_state
     lives = {name: life.record()} if life else {}
-    return {**ending, "clearance": clearance.record(case), "life": lives, **coupled}
+    rule = {"life_rule": life_rules.of_balls(case)} if solution.lives else {}
+    return {**ending, "clearance": clearance.record(case), "life": lives, **rule, **coupled}
 
 
 def _lives(solution: four_point.Solution) -> dict[str, Any]:
@@ -105,7 +106,8 @@ def _lives(solution: four_point.Solution) -> dict[str, Any]:
     if solution.lives is None:
         return {}
     block, state = "rigid" if solution.case.rigid else "flexible", solution.lives.of_state
-    rule = {"life_rule": slow_life.rule(solution.case)}
+    thrust = slow_life.rated_arcs(solution.case).thrust
+    rule = {"life_rule": life_rules.of_arcs(solution.case, thrust=thrust)}
     return rule | ({} if state is None else {"life": {block: state.record()}})
 
 

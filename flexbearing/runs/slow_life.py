@@ -1,6 +1,5 @@
 """Lives of slow balls with two or four contacts, turning or oscillating."""
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,9 +17,6 @@ from quasidynamic.outcome.raceway_damage import POINT
 from quasidynamic.outcome.rating_life import BALL_EXPONENT
 from quasidynamic.outcome.slow_ball_life import RatedArcs, arc_lives, guideline_life, slow_ball_life
 from quasidynamic.parts.ball import BallRow
-
-AXIAL, RADIAL = "C_a of ISO 281 for thrust bearings", "C_r of ISO 281 for radial bearings"
-BY_DAMAGE, GUIDELINE = "oscillation by the damage of each arc", "oscillation by NREL DG03"
 
 
 @dataclass(frozen=True)
@@ -122,21 +118,8 @@ def unrated(case: FourPointCase) -> str:
     return why_none(lambda: rated_arcs(case).capacities)
 
 
-def rule(case: FourPointCase) -> str:
-    """By which rules the life is computed, in words; empty where there is none."""
-    if case.operation.mode != "ring_load" or unrated(case):
-        return ""
-    return ", ".join(("ISO/TS 16281:2008 for each arc", *_rules(case)))
-
-
-def _rules(case: FourPointCase) -> Iterable[str]:
-    yield "a given rating" if case.life.dynamic_rating else AXIAL if rated_arcs(case).thrust else RADIAL
-    if case.operation.oscillation is not None:
-        yield GUIDELINE if case.life.oscillation == "DG03" else BY_DAMAGE
-
-
 def notes(case: FourPointCase) -> tuple[Note, ...]:
-    """What keeps the life away, and by which rules it is computed."""
+    """What keeps the life away."""
     if case.operation.mode != "ring_load":
         return ()
     return no_life(unrated(case), "", None)
