@@ -47,6 +47,7 @@ COMMANDS = {  # in the order of the help
     "pareto": "cli:pareto",
     "sensitivity": "sensitivity.command:sensitivity",
     "goal": "goal.command:goal",
+    "limits": "limits.command:limits",
     "study": "studies.command:study",
     "optimise": "optimise.command:optimise",
     "explain": "cli:explain_key",

@@ -25,6 +25,11 @@ CleanlinessName = Literal[
 OF_CATALOGUE = ("dynamic_rating", "static_rating", "fatigue_limit_load")
 MODIFYING_NOTHING = {*OF_CATALOGUE, "required"}
 FOLLOWS = "it follows the formula where settings change sizes of the bearing in the file"
+RELIABILITY = "probability of survival"
+REQUIRED = (
+    "required life, by which the most detailed life of the case is judged: the modified one where it has "
+    "factors of oil, steel or reliability. For one of ISO 281 (L10h) see the catalogue's life"
+)
 FEWEST_SLICES = 30  # of ISO/TS 16281, for the edge stress
 BY_RATING = {"loads": ("rating",)}
 
@@ -50,16 +55,10 @@ class Ratings(Section):
         example="5.5 kN",
         gt=0,
     )
-    reliability: float | None = key("probability of survival", None, example=0.99, ge=0.9, le=0.9995)
+    reliability: float | None = key(RELIABILITY, None, example=0.99, ge=0.9, le=0.9995)
     lubrication: Literal["a_ISO"] | None = key("a_ISO: factor of ISO 281 by viscosity and cleanliness", None)
     cleanliness: CleanlinessName | None = key('cleanliness by ISO 281, lubrication = "a_ISO"', None)
-    required: Time | None = key(
-        "required life, by which the most detailed life of the case is judged: the modified one where it has "
-        "factors of oil, steel or reliability. For one of ISO 281 (L10h) see the catalogue's life",
-        None,
-        example="20000 h",
-        gt=0,
-    )
+    required: Time | None = key(REQUIRED, None, example="20000 h", gt=0)
 
     @property
     def is_basic(self) -> bool:

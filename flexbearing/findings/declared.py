@@ -18,6 +18,7 @@ from flexbearing.findings.running import (
     REQUIRED_LIFE,
     RIB_CONTACT,
     SHORT_LIFE,
+    SMALL_OSCILLATION,
     STIFFNESS_IN_SERIES,
     VISCOSITY_RATIO,
 )
@@ -89,7 +90,11 @@ OF_TAPERED = (
     MUCH_NEGLECTED,
     NEGLECTED,
 )
-DECLARED = tuple(dict.fromkeys((*OF_ROLLERS, *OF_BALLS, *OF_TAPERED)))
+OF_SLOW_BALLS = (  # which need no load against skidding
+    *(finding for finding in OF_BALLS if finding is not LIGHT_LOAD_OF_BALLS),
+    SMALL_OSCILLATION,
+)
+DECLARED = tuple(dict.fromkeys((*OF_ROLLERS, *OF_BALLS, *OF_SLOW_BALLS, *OF_TAPERED)))
 
 
 def is_declared(code: str, grade: str) -> bool:

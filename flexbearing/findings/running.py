@@ -36,6 +36,13 @@ FILM_RATIO = Finding(
     meaning="asperities carry most of the load",
     action="take smoother raceways, a more viscous or a cooler oil",
 )  # fmt: skip
+SMALL_OSCILLATION = Finding(
+    code="small-oscillation", label="way of an oscillation over the width of the contacts",
+    quantity="rolled_widths", at_least=1.0, grade=OUTSIDE,
+    source="below it no place is rolled over; Hertz, rolling",
+    meaning="raceways wear by fretting (false brinelling), which no life contains",
+    action="turn the bearing further from time to time, with a grease for small oscillations",
+)  # fmt: skip
 GYROSCOPIC_MOMENT = Finding(
     code="gyroscopic-moment", label="friction needed to hold the gyroscopic moments",
     quantity="needed_friction", at_most=1.0, times="friction", grade=OUTSIDE,

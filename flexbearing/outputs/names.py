@@ -192,8 +192,6 @@ def requested(layout: Layout, text: str) -> RequestedOutput:
     if parts is None or output is None:
         near = get_close_matches(name, known, n=1, cutoff=0.4)
         hint = f" Did you mean {near[0]}?" if near else ""
-        if "life" in name and not any("life" in each for each in known):
-            hint = " This kind of bearing is not rated: it has no life."
         raise UnknownOutput(
             f"{quoted(text)}: no output has this name.{hint} The main ones are {', '.join(layout.main)}; "
             'the documents list all under "The result file".'

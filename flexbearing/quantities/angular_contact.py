@@ -20,7 +20,7 @@ from flexbearing.quantities.coupling import (
     STRUCTURE,
 )
 from flexbearing.quantities.layout import Axis, Layout
-from flexbearing.quantities.life_records import CATALOGUE_ATTRIBUTE, LIFE_ATTRIBUTE
+from flexbearing.quantities.life_records import CATALOGUE_ATTRIBUTE, LIFE_ATTRIBUTE, RULE_ATTRIBUTE
 from flexbearing.quantities.probes import PROBE_AXIS, PROBES
 from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
 from flexbearing.quantities.reductions import (
@@ -424,6 +424,7 @@ right-handed.
     further_attributes=(
         CLEARANCE_ATTRIBUTE,
         replace(LIFE_ATTRIBUTE, optional=True),
+        RULE_ATTRIBUTE,
         CATALOGUE_ATTRIBUTE,
         *(replace(attribute, optional=True) for attribute in (METHOD, ATTEMPTS, STRUCTURE)),
         CHOICES,
@@ -435,6 +436,7 @@ right-handed.
         "method",
         "clearance",
         "life",
+        "life_rule",
         "catalogue_life",
         "structure",
         "choices",

@@ -3,12 +3,15 @@
 The page of a result shows its rows in the order of declaration, those of two races in a table of their own.
 """
 
+from dataclasses import replace
+
 import numpy as np
 
 from flexbearing.quantities.attributes import HEAD
 from flexbearing.quantities.ball_clearance import CLEARANCE_ATTRIBUTE
 from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, subsurface, worst_contact
 from flexbearing.quantities.layout import Axis, Layout
+from flexbearing.quantities.life_records import LIFE_ATTRIBUTE, RULE_ATTRIBUTE
 from flexbearing.quantities.quantity import Quantity, SummaryValue
 from flexbearing.quantities.reductions import (
     ABOUT_YZ,
@@ -23,11 +26,12 @@ from flexbearing.quantities.reductions import (
     tilts,
 )
 from flexbearing.quantities.stiffness import RADIAL_STIFFNESSES
-from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, RPM, UM
+from flexbearing.quantities.units import COUNT, DEG, KN, MM, MPA, MRAD, MREV, RPM, UM
 
 RING = "ring"  # section of the page
 TORQUE_PARTS = ("spin", "roll", "hysteresis", "total")
 _UNDRIVEN = "NaN for a ball that is not pressed on both rings"
+_UNRATED = "absent without load, where contact loads are given, and where ISO 281 has no rating"
 _GIVEN = "absent when contact loads are given"
 _ORDER = "x, y, z, about y, about z; these about the point of the axis in the plane of the ball centres"
 
@@ -158,6 +162,39 @@ QUANTITIES = (
         source="solution.power_loss",
         summary=(SummaryValue("power_loss_W", label="power loss", digits=".4g"),)),
 
+    # life
+    Quantity("life_L10", "L_10r", "", "rev", "block",
+        "reference rating life of all arcs together by ISO/TS 16281, 90 % survival, in revolutions that the "
+        f"rings go against each other, to and fro together; {_UNRATED}",
+        source="life.basic", people=MREV, optional=True,
+        summary=(SummaryValue("life_L10_Mrev", label="reference life L10r, ISO/TS 16281", digits=",.4g",
+                              speed="relative_speed"),)),
+    Quantity("raceway_life", "L_10,i, L_10,o", "race", "rev", "block",
+        f"the same of both arcs of each ring (inner, outer); {_UNRATED}", source="life.raceways",
+        people=MREV, optional=True, infinite=True,
+        summary=(SummaryValue("raceway_life_Mrev", label="life L10", digits=",.4g", parts=RACES,
+            speed="relative_speed"),)),
+    Quantity("arc_life", "", "G race", "rev", "block",
+        f"the same of each arc alone; {_UNRATED}", source="life.arcs", people=MREV, optional=True,
+        infinite=True, summary=(SummaryValue("arc_lives_Mrev"),)),
+    Quantity("modified_life", "L_nm", "", "rev", "block",
+        "life with the reliability of the case, see the attribute life; absent when it requires none",
+        source="life.modified", people=MREV, optional=True,
+        summary=(SummaryValue("modified_life_Mrev", label="modified life", digits=",.4g",
+            speed="relative_speed"),)),
+    Quantity("oscillations", "", "", "1", "block",
+        "oscillations of the reference life, each there and back; absent where rings turn on",
+        source="life.oscillations", optional=True,
+        summary=(SummaryValue("oscillations", label="oscillations of the reference life", digits=",.4g"),)),
+    Quantity("dynamic_rating", "C_a, C_r", "", "N", "block",
+        "dynamic rating of one diagonal that the life is computed with, axial or radial by the attribute "
+        f"life_rule; {_UNRATED}", source="life.rating", people=KN, optional=True,
+        summary=(SummaryValue("dynamic_rating_kN", label="dynamic rating of a diagonal", digits=",.4g"),)),
+    Quantity("relative_speed", "", "", "rad/s", "block",
+        "speed of the inner ring less that of the outer ring, by which revolutions become hours; the mean "
+        f"of its amount where rings oscillate; {_UNRATED}", source="life.relative_speed", people=RPM,
+        optional=True),
+
     # rings
     Quantity("free_contact_angle", "alpha_0", "", "rad", "block",
         "contact angle of the diagonals without load, after mounting",
@@ -244,8 +281,8 @@ Torques are what must be put in so that the inner ring runs ahead: positive ther
     ),
     blocks=("rigid",),
     further_blocks=("flexible",),
-    further_attributes=(CLEARANCE_ATTRIBUTE,),
-    head=("kind", *HEAD, "clearance"),
+    further_attributes=(CLEARANCE_ATTRIBUTE, replace(LIFE_ATTRIBUTE, optional=True), RULE_ATTRIBUTE),
+    head=("kind", *HEAD, "clearance", "life", "life_rule"),
     case_keys=(
         ("torque_formula", "friction", "torque"),
         ("friction_model", "friction", "model"),

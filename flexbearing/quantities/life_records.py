@@ -130,6 +130,13 @@ CATALOGUE_LIFE: Form = Such(
 LIFE_ATTRIBUTE = Attribute(
     "life", "json", "factors of [life] with value and note, and the modified life; by block", form=LIFE
 )
+RULE_ATTRIBUTE = Attribute(
+    "life_rule",
+    "text",
+    "rules that the lives of the case are computed by, with their editions; absent without a life, and in "
+    "results of older versions",
+    optional=True,
+)
 CATALOGUE_ATTRIBUTE = Attribute(
     "catalogue_life",
     "json",

@@ -15,7 +15,7 @@ from flexbearing.quantities.coupling import (
     STRUCTURE,
 )
 from flexbearing.quantities.layout import Axis, Layout
-from flexbearing.quantities.life_records import CATALOGUE_ATTRIBUTE, LIFE_ATTRIBUTE
+from flexbearing.quantities.life_records import CATALOGUE_ATTRIBUTE, LIFE_ATTRIBUTE, RULE_ATTRIBUTE
 from flexbearing.quantities.probes import PROBE_AXIS, PROBES
 from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
 from flexbearing.quantities.reductions import (
@@ -537,6 +537,7 @@ _ATTRIBUTES = (
         form=records.CLEARANCE,
     ),
     LIFE_ATTRIBUTE,
+    RULE_ATTRIBUTE,
     CATALOGUE_ATTRIBUTE,
     Attribute(
         "regimes", "json", "lubrication regime of inner and outer raceway; by block", form=records.REGIMES
@@ -615,6 +616,7 @@ left-handed about +x. Rotations about y and z are right-handed.
         "tilt",
         "clearance",
         "life",
+        "life_rule",
         "catalogue_life",
         "regimes",
         "equilibria",

@@ -96,10 +96,11 @@ def _in_operation(clearance: dict[str, Any]) -> Iterator[RenderableType]:
 
 
 def _closing(numbers: dict[str, Any]) -> Iterator[RenderableType]:
-    """Assumed and calibrated keys, notes that are no dangers, and in a line how the run ended."""
+    """Assumed and calibrated keys, rules, notes that are no dangers, and in a line how the run ended."""
     yield from listed("assumed (not known, chosen)", numbers["assumed"])
     fitted = [f"{key}: {to}" for key, to in numbers["calibrated"].items()]
     yield from listed("fitted, so no validation", fitted)
+    yield from listed("rules of the lives", filter(None, [numbers.get("life_rule")]))
     yield from noted(note for note in numbers["notes"] if note["grade"] != GRADES[0])
     converged = numbers["status"] == "converged"
     yield Text(_ending(numbers), style="bold green" if converged else "bold red")

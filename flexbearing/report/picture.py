@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from io import BytesIO
+from pathlib import Path
 from textwrap import fill
 from typing import TYPE_CHECKING
 
@@ -43,6 +44,20 @@ class LeftOut:
 
     def __str__(self) -> str:
         return f"{self.name}: {self.reason}"
+
+
+def form_of(picture: Path) -> str:
+    """Format of a picture that a command writes, by its ending.
+
+    Raises `BadCase` for another ending.
+    """
+    from flexbearing.case import BadCase
+
+    form = picture.suffix.removeprefix(".")
+    if form not in FORMATS:
+        allowed = ", ".join(f".{each}" for each in FORMATS)
+        raise BadCase(f"--output {picture}: the chart is a picture; its name ends in {allowed}")
+    return form
 
 
 def set_heading(figure: Figure, title: str, what: str, width: int) -> None:

@@ -17,7 +17,7 @@ from flexbearing.quantities.angular_contact import LAYOUT as OF_FAST_BALLS
 from flexbearing.quantities.four_point import LAYOUT as OF_SLOW_BALLS
 from flexbearing.quantities.layout import Layout
 from flexbearing.results import Recorder
-from flexbearing.runs import angular_contact, ball_levels, four_point
+from flexbearing.runs import angular_contact, ball_levels, four_point, life_rules, slow_life
 from flexbearing.runs.angular_contact import Block, named
 from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer, row_findings
 from quasidynamic import AngularContactState, ImpossiblePart, NotSolved, OutOfRange
@@ -57,7 +57,7 @@ def solve_four_point(case: FourPointCase, record: Recorder, report: Report) -> d
         words += f", the ring to {solution.distribution.imbalance:.1e} of the largest force"
     found = four_point.judge(solution)
     ending = _converged(words, four_point.notes(solution, found), found)
-    return {**ending, "clearance": clearance.record(case)}
+    return {**ending, "clearance": clearance.record(case), **_lives(solution)}
 
 
 def solve_angular(
@@ -97,7 +97,18 @@ def solve_angular(
     ending = _converged(words, notes, found)
     life = solution.lives and solution.lives.of_state
     lives = {name: life.record()} if life else {}
-    return {**ending, "clearance": clearance.record(case), "life": lives, **coupled}
+    rule = {"life_rule": life_rules.of_balls(case)} if solution.lives else {}
+    return {**ending, "clearance": clearance.record(case), "life": lives, **rule, **coupled}
+
+
+def _lives(solution: four_point.Solution) -> dict[str, Any]:
+    """Root attributes of the life of a slow bearing."""
+    if solution.lives is None:
+        return {}
+    block, state = "rigid" if solution.case.rigid else "flexible", solution.lives.of_state
+    thrust = slow_life.rated_arcs(solution.case).thrust
+    rule = {"life_rule": life_rules.of_arcs(solution.case, thrust=thrust)}
+    return rule | ({} if state is None else {"life": {block: state.record()}})
 
 
 def _store_nearest(case: FastCase, state: AngularContactState | None, record: Recorder) -> None:

@@ -102,7 +102,9 @@ def _modified(case: FastCase, basic: float) -> LifeOfState:
         load = dynamic_load(case).value
         value, note = float(rating_life(dynamic(case), load, BALL_EXPONENT)) / basic, "ISO 281: (C_r/P)^3"
         by_loads.append(Factor("rating", value, BY_LOADS, note, 0.0))
-    return LifeOfState.of(basic, by_loads, (*_lubrication(case, load), *of_reliability(case.life)))
+    return LifeOfState.of(
+        basic, by_loads, (*_lubrication(case, load), *of_reliability(case.life.reliability))
+    )
 
 
 def rated(case: FastCase) -> float | None:
@@ -114,7 +116,9 @@ def rated(case: FastCase) -> float | None:
         return None
     load = dynamic_load(case).value
     basic = float(rating_life(dynamic(case), load, BALL_EXPONENT))
-    return LifeOfState.of(basic, (), (*_lubrication(case, load), *of_reliability(case.life))).modified
+    return LifeOfState.of(
+        basic, (), (*_lubrication(case, load), *of_reliability(case.life.reliability))
+    ).modified
 
 
 def _lubrication(case: FastCase, load: float) -> Iterator[LifeFactor]:
@@ -260,7 +264,7 @@ def _rated(case: FastCase, now: RatedBalls, name: str) -> RatedBalls:
     materials = case.materials.model_copy(
         update={key: each for key, each in parts.items() if each is not None}
     )
-    then = RatedBalls(_row_of(now.row, sizes), rated_material(materials))
+    then = RatedBalls(row_of(now.row, sizes), rated_material(materials))
     return now if then == now else then
 
 
@@ -275,7 +279,7 @@ def of_other_balls(case: FastCase) -> dict[str, float]:
     return found
 
 
-def _row_of(now: BallRow, sizes: Sequence[Any]) -> BallRow:
+def row_of(now: BallRow, sizes: Sequence[Any]) -> BallRow:
     """A row of balls with the sizes that are stated, None of others."""
     balls, diameter, pitch, angle, *grooves = sizes
     size = diameter or now.ball_diameter

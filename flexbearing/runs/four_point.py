@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 from typing import Literal
 
 import numpy as np
@@ -18,13 +18,15 @@ from flexbearing.progress import Report
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import row, taken
 from flexbearing.rings import grooves
-from flexbearing.runs import elastic_grooves, judged, neglect, shoulders, subsurface
+from flexbearing.runs import elastic_grooves, judged, neglect, shoulders, slow_life, subsurface
 from flexbearing.runs.angular_contact import STICK
+from flexbearing.runs.life_of_state import MREV
 from quasidynamic import OutOfRange
 from quasidynamic.balance.balls.diagonals import SIDE_OF_DIAGONAL
 from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves
 from quasidynamic.four_point import FourPointEquilibrium
 from quasidynamic.note import Note, danger, information, outside
+from quasidynamic.outcome.oscillation import rolled_way
 from quasidynamic.outcome.rating_life import BALLS
 from quasidynamic.outcome.worst_point_contact import WorstPointContact
 from quasidynamic.solve.balls.elastic_load_distribution import ElasticBallLoads
@@ -50,6 +52,11 @@ class Solution:
         """The most pressed contact of each raceway."""
         each = self.balls.peak_pressure, self.balls.ellipse.across, self.balls.ellipse.along
         return WorstPointContact.of(*(values.reshape(-1, 2) for values in each))
+
+    @cached_property
+    def lives(self) -> slow_life.SlowLives | None:
+        """Lives under these loads; None where there is none."""
+        return slow_life.lives(self.case, self.balls)
 
     @property
     def bearing(self) -> qd.FourPointBearing:
@@ -245,6 +252,7 @@ def block(solution: Solution) -> dict[str, NDArray]:
         "solution": solution,
         "balls": solution.balls,
         "ring": solution.distribution,
+        "life": solution.lives,
         "rolling": solution.rolling,
         "fields": _fields(solution.case, solution.balls),
     }
@@ -280,6 +288,23 @@ def _heights(solution: Solution) -> dict[str, float]:
     }
 
 
+def _fatigue(solution: Solution) -> dict[str, object]:
+    """Lives with the load and the way that they belong to."""
+    lives, balls = solution.lives, solution.balls
+    if lives is None:
+        return {}
+    values: dict[str, object] = {
+        "load": {"by the loads of the balls": lives.equivalent},
+        "dynamic_rating": lives.rating,
+        **judged.lives(lives.longest / MREV, lives.relative_speed, [solution.case.life.required]),
+    }
+    if lives.oscillation is not None:
+        ratio = slow_life.row(solution.case).diameter_ratio
+        way = rolled_way(lives.oscillation, solution.case.bearing.pitch_diameter, ratio)
+        values["rolled_widths"] = way / (2 * balls.ellipse.along.max())
+    return values
+
+
 def judge(solution: Solution) -> tuple[Judged, ...]:
     """The solution against the limits of ball bearings."""
     largest = solution.balls.peak_pressure.max(axis=(0, 1))
@@ -287,16 +312,18 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
         **judged.pressures(largest, BALLS),
         **neglect.of_slow_balls(solution),
         "contact_height": _heights(solution),
+        **_fatigue(solution),
     }
     if solution.distribution is not None:
         values["least_stiffness"] = judged.least_stiffness(solution.distribution.stiffness[None, 1:3, 1:3])
-    return evaluate(declared.OF_BALLS, values)
+    return evaluate(declared.OF_SLOW_BALLS, values)
 
 
 def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
     """What a user must know of the solution, judged by findings before."""
     case, balls = solution.case, solution.balls
     lines = (*judged.notes(found), *balls.notes, *shoulders.unusual(case.materials), *clearance.notes(case))
+    lines += slow_life.notes(case)
     if solution.distribution is None:
         lines += (
             information(

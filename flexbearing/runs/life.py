@@ -192,7 +192,7 @@ def _fixed_factors(case: Case) -> list[LifeFactor]:
         factor = material_factor(life.steel, life.melting)
         beside = "ISO 281 has no such factor beside a_ISO" if life.lubrication == "a_ISO" else ""
         factors.append(explained(factor, beside))
-    return [*factors, *of_reliability(life)]
+    return [*factors, *of_reliability(life.reliability)]
 
 
 def edge_stress(case: Case, slices: int) -> NDArray | None:

@@ -6,7 +6,6 @@ from functools import cached_property
 from math import prod
 from typing import Any
 
-from flexbearing.case.ratings import Ratings
 from flexbearing.findings.running import NO_MODIFIED_LIFE
 from flexbearing.quantities.life_records import BY_LOADS, Factor
 from quasidynamic import OutOfRange
@@ -167,8 +166,8 @@ def no_life(unrated: str, unmodified: str, kappa: float | None) -> tuple[Note, .
     return (outside(NO_MODIFIED_LIFE, f"no modified life: {unmodified}"),)
 
 
-def of_reliability(life: Ratings) -> list[LifeFactor]:
+def of_reliability(reliability: float | None) -> list[LifeFactor]:
     """The factor of the reliability that a case requires; none where it requires none."""
-    if life.reliability is None:
+    if reliability is None:
         return []
-    return [explained(reliability_factor(life.reliability), f"reliability {life.reliability:g}")]
+    return [explained(reliability_factor(reliability), f"reliability {reliability:g}")]

@@ -11,7 +11,7 @@ from flexbearing.findings import Judged, declared
 from flexbearing.progress import Report
 from flexbearing.quantities.quantity import row
 from flexbearing.results import Arrays, Recorder
-from flexbearing.runs import judged, notes, roller_findings
+from flexbearing.runs import judged, life_rules, notes, roller_findings
 from flexbearing.runs.several import SeveralEquilibria
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import Equilibrium, RollerBearing
@@ -107,6 +107,7 @@ class Postprocessing:
             "clearance": of_clearance,
             "findings": [*map(vars, findings.records(found))],
             "life": {name: life.record() for name, life in lives.items() if life is not None},
+            **({"life_rule": life_rules.of_rollers(self.case)} if lives else {}),
             "regimes": {name: rows.regimes[0] for name, rows in self.solved.items() if rows.regimes[0]},
             "notes": [note.record() for note in graded(every_note)],
         }

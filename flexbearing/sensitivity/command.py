@@ -38,11 +38,12 @@ def sensitivity(
     """Compute how much each key of a case changes its outputs: derivatives, largest first."""
     from flexbearing import api
     from flexbearing.files import require_outputs
+    from flexbearing.report.picture import form_of
     from flexbearing.runs.run_case import stem_of_outputs
 
     wanted = api.read_case(case, settings or [])
     picture = output or Path("results") / f"{stem_of_outputs(case, settings or ())}_sensitivity.png"
-    form = _form_of(picture)
+    form = form_of(picture)
     table = picture.with_suffix(".csv")
     if not as_json:
         require_outputs((picture, table), wanted.input_files)
@@ -73,17 +74,6 @@ def _differentiated(case: "Head", of: Sequence[str], by: Sequence[str]) -> "Sens
         raise BadCase(f"--of {problem}") from None
     except NotSolved as problem:
         end(f"{case.source.path}: not converged: {problem}")
-
-
-def _form_of(picture: Path) -> str:
-    from flexbearing.case import BadCase
-    from flexbearing.report.picture import FORMATS
-
-    form = picture.suffix.removeprefix(".")
-    if form not in FORMATS:
-        allowed = ", ".join(f".{each}" for each in FORMATS)
-        raise BadCase(f"--output {picture}: the chart is a picture; its name ends in {allowed}")
-    return form
 
 
 def _write(found: "Sensitivities", picture: Path, table: Path, form: str) -> None:

@@ -69,7 +69,7 @@ def _is_unloaded(case: Any, own: dict[str, Any]) -> bool:
             f"operation.load.{name}": getattr(operation.load, name)
             for name in type(operation.load).model_fields
         }
-        if operation.preload or any(operation.displacement.values) or operation.held:
+        if operation.is_pressed:
             return False
     if any((loads | own)[key] for key in loads):
         return False

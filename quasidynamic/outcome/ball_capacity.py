@@ -147,7 +147,7 @@ def ball_raceway_capacity(row: BallRow, rating: float | None = None) -> tuple[fl
     -----
     As for C_r.
     """
-    x = _inner_over_outer(1.044, row.diameter_ratio, row.inner_conformity, row.outer_conformity) ** (10 / 3)
+    x = inner_over_outer(1.044, row.diameter_ratio, row.inner_conformity, row.outer_conformity) ** (10 / 3)
     require_radial(row)
     share = (ball_dynamic_rating(row) if rating is None else rating) / (row.balls * cos(row.contact_angle))
     return share / 0.407 * (1 + x) ** (3 / 10), share / 0.389 * (1 + 1 / x) ** (3 / 10)
@@ -264,10 +264,25 @@ def ball_fatigue_load_limit(row: BallRow, rating: float | None = None) -> float:
 def _lundberg_palmgren(gamma: float, inner: float, outer: float) -> float:
     """What the rating owes to gamma and to the conformities."""
     one = gamma**0.3 * (1 - gamma) ** 1.39 / (1 + gamma) ** (1 / 3) * (2 * inner / (2 * inner - 1)) ** 0.41
-    return one * (1 + _inner_over_outer(1.04, gamma, inner, outer) ** (10 / 3)) ** (-3 / 10)
+    return one * (1 + inner_over_outer(1.04, gamma, inner, outer) ** (10 / 3)) ** (-3 / 10)
 
 
-def _inner_over_outer(constant: float, gamma: float, inner: float, outer: float) -> float:
-    """Capacity of the inner raceway over that of the outer."""
+def inner_over_outer(constant: float, gamma: float, inner: float, outer: float) -> float:
+    r"""Capacity of the inner raceway over that of the outer.
+
+    .. math:: X = c \Big(\frac{1-\gamma}{1+\gamma}\Big)^{1.72}
+              \Big(\frac{f_i}{f_o}\, \frac{2 f_o - 1}{2 f_i - 1}\Big)^{0.41}
+
+    X [-] of gamma, D cos(alpha) over the pitch diameter, and of the conformities f of both grooves [-]; c is
+    1 by theory, other standards have 1.04 or 1.044 for it.
+
+    Source
+    ------
+    Lundberg and Palmgren (1947); ISO 281 (2007); ISO/TS 16281 (2008).
+
+    Valid
+    -----
+    Point contacts of steel.
+    """
     grooves = (inner / outer * (2 * outer - 1) / (2 * inner - 1)) ** 0.41
     return constant * ((1 - gamma) / (1 + gamma)) ** 1.72 * grooves

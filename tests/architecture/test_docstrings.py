@@ -13,6 +13,7 @@ HELP_TEXTS = (
     "flexbearing.cli",
     "flexbearing.exports.draw_command",
     "flexbearing.goal.command",
+    "flexbearing.limits.command",
     "flexbearing.optimise.command",
     "flexbearing.sensitivity.command",
     "flexbearing.studies.command",

@@ -30,7 +30,7 @@ DIRECT = (  # tables and keys that are read where they are used, without a model
     "accuracy.threads", "accuracy.harmonics", "rolling_lines.", "fields.", "friction.torque",
     "friction.model", "friction.cells", "operation.mode",
     "operation.roller_positions", "operation.contact_loads", "operation.speed", "bearing.inner.shoulder",
-    "bearing.outer.shoulder",
+    "bearing.outer.shoulder", "operation.oscillation",
 )  # fmt: skip
 
 

@@ -436,6 +436,11 @@ EFFECTS = (
     ("balls in bolted rings", "operation.load.moment_z", "331887.01 N m", "load.0.moment_z"),
     ("three balls", "operation.contact_loads", ["780.46841 N"], "case.operation.contact_loads.0"),
     ("three balls", "operation.speed", "1.01 rad/s", "case.operation.speed"),
+    ("oscillating balls", "operation.oscillation", "11 deg", "case.operation.oscillation"),
+    ("oscillating balls", "life.oscillation", "DG03", "case.life.oscillation"),
+    ("oscillating balls", "life.rating", "radial", "case.life.rating"),
+    ("oscillating balls", "life.dynamic_rating", "44 kN", "case.life.dynamic_rating"),
+    ("oscillating balls", "life.reliability", 0.99, "case.life.reliability"),
     ("groove radii", "rings.outer.kind", "rigid",
      "outer.{last,length,stations,width} outer.mesh.{is,order,raceway_size,size} "
      "outer.part.groove.{aside,centre_radius,is,radius} outer.part.elastic.{is,poisson_ratio,youngs_modulus} "

@@ -137,11 +137,11 @@ def test_life_is_judged_by_the_required_one(required, said):
 
 
 def test_what_is_not_known_is_left_out(results):
-    subjects = [line.subject for line in results("joshi2015_qj309").card.lines]
+    subjects = [line.subject for line in results("heras2017_a1").card.lines]
     assert subjects == ["", "usable", "life", "load", "bearing", "uncertain", "notes"]
-    (life,) = next(line.items for line in results("joshi2015_qj309").card.lines if line.subject == "life")
+    (life,) = next(line.items for line in results("heras2017_a1").card.lines if line.subject == "life")
     assert (life.label, "do not rate" in life.value) == ("none:", True)
-    words = repr(results("joshi2015_qj309"))
+    words = repr(results("heras2017_a1"))
     assert "kappa" not in words
     assert "degC" not in words
 

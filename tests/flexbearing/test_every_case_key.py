@@ -210,6 +210,7 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
         "bearing.fits.housing.tolerance_class": "N7", "bearing.fits.housing.interference": None}),
     "pressed housing": ("nu209_fits", {"bearing.fits.housing.interference": "20 um"}),
     "three balls": ("joshi2015_ed20", {}),
+    "oscillating balls": ("slewing_bolted", {"operation.oscillation": "10 deg"}),
     "newton alone": ("mao2016", {"coupling.fallback": False, "coupling.relaxation": None}),
     **{f"{file} by newton alone": (file, {"coupling.fallback": False, "coupling.relaxation": None})
        for file in ("harris218", "6209")},

@@ -63,6 +63,7 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
     ("raceway-slope", USUAL, ""): np.radians(4 / 60),
     ("pressed-end", OUTSIDE, ""): 0.095,
     ("rib-contact", OUTSIDE, ""): 1.0,
+    ("small-oscillation", OUTSIDE, ""): 1.0,  # of the width of the contacts
 }
 BASES = {"static_pressure": rating_life.ROLLERS, "dynamic_rating": 7e4, "static_rating": 6e4,
          "yield_stress": 9e8, "friction": 0.1, "mixed_film_ratio": MIXED_FROM,

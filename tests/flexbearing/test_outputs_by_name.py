@@ -33,6 +33,7 @@ LISTS = {  # what the summary holds one by one for rollers, balls or directions
     "four_point_ball": {
         "max_contact_loads_N", "contact_loads_N", "ball_azimuths_deg", "contact_angles_deg",
         "ball_speed_ratios", "ball_attitudes_deg", "ball_torques_Nm", "stiffness_matrix_SI",
+        "arc_lives_Mrev",
     },
     "angular_contact_ball": {
         "contact_loads_N", "ball_azimuths_deg", "contact_angles_deg", "stiffness_matrix_SI", "first_lines",
@@ -190,11 +191,3 @@ def test_values_convert_arrays_and_show_their_unit():
     assert float(Value(0.25, "1").to("%")) == 25
     assert json.dumps(float(Value(20e3, "N").to("kN"))) == "20.0"
     assert Value(np.nan, "N") == Value(np.nan, "N") != Value(np.nan, "kN")
-
-
-def test_a_life_of_a_kind_without_one_is_no_misspelt_output():
-    from flexbearing.quantities.four_point import LAYOUT
-
-    with pytest.raises(UnknownOutput, match="it has no life") as problem:
-        requested(LAYOUT, "life_L10")
-    assert "Did you mean" not in str(problem.value)

@@ -71,6 +71,7 @@ ENDING = {
     ],
     "clearance": {"operating_m": -4e-6, "steps": []},
     "life": {"rigid": {"basic_Mrev": 10.0, "factors": [], "modified_Mrev": 12.0}},
+    "life_rule": "Lundberg and Palmgren (1952)",
     "tilt": {"inner_ring": "free"},
     "regimes": {"rigid": {"inner": "mixed", "outer": "full film"}},
     "equilibria": {

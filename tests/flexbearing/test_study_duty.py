@@ -228,14 +228,6 @@ def test_cumulated_life_of_equal_rows_is_that_of_one():
     assert cumulated_life([0.1, 0.2, 0.7], [3e6] * 3) == approx(3e6, rel=1e-14)
 
 
-def test_bearings_without_a_life_have_no_duty_cycle(tmp_path):
-    case = CASE.parent / "joshi2015_fourpoint.toml"
-    file = tmp_path / "cycle.toml"
-    file.write_text(f'case = "{case}"\n[duty]\ntime = [1, 1]\n"operation.speed" = ["50 rpm", "60 rpm"]')
-    with pytest.raises(BadCase, match=r"cycle\.toml: \[duty\] .*life_L10 .*: no output has this name"):
-        prepare_source(file)
-
-
 def test_lives_of_the_raceways_make_that_of_the_bearing():
     bearing, generator = paper_bearing().bearing, np.random.default_rng(5)
     inner, outer = generator.uniform(0, 300, (2, 4, bearing.rollers, 11))

@@ -279,6 +279,11 @@ class FastOperation(Section):
         return (*held, *(["preload.displacement"] if by_place else []))
 
     @property
+    def is_pressed(self) -> bool:
+        """Whether something beside loads presses the balls."""
+        return bool(self.preload or any(self.displacement.values) or self.held)
+
+    @property
     def forces(self) -> tuple[float, float]:
         """Radial and axial force [N], >= 0, that of a preload among them; of a ring that is not `held`."""
         preload = self.preload.force if self.preload and self.preload.force else 0.0

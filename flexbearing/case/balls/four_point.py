@@ -26,6 +26,7 @@ from flexbearing.case.balls.parts import (
     require_quarters,
 )
 from flexbearing.case.balls.ring_room import OUTWARD, Race
+from flexbearing.case.balls.slow_life import SlowLife
 from flexbearing.case.head import KIND
 from flexbearing.case.outputs import ContactOutputs
 from flexbearing.case.quantity import (
@@ -182,6 +183,28 @@ class SlowOperation(Section):
         "1 rad/s",
         gt=0,
     )
+    oscillation: Angle | None = key(
+        "angle by which the rings turn against each other to and fro, from one end to the other; "
+        "operation.speed is then its mean, forwards and backwards: twice this angle for each oscillation",
+        None,
+        example="10 deg",
+        gt=0,
+    )
+
+    @property
+    def inner_speed(self) -> float:
+        """Speed of the inner ring, against the outer one [rad/s]."""
+        return self.speed
+
+    @property
+    def outer_speed(self) -> float:
+        """Speed of the outer ring, by which that of the other is counted [rad/s]."""
+        return 0.0
+
+    @property
+    def is_pressed(self) -> bool:
+        """Whether something beside loads presses the balls."""
+        return False
 
     @model_validator(mode="after")
     def _contact_loads(self) -> Self:
@@ -239,6 +262,7 @@ class FourPointCase(MountedCase):
     materials: MountedMaterials = key("the materials")
     friction: SlowFriction = key("friction of the contacts")
     operation: SlowOperation = key("load and speed", {})
+    life: SlowLife = key("what the life is rated with, and what modifies it", {})
     rings: bolted_rings.Rings = key("elastic rings; rigid without it", {})
     fields: Fields = key("contacts whose pressure, slip and shear are stored cell by cell", {})
     outputs: ContactOutputs = key("further results to compute", {})

@@ -94,6 +94,7 @@ def _of_solution(reader: Reader) -> dict[str, Any]:
         "elements": elements.table(reader, shown) if shown else None,
         "element": shown.word if shown else "",
         "lives": lives.table(reader),
+        "life_rule": reader.attributes.get("life_rule", ""),
         "no_life": lives.why_none(reader),
         "factors": lives.factors(reader, reader.last),
         "stages": lives.stages(reader),

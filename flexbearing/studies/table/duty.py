@@ -350,7 +350,7 @@ def _required(catalogue: Any, case: Any) -> tuple[float, float, float, float]:
 
     exponent = catalogue.exponent(case)
     factor = catalogue.rating_factor(case) ** exponent
-    factor *= prod(float(each.value) for each in of_reliability(case.life))
+    factor *= prod(float(each.value) for each in of_reliability(case.life.reliability))
     return _known(catalogue.load, case), factor, exponent, _known(catalogue.dynamic, case)
 
 

@@ -1,0 +1,1 @@
+"""Curves of the static loads that a slewing bearing just bears."""

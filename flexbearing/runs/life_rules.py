@@ -1,0 +1,52 @@
+"""By which rules lives are computed, with the editions of standards, in words."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from flexbearing.case.balls.angular_contact import FastCase
+    from flexbearing.case.balls.four_point import FourPointCase
+    from flexbearing.case.ratings import Life
+    from flexbearing.case.roller import Case
+
+BY_LOADS, RADIAL, AXIAL = "ISO/TS 16281:2008", "C_r of ISO 281:2007", "C_a of ISO 281:2007, thrust bearings"
+GIVEN, A_ISO, A_1 = "a given rating", "a_ISO of ISO 281:2007, once for the bearing", "a_1 of ISO 281:2007"
+BY_DAMAGE, GUIDELINE = "oscillation by the damage of each arc", "oscillation by NREL DG03:2009"
+
+
+def of_rollers(case: "Case") -> str:
+    """Rules of a roller bearing: that of `life_L10`, then those of further lives where the case has them."""
+    life = case.life
+    further = *_of_capacity(life), *_factors(life.lubrication, life.reliability)
+    return "; ".join(("Lundberg and Palmgren (1952)", *further))
+
+
+def _of_capacity(life: "Life") -> Iterator[str]:
+    rated = GIVEN if life.dynamic_rating else RADIAL
+    if life.loads == "rating":
+        yield f"(C_r/P)^({life.load_exponent}) of ISO 281:2007, {rated}"
+    elif life.capacity == "iso281":
+        yield f"{BY_LOADS}, {rated}{', edge stress' if life.edge_stress else ''}"
+
+
+def of_balls(case: "FastCase") -> str:
+    """Rules of a bearing with fast balls."""
+    life = case.life
+    rated = GIVEN if life.dynamic_rating else RADIAL
+    of_rating = [f"(C_r/P)^3 of ISO 281:2007, {rated}"] if life.loads == "rating" else []
+    return "; ".join([f"{BY_LOADS}, {rated}", *of_rating, *_factors(life.lubrication, life.reliability)])
+
+
+def of_arcs(case: "FourPointCase", *, thrust: bool) -> str:
+    """Rules of a four-point bearing, rated as a thrust bearing or as a radial one."""
+    rules = [f"{BY_LOADS} for each arc, {GIVEN if case.life.dynamic_rating else AXIAL if thrust else RADIAL}"]
+    if case.operation.oscillation is not None:
+        rules.append(GUIDELINE if case.life.oscillation == "DG03" else BY_DAMAGE)
+    return "; ".join([*rules, *_factors(None, case.life.reliability)])
+
+
+def _factors(lubrication: str | None, reliability: float | None) -> Iterator[str]:
+    if lubrication:
+        yield A_ISO if lubrication == "a_ISO" else "film factor of STLE"
+    if reliability is not None:
+        yield A_1

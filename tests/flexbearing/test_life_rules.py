@@ -1,0 +1,31 @@
+"""Which rules a result names for its lives."""
+
+from pathlib import Path
+
+import pytest
+
+from flexbearing.api import read_case
+from flexbearing.runs import life_rules
+
+CONFIGS = Path(__file__).parents[2] / "configs"
+LUNDBERG, REFERENCE = "Lundberg and Palmgren (1952)", "ISO/TS 16281:2008, C_r of ISO 281:2007"
+OILED = "life.lubrication=a_ISO", "life.cleanliness=grease, normal cleanliness"
+
+
+@pytest.mark.parametrize(
+    ("name", "settings", "rules"),
+    [
+        ("nu209", (), [LUNDBERG]),
+        ("nu209", ("life.capacity=iso281", *OILED), [LUNDBERG, REFERENCE, life_rules.A_ISO]),
+        ("nu209", ("life.loads=rating", "life.load_exponent=4", "life.reliability=0.99"),
+         [LUNDBERG, "(C_r/P)^(4) of ISO 281:2007, C_r of ISO 281:2007", life_rules.A_1]),
+        ("6209", (), [REFERENCE]),
+        ("6209", ("life.dynamic_rating=35 kN", "life.loads=rating"),
+         ["ISO/TS 16281:2008, a given rating", "(C_r/P)^3 of ISO 281:2007, a given rating"]),
+    ],
+    ids=str,
+)  # fmt: skip
+def test_rules_are_those_of_the_keys(name, settings, rules):
+    case = read_case(CONFIGS / f"{name}.toml", settings)
+    law = life_rules.of_rollers if case.kind == "cylindrical_roller" else life_rules.of_balls
+    assert law(case).split("; ") == rules
