@@ -3,7 +3,7 @@
 from flexbearing.quantities.attributes import HEAD
 from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, static_safety, subsurface, worst_contact
 from flexbearing.quantities.layout import Axis, Layout
-from flexbearing.quantities.life_records import CATALOGUE_ATTRIBUTE, LIFE_ATTRIBUTE
+from flexbearing.quantities.life_records import CATALOGUE_ATTRIBUTE, LIFE_ATTRIBUTE, RULE_ATTRIBUTE
 from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
 from flexbearing.quantities.reductions import (
     ABOUT_YZ,
@@ -208,6 +208,6 @@ azimuth from z towards y, left-handed about +x; rotations about y and z are righ
         ("stiffness_zz", "stiffness"),
     ),
     blocks=("rigid",),
-    further_attributes=(LIFE_ATTRIBUTE, CATALOGUE_ATTRIBUTE),
-    head=("kind", *HEAD, "life", "catalogue_life"),
+    further_attributes=(LIFE_ATTRIBUTE, RULE_ATTRIBUTE, CATALOGUE_ATTRIBUTE),
+    head=("kind", *HEAD, "life", "life_rule", "catalogue_life"),
 )

@@ -97,7 +97,7 @@ def solve_angular(
     ending = _converged(words, notes, found)
     life = solution.lives and solution.lives.of_state
     lives = {name: life.record()} if life else {}
-    rule = {"life_rule": life_rules.of_balls(case)} if solution.lives else {}
+    rule = {"life_rule": life_rules.of_elements(case)} if solution.lives else {}
     return {**ending, "clearance": clearance.record(case), "life": lives, **rule, **coupled}
 
 

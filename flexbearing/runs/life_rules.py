@@ -8,6 +8,7 @@ if TYPE_CHECKING:
     from flexbearing.case.balls.four_point import FourPointCase
     from flexbearing.case.ratings import Life
     from flexbearing.case.roller import Case
+    from flexbearing.case.tapered import TaperedCase
 
 BY_LOADS, RADIAL, AXIAL = "ISO/TS 16281:2008", "C_r of ISO 281:2007", "C_a of ISO 281:2007, thrust bearings"
 GIVEN, A_ISO, A_1 = "a given rating", "a_ISO of ISO 281:2007, once for the bearing", "a_1 of ISO 281:2007"
@@ -29,11 +30,11 @@ def _of_capacity(life: "Life") -> Iterator[str]:
         yield f"{BY_LOADS}, {rated}{', edge stress' if life.edge_stress else ''}"
 
 
-def of_balls(case: "FastCase") -> str:
-    """Rules of a bearing with fast balls."""
-    life = case.life
+def of_elements(case: "FastCase | TaperedCase") -> str:
+    """Rules of a bearing with fast balls or tapered rollers."""
+    life, exponent = case.life, "(10/3)" if case.kind == "tapered_roller" else "3"
     rated = GIVEN if life.dynamic_rating else RADIAL
-    of_rating = [f"(C_r/P)^3 of ISO 281:2007, {rated}"] if life.loads == "rating" else []
+    of_rating = [f"(C_r/P)^{exponent} of ISO 281:2007, {rated}"] if life.loads == "rating" else []
     return "; ".join([f"{BY_LOADS}, {rated}", *of_rating, *_factors(life.lubrication, life.reliability)])
 
 

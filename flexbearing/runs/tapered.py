@@ -18,7 +18,7 @@ from flexbearing.progress import Report
 from flexbearing.quantities.quantity import row, taken
 from flexbearing.quantities.tapered import LAYOUT
 from flexbearing.results import Recorder
-from flexbearing.runs import judged, life_of_state, subsurface, tapered_life
+from flexbearing.runs import judged, life_of_state, life_rules, subsurface, tapered_life
 from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer, row_findings
 from flexbearing.runs.life_of_state import MREV
 from flexbearing.runs.tapered_life import Rated, TaperedLives
@@ -93,11 +93,13 @@ def solve(case: TaperedCase, record: Recorder, report: Report) -> dict[str, obje
         f"{solution.loads.solution.evaluations} evaluations of all rollers"
     )
     life = solution.lives and solution.lives.of_state
+    rule = {"life_rule": life_rules.of_elements(case)} if solution.lives else {}
     return {
         **_ending("converged", words, "converged"),
         "notes": [note.record() for note in graded(notes(solution, found))],
         "findings": [*map(vars, records(found))],
         "life": {"rigid": life.record()} if life else {},
+        **rule,
     }
 
 

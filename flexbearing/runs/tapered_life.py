@@ -127,7 +127,7 @@ def _modified(case: TaperedCase, basic: float) -> LifeOfState:
         load = dynamic_load(case)
         value = _by_rating(case, load) / basic
         by_loads.append(Factor("rating", value, BY_LOADS, "ISO 281: (C_r/P)^(10/3)", 0.0))
-    return LifeOfState.of(basic, by_loads, (*_lubrication(case, load), *of_reliability(case.life)))
+    return LifeOfState.of(basic, by_loads, (*_lubrication(case, load), *of_reliability(case.life.reliability)))
 
 
 def _by_rating(case: TaperedCase, load: float) -> float:
@@ -142,7 +142,7 @@ def by_rating(case: TaperedCase) -> float | None:
     if case.life.loads != "rating" or unmodified(case):
         return None
     load = dynamic_load(case)
-    factors = (*_lubrication(case, load), *of_reliability(case.life))
+    factors = (*_lubrication(case, load), *of_reliability(case.life.reliability))
     return LifeOfState.of(_by_rating(case, load), (), factors).modified
 
 

@@ -22,10 +22,11 @@ OILED = "life.lubrication=a_ISO", "life.cleanliness=grease, normal cleanliness"
         ("6209", (), [REFERENCE]),
         ("6209", ("life.dynamic_rating=35 kN", "life.loads=rating"),
          ["ISO/TS 16281:2008, a given rating", "(C_r/P)^3 of ISO 281:2007, a given rating"]),
+        ("32207", ("life.loads=rating",), [REFERENCE, "(C_r/P)^(10/3) of ISO 281:2007, C_r of ISO 281:2007"]),
     ],
     ids=str,
 )  # fmt: skip
 def test_rules_are_those_of_the_keys(name, settings, rules):
     case = read_case(CONFIGS / f"{name}.toml", settings)
-    law = life_rules.of_rollers if case.kind == "cylindrical_roller" else life_rules.of_balls
+    law = life_rules.of_rollers if case.kind == "cylindrical_roller" else life_rules.of_elements
     assert law(case).split("; ") == rules
