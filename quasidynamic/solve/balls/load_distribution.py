@@ -225,7 +225,10 @@ def _newton_step(rings: RigidRings, state: RigidRingState, imbalance: float) -> 
 
 
 def require_held(state: RigidRingState | ElasticRingState) -> None:
-    """Raise `NotSolved` when no ball touches the inner ring."""
+    """Check that a ball touches the inner ring.
+
+    Raises `NotSolved` when none does.
+    """
     if not (state.balls.forces.loads[..., INNER] > 0.0).any():
         raise NotSolved(
             "balls have left the inner ring by their centrifugal force: nothing holds it, its position is "
