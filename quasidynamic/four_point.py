@@ -281,8 +281,9 @@ def _check(angle: NDArray, load: NDArray) -> None:
         )
     if not np.all((load >= 0.0) & np.isfinite(load)):
         raise ImpossiblePart("contact loads must be finite and >= 0")
-    if not np.all(np.abs(angle) < STEEPEST):
+    steepest = np.abs(angle[load > 0.0]).max(initial=0.0)
+    if not steepest < STEEPEST:
         raise OutOfRange(
-            f"contact angles of up to {np.degrees(np.abs(angle).max()):.1f} deg: balls leave their grooves, "
+            f"contact angles of up to {np.degrees(steepest):.1f} deg: balls leave their grooves, "
             "the load is far too high"
         )

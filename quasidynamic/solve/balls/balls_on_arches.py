@@ -7,7 +7,7 @@ from quasidynamic.balance.balls.four_contacts import BallsOnArches, FourContacts
 from quasidynamic.errors import NotSolved
 from quasidynamic.motion.ball_slip import OUTER
 
-TOLERANCE = 1e-13  # of the largest load: unbalanced force on a ball
+TOLERANCE = 1e-12  # of the largest load: unbalanced force on a ball
 ROUNDING = 16 * float(np.finfo(float).eps)  # of lengths: a force below stiffness times this is noise
 LONGEST = 0.3  # of the smaller reach: step of a ball
 DESCENT = 0.1  # part of the linear fall of the unbalanced force that a shorter step must bring
@@ -48,6 +48,7 @@ def first_centres(contacts: FourContacts, place: NDArray, shape: NDArray | float
     """Places of balls (Z, 2) [m] to begin with: on the tighter diagonal, or outside in the middle."""
     middle = contacts.arms(place, np.zeros((len(contacts.moves), 2)), shape)
     apart = middle.sum(2)  # opposite groove centres
+    apart[..., 1] = np.maximum(apart[..., 1], 0.0)  # grooves are open where they are far apart
     length = np.hypot(apart[..., 0], apart[..., 1])
     tight, ball = length.argmax(1), np.arange(len(length))
     approach = length.max(1) - contacts.reach.sum()
@@ -59,7 +60,14 @@ def first_centres(contacts: FourContacts, place: NDArray, shape: NDArray | float
     side = np.array([[1.0, 1.0], [-1.0, 1.0]])[tight]
     pressed = side * (from_outer - middle[ball, tight, OUTER])
     at_bottom = contacts.free_centrifugal > contacts.in_series * np.maximum(approach, 0.0) ** 1.5
-    return np.where(at_bottom[:, None], 0.0, pressed)
+    return np.where(at_bottom[:, None], _bottom(contacts), pressed)
+
+
+def _bottom(contacts: FourContacts) -> NDArray:
+    """Place (2) [m] of a ball on the outer race alone, in the middle, rings without shape."""
+    cosine, arches = contacts.start[0, OUTER, 1] / contacts.reach[OUTER], contacts.bearing.outer_arches
+    load = contacts.free_centrifugal / (arches * cosine)
+    return np.array([0.0, (load / contacts.coefficient[OUTER]) ** (2 / 3) / cosine])
 
 
 def _newton(
