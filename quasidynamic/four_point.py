@@ -88,8 +88,12 @@ class FourPointBallBearing:
         load: RingLoad,
         grooves: ElasticGrooves | None = None,
         near: FourPointEquilibrium | None = None,
+        speed: float = 0.0,
     ) -> FourPointEquilibrium:
         """Load distribution, then the motion and torque of every ball.
+
+        At a speed of the inner ring [rad/s], the outer one at rest, balls have a centrifugal force and a
+        gyroscopic moment in the distribution; motion and torque are those of friction alone.
 
         Grooves are those of elastic rings, see `elastic_ball_loads`. Near the equilibrium of a bearing and a
         load that differ little, one step of Newton's method is taken, which is exact to first order in the
@@ -97,24 +101,21 @@ class FourPointBallBearing:
         Raises `ImpossiblePart`, `NotSolved` or `OutOfRange`, see `ball_loads`, `elastic_ball_loads`,
         `sliding_motion` and `slide`.
         """
-        distribution = self._distribution(load.vector(), grooves, near and near.distribution)
-        both_ends = (len(distribution.loads), 2, 2)
-        angles, loads = (
-            np.broadcast_to(values[..., None], both_ends)
-            for values in (distribution.angles, distribution.loads)
-        )
+        distribution = self._distribution(load.vector(), grooves, near and near.distribution, speed)
         motion = None if near is None else near.balls.sliding.motion
-        return FourPointEquilibrium(distribution, self.slide(angles, loads, motion))
+        return FourPointEquilibrium(distribution, self.slide(distribution.angles, distribution.loads, motion))
 
     def _distribution(
-        self, load: NDArray, grooves: ElasticGrooves | None, near: BallLoads | None
+        self, load: NDArray, grooves: ElasticGrooves | None, near: BallLoads | None, speed: float
     ) -> BallLoads:
         if grooves is None:
-            return ball_loads_near(self.bearing, load, near) if near else ball_loads(self.bearing, load)
+            if near is None:
+                return ball_loads(self.bearing, load, speed)
+            return ball_loads_near(self.bearing, load, near, speed)
         if near is None:
-            return elastic_ball_loads(self.bearing, load, grooves)
+            return elastic_ball_loads(self.bearing, load, grooves, speed)
         assert isinstance(near, ElasticBallLoads)  # as it is between elastic rings
-        return elastic_ball_loads_near(self.bearing, load, grooves, near)
+        return elastic_ball_loads_near(self.bearing, load, grooves, near, speed)
 
     def slide(self, angle: NDArray, load: NDArray, near: NDArray | None = None) -> SlidingBalls:
         """Motion and torque of N balls whose contact angles [rad] and loads [N] (N, G, 2) are known.
@@ -280,8 +281,9 @@ def _check(angle: NDArray, load: NDArray) -> None:
         )
     if not np.all((load >= 0.0) & np.isfinite(load)):
         raise ImpossiblePart("contact loads must be finite and >= 0")
-    if not np.all(np.abs(angle) < STEEPEST):
+    steepest = np.abs(angle[load > 0.0]).max(initial=0.0)
+    if not steepest < STEEPEST:
         raise OutOfRange(
-            f"contact angles of up to {np.degrees(np.abs(angle).max()):.1f} deg: balls leave their grooves, "
+            f"contact angles of up to {np.degrees(steepest):.1f} deg: balls leave their grooves, "
             "the load is far too high"
         )

@@ -1,5 +1,6 @@
 """Limits of life, lubrication, clearance and alignment."""
 
+from dataclasses import replace
 from math import pi
 
 from flexbearing.findings.finding import DANGER, OUTSIDE, USUAL, Finding
@@ -50,6 +51,14 @@ GYROSCOPIC_MOMENT = Finding(
     meaning="in reality balls would turn about the rolling direction",
     action="compute how far the balls turn", keys=(("operation.control", "coulomb"),),
 )  # fmt: skip
+GYROSCOPIC_SLIP = replace(
+    GYROSCOPIC_MOMENT,
+    code="gyroscopic-slip",
+    quantity="held_friction",
+    meaning="in reality balls turn about the rolling direction: torque and angles are estimates",
+    action="raise the load or lower the speed",
+    keys=(),
+)
 STIFFNESS_IN_SERIES = Finding(
     code="stiffness-not-in-series", label="bearing and supports in series, off the stiffness with supports",
     quantity="series_error", at_most=0.02, grade=OUTSIDE, source="limit of this program", shown="%",

@@ -12,7 +12,7 @@ from flexbearing.quantities.ball_clearance import CLEARANCE_ATTRIBUTE
 from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, subsurface, worst_contact
 from flexbearing.quantities.layout import Axis, Layout
 from flexbearing.quantities.life_records import LIFE_ATTRIBUTE, RULE_ATTRIBUTE
-from flexbearing.quantities.quantity import Quantity, SummaryValue
+from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
 from flexbearing.quantities.reductions import (
     ABOUT_YZ,
     EXTENT,
@@ -93,6 +93,15 @@ QUANTITIES = (
     *subsurface(),
     Quantity("friction_coefficient", "mu", "Z G race", "1", "block", "Coulomb friction at the peak pressure",
         source="balls.friction"),
+    Quantity("centrifugal_force", "F_c", "Z", "N", "block", f"force of the orbit, outwards; {_GIVEN}",
+        source="ring.centrifugal", optional=True, summary=(
+            SummaryValue("centrifugal_force_range_N", finite_range, "centrifugal force", ".3f",
+                entries=EXTENT),)),
+    Quantity("gyroscopic_moment", "M_g", "Z", "N m", "block",
+        "moment that turns the ball's axis with the orbit, positive where the first diagonal carries; "
+        f"{_GIVEN}", source="ring.gyroscopic", optional=True, people=Unit("mN m", 1e3), summary=(
+            SummaryValue("gyroscopic_moment_range_Nm", finite_range, "gyroscopic moment", ".4f",
+                in_si=True, entries=EXTENT),)),
 
     # motion
     Quantity("ball_motion", "Omega_o, omega_x, omega_r", "Z turning", "rad/s", "block",

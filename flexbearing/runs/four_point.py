@@ -22,8 +22,8 @@ from flexbearing.runs import elastic_grooves, judged, neglect, shoulders, slow_l
 from flexbearing.runs.angular_contact import STICK
 from flexbearing.runs.life_of_state import MREV
 from quasidynamic import OutOfRange
-from quasidynamic.balance.balls.diagonals import SIDE_OF_DIAGONAL
 from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves
+from quasidynamic.balance.balls.four_contacts import SIDE_OF_DIAGONAL
 from quasidynamic.four_point import FourPointEquilibrium
 from quasidynamic.note import Note, danger, information, outside
 from quasidynamic.outcome.oscillation import rolled_way
@@ -129,6 +129,7 @@ def bearing(case: FourPointCase) -> qd.FourPointBallBearing:
             contact_angle=angle,
             clearance=free_way,
             groove_ends=(_groove_end(case, "inner"), _groove_end(case, "outer")),
+            outer_arches=parts.outer_arches,
         ),
         friction=_friction(case),
         hysteresis_loss=case.friction.hysteresis_loss,
@@ -194,6 +195,7 @@ def solved(
             ),
             rings,
             known,
+            case.operation.speed,
         )
         return _rolled(case, model, (equilibrium.balls, equilibrium.distribution), progress)
     loads = np.array(case.operation.contact_loads)
@@ -311,6 +313,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
     values = {
         **judged.pressures(largest, BALLS),
         **neglect.of_slow_balls(solution),
+        **neglect.friction_of_moments(solution),
         "contact_height": _heights(solution),
         **_fatigue(solution),
     }

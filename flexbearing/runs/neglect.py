@@ -5,9 +5,11 @@ from typing import Any
 
 import numpy as np
 
+from quasidynamic.motion.ball_slip import OUTER
 from quasidynamic.outcome.neglected import friction_share, inertia_shares, weight_share
 
 INERTIA, MOMENT, WEIGHT, FRICTION = "inertia", "gyroscopic moment", "weight", "friction"
+ORBIT = "orbit of the balls by friction"
 OF_BALLS = " of the balls"
 
 
@@ -25,18 +27,42 @@ def of_fast_balls(solution: Any) -> Mapping[str, Any]:
 
 
 def of_slow_balls(solution: Any) -> Mapping[str, Any]:
-    """Inertia, gyroscopic moment, weight and friction: loads are those of a bearing that stands."""
-    balls, bearing, speed = solution.balls, solution.bearing, solution.case.operation.speed
+    """Weight and friction; where the loads of contacts are given, also what inertia would do to them."""
+    balls, bearing = solution.balls, solution.bearing
     ball, driven = bearing.ball, balls.sliding.driven
     loads = balls.load.sum(axis=(1, 2))
     if not driven.any():
         return {}
-    largest, motion = balls.load.max(), np.abs(balls.sliding.motion[driven]).max(axis=0) * speed
-    inertia, moment = inertia_shares(
-        ball.mass, ball.diameter, bearing.pitch_diameter, motion[0], motion[2], largest
-    )
-    return {"neglected": {
-        INERTIA + OF_BALLS: inertia, MOMENT + OF_BALLS: moment,
+    largest = balls.load.max()
+    return {"neglected": _inertia(solution, largest) | {
         WEIGHT + OF_BALLS: weight_share(ball.mass, largest),
         FRICTION: friction_share(balls.torque, bearing.pitch_diameter, loads.sum() / 2),
     }}  # fmt: skip
+
+
+def _inertia(solution: Any, largest: float) -> dict[str, Any]:
+    """Shares in the largest load [N] of what friction would change in the centrifugal force by its orbit.
+
+    Where no balance has them, of inertia and gyroscopic moment.
+    """
+    ball, pitch, balls = solution.bearing.ball, solution.bearing.pitch_diameter, solution.balls.sliding
+    motion = np.abs(balls.motion[balls.driven]) * solution.case.operation.speed
+    if solution.distribution is not None:
+        slip = ball.mass * pitch / 2 * (motion[:, 0] ** 2 - solution.distribution.orbit[balls.driven] ** 2)
+        return {ORBIT: np.abs(slip).max() / largest}
+    outer, _, radial = motion.max(axis=0)
+    inertia, moment = inertia_shares(ball.mass, ball.diameter, pitch, outer, radial, largest)
+    return {INERTIA + OF_BALLS: inertia, MOMENT + OF_BALLS: moment}
+
+
+def friction_of_moments(solution: Any) -> Mapping[str, Any]:
+    """Friction that the gyroscopic moments need of the outer contacts, for a finding."""
+    balls, distribution = solution.balls, solution.distribution
+    loads = balls.load[..., OUTER].sum(1)
+    if distribution is None or not loads.any():
+        return {}
+    loaded, diameter = loads > 0, solution.bearing.ball.diameter
+    needed = np.abs(2 / diameter * distribution.gyroscopic[loaded]) / loads[loaded]
+    limit = (balls.friction * balls.load)[loaded][..., OUTER].sum(1) / loads[loaded]
+    worst = (needed / limit).argmax()
+    return {"held_friction": needed[worst], "friction": limit[worst]}

@@ -127,7 +127,8 @@ def _modified(case: TaperedCase, basic: float) -> LifeOfState:
         load = dynamic_load(case)
         value = _by_rating(case, load) / basic
         by_loads.append(Factor("rating", value, BY_LOADS, "ISO 281: (C_r/P)^(10/3)", 0.0))
-    return LifeOfState.of(basic, by_loads, (*_lubrication(case, load), *of_reliability(case.life.reliability)))
+    factors = (*_lubrication(case, load), *of_reliability(case.life.reliability))
+    return LifeOfState.of(basic, by_loads, factors)
 
 
 def _by_rating(case: TaperedCase, load: float) -> float:

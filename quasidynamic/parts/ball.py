@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from functools import cached_property
 from math import cos, pi
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -90,6 +91,7 @@ class FourPointBearing:
     contact_angle: float  # [rad] of both diagonals, unloaded
     clearance: float = 0.0  # [m] of a ball along a diagonal, both contacts together; negative: interference
     groove_ends: tuple[float, float] = (np.inf, np.inf)  # [rad] contact angles of the inner, outer shoulders
+    outer_arches: Literal[1, 2] = 2  # of the outer groove; one arc between the halves of a split inner ring
 
     def __post_init__(self):
         require_positive("bearing.pitch_diameter", self.pitch_diameter)
@@ -122,6 +124,18 @@ class FourPointBearing:
         return (
             None if abs(r) > self.centre_distance else 2 * float(np.sqrt(self.centre_distance**2 - r**2) - x)
         )
+
+    @property
+    def outer_offset(self) -> float:
+        """Distance of the centres of the outer arches from the plane of the ball centres [m].
+
+        Zero for one arc; else grooves share the distance of opposite centres as their reach.
+        """
+        if self.outer_arches == 1:
+            return 0.0
+        reach = (self.outer.conformity - 0.5) * self.ball.diameter
+        apart = (self.centre_distance - self.clearance) * np.sin(self.contact_angle)
+        return float(reach / self.centre_distance * apart)
 
     @property
     def groove_radii(self) -> NDArray:

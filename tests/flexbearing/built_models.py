@@ -132,7 +132,7 @@ def _given_load(case):
     """Load that the solution would begin with."""
     seen = []
 
-    def solve(self, load, rings, near=None):
+    def solve(self, load, rings, near=None, speed=0.0):
         seen.append(load)
         raise Stop
 

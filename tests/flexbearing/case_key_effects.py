@@ -398,6 +398,7 @@ EFFECTS = (
     ("three balls", "bearing.balls", 4, "model.bearing.balls"),
     ("three balls", "bearing.contact_angle", "15.15 deg", "model.bearing.contact_angle"),
     ("three balls", "bearing.clearance", "-15 um", "model.bearing.clearance"),
+    ("three balls", "bearing.outer_arches", 1, "model.bearing.outer_arches"),
     ("three balls", "materials.ball.youngs_modulus", "209.07 GPa",
      "model.bearing.ball.material.youngs_modulus model.bearing.inner.material.youngs_modulus "
      "model.bearing.outer.material.youngs_modulus"),

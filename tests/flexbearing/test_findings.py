@@ -59,12 +59,14 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
     ("reversed-thrust", DANGER, ""): 0.0,
     ("contact-height", DANGER, ""): 0.45,
     ("gyroscopic-moment", OUTSIDE, "friction"): 1.0,
+    ("gyroscopic-slip", OUTSIDE, "friction"): 1.0,
     ("preload", USUAL, ""): 0.0,
     ("raceway-slope", USUAL, ""): np.radians(4 / 60),
     ("pressed-end", OUTSIDE, ""): 0.095,
     ("rib-contact", OUTSIDE, ""): 1.0,
     ("small-oscillation", OUTSIDE, ""): 1.0,  # of the width of the contacts
 }
+QJ = ("joshi2015_qj309.toml", "operation.speed=10000 rpm", "operation.load.axial=2 kN")
 BASES = {"static_pressure": rating_life.ROLLERS, "dynamic_rating": 7e4, "static_rating": 6e4,
          "yield_stress": 9e8, "friction": 0.1, "mixed_film_ratio": MIXED_FROM,
          "required_life": 7.2e7}  # fmt: skip
@@ -73,7 +75,8 @@ CASES = [
        BARS if each.code in FLEXIBLE else RATED if each.code in OF_RATINGS else ROLLERS)
       for number, each in enumerate(declared.OF_ROLLERS)),
     *((number, "OF_BALLS",
-       DEEP if each.code == "preload" else RATED_BALLS if each.code in OF_RATINGS else BALLS)
+       DEEP if each.code == "preload" else QJ if each.code == "gyroscopic-slip"
+       else RATED_BALLS if each.code in OF_RATINGS else BALLS)
       for number, each in enumerate(declared.OF_BALLS)),
     (declared.OF_TAPERED.index(declared.RIB_CONTACT), "OF_TAPERED", ("32207.toml",)),
 ]  # fmt: skip

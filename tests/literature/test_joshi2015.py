@@ -52,7 +52,7 @@ def at_loaded_angle(name):
     state = bearing.solve(RingLoad(axial=load))
     torques = state.balls.torques
     found = [float(torque[0, 0]) / UNIT for torque in (torques.spin, torques.roll, torques.total)]
-    return float(np.degrees(state.distribution.angles[0, 0])), found
+    return float(np.degrees(state.distribution.angles[0, 0, 0])), found
 
 
 @pytest.mark.parametrize(("name", "ours", "printed", "apart"), [(n, *row) for n, row in NOMINAL.items()])

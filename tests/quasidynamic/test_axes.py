@@ -79,8 +79,9 @@ def test_moments_are_those_of_the_forces_on_their_levers():
     load = np.array([9e3, 1e3, 3e3, 100.0, -50.0])
     found, pitch = slow(load), SLOW.bearing.pitch_diameter
     axial, radial, _ = unit_vectors(SLOW.bearing.azimuths)
-    along = found.loads * np.sin(found.angles) @ np.array([1.0, -1.0])
-    outward = (found.loads * np.cos(found.angles)).sum(1)
+    loads, angles = found.loads[..., 0], found.angles[..., 0]  # of the inner ring
+    along = loads * np.sin(angles) @ np.array([1.0, -1.0])
+    outward = (loads * np.cos(angles)).sum(1)
     force = along * axial + outward * radial  # the load on the ring goes into the balls
     moment = np.cross(pitch / 2 * radial, along * axial, axis=0)
     carried = np.concatenate([force.sum(1), moment.sum(1)[1:]])

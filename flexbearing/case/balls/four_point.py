@@ -82,6 +82,13 @@ class FourPointBearing(MountedBearing):
         example="-15 um",
     )
 
+    outer_arches: Literal[1, 2] = key(
+        "arches of the outer groove: two; or one arc, as around the halves of a split inner ring: "
+        "bearing.contact_angle is then that of the line of the groove centres with the rings in the middle",
+        2,
+        example=1,
+    )
+
     @property
     def stated_clearance(self) -> float:
         """Radial clearance of the diagonals, P_d = 2 (A - (A - clearance) cos(alpha)) [m]."""
@@ -101,7 +108,19 @@ class FourPointBearing(MountedBearing):
         if self.clearance <= -reach * self.ball.diameter:
             most = f"{reach * self.ball.diameter * 1e6:.4g} um"
             raise impossible("clearance", f"above -{most}, the distance of opposite groove centres")
+        inner = (self.inner.over(self.ball.diameter) - 0.5) * self.ball.diameter
+        if self.outer_arches == 1 and self.aside > inner:
+            raise impossible(
+                "outer_arches",
+                f"2, or a smaller contact angle or more clearance: the centres of the inner arches would be "
+                f"{in_mm(self.aside)} aside, more than {in_mm(inner)}, their distance from a ball",
+            )
         return self
+
+    @property
+    def aside(self) -> float:
+        """Axial distance of opposite groove centres, rings in the middle [m]."""
+        return (self.centre_distance - self.clearance) * sin(self.contact_angle)
 
 
 class SlowFriction(Section):
@@ -179,7 +198,8 @@ class SlowOperation(Section):
         only={"mode": ("contact_loads",)},
     )
     speed: Speed = key(
-        "speed of the inner ring against the outer one; slip and power are in proportion, torque is not",
+        "speed of the inner ring, the outer one at rest; slip and power go with it, torque does not; with "
+        "a ring load balls have their centrifugal force and gyroscopic moment",
         "1 rad/s",
         gt=0,
     )
@@ -273,6 +293,14 @@ class FourPointCase(MountedCase):
             raise impossible("bearing.fits", "left out beside elastic rings, which are bolted")
         return self
 
+    @model_validator(mode="after")
+    def _one_arc_is_rigid(self) -> Self:
+        if self.bearing.outer_arches == 1 and not self.rigid:
+            raise impossible(
+                "bearing.outer_arches", "2 beside elastic rings, which are meshed with two arches"
+            )
+        return self
+
     @property
     def rigid(self) -> bool:
         """Whether both rings are rigid."""
@@ -303,6 +331,9 @@ class FourPointCase(MountedCase):
         own, ball = self.bearing, self.bearing.ball.diameter
         radius = getattr(own, race).over(ball) * ball
         offset = radius - ball / 2
+        if own.outer_arches == 1:
+            aside = own.aside if race == "inner" else 0.0
+            return Arches(radius, aside, sqrt(offset**2 - aside**2))
         return Arches(radius, offset * sin(own.contact_angle), offset * cos(own.contact_angle))
 
     def groove(self, race: Race) -> "Groove":

@@ -1,13 +1,18 @@
 """Balance of a four-point contact ball bearing with elastic rings."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.diagonals import Diagonals, LoadedDiagonals
 from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves, shape_of
+from quasidynamic.balance.balls.four_contacts import (
+    ARMS_BY_BALL,
+    ARMS_BY_SHAPE,
+    BallsOnArches,
+    FourContacts,
+)
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.parts.ball import FourPointBearing
 
@@ -16,8 +21,10 @@ class RigidRingState(NamedTuple):
     """Forces on the inner ring at one place of it; moments and tilts are taken over the pitch radius."""
 
     place: NDArray  # (5) [m]
-    diagonals: LoadedDiagonals
-    excess: NDArray  # (5) load less what the balls carry [N]
+    centres: NDArray  # (Z, 2) [m] of the balls
+    balls: BallsOnArches
+    moves: NDArray  # (Z, 2) [m] that balls still have to make
+    excess: NDArray  # (5) load less what the balls carry, after these moves [N]
     stiffness: NDArray  # (5, 5) [N/m]
 
 
@@ -31,12 +38,12 @@ def ring_levers(bearing: FourPointBearing) -> NDArray:
 class RigidRings:
     """Two rigid rings with balls between them."""
 
-    diagonals: Diagonals
+    contacts: FourContacts
     load: NDArray  # (5) [N] moments over the pitch radius
 
     @classmethod
-    def of(cls, bearing: FourPointBearing, load: NDArray) -> "RigidRings":
-        """Build from a bearing and a load [N, N m].
+    def of(cls, bearing: FourPointBearing, load: NDArray, speed: float = 0.0) -> "RigidRings":
+        """Build from a bearing, a load [N, N m] and the speed of the inner ring [rad/s].
 
         Raises `ImpossiblePart` for a load that is not five finite numbers; `NotSolved` when neither load nor
         interference holds the ring.
@@ -50,47 +57,60 @@ class RigidRings:
                 "position is undetermined; give a load or an interference (negative clearance)",
                 "undetermined",
             )
-        return cls(Diagonals.of(bearing), load / ring_levers(bearing))
+        return cls(FourContacts.of(bearing, speed), load / ring_levers(bearing))
 
-    def at(self, place: NDArray) -> RigidRingState:
-        """Evaluate every diagonal."""
-        loaded = self.diagonals.at(place)
-        excess = self.load - self.diagonals.carried(loaded.force)
-        return RigidRingState(place, loaded, excess, self.diagonals.stiffness(loaded.stiffness))
+    def at(self, place: NDArray, centres: NDArray, balls: BallsOnArches, moves: NDArray) -> RigidRingState:
+        """State of the ring at a place with balls that are in balance after small moves (Z, 2) [m]."""
+        by_place = self.contacts.arms_by_place
+        tangent = self.contacts.carried(balls.force_slopes @ (balls.arms_by_grooves @ by_place))
+        excess = self.load - self.contacts.carried(balls.after(moves))
+        return RigidRingState(place, centres, balls, moves, excess, tangent)
+
+    def at_speed(self, speed: float) -> "RigidRings":
+        """The same at another speed of the inner ring [rad/s]."""
+        return replace(self, contacts=replace(self.contacts, speed=speed))
+
+    @property
+    def largest_load(self) -> float:
+        """Largest load on the ring [N]."""
+        return float(np.abs(self.load).max())
 
     def imbalance(self, state: RigidRingState) -> float:
         """Largest unbalanced force over the largest force [-]."""
-        return float(np.abs(state.excess).max() / max(np.abs(self.load).max(), state.diagonals.loads.max()))
+        left = max(np.abs(state.excess).max(), np.abs(state.balls.excess).max())
+        return float(left / max(self.largest_load, state.balls.forces.loads.max()))
 
     def usual_stiffness(self, largest: float = 0.0) -> float:
-        """Stiffness of a diagonal under the largest load, or the largest force [N] on a diagonal [N/m]."""
-        force = max(largest, float(np.abs(self.load).max()))
-        return 1.5 * self.diagonals.coefficient ** (2 / 3) * force ** (1 / 3)
+        """Stiffness of a diagonal under the largest load, or the largest force [N] on a contact [N/m]."""
+        force = max(largest, self.largest_load)
+        return 1.5 * self.contacts.in_series ** (2 / 3) * force ** (1 / 3)
 
     def first_place(self) -> NDArray:
         """Ring (5) pushed along its load to where about one ball would carry it: rather too far."""
-        size, diagonals = np.abs(self.load).max(), self.diagonals
+        size, contacts = self.largest_load, self.contacts
         if size == 0.0:
             return np.zeros(5)
-        direction = self.load / np.linalg.norm(self.load)
-        moves = np.linalg.norm(diagonals.moves[:, 0] @ direction, axis=1).max()
-        distance = np.hypot(*diagonals.start)
-        gap = max(diagonals.touching - distance, 0.0)
-        squeeze = (size / diagonals.coefficient) ** (2 / 3)
-        return direction * (gap + squeeze) / (moves * diagonals.start.min() / distance)
+        direction, start = self.load / np.linalg.norm(self.load), contacts.distances[0]
+        moves = np.linalg.norm(contacts.moves @ direction, axis=1).max()
+        distance = np.hypot(*start)
+        gap = max(contacts.reach.sum() - distance, 0.0)
+        squeeze = (size / contacts.in_series) ** (2 / 3)
+        return direction * (gap + squeeze) / (moves * start.min() / distance)
 
 
 class ElasticRingState(NamedTuple):
     """Forces on rings and balls at one place of the inner ring and one shape of the rings."""
 
     place: NDArray  # (5) [m]
-    shape: NDArray  # (4 Z) [m] by how much the groove centres came closer
-    diagonals: LoadedDiagonals
-    excess: NDArray  # (5) load less what the balls carry [N]
-    misfit: NDArray  # (4 Z) shape less what the forces make of it [m]
-    softness: NDArray  # (4 Z, 4 Z) [-] change of what the forces make of it by the distance of groove centres
-    forces: NDArray  # (4 Z, 6) [N/m, N] change of the forces by the place, and by the misfit once it closes
-    approach: NDArray  # (4 Z, 6) [-, m] and that of the distances of groove centres
+    shape: NDArray  # (8 Z) [m] displacements of the groove centres by forces
+    centres: NDArray  # (Z, 2) [m] of the balls
+    balls: BallsOnArches
+    moves: NDArray  # (Z, 2) [m] that balls still have to make
+    excess: NDArray  # (5) load less what the balls carry, after these moves [N]
+    misfit: NDArray  # (8 Z) shape less what the forces make of it [m]
+    softness: NDArray  # (8 Z, 8 Z) [-] change of the misfit by the shape, less one
+    forces: NDArray  # (Z, 8, 6) [N/m, N] change of the forces by the place, and by the misfit once it closes
+    shapes: NDArray  # (8 Z, 6) [-, m] and that of the shape
 
 
 @dataclass(frozen=True)
@@ -101,40 +121,54 @@ class ElasticRings:
     grooves: ElasticGrooves  # two arcs each, a ball's contacts side by side
     usual_stiffness: float  # [N/m] that weighs a misfit against forces
 
-    def at(self, place: NDArray, shape: NDArray) -> ElasticRingState:
-        """Evaluate every diagonal."""
-        diagonals = self.rigid.diagonals
-        loaded = diagonals.at(place, shape.reshape(-1, 2, 2))
-        excess = self.rigid.load - diagonals.carried(loaded.force)
-        closed, softness = self._closed(loaded)
-        misfit = shape - closed
-        columns = np.concatenate([diagonals.moves.reshape(-1, 5), misfit[:, None]], axis=1)
-        approach = np.linalg.solve(np.eye(len(softness)) + softness, columns)
-        forces = loaded.stiffness @ approach.reshape(*loaded.force.shape, 6)
-        return ElasticRingState(
-            place, shape, loaded, excess, misfit, softness, forces.reshape(-1, 6), approach
-        )
+    def at(
+        self, place: NDArray, shape: NDArray, centres: NDArray, balls: BallsOnArches, moves: NDArray
+    ) -> ElasticRingState:
+        """State of the rings at a place and of a shape, with balls that are in balance after small moves."""
+        contacts, by_grooves = self.rigid.contacts, balls.arms_by_grooves
+        excess = self.rigid.load - contacts.carried(balls.after(moves))
+        made, by_arms = self._made(balls)
+        further = by_arms @ (ARMS_BY_BALL @ moves[..., None])
+        misfit, count = shape - made - further.sum(0)[:, 0], len(shape)
+        by_moves = (by_arms @ by_grooves).swapaxes(0, 1).reshape(count, count)  # of the arms by grooves
+        softness = -by_moves * np.tile(ARMS_BY_SHAPE, count // 8)
+        by_place = contacts.arms_by_place
+        columns = np.concatenate([by_moves @ by_place.reshape(-1, 5), -misfit[:, None]], axis=1)
+        shapes = np.linalg.solve(np.eye(count) + softness, columns)
+        moved = ARMS_BY_SHAPE[:, None] * shapes.reshape(-1, 8, 6)
+        moved[..., :5] += by_place
+        forces = balls.force_slopes @ (by_grooves @ moved)
+        return ElasticRingState(place, shape, centres, balls, moves, excess, misfit, softness, forces, shapes)
 
-    def _closed(self, loaded: LoadedDiagonals) -> tuple[NDArray, NDArray]:
-        """What forces close of the distances of groove centres (4 Z) [m], and its change by them [-]."""
-        angles, force = loaded.angles.reshape(1, -1), loaded.force.reshape(-1, 2)
-        vectors = force[None, :, 0] + 1j * force[None, :, 1]
-        contacts = len(force)
-        closed, softness = np.zeros((contacts, 2)), np.zeros((contacts, 2, contacts, 2))
-        for groove, sign in ((self.grooves.outer, 1), (self.grooves.inner, -1)):
+    def _made(self, balls: BallsOnArches) -> tuple[NDArray, NDArray]:
+        """Shape (8 Z) [m] that forces make, and its change by the arms of each ball (Z, 8 Z, 8) [-]."""
+        angles, force = balls.angles, balls.forces.on_races
+        count = len(angles)
+        made, by_arms = np.zeros((count, 2, 2, 2)), np.zeros((count, count, 2, 2, 2, 8))
+        turn = np.zeros((count, 2, 2, 8))
+        turn.reshape(count, 4, 4, 2)[:, np.arange(4), np.arange(4)] = balls.turn.reshape(count, 4, 2)
+        slopes = balls.force_slopes.reshape(count, 2, 2, 2, 8)
+        for race, groove in enumerate(self.grooves):
             if groove is None:
                 continue
-            shape = shape_of(groove, angles, sign * vectors)
-            closed += sign * shape.moved[0]
-            by_force = shape.by_force[0].swapaxes(1, 2)  # contact, contact of the force, components
-            softness += (by_force @ loaded.stiffness.reshape(-1, 2, 2)).swapaxes(1, 2)
-            softness += sign * shape.by_angle[0][..., None] * loaded.turn.reshape(-1, 2)
-        return closed.ravel(), softness.reshape(2 * contacts, -1)
+            vectors = (force[..., race, 0] + 1j * force[..., race, 1]).reshape(1, -1)
+            shape = shape_of(groove, angles[..., race].reshape(1, -1), vectors)
+            made[:, :, race] = shape.moved[0].reshape(count, 2, 2)
+            by_force = shape.by_force[0].reshape(count, 2, 2, count, 2, 2)  # at, component, of, component
+            by_arms[..., race, :, :] = np.einsum(
+                "jgckhd,khdy->kjgcy", by_force, slopes[:, :, race], optimize=True
+            )
+            by_angle = shape.by_angle[0].reshape(count, 2, 2, count, 2)
+            by_arms[..., race, :, :] += np.einsum(
+                "jgckh,khy->kjgcy", by_angle, turn[:, :, race], optimize=True
+            )
+        return made.ravel(), by_arms.reshape(count, 8 * count, 8)
 
     def imbalance(self, state: ElasticRingState) -> float:
         """Largest force that balance or the shape of the rings requires, over the largest force [-]."""
-        largest = max(np.abs(self.rigid.load).max(), state.diagonals.loads.max())
-        return float(max(np.abs(state.excess).max(), self._misfit_forces(state).max()) / largest)
+        largest = max(self.rigid.largest_load, state.balls.forces.loads.max())
+        left = np.abs(state.excess).max(), np.abs(state.balls.excess).max(), self._misfit_forces(state).max()
+        return float(max(left) / largest)
 
     def size(self, state: ElasticRingState) -> float:
         """Length of all that is out of balance [N]."""
@@ -143,19 +177,15 @@ class ElasticRings:
     def _misfit_forces(self, state: ElasticRingState) -> NDArray:
         return self.usual_stiffness * np.abs(state.misfit)
 
-    def carried(self, forces: NDArray) -> NDArray:
-        """Loads (5, ...) that forces (4 Z, ...) carry."""
-        return self.rigid.diagonals.moves.reshape(-1, 5).T @ forces
-
     def stiffness(self, state: ElasticRingState) -> NDArray:
         """Tangent stiffness (5, 5) [N/m]: load over the place of the inner face."""
-        tangent = self.carried(state.forces[:, :5])
-        return (tangent + tangent.T) / 2
+        return self.rigid.contacts.carried(state.forces[..., :5])
 
     def step(self, state: ElasticRingState, place: NDArray) -> NDArray:
-        """Change of the shape (4 Z) [m] that closes the misfit while the ring moves (5) [m]."""
-        return self.rigid.diagonals.moves.reshape(-1, 5) @ place - state.approach @ np.append(place, 1.0)
+        """Change of the shape (8 Z) [m] that closes the misfit while the ring moves (5) [m]."""
+        return state.shapes @ np.append(place, 1.0)
 
     def lowest_eigenvalue(self, state: ElasticRingState) -> float:
         """Lowest eigenvalue of the softness plus one [-]; below zero, contacts and rings snap together."""
-        return 1.0 + float(np.linalg.eigvals(state.softness).real.min())
+        loaded = np.repeat(state.balls.forces.loads.ravel() > 0, 2)  # others make no shape
+        return 1.0 + float(np.linalg.eigvals(state.softness[np.ix_(loaded, loaded)]).real.min(initial=0.0))

@@ -12,15 +12,21 @@ from quasidynamic.balance.balls.elastic_rings import (
     RigidRings,
     ring_levers,
 )
+from quasidynamic.balance.balls.four_contacts import ARMS_BY_SHAPE
 from quasidynamic.errors import ImpossiblePart, NotSolved
+from quasidynamic.motion.ball_slip import INNER, OUTER
 from quasidynamic.parts.ball import FourPointBearing
+from quasidynamic.solve.balls.balls_on_arches import ball_step, balls_in_balance
 from quasidynamic.solve.balls.load_distribution import (
+    BALL_SHARE,
     ROUNDED,
     STIFFENING,
     TOLERANCE,
     BallLoads,
     balanced,
+    require_held,
     resisted,
+    what_balls_share,
 )
 
 STEPS = 100  # rarely more than ten from the rigid rings
@@ -32,20 +38,29 @@ DESCENT = 1e-3  # part of the linear fall of the forces out of balance that a st
 class ElasticBallLoads(BallLoads):
     """How the balls share a load between elastic rings."""
 
-    deflection: NDArray  # (Z, 2, 2) [m] by how much groove centres came closer, axial and radial
+    groove_shape: NDArray  # (Z, 2, 2, 2) [m] displacement of each groove, axial to its own side and radial
+
+    @property
+    def deflection(self) -> NDArray:
+        """By how much opposite groove centres came closer (Z, 2, 2) [m], axial and radial."""
+        return self.groove_shape[..., OUTER, :] - self.groove_shape[..., INNER, :]
 
 
-def elastic_ball_loads(bearing: FourPointBearing, load: NDArray, grooves: ElasticGrooves) -> ElasticBallLoads:
-    r"""Load of every diagonal under five loads on the inner ring, between elastic rings.
+def elastic_ball_loads(
+    bearing: FourPointBearing, load: NDArray, grooves: ElasticGrooves, speed: float = 0.0
+) -> ElasticBallLoads:
+    r"""Load of every contact under five loads on the inner ring, between elastic rings.
 
-    .. math:: v = v_0 + B a - s,\quad s = C(\alpha) F(v),\quad B^T F(v) = P
+    .. math:: v = v_0 + B a + s,\quad s = C(\alpha) F(v),\quad B^T F(v) = P
 
-    with the distance v of opposite groove centres, the place a of the inner ring, the load P and the forces F
-    of `Diagonals`; the compliance C follows the contact angles. It is a stationary point of the energy of
-    contacts and rings. Newton's method from the rigid rings.
+    with the places v of the grooves at each ball, the place a of the inner ring, the load P and the forces F
+    on the races, of balls that find their own place between them, see `FourContacts`; the compliance C
+    follows the contact angles. Without inertia it is a stationary point of the energy of contacts and rings.
+    Newton's method from the rigid rings.
 
     P (5) acts on the face of the inner ring, which moves as a rigid body: axial x, radial y and z [N],
-    moments about y and z [N m]. Grooves have two arcs for each ball, those of its diagonals side by side; the
+    moments about y and z [N m]; the speed is that of the inner ring, the outer one at rest [rad/s].
+    Grooves have two arcs for each ball, those of its diagonals side by side; the
     displacement is that of the face of the inner ring against that of the outer one.
     Raises `ImpossiblePart` when a load is not finite, or a groove does not fit the balls; `NotSolved` when
     nothing holds the ring, no balance is found, or it may not be the only one.
@@ -60,11 +75,11 @@ def elastic_ball_loads(bearing: FourPointBearing, load: NDArray, grooves: Elasti
     -----
     As `ball_loads`; small displacement of the rings. The balance is a stable one, though there may be others.
     """
-    rigid_rings = RigidRings.of(bearing, load)
+    rigid_rings = RigidRings.of(bearing, load, speed)
     _require_fit(bearing, grooves)
     rigid, count = balanced(rigid_rings)
-    rings = ElasticRings(rigid_rings, grooves, rigid_rings.usual_stiffness(rigid.diagonals.loads.max()))
-    state, more = _balanced(rings, rings.at(rigid.place, np.zeros(4 * bearing.balls)))
+    rings = ElasticRings(rigid_rings, grooves, rigid_rings.usual_stiffness(rigid.balls.forces.loads.max()))
+    state, more = _balanced(rings, _at(rings, rigid.place, np.zeros(8 * bearing.balls), rigid.centres))
     lowest = rings.lowest_eigenvalue(state)
     if not lowest > 0:
         raise NotSolved(
@@ -76,7 +91,11 @@ def elastic_ball_loads(bearing: FourPointBearing, load: NDArray, grooves: Elasti
 
 
 def elastic_ball_loads_near(
-    bearing: FourPointBearing, load: NDArray, grooves: ElasticGrooves, near: ElasticBallLoads
+    bearing: FourPointBearing,
+    load: NDArray,
+    grooves: ElasticGrooves,
+    near: ElasticBallLoads,
+    speed: float = 0.0,
 ) -> ElasticBallLoads:
     """`elastic_ball_loads` of a bearing and a load that differ little from those of known ones.
 
@@ -84,12 +103,13 @@ def elastic_ball_loads_near(
 
     Raises `NotSolved` where nothing resists some motion of the ring.
     """
-    rigid = RigidRings.of(bearing, load)
+    rigid = RigidRings.of(bearing, load, speed)
     rings = ElasticRings(rigid, grooves, rigid.usual_stiffness(near.loads.max()))
-    state = rings.at(near.displacement * ring_levers(bearing), near.deflection.ravel())
-    carried = rings.carried(state.forces)
+    state = _at(rings, near.displacement * ring_levers(bearing), near.groove_shape.ravel(), near.centres)
+    carried = rigid.contacts.carried(state.forces)
     place = resisted(carried[:, :5], state.excess - carried[:, 5])
-    return _shared(bearing, rings, rings.at(state.place + place, state.shape + rings.step(state, place)), 2)
+    moved = _moved(rings, state, state.place + place, state.shape + rings.step(state, place))
+    return _shared(bearing, rings, moved, 2)
 
 
 def _require_fit(bearing: FourPointBearing, grooves: ElasticGrooves) -> None:
@@ -103,17 +123,32 @@ def _require_fit(bearing: FourPointBearing, grooves: ElasticGrooves) -> None:
 def _shared(
     bearing: FourPointBearing, rings: ElasticRings, state: ElasticRingState, evaluations: int
 ) -> ElasticBallLoads:
-    lever = ring_levers(bearing)
+    each = what_balls_share(bearing, state, rings.stiffness(state))
     return ElasticBallLoads(
-        approach=state.diagonals.approach,
-        loads=state.diagonals.loads,
-        angles=state.diagonals.angles,
-        displacement=state.place / lever,
-        stiffness=rings.stiffness(state) * np.outer(lever, lever),
+        **each,
         imbalance=rings.imbalance(state),
         iterations=evaluations,
-        deflection=state.shape.reshape(-1, 2, 2),
+        groove_shape=state.shape.reshape(-1, 2, 2, 2),
     )
+
+
+def _at(
+    rings: ElasticRings, place: NDArray, shape: NDArray, near: NDArray, share: float = 0.0
+) -> ElasticRingState:
+    """Rings at a place and of a shape, the balls in balance but for a share of the largest force."""
+    contacts, moved = rings.rigid.contacts, shape.reshape(-1, 2, 2, 2)
+    centres, balls = balls_in_balance(contacts, place, moved, near, rings.rigid.largest_load, share)
+    return rings.at(place, shape, centres, balls, ball_step(contacts, balls))
+
+
+def _moved(
+    rings: ElasticRings, state: ElasticRingState, place: NDArray, shape: NDArray, share: float = 0.0
+) -> ElasticRingState:
+    """State at a place and of a shape that are reached from another state."""
+    arms = rings.rigid.contacts.arms_by_place @ (place - state.place)
+    arms += ARMS_BY_SHAPE * (shape - state.shape).reshape(-1, 8)
+    moves = state.moves + (state.balls.following @ arms[..., None])[..., 0]
+    return _at(rings, place, shape, state.centres + moves, share)
 
 
 def _balanced(rings: ElasticRings, state: ElasticRingState) -> tuple[ElasticRingState, int]:
@@ -122,6 +157,7 @@ def _balanced(rings: ElasticRings, state: ElasticRingState) -> tuple[ElasticRing
     for _ in range(STEPS):
         imbalance = rings.imbalance(state)
         if imbalance < TOLERANCE or previous / 2 < imbalance < ROUNDED:
+            require_held(state)
             return state, evaluations
         state, trials = _next_state(rings, state)
         evaluations, previous = evaluations + trials, imbalance
@@ -135,10 +171,10 @@ def _balanced(rings: ElasticRings, state: ElasticRingState) -> tuple[ElasticRing
 def _next_state(rings: ElasticRings, state: ElasticRingState) -> tuple[ElasticRingState, int]:
     """A step of Newton's method, halved until less is out of balance."""
     place, shape = _newton_step(rings, state)
-    size = rings.size(state)
+    size, share = rings.size(state), BALL_SHARE * rings.imbalance(state)
     for halvings in range(HALVINGS):
         part = 0.5**halvings
-        trial = rings.at(state.place + part * place, state.shape + part * shape)
+        trial = _moved(rings, state, state.place + part * place, state.shape + part * shape, share)
         if rings.size(trial) <= (1 - DESCENT * part) * size:
             break
     return trial, halvings + 1
@@ -149,7 +185,7 @@ def _newton_step(rings: ElasticRings, state: ElasticRingState) -> tuple[NDArray,
 
     A direction in which hardly anything resists is stiffened as long as forces are out of balance.
     """
-    carried = rings.carried(state.forces)
+    carried = rings.rigid.contacts.carried(state.forces)
     tangent = carried[:, :5]
     stiffer = STIFFENING * min(rings.imbalance(state), 1.0) * max(tangent.trace(), rings.usual_stiffness)
     place = np.linalg.solve(tangent + stiffer * np.eye(5), state.excess - carried[:, 5])

@@ -1,50 +1,66 @@
 """Load distribution of a four-point contact ball bearing with rigid rings."""
 
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.elastic_rings import RigidRings, RigidRingState, ring_levers
+from quasidynamic.balance.balls.elastic_rings import (
+    ElasticRingState,
+    RigidRings,
+    RigidRingState,
+    ring_levers,
+)
 from quasidynamic.errors import NotSolved
+from quasidynamic.motion.ball_slip import INNER
 from quasidynamic.parts.ball import FourPointBearing
+from quasidynamic.solve.balls.balls_on_arches import ball_step, balls_in_balance
 from quasidynamic.solve.step_length import before_the_minimum
 
 TOLERANCE = 1e-11  # of the largest force: unbalanced force on the ring, moments over the pitch radius
 ROUNDED = 1e-9  # the same, where rounding keeps a step from lowering it any more
 STEPS = 200  # rarely more than twenty: the energy is convex
+BALL_SHARE = 0.1  # of the imbalance before a step: what the balls may leave to the next one
+MOST_SPEEDS = 20  # that are tried on the way from balls without inertia, rarely more than three
 STIFFENING = 1e-2  # of the whole stiffness over the relative imbalance, where no ball resists a direction
 
 
 @dataclass(frozen=True)
 class BallLoads:
-    """How the balls share a load. Z balls, two diagonals: the first points outwards to positive x."""
+    """How Z balls share a load, by diagonal and race; the first diagonal points outwards to positive x."""
 
-    approach: NDArray  # (Z, 2) [m] on a diagonal, both contacts together; negative in a gap
-    loads: NDArray  # (Z, 2) [N] the same at both ends of a diagonal
-    angles: NDArray  # (Z, 2) [rad] contact angle from the radial plane, loaded
+    approach: NDArray  # (Z, 2, 2) [m] of ball and race; negative in a gap
+    loads: NDArray  # (Z, 2, 2) [N]
+    angles: NDArray  # (Z, 2, 2) [rad] contact angle from the radial plane, loaded
+    centres: NDArray  # (Z, 2) [m] axial and radial, from balls that touch the outer groove in its middle
+    orbit: NDArray  # (Z) [rad/s] by which the centrifugal force is computed, see `arch_motion`
+    centrifugal: NDArray  # (Z) [N]
+    gyroscopic: NDArray  # (Z) [N m] positive where the first diagonal alone carries
     displacement: NDArray  # (5) x, y, z [m] and tilts about y and z [rad] of the inner against the outer ring
-    stiffness: NDArray  # (5, 5) tangent [N/m, N, N m], symmetric
+    stiffness: NDArray  # (5, 5) tangent [N/m, N, N m], symmetric without inertia
     imbalance: float  # [-] unbalanced force over the largest force
     iterations: int  # evaluations of all balls
 
 
-def ball_loads(bearing: FourPointBearing, load: NDArray) -> BallLoads:
-    r"""Load of every diagonal under five loads on the inner ring, with contact angles that turn.
+def ball_loads(bearing: FourPointBearing, load: NDArray, speed: float = 0.0) -> BallLoads:
+    r"""Load of every contact under five loads on the inner ring, with contact angles that turn.
 
-    .. math:: Q = K [L - A]_+^{3/2},\quad A = r_i + r_o - D,\quad L_0 = A - G,\\
-              L = |(L_0 \cos\alpha_0 + u_r,\; L_0 \sin\alpha_0 \pm u_a)|,\quad
+    .. math:: \sum_k (-Q_k + \mathrm i P_k)\, n_k + \mathrm i F_c = 0,\quad
               u_r = u_y \sin\varphi + u_z \cos\varphi,\quad
               u_a = u_x + R_c (\theta_y \cos\varphi - \theta_z \sin\varphi)
 
-    Newton's method on the convex energy of the contacts.
+    Balls find their own place between the grooves, see `FourContacts`; the inner ring moves its one by u_a
+    and u_r. Newton's method for the ring, and for each ball; without inertia on a convex energy.
 
     Parameters
     ----------
     bearing : FourPointBearing
-        D, r, contact angle alpha_0, clearance G of a diagonal, pitch radius R_c
+        D, r, contact angle alpha_0, clearance of a diagonal, pitch radius R_c
     load : array (5)
         on the inner ring: axial x, radial y and z [N], moments about y and z [N m]
+    speed : float
+        of the inner ring, the outer one at rest [rad/s]
 
     Raises
     ------
@@ -55,27 +71,31 @@ def ball_loads(bearing: FourPointBearing, load: NDArray) -> BallLoads:
 
     Source
     ------
-    Amasorrain, Sagartzazu and Damian (2003), Mech. Mach. Theory 38, 479-496.
+    Amasorrain, Sagartzazu and Damian (2003), Mech. Mach. Theory 38, 479-496, whose diagonals carry for
+    themselves: the same where a ball is on one of them.
 
     Valid
     -----
-    Slow, rigid and round rings; both diagonals with one contact angle and one clearance; the stiffness K is
-    that of the unloaded contact angle; moments act on the pitch circle. No truncation at the groove edge.
+    Rigid and round rings; both diagonals with one contact angle and one clearance; the stiffness K is that
+    of the unloaded contact angle; moments act on the pitch circle. No truncation at the groove edge.
     """
-    rings = RigidRings.of(bearing, load)
+    rings = RigidRings.of(bearing, load, speed)
     return _shared(bearing, rings, *balanced(rings))
 
 
-def ball_loads_near(bearing: FourPointBearing, load: NDArray, near: BallLoads) -> BallLoads:
+def ball_loads_near(
+    bearing: FourPointBearing, load: NDArray, near: BallLoads, speed: float = 0.0
+) -> BallLoads:
     """`ball_loads` of a bearing and a load that differ little from those of known ones.
 
-    One step of Newton's method: exact to first order in the difference.
+    One step of Newton's method of the ring: exact to first order in the difference.
 
-    Raises `NotSolved` where nothing resists some motion of the ring.
+    Raises `NotSolved` where nothing resists some motion of the ring, or a ball finds no place.
     """
-    rings = RigidRings.of(bearing, load)
-    state = rings.at(near.displacement * ring_levers(bearing))
-    return _shared(bearing, rings, rings.at(state.place + resisted(state.stiffness, state.excess)), 2)
+    rings = RigidRings.of(bearing, load, speed)
+    state = _at(rings, near.displacement * ring_levers(bearing), near.centres)
+    place = state.place + resisted(state.stiffness, state.excess)
+    return _shared(bearing, rings, _moved(rings, state, 0.0, place), 2)
 
 
 def resisted(stiffness: NDArray, force: NDArray) -> NDArray:
@@ -89,38 +109,129 @@ def resisted(stiffness: NDArray, force: NDArray) -> NDArray:
         raise NotSolved("nothing resists some motion of the ring", "undetermined") from None
 
 
+def _at(rings: RigidRings, place: NDArray, near: NDArray | None, share: float = 0.0) -> RigidRingState:
+    """Ring at a place, the balls in balance but for a share of the largest force."""
+    centres, balls = balls_in_balance(rings.contacts, place, 0.0, near, rings.largest_load, share)
+    return rings.at(place, centres, balls, ball_step(rings.contacts, balls))
+
+
+def _moved(rings: RigidRings, state: RigidRingState, share: float, place: NDArray) -> RigidRingState:
+    """State at a place that is reached from another state."""
+    arms = rings.contacts.arms_by_place @ (place - state.place)
+    moves = state.moves + (state.balls.following @ arms[..., None])[..., 0]
+    return _at(rings, place, state.centres + moves, share)
+
+
+def what_balls_share(
+    bearing: FourPointBearing, state: RigidRingState | ElasticRingState, stiffness: NDArray
+) -> dict[str, NDArray]:
+    """Fields of `BallLoads` by a state and a stiffness (5, 5) [N/m]."""
+    lever, forces = ring_levers(bearing), state.balls.forces
+    return {
+        "approach": forces.approach,
+        "loads": forces.loads,
+        "angles": state.balls.angles,
+        "centres": state.centres,
+        "orbit": forces.orbit,
+        "centrifugal": forces.centrifugal,
+        "gyroscopic": forces.gyroscopic,
+        "displacement": state.place / lever,
+        "stiffness": stiffness * np.outer(lever, lever),
+    }
+
+
 def _shared(
     bearing: FourPointBearing, rings: RigidRings, state: RigidRingState, evaluations: int
 ) -> BallLoads:
-    lever = ring_levers(bearing)
-    return BallLoads(
-        approach=state.diagonals.approach,
-        loads=state.diagonals.loads,
-        angles=state.diagonals.angles,
-        displacement=state.place / lever,
-        stiffness=state.stiffness * np.outer(lever, lever),
-        imbalance=rings.imbalance(state),
-        iterations=evaluations,
-    )
+    each = what_balls_share(bearing, state, state.stiffness)
+    return BallLoads(**each, imbalance=rings.imbalance(state), iterations=evaluations)
 
 
 def balanced(rings: RigidRings) -> tuple[RigidRingState, int]:
     """State in which the balls carry the load, and the number of evaluations.
 
-    Raises `NotSolved` when the iteration limit is reached.
+    Where it is not found at once, from that of slower balls.
+    Raises `NotSolved` when the iteration limit is reached, a ball finds no place, or no ball holds the ring.
     """
-    state, evaluations, previous = rings.at(rings.first_place()), 1, np.inf
+    try:
+        state, evaluations = _newton(rings, rings.first_place(), None)
+    except NotSolved:
+        if not rings.contacts.speed:
+            raise
+        state, evaluations = _from_slower(rings)
+    require_held(state)
+    return state, evaluations
+
+
+def _from_slower(rings: RigidRings) -> tuple[RigidRingState, int]:
+    """State by that of balls without inertia, and of ever faster ones."""
+    share, step, tries = 0.0, 1.0, 0
+    state, evaluations = _newton(rings.at_speed(0.0), rings.first_place(), None)
+    while share < 1.0:
+        tries += 1
+        step = min(step, 1.0 - share)
+        faster = rings.at_speed(np.sqrt(share + step) * rings.contacts.speed)  # inertia grows with its square
+        try:
+            state, more = _newton(faster, state.place, state.centres)
+        except NotSolved:
+            if tries >= MOST_SPEEDS:
+                raise
+            step /= 4
+            continue
+        share, step, evaluations = share + step, 2 * step, evaluations + more
+    return state, evaluations
+
+
+def _newton(rings: RigidRings, place: NDArray, near: NDArray | None) -> tuple[RigidRingState, int]:
+    """State in which the balls carry the load, from a place and places of balls near by, and evaluations."""
+    state, evaluations, previous = _at(rings, place, near), 1, np.inf
     for _ in range(STEPS):
         imbalance = rings.imbalance(state)
         if imbalance < TOLERANCE or previous / 2 < imbalance < ROUNDED:
-            return state, evaluations
-        # A direction in which hardly anything resists is stiffened as long as forces are out of balance.
-        stiffer = STIFFENING * min(imbalance, 1.0) * max(state.stiffness.trace(), rings.usual_stiffness())
-        step = np.linalg.solve(state.stiffness + stiffer * np.eye(5), state.excess)
-        state, trials = before_the_minimum(rings.at, state, step)
+            return _at(rings, state.place, state.centres), evaluations + 1  # balls as good as they can be
+        state, trials = _next_state(rings, state, imbalance)
         evaluations, previous = evaluations + trials, imbalance
     raise NotSolved(
         f"the rings found no balance in {evaluations} evaluations: {rings.imbalance(state):.1e} of the "
         f"largest force is left, allowed {ROUNDED:.0e}; loads over the pitch radius {rings.load} N",
         "iteration limit",
     )
+
+
+def _next_state(rings: RigidRings, state: RigidRingState, imbalance: float) -> tuple[RigidRingState, int]:
+    """State after a step of Newton's method, and evaluations.
+
+    Where balls left out of balance mislead it, a shorter one with all of them in balance.
+    """
+    step = _newton_step(rings, state, imbalance)
+    trial = _moved(rings, state, BALL_SHARE * imbalance, state.place + step)
+    if (trial.excess * step).sum() >= -0.5 * (state.excess * step).sum():
+        return trial, 1
+    if rings.imbalance(trial) < 0.5 * imbalance:
+        return trial, 1
+    state = _at(rings, state.place, state.centres)
+    step = _newton_step(rings, state, rings.imbalance(state))
+    state, trials = before_the_minimum(partial(_moved, rings, state, 0.0), state, step)
+    return state, trials + 2
+
+
+def _newton_step(rings: RigidRings, state: RigidRingState, imbalance: float) -> NDArray:
+    """Newton's change of the place (5) [m].
+
+    A direction in which hardly anything resists is stiffened as long as forces are out of balance.
+    """
+    stiffer = STIFFENING * min(imbalance, 1.0) * max(state.stiffness.trace(), rings.usual_stiffness())
+    return np.linalg.solve(state.stiffness + stiffer * np.eye(5), state.excess)
+
+
+def require_held(state: RigidRingState | ElasticRingState) -> None:
+    """Check that a ball touches the inner ring.
+
+    Raises `NotSolved` when none does.
+    """
+    if not (state.balls.forces.loads[..., INNER] > 0.0).any():
+        raise NotSolved(
+            "balls have left the inner ring by their centrifugal force: nothing holds it, its position is "
+            "undetermined; give a load, a lower speed or more interference",
+            "undetermined",
+        )
