@@ -19,7 +19,9 @@ def limits(  # noqa: PLR0913  # an argument for each option
     radial: Annotated[
         str, typer.Option("--radial", metavar="LOAD,...", help="radial loads, a curve for each")
     ] = "0 kN",
-    points: Annotated[int, typer.Option("--points", min=3, max=1000, help="of each curve")] = 37,
+    points: Annotated[
+        int, typer.Option("--points", min=3, max=1000, help="of each curve at least; more where it bends")
+    ] = 13,
     safety: Annotated[
         float, typer.Option("--safety", min=0.1, max=100, help="static safety against 4200 MPa (ISO 76)")
     ] = 1.0,

@@ -1,6 +1,6 @@
 """Limiting static loads of a four-point bearing: axial load against moment, a curve for each radial load."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -18,6 +18,7 @@ from quasidynamic.parts.ball import FourPointBearing
 from quasidynamic.solve.balls.elastic_load_distribution import elastic_ball_loads
 from quasidynamic.solve.balls.load_distribution import BallLoads, ball_loads
 
+STRAIGHT, DEEPEST = 2.5e-3, 5  # of the load: lines between points off direct solutions; halvings
 SENSES = {1: "with the radial load", -1: "against the radial load"}  # of the moment, at its most loaded ball
 
 
@@ -97,18 +98,33 @@ class LimitedBearing:
         limited_by = LIMITS[shares(scale).argmax()]
         return scale, LimitPoint(radial, scale * axial, scale * moment, sense, limited_by)
 
-    def curve(self, radial: float, points: int) -> Iterator[LimitPoint]:
-        """Points from thrust alone to a moment alone, evenly spaced by their angle seen from the origin."""
+    def curve(self, radial: float, points: int, *, refined: bool = False) -> Iterator[LimitPoint]:
+        """Points from thrust alone to a moment alone, evenly spaced by their angle seen from the origin.
+
+        A refined curve has further ones between them until straight lines are near, also where another ball
+        or the other sense of the moment becomes the worse one.
+        """
         thrust = self.bearing.balls * np.sin(self.bearing.contact_angle) * self._pressed_load
-        _, first = self.point(radial, (thrust, 0.0))
-        _, last = self.point(radial, (0.0, thrust * self.bearing.pitch_diameter / 8))
-        yield first
-        scale = 1.0
-        for angle in np.linspace(0.0, np.pi / 2, points)[1:-1]:
-            direction = first.axial * float(np.cos(angle)), last.moment * float(np.sin(angle))
-            scale, point = self.point(radial, direction, scale)
-            yield point
-        yield last
+        ends = self.point(radial, (thrust, 0.0)), self.point(radial, (0.0, thrust * self._quarter))
+        axes = ends[0][1].axial, ends[1][1].moment
+
+        def seen(angle: float, first: float) -> tuple[float, float, LimitPoint]:
+            direction = axes[0] * float(np.cos(angle)), axes[1] * float(np.sin(angle))
+            return angle, *self.point(radial, direction, first)
+
+        last = (0.0, 1.0, ends[0][1])
+        yield last[2]
+        for angle in np.linspace(0.0, np.pi / 2, points)[1:]:
+            found = seen(float(angle), last[1]) if angle < np.pi / 2 else (np.pi / 2, 1.0, ends[1][1])
+            if refined:
+                yield from _between(seen, last, found, DEEPEST)
+            yield found[2]
+            last = found
+
+    @property
+    def _quarter(self) -> float:
+        """Lever of a moment that loads balls about as its thrust does [m]."""
+        return self.bearing.pitch_diameter / 8
 
     @property
     def _pressed_load(self) -> float:
@@ -118,6 +134,26 @@ class LimitedBearing:
             np.zeros((5, 5)), 0.0, 0,
         )  # fmt: skip
         return float(limit_shares(self.bearing, one, StaticLimits(safety=self.limits.safety))[0]) ** -3
+
+
+Seen = tuple[float, float, LimitPoint]  # a point with its angle and the scale, its distance, over the ends
+
+
+def _between(
+    seen: Callable[[float, float], Seen], one: Seen, other: Seen, depth: int
+) -> Iterator[LimitPoint]:
+    """Points between two, as many as straight lines need to be within `STRAIGHT`."""
+    angle = (one[0] + other[0]) / 2
+    middle = seen(angle, one[1])
+    near, far = (np.array([np.cos(each[0]), np.sin(each[0])]) * each[1] for each in (one, other))
+    along = np.array([np.cos(angle), np.sin(angle)])
+    line = np.linalg.solve(np.column_stack([along, near - far]), near)[0]
+    split = abs(line / middle[1] - 1) > STRAIGHT and depth > 0
+    if split:
+        yield from _between(seen, one, middle, depth - 1)
+    yield middle[2]
+    if split:
+        yield from _between(seen, middle, other, depth - 1)
 
 
 def limit_curves(
@@ -137,10 +173,10 @@ def limit_curves(
     for number, radial in enumerate(radial_loads):
         points_done = list[LimitPoint]()
         try:
-            for point in limited.curve(radial, points):
+            for point in limited.curve(radial, points, refined=True):
                 points_done.append(point)
-                done = (number + len(points_done) / points) / len(radial_loads)
-                report.stage("limiting loads", done)
+                done = number + min(len(points_done) / (2 * points), 1.0)
+                report.stage("limiting loads", done / len(radial_loads))
         except OutOfRange as problem:
             raise BadCase(f"{case.source.path}: radial load {radial / 1e3:.4g} kN: {problem}") from None
         found.append(tuple(points_done))

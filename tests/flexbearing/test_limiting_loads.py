@@ -76,19 +76,18 @@ def test_a_thrust_limit_is_that_of_every_ball(case):
     assert shared.loads.max() / of_half.loads.max() == approx(2.0, rel=0.01)  # angles differ a little
 
 
-def test_points_between_those_of_a_curve_are_near_its_straight_lines(case):
-    """0.5 % of the load, at 37 points, as for 200 directions in the documents."""
-    bearing, radial = limited(case), 2000.0
-    first, _, last = bearing.curve(radial, 3)
-
-    def direct(step):
-        """Axial load and moment over those of the ends, in the direction of a point between them."""
-        along = np.array([np.cos(step * np.pi / 72), np.sin(step * np.pi / 72)])
-        return along, bearing.point(radial, (first.axial * along[0], last.moment * along[1]), 0.7)[0]
-
-    (one, near), (other, far), (middle, between) = (direct(step) for step in (20, 21, 20.5))
-    line = near * one * far / (near + far) + far * other * near / (near + far)
-    assert np.hypot(*line) / np.hypot(*middle) == approx(between, rel=5e-3)
+@pytest.mark.slow
+def test_straight_lines_between_points_of_a_curve_are_near_direct_solutions(case):
+    """0.5 % of the load, here in a direction that is no point; in 200 directions in the documents."""
+    bearing, radial = limited(case), 4000.0
+    points = list(bearing.curve(radial, 3, refined=True))
+    axial, moment = points[0].axial, points[-1].moment
+    places = np.array([[each.axial / axial, each.moment / moment] for each in points])
+    assert np.all(np.diff(np.arctan2(places[:, 1], places[:, 0])) > 0)
+    for number in (1, len(points) // 2):
+        middle = places[number : number + 2].mean(axis=0)
+        scale, _ = bearing.point(radial, (axial * middle[0], moment * middle[1]))
+        assert scale == approx(1.0, abs=5e-3)
 
 
 def test_the_worse_sense_of_the_moment_counts(case):
@@ -123,7 +122,7 @@ def test_the_command_writes_a_table_and_a_picture(case, tmp_path, capsys):
     assert command(words) == 0
     assert "radial load 0 kN: axial load" in capsys.readouterr().out
     rows = picture.with_suffix(".csv").read_text().splitlines()
-    assert len(rows) == 1 + 3
+    assert len(rows) > 1 + 3
     assert picture.read_bytes().startswith(b"\x89PNG")
     assert command(["limits", str(case), "--radial", "-1 kN"]) == 2
     assert command(["limits", str(case), "--case-depth", "1 mm"]) == 2

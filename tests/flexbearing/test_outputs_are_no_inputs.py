@@ -96,6 +96,7 @@ USES = {
         Use(f"map paper.toml {RANGE} -o OUT/out.csv", "out.csv out.png", PAPER),
     ),
     "pareto": (Use("pareto drawn.toml -o OUT --name few", "pareto_few.csv pareto_few.png", DRAWN),),
+    "limits": (Use("limits four.toml -o OUT/out.png", "out.png out.csv", "four.toml"),),
     "sensitivity": (Use("sensitivity drawn.toml -o OUT/out.png", "out.png out.csv", DRAWN),),
     "study": (
         Use(
