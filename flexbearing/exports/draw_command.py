@@ -29,10 +29,12 @@ def draw(
     if form not in FORMS:
         raise BadCase(f"--format {printable(form)}: it is one of {', '.join(FORMS)}")
     wanted = api.read_case(case, settings or [])
+    drawings = api.drawings(wanted, values=not keys)
+    if not drawings:
+        raise BadCase(f'{printable(str(case))}: there are no drawings of kind = "{wanted.kind}"')
     folder, stem = require_folder(output or Path("results")), stem_of_outputs(case, settings or ())
     written: list[Path] = []
     with keeping(written):
-        drawings = api.drawings(wanted, values=not keys)
         names = [folder / f"{stem}_{drawing.name}.{form}" for drawing in drawings]
         for drawing, place in zip(drawings, require_outputs(names, wanted.input_files), strict=True):
             write(place, drawing.content(form))

@@ -441,7 +441,8 @@ def test_drawings_load_no_finite_elements_and_the_bearing_model_for_profiles_alo
 
 @pytest.mark.parametrize(("form", "beginning"), [("png", b"\x89PNG"), ("pdf", b"%PDF")])
 def test_command_writes_files(tmp_path, capsys, form, beginning, monkeypatch):
-    monkeypatch.setattr(api, "drawings", lambda case, values: list(drawn("deep groove")[1].values()))
+    shared = list(drawn("deep groove")[1].values())
+    monkeypatch.setattr(api, "drawings", lambda case, values: shared)
     assert command(["draw", str(CONFIGS / "6209.toml"), "-o", str(tmp_path), "--format", form]) == 0
     files = sorted(tmp_path.iterdir())
     assert [file.name for file in files] == [f"6209_along-axis.{form}", f"6209_section.{form}"]
@@ -459,3 +460,10 @@ def test_command_writes_keys_alone(tmp_path):
 def test_other_formats_are_refused(tmp_path, capsys):
     assert command(["draw", str(CONFIGS / "6209.toml"), "-o", str(tmp_path), "--format", "gif"]) == 2
     assert "svg, png, pdf" in capsys.readouterr().err
+
+
+def test_a_kind_without_drawings_is_refused_and_leaves_no_folder(tmp_path, capsys):
+    folder = tmp_path / "drawings"
+    assert command(["draw", str(CONFIGS / "32207.toml"), "-o", str(folder)]) == 2
+    assert "there are no drawings" in capsys.readouterr().err
+    assert not folder.exists()
