@@ -201,7 +201,8 @@ QUANTITIES = (
         summary=(SummaryValue("cage_speed_rpm", label="cage speed", digits=",.0f"),)),
     Quantity("cage_slip", "s_c", "", "1", "block",
         "1 - cage speed / mean orbital speed of guided balls if they did not slip, both against the outer "
-        f"ring; absent where there are none, and {_CAGED}", source="oil.cage.slip", people=PERCENT, optional=True,
+        f"ring; absent where there are none, and {_CAGED}",
+        source="oil.cage.slip", people=PERCENT, optional=True,
         summary=(SummaryValue("cage_slip_percent", label="cage slip", digits=".2f"),)),
     Quantity("cage_force", "F_p", "Z", "N", "block",
         f"force of the cage on the ball, positive to +azimuth; {_CAGED}", source="oil.cage.force",

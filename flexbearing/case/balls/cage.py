@@ -54,6 +54,6 @@ class BallCage(Section):
             most = f"below {1e3 * diameter:.4g} mm, bearing.ball.diameter; is the unit right?"
             raise impossible("cage.land_clearance", most)
         ends = {"outer": (pitch, pitch + diameter), "inner": (pitch - diameter, pitch)}[self.guidance]
-        if not ends[0] < self.land_diameter < ends[1]:
+        if not ends[0] <= self.land_diameter <= ends[1]:
             allowed = f"between {1e3 * ends[0]:.4g} and {1e3 * ends[1]:.4g} mm, beside the balls"
             raise impossible("cage.land_diameter", allowed)

@@ -22,8 +22,9 @@ from quasidynamic.solve.balls.free_ball_search import (
 LIMIT = 40  # speeds of a cage that are tried, rarely more than four
 LONGEST = 0.05  # of the speed of the rings: step of the cage
 NEAR = 1e-4  # of the speed of the rings: step of the cage from which steps of all together follow
+LAST_STEPS = 4  # rarely more than one
 STEPS = 12  # of all together, rarely more than three
-TWO_STEPS_AWAY = 1e-3  # of the largest friction, of the speed: what is left before the last but one step
+TWO_STEPS_AWAY = 1e-4  # of the largest friction, of the speed: what is left before the last but one step
 TINY = 1e-300  # [N m] slope of the balance of a cage that nothing moves
 
 
@@ -47,6 +48,10 @@ def caged_ball_motion(balls: FreeBalls, cages: Cages, nearby: Nearby | None) -> 
 
     Slopes are those at a speed of the cage that is given: what one ball does to the others by way of the
     cage is left out.
+
+    Source
+    ------
+    Balance of the moments on a cage as in `land_torque` and `Pockets`; balls eliminated one by one.
     """
     speed, unknowns = _coarse(balls, cages)
     speed, unknowns, lost = _together(balls, cages, speed, unknowns)
@@ -61,7 +66,11 @@ def caged_ball_motion(balls: FreeBalls, cages: Cages, nearby: Nearby | None) -> 
         speed = speed + step.cage
         return step.balls
 
-    solution, left, _ = motion_at(balls.in_cage(speed[cages.of_ball]), unknowns, nearby, with_cage)
+    for _ in range(LAST_STEPS):
+        some = balls.in_cage(speed[cages.of_ball])
+        solution, left, unknowns = motion_at(some, unknowns, nearby, with_cage)
+        if (left <= ONE_STEP_AWAY).all():
+            break
     solution = solution._replace(cage=speed[cages.of_ball])
     for array in solution:
         array[~(left <= ONE_STEP_AWAY)] = np.nan
