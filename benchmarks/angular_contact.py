@@ -1,14 +1,15 @@
 """Time and sureness of angular-contact solves.
 
-Run from the project directory: python -m benchmarks.angular_contact [count [seed]] [coulomb | pairs]
+Run from the project directory: python -m benchmarks.angular_contact [count [seed]] [KIND]
 
 First the 218 bearing of the textbook, in CPU time of a warm interpreter on one core. Then bearings drawn at
 random: size, conformity, contact angle, steel or ceramic balls, raceway control, loads over five decades, up
 to about the static capacity in any direction from axial to radial, 10 to 500 000 mm/min; the ring free under
 moments up to load times pitch radius, held against tilt, or held against tilt with an axial preload. Where
-nothing holds the ring against such loads the outcome is "undetermined", which counts for itself. With
+nothing holds the ring against such loads the outcome is "undetermined", which counts for itself. KINDs: with
 `coulomb`, friction of 0.03 to 0.12 moves the balls of the same bearings; with `pairs` they have a second row
-in O, X or tandem arrangement, with play or preload.
+in O, X or tandem arrangement, with play or preload; with `oil`, tractions of a random oil move them, with
+`cage` in the pockets of a cage, too.
 """
 
 import collections
@@ -26,7 +27,17 @@ from quasidynamic.errors import NotSolved
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.solve.step_length import SolverOutcome
-from tests.random_balls import RPM, STEEL, drawn, drawn_pair, drawn_sliding, unbalanced
+from tests.random_balls import (
+    RPM,
+    STEEL,
+    drawn,
+    drawn_caged,
+    drawn_oiled,
+    drawn_pair,
+    drawn_sliding,
+    identities,
+    unbalanced,
+)
 
 STRAIGHT = (None, None, None, 0.0, 0.0)
 OPERATIONS = {
@@ -45,7 +56,7 @@ def main() -> None:
     print(describe())
     with threadpool_limits(limits=1, user_api="blas"):
         textbook()
-        kinds = {"coulomb": drawn_sliding, "pairs": drawn_pair}
+        kinds = {"coulomb": drawn_sliding, "pairs": drawn_pair, "oil": drawn_oiled, "cage": drawn_caged}
         numbers = [int(word) for word in sys.argv[1:] if word not in kinds]
         draw = next((draw for word, draw in kinds.items() if word in sys.argv), drawn)
         at_random(*numbers or (1000,), draw=draw)
@@ -77,6 +88,7 @@ def textbook() -> None:
 
 def at_random(count: int, first: int = 0, *, draw: Callable[[int], tuple[Model, RingOperation]]) -> None:
     outcomes, evaluations, worst, unguided, seconds = collections.Counter(), [], 0.0, 0, []
+    left = np.zeros(2)
     for seed in range(first, first + count):
         model, operation = draw(seed)
         began = time.process_time()
@@ -91,10 +103,14 @@ def at_random(count: int, first: int = 0, *, draw: Callable[[int], tuple[Model, 
         evaluations.append(state.evaluations)
         worst = max(worst, unbalanced(state))
         unguided += not state.guided.all()
+        if state.oil is not None:
+            power, _, cage = identities(state)
+            left = np.maximum(left, np.abs([power, cage]))
     print(
         f"{count} bearings at random from seed {first}: {len(evaluations)} solved "
         f"({unguided} with balls that the races do not guide), "
         f"worst imbalance {worst:.1e} of the largest force, others: {dict(outcomes)}; "
+        f"power of the rings less heat by cause {left[0]:.1e}, torque left on a cage {left[1]:.1e}; "
         f"evaluations: median {np.median(evaluations):.0f}, "
         f"99 % below {np.percentile(evaluations, 99):.0f}, largest {max(evaluations)}; "
         f"{np.mean(seconds) * 1e3:.1f} ms each, median {np.median(seconds) * 1e3:.1f} ms, "

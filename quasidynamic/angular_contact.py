@@ -23,6 +23,7 @@ from quasidynamic.motion.ball_speeds import Control
 from quasidynamic.outcome.angular_contact_state import AngularContactState
 from quasidynamic.outcome.fast_balls import FastRollingBalls
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
+from quasidynamic.parts.ball_cage import BallCage
 from quasidynamic.solve.balls.coulomb_control import CoulombControl, StickingContacts
 from quasidynamic.solve.balls.refined_rolling import RefinedRolling, RollingModel, refined_kept_motion
 from quasidynamic.solve.balls.ring_in_elastic_grooves import iterate_elastic, solve_elastic
@@ -62,12 +63,17 @@ class AngularContactBallBearing:
     sticking: tuple[int, int] | None = None  # cells over each contact, for FASTSIM in the balance of friction
     interface_compliance: float = 0.0  # [m] elastic slip of an interface at mu p; assumed, none by theory
     lubrication: BallLubrication | None = None  # laws of the oil, with control "oil"
+    cage: BallCage | None = None  # of balls in oil; without it nothing carries those that races do not press
 
     def __post_init__(self):
         if (self.control == "oil") != (self.lubrication is not None):
             raise ImpossiblePart(
                 f'control = "{self.control}" with lubrication = {self.lubrication}: control = "oil" needs '
                 "it, no other has any"
+            )
+        if self.cage is not None and self.control != "oil":
+            raise ImpossiblePart(
+                f'cage with control = "{self.control}": pockets push balls with control = "oil" alone'
             )
         if self.control == "coulomb" and self.friction is None:
             raise ImpossiblePart(
@@ -229,7 +235,7 @@ class AngularContactBallBearing:
     def _race_control(self) -> RaceControl:
         if self.lubrication is not None:
             races = lubricated_races(self.bearing, self._contacts, self.lubrication)
-            return CoulombControl(self.bearing, self._contacts, 1.0, self.spin, oil=races)
+            return CoulombControl(self.bearing, self._contacts, 1.0, self.spin, oil=races, cage=self.cage)
         if self.control == "coulomb":
             friction, stick = cast(float, self.friction), None
             if self.sticking is not None:

@@ -1,19 +1,23 @@
 """Random angular-contact and deep groove bearings, with a check of forces that the solver does not use."""
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
-from quasidynamic import preloaded_place
+from quasidynamic import BairWiner, Eyring, Regression4109, oil_at, preloaded_place
 from quasidynamic.angular_contact import AngularContactBallBearing as Model
+from quasidynamic.contact.lubrication import BallLubrication
 from quasidynamic.outcome.angular_contact_state import AngularContactState
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation, RowPlace
 from quasidynamic.parts.ball import Ball, Groove
+from quasidynamic.parts.ball_cage import BallCage
 from quasidynamic.parts.material import Material
 
 RPM = np.pi / 30
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800.0)
 CERAMIC = Material(youngs_modulus=310e9, poisson_ratio=0.26, density=3200.0)
+FILM = partial(Eyring, limiting_ratio=0.05, eyring_stress=5e6)
 
 
 def unbalanced(state: AngularContactState) -> float:
@@ -56,6 +60,63 @@ def drawn_pair(seed: int) -> tuple[Model, RingOperation]:
     rows = ((-apart / 2, first), (apart / 2, second))
     places = tuple(RowPlace(axial=at, mirrored=mirrored, closer=closer) for at, mirrored in rows)
     return Model(bearing=replace(row, rows=places), control=model.control), operation
+
+
+def identities(state: AngularContactState) -> tuple[float, float, float]:
+    """What is left of three sums, relative: power of the rings less heat by cause, angular momentum, cage.
+
+    The second is torque of the rings less that of the drag: zero without churning.
+    """
+    oil, operation, pitch = state.oil, state.operation, state.bearing.pitch_diameter / 2
+    assert oil is not None
+    inner, outer = oil.ring_torque.sum(1)
+    power = inner * operation.inner_speed + outer * operation.outer_speed
+    turning = np.where(state.orbital_speed != 0, state.orbital_speed, 1.0)
+    left = abs(inner + outer - (oil.drag_heat / turning).sum())
+    torques = np.abs(oil.ring_torque).sum() + pitch * np.abs(oil.pocket_force).sum()
+    cage = abs(oil.land_torque.sum() - pitch * oil.pocket_force.sum())
+    return power / oil.heat.sum() - 1, left / np.abs(oil.ring_torque).sum(), cage / torques
+
+
+def drawn_oiled(seed: int) -> tuple[Model, RingOperation]:
+    """A random bearing of `drawn` in a random oil."""
+    model, operation = drawn(seed)
+    random = np.random.default_rng([seed, 7])
+    laws = [
+        FILM,
+        partial(FILM, film_heating=True),
+        partial(BairWiner, limiting_ratio=0.06),
+        Regression4109,
+    ]
+    lubrication = BallLubrication(
+        oil=oil_at(
+            str(random.choice(["ISO VG 32", "ISO VG 68", "MIL-PRF-23699"])), random.uniform(313.0, 383.0)
+        ),
+        oil_fraction=random.uniform(0.0, 0.1),
+        traction=laws[int(random.integers(4))],
+        churning_gap=1e-3 if random.random() < 0.5 else None,
+        inlet_length=2.0 if random.random() < 0.5 else None,
+    )
+    oiled = Model(bearing=model.bearing, control="oil", lubrication=lubrication)
+    return oiled, operation
+
+
+def drawn_caged(seed: int) -> tuple[Model, RingOperation]:
+    """The same in a cage, on balls or on a land, with a wide range of clearances."""
+    model, operation = drawn_oiled(seed)
+    random, row = np.random.default_rng([seed, 8]), model.bearing
+    guidance = ("balls", "outer", "inner")[int(random.integers(3))]
+    towards = {"balls": 0.0, "outer": 1.0, "inner": -1.0}[guidance]
+    cage = BallCage(
+        guidance=guidance,
+        pocket_clearance=row.ball.diameter * 10 ** random.uniform(-3.0, -1.0),
+        pocket_friction=float(random.choice([0.0, random.uniform(0.0, 0.2)])),
+        land_diameter=row.pitch_diameter + towards * 0.6 * row.ball.diameter,
+        land_width=0.4 * row.ball.diameter,
+        land_clearance=row.pitch_diameter * 10 ** random.uniform(-3.0, -2.0),
+        land_flow="vortices" if random.random() < 0.5 else "laminar",
+    )
+    return replace(model, cage=cage), operation
 
 
 def drawn(seed: int) -> tuple[Model, RingOperation]:

@@ -31,6 +31,7 @@ from flexbearing.quantities.reductions import (
     XYZ,
     displacements,
     finite_range,
+    largest_size,
     tilts,
 )
 from flexbearing.quantities.stiffness import RADIAL_STIFFNESSES
@@ -43,11 +44,16 @@ _APART = "NaN for a ball without lines, as one that does not touch both races"
 _FRICTION = "absent where a contact is as wide as the surface it presses"
 _SLIDING = "absent in full sliding"
 _IN_OIL = "absent but with control oil"
+_CAGED = "absent without bearing.cage"
 LOSSES = {
     "sliding": "sliding in the contacts",
     "rolling": "hydrodynamic rolling friction of the oil film",
     "drag": "drag of the mixture on the orbiting balls",
     "churning": "churning around the spinning balls",
+}
+CAGE_LOSSES = {
+    "pocket": "friction and films of the balls in the pockets",
+    "land": "the guiding land of the cage",
 }
 _UNRATED = "absent at rest, and where ISO 281 has no rating and the case gives none"
 _CELLS = "of the ball that carries most on both races; absent in full sliding"
@@ -144,7 +150,7 @@ QUANTITIES = (
             in_si=True, entries=EXTENT),)),
     Quantity("friction_torque", "", "", "N m", "block", "torque between the rings, all heat over their "
         "speed: by Coulomb friction in dry contacts, cage and oil not counted, by friction.model; with "
-        f"control oil by its tractions, rolling friction, drag and churning; {_FRICTION}",
+        f"control oil by its tractions, rolling friction, drag, churning and the cage; {_FRICTION}",
         source="friction.friction_torque", optional=True,
         summary=(SummaryValue("friction_torque_Nm", label=DRY_TORQUE, digits=".4g"),)),
     Quantity("friction_heat", "Phi", "Z", "W", "block",
@@ -187,6 +193,40 @@ QUANTITIES = (
             source=f"oil.losses.{cause}", optional=True,
             summary=(SummaryValue(f"power_loss_W.{cause}", label=f"power lost by {words}", digits=",.3g"),))
         for cause, words in LOSSES.items()
+    ),
+    # cage
+    Quantity("cage_speed", "omega_c", "", "rad/s", "block",
+        f"speed of the cage, positive to +azimuth; {_CAGED}", source="oil.cage.speed", people=RPM,
+        optional=True,
+        summary=(SummaryValue("cage_speed_rpm", label="cage speed", digits=",.0f"),)),
+    Quantity("cage_slip", "s_c", "", "1", "block",
+        "1 - cage speed / mean orbital speed of guided balls if they did not slip, both against the outer "
+        f"ring; absent where there are none, and {_CAGED}",
+        source="oil.cage.slip", people=PERCENT, optional=True,
+        summary=(SummaryValue("cage_slip_percent", label="cage slip", digits=".2f"),)),
+    Quantity("cage_force", "F_p", "Z", "N", "block",
+        f"force of the cage on the ball, positive to +azimuth; {_CAGED}", source="oil.cage.force",
+        optional=True,
+        summary=(SummaryValue("max_pocket_force_N", largest_size, "largest pocket force", ",.2f"),)),
+    Quantity("pocket_displacement", "z", "Z", "m", "block",
+        f"ball from the centre of its pocket, positive to +azimuth; {_CAGED}",
+        source="oil.cage.displacement", people=UM, optional=True,
+        summary=(SummaryValue("max_pocket_displacement_um", largest_size, "largest pocket displacement",
+            ",.1f"),)),
+    Quantity("pocket_share", "", "Z", "1", "block",
+        f"that displacement over bearing.cage.pocket_clearance; beyond 1 the ball presses the wall; {_CAGED}",
+        source="oil.cage.share", optional=True,
+        summary=(SummaryValue("max_pocket_share", largest_size, "largest part of the pocket clearance",
+            ".3f"),)),
+    Quantity("land_torque", "M_l", "", "N m", "block",
+        f"torque of the guiding land on the cage, positive to +azimuth; {_CAGED}",
+        source="oil.cage.land_torque", optional=True,
+        summary=(SummaryValue("land_torque_Nm", label="torque of the land on the cage", digits=".4g"),)),
+    *(
+        Quantity(f"loss_{cause}", "", "", "W", "block", f"power lost by {words}; {_CAGED}",
+            source=f"oil.cage.losses.{cause}", optional=True,
+            summary=(SummaryValue(f"power_loss_W.{cause}", label=f"power lost by {words}", digits=",.3g"),))
+        for cause, words in CAGE_LOSSES.items()
     ),
     Quantity("mean_ball_slip", "s", "", "1", "block",
         "mean of ball_slip over the balls that both races guide, as they drive a cage; absent where there "

@@ -36,12 +36,14 @@ from flexbearing.runs import (
 from flexbearing.runs.ball_life import BallLives
 from flexbearing.runs.life_of_state import MREV
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
+from quasidynamic.balance.balls.free_ball import OiledBalls
 from quasidynamic.columns import kind_and_numbers
 from quasidynamic.contact.film import lambda_ratio
 from quasidynamic.note import Note, information, outside
 from quasidynamic.outcome.angular_contact_state import RollingContact
 from quasidynamic.outcome.rating_life import BALLS
 from quasidynamic.outcome.worst_point_contact import WorstPointContact
+from quasidynamic.parts.ball_cage import BallCage
 
 if TYPE_CHECKING:
     from fem.solid.probes import Readings
@@ -104,6 +106,21 @@ def bearing(case: FastCase) -> qd.AngularContactBallBearing:
         sticking=_sticking(case),
         interface_compliance=case.friction.interface_compliance or 0.0,
         lubrication=lubrication.ball_lubrication(case),
+        cage=_cage(case),
+    )
+
+
+def _cage(case: FastCase) -> BallCage | None:
+    """The cage of a case, or none."""
+    if (cage := case.bearing.cage) is None:
+        return None
+    land = ("land_diameter", "land_width", "land_clearance")
+    return BallCage(
+        guidance=cage.guidance,
+        pocket_clearance=cage.pocket_clearance,
+        pocket_friction=cage.pocket_friction,
+        land_flow=cage.land_flow,
+        **{name: getattr(cage, name) for name in land if getattr(cage, name) is not None},
     )
 
 
@@ -416,8 +433,27 @@ def _oil(case: FastCase, state: qd.AngularContactState) -> dict[str, Any] | None
             "drag": oil.drag_heat.sum(),
             "churning": oil.churning_heat.sum(),
         },
+        "cage": _in_cage(case, oil, state),
         "mean_ball_slip": oil.slip[state.guided].mean() if state.guided.any() else None,
         "film_ratio": None if rough is None else lambda_ratio(oil.film, rough[:, None]),
+    }
+
+
+def _in_cage(case: FastCase, oil: OiledBalls, state: qd.AngularContactState) -> dict[str, Any] | None:
+    """What the cage does to the balls; None without one."""
+    if (cage := case.bearing.cage) is None:
+        return None
+    outer, speed = case.operation.outer_speed, float(oil.cage_speed[0])
+    rolling = (state.orbital_speed - outer) / (1 - oil.slip)  # of balls that do not slip
+    driving = rolling[state.guided].mean() if state.guided.any() else None
+    return {
+        "speed": speed,
+        "slip": None if not driving else 1 - (speed - outer) / driving,
+        "force": oil.pocket_force,
+        "displacement": oil.pocket_displacement,
+        "share": oil.pocket_displacement / cage.pocket_clearance,
+        "land_torque": oil.land_torque.sum(),
+        "losses": {"pocket": oil.pocket_heat.sum(), "land": oil.land_heat.sum()},
     }
 
 

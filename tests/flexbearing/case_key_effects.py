@@ -22,6 +22,12 @@ PROBED = [
 _OIL = "model.lubrication.oil"
 _STRESS = "law.eyring_stress model.lubrication.traction.eyring_stress"
 IN_OIL = [  # of fast balls and of deep groove bearings
+    ("in a cage", "bearing.cage.guidance", "inner", "model.cage.guidance"),
+    ("in a cage", "bearing.cage.pocket_clearance", "0.16 mm", "model.cage.pocket_clearance"),
+    ("in a cage", "bearing.cage.pocket_friction", 0.0505, "model.cage.pocket_friction"),
+    ("in a cage", "bearing.cage.land_width", "4.04 mm", "model.cage.land_width"),
+    ("in a cage", "bearing.cage.land_clearance", "0.404 mm", "model.cage.land_clearance"),
+    ("in a cage", "bearing.cage.land_flow", "vortices", "model.cage.land_flow"),
     ("in oil", "lubricant.film", "hamrock_dowson_minimum",
      "model.lubrication.film.{leaking,narrowing,starved,inlet.0,inlet.1} "
      "model.lubrication.film.formula.{factor,load,material,source,speed}"),
@@ -761,6 +767,8 @@ EFFECTS += (
         )
     ),
     *((f"{family}, {context}", *row) for family in ("fast", "deep groove") for context, *row in IN_OIL),
+    ("fast, in a cage", "bearing.cage.land_diameter", "126 mm", "model.cage.land_diameter"),
+    ("deep groove, in a cage", "bearing.cage.land_diameter", "66 mm", "model.cage.land_diameter"),
     *(
         (f"{family}, {context}", key, value, "approach.{first,second}")
         for family in ("fast", "deep groove")

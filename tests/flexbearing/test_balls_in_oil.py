@@ -52,6 +52,28 @@ def test_films_and_slip_are_in_the_file(block):
     assert (block["sliding_power"] > 0).all()
 
 
+CAGE = {
+    "bearing.cage": {
+        "guidance": "outer", "pocket_clearance": "0.15 mm", "pocket_friction": 0.05, "land_diameter": "60 mm",
+        "land_width": "4 mm", "land_clearance": "0.4 mm"},
+    "operation.load.radial_z": "300 N",
+}  # fmt: skip
+
+
+def test_sums_over_a_cage_in_the_file(tmp_path):
+    file = tmp_path / "7008.h5"
+    flexbearing.run(CASE, settings(CAGE), output=file)
+    block = flexbearing.read(file).rigid
+    power, pitch = block["ring_torque"][0] * 15000 * np.pi / 30, 54e-3 / 2
+    causes = ("sliding", "rolling", "drag", "churning", "pocket", "land")
+    assert sum(block[f"loss_{cause}"] for cause in causes) == approx(power, rel=1e-9)
+    assert block["land_torque"] == approx(pitch * block["cage_force"].sum(), rel=1e-9)
+    drag = block["loss_drag"] / block["cage_speed"]
+    assert block["ring_torque"].sum() == approx(drag, rel=1e-3)  # balls orbit nearly as fast as the cage
+    assert block["pocket_share"] == approx(block["pocket_displacement"] / 0.15e-3, rel=1e-12)
+    assert 0 < block["cage_slip"] < 0.01
+
+
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
@@ -59,6 +81,8 @@ def test_films_and_slip_are_in_the_file(block):
         ({"operation.control": "outer", "bearing.roughness": None, "lubricant.mixed.boundary_friction": None},
          "left out but with operation.control"),
         ({"friction.model": "fastsim"}, "model"),
+        ({"bearing.cage": {**CAGE["bearing.cage"], "land_diameter": "40 mm"}}, "cage. land_diameter"),
+        ({"bearing.cage": {**CAGE["bearing.cage"], "pocket_clearance": "12 mm"}}, "cage. pocket_clearance"),
         ({"lubricant.oil_fraction": None}, "lubricant. oil_fraction is missing"),
         ({"bearing.roughness": None}, "roughness is missing"),
         ({"lubricant.oil": None, "lubricant.viscosity": "10 mPa s", "lubricant.density": "870 kg/m^3"},

@@ -100,6 +100,9 @@ _LUBRICATED = {
     "by a traction curve": {
         **_IN_OIL, "lubricant.oil": "ISO VG 32", "lubricant.traction": "four-point",
         "lubricant.traction_curve": {"at_rest": 0.01, "peak": 0.05, "peak_slip": 0.02, "far": 0.03}},
+    "in a cage on balls": {
+        **_IN_OIL, "lubricant.oil": "ISO VG 32", "bearing.cage": {
+            "guidance": "balls", "pocket_clearance": "0.15 mm", "pocket_friction": 0.05}},
     "in mixed lubrication": {
         **_IN_OIL, "lubricant.oil": "ISO VG 32", "lubricant.mixed": {"boundary_friction": 0.1},
         "bearing.roughness": {"ball": "0.02 um", "inner_raceway": "0.05 um", "outer_raceway": "0.05 um"}},
@@ -287,6 +290,11 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
     **{f"{name}, {context}": (file, settings)
        for name, file in (("fast", "harris218"), ("deep groove", "6209"))
        for context, settings in _LUBRICATED.items()},
+    **{f"{name}, in a cage": (file, {
+           **_IN_OIL, "lubricant.oil": "ISO VG 32", "bearing.cage": {
+               "guidance": "outer", "pocket_clearance": "0.15 mm", "pocket_friction": 0.05,
+               "land_diameter": land, "land_width": "4 mm", "land_clearance": "0.4 mm"}})
+       for name, file, land in (("fast", "harris218", "125.26 mm"), ("deep groove", "6209", "65 mm"))},
     "fast, ring materials": ("harris218", {
         "materials.inner_ring": {"youngs_modulus": "205 GPa", "poisson_ratio": 0.29},
         "materials.outer_ring": {"youngs_modulus": "206 GPa", "poisson_ratio": 0.28}}),

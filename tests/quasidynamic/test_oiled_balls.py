@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from quasidynamic import BairWiner, Eyring, Regression4109, oil_at
+from quasidynamic import Eyring, Regression4109, oil_at
 from quasidynamic.angular_contact import AngularContactBallBearing
 from quasidynamic.balance.balls.angular_contact import lubricated_races, race_contacts
 from quasidynamic.contact.drag import ball_churning, ball_drag_force
@@ -22,7 +22,7 @@ from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
-from tests.random_balls import drawn, unbalanced
+from tests.random_balls import FILM, drawn_oiled, identities, unbalanced
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
 BEARING = AngularContactBearing(
@@ -35,7 +35,6 @@ BEARING = AngularContactBearing(
 )
 CONTACTS = race_contacts(BEARING)
 OIL = oil_at("ISO VG 32", 343.15)
-FILM = partial(Eyring, limiting_ratio=0.05, eyring_stress=5e6)
 OILED = BallLubrication(oil=OIL, oil_fraction=0.02, traction=FILM, churning_gap=1e-3)
 
 
@@ -192,25 +191,13 @@ def test_oil_must_be_given_with_its_control_alone():
         AngularContactBallBearing(bearing=BEARING, control="outer", lubrication=OILED)
 
 
-def identities(state):
-    """Power of the rings against heat by cause, torque of the rings against drag: what is left, relative."""
-    oil, operation = state.oil, state.operation
-    power = (
-        oil.ring_torque[0].sum() * operation.inner_speed + oil.ring_torque[1].sum() * operation.outer_speed
-    )
-    causes = oil.sliding_heat.sum() + oil.rolling_heat.sum() + oil.drag_heat.sum() + oil.churning_heat.sum()
-    turning = np.where(state.orbital_speed != 0, state.orbital_speed, 1.0)
-    left = oil.ring_torque.sum(0) - oil.drag_heat / turning
-    return power / causes - 1, np.abs(left).max() / np.abs(oil.ring_torque).max()
-
-
 @pytest.mark.parametrize("outer_speed", [0.0, -3000.0])
 def test_power_of_the_rings_is_the_heat_and_their_torque_the_drag(outer_speed):
     still = replace(OILED, churning_gap=None)
-    power, momentum = identities(solved(thrust(300.0, 15000.0, outer_speed), still))
+    power, momentum, _ = identities(solved(thrust(300.0, 15000.0, outer_speed), still))
     assert abs(power) < 1e-9
     assert momentum < 1e-9
-    power, _ = identities(solved(thrust(300.0, 15000.0, outer_speed)))
+    power, *_ = identities(solved(thrust(300.0, 15000.0, outer_speed)))
     assert abs(power) < 1e-9
 
 
@@ -230,29 +217,6 @@ def test_cases_side_by_side_are_those_alone():
         assert together.contact_angles == approx(alone.contact_angles, rel=1e-10)
 
 
-def drawn_oiled(seed):
-    """A random bearing of `drawn` in a random oil."""
-    model, operation = drawn(seed)
-    random = np.random.default_rng([seed, 7])
-    laws = [
-        FILM,
-        partial(FILM, film_heating=True),
-        partial(BairWiner, limiting_ratio=0.06),
-        Regression4109,
-    ]
-    lubrication = BallLubrication(
-        oil=oil_at(
-            str(random.choice(["ISO VG 32", "ISO VG 68", "MIL-PRF-23699"])), random.uniform(313.0, 383.0)
-        ),
-        oil_fraction=random.uniform(0.0, 0.1),
-        traction=laws[int(random.integers(4))],
-        churning_gap=1e-3 if random.random() < 0.5 else None,
-        inlet_length=2.0 if random.random() < 0.5 else None,
-    )
-    oiled = AngularContactBallBearing(bearing=model.bearing, control="oil", lubrication=lubrication)
-    return oiled, operation
-
-
 @pytest.mark.sampled(4)
 @pytest.mark.parametrize("seed", range(20))
 def test_random_bearings_in_oil_are_in_balance(seed):
@@ -262,7 +226,7 @@ def test_random_bearings_in_oil_are_in_balance(seed):
     except NotSolved as failure:
         pytest.skip(str(failure))
     assert unbalanced(state) < 2e-9
-    power, momentum = identities(state)
+    power, momentum, _ = identities(state)
     assert abs(power) < 1e-9
     if model.lubrication.churning_gap is None:
         assert momentum < 1e-9

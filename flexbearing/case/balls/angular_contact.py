@@ -5,6 +5,7 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
+from flexbearing.case.balls.cage import BallCage
 from flexbearing.case.balls.elastic_rings import BallInner, BallOuter, GrooveAccuracy, require_shoulder
 from flexbearing.case.balls.fits import FITTED
 from flexbearing.case.balls.mounting import (
@@ -122,6 +123,9 @@ class FastBearing(MountedBearing):
     roughness: BallRoughness | None = key(
         "roughness of balls and raceways, for film ratios", None, only=OILED
     )
+    cage: BallCage | None = key(
+        "the cage; without it nothing carries balls on that the races hardly press", None, only=OILED
+    )
 
     @property
     def groove_angle(self) -> float:
@@ -149,6 +153,8 @@ class FastBearing(MountedBearing):
     @model_validator(mode="after")
     def _balls_fit(self) -> Self:
         self.require_room(self.balls)
+        if self.cage is not None:
+            self.cage.require_room(self.pitch_diameter, self.ball.diameter, self.balls)
         return self
 
     @model_validator(mode="after")
@@ -437,6 +443,8 @@ class FastCase(MountedCase):
             raise impossible(f"{name}.kind", '"rigid" beside bearing.pair')
         if self.operation.preload:
             raise impossible("operation.preload", "left out beside bearing.pair, which has a preload")
+        if self.bearing.cage is not None:
+            raise impossible("bearing.cage", "left out beside bearing.pair: only one row has a cage here")
         return self
 
     @model_validator(mode="after")

@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.balance.balls.caged_ball import Cages, PocketForces, Pockets
 from quasidynamic.balance.balls.oiled_ball import OiledContacts, OiledFriction, mean_by_motion
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.general_sliding import (
@@ -29,6 +30,7 @@ from quasidynamic.motion.ball_slip import (
 )
 
 _RIDGE = 1e-12  # of `above`: keeps slopes of saturated friction regular
+POCKET_NOISE = 1e-7  # of the stiffness of pockets: the same, which keeps above rounding what is left
 OILED = 2e-3  # of the load: friction that moments of lubricated contacts are measured with
 
 
@@ -54,16 +56,36 @@ class OiledBalls(NamedTuple):
     slip: NDArray  # [-] of the orbit against rolling with the same axis, both against the outer ring
     spin_to_roll: NDArray  # (2) [-]
     sliding_power: NDArray  # (2) [W/m2] pressure times slip, mean over the contact
+    pocket_force: NDArray  # [N] of the cage on the ball, signed like speeds
+    pocket_displacement: NDArray  # [m] of the ball from the centre of its pocket, signed alike
+    pocket_heat: NDArray  # [W]
+    cage_speed: NDArray  # [rad/s]
+    land_torque: NDArray  # [N m] of the land on the cage, part of one ball
+    land_heat: NDArray  # [W] part of one ball
 
     def of_case(self, case: int) -> "OiledBalls":
         """Return that of one of the cases."""
         return OiledBalls(*(array[..., case, :] for array in self))
 
+    def on_land(self, cages: Cages, sense: NDArray) -> "OiledBalls":
+        """Return that of balls (N) whose cages a land may guide; `sense` (N) is that of the rings."""
+        of_ball, torque = cages.of_ball, self.ring_torque
+        speed = (sense * self.cage_speed)[np.unique(of_ball, return_index=True)[1]] / cages.speed
+        land = cages.land(speed)
+        each = 1 / np.bincount(of_ball)[of_ball]
+        share = sense * each * land.torque[of_ball]
+        if cages.cage.guidance != "balls":
+            torque = torque.copy()
+            torque[:, 0 if cages.cage.guidance == "inner" else 1] += share
+        return self._replace(
+            ring_torque=torque, land_torque=share, land_heat=each * (cages.speed * land.heat)[of_ball]
+        )
+
     @property
     def heat(self) -> NDArray:
         """Heat by all causes [W]."""
         contacts = self.sliding_heat + self.rolling_heat
-        return contacts.sum(0) + self.drag_heat + self.churning_heat
+        return contacts.sum(0) + self.drag_heat + self.churning_heat + self.pocket_heat + self.land_heat
 
 
 class FreeBallBalance(NamedTuple):
@@ -161,9 +183,9 @@ class FreeBalls:
         mean = _of_rings(self.oil.mean_by_motion, motion)
         return self.oil.friction(slip, mean, (self.contacts, self.ellipse), points)
 
-    def powers(self, motion: NDArray) -> ContactPowers:
+    def powers(self, motion: NDArray, points: EllipsePoints = FINE) -> ContactPowers:
         """Power of both contacts at a motion (N, 4)."""
-        friction = self._friction(_of_rings(self.by_motion, motion), motion, FINE)
+        friction = self._friction(_of_rings(self.by_motion, motion), motion, points)
         sliding = sliding_of(friction)
         by_motion = np.einsum("ngij,ngi->ngj", self.by_motion, sliding.by_slip)
         across = -sliding.by_slip[..., ACROSS]
@@ -179,7 +201,8 @@ class FreeBalls:
         assert oil is not None  # of lubricated balls
         assert powers.friction is not None
         slip, friction, speed = _of_rings(self.by_motion, motion), powers.friction, oil.speed[:, None]
-        mixture = oil.mixture(motion, self.contacts, self.outer_speed)
+        mixture, pocket = oil.mixture(motion, self.contacts, self.outer_speed), self.pocket(motion)
+        none = np.zeros(len(motion))
         alone = sliding_ellipse(slip, self.ellipse).power  # of a coefficient of one
         area = np.pi * self.ellipse.across * self.ellipse.along
         rolled = 2 * friction.rolling.force * friction.sense**2 * friction.entrainment
@@ -194,7 +217,25 @@ class FreeBalls:
             slip=1.0 - motion[:, ORBIT] / _rolling_orbit(self.by_motion[:, :, CENTRE], motion),
             spin_to_roll=slip[..., SPIN] / slip[..., ROLL],
             sliding_power=speed * alone / area,
+            pocket_force=none if pocket is None else -sense * pocket.force,
+            pocket_displacement=none if pocket is None else sense * pocket.displacement,
+            pocket_heat=none if pocket is None else oil.speed * pocket.heat,
+            cage_speed=none if oil.pockets is None else sense * oil.speed * oil.pockets.speed,
+            land_torque=none,
+            land_heat=none,
         )
+
+    def in_cage(self, speed: NDArray) -> "FreeBalls":
+        """Return the same balls in cages of this speed (N) [-]."""
+        oil = self.oil
+        assert oil is not None  # of lubricated balls
+        assert oil.pockets is not None
+        return replace(self, oil=replace(oil, pockets=oil.pockets.at_speed(speed)))
+
+    def pocket(self, motion: NDArray) -> PocketForces | None:
+        """Forces of pockets at motions (N, 4); None without a cage."""
+        pockets = self.oil and self.oil.pockets
+        return None if pockets is None else pockets.forces(motion)
 
     def balance(
         self, unknowns: NDArray, friction: GeneralSliding | OiledFriction, part: float = 1.0
@@ -211,6 +252,9 @@ class FreeBalls:
             by_motions = by_motions - mixture.slopes
             rolling, most = self.oil.rolling_slopes(friction, self._mean_by_unknown)
             slopes, above = slopes + rolling, above + most
+            if (pocket := self.pocket(motion)) is not None:
+                by_motion, by_motions = by_motion - pocket.left, by_motions - pocket.slopes
+                above = above + pocket.slopes[:, [ORBIT], ORBIT] * self.unknowns[:, ORBIT] ** 2
         return FreeBallBalance(
             left=np.einsum("ngij,ngi->nj", self.by_unknown, sliding.by_slip)
             - (back @ by_motion[..., None])[..., 0],
@@ -260,11 +304,12 @@ def free_balls(
     gyration: NDArray,
     outer_speed: NDArray,
     oil: tuple[LubricatedRaces, NDArray, NDArray] | None = None,
+    pockets: Pockets | None = None,
 ) -> FreeBalls:
     """Balls at these contacts, see the fields of `FreeBalls`.
 
     Oil is what both races are lubricated with, the speed (N) [rad/s] of the rings against each other, and the
-    part of the driving loads that is there (N) [-].
+    part of the driving loads that is there (N) [-]. Only balls in oil have pockets.
     """
     by_motion = turning_slip_by_motion(contacts)[:, 0]
     rolling = np.pad(rolling_motion(contacts, 0), [(0, 0), (0, 1)])
@@ -283,7 +328,11 @@ def free_balls(
     )
     if oil is None:
         return balls
-    oiled = OiledContacts(*oil, mean_by_motion(by_motion[..., CENTRE, :]))
+    oiled = OiledContacts(*oil, mean_by_motion(by_motion[..., CENTRE, :]), pockets)
+    if pockets is not None:  # which hold a ball that one race hardly presses
+        scale[:, :2] = scale[:, :2].max(1, keepdims=True)
+        rounding = POCKET_NOISE * pockets.film_stiffness / OILED
+        scale += rounding[:, None] * np.abs(unknowns[:, ORBIT])
     return replace(balls, scale=OILED * scale, oil=oiled)
 
 

@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.balance.balls.caged_ball import Pockets
 from quasidynamic.contact.drag import ball_churning, ball_drag_force
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.general_sliding import EllipsePoints, GeneralSliding
@@ -15,6 +16,7 @@ from quasidynamic.contact.lubricated_ellipse import LubricatedRaces
 from quasidynamic.contact.traction import RollingShear
 from quasidynamic.motion.ball_slip import AXIAL, ORBIT, BallContacts
 
+INLET_SHARE, INLET_SHARPNESS = 0.01, 10  # of the load: most shear of an inlet in a cage, assumed; of its bend
 STANDSTILL = 1e-5  # of the pitch radius: mean surface speed over that of the rings below which it is rounded
 
 
@@ -48,8 +50,9 @@ class OiledContacts:
     Traction works on the slip, the difference of both surface speeds; the shear F of the inlet on their sum:
     on the ball it acts at the contact, and the pressure of the inlet, 2 F (R_c + n_r h_0)/R_c, at its centre.
 
-    Of a lightly pressed ball the races overcome the part `hold` of inlets, drag and churning alone: a cage
-    would carry it against the rest.
+    Of a lightly pressed ball without a cage the races overcome the part `hold` of inlets, drag and churning
+    alone, instead of a cage that would carry it against the rest. In a cage the shear of an inlet stays below
+    `INLET_SHARE` of the load, which the law exceeds at loads far below those that it holds for.
 
     Source
     ------
@@ -59,13 +62,16 @@ class OiledContacts:
 
     races: LubricatedRaces
     speed: NDArray  # (N) [rad/s] of the rings against each other, > 0
-    hold: NDArray  # (N) [-] part of the loads that drive which is there, see `driving_load`
+    hold: NDArray  # (N) [-] part of the loads that drive which is there, see `driving_load`; one in a cage
     mean_by_motion: NDArray  # (N, 2, 4) [m] mean surface speed by the motion, of rings seen from the orbit
+    pockets: Pockets | None = None  # that push the balls along; None: no cage
 
     def taken(self, keep: NDArray) -> "OiledContacts":
         """Return that of some of the balls."""
-        mean = self.mean_by_motion[keep]
-        return replace(self, speed=self.speed[keep], hold=self.hold[keep], mean_by_motion=mean)
+        mean, pockets = self.mean_by_motion[keep], self.pockets and self.pockets.taken(keep)
+        return replace(
+            self, speed=self.speed[keep], hold=self.hold[keep], mean_by_motion=mean, pockets=pockets
+        )
 
     def friction(
         self, slip: NDArray, mean: NDArray, bodies: tuple[BallContacts, Ellipse], points: EllipsePoints
@@ -76,7 +82,10 @@ class OiledContacts:
         speed = self.speed[:, None] * entrainment
         sliding, film = self.races.traction(slip, ellipse, self.speed, speed, points)
         rolling = self.races.rolling(ellipse.traction, ellipse.width, speed)
-        rolling = RollingShear(*(self.hold[:, None] * each for each in rolling))
+        if self.pockets is None:
+            rolling = RollingShear(*(self.hold[:, None] * each for each in rolling))
+        else:
+            rolling = _limited(rolling, ellipse.traction)
         return OiledFriction(sliding, film, rolling, entrainment, mean / entrainment)
 
     def rolling_by_motion(self, friction: OiledFriction) -> NDArray:
@@ -130,6 +139,13 @@ class OiledContacts:
             left += (churning[:, None] * along) @ in_space
             slopes += in_space.T @ matrix @ in_space
         return MixtureForces(left, slopes, np.abs(drag), churning, orbit, size)
+
+
+def _limited(rolling: RollingShear, load: NDArray) -> RollingShear:
+    """Shear of inlets that stays below a share of the load [N]; without a slope by the load."""
+    bend = 1 + (rolling.force / (INLET_SHARE * load)) ** INLET_SHARPNESS
+    part = bend ** (-1 / INLET_SHARPNESS)
+    return RollingShear(part * rolling.force, np.zeros_like(load), part / bend * rolling.by_entrainment)
 
 
 def mean_by_motion(centre: NDArray) -> NDArray:

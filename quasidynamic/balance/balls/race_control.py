@@ -53,6 +53,11 @@ class RaceControl(Protocol):
         """Time of an evaluation over that of closed forms, roughly."""
         ...
 
+    @property
+    def rolling_alone(self) -> bool:
+        """Whether a ball on the outer race alone lies where its rolling has a closed form, or nearly."""
+        ...
+
     def kinematics(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> BallKinematics:
         """Motion of balls and what it asks of the races."""
         ...
@@ -94,6 +99,11 @@ class PrescribedControl:
     def cost(self) -> int:
         """One: closed forms."""
         return 1
+
+    @property
+    def rolling_alone(self) -> bool:
+        """True: it rolls."""
+        return True
 
     def kinematics(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> BallKinematics:
         """Motion of balls and what it asks of the races, see `RaceControl`."""

@@ -1,4 +1,4 @@
-"""Forces between the cage and what touches it: roller pockets, the guiding land, the oil between them.
+"""Forces between the cage and what touches it: pockets, the guiding land, the oil between them.
 
 Where the cage goes under these forces is a balance.
 """
@@ -11,9 +11,14 @@ from quasidynamic.contact.cage.land import (
     land_offset,
     land_torque,
 )
-from quasidynamic.contact.cage.pocket import displacement_in_pocket, roller_on_pocket_force
+from quasidynamic.contact.cage.pocket import (
+    ball_on_pocket_force,
+    displacement_in_pocket,
+    roller_on_pocket_force,
+)
 
 __all__ = [
+    "ball_on_pocket_force",
     "couette_factor",
     "displacement_in_pocket",
     "land_drag",

@@ -9,9 +9,11 @@ from quasidynamic.note import Note, outside
 from quasidynamic.parts.oil_properties import Lubricant
 
 if TYPE_CHECKING:  # balls load no rollers
+    from quasidynamic.parts.ball_cage import BallCage
     from quasidynamic.parts.roller_bearing import Cage
 
 ECCENTRICITY_LIMIT = 0.995  # beyond it the film functions go on along their tangent, see `land_notes`
+LANDS = ("outer", "inner")  # rings whose land may guide a cage
 OFFSET_ITERATIONS = 60  # Newton's method on a convex function from above: a light land takes about twenty
 OFFSET_TOLERANCE = 1e-14  # of the clearance
 SMALLEST_OFFSET = 1e-9  # of the clearance: a centred cage has no direction
@@ -42,14 +44,14 @@ class LandForce(NamedTuple):
     by_speed: NDArray  # (..., 2) [N s]
 
 
-def land_drag(cage: "Cage", oil: Lubricant) -> float:
+def land_drag(cage: "Cage | BallCage", oil: Lubricant) -> float:
     r"""Torque of the guiding land per speed difference, concentric and laminar.
 
     .. math:: M/\Delta\omega = 2 \pi \eta_0 R^3 L / c
 
     Parameters
     ----------
-    cage : Cage
+    cage : Cage or BallCage
         land radius R, total width L, radial clearance c
     oil : Lubricant
         eta0
@@ -57,7 +59,7 @@ def land_drag(cage: "Cage", oil: Lubricant) -> float:
     Returns
     -------
     float
-        [N m s]; zero when the rollers guide the cage
+        [N m s]; zero when rollers or balls guide the cage
 
     Source
     ------
@@ -67,14 +69,17 @@ def land_drag(cage: "Cage", oil: Lubricant) -> float:
     -----
     Full oil film, no Taylor vortices, concentric cage.
     """
-    if cage.guidance == "rollers":
+    if cage.guidance not in LANDS:
         return 0.0
     radius = cage.land_diameter / 2
     return 2 * np.pi * oil.viscosity * radius**3 * cage.land_width / (cage.land_clearance / 2)
 
 
 def land_torque(
-    speed_difference: NDArray | float, cage: "Cage", oil: Lubricant, eccentricity: NDArray | float = 0.0
+    speed_difference: NDArray | float,
+    cage: "Cage | BallCage",
+    oil: Lubricant,
+    eccentricity: NDArray | float = 0.0,
 ) -> LandTorque:
     r"""Torque of the guiding land, laminar, with vortices or turbulent.
 
@@ -84,7 +89,7 @@ def land_torque(
     ----------
     speed_difference : array (...)
         guiding ring minus cage [rad/s]
-    cage : Cage
+    cage : Cage or BallCage
         land radius R, total width L, radial clearance c
     oil : Lubricant
         eta0, density
@@ -94,7 +99,7 @@ def land_torque(
     Returns
     -------
     LandTorque
-        odd in the speed difference, with continuous derivatives; zero when the rollers guide the cage
+        odd in the speed difference, with continuous derivatives; zero when rollers or balls guide the cage
 
     Source
     ------
@@ -105,7 +110,7 @@ def land_torque(
     -----
     Land full of oil; e up to `ECCENTRICITY_LIMIT`. The factor is that of a concentric gap.
     """
-    if cage.guidance == "rollers":
+    if cage.guidance not in LANDS:
         nothing = np.zeros(np.broadcast_shapes(np.shape(speed_difference), np.shape(eccentricity)))
         return LandTorque(nothing, nothing, nothing)
     resistance: Any = land_drag(cage, oil)

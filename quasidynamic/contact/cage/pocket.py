@@ -1,4 +1,4 @@
-"""Force between a roller and the pocket of the cage."""
+"""Force between a roller or a ball and its pocket in the cage."""
 
 from typing import NamedTuple
 
@@ -11,10 +11,12 @@ from quasidynamic.errors import NotSolved
 ITERATION_LIMIT = 60  # about ten are needed
 TOLERANCE = 1e-12  # of the clearance
 FILM_LOAD = 11 / 3  # [N] carried by the film when the roller has crossed the whole clearance
+BALL_FILM_LOAD = 11.0  # [N] the same of a ball
+BALL_EXPONENT = 1.5  # of the approach of ball and wall
 
 
 class PocketForce(NamedTuple):
-    """Force of a roller on its pocket; the opposite acts on the roller."""
+    """Force of a roller or ball on its pocket; the opposite acts on what is in it."""
 
     force: NDArray  # [N] signed like the displacement
     by_displacement: NDArray  # [N/m] > 0
@@ -47,12 +49,51 @@ def roller_on_pocket_force(displacement: NDArray, clearance: float, stop: NDArra
     -----
     The film carries 11 N / 3 at the wall with any oil, speed and size: a number to calibrate.
     """
+    return _pocket_force(displacement, clearance, stop, (FILM_LOAD, EXPONENT))
+
+
+def ball_on_pocket_force(displacement: NDArray, clearance: float, stop: NDArray | float) -> PocketForce:
+    r"""Force of a ball on its round pocket: a linear film, then also the elastic wall.
+
+    .. math:: F = \frac{11}{C_p} z + \operatorname{sign}(z)\, K \max(|z| - C_p,\, 0)^{3/2}
+
+    Parameters
+    ----------
+    displacement : array (...)
+        z, ball centre from the pocket centre along the orbit [m]
+    clearance : float
+        C_p, distance to the wall from the centre, half the difference of the diameters [m], > 0
+    stop : array (...)
+        K of the wall [N/m^1.5], > 0
+
+    Returns
+    -------
+    PocketForce
+        odd; the stiffness is continuous
+
+    Source
+    ------
+    Linear film and Hertz wall of quasi-dynamic ball bearing programs, in which the film stays at 11 N beyond
+    the clearance; here it goes on, so that the stiffness has no leap.
+
+    Valid
+    -----
+    The film carries 11 N at the wall with any oil, speed and size: a number to calibrate.
+    """
+    return _pocket_force(displacement, clearance, stop, (BALL_FILM_LOAD, BALL_EXPONENT))
+
+
+def _pocket_force(
+    displacement: NDArray, clearance: float, stop: NDArray | float, law: tuple[float, float]
+) -> PocketForce:
+    """Force by the load of the film at the wall [N] and the exponent of the wall."""
+    film_load, exponent = law
     depth = np.maximum(np.abs(displacement) - clearance, 0.0)
-    power = stop * depth ** (EXPONENT - 1)
-    film = FILM_LOAD / clearance
+    power = stop * depth ** (exponent - 1)
+    film = film_load / clearance
     return PocketForce(
         force=film * displacement + np.sign(displacement) * power * depth,
-        by_displacement=film + EXPONENT * power,
+        by_displacement=film + exponent * power,
     )
 
 

@@ -14,6 +14,7 @@ LIMIT = 40  # evaluations of the balls at one place of the ring, rarely more tha
 STABLE = 0.1  # of the stiffness of a ball hanging in the outer groove: least one in a step
 FLOATING = 1e-15  # of its stiffness, given to every ball
 LEAST_STIFFNESS = 1e-9  # [N/m] the same where nothing touches: a long step, not an infinite one
+NEAR_BOTTOM = 0.02  # of the reach: from the bottom of the groove, within which a free ball stays where it was
 LONGEST = 0.3  # of the smaller reach: step of a ball
 SHORTEST = 2.0**-12  # part of a Newton step
 
@@ -144,6 +145,9 @@ def _start(balance: AngularBalance, grooves: Vectors, centres: Vectors) -> NDArr
     if not balance.pulled.all():
         centres = np.where(balance.pulled, centres, balance.places.resting(grooves))
     free = balance.places.free(grooves)
+    if not balance.control.rolling_alone:
+        far = NEAR_BOTTOM * balance.bearing.outer_reach
+        free &= np.abs(centres - balance.places.bottom) > far
     return np.where(free, balance.places.bottom, centres) if free.any() else centres
 
 

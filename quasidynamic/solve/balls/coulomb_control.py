@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.balance.balls.caged_ball import CREEP, Cages, Pockets
 from quasidynamic.balance.balls.free_ball import FreeBalls, OiledBalls, free_balls
 from quasidynamic.balance.balls.light_ball import RELEASE
 from quasidynamic.balance.balls.race_control import (
@@ -18,7 +19,7 @@ from quasidynamic.balance.balls.race_control import (
 from quasidynamic.balance.balls.rolling_ball import RollingBall, rolling_balls
 from quasidynamic.balance.balls.sliding_balls import driving_load
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
-from quasidynamic.contact.ellipse.point_contact import PointContact
+from quasidynamic.contact.ellipse.point_contact import Curvatures, PointContact, point_contact
 from quasidynamic.contact.ellipse.rigid_slip import Spin
 from quasidynamic.contact.half_space import ElasticPair
 from quasidynamic.contact.lubricated_ellipse import LubricatedRaces
@@ -33,12 +34,18 @@ from quasidynamic.motion.ball_slip import (
     pressed_height,
     pressed_radius,
 )
+from quasidynamic.motion.roller_speeds import rolling_cage_speed
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing
+from quasidynamic.parts.ball_cage import BallCage
+from quasidynamic.parts.material import contact_modulus
+from quasidynamic.solve.balls.caged_search import caged_ball_motion
 from quasidynamic.solve.balls.free_ball_search import FreeBallMotion, free_ball_motion
 from quasidynamic.solve.balls.sticking_ball_motion import sticking_ball_motion
 
 RELEASED = (RELEASE, RELEASE / 8)  # of F_c: least driving load of the inner, of the outer race
 UNEVEN = 0.05  # of the load on the other race: the same, away from balance
+CAGED = 1e-3  # of both: the same in the pocket of a cage, for numbers alone
+LEAST_DRIVE = 1e-6  # of the largest load in the cage: the same
 STICKING_NOISE = 1e-8  # the same where contacts stick and slip
 BLOCK = 64  # balls whose cells are in memory together
 NOISE = 1e-9  # of the largest force: what is left of the balance of balls that friction moves
@@ -70,12 +77,13 @@ class CoulombControl:
     .. math:: T = -\int \mu p\, \frac{v_1}{|v|}\, dA
 
     All three components of the spin and the orbit follow from the balance of `FreeBalls`, for each ball alone
-    and for its contacts as they are: no film, no cage, no drag. Where friction cannot hold the gyroscopic
+    and for its contacts as they are. Where friction cannot hold the gyroscopic
     moment the ball turns about the rolling direction, and the tractions stay below mu Q.
 
     A ball that the inner race presses lightly would slow down to where friction can drive it; in a bearing a
-    cage carries it on. So no race drives with less than a share of F_c, see `driving_load`, the tractions
-    being those of the true load, and the inner contact angle fades to the outer one with the inner load.
+    cage carries it on. Without a cage no race drives with less than a share of F_c, see `driving_load`, the
+    tractions being those of the true load, and the inner contact angle fades to the outer one with the inner
+    load. With one the share is `CAGED`, see `caged_ball_motion`.
 
     With `stick` the contacts stick and slip as by FASTSIM, see `sticking_ball_motion`: a contact that spins
     pushes across, and the contact angles of both races part.
@@ -92,6 +100,7 @@ class CoulombControl:
     spin: Spin = "centre"  # that makes slip across
     stick: StickingContacts | None = None  # None: full sliding
     oil: LubricatedRaces | None = None  # whose tractions take the place of the coefficient; None: dry
+    cage: BallCage | None = None  # of balls in oil
 
     @property
     def simpler(self) -> RaceControl:
@@ -112,6 +121,11 @@ class CoulombControl:
         if self.stick is not None:
             return 100
         return 20 if self.oil is None else 60
+
+    @property
+    def rolling_alone(self) -> bool:
+        """Without a cage, which makes it orbit at its own speed."""
+        return self.cage is None
 
     def kinematics(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> BallKinematics:
         """Motion of balls and what it asks of the races, see `RaceControl`."""
@@ -148,7 +162,7 @@ class CoulombControl:
         return heat.reshape(contacts.angles.shape[1:])
 
     def _in_a_row(
-        self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray
+        self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray, *, slopes: bool = True
     ) -> tuple[DrivenContacts, FreeBallMotion, NDArray, NDArray]:
         """Balls (N) of all cases, speed of the inner against the outer ring, speed of the outer one."""
         shape = contacts.angles.shape[1:]
@@ -157,16 +171,21 @@ class CoulombControl:
             (array + np.zeros(shape)).ravel() for array in (speeds[0] - speeds[1], speeds[1], centrifugal)
         )
         driven = self.driven(flat, free)
-        return driven, self.motion(driven, ahead, outer), ahead, outer
+        return driven, self.motion(driven, ahead, outer, slopes=slopes), ahead, outer
 
     def driven(self, contacts: LoadedContacts, centrifugal: NDArray) -> DrivenContacts:
         """Contacts as friction sees them; `contacts` (2, N), F_c (N) [N]."""
         (inner, outer), loads, stiffness = contacts
         apart, other = inner - outer, loads[::-1]
-        driving = driving_load(loads, np.reshape(RELEASED, (2, 1)) * centrifugal + UNEVEN * other)
+        released, uneven, least = RELEASED, UNEVEN, 0.0
+        if self.cage is not None:
+            released, uneven = (CAGED, CAGED), CAGED
+            of_rows = loads.reshape(2, -1, self.bearing.balls).max((0, 2))
+            least = LEAST_DRIVE * np.repeat(of_rows, self.bearing.balls)
+        driving = driving_load(loads, np.reshape(released, (2, 1)) * centrifugal + uneven * other + least)
         safe = np.where(driving.value > 0, driving.value, 1.0)
         by_own = stiffness * driving.by_load / safe
-        by_other = stiffness[::-1] * UNEVEN * driving.by_width / safe
+        by_other = stiffness[::-1] * uneven * driving.by_width / safe
         hold_slopes = np.array([stiffness / safe - driving.hold * by_own, -driving.hold * by_other])
         chain = np.zeros((len(inner), 4, 4))
         chain[:, 0, 0], chain[:, 2, 2] = by_own
@@ -177,14 +196,16 @@ class CoulombControl:
         seen = np.array([outer + driving.hold[0] * apart, outer])
         return DrivenContacts(seen, driving.value, driving.hold, hold_slopes, chain)
 
-    def motion(self, driven: DrivenContacts, ahead: NDArray, outer_speed: NDArray) -> FreeBallMotion:
+    def motion(
+        self, driven: DrivenContacts, ahead: NDArray, outer_speed: NDArray, *, slopes: bool = True
+    ) -> FreeBallMotion:
         """Balance of balls (N) between rings of these speeds (N) [rad/s]; not a number where none is found.
 
-        Balls that nothing drives roll at no slope.
+        Balls that nothing drives roll at no slope. Slopes of balls in oil take more time than all else.
         """
         moving = _moving(driven, ahead)
         motion = FreeBallMotion(
-            *(np.zeros((len(ahead), *size)) for size in ((4,), (4, 4), (2,), (2, 4), (2,)))
+            *(np.zeros((len(ahead), *size)) for size in ((4,), (4, 4), (2,), (2, 4), (2,), ()))
         )
         motion.motion[:, ORBIT] = -(1 - self.bearing.diameter_ratio) / 2
         if moving.any():
@@ -192,7 +213,8 @@ class CoulombControl:
             if self.oil is None:
                 found = self._sticking(balls, loads, free_ball_motion(balls))
             else:
-                found = self._in_oil(self.oil, balls, loads)
+                cages = self._cages(ahead, outer_speed, moving)
+                found = self._in_oil(self.oil, (balls, cages), loads, slopes=slopes)
             for array, part in zip(motion, found, strict=True):
                 array[moving] = part
         return motion
@@ -202,33 +224,81 @@ class CoulombControl:
     ) -> FreeBalls:
         """Balls that move, of all."""
         loads = driven.loads[:, moving]
-        axes = self._axes(loads)
+        axes, hold = self._axes(loads), driven.hold[:, moving].prod(0)
+        if self.cage is not None:
+            hold = np.ones_like(hold)
         return free_balls(
             self._places(driven.angles[:, moving].T, axes[:, 0].T),
             self._ellipses(axes, loads),
             self.bearing.ball.inertia * ahead[moving] ** 2,
             outer_speed[moving] / ahead[moving],
-            self.oil and (self.oil, np.abs(ahead[moving]), driven.hold[:, moving].prod(0)),
+            self.oil and (self.oil, np.abs(ahead[moving]), hold),
+            self._pockets(outer_speed[moving] / ahead[moving]),
         )
+
+    def _pockets(self, outer_speed: NDArray) -> Pockets | None:
+        """Pockets of a cage at rest around balls (N) between rings of this speed of the outer one (N) [-]."""
+        bearing, cage = self.bearing, self.cage
+        if cage is None:
+            return None
+        ball, radius, pitch = bearing.ball, bearing.ball.diameter / 2, bearing.pitch_diameter / 2
+        ratio = bearing.diameter_ratio * np.cos(bearing.contact_angle)
+        rolling = np.abs(rolling_cage_speed(1.0 + outer_speed, outer_speed, ratio))
+        wall = Curvatures(np.array(1 / radius - 1 / (radius + cage.pocket_clearance)), np.array(1 / radius))
+        return Pockets(
+            cage=cage,
+            stop=float(point_contact(wall, contact_modulus(ball.material, ball.material)).coefficient),
+            ball_radius=radius,
+            pitch_radius=pitch,
+            advance=2 * np.pi * pitch / bearing.balls / np.maximum(rolling, CREEP),
+            outer_speed=outer_speed,
+            speed=np.zeros_like(outer_speed),
+        )
+
+    def _cages(self, ahead: NDArray, outer_speed: NDArray, moving: NDArray) -> Cages | None:
+        """Cages of the balls (N) that move, of all, which are whole rows one after the other; or None."""
+        if self.oil is None or self.cage is None:
+            return None
+        rows = np.flatnonzero(moving) // self.bearing.balls
+        _, first, of_ball = np.unique(rows, return_index=True, return_inverse=True)
+        ahead, outer_speed = ahead[moving][first], outer_speed[moving][first]
+        turning = (1.0 if self.cage.guidance == "inner" else 0.0) + outer_speed / ahead
+        return Cages(self.cage, self.oil.lubrication.oil, of_ball, turning, np.abs(ahead))
 
     def oiled(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> OiledBalls:
         """What the oil does to balls (C, Z); for what is given see `RaceControl`. Zero of balls at rest."""
-        driven, motion, ahead, outer = self._in_a_row(contacts, speeds, centrifugal)
+        driven, motion, ahead, outer = self._in_a_row(contacts, speeds, centrifugal, slopes=False)
         moving = _moving(driven, ahead)
         shape, arrays = contacts.angles.shape[1:], []
-        found = self._free(driven, ahead, outer, moving).oiled(motion.motion[moving], np.sign(ahead[moving]))
+        balls, sense = self._free(driven, ahead, outer, moving), np.sign(ahead[moving])
+        if (cages := self._cages(ahead, outer, moving)) is not None:
+            balls = balls.in_cage(motion.cage[moving])
+        found = balls.oiled(motion.motion[moving], sense)
+        if cages is not None:
+            found = found.on_land(cages, sense)
         for part in found:
             array = np.zeros((*part.shape[1:], len(ahead)))
             array[..., moving] = np.moveaxis(part, 0, -1)
             arrays.append(array.reshape(*part.shape[1:], *shape))
         return OiledBalls(*arrays)
 
-    def _in_oil(self, oil: LubricatedRaces, balls: FreeBalls, loads: NDArray) -> FreeBallMotion:
-        """Motion of balls (N) of loads (2, N) in oil."""
-        numbers, found = np.arange(loads.shape[1]), []
-        for block in np.split(numbers, range(BLOCK, len(numbers), BLOCK)):
+    def _in_oil(
+        self,
+        oil: LubricatedRaces,
+        of_all: tuple[FreeBalls, Cages | None],
+        loads: NDArray,
+        *,
+        slopes: bool,
+    ) -> FreeBallMotion:
+        """Motion of balls (N) of loads (2, N) in oil, all of a cage together."""
+        (balls, cages), found = of_all, []
+        for block in _blocks(loads.shape[1], cages):
             some = balls.taken(block)
-            found.append(free_ball_motion(some, partial(self._nearby, oil, some, loads[:, block])))
+            nearby = partial(self._nearby, oil, some, loads[:, block]) if slopes else None
+            if cages is None:
+                found.append(free_ball_motion(some, nearby))
+            else:
+                found.append(caged_ball_motion(some, cages.taken(block), nearby))
         return FreeBallMotion(*(np.concatenate(arrays) for arrays in zip(*found, strict=True)))
 
     def _nearby(
@@ -306,6 +376,19 @@ class CoulombControl:
         bearing, diameter = self.bearing, self.bearing.ball.diameter
         grooves = diameter * np.array([bearing.inner.conformity, bearing.outer.conformity])
         return pressed_radius(np.array(diameter / 2), grooves)
+
+
+def _blocks(count: int, cages: Cages | None) -> list[NDArray]:
+    """Numbers of balls (N) that are in memory together, those of a cage in one block."""
+    numbers = np.arange(count)
+    if cages is None:
+        return np.split(numbers, range(BLOCK, count, BLOCK))
+    first = np.searchsorted(cages.of_ball, np.arange(len(cages.speed)))
+    starts = [first[0]]
+    for begin, end in zip(first, [*first[1:], count], strict=True):
+        if end - starts[-1] > BLOCK and begin > starts[-1]:
+            starts.append(begin)
+    return np.split(numbers, starts[1:])
 
 
 def _moving(driven: DrivenContacts, ahead: NDArray) -> NDArray:

@@ -32,6 +32,7 @@ LONGEST = 2.0  # of the speeds of the rolling ball: step
 NEAR = 1e-5  # change of the logarithm of a load, of an angle [rad]: step of differences in oil
 
 Nearby = Callable[[float, float], FreeBalls]  # balls by the growth of the logarithm of loads, of angles [rad]
+LastStep = Callable[[FreeBalls, FreeBallBalance, NDArray], NDArray]  # (N, 4) from a balance at unknowns
 
 
 class FreeBallMotion(NamedTuple):
@@ -42,6 +43,7 @@ class FreeBallMotion(NamedTuple):
     across: NDArray  # (N, 2) [N] friction on the ball along the groove sections
     across_slopes: NDArray  # (N, 2, 4)
     power: NDArray  # (N, 2) [N m] heat over the speed of the inner against the outer ring
+    cage: NDArray  # (N) speed of the cage in space, over the same; zero without one
 
 
 class _Contact(NamedTuple):
@@ -52,16 +54,16 @@ class _Contact(NamedTuple):
 
 
 def free_ball_motion(balls: FreeBalls, nearby: Nearby | None = None) -> FreeBallMotion:
-    """Balance of balls with its slopes, by implicit differentiation; of balls in oil those `nearby`, too."""
+    """Balance of balls with its slopes, by implicit differentiation; of balls in oil with those `nearby`."""
     unknowns = nearly_balanced(balls)
-    solution, left, unknowns = _motion_at(balls, unknowns, nearby)
+    solution, left, unknowns = motion_at(balls, unknowns, nearby)
     for search in (None, None, searched_again):
         lost = ~(left <= ONE_STEP_AWAY)
         if not lost.any():
             break
         some, start = balls.taken(lost), unknowns[lost]
         near = nearby and (lambda *growth, keep=lost: nearby(*growth).taken(keep))
-        again, left[lost], unknowns[lost] = _motion_at(some, search(some, start) if search else start, near)
+        again, left[lost], unknowns[lost] = motion_at(some, search(some, start) if search else start, near)
         for array, new in zip(solution, again, strict=True):
             array[lost] = new
     for array in solution:
@@ -69,20 +71,25 @@ def free_ball_motion(balls: FreeBalls, nearby: Nearby | None = None) -> FreeBall
     return solution
 
 
-def _motion_at(
-    balls: FreeBalls, unknowns: NDArray, nearby: Nearby | None
+def motion_at(
+    balls: FreeBalls, unknowns: NDArray, nearby: Nearby | None, further: LastStep | None = None
 ) -> tuple[FreeBallMotion, NDArray, NDArray]:
-    """Balls after a last Newton step from unknowns (N, 4), what was left before it, and its end."""
+    """Balls after a last Newton step from unknowns (N, 4), what was left before it, and its end.
+
+    The step is that of each ball for itself, or a `further` one, which slopes need not be exact with.
+    """
     friction = balls.friction(unknowns)
     near_balance = balls.balance(unknowns, friction)
     motion, sliding = balls.motion(unknowns), sliding_of(friction)
     if nearby is None:
         by_contact = [_given(balls, race, motion, sliding) for race in (INNER, OUTER)]
     else:
-        by_contact = _by_differences(nearby, motion)
+        by_contact = _by_differences(nearby, motion, FINE if further is None else COARSE)
     changed = np.concatenate([change.left for change in by_contact], axis=1) @ balls.unknowns  # (N, 4, 4)
     moments = np.concatenate([np.swapaxes(changed, -1, -2), near_balance.left[..., None]], axis=-1)
     slopes, last = np.split(-near_balance.resolved(moments), [4], axis=-1)  # by contact, Newton step
+    if further is not None:
+        last = further(balls, near_balance, unknowns)[..., None]
     by_unknown = balls.force_slopes(friction)[:, :, [ACROSS]]  # (N, 2, 1, 4)
     across = -(by_unknown @ slopes[:, None])[:, :, 0]
     for race, change in enumerate(by_contact):
@@ -93,15 +100,16 @@ def _motion_at(
         across=-sliding.by_slip[..., ACROSS] - (by_unknown @ last[:, None])[..., 0, 0],
         across_slopes=across,
         power=sliding.power,
+        cage=np.zeros(len(motion)),
     )
     return solution, (np.abs(near_balance.left) / balls.scale).max(1), unknowns + last[..., 0]
 
 
-def _by_differences(nearby: Nearby, motion: NDArray) -> list[_Contact]:
+def _by_differences(nearby: Nearby, motion: NDArray, points: EllipsePoints) -> list[_Contact]:
     """What changes at both contacts, the motion (N, 4) given."""
     left, across = [], []
     for kind in np.eye(2) * NEAR:
-        more, less = nearby(*kind).powers(motion), nearby(*-kind).powers(motion)
+        more, less = (nearby(*way).powers(motion, points) for way in (kind, -kind))
         left.append((more.by_motion - less.by_motion) / (2 * NEAR))
         across.append((less.across - more.across) / (2 * NEAR))
     return [_Contact(np.stack(left, 2)[:, race], np.stack(across, 2)[:, race]) for race in (INNER, OUTER)]
@@ -148,7 +156,7 @@ def nearly_balanced(balls: FreeBalls) -> NDArray:
     From whichever control makes the least heat, with few points in the contacts; then one step with all, and
     in oil, whose friction is less than what it is measured with, another one.
     """
-    unknowns, _ = _searched(balls, _least_heat(balls), 1.0, (COARSE, COARSE_TOLERANCE))
+    unknowns, _ = searched(balls, least_heat(balls), 1.0, (COARSE, COARSE_TOLERANCE))
     for _ in range(1 if balls.oil is None else 2):
         near_balance = balls.balance(unknowns, balls.friction(unknowns))
         unknowns = unknowns - near_balance.resolved(near_balance.left[..., None])[..., 0]
@@ -157,18 +165,18 @@ def nearly_balanced(balls: FreeBalls) -> NDArray:
 
 def searched_again(balls: FreeBalls, start: NDArray) -> NDArray:
     """Unknowns (N, 4) with all points; balls that find no balance follow the moments from none to all."""
-    unknowns, left = _searched(balls, start, 1.0, (FINE, ONE_STEP_AWAY))
+    unknowns, left = searched(balls, start, 1.0, (FINE, ONE_STEP_AWAY))
     lost = ~(left <= ONE_STEP_AWAY)
     if lost.any():
         some = balls.taken(lost)
-        path = _least_heat(some)
+        path = least_heat(some)
         for part in PARTS:
-            path, _ = _searched(some, path, part, (FINE, ONE_STEP_AWAY))
+            path, _ = searched(some, path, part, (FINE, ONE_STEP_AWAY))
         unknowns[lost] = path
     return unknowns
 
 
-def _least_heat(balls: FreeBalls) -> NDArray:
+def least_heat(balls: FreeBalls) -> NDArray:
     """Unknowns (N, 4) of the start with the least heat."""
     starts = _starts(balls)
     slips = np.array([balls.slip(start) for start in starts])
@@ -198,7 +206,7 @@ def _starts(balls: FreeBalls) -> NDArray:
     return starts
 
 
-def _searched(
+def searched(
     balls: FreeBalls, start: NDArray, part: float, resolution: tuple[EllipsePoints, float]
 ) -> tuple[NDArray, NDArray]:
     """Unknowns (N, 4) and what is left (N) with a part of the gyroscopic moments.

@@ -72,6 +72,7 @@ def sticking_ball_motion(
         across=state.by_slip[..., ACROSS],
         across_slopes=across_by_contact + slopes.across @ by_contact,
         power=-(state.by_slip * contacts.contact_slip(_each(state.motion)).reshape(count, 2, 5)).sum(-1),
+        cage=np.zeros(count),
     )
     for array in solution:
         array[~(state.size <= UNSOLVED)] = np.nan

@@ -1,0 +1,138 @@
+"""Newton's method for balls in oil and the speed of the cage that they share."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quasidynamic.balance.balls.caged_ball import Cages
+from quasidynamic.balance.balls.free_ball import FreeBallBalance, FreeBalls
+from quasidynamic.contact.ellipse.general_sliding import COARSE, FINE
+from quasidynamic.motion.ball_slip import ORBIT
+from quasidynamic.solve.balls.free_ball_search import (
+    COARSE_TOLERANCE,
+    ONE_STEP_AWAY,
+    FreeBallMotion,
+    Nearby,
+    least_heat,
+    motion_at,
+    searched,
+)
+
+LIMIT = 40  # speeds of a cage that are tried, rarely more than four
+LONGEST = 0.05  # of the speed of the rings: step of the cage
+NEAR = 1e-4  # of the speed of the rings: step of the cage from which steps of all together follow
+LAST_STEPS = 4  # rarely more than one
+STEPS = 12  # of all together, rarely more than three
+TWO_STEPS_AWAY = 1e-4  # of the largest friction, of the speed: what is left before the last but one step
+TINY = 1e-300  # [N m] slope of the balance of a cage that nothing moves
+
+
+class _CageStep(NamedTuple):
+    """Newton step of cages and balls together."""
+
+    unbalanced: NDArray  # (G) [N m] torque on the cages
+    cage: NDArray  # (G) [-]
+    balls: NDArray  # (N, 4) what balls move then
+    follow: NDArray  # (N, 4) what they move with the cage
+
+
+def caged_ball_motion(balls: FreeBalls, cages: Cages, nearby: Nearby | None) -> FreeBallMotion:
+    r"""Balance of balls and of their cages, see `Pockets`.
+
+    .. math:: \frac{d_m}{2} \sum_j F_j(\omega_c) + M_{land}(\omega_c) = 0
+
+    Both parts fall as the cage becomes faster: it has one speed, which lies between those that are too fast
+    and too slow. Balls that are balanced at every speed on the way, with few points in their contacts, lead
+    near it; then all are balanced together. A ball that finds no balance does not push its cage.
+
+    Slopes are those at a speed of the cage that is given: what one ball does to the others by way of the
+    cage is left out.
+
+    Source
+    ------
+    Balance of the moments on a cage as in `land_torque` and `Pockets`; balls eliminated one by one.
+    """
+    speed, unknowns = _coarse(balls, cages)
+    speed, unknowns, lost = _together(balls, cages, speed, unknowns)
+    if lost.any():
+        some = balls.in_cage(speed[cages.of_ball]).taken(lost)
+        unknowns[lost], _ = searched(some, unknowns[lost], 1.0, (FINE, ONE_STEP_AWAY))
+        speed, unknowns, _ = _together(balls, cages, speed, unknowns)
+
+    def with_cage(some: FreeBalls, state: FreeBallBalance, unknowns: NDArray) -> NDArray:
+        nonlocal speed
+        step = _step(some, state, cages, speed, unknowns)
+        speed = speed + step.cage
+        return step.balls
+
+    for _ in range(LAST_STEPS):
+        some = balls.in_cage(speed[cages.of_ball])
+        solution, left, unknowns = motion_at(some, unknowns, nearby, with_cage)
+        if (left <= ONE_STEP_AWAY).all():
+            break
+    solution = solution._replace(cage=speed[cages.of_ball])
+    for array in solution:
+        array[~(left <= ONE_STEP_AWAY)] = np.nan
+    return solution
+
+
+def _coarse(balls: FreeBalls, cages: Cages) -> tuple[NDArray, NDArray]:
+    """Speeds of the cages (G) and unknowns of the balls (N, 4) near the balance, by few points."""
+    load = balls.ellipse.traction.min(1)
+    rolling = balls.outer_speed - balls.rolling[:, ORBIT]
+    speed = cages.summed(load * rolling) / cages.summed(load)
+    slow, fast = np.full_like(speed, -np.inf), np.full_like(speed, np.inf)
+    unknowns = least_heat(balls)
+    for _ in range(LIMIT):
+        some = balls.in_cage(speed[cages.of_ball])
+        unknowns, _ = searched(some, unknowns, 1.0, (COARSE, COARSE_TOLERANCE))
+        state = some.balance(unknowns, some.friction(unknowns, COARSE))
+        step = _step(some, state._replace(left=0.0 * state.left), cages, speed, unknowns)
+        slow, fast = (
+            np.where(step.unbalanced > 0, speed, slow),
+            np.where(step.unbalanced < 0, speed, fast),
+        )
+        move = np.clip(step.cage, -LONGEST, LONGEST)
+        beyond = (speed + move <= slow) | (speed + move >= fast)
+        move = np.where(beyond & np.isfinite(fast - slow), (slow + fast) / 2 - speed, move)
+        speed = speed + move
+        unknowns = unknowns + step.follow * move[cages.of_ball, None]
+        if (np.abs(move) <= NEAR).all():
+            break
+    return speed, unknowns
+
+
+def _together(
+    balls: FreeBalls, cages: Cages, speed: NDArray, unknowns: NDArray
+) -> tuple[NDArray, NDArray, NDArray]:
+    """Speeds (G) and unknowns (N, 4) after Newton steps of all, and balls (N) that are not near a balance."""
+    left = np.full(len(unknowns), np.inf)
+    for _ in range(STEPS):
+        some = balls.in_cage(speed[cages.of_ball])
+        state = some.balance(unknowns, some.friction(unknowns))
+        step = _step(some, state, cages, speed, unknowns)
+        speed, unknowns = speed + step.cage, unknowns + step.balls
+        left = (np.abs(state.left) / some.scale).max(1)
+        if (left <= TWO_STEPS_AWAY).all() and (np.abs(step.cage) <= TWO_STEPS_AWAY).all():
+            break
+    return speed, unknowns, ~(left <= TWO_STEPS_AWAY)
+
+
+def _step(
+    balls: FreeBalls, state: FreeBallBalance, cages: Cages, speed: NDArray, unknowns: NDArray
+) -> _CageStep:
+    """Newton step at speeds of the cages (G) and unknowns (N, 4): balls are eliminated one by one."""
+    pocket, land = balls.pocket(balls.motion(unknowns)), cages.land(speed)
+    assert pocket is not None  # of balls in cages
+    radius = balls.contacts.pitch_radius
+    by_cage = np.swapaxes(balls.unknowns, -1, -2) @ pocket.slopes[:, :, [ORBIT]]
+    alone, follow = np.moveaxis(-state.resolved(np.concatenate([state.left[..., None], by_cage], -1)), -1, 0)
+    moved, follows = (
+        -np.einsum("nj,nj->n", balls.unknowns[:, ORBIT], each) for each in (alone, follow)
+    )  # of the orbit in space
+    unbalanced = cages.summed(radius * pocket.force) + land.torque
+    slope = cages.summed(radius * pocket.by_speed * (follows - 1)) + land.by_speed
+    expected = unbalanced + cages.summed(radius * pocket.by_speed * moved)
+    cage = -expected / np.where(slope < -TINY, slope, -np.inf)
+    return _CageStep(unbalanced, cage, alone + follow * cage[cages.of_ball, None], follow)

@@ -1,0 +1,134 @@
+"""What a cage makes balls in oil do."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from quasidynamic.angular_contact import AngularContactBallBearing
+from quasidynamic.balance.balls.caged_ball import Pockets
+from quasidynamic.contact.cage import ball_on_pocket_force
+from quasidynamic.errors import ImpossiblePart, NotSolved
+from quasidynamic.motion.ball_slip import ORBIT
+from quasidynamic.parts.angular_contact_bearing import RingOperation
+from quasidynamic.parts.ball_cage import BallCage
+from tests.quasidynamic.test_oiled_balls import BEARING, OILED, solved, thrust
+from tests.random_balls import RPM, drawn_caged, identities, unbalanced
+
+CAGE = BallCage(guidance="balls", pocket_clearance=0.15e-3, pocket_friction=0.05)
+LAND = {"land_diameter": 60e-3, "land_width": 4e-3, "land_clearance": 0.4e-3}
+
+
+def combined(speed, radial=300.0):
+    """Axial and radial load without tilt; speed in rpm."""
+    return RingOperation(
+        load=(300.0, 0.0, radial, 0.0, 0.0),
+        displacement=(None, None, None, 0.0, 0.0),
+        inner_speed=speed * RPM,
+    )
+
+
+def caged(operation, cage=CAGE, lubrication=OILED):
+    model = AngularContactBallBearing(bearing=BEARING, control="oil", lubrication=lubrication, cage=cage)
+    return model.solve(operation)
+
+
+def test_pocket_holds_a_ball_by_a_film_and_then_by_its_wall():
+    places = np.array([-2e-4, 0.0, 1e-4, 2e-4])
+    law = ball_on_pocket_force(places, 1.5e-4, 1e9)
+    beyond = 11.0 / 1.5e-4 * 2e-4 + 1e9 * 5e-5**1.5
+    assert law.force == approx([-beyond, 0.0, 11.0 * 2 / 3, beyond], rel=1e-12)
+    step = 1e-9
+    change = ball_on_pocket_force(places + step, 1.5e-4, 1e9).force
+    change = change - ball_on_pocket_force(places - step, 1.5e-4, 1e9).force
+    assert law.by_displacement == approx(change / (2 * step), rel=1e-6)
+
+
+def test_slopes_of_pockets_by_the_motion():
+    pockets = Pockets(
+        cage=CAGE, stop=1e9, ball_radius=4e-3, pitch_radius=27e-3,
+        advance=np.full(2, 0.02), outer_speed=np.zeros(2), speed=np.array([0.43, 0.44]),
+    )  # fmt: skip
+    motion = np.array([[-0.431, 3.0, 0.5, 0.1], [-0.42, 2.0, -0.7, 0.0]])
+    forces = pockets.forces(motion)
+    for k in range(4):
+        step = 1e-7 * np.eye(4)[k]
+        change = (pockets.forces(motion + step).left - pockets.forces(motion - step).left) / 2e-7
+        assert change == approx(forces.slopes[:, :, k], rel=1e-5, abs=1e-7)
+    faster = pockets.at_speed(pockets.speed + 1e-7).forces(motion).left
+    slower = pockets.at_speed(pockets.speed - 1e-7).forces(motion).left
+    assert (faster - slower) / 2e-7 == approx(forces.slopes[:, :, ORBIT], rel=1e-5, abs=1e-7)
+
+
+def test_balls_that_are_alike_do_not_feel_a_cage_that_nothing_brakes():
+    alone, in_cage = solved(thrust(300.0, 15000.0)), caged(thrust(300.0, 15000.0))
+    for name in ("orbital_speed", "ball_speed", "attitude", "loads", "contact_angles", "tractions"):
+        assert getattr(in_cage, name) == approx(getattr(alone, name), rel=1e-9), name
+    assert in_cage.oil.heat == approx(alone.oil.heat, rel=1e-9)
+    assert in_cage.oil.cage_speed == approx(alone.orbital_speed, rel=1e-9)
+    assert np.abs(in_cage.oil.pocket_displacement).max() < 1e-9 * CAGE.pocket_clearance
+
+
+def test_a_cage_without_a_land_has_the_mean_speed_of_its_balls():
+    state = caged(combined(15000.0))
+    assert np.ptp(state.orbital_speed) > 1e-4 * state.orbital_speed.mean()
+    assert np.abs(state.oil.pocket_displacement).max() < CAGE.pocket_clearance  # the film is linear there
+    assert state.oil.cage_speed == approx(state.orbital_speed.mean(), rel=1e-12)
+
+
+def test_lands_brake_or_drive_a_cage():
+    outer, balls, inner = (
+        caged(combined(15000.0), replace(CAGE, guidance=name, **LAND)) for name in ("outer", "balls", "inner")
+    )
+    assert outer.oil.cage_speed[0] < balls.oil.cage_speed[0] < inner.oil.cage_speed[0]
+    assert outer.oil.land_torque[0] < 0 < inner.oil.land_torque[0]
+    for state in (outer, balls, inner):
+        power, _, cage = identities(state)
+        assert abs(power) < 1e-9
+        assert cage < 1e-9
+    assert (outer.oil.land_heat > 0).all()
+    assert (inner.oil.pocket_heat > 0).all()
+
+
+def test_momentum_of_the_rings_is_that_of_the_drag_also_with_a_cage():
+    still = replace(OILED, churning_gap=None)
+    land = replace(CAGE, guidance="outer", pocket_friction=0.0, **LAND)
+    assert identities(caged(combined(15000.0), land, still))[1] < 1e-9
+
+
+def test_a_mirrored_sense_mirrors_the_cage():
+    land = replace(CAGE, guidance="outer", **LAND)
+    forward, back = (caged(combined(speed), land) for speed in (12000.0, -12000.0))
+    assert back.oil.cage_speed == approx(-forward.oil.cage_speed, rel=1e-10)
+    mirrored = -back.oil.pocket_force
+    assert mirrored == approx(forward.oil.pocket_force, rel=1e-6, abs=1e-8)
+    assert back.oil.land_torque == approx(-forward.oil.land_torque, rel=1e-9)
+
+
+def test_idle_balls_at_one_turn_a_minute_stay_in_their_pockets():
+    state = caged(combined(1.0, radial=2000.0))
+    assert (state.loads[0] == 0).any()
+    assert np.abs(state.oil.pocket_displacement).max() < 2 * CAGE.pocket_clearance
+    assert abs(identities(state)[0]) < 1e-9
+
+
+def test_a_cage_needs_oil():
+    with pytest.raises(ImpossiblePart, match="cage"):
+        AngularContactBallBearing(bearing=BEARING, control="outer", cage=CAGE)
+    with pytest.raises(ImpossiblePart, match="land_diameter"):
+        BallCage(guidance="outer", pocket_clearance=1e-4, pocket_friction=0.1)
+
+
+@pytest.mark.sampled(4)
+@pytest.mark.parametrize("seed", range(20))
+def test_random_bearings_with_a_cage_are_in_balance(seed):
+    model, operation = drawn_caged(seed)
+    try:
+        state = model.solve(operation)
+    except NotSolved as failure:
+        pytest.skip(str(failure))
+    assert unbalanced(state) < 2e-9
+    power, _, cage = identities(state)
+    assert abs(power) < 1e-9
+    assert cage < 1e-9
