@@ -38,7 +38,7 @@ from flexbearing.quantities.stiffness import RADIAL_STIFFNESSES
 from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, MREV, PERCENT, RPM, UM
 
 STIFFNESSES = ("stiffness_xx", "stiffness_yy", "stiffness_zz")  # whose errors are estimated
-DRY_TORQUE = "friction torque (no cage; dry without control oil)"
+DRY_TORQUE = "friction torque (dry, no cage, unless in the case)"
 RING = "ring"  # section of the page
 _APART = "NaN for a ball without lines, as one that does not touch both races"
 _FRICTION = "absent where a contact is as wide as the surface it presses"
