@@ -68,7 +68,8 @@ class LimitedBearing:
     def shares(self, radial: float, axial: float, moment: float) -> NDArray:
         """How far it is loaded (3), in the order of `LIMITS` [-]."""
         load = np.array([axial, 0.0, radial, moment, 0.0])
-        return limit_shares(self.bearing, self._balls(load), self.limits)
+        balls = self._balls(load)
+        return limit_shares(self.bearing, balls.loads, balls.angles, self.limits)
 
     def _balls(self, load: NDArray) -> BallLoads:
         if self.rings is None:
@@ -129,11 +130,9 @@ class LimitedBearing:
     @property
     def _pressed_load(self) -> float:
         """Load of a contact at the largest pressure, at the contact angle without load [N]."""
-        one = BallLoads(
-            np.zeros((1, 1)), np.ones((1, 1)), np.full((1, 1), self.bearing.contact_angle), np.zeros(5),
-            np.zeros((5, 5)), 0.0, 0,
-        )  # fmt: skip
-        return float(limit_shares(self.bearing, one, StaticLimits(safety=self.limits.safety))[0]) ** -3
+        angles = np.full(2, self.bearing.contact_angle)
+        limits = StaticLimits(safety=self.limits.safety)
+        return float(limit_shares(self.bearing, np.ones(2), angles, limits)[0]) ** -3
 
 
 Seen = tuple[float, float, LimitPoint]  # a point with its angle and the scale, its distance, over the ends

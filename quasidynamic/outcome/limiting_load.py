@@ -13,7 +13,6 @@ from quasidynamic.errors import OutOfRange
 from quasidynamic.outcome.ball_capacity import PERMANENT
 from quasidynamic.outcome.rating_life import POINT
 from quasidynamic.parts.ball import FourPointBearing
-from quasidynamic.solve.balls.load_distribution import BallLoads
 
 LIMITS = ("contact pressure", "core below the hardened case", "shoulder")
 SIDES = np.array([INNER, OUTER])
@@ -35,7 +34,7 @@ class StaticLimits:
         return PERMANENT / self.safety ** (1 / POINT)
 
 
-def limit_shares(bearing: FourPointBearing, balls: BallLoads, limits: StaticLimits) -> NDArray:
+def limit_shares(bearing: FourPointBearing, loads: NDArray, angles: NDArray, limits: StaticLimits) -> NDArray:
     r"""How far the contacts of a bearing come to what they bear.
 
     .. math:: \Big[ \max \frac{p_0}{p_{lim}},\; \max \frac{\sigma_{vM}(h)}{\sigma_y},\;
@@ -49,8 +48,8 @@ def limit_shares(bearing: FourPointBearing, balls: BallLoads, limits: StaticLimi
     ----------
     bearing : FourPointBearing
         grooves, moduli, ends of the grooves
-    balls : BallLoads
-        loads and angles of all contacts
+    loads, angles : arrays (..., 2)
+        of all contacts [N], [rad], inner race first
     limits : StaticLimits
         p_lim, h, sigma_y
 
@@ -68,7 +67,6 @@ def limit_shares(bearing: FourPointBearing, balls: BallLoads, limits: StaticLimi
     -----
     Hertz contacts; a truncated contact is beyond the third limit.
     """
-    angles, loads = balls.angles[..., None], balls.loads[..., None]
     curvatures = race_curvatures(
         bearing.ball.diameter, bearing.groove_radii, bearing.pitch_diameter, angles, SIDES
     )
@@ -76,7 +74,7 @@ def limit_shares(bearing: FourPointBearing, balls: BallLoads, limits: StaticLimi
     pressure, (across, along) = contacts.peak_pressure(loads), contacts.semi_axes(loads)
     edges = angles + across / bearing.groove_radii  # see `edge_angle`
     shoulder = np.where(loads > 0, edges / np.array(bearing.groove_ends), 0.0).max()
-    core = 0.0 if limits.case_depth is None else _core(bearing, balls, (pressure, along, across), limits)
+    core = 0.0 if limits.case_depth is None else _core(bearing, loads, (pressure, along, across), limits)
     return np.array([pressure.max() / limits.pressure, core, shoulder])
 
 
@@ -119,15 +117,15 @@ def limiting_scale(share: Callable[[float], float], first: float = 1.0) -> float
 
 
 def _core(
-    bearing: FourPointBearing, balls: BallLoads, contacts: tuple[NDArray, ...], limits: StaticLimits
+    bearing: FourPointBearing, loads: NDArray, contacts: tuple[NDArray, ...], limits: StaticLimits
 ) -> float:
     """Stress below the case of the most loaded contact of each raceway over the yield stress [-]."""
-    if not balls.loads.any():
+    if not loads.any():
         return 0.0
     assert limits.case_depth is not None  # known to whom calls it
-    most = np.unravel_index(balls.loads.argmax(), balls.loads.shape)
+    most, races = loads.reshape(-1, 2).argmax(axis=0), np.arange(2)
     found = []
-    of_most = (values[most] for values in contacts)
+    of_most = (values.reshape(-1, 2)[most, races] for values in contacts)
     for ring, *each in zip((bearing.inner, bearing.outer), *of_most, strict=True):
         pressure, along, across = map(float, each)
         below = ellipse_stress(0.0, limits.case_depth / along, along / across, ring.material.poisson_ratio)

@@ -194,7 +194,7 @@ def test_most_loaded_ball_is_drawn_unless_told(run):
 def test_balls_that_nothing_drives_are_gaps_and_make_no_torque(run):
     result = run("joshi2015_qj309", "operation.load.axial=0 N", "operation.load.radial_z=5 kN", FEW)
     values = result.rigid
-    idle = ~(values["contact_load"] > 0).any((1, 2))
+    idle = ~(values["contact_load"][..., 0] > 0).any(1)  # on the inner ring
     assert 0 < idle.sum() < 10
     assert np.isnan(values["ball_motion"][idle]).all()
     assert np.isfinite(values["ball_motion"][~idle]).all()

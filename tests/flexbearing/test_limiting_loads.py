@@ -69,7 +69,7 @@ def test_a_thrust_limit_is_that_of_every_ball(case):
     (thrust, *_) = bearing.curve(0.0, 3)
     shared = balls(bearing, thrust.axial)
     assert bearing.shares(0.0, thrust.axial, 0.0)[0] == approx(1.0, rel=1e-7)
-    assert shared.loads.max() == approx(thrust.axial / (24 * np.sin(shared.angles[0, 0])), rel=1e-9)
+    assert shared.loads.max() == approx(thrust.axial / (24 * np.sin(shared.angles[0, 0, 0])), rel=1e-9)
     half = limited(case, safety=2.0)
     (halved, *_) = half.curve(0.0, 3)
     of_half = balls(half, halved.axial)
@@ -106,7 +106,7 @@ def test_shoulders_and_the_core_may_limit_before_the_pressure(case):
     loads = balls(short, cut.axial)
     across = short.shares(0.0, cut.axial, 0.0)
     assert across[2] == approx(1.0, rel=1e-7)
-    assert loads.angles[0, 0] < short.bearing.groove_ends[0]
+    assert loads.angles[0, 0, 0] < short.bearing.groove_ends[0]
     soft = next(limited(case, case_depth=0.4e-3, core_yield=900e6).curve(0.0, 3))
     assert (soft.limited_by, soft.axial < free.axial) == (CORE, True)
 
