@@ -65,7 +65,6 @@ OF_BALLS = (
     REQUIRED_LIFE,
     STATIC_SAFETY,
     GYROSCOPIC_MOMENT,
-    GYROSCOPIC_SLIP,
     VISCOSITY_RATIO,
     RATED_VISCOSITY_RATIO,
     CLEARANCE,
@@ -94,6 +93,7 @@ OF_TAPERED = (
 )
 OF_SLOW_BALLS = (  # which need no load against skidding
     *(finding for finding in OF_BALLS if finding is not LIGHT_LOAD_OF_BALLS),
+    GYROSCOPIC_SLIP,
     SMALL_OSCILLATION,
 )
 DECLARED = tuple(dict.fromkeys((*OF_ROLLERS, *OF_BALLS, *OF_SLOW_BALLS, *OF_TAPERED)))

@@ -59,7 +59,7 @@ def rolled_way(angle: float, pitch_diameter: float, diameter_ratio: float) -> fl
     -----
     Rolling without slip.
 
-    >>> round(1e3 * rolled_way(np.radians(1.0), 1.9, 0.013), 3)
+    >>> float(round(1e3 * rolled_way(np.radians(1.0), 1.9, 0.013), 3))
     8.289
     """
     return angle * pitch_diameter / 4 * (1 - diameter_ratio**2)

@@ -75,9 +75,9 @@ CASES = [
        BARS if each.code in FLEXIBLE else RATED if each.code in OF_RATINGS else ROLLERS)
       for number, each in enumerate(declared.OF_ROLLERS)),
     *((number, "OF_BALLS",
-       DEEP if each.code == "preload" else QJ if each.code == "gyroscopic-slip"
-       else RATED_BALLS if each.code in OF_RATINGS else BALLS)
+       DEEP if each.code == "preload" else RATED_BALLS if each.code in OF_RATINGS else BALLS)
       for number, each in enumerate(declared.OF_BALLS)),
+    (declared.OF_SLOW_BALLS.index(declared.GYROSCOPIC_SLIP), "OF_SLOW_BALLS", QJ),
     (declared.OF_TAPERED.index(declared.RIB_CONTACT), "OF_TAPERED", ("32207.toml",)),
 ]  # fmt: skip
 

@@ -69,8 +69,9 @@ def balls(words: Words) -> Drawing:
     sheet.label("bearing.pitch_diameter", place(pitch, 1.9), "Ø ")
     _count(sheet, azimuths, ("bearing.balls", "bearing.first_ball_azimuth", "bearing.ball.diameter"), pitch)
     _load_of_balls(sheet, case.operation.load, pitch, pitch - 0.55 * size)
-    for path in ("operation.speed", "operation.inner_speed"):
-        _turning(sheet, path, 0.55 * pitch)
+    _turning(
+        sheet, f"operation.{'speed' if hasattr(case.operation, 'speed') else 'inner_speed'}", 0.55 * pitch
+    )
     _turning(sheet, "operation.outer_speed", (pitch + 0.5 * size + sheet.box[1][1]) / 2)
     return _finished(sheet, case, "ball")
 
