@@ -9,7 +9,7 @@ from pytest import approx
 from quasidynamic.angular_contact import AngularContactBallBearing
 from quasidynamic.balance.balls.caged_ball import Pockets
 from quasidynamic.contact.cage import ball_on_pocket_force
-from quasidynamic.errors import ImpossiblePart, NotSolved
+from quasidynamic.errors import ImpossiblePart
 from quasidynamic.motion.ball_slip import ORBIT
 from quasidynamic.parts.angular_contact_bearing import RingOperation
 from quasidynamic.parts.ball_cage import BallCage
@@ -17,6 +17,7 @@ from tests.quasidynamic.test_oiled_balls import BEARING, OILED, solved, thrust
 from tests.random_balls import RPM, drawn_caged, identities, unbalanced
 
 CAGE = BallCage(guidance="balls", pocket_clearance=0.15e-3, pocket_friction=0.05)
+NOT_SOLVED = 4  # at 1.7 rpm, traction by the regression of 4109: after a minute
 LAND = {"land_diameter": 60e-3, "land_width": 4e-3, "land_clearance": 0.4e-3}
 
 
@@ -121,14 +122,11 @@ def test_a_cage_needs_oil():
 
 
 @pytest.mark.sampled(4)
-@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("seed", [seed for seed in range(20) if seed != NOT_SOLVED])
 def test_random_bearings_with_a_cage_are_in_balance(seed):
     """Stiff pockets make the rounding of speeds count: further Newton steps leave up to 4e-9 on a cage."""
     model, operation = drawn_caged(seed)
-    try:
-        state = model.solve(operation)
-    except NotSolved as failure:
-        pytest.skip(str(failure))
+    state = model.solve(operation)
     assert unbalanced(state) < 2e-9
     power, _, cage = identities(state)
     assert abs(power) < 1e-9
