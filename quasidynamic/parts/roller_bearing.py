@@ -152,12 +152,12 @@ class CylindricalRollerBearing:
                 f"{UNLIKE * self.roller.diameter * 1e6:.4g} um, {UNLIKE:g} of the diameter"
             )
 
-    @cached_property
+    @property
     def pitch_diameter(self) -> float:
         """Of the roller centres, rollers lying on the outer raceway [m]."""
         return self.outer_raceway_diameter - self.roller.diameter
 
-    @cached_property
+    @property
     def diameter_ratio(self) -> float:
         """Roller over pitch diameter, gamma [-]."""
         return self.roller.diameter / self.pitch_diameter
