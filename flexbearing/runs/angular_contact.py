@@ -33,8 +33,7 @@ from flexbearing.runs import (
     subsurface,
     teeth,
 )
-from flexbearing.runs.ball_life import BallLives
-from flexbearing.runs.life_of_state import MREV
+from flexbearing.runs.life_of_state import MREV, ReferenceLives
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.balance.balls.free_ball import OiledBalls
 from quasidynamic.columns import kind_and_numbers
@@ -59,7 +58,7 @@ class Solution:
     state: qd.AngularContactState
     contact: RollingContact
     rolling: qd.FastRollingBalls | None  # balls whose contacts stick and slip; None in full sliding
-    lives: BallLives | None  # None at rest, without load, and where no rating is known
+    lives: ReferenceLives | None  # None at rest, without load, and where no rating is known
     static_safety: float | None = None  # [-] s_0; None where ISO 76 has none
     unrolled: str = ""  # why stick and slip are not known, where the case requires them
     without_torque: str = ""  # why the torque of friction is not known, though a coefficient is

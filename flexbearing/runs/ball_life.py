@@ -1,11 +1,10 @@
 """The life of a ball bearing: by ISO/TS 16281 under the loads of its balls, and what modifies it."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 import quasidynamic as qd
 from flexbearing.build.ball_fits import kinematic_viscosity, solid
@@ -19,6 +18,7 @@ from flexbearing.runs.life_of_state import (
     MREV,
     LifeOfState,
     Rating,
+    ReferenceLives,
     explained,
     no_life,
     of_reliability,
@@ -51,21 +51,7 @@ from quasidynamic.parts.ball import BallRow
 from quasidynamic.parts.material import Material
 
 
-@dataclass(frozen=True)
-class BallLives:
-    """Lives at one state of the bearing [rev]."""
-
-    basic: float  # L10r
-    raceways: NDArray  # (2) of the inner and the outer raceway on their own
-    of_state: LifeOfState | None  # after every factor; None where there is none, or one does not hold
-
-    @property
-    def modified(self) -> float | None:
-        """Life after every factor [rev]."""
-        return None if self.of_state is None else self.of_state.modified
-
-
-def lives(case: FastCase, state: qd.AngularContactState) -> BallLives | None:
+def lives(case: FastCase, state: qd.AngularContactState) -> ReferenceLives | None:
     """Lives under the loads of all balls; None at rest, without load, and where no rating is known.
 
     None, too, between rigid rings, where a cam is left out. The load of balls on a cam turns with it.
@@ -82,10 +68,10 @@ def lives(case: FastCase, state: qd.AngularContactState) -> BallLives | None:
         return None
     raceways = ball_raceway_lives(state.loads, balls, turning, rating) * MREV
     modified = None if case.life.is_basic or unmodified(case) else _modified(case, basic)
-    return BallLives(basic * MREV, raceways, modified)
+    return ReferenceLives(basic * MREV, raceways, modified)
 
 
-def equivalent(case: FastCase, lives: BallLives) -> float:
+def equivalent(case: FastCase, lives: ReferenceLives) -> float:
     """Load that gives the same life by C_r, P_ref of ISO/TS 16281 [N]."""
     return _reference(case, lives.basic / MREV)
 

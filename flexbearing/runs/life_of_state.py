@@ -6,6 +6,8 @@ from functools import cached_property
 from math import prod
 from typing import Any
 
+from numpy.typing import NDArray
+
 from flexbearing.findings.running import NO_MODIFIED_LIFE
 from flexbearing.quantities.life_records import BY_LOADS, Factor
 from quasidynamic import OutOfRange
@@ -164,6 +166,20 @@ def no_life(unrated: str, unmodified: str, kappa: float | None) -> tuple[Note, .
     if kappa is not None and kappa < LEAST_VISCOSITY_RATIO:
         return ()
     return (outside(NO_MODIFIED_LIFE, f"no modified life: {unmodified}"),)
+
+
+@dataclass(frozen=True)
+class ReferenceLives:
+    """Lives at one state of the bearing [rev]."""
+
+    basic: float  # L10r
+    raceways: NDArray  # (2) of the inner and the outer raceway on their own
+    of_state: LifeOfState | None  # after every factor; None where there is none, or one does not hold
+
+    @property
+    def modified(self) -> float | None:
+        """Life after every factor [rev]."""
+        return None if self.of_state is None else self.of_state.modified
 
 
 def of_reliability(reliability: float | None) -> list[LifeFactor]:

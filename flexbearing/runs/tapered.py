@@ -20,8 +20,8 @@ from flexbearing.quantities.tapered import LAYOUT
 from flexbearing.results import Recorder
 from flexbearing.runs import judged, life_of_state, life_rules, subsurface, tapered_life
 from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer, row_findings
-from flexbearing.runs.life_of_state import MREV
-from flexbearing.runs.tapered_life import Rated, TaperedLives
+from flexbearing.runs.life_of_state import MREV, ReferenceLives
+from flexbearing.runs.tapered_life import Rated
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange, TaperedLoads, tapered_loads
 from quasidynamic.note import Note, graded, information
 from quasidynamic.outcome.neglected import weight_share
@@ -38,7 +38,7 @@ class Solution:
     case: TaperedCase
     loads: TaperedLoads
     rated: Rated
-    lives: TaperedLives | None
+    lives: ReferenceLives | None
 
     @cached_property
     def rib_heat(self) -> NDArray:

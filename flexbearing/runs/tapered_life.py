@@ -4,7 +4,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from flexbearing.build.ball_fits import kinematic_viscosity
 from flexbearing.build.tapered_bearing import bearing
@@ -16,6 +15,7 @@ from flexbearing.runs.life_of_state import (
     MREV,
     LifeOfState,
     Rating,
+    ReferenceLives,
     explained,
     no_life,
     of_reliability,
@@ -53,20 +53,6 @@ FORMULAS: dict[str, Callable[[InclinedRow], float]] = {
 
 
 @dataclass(frozen=True)
-class TaperedLives:
-    """Lives at one state of the bearing [rev]."""
-
-    basic: float  # L10r
-    raceways: NDArray  # (2) of the inner and the outer raceway on their own
-    of_state: LifeOfState | None  # after every factor; None where there is none, or one does not hold
-
-    @property
-    def modified(self) -> float | None:
-        """Life after every factor [rev]."""
-        return None if self.of_state is None else self.of_state.modified
-
-
-@dataclass(frozen=True)
 class Rated:
     """What ratings say of the loads on a ring [N]."""
 
@@ -98,7 +84,7 @@ def _forces(loads: TaperedLoads) -> tuple[float, float]:
     return float(np.hypot(y, z)), abs(float(axial))
 
 
-def lives(case: TaperedCase, loads: TaperedLoads) -> TaperedLives | None:
+def lives(case: TaperedCase, loads: TaperedLoads) -> ReferenceLives | None:
     """Lives under the loads of all slices; None at rest, without load, and where no rating is known."""
     relative = loads.operation.relative_speed
     if not relative or unrated(case) or not loads.loads.any():
@@ -112,7 +98,7 @@ def lives(case: TaperedCase, loads: TaperedLoads) -> TaperedLives | None:
     basic = float(tapered_reference_life(inner, outer, row, turning, dynamic))
     raceways = tapered_raceway_lives(inner, outer, row, turning, dynamic) * MREV
     modified = None if case.life.is_basic or unmodified(case) else _modified(case, basic)
-    return TaperedLives(basic * MREV, raceways, modified)
+    return ReferenceLives(basic * MREV, raceways, modified)
 
 
 def reference(case: TaperedCase, basic: float) -> float:

@@ -59,7 +59,7 @@ def test_tandem_rows_have_the_life_of_two_bearings():
     assert two.rigid["stiffness_matrix"][0, 0] == approx(2 * one.rigid["stiffness_matrix"][0, 0], rel=1e-9)
     loads = []
     for found, settings in ((one, RATING), (two, {**RATING, **TANDEM})):
-        lives = ball_life.BallLives(float(found.rigid["life_L10"]), found.rigid["raceway_life"], None)
+        lives = ball_life.ReferenceLives(float(found.rigid["life_L10"]), found.rigid["raceway_life"], None)
         loads.append(ball_life.equivalent(case(**settings), lives))
     assert loads[1] == approx(2 * loads[0], rel=1e-9)
     assert "unloading_force" not in two.rigid
