@@ -64,8 +64,10 @@ def _losses(block: Any, lost: float) -> Iterator[str]:
 
 
 def _balance(result: Any, block: Any, lost: float) -> Iterator[str]:
-    """Every balance of rollers, ring and cage closes; balls carry what the ring bears."""
-    if "inner_load" in block and "roller_azimuth" in block:
+    """Every balance of rollers, ring and cage closes; balls and cones carry what the ring bears."""
+    if "rib_load" in block:
+        yield from _inclined(result, block, lost)
+    elif "inner_load" in block and "roller_azimuth" in block:
         wrong = largest_imbalance(block, _case(result)["bearing"]["cage"]["guidance"])
         if not wrong <= lost:
             yield f"balances are open by {wrong:.2g} of the largest force"
@@ -79,6 +81,25 @@ def _balance(result: Any, block: Any, lost: float) -> Iterator[str]:
         yield from _angular(result, block, lost)
 
 
+def _inclined(result: Any, block: Any, lost: float) -> Iterator[str]:
+    """Tapered rollers are in balance along and across the axis, and carry what the ring is loaded with."""
+    inner, outer, rib = block["inner_load"], block["outer_load"], block["rib_load"]
+    bearing, azimuth = _case(result)["bearing"], block["roller_azimuth"]
+    cone, cup, against = float(block["cone_angle"]), bearing["cup_angle"], bearing["rib"]["angle"]
+    out = inner * np.cos(cone) - rib * np.sin(against)
+    left = {
+        "axially": inner * np.sin(cone) + rib * np.cos(against) - outer * np.sin(cup),
+        "outwards": out + block["centrifugal_force"] - outer * np.cos(cup),
+        "on the ring": np.array([(outer * np.sin(cup)).sum(), out @ np.sin(azimuth), out @ np.cos(azimuth)])
+        - block["ring_load"][:3],
+    }
+    size = max(outer.max(), 1e-12)
+    for name, forces in left.items():
+        if np.abs(forces).max() > lost * size:
+            yield f"forces {name} leave {np.abs(forces).max():.3g} N of {size:.6g} N"
+    yield from _loaded_as_given(result, block, lost * size)
+
+
 def _angular(result: Any, block: Any, lost: float) -> Iterator[str]:
     """Balls carry on the inner ring what the ring is loaded with."""
     load, angle, traction = block["contact_load"][0], block["contact_angle"][0], block["traction"][0]
@@ -87,12 +108,17 @@ def _angular(result: Any, block: Any, lost: float) -> Iterator[str]:
     slack = np.abs(traction).sum() + lost * size
     if abs(axial - block["ring_load"][0]) > slack:
         yield f"balls carry {axial:.6g} N along x, the ring {block['ring_load'][0]:.6g} N"
+    yield from _loaded_as_given(result, block, lost * size)
+
+
+def _loaded_as_given(result: Any, block: Any, allowed: float) -> Iterator[str]:
+    """The ring bears the forces of the case [N] where its place is not held."""
     held = _case(result)["operation"].get("displacement") or {}
     given = _case(result)["operation"].get("load") or {}
     for number, name in enumerate(("axial", "radial_y", "radial_z")):
         wanted = given.get(name, 0.0)
-        if held.get(name) is None and abs(block["ring_load"][number] - wanted) > lost * max(
-            size, abs(wanted)
+        if held.get(name) is None and abs(block["ring_load"][number] - wanted) > max(
+            allowed, LOST * abs(wanted)
         ):
             yield f"ring_load {name} is {block['ring_load'][number]:.9g} N, the case asks for {wanted:.9g} N"
 

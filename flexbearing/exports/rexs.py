@@ -53,7 +53,7 @@ def _as_rated(result: Result) -> dict[str, Any]:
     case = understood(about["case_text"], Path(about["case_file"]), settings, {result.kind: result.family})
     catalogue = result.family.catalogue
     assert catalogue  # of every roller bearing
-    rated = {name: rating.value for name, rating in catalogue().given(case).items()}
+    rated = {name: rating.value for name, rating in catalogue().rated(case).given.items()}
     return about["case_si"] | {"life": about["case_si"]["life"] | rated}
 
 

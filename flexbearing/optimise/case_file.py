@@ -36,7 +36,7 @@ def case_text(study: Study, settings: Mapping[str, Any], folder: Path) -> bytes:
 def _rate(raw: dict[str, Any], case: Head) -> None:
     """Write given ratings as those of the bearing that was found: it is the one of the file now."""
     catalogue = FAMILIES[case.kind].catalogue
-    for name, rating in catalogue().given(case).items() if catalogue else ():
+    for name, rating in catalogue().rated(case).given.items() if catalogue else ():
         if rating.scale != 1:
             declaration = find(f"life.{name}", type(case))
             assert declaration

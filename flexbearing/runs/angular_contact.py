@@ -25,10 +25,10 @@ from flexbearing.runs import (
     ball_life,
     elastic_grooves,
     judged,
-    life_of_state,
     neglect,
     not_round,
     probes,
+    rated_bearing,
     shoulders,
     subsurface,
     teeth,
@@ -498,27 +498,27 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
     case, state, operation = solution.case, solution.state, solution.case.operation
     speed, lives = operation.inner_speed - operation.outer_speed, solution.lives
     radial = not isinstance(case.bearing, AngularBearing)  # not adjusted axially
-    ratings = ball_life.ratings(case)
+    own = ball_life.rated(case)
     values = {
         **judged.pressures(state.peak_pressures.max(axis=1), BALLS),
         **neglect.of_fast_balls(solution),
         **_places(case, state),
         "static_safety": solution.static_safety,
-        "viscosity_ratio": ball_life.kappa(case) if speed and not ball_life.unviscous(case) else None,
+        "viscosity_ratio": own.known_kappa,
         "least_stiffness": judged.least_stiffness(state.stiffness[None, 1:3, 1:3]),
-        "rated_viscosity_ratio": ball_life.rated_kappa(case),
+        "rated_viscosity_ratio": own.rated_kappa,
         "clearance": judged.clearances(clearance.record(case)) if radial else None,
-        **life_of_state.rating_ratios([ratings]),
-        **life_of_state.rating_changes([ratings]),
+        **rated_bearing.rating_ratios([own.given]),
+        **rated_bearing.rating_changes([own.given]),
     }
     if not operation.by_friction:  # there balls turn where friction does not hold them
         values |= {"needed_friction": state.needed_friction.max(), "friction": case.friction.coefficient}
     if lives is not None:
         life = lives.basic if lives.modified is None else lives.modified
         values |= {
-            "load": {"by the loads of the balls": ball_life.equivalent(case, lives)},
-            "dynamic_rating": ball_rows.rating_factor(case) * ball_life.dynamic(case),
-            "static_rating": ball_life.static_or_none(case),
+            "load": {"by the loads of the balls": own.reference_load(lives.basic / MREV)},
+            "dynamic_rating": own.rows_rating * own.dynamic,
+            "static_rating": own.static_or_none,
             **judged.lives(life / MREV, speed, [case.life.required]),
         }
     return evaluate(declared.OF_BALLS, values)

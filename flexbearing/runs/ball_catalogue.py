@@ -1,20 +1,18 @@
 """What the life of a ball bearing has that a catalogue leaves out."""
 
-from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
 
-from flexbearing.build.ball_fits import kinematic_viscosity
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.deep_groove import DeepGrooveBearing
-from flexbearing.quantities.life_records import Ratings
 from flexbearing.runs import ball_life
-from flexbearing.runs.catalogue_life import Catalogue, Influence
-from flexbearing.runs.life_of_state import LETTERS, of_oil
-from quasidynamic import OutOfRange
-from quasidynamic.outcome.life_factors import BALLS, modification_factor
-from quasidynamic.outcome.rating_life import BALL_EXPONENT, rating_life, static_safety
+from flexbearing.runs.catalogue_life import (
+    LUBRICATION,
+    RELIABILITY,
+    Catalogue,
+    Influence,
+    require_known_forces,
+)
 
 WEIGHTLESS = "0.001 kg/m^3"  # of balls without inertia
 
@@ -83,16 +81,8 @@ AT_SPEED = (
         },
         "Which race controls how the balls turn decides who bears their gyroscopic moment.",
     ),
-    Influence(
-        "lubrication",
-        {"life.lubrication": "", "life.cleanliness": ""},
-        "a_ISO: oil film, particles in it and fatigue limit; see the factor in its own table.",
-    ),
-    Influence(
-        "reliability",
-        {"life.reliability": ""},
-        "More bearings than 90 % must survive this life, so it is shorter.",
-    ),
+    LUBRICATION,
+    RELIABILITY,
 )
 
 
@@ -134,88 +124,9 @@ def require_load(case: FastCase) -> None:
 
     Raises `BadCase` where one of them is missing.
     """
-    for name in case.operation.held:
-        raise BadCase(f"[operation] {name}: a catalogue knows lives under given forces only; give a force.")
+    require_known_forces(case)
     if not any(case.operation.forces):
         raise BadCase("[operation.load]: without a force a catalogue knows no life.")
-    if case.operation.inner_speed == case.operation.outer_speed:
-        raise BadCase("[operation] inner_speed: no ring turns against the other; there is no life.")
 
 
-def ratings(case: FastCase, hours: float) -> Ratings:
-    """What a catalogue's page says, and what it says of the load."""
-    load, at_rest = ball_life.dynamic_load(case), ball_life.static_load(case)
-    radial, axial = case.operation.forces
-    static = ball_life.static(case)
-    lived = float(rating_life(ball_life.dynamic(case), load.value, BALL_EXPONENT))
-    balls, stated = ball_life.rated_balls(case), ball_life.ratings(case)
-    return Ratings(
-        ratings_N={"C_r": ball_life.dynamic(case), "C_0r": static, "C_u": ball_life.fatigue_limit(case)},
-        given=[LETTERS[name] for name in stated],
-        scales={LETTERS[name]: rating.scale for name, rating in stated.items()},
-        formulas_N={LETTERS[name]: _known(of, balls) for name, of in ball_life.FORMULAS.items()},
-        load_N=load.value,
-        equivalent_load={
-            "F_r_N": radial, "F_a_N": axial,
-            "e": load.limit, "X": load.radial_factor, "Y": load.axial_factor, "note": load.note,
-            "X_0": at_rest.radial_factor, "Y_0": at_rest.axial_factor, "P_0_N": at_rest.value,
-        },
-        static_safety=float(static_safety(static, at_rest.value)),
-        life_Mrev=lived,
-        life_h=lived * hours,
-        **_by_oil(case, load.value, lived, hours),
-    )  # fmt: skip
-
-
-def _known(formula: Callable[[Any], float], balls: ball_life.RatedBalls) -> float | None:
-    """A rating by its formula; None where that does not hold."""
-    try:
-        return formula(balls)
-    except OutOfRange:
-        return None
-
-
-def _by_oil(case: FastCase, load: float, lived: float, hours: float) -> dict[str, Any]:
-    """Modified rating life of ISO 281, where the case says how clean the oil is."""
-    kappa = ball_life.rated_kappa(case)
-    if kappa is None:
-        return {}
-    if ball_life.unmodified(case):
-        return {"viscosity_ratio": kappa}
-    factor = float(modification_factor(kappa, ball_life.fatigue_share(case) / load, BALLS).value)
-    return {
-        "viscosity_ratio": kappa, "a_ISO": factor, "modified_Mrev": lived * factor,
-        "modified_h": lived * factor * hours,
-    }  # fmt: skip
-
-
-def oil(case: FastCase, lived: float) -> dict[str, float]:
-    """What ISO 281 says of the oil of a case, at the load that has a life [10^6 revolutions]."""
-    if case.lubricant is None:
-        return {}
-    viscosity, _ = kinematic_viscosity(case.lubricant)
-    return of_oil(
-        viscosity,
-        case.operation.inner_speed - case.operation.outer_speed,
-        case.bearing.pitch_diameter,
-        lived ** (1 / BALL_EXPONENT) * ball_life.fatigue_limit(case) / ball_life.dynamic(case),
-        BALLS,
-    )
-
-
-def load(case: FastCase) -> float:
-    """P_r of ISO 281 [N].
-
-    Raises `OutOfRange` where the ring is held, whose force is not known before it is solved, and beyond the
-    table of X, Y.
-    """
-    if case.operation.held:
-        raise OutOfRange("a ring that is held has a load that is not known")
-    return ball_life.dynamic_load(case).value
-
-
-CATALOGUE = Catalogue(
-    RATING, influences, require_load, ratings, ball_life.ratings, oil,
-    ball_life.rated, ball_life.rated_kappa, load, lambda case: BALL_EXPONENT,
-    lambda case: 1.0, ball_life.dynamic,
-)  # fmt: skip
+CATALOGUE = Catalogue(RATING, influences, require_load, ball_life.rated)

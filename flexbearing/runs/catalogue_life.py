@@ -8,9 +8,9 @@ from typing import Any
 from flexbearing.case import BadCase
 from flexbearing.findings.running import NO_MODIFIED_LIFE
 from flexbearing.findings.words import of_note
-from flexbearing.quantities.life_records import Ratings, Stage
+from flexbearing.quantities.life_records import Stage
 from flexbearing.results import Result
-from flexbearing.runs.life_of_state import Rating
+from flexbearing.runs.rated_bearing import RatedBearing
 
 Settings = Mapping[str, str]  # an empty one takes a key or table out, also one given by settings
 SUMS = "rating"  # of life.loads, the life of a catalogue alone
@@ -26,6 +26,29 @@ class Influence:
     also_out: Settings = field(default_factory=dict)  # what later influences need, once they are out too
 
 
+LUBRICATION = Influence(
+    "lubrication",
+    {"life.lubrication": "", "life.cleanliness": ""},
+    "a_ISO: oil film, particles in it and fatigue limit; see the factor in its own table.",
+)
+RELIABILITY = Influence(
+    "reliability",
+    {"life.reliability": ""},
+    "More bearings than 90 % must survive this life, so it is shorter.",
+)
+
+
+def require_known_forces(case: Any) -> None:
+    """Require forces that are known before the case is solved, and a ring that turns.
+
+    Raises `BadCase` where one of them is missing.
+    """
+    for name in case.operation.held:
+        raise BadCase(f"[operation] {name}: a catalogue knows lives under given forces only; give a force.")
+    if case.operation.inner_speed == case.operation.outer_speed:
+        raise BadCase("[operation] inner_speed: no ring turns against the other; there is no life.")
+
+
 @dataclass(frozen=True)
 class Catalogue:
     """How lives of one family of bearings are compared with those of a catalogue."""
@@ -33,15 +56,7 @@ class Catalogue:
     rating: tuple[Influence, ...]  # lives by ratings with settings that give them; last: by all loads
     influences: Callable[[Any], Sequence[Influence]]  # of a case, in the order in which they enter
     require_load: Callable[[Any], None]  # raises `BadCase` where a catalogue knows no life
-    ratings: Callable[[Any, float], Ratings]  # of a case; and the hours of a million revolutions
-    given: Callable[[Any], dict[str, Rating]]  # ratings that a case gives, by their keys
-    oil: Callable[[Any, float], dict[str, float]]  # of a case, at the load of a life [Mrev]: `of_oil`
-    rated: Callable[[Any], float | None]  # life by ratings alone [rev], where the case has no other
-    viscosity_ratio: Callable[[Any], float | None]  # kappa of a life with a_ISO
-    load: Callable[[Any], float]  # equivalent load of ISO 281 [N], of a case whose forces are known
-    exponent: Callable[[Any], float]  # of this load in the life of a case
-    rating_factor: Callable[[Any], float]  # C_r of such a life over that of the case
-    dynamic: Callable[[Any], float]  # C_r of a case [N]
+    rated: Callable[[Any], RatedBearing]  # of a case
 
     def acting(self, case: Any, read: Callable[[Sequence[str]], Any]) -> list[Influence]:
         """Influences that a case has anything of, with the settings that change it."""
@@ -80,7 +95,7 @@ def against_catalogue(
         stages.append(Stage(each.name, [*settings], [*left_out], found, found * hours, factor, each.meaning))
     return {
         "title": case.title,
-        "ratings": catalogue.ratings(case, hours).stored(),
+        "ratings": catalogue.rated(case).page(hours).stored(),
         "stages": [*map(vars, stages)],
     }
 

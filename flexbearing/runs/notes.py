@@ -11,7 +11,6 @@ from flexbearing.build.lubrication import oil, oil_name
 from flexbearing.case.roller import Case
 from flexbearing.findings.running import PRESSED_ENDS
 from flexbearing.runs import life, several, skew, teeth
-from flexbearing.runs.life_of_state import no_life
 from flexbearing.runs.not_round import turning
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import CylindricalRollerBearing, Equilibrium, NotSolved, OutOfRange
@@ -84,7 +83,7 @@ def of_solution(rows: SolvedRows) -> tuple[Note, ...]:
 
 def without_life(case: Case, bearing: CylindricalRollerBearing) -> tuple[Note, ...]:
     """Why the modified life of a case is left out."""
-    return no_life("", life.unmodified(case, bearing), life.rated_kappa(case, bearing))
+    return life.rated(case, bearing).notes
 
 
 def of_others(rows: SolvedRows, place: int, *, search: bool = False) -> tuple[Note, ...]:

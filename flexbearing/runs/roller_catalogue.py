@@ -1,19 +1,12 @@
 """What the life of a roller bearing has that a catalogue leaves out."""
 
-from operator import attrgetter
-from typing import Any
-
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
 from flexbearing.case.roller.profile import SHAPES
-from flexbearing.quantities.life_records import Ratings
 from flexbearing.runs import life
-from flexbearing.runs.catalogue_life import Catalogue, Influence
-from flexbearing.runs.life_of_state import LETTERS, Rating, of_oil
-from quasidynamic import CylindricalRollerBearing
-from quasidynamic.outcome.life_factors import ROLLERS, modification_factor
-from quasidynamic.outcome.rating_life import ROLLER_EXPONENT, rating_life, static_safety
+from flexbearing.runs.catalogue_life import RELIABILITY, Catalogue, Influence
+from flexbearing.runs.rated_bearing import RatedBearing
 
 RATING = (
     Influence(
@@ -113,11 +106,7 @@ MODIFYING = (
         {"life.steel": "", "life.melting": ""},
         "Steel and its melting, by the factors of STLE.",
     ),
-    Influence(
-        "reliability",
-        {"life.reliability": ""},
-        "More bearings than 90 % must survive this life, so it is shorter.",
-    ),
+    RELIABILITY,
 )
 
 
@@ -142,80 +131,9 @@ def require_load(case: Case) -> None:
         raise BadCase("[operation] radial_load: without a radial load a catalogue knows no life.")
 
 
-def ratings(case: Case, hours: float) -> Ratings:
-    """What a catalogue's page says, and what it says of the load."""
-    bearing, load = roller_bearing.bearing(case).bearing, case.operation.radial_load
-    rating, static = life.dynamic(case, bearing), life.static(case, bearing)
-    lived = float(rating_life(rating, load))
-    found = {"C_r": rating, "C_0r": static, "C_u": life.fatigue_limit(case, bearing)}
-    drawn = roller_bearing.nominal(case, bearing)
-    stated = life.ratings(case, bearing)
-    formulas = {LETTERS[name]: formula(drawn) for name, formula in life.FORMULAS.items()}
-    return Ratings(
-        ratings_N=found,
-        given=[LETTERS[name] for name in stated],
-        scales={LETTERS[name]: rating.scale for name, rating in stated.items()},
-        formulas_N=formulas,
-        load_N=load,
-        static_safety=static_safety(static, load),
-        life_Mrev=lived,
-        life_h=lived * hours,
-        **_by_oil(case, bearing, lived, hours),
-    )
-
-
-def _by_oil(case: Case, bearing: CylindricalRollerBearing, lived: float, hours: float) -> dict[str, Any]:
-    """Modified rating life of ISO 281, where the case says how clean the oil is."""
-    if case.life.lubrication != "a_ISO":
-        return {}
-    kappa = life.rated_kappa(case, bearing)
-    if kappa is None:
-        return {}
-    if life.without_oil_factor(case, bearing):
-        return {"viscosity_ratio": kappa}
-    left = life.fatigue_share(case, bearing)
-    factor = float(modification_factor(kappa, left / case.operation.radial_load).value)
-    return {
-        "viscosity_ratio": kappa, "a_ISO": factor, "modified_Mrev": lived * factor,
-        "modified_h": lived * factor * hours,
-    }  # fmt: skip
-
-
-def oil(case: Case, lived: float) -> dict[str, float]:
-    """What ISO 281 says of the oil of a case, at the load that has a life [10^6 revolutions]."""
-    bearing = roller_bearing.bearing(case).bearing
-    lubricant, operation = life.oil(case), case.operation
-    return of_oil(
-        lubricant.viscosity / lubricant.density,
-        operation.inner_speed - operation.outer_speed,
-        life.nominal(case, bearing).pitch_diameter,
-        lived ** (1 / ROLLER_EXPONENT) * life.fatigue_limit(case, bearing) / life.dynamic(case, bearing),
-        ROLLERS,
-    )
-
-
-def rated(case: Case) -> float | None:
-    """Life by ratings alone [rev]; None where the case has another."""
+def rated(case: Case) -> RatedBearing:
+    """The bearing as the standards rate it."""
     return life.rated(case, roller_bearing.parts(case))
 
 
-def viscosity_ratio(case: Case) -> float | None:
-    """Viscosity ratio kappa of ISO 281 [-]; None at rest, and without a_ISO."""
-    return life.rated_kappa(case, roller_bearing.parts(case))
-
-
-def given(case: Case) -> dict[str, Rating]:
-    """Ratings that the case gives, by their keys."""
-    return life.ratings(case, roller_bearing.parts(case))
-
-
-def dynamic(case: Case) -> float:
-    """C_r of the case [N]."""
-    return life.dynamic(case, roller_bearing.parts(case))
-
-
-CATALOGUE = Catalogue(
-    RATING, influences, require_load, ratings, given, oil,
-    rated, viscosity_ratio, attrgetter("operation.radial_load"), life.exponent,
-    life.rating_factor, dynamic,
-)  # fmt: skip
+CATALOGUE = Catalogue(RATING, influences, require_load, rated)

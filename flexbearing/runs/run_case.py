@@ -92,7 +92,7 @@ def _ratings(case: Head, family: Family) -> list[str]:
     if family.catalogue is None:
         return []
     try:
-        given = family.catalogue().given(case)
+        given = family.catalogue().rated(case).given
         return [f"life.{name}={rating.value!r} N" for name, rating in given.items()]
     except OutOfRange as problem:
         raise BadCase(f"{case.source.path}: {problem}") from problem

@@ -20,7 +20,7 @@ from flexbearing.progress import Logged, Report
 from flexbearing.quantities.quantity import Quantity, row, taken
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs import half_space, probes, several, skew, subsurface
-from flexbearing.runs.life import LoadedState, edge_stress, modified, static
+from flexbearing.runs.life import LoadedState, edge_stress, modified, rated
 from flexbearing.runs.life_error import LifeErrors, estimated
 from flexbearing.runs.life_of_state import MREV, LifeOfState
 from flexbearing.runs.several import SeveralEquilibria
@@ -319,7 +319,7 @@ class SolvedRows:
     def static_safety(self) -> NDArray:
         """C_0/P_0 (C) of ISO 76 [-]."""
         each = zip(self.cases, self.models, strict=True)
-        ratings = np.array([static(case, model.bearing) for case, model in each])
+        ratings = np.array([rated(case, model.bearing).static for case, model in each])
         return static_safety(ratings, np.hypot(*self.states.applied_load.T))
 
     @property

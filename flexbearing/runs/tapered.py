@@ -18,10 +18,10 @@ from flexbearing.progress import Report
 from flexbearing.quantities.quantity import row, taken
 from flexbearing.quantities.tapered import LAYOUT
 from flexbearing.results import Recorder
-from flexbearing.runs import judged, life_of_state, life_rules, subsurface, tapered_life
+from flexbearing.runs import judged, life_rules, rated_bearing, subsurface, tapered_life
 from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer, row_findings
 from flexbearing.runs.life_of_state import MREV, ReferenceLives
-from flexbearing.runs.tapered_life import Rated
+from flexbearing.runs.tapered_life import LoadsRated
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange, TaperedLoads, tapered_loads
 from quasidynamic.note import Note, graded, information
 from quasidynamic.outcome.neglected import weight_share
@@ -37,7 +37,7 @@ class Solution:
 
     case: TaperedCase
     loads: TaperedLoads
-    rated: Rated
+    rated: LoadsRated
     lives: ReferenceLives | None
 
     @cached_property
@@ -71,7 +71,7 @@ def opening(case: TaperedCase) -> dict[str, object]:
 def solved(case: TaperedCase) -> Solution:
     """Balance of rollers and inner ring of a case; raises `NotSolved` where there is none."""
     loads = tapered_loads(*tapered_bearing.build(case), case.accuracy.slices)
-    return Solution(case, loads, tapered_life.rated(case, loads), tapered_life.lives(case, loads))
+    return Solution(case, loads, tapered_life.loads_rated(case, loads), tapered_life.lives(case, loads))
 
 
 def solve(case: TaperedCase, record: Recorder, report: Report) -> dict[str, object]:
@@ -126,22 +126,22 @@ def block(solution: Solution) -> dict[str, NDArray]:
 def judge(solution: Solution) -> tuple[Judged, ...]:
     """The solution against the limits of roller bearings."""
     case, loads, rated, lives = solution.case, solution.loads, solution.rated, solution.lives
-    ratings = tapered_life.ratings(case)
+    own = tapered_life.rated(case)
     values: dict[str, Any] = {
         **judged.pressures(solution.worst.pressure, ROLLERS),
         "static_safety": rated.static_safety,
-        "viscosity_ratio": tapered_life.known_kappa(case),
-        "rated_viscosity_ratio": tapered_life.rated_kappa(case),
+        "viscosity_ratio": own.known_kappa,
+        "rated_viscosity_ratio": own.rated_kappa,
         "least_stiffness": judged.least_stiffness(loads.stiffness[None, 1:3, 1:3]),
         "neglected": _neglected(solution),
         "rib_reach": loads.rib_reach.max() / (loads.bearing.roller.diameter / 2),
-        **life_of_state.rating_ratios([ratings]),
-        **life_of_state.rating_changes([ratings]),
+        **rated_bearing.rating_ratios([own.given]),
+        **rated_bearing.rating_changes([own.given]),
     }
     if lives is not None:
         life = lives.basic if lives.modified is None else lives.modified
         values |= {
-            "load": {"by the loads of the rollers": tapered_life.reference(case, lives.basic / MREV)},
+            "load": {"by the loads of the rollers": own.reference_load(lives.basic / MREV)},
             "dynamic_rating": rated.dynamic,
             **judged.lives(life / MREV, loads.operation.relative_speed, [case.life.required]),
         }
@@ -167,7 +167,7 @@ def notes(solution: Solution, found: Sequence[Judged]) -> tuple[Note, ...]:
         "rollers roll without slip at mid-contact: friction of the raceways, oil film and cage are left out "
         "of loads and speeds; centrifugal forces and gyroscopic moments are in them",
     )
-    return (*judged.notes(found), left_out, *tapered_life.notes(solution.case))
+    return (*judged.notes(found), left_out, *tapered_life.rated(solution.case).notes)
 
 
 # -- rows of a table -------------------------------------------------------------------------------

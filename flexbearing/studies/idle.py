@@ -92,7 +92,7 @@ LEAST_FACTOR = 0.1  # a_ISO of rollers and of balls at kappa = 0.1, at any load
 def too_thin(case: Any) -> str:
     """Why a case has no a_ISO where its viscosity ratio is too small; empty where it has one."""
     catalogue = FAMILIES[case.kind].catalogue
-    kappa = catalogue().viscosity_ratio(case) if catalogue else None
+    kappa = catalogue().rated(case).rated_kappa if catalogue else None
     if kappa is None or kappa >= LEAST_VISCOSITY_RATIO:
         return ""
     return f"kappa {kappa:.3g} is below {LEAST_VISCOSITY_RATIO}: bounded by a_ISO = {LEAST_FACTOR}, its least"

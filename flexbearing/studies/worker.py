@@ -189,7 +189,7 @@ def _by_ratings(row: Row, case: Any) -> Row:
     """A row with the life by ratings, where its case has that: it needs no equilibrium."""
     catalogue = FAMILIES[case.kind].catalogue
     try:
-        life = catalogue().rated(case) if catalogue else None
+        life = catalogue().rated(case).lived if catalogue else None
     except (ImpossiblePart, OutOfRange):
         life = None
     if life is None:

@@ -1,10 +1,9 @@
 """Radial loads that rate a ball bearing as radial and axial loads together do."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from quasidynamic.errors import OutOfRange
+from quasidynamic.outcome.rating_life import EquivalentLoad
 
 # ISO 281 (2007), table 3, single row: f_0 F_a/C_0r with e and Y above e, by contact angle [deg], and X
 DEEP_GROOVE = 5.0  # [deg] angle up to which the values of deep groove bearings are used
@@ -51,19 +50,6 @@ _STATIC_Y = {
     40.0: 0.26,
     45.0: 0.22,
 }
-
-
-@dataclass(frozen=True)
-class EquivalentLoad:
-    """P = X F_r + Y F_a with what it is made of."""
-
-    value: float  # [N]
-    radial_factor: float  # [-] X
-    axial_factor: float  # [-] Y
-    limit: float | None = (
-        None  # [-] e, F_a/F_r up to which the axial load does not count; None for a static load
-    )
-    note: str = ""  # where an end of the table was held
 
 
 def ball_dynamic_load(

@@ -1,5 +1,6 @@
 """Life and safety as a catalogue has them: from ratings and one load."""
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,17 @@ BALL_EXPONENT = 3.0  # of point contact
 # [Pa] a lasting dent of 1e-4 of the rolling element's diameter, over which static ratings are defined
 ROLLERS, BALLS, SELF_ALIGNING_BALLS = 4.0e9, 4.2e9, 4.6e9
 LINE, POINT = 2.0, 3.0  # pressure to this power goes with the load
+
+
+@dataclass(frozen=True)
+class EquivalentLoad:
+    """P = X F_r + Y F_a with what it is made of."""
+
+    value: float  # [N]
+    radial_factor: float  # [-] X
+    axial_factor: float  # [-] Y
+    limit: float | None = None  # [-] e, F_a/F_r up to which the axial load does not count; None at rest
+    note: str = ""  # where an end of the table was held
 
 
 def rating_life(rating: ArrayLike, load: ArrayLike, exponent: ArrayLike = ROLLER_EXPONENT) -> Any:

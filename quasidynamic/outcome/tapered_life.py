@@ -15,6 +15,7 @@ from quasidynamic.outcome.capacity import (
 )
 from quasidynamic.outcome.life import Turning, slice_life
 from quasidynamic.outcome.raceway_damage import LINE, raceway_damage
+from quasidynamic.outcome.rating_life import EquivalentLoad
 from quasidynamic.parts.roller_bearing import Roller
 from quasidynamic.parts.tapered_bearing import TaperedRollerBearing
 
@@ -89,15 +90,6 @@ class InclinedRow:
         return inner / cosine, outer / cosine
 
 
-@dataclass(frozen=True)
-class TaperedLoad:
-    """An equivalent load P = X F_r + Y F_a."""
-
-    value: float  # [N]
-    radial_factor: float  # [-] X
-    axial_factor: float  # [-] Y
-
-
 def load_limit(contact_angle: float) -> float:
     """F_a/F_r up to which an axial load does not count, e = 1.5 tan(alpha) [-], alpha [rad].
 
@@ -118,7 +110,7 @@ def axial_factor(contact_angle: float) -> float:
     return 0.4 / float(np.tan(contact_angle))
 
 
-def tapered_dynamic_load(radial: float, axial: float, contact_angle: float) -> TaperedLoad:
+def tapered_dynamic_load(radial: float, axial: float, contact_angle: float) -> EquivalentLoad:
     r"""Dynamic equivalent radial load of one row.
 
     .. math:: P_r = F_r \;(F_a/F_r \le e),\quad P_r = 0.4 F_r + 0.4 \cot\alpha\, F_a \;(F_a/F_r > e)
@@ -132,7 +124,7 @@ def tapered_dynamic_load(radial: float, axial: float, contact_angle: float) -> T
 
     Returns
     -------
-    TaperedLoad
+    EquivalentLoad
         P_r [N] with X and Y
 
     Source
@@ -143,13 +135,14 @@ def tapered_dynamic_load(radial: float, axial: float, contact_angle: float) -> T
     -----
     The axial load is that which the bearing carries, induced thrust with it.
     """
-    if axial <= load_limit(contact_angle) * radial:
-        return TaperedLoad(radial, 1.0, 0.0)
+    limit = load_limit(contact_angle)
+    if axial <= limit * radial:
+        return EquivalentLoad(radial, 1.0, 0.0, limit)
     y = axial_factor(contact_angle)
-    return TaperedLoad(0.4 * radial + y * axial, 0.4, y)
+    return EquivalentLoad(0.4 * radial + y * axial, 0.4, y, limit)
 
 
-def tapered_static_load(radial: float, axial: float, contact_angle: float) -> TaperedLoad:
+def tapered_static_load(radial: float, axial: float, contact_angle: float) -> EquivalentLoad:
     r"""Static equivalent radial load of one row.
 
     .. math:: P_{0r} = \max(0.5 F_r + 0.22 \cot\alpha\, F_a,\; F_r)
@@ -163,7 +156,7 @@ def tapered_static_load(radial: float, axial: float, contact_angle: float) -> Ta
 
     Returns
     -------
-    TaperedLoad
+    EquivalentLoad
         P_0r [N] with X_0 and Y_0
 
     Source
@@ -172,7 +165,7 @@ def tapered_static_load(radial: float, axial: float, contact_angle: float) -> Ta
     """
     y = 0.22 / float(np.tan(contact_angle))
     together = 0.5 * radial + y * axial
-    return TaperedLoad(together, 0.5, y) if together > radial else TaperedLoad(radial, 1.0, 0.0)
+    return EquivalentLoad(together, 0.5, y) if together > radial else EquivalentLoad(radial, 1.0, 0.0)
 
 
 def induced_thrust(radial: float, contact_angle: float) -> float:

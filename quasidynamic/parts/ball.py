@@ -101,10 +101,10 @@ class FourPointBearing:
             raise ImpossiblePart(f"bearing.balls = {self.balls}: a ring needs at least 3")
         if self.ball.diameter >= self.pitch_diameter * np.sin(np.pi / self.balls):
             raise ImpossiblePart(f"{self.balls} balls do not fit on the pitch circle")
-        if not -self.centre_distance < self.clearance < self.ball.diameter:
+        if not abs(self.clearance) < self.centre_distance:
             raise ImpossiblePart(
-                f"bearing.clearance = {1e6 * self.clearance:.4g} um: an interference must be below the "
-                f"distance of the groove centres, {1e6 * self.centre_distance:.3g} um"
+                f"bearing.clearance = {1e6 * self.clearance:.4g} um: clearance and interference must be below "
+                f"the distance of the groove centres, {1e6 * self.centre_distance:.3g} um"
             )
 
     @property

@@ -150,7 +150,9 @@ class Numbers:
     def rated(self, *settings):
         family, case = self.result.family, self.case(*settings)
         speed = abs(float(self.file["rigid/relative_speed"][()]))
-        return family.catalogue().ratings(case, 1e6 * 2 * np.pi / speed / 3600 if speed else np.inf).stored()
+        return (
+            family.catalogue().rated(case).page(1e6 * 2 * np.pi / speed / 3600 if speed else np.inf).stored()
+        )
 
     def life_error(self, place, block=""):
         """Error of the basic life; of a modified one grown by the factors that follow the life."""

@@ -193,4 +193,4 @@ def test_load_beyond_the_formula_is_told():
 def test_equivalent_load_of_a_preload_is_its_force():
     case = read_case(*SIX["deep groove, preloaded"])
     assert case.operation.forces == approx((4000.0, 500.0), rel=1e-12)
-    assert ball_life.dynamic_load(case).value == 4000.0
+    assert ball_life.rated(case).load().value == 4000.0

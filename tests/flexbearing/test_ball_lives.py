@@ -64,12 +64,12 @@ def test_modified_life_by_hand():
     case = read_case(DEEP, VG_32)
     viscosity = 11.19e-6  # [m2/s] of ISO VG 32 at 70 degC, between 32 at 40 and 5.4 at 100
     kappa = viscosity * 1e6 / (4500 * (1800 * 65.0) ** -0.5)
-    assert ball_life.kappa(case) == approx(kappa, rel=0.01)
+    assert ball_life.rated(case).kappa == approx(kappa, rel=0.01)
     basic = float(result["life_L10"].to("Mrev"))
-    load = ball_life.dynamic(case) / basic ** (1 / 3)
+    load = ball_life.rated(case).dynamic / basic ** (1 / 3)
     pitch = case.bearing.pitch_diameter
-    share = contamination_factor(ball_life.kappa(case), pitch, CLEANLINESS[CLEAN]) * 20e3 / 22 / load
-    a_iso = modification_factor(ball_life.kappa(case), share, BALLS).value
+    share = contamination_factor(ball_life.rated(case).kappa, pitch, CLEANLINESS[CLEAN]) * 20e3 / 22 / load
+    a_iso = modification_factor(ball_life.rated(case).kappa, share, BALLS).value
     (first, second), record = (
         result.attributes["life"]["rigid"]["factors"],
         result.attributes["life"]["rigid"],
@@ -83,7 +83,7 @@ def test_modified_life_by_hand():
 
 def test_oil_by_name_by_its_sheet_and_by_its_data_has_one_viscosity_ratio():
     by_data = ISO | {"lubricant.viscosity": "10 mPa s", "lubricant.density": "893.7 kg/m^3"}
-    ratios = [ball_life.kappa(read_case(DEEP, settings)) for settings in (VG_32, SHEET, by_data)]
+    ratios = [ball_life.rated(read_case(DEEP, settings)).kappa for settings in (VG_32, SHEET, by_data)]
     assert ratios == approx([ratios[0]] * 3, rel=5e-3)
 
 
@@ -185,8 +185,10 @@ def test_static_rating_of_hybrids_is_that_of_their_stiffer_contacts():
     hybrid = {"materials.ball": "Si3N4", "materials.inner_ring": "100Cr6", "materials.outer_ring": "100Cr6"}
     steel, ceramic = (read_case(DEEP, settings) for settings in ({}, hybrid))
     soft, stiff = (1 - 0.3**2) / 207e9, (1 - 0.26**2) / 315e9
-    assert ball_life.static(ceramic) / ball_life.static(steel) == approx(((soft + stiff) / (2 * soft)) ** 2)
-    assert ball_life.dynamic(ceramic) == ball_life.dynamic(steel)
+    assert ball_life.rated(ceramic).static / ball_life.rated(steel).static == approx(
+        ((soft + stiff) / (2 * soft)) ** 2
+    )
+    assert ball_life.rated(ceramic).dynamic == ball_life.rated(steel).dynamic
     result = run(DEEP, hybrid)
     assert result.rigid["static_safety"] > 0
     assert "assumed" in next(each["text"] for each in result.attributes["notes"] if each["code"] == "hybrid")
@@ -194,7 +196,9 @@ def test_static_rating_of_hybrids_is_that_of_their_stiffer_contacts():
 
 def test_given_static_rating_follows_the_material_of_the_balls():
     place = DEEP.parent / "catalogue" / "6208.toml"
-    assert ball_life.static(read_case(place, {"materials.ball": "Si3N4"})) == approx(0.7 * 19e3, rel=0.01)
+    assert ball_life.rated(read_case(place, {"materials.ball": "Si3N4"})).static == approx(
+        0.7 * 19e3, rel=0.01
+    )
 
 
 @pytest.mark.parametrize("limit", ["0.8 kN", None])

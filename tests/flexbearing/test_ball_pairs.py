@@ -60,7 +60,7 @@ def test_tandem_rows_have_the_life_of_two_bearings():
     loads = []
     for found, settings in ((one, RATING), (two, {**RATING, **TANDEM})):
         lives = ball_life.ReferenceLives(float(found.rigid["life_L10"]), found.rigid["raceway_life"], None)
-        loads.append(ball_life.equivalent(case(**settings), lives))
+        loads.append(ball_life.rated(case(**settings)).reference_load(lives.basic / 1e6))
     assert loads[1] == approx(2 * loads[0], rel=1e-9)
     assert "unloading_force" not in two.rigid
 

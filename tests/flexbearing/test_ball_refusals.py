@@ -53,7 +53,7 @@ IMPOSSIBLE = {
         FOUR_POINT, ["bearing.clearance=18 mm"], "[bearing] clearance", "is the unit right?",
     ),
     "interference deeper than the grooves": (
-        FOUR_POINT, ["bearing.clearance=-2 mm"], "[bearing] clearance", "above -1750 um",
+        FOUR_POINT, ["bearing.clearance=-2 mm"], "[bearing] clearance", "between -1750 um and 1750 um",
     ),
     "conformity from the ball radius": (
         FOUR_POINT, ["bearing.inner.conformity=0.5"], "[bearing.inner] conformity = 0.5", "at least 0.5001",

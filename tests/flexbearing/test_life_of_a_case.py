@@ -133,7 +133,7 @@ def test_viscosity_ratio_is_that_of_the_speed_of_one_ring_past_the_other():
     kappa = []
     for settings in (speeds, {"operation.inner_speed": "4000 rpm"}):
         case = read_case(PLAIN, {**settings, **CLEAN})
-        kappa.append(life.kappa(case, roller_bearing.bearing(case).bearing))
+        kappa.append(life.rated(case, roller_bearing.bearing(case).bearing).kappa)
     assert kappa[0] == approx(kappa[1], rel=1e-12)
 
 

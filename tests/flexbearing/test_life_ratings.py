@@ -97,8 +97,8 @@ def test_static_rating_of_a_catalogue_gives_its_fatigue_limit(state):
 def test_formula_of_iso_281_stops_where_its_table_ends():
     slim = {"bearing.outer_raceway_diameter": "31 mm", "bearing.rollers": 5, "bearing.cage.thickness": "2 mm"}
     case, rated = (read_case(PLAIN, ISO | slim | more) for more in ({}, {"life.dynamic_rating": "20 kN"}))
-    assert "ISO 281, table 7" in life.unmodified(case, roller_bearing.parts(case))
-    assert life.unmodified(rated, roller_bearing.parts(rated)) == ""
+    assert "ISO 281, table 7" in life.rated(case, roller_bearing.parts(case)).unmodified
+    assert life.rated(rated, roller_bearing.parts(rated)).unmodified == ""
 
 
 def test_ratings_are_those_of_the_drawing_at_any_temperature():
@@ -108,8 +108,9 @@ def test_ratings_are_those_of_the_drawing_at_any_temperature():
     cold, hot = (read_case(PLAIN, settings) for settings in ({}, temperatures))
     at_rest, warm = (roller_bearing.parts(case) for case in (cold, hot))
     assert warm.roller.diameter > at_rest.roller.diameter
-    for rating in (life.dynamic, life.static, life.fatigue_limit):
-        assert rating(hot, warm) == rating(cold, at_rest)
+    after, before = life.rated(hot, warm), life.rated(cold, at_rest)
+    for name in ("dynamic", "static", "fatigue_limit"):
+        assert getattr(after, name) == getattr(before, name)
     assert warm.roller.mass == approx(at_rest.roller.mass, rel=1e-14)
 
 
@@ -145,7 +146,7 @@ GIVEN = {"dynamic_rating": "C_r", "static_rating": "C_0r", "fatigue_limit_load":
 
 def rated(case):
     """Ratings that are used over those of the formulas."""
-    found = FAMILIES[case.kind].catalogue().ratings(case, 1.0)
+    found = FAMILIES[case.kind].catalogue().rated(case).page(1.0)
     return {name: found.ratings_N[name] / found.formulas_N[name] for name in GIVEN.values()}
 
 
@@ -154,7 +155,7 @@ def test_given_ratings_keep_their_factor_on_the_formula_where_a_size_changes(fil
     plain, changed = (read_case(CATALOGUE / f"{file}.toml", each) for each in ({}, {key: value}))
     assert rated(changed) == approx(rated(plain), rel=1e-9)
     again = read_case(CATALOGUE / f"{file}.toml", {key: value, "life.dynamic_rating": "50 kN"})
-    found = FAMILIES[again.kind].catalogue().ratings(again, 1.0).ratings_N
+    found = FAMILIES[again.kind].catalogue().rated(again).page(1.0).ratings_N
     assert found["C_r"] == 50e3  # a rating of a setting is that of the bearing that results
     assert rated(again)["C_0r"] == approx(rated(plain)["C_0r"], rel=1e-9)
 
@@ -179,7 +180,7 @@ def test_derivative_of_the_life_is_that_of_a_rating_by_the_formula(file, key):
     factors, lives, step = rated(case), [], 1e-4
     for side in (-1, 1):
         size = {key: f"{found.key.value * (1 + side * step)!r} m"}
-        of = FAMILIES[case.kind].catalogue().ratings(read_case(place, size), 1.0).formulas_N
+        of = FAMILIES[case.kind].catalogue().rated(read_case(place, size)).page(1.0).formulas_N
         given = {f"life.{name}": f"{factors[to] * of[to]!r} N" for name, to in GIVEN.items()}
         lives.append(float(api.run(place, size | given).rigid["modified_life"]))
     expected = np.log(lives[1] / lives[0]) / np.log((1 + step) / (1 - step))

@@ -438,7 +438,7 @@ def test_a_modified_life_that_nothing_modifies_is_refused(tmp_path):
 def test_the_mean_load_is_without_the_application_factor(reliabilities):
     mean = (0.75 * 8000 ** (10 / 3) + 0.25 * 5000 ** (10 / 3)) ** 0.3
     assert reliabilities["mean_load"].values == approx([mean, mean], rel=1e-12)
-    turns = (roller_catalogue.dynamic(check(ROLLERS)) / mean) ** (10 / 3) * 1e6
+    turns = (roller_catalogue.rated(check(ROLLERS)).dynamic / mean) ** (10 / 3) * 1e6
     hours = turns / (60 * reliabilities["mean_speed"].values[0])
     assert reliabilities["rating_life"].values == approx([hours, hours], rel=1e-12)
 
@@ -452,7 +452,7 @@ def test_a_variant_whose_load_is_not_known_leaves_that_of_others(tmp_path):
         '"operation.inner_speed" = ["500 rpm", "1000 rpm"]'
     )
     table = flexbearing.study(file, tmp_path, jobs=1)
-    load = ball_life.dynamic_load(check(case)).value
+    load = ball_life.rated(check(case)).load().value
     assert table.cycles["mean_load"].values == approx([load, nan], rel=1e-12, nan_ok=True)
     assert "nan" not in words_of(table)
 

@@ -99,15 +99,12 @@ class FourPointBearing(MountedBearing):
     def _balls_fit(self) -> Self:
         if self.balls is not None:
             self.require_room(self.balls)
-        if self.clearance >= self.ball.diameter / 2:
+        if abs(self.clearance) >= self.centre_distance:
+            most = f"{self.centre_distance * 1e6:.4g} um"
             raise impossible(
                 "clearance",
-                f"below {in_mm(self.ball.diameter / 2)}, half of bearing.ball.diameter; is the unit right?",
+                f"between -{most} and {most}, the distance of opposite groove centres; is the unit right?",
             )
-        reach = sum(groove.over(self.ball.diameter) for groove in (self.inner, self.outer)) - 1
-        if self.clearance <= -reach * self.ball.diameter:
-            most = f"{reach * self.ball.diameter * 1e6:.4g} um"
-            raise impossible("clearance", f"above -{most}, the distance of opposite groove centres")
         inner = (self.inner.over(self.ball.diameter) - 0.5) * self.ball.diameter
         if self.outer_arches == 1 and self.aside > inner:
             raise impossible(

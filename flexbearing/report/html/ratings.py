@@ -29,7 +29,7 @@ def found(reader: Reader) -> tuple[Ratings, str] | str:
     try:
         case, known = reader.case, catalogue()
         known.require_load(case)
-        return known.ratings(case, _hours(reader)), "ratings"
+        return known.rated(case).page(_hours(reader)), "ratings"
     except ValueError as problem:  # a refused case, or a formula outside its range
         return str(problem).splitlines()[0].rstrip(".")
 
@@ -50,7 +50,7 @@ def viscosity_ratio(reader: Reader) -> Number | None:
     if rated.viscosity_ratio is not None:
         return reader.units.number(rated.viscosity_ratio, "", "", ".3g", f"{at}/viscosity_ratio")
     try:
-        kappa = catalogue().viscosity_ratio(reader.case_with(BY_A_ISO))
+        kappa = catalogue().rated(reader.case_with(BY_A_ISO)).rated_kappa
     except ValueError:  # no oil in the case, or one outside its data
         return None
     return None if kappa is None else reader.units.number(kappa, "", "", ".3g", "viscosity_ratio")

@@ -348,16 +348,15 @@ def _required(catalogue: Any, case: Any) -> tuple[float, float, float, float]:
     """
     from flexbearing.runs.life_of_state import of_reliability
 
-    exponent = catalogue.exponent(case)
-    factor = catalogue.rating_factor(case) ** exponent
-    factor *= prod(float(each.value) for each in of_reliability(case.life.reliability))
-    return _known(catalogue.load, case), factor, exponent, _known(catalogue.dynamic, case)
+    rated, factors = catalogue.rated(case), of_reliability(case.life.reliability)
+    factor = rated.rating_factor**rated.power * prod(float(each.value) for each in factors)
+    return _known(lambda: rated.load().value), factor, rated.power, _known(lambda: rated.dynamic)
 
 
-def _known(quantity: Callable[[Any], float], case: Any) -> float:
-    """A quantity of a case; NaN out of the range of its formula."""
+def _known(quantity: Callable[[], float]) -> float:
+    """A quantity; NaN out of the range of its formula."""
     try:
-        return quantity(case)
+        return quantity()
     except OutOfRange:
         return nan
 
