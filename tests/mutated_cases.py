@@ -95,7 +95,7 @@ VARIANTS: dict[str, tuple[str, tuple[str, ...]]] = {
         *FIT, "inner.fit=frictionless", "bearing.fits.shaft_interference=40 um",
     )),
     "fit with friction": ("mao2016", (*FIT, "inner.fit=friction", "bearing.fits.shaft_interference=40 um",
-        "inner.clamping=5 kN", "inner.shoulder_diameter=66 mm")),
+        "inner.clamping=5 kN", "inner.shoulder_diameter=66 mm", "accuracy.element_order=2")),
     "temperature along the shaft": ("mao2016", (*FIT, "inner.fit=frictionless",
         "bearing.fits.shaft_interference=60 um", 'operation.temperatures.shaft_along.at=["-20 mm", "20 mm"]',
         'operation.temperatures.shaft_along.temperatures=["220 degC", "240 degC"]')),
