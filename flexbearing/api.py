@@ -134,7 +134,7 @@ def against_catalogue(case: str | Path, overrides: Overrides = ()) -> dict[str, 
     from flexbearing.case import BadCase
     from flexbearing.case.read import written
     from flexbearing.families import FAMILIES
-    from flexbearing.runs.catalogue_life import against_catalogue as compared
+    from flexbearing.life.against_catalogue import against_catalogue as compared
 
     given = written(overrides) if isinstance(overrides, Mapping) else tuple(overrides)
     wanted = check(case, given)

@@ -23,7 +23,7 @@ _ROLLER = Family(
     profiles=Entry("flexbearing.build.profiles:drawn"),
     initial_state=Entry("flexbearing.coupled.states:initial_state"),
     neighbouring_state=Entry("flexbearing.coupled.states:neighbouring_state"),
-    catalogue=Entry("flexbearing.runs.roller_catalogue:CATALOGUE"),
+    catalogue=Entry("flexbearing.life.roller_influences:CATALOGUE"),
     sensitivities=Entry("flexbearing.derivatives.rollers:sensitivities"),
 )
 _FOUR_POINT = Family(
@@ -49,7 +49,7 @@ _ANGULAR = Family(
     layout=Entry("flexbearing.quantities.angular_contact:LAYOUT"),
     report=Entry("flexbearing.report.family_report:ANGULAR_CONTACT"),
     card=_CARD,
-    catalogue=Entry("flexbearing.runs.ball_catalogue:CATALOGUE"),
+    catalogue=Entry("flexbearing.life.ball_influences:CATALOGUE"),
     sensitivities=Entry("flexbearing.derivatives.balls:sensitivities"),
 )
 _DEEP_GROOVE = replace(  # an angular-contact bearing whose contact angle comes from its clearance
@@ -66,7 +66,7 @@ _TAPERED = Family(
     report=Entry("flexbearing.report.family_report:TAPERED"),
     card=_CARD,
     profiles=Entry("flexbearing.build.profiles:drawn"),
-    catalogue=Entry("flexbearing.runs.tapered_catalogue:CATALOGUE"),
+    catalogue=Entry("flexbearing.life.tapered_influences:CATALOGUE"),
 )
 
 FAMILIES = {family.kind: family for family in (_ROLLER, _FOUR_POINT, _ANGULAR, _DEEP_GROOVE, _TAPERED)}

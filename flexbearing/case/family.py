@@ -41,7 +41,7 @@ class Family:
     levels: Callable[[], Any] | None = None  # a `flexbearing.accuracy.family.LevelsOfFamily`; None: no target
     rows: Callable[[], Callable[..., Any]] | None = None  # as `flexbearing.runs.rows.answers`; None: by runs
     catalogue: Callable[[], Any] | None = (
-        None  # a `flexbearing.runs.catalogue_life.Catalogue`; None: no ratings
+        None  # a `flexbearing.life.against_catalogue.Catalogue`; None: no ratings
     )
 
 

@@ -13,7 +13,7 @@ from flexbearing.case import BadCase
 from flexbearing.case.balls.mounting import MountedMaterials
 from flexbearing.catalogue.element_set import ElementSet, Pair, Ratings, chosen, near, span
 from flexbearing.catalogue.page import Page
-from flexbearing.runs.ball_life import rated_material
+from flexbearing.life.ball_lives import rated_material
 from quasidynamic.outcome.ball_capacity import (
     RATED_STEEL,
     ball_dynamic_rating,

@@ -17,23 +17,13 @@ from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
 from flexbearing.case.coupling import MethodsOfCoupling
 from flexbearing.findings import Judged, declared, evaluate
 from flexbearing.findings.running import GYROSCOPIC_MOMENT
+from flexbearing.life import ball_lives, rated_bearing
+from flexbearing.life.life_of_state import MREV, ReferenceLives
 from flexbearing.program.workers import shared_map
 from flexbearing.progress import Report
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import row, taken
-from flexbearing.runs import (
-    ball_life,
-    elastic_grooves,
-    judged,
-    neglect,
-    not_round,
-    probes,
-    rated_bearing,
-    shoulders,
-    subsurface,
-    teeth,
-)
-from flexbearing.runs.life_of_state import MREV, ReferenceLives
+from flexbearing.runs import elastic_grooves, judged, neglect, not_round, probes, shoulders, subsurface, teeth
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.balance.balls.free_ball import OiledBalls
 from quasidynamic.columns import kind_and_numbers
@@ -390,7 +380,7 @@ def followed(
     except NotSolved as why:
         state, without_torque = replace(state, friction=None), str(why)
     contact = state.rolling_contact(spin=lines.spin, friction=lines.net_force)
-    lives, safety = ball_life.lives(case, state), ball_life.safety(case, state)
+    lives, safety = ball_lives.lives(case, state), ball_lives.safety(case, state)
     return Solution(case, state, contact, rolling, lives, safety, without_torque=without_torque)
 
 
@@ -498,7 +488,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
     case, state, operation = solution.case, solution.state, solution.case.operation
     speed, lives = operation.inner_speed - operation.outer_speed, solution.lives
     radial = not isinstance(case.bearing, AngularBearing)  # not adjusted axially
-    own = ball_life.rated(case)
+    own = ball_lives.rated(case)
     values = {
         **judged.pressures(state.peak_pressures.max(axis=1), BALLS),
         **neglect.of_fast_balls(solution),
@@ -589,7 +579,7 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
         + shoulders.without_torque(solution.without_torque)
         + probes.notes(solution.probes)
         + subsurface.notes(case, solution.worst)
-        + ball_life.notes(case)
+        + ball_lives.notes(case)
     )
 
 

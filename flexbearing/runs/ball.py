@@ -10,6 +10,7 @@ from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.coupled.attempts import NotCoupled
 from flexbearing.findings import Judged, records
+from flexbearing.life import life_rules, slow_ball_lives
 from flexbearing.outputs import requested
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
@@ -17,7 +18,7 @@ from flexbearing.quantities.angular_contact import LAYOUT as OF_FAST_BALLS
 from flexbearing.quantities.four_point import LAYOUT as OF_SLOW_BALLS
 from flexbearing.quantities.layout import Layout
 from flexbearing.results import Recorder
-from flexbearing.runs import angular_contact, ball_levels, four_point, life_rules, slow_life
+from flexbearing.runs import angular_contact, ball_levels, four_point
 from flexbearing.runs.angular_contact import Block, named
 from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer, row_findings
 from quasidynamic import AngularContactState, ImpossiblePart, NotSolved, OutOfRange
@@ -106,7 +107,7 @@ def _lives(solution: four_point.Solution) -> dict[str, Any]:
     if solution.lives is None:
         return {}
     block, state = "rigid" if solution.case.rigid else "flexible", solution.lives.of_state
-    thrust = slow_life.rated_arcs(solution.case).thrust
+    thrust = slow_ball_lives.rated_arcs(solution.case).thrust
     rule = {"life_rule": life_rules.of_arcs(solution.case, thrust=thrust)}
     return rule | ({} if state is None else {"life": {block: state.record()}})
 

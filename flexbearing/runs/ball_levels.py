@@ -16,10 +16,11 @@ from flexbearing.accuracy.groove_levels import ladders
 from flexbearing.accuracy.ladder import Place, Unusable
 from flexbearing.accuracy.shared import Levels, UsualLevels
 from flexbearing.case.balls.angular_contact import FastCase
+from flexbearing.life import ball_lives
 from flexbearing.progress import Report
 from flexbearing.quantities.angular_contact import STIFFNESSES
 from flexbearing.quantities.coupling import BALL_LOAD
-from flexbearing.runs import angular_contact, ball_life
+from flexbearing.runs import angular_contact
 from quasidynamic.note import Note
 
 
@@ -38,7 +39,7 @@ class BallTrial:
     @cached_property
     def numbers(self) -> dict[str, float]:
         """Stiffness along the axes [N/m], and the life [rev] where there is one."""
-        lives = ball_life.lives(self.case, self.state)
+        lives = ball_lives.lives(self.case, self.state)
         along = dict(zip(STIFFNESSES, np.diag(self.state.stiffness)[: len(STIFFNESSES)], strict=True))
         return along | ({} if lives is None else {"life": lives.basic})
 

@@ -13,14 +13,15 @@ from flexbearing.build import clearance
 from flexbearing.build.ball_fits import ball, groove
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.findings import Judged, declared, evaluate
+from flexbearing.life import slow_ball_lives
+from flexbearing.life.life_of_state import MREV
 from flexbearing.program.workers import shared_map
 from flexbearing.progress import Report
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import row, taken
 from flexbearing.rings import grooves
-from flexbearing.runs import elastic_grooves, judged, neglect, shoulders, slow_life, subsurface
+from flexbearing.runs import elastic_grooves, judged, neglect, shoulders, subsurface
 from flexbearing.runs.angular_contact import STICK
-from flexbearing.runs.life_of_state import MREV
 from quasidynamic import OutOfRange
 from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves
 from quasidynamic.balance.balls.four_contacts import SIDE_OF_DIAGONAL
@@ -54,9 +55,9 @@ class Solution:
         return WorstPointContact.of(*(values.reshape(-1, 2) for values in each))
 
     @cached_property
-    def lives(self) -> slow_life.SlowLives | None:
+    def lives(self) -> slow_ball_lives.SlowLives | None:
         """Lives under these loads; None where there is none."""
-        return slow_life.lives(self.case, self.balls)
+        return slow_ball_lives.lives(self.case, self.balls)
 
     @property
     def bearing(self) -> qd.FourPointBearing:
@@ -301,7 +302,7 @@ def _fatigue(solution: Solution) -> dict[str, object]:
         **judged.lives(lives.longest / MREV, lives.relative_speed, [solution.case.life.required]),
     }
     if lives.oscillation is not None:
-        ratio = slow_life.row(solution.case).diameter_ratio
+        ratio = slow_ball_lives.row(solution.case).diameter_ratio
         way = rolled_way(lives.oscillation, solution.case.bearing.pitch_diameter, ratio)
         values["rolled_widths"] = way / (2 * balls.ellipse.along.max())
     return values
@@ -326,7 +327,7 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
     """What a user must know of the solution, judged by findings before."""
     case, balls = solution.case, solution.balls
     lines = (*judged.notes(found), *balls.notes, *shoulders.unusual(case.materials), *clearance.notes(case))
-    lines += slow_life.notes(case)
+    lines += slow_ball_lives.notes(case)
     if solution.distribution is None:
         lines += (
             information(

@@ -10,7 +10,8 @@ from flexbearing.build import clearance, ring_parts
 from flexbearing.build.lubrication import oil, oil_name
 from flexbearing.case.roller import Case
 from flexbearing.findings.running import PRESSED_ENDS
-from flexbearing.runs import life, several, skew, teeth
+from flexbearing.life import roller_lives
+from flexbearing.runs import several, skew, teeth
 from flexbearing.runs.not_round import turning
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import CylindricalRollerBearing, Equilibrium, NotSolved, OutOfRange
@@ -83,7 +84,7 @@ def of_solution(rows: SolvedRows) -> tuple[Note, ...]:
 
 def without_life(case: Case, bearing: CylindricalRollerBearing) -> tuple[Note, ...]:
     """Why the modified life of a case is left out."""
-    return life.rated(case, bearing).notes
+    return roller_lives.rated(case, bearing).notes
 
 
 def of_others(rows: SolvedRows, place: int, *, search: bool = False) -> tuple[Note, ...]:

@@ -8,10 +8,11 @@ from flexbearing.build import clearance
 from flexbearing.case.roller import Case
 from flexbearing.coupling import LinearPair
 from flexbearing.findings import Judged, declared
+from flexbearing.life import life_rules
 from flexbearing.progress import Report
 from flexbearing.quantities.quantity import row
 from flexbearing.results import Arrays, Recorder
-from flexbearing.runs import judged, life_rules, notes, roller_findings
+from flexbearing.runs import judged, notes, roller_findings
 from flexbearing.runs.several import SeveralEquilibria
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import Equilibrium, RollerBearing

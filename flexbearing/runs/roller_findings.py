@@ -9,8 +9,9 @@ from flexbearing.case.roller import Case
 from flexbearing.findings import Record, declared, evaluate, records
 from flexbearing.findings.row import in_rows
 from flexbearing.findings.strength import BARS
-from flexbearing.runs import judged, life, rated_bearing
-from flexbearing.runs.life_of_state import MREV
+from flexbearing.life import rated_bearing, roller_lives
+from flexbearing.life.life_of_state import MREV
+from flexbearing.runs import judged
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import CylindricalRollerBearing, Equilibrium, OutOfRange
 from quasidynamic.contact.film.roughness import MIXED_FROM
@@ -26,8 +27,8 @@ def values(rows: SolvedRows) -> dict[str, Any]:
         **_stress_of_bars(rows),
         "load": np.hypot(*rows.states.applied_load.T),
         "dynamic_rating": np.array([_dynamic_rating(*of) for of in each]),
-        **rated_bearing.rating_ratios([life.rated(*of).given for of in each]),
-        "viscosity_ratio": np.array([life.rated(*of).known_kappa for of in each], dtype=float),
+        **rated_bearing.rating_ratios([roller_lives.rated(*of).given for of in each]),
+        "viscosity_ratio": np.array([roller_lives.rated(*of).known_kappa for of in each], dtype=float),
         "film_ratio": None if rows.film_ratio is None else _smallest(rows.film_ratio),
         "mixed_film_ratio": MIXED_FROM,
         "series_error": None if rows.rings[0].rigid else rows.end.series_error,
@@ -45,7 +46,7 @@ def _parts(rows: SolvedRows) -> list[tuple[Case, CylindricalRollerBearing]]:
 def _dynamic_rating(case: Case, bearing: CylindricalRollerBearing) -> float:
     """C_r [N]; not a number where none is given and ISO 281 has none."""
     try:
-        return life.rated(case, bearing).dynamic
+        return roller_lives.rated(case, bearing).dynamic
     except OutOfRange:
         return np.nan
 
@@ -65,8 +66,10 @@ def values_of_dangers(rows: SolvedRows) -> dict[str, Any]:
             np.array(lives) / MREV, rows.relative_speed, (case.life.required for case in rows.cases)
         ),
         "neglected": {"gyroscopic moment of the rollers": _gyroscopic(rows)},
-        "rated_viscosity_ratio": np.array([life.rated(*of).rated_kappa for of in _parts(rows)], dtype=float),
-        **rated_bearing.rating_changes([life.rated(*of).given for of in _parts(rows)]),
+        "rated_viscosity_ratio": np.array(
+            [roller_lives.rated(*of).rated_kappa for of in _parts(rows)], dtype=float
+        ),
+        **rated_bearing.rating_changes([roller_lives.rated(*of).given for of in _parts(rows)]),
         **(_stress_of_bars(rows) if limited else {}),
     }
 

@@ -117,7 +117,7 @@ def _comparing_lives(case: Head) -> bool:
 
 def _lives_compared(case: Head, family: Family, report: Report, notes: list[Any]) -> dict[str, Any]:
     """The attribute `catalogue_life`, or a further note that says why there is none."""
-    from flexbearing.runs.catalogue_life import against_catalogue
+    from flexbearing.life.against_catalogue import against_catalogue
     from quasidynamic.note import information
 
     assert family.catalogue is not None  # of a case that has this output

@@ -14,15 +14,15 @@ from flexbearing.build.ring_parts import outer_mass
 from flexbearing.case.roller import Case
 from flexbearing.coupled.states import EndStates, flat
 from flexbearing.coupling import LinearPair
+from flexbearing.life.life_of_state import MREV, LifeOfState
+from flexbearing.life.roller_lives import LoadedState, edge_stress, modified, rated
 from flexbearing.outputs import RequestedOutput
 from flexbearing.outputs.names import BLOCKS
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.quantity import Quantity, row, taken
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs import half_space, probes, several, skew, subsurface
-from flexbearing.runs.life import LoadedState, edge_stress, modified, rated
 from flexbearing.runs.life_error import LifeErrors, estimated
-from flexbearing.runs.life_of_state import MREV, LifeOfState
 from flexbearing.runs.several import SeveralEquilibria
 from quasidynamic import Equilibrium, RollerBearing, SolverOutcome
 from quasidynamic.contact.film import lambda_ratio, regime

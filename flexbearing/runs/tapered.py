@@ -12,16 +12,17 @@ from flexbearing.build import tapered_bearing
 from flexbearing.case import BadCase
 from flexbearing.case.tapered import TaperedCase
 from flexbearing.findings import Judged, declared, evaluate, records
+from flexbearing.life import life_rules, rated_bearing, tapered_lives
+from flexbearing.life.life_of_state import MREV, ReferenceLives
+from flexbearing.life.tapered_lives import LoadsRated
 from flexbearing.outputs import requested
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Report
 from flexbearing.quantities.quantity import row, taken
 from flexbearing.quantities.tapered import LAYOUT
 from flexbearing.results import Recorder
-from flexbearing.runs import judged, life_rules, rated_bearing, subsurface, tapered_life
+from flexbearing.runs import judged, subsurface
 from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer, row_findings
-from flexbearing.runs.life_of_state import MREV, ReferenceLives
-from flexbearing.runs.tapered_life import LoadsRated
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange, TaperedLoads, tapered_loads
 from quasidynamic.note import Note, graded, information
 from quasidynamic.outcome.neglected import weight_share
@@ -71,7 +72,7 @@ def opening(case: TaperedCase) -> dict[str, object]:
 def solved(case: TaperedCase) -> Solution:
     """Balance of rollers and inner ring of a case; raises `NotSolved` where there is none."""
     loads = tapered_loads(*tapered_bearing.build(case), case.accuracy.slices)
-    return Solution(case, loads, tapered_life.loads_rated(case, loads), tapered_life.lives(case, loads))
+    return Solution(case, loads, tapered_lives.loads_rated(case, loads), tapered_lives.lives(case, loads))
 
 
 def solve(case: TaperedCase, record: Recorder, report: Report) -> dict[str, object]:
@@ -126,7 +127,7 @@ def block(solution: Solution) -> dict[str, NDArray]:
 def judge(solution: Solution) -> tuple[Judged, ...]:
     """The solution against the limits of roller bearings."""
     case, loads, rated, lives = solution.case, solution.loads, solution.rated, solution.lives
-    own = tapered_life.rated(case)
+    own = tapered_lives.rated(case)
     values: dict[str, Any] = {
         **judged.pressures(solution.worst.pressure, ROLLERS),
         "static_safety": rated.static_safety,
@@ -167,7 +168,7 @@ def notes(solution: Solution, found: Sequence[Judged]) -> tuple[Note, ...]:
         "rollers roll without slip at mid-contact: friction of the raceways, oil film and cage are left out "
         "of loads and speeds; centrifugal forces and gyroscopic moments are in them",
     )
-    return (*judged.notes(found), left_out, *tapered_life.rated(solution.case).notes)
+    return (*judged.notes(found), left_out, *tapered_lives.rated(solution.case).notes)
 
 
 # -- rows of a table -------------------------------------------------------------------------------

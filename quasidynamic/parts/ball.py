@@ -103,8 +103,8 @@ class FourPointBearing:
             raise ImpossiblePart(f"{self.balls} balls do not fit on the pitch circle")
         if not abs(self.clearance) < self.centre_distance:
             raise ImpossiblePart(
-                f"bearing.clearance = {1e6 * self.clearance:.4g} um: clearance and interference must be below "
-                f"the distance of the groove centres, {1e6 * self.centre_distance:.3g} um"
+                f"bearing.clearance = {1e6 * self.clearance:.4g} um: clearance or interference must be "
+                f"below the distance of the groove centres, {1e6 * self.centre_distance:.3g} um"
             )
 
     @property

@@ -11,9 +11,9 @@ from flexbearing import read, run
 from flexbearing.api import against_catalogue, read_case
 from flexbearing.case import BadCase
 from flexbearing.case.read import written
+from flexbearing.life import ball_lives
 from flexbearing.report.catalogue_life import sections
 from flexbearing.report.output import laid_out, text
-from flexbearing.runs import ball_life
 from tests.flexbearing.noted import texts
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -193,4 +193,4 @@ def test_load_beyond_the_formula_is_told():
 def test_equivalent_load_of_a_preload_is_its_force():
     case = read_case(*SIX["deep groove, preloaded"])
     assert case.operation.forces == approx((4000.0, 500.0), rel=1e-12)
-    assert ball_life.rated(case).load().value == 4000.0
+    assert ball_lives.rated(case).load().value == 4000.0

@@ -9,8 +9,8 @@ from pytest import approx
 from flexbearing import run
 from flexbearing.api import check, read_case
 from flexbearing.case import BadCase
+from flexbearing.life import ball_lives
 from flexbearing.report.output import text
-from flexbearing.runs import ball_life
 from flexbearing.runs.ball import angular_answers
 from quasidynamic.outcome.ball_capacity import ball_dynamic_rating, ball_fatigue_load_limit
 from quasidynamic.outcome.ball_life import ball_reference_life
@@ -33,7 +33,7 @@ def steep():
 
 
 def test_life_is_the_reference_life_of_the_loads(steep):
-    row = ball_life.row(read_case(STEEP))
+    row = ball_lives.row(read_case(STEEP))
     expected = ball_reference_life(steep.rigid["contact_load"], row, (1.0, 0.0), ball_dynamic_rating(row))
     assert float(steep["life_L10"].to("Mrev")) == approx(expected, rel=1e-9)
     both = steep.rigid["raceway_life"] / 1e6
@@ -54,7 +54,7 @@ def test_inner_ring_that_stands_meets_its_loads_with_one_place():
 
 def test_given_rating_takes_the_place_of_the_formula(steep):
     doubled = run(
-        STEEP, {"life.dynamic_rating": f"{2 * ball_dynamic_rating(ball_life.row(read_case(STEEP)))} N"}
+        STEEP, {"life.dynamic_rating": f"{2 * ball_dynamic_rating(ball_lives.row(read_case(STEEP)))} N"}
     )
     assert float(doubled["life_L10"].to("Mrev")) == approx(8 * float(steep["life_L10"].to("Mrev")), rel=1e-9)
 
@@ -64,12 +64,12 @@ def test_modified_life_by_hand():
     case = read_case(DEEP, VG_32)
     viscosity = 11.19e-6  # [m2/s] of ISO VG 32 at 70 degC, between 32 at 40 and 5.4 at 100
     kappa = viscosity * 1e6 / (4500 * (1800 * 65.0) ** -0.5)
-    assert ball_life.rated(case).kappa == approx(kappa, rel=0.01)
+    assert ball_lives.rated(case).kappa == approx(kappa, rel=0.01)
     basic = float(result["life_L10"].to("Mrev"))
-    load = ball_life.rated(case).dynamic / basic ** (1 / 3)
+    load = ball_lives.rated(case).dynamic / basic ** (1 / 3)
     pitch = case.bearing.pitch_diameter
-    share = contamination_factor(ball_life.rated(case).kappa, pitch, CLEANLINESS[CLEAN]) * 20e3 / 22 / load
-    a_iso = modification_factor(ball_life.rated(case).kappa, share, BALLS).value
+    share = contamination_factor(ball_lives.rated(case).kappa, pitch, CLEANLINESS[CLEAN]) * 20e3 / 22 / load
+    a_iso = modification_factor(ball_lives.rated(case).kappa, share, BALLS).value
     (first, second), record = (
         result.attributes["life"]["rigid"]["factors"],
         result.attributes["life"]["rigid"],
@@ -83,7 +83,7 @@ def test_modified_life_by_hand():
 
 def test_oil_by_name_by_its_sheet_and_by_its_data_has_one_viscosity_ratio():
     by_data = ISO | {"lubricant.viscosity": "10 mPa s", "lubricant.density": "893.7 kg/m^3"}
-    ratios = [ball_life.rated(read_case(DEEP, settings)).kappa for settings in (VG_32, SHEET, by_data)]
+    ratios = [ball_lives.rated(read_case(DEEP, settings)).kappa for settings in (VG_32, SHEET, by_data)]
     assert ratios == approx([ratios[0]] * 3, rel=5e-3)
 
 
@@ -169,7 +169,7 @@ def test_ceramic_balls_live_by_a_given_rating():
 
 
 def test_contact_angle_of_a_deep_groove_rating_is_zero_whatever_the_clearance():
-    rows = [ball_life.row(read_case(DEEP, {"bearing.clearance": c})) for c in ("-5 um", "40 um")]
+    rows = [ball_lives.row(read_case(DEEP, {"bearing.clearance": c})) for c in ("-5 um", "40 um")]
     assert rows[0] == rows[1]
     assert rows[0].contact_angle == 0.0
     assert ball_fatigue_load_limit(rows[0]) == approx(928, rel=1e-2)
@@ -185,10 +185,10 @@ def test_static_rating_of_hybrids_is_that_of_their_stiffer_contacts():
     hybrid = {"materials.ball": "Si3N4", "materials.inner_ring": "100Cr6", "materials.outer_ring": "100Cr6"}
     steel, ceramic = (read_case(DEEP, settings) for settings in ({}, hybrid))
     soft, stiff = (1 - 0.3**2) / 207e9, (1 - 0.26**2) / 315e9
-    assert ball_life.rated(ceramic).static / ball_life.rated(steel).static == approx(
+    assert ball_lives.rated(ceramic).static / ball_lives.rated(steel).static == approx(
         ((soft + stiff) / (2 * soft)) ** 2
     )
-    assert ball_life.rated(ceramic).dynamic == ball_life.rated(steel).dynamic
+    assert ball_lives.rated(ceramic).dynamic == ball_lives.rated(steel).dynamic
     result = run(DEEP, hybrid)
     assert result.rigid["static_safety"] > 0
     assert "assumed" in next(each["text"] for each in result.attributes["notes"] if each["code"] == "hybrid")
@@ -196,7 +196,7 @@ def test_static_rating_of_hybrids_is_that_of_their_stiffer_contacts():
 
 def test_given_static_rating_follows_the_material_of_the_balls():
     place = DEEP.parent / "catalogue" / "6208.toml"
-    assert ball_life.rated(read_case(place, {"materials.ball": "Si3N4"})).static == approx(
+    assert ball_lives.rated(read_case(place, {"materials.ball": "Si3N4"})).static == approx(
         0.7 * 19e3, rel=0.01
     )
 
@@ -207,18 +207,18 @@ def test_a_rating_that_the_balls_change_is_noted_with_its_factor(limit, tmp_path
     lines = (DEEP.parent / "catalogue" / "6208.toml").read_text().splitlines()
     place.write_text("\n".join(line for line in lines if limit or not line.startswith("fatigue_limit_load")))
     case = read_case(place, {"materials.ball": "Si3N4"})
-    (note,) = [each for each in ball_life.notes(case) if each.code == "rating-of-other-balls"]
+    (note,) = [each for each in ball_lives.notes(case) if each.code == "rating-of-other-balls"]
     assert ("C_0r times 0.70, C_u times 0.70" if limit else "C_0r times 0.70, and C_u with C_0r") in note.text
     assert "C_r as given" in note.text
     unchanged = read_case(place, {})
-    assert "rating-of-other-balls" not in {each.code for each in ball_life.notes(unchanged)}
+    assert "rating-of-other-balls" not in {each.code for each in ball_lives.notes(unchanged)}
 
 
 def test_a_rating_of_a_hybrid_is_noted_where_its_balls_become_steel(tmp_path):
     place = tmp_path / "hybrid.toml"
     text = (DEEP.parent / "catalogue" / "6208.toml").read_text()
     place.write_text(text.replace('ball = "100Cr6"', 'ball = "Si3N4"'))
-    codes = [{each.code for each in ball_life.notes(read_case(place, settings))}
+    codes = [{each.code for each in ball_lives.notes(read_case(place, settings))}
              for settings in ({}, {"materials.ball": "100Cr6"})]  # fmt: skip
     assert ["rating-of-other-balls" in each for each in codes] == [False, True]
 

@@ -10,7 +10,7 @@ from pytest import approx
 from flexbearing import run
 from flexbearing.api import read_case
 from flexbearing.case import BadCase
-from flexbearing.runs import ball_life
+from flexbearing.life import ball_lives
 
 CASE = Path("configs/rivera2021_7008.toml")
 RATING = {"life.dynamic_rating": "18 kN", "life.static_rating": "15 kN"}
@@ -59,8 +59,8 @@ def test_tandem_rows_have_the_life_of_two_bearings():
     assert two.rigid["stiffness_matrix"][0, 0] == approx(2 * one.rigid["stiffness_matrix"][0, 0], rel=1e-9)
     loads = []
     for found, settings in ((one, RATING), (two, {**RATING, **TANDEM})):
-        lives = ball_life.ReferenceLives(float(found.rigid["life_L10"]), found.rigid["raceway_life"], None)
-        loads.append(ball_life.rated(case(**settings)).reference_load(lives.basic / 1e6))
+        lives = ball_lives.ReferenceLives(float(found.rigid["life_L10"]), found.rigid["raceway_life"], None)
+        loads.append(ball_lives.rated(case(**settings)).reference_load(lives.basic / 1e6))
     assert loads[1] == approx(2 * loads[0], rel=1e-9)
     assert "unloading_force" not in two.rigid
 

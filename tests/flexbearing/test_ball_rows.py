@@ -8,8 +8,8 @@ from pytest import approx
 import flexbearing
 from flexbearing.api import read_case
 from flexbearing.families import FAMILIES
+from flexbearing.life import ball_lives
 from flexbearing.outputs import outputs, requested
-from flexbearing.runs import ball_life
 from quasidynamic import AngularContactBallBearing, ImpossiblePart, OutOfRange
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -72,14 +72,14 @@ def test_beside_a_case_beyond_a_law_each_is_solved_for_itself(monkeypatch):
 @pytest.mark.parametrize("status", ["not solved", "bad input"])
 def test_a_row_without_a_solution_says_why_and_the_others_have_theirs(status, monkeypatch):
     changes = (SPEEDS[0], {"operation.load.axial": "0 N"} if status == "not solved" else {}, SPEEDS[1])
-    cases, lives = [read_case(CONFIGS / "harris218.toml", each) for each in changes], ball_life.lives
+    cases, lives = [read_case(CONFIGS / "harris218.toml", each) for each in changes], ball_lives.lives
 
     def no_factor(case, state):
         if case is cases[1]:
             raise ImpossiblePart("such a part cannot be")
         return lives(case, state)
 
-    monkeypatch.setattr(ball_life, "lives", no_factor)
+    monkeypatch.setattr(ball_lives, "lives", no_factor)
     first, failed, last = rows_of(cases, ["life_L10"])
     assert (failed.status, failed.numbers) == (status, {})
     assert ("nothing holds the inner ring" if status == "not solved" else "cannot be") in failed.message

@@ -13,13 +13,13 @@ from flexbearing.api import check, read_case
 from flexbearing.case import BadCase
 from flexbearing.case.read import written
 from flexbearing.families import FAMILIES
+from flexbearing.life.against_catalogue import against_catalogue
+from flexbearing.life.ball_influences import CATALOGUE
 from flexbearing.progress import Logged
 from flexbearing.report.output import text
 from flexbearing.rings import stored
 from flexbearing.rings.stored import condense
 from flexbearing.runs import angular_contact
-from flexbearing.runs.ball_catalogue import CATALOGUE
-from flexbearing.runs.catalogue_life import against_catalogue
 from flexbearing.studies.placement import Placement
 from flexbearing.studies.prepare import compute, prepare_source
 from tests.flexbearing.noted import codes

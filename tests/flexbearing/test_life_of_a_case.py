@@ -13,8 +13,8 @@ from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.coupling import LinearPair
 from flexbearing.derivatives.rollers import sensitivities
+from flexbearing.life import roller_lives
 from flexbearing.report.output import text
-from flexbearing.runs import life
 from flexbearing.runs.rows import answers
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic.outcome.capacity import dynamic_rating, raceway_capacity, roller_capacity
@@ -133,7 +133,7 @@ def test_viscosity_ratio_is_that_of_the_speed_of_one_ring_past_the_other():
     kappa = []
     for settings in (speeds, {"operation.inner_speed": "4000 rpm"}):
         case = read_case(PLAIN, {**settings, **CLEAN})
-        kappa.append(life.rated(case, roller_bearing.bearing(case).bearing).kappa)
+        kappa.append(roller_lives.rated(case, roller_bearing.bearing(case).bearing).kappa)
     assert kappa[0] == approx(kappa[1], rel=1e-12)
 
 

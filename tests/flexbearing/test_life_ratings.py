@@ -14,7 +14,7 @@ from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase, understood
 from flexbearing.coupling import LinearPair
 from flexbearing.families import FAMILIES
-from flexbearing.runs import life
+from flexbearing.life import roller_lives
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic.outcome.capacity import dynamic_rating, raceway_capacity, reference_raceway_capacity
 from quasidynamic.outcome.life import reference_life
@@ -97,8 +97,8 @@ def test_static_rating_of_a_catalogue_gives_its_fatigue_limit(state):
 def test_formula_of_iso_281_stops_where_its_table_ends():
     slim = {"bearing.outer_raceway_diameter": "31 mm", "bearing.rollers": 5, "bearing.cage.thickness": "2 mm"}
     case, rated = (read_case(PLAIN, ISO | slim | more) for more in ({}, {"life.dynamic_rating": "20 kN"}))
-    assert "ISO 281, table 7" in life.rated(case, roller_bearing.parts(case)).unmodified
-    assert life.rated(rated, roller_bearing.parts(rated)).unmodified == ""
+    assert "ISO 281, table 7" in roller_lives.rated(case, roller_bearing.parts(case)).unmodified
+    assert roller_lives.rated(rated, roller_bearing.parts(rated)).unmodified == ""
 
 
 def test_ratings_are_those_of_the_drawing_at_any_temperature():
@@ -108,7 +108,7 @@ def test_ratings_are_those_of_the_drawing_at_any_temperature():
     cold, hot = (read_case(PLAIN, settings) for settings in ({}, temperatures))
     at_rest, warm = (roller_bearing.parts(case) for case in (cold, hot))
     assert warm.roller.diameter > at_rest.roller.diameter
-    after, before = life.rated(hot, warm), life.rated(cold, at_rest)
+    after, before = roller_lives.rated(hot, warm), roller_lives.rated(cold, at_rest)
     for name in ("dynamic", "static", "fatigue_limit"):
         assert getattr(after, name) == getattr(before, name)
     assert warm.roller.mass == approx(at_rest.roller.mass, rel=1e-14)

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from flexbearing.api import read_case
-from flexbearing.runs import life_rules
+from flexbearing.life import life_rules
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 LUNDBERG, REFERENCE = "Lundberg and Palmgren (1952)", "ISO/TS 16281:2008, C_r of ISO 281:2007"

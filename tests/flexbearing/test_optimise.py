@@ -19,6 +19,7 @@ from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput
 from flexbearing.findings.row import INFORMATION, RowFinding
+from flexbearing.life import roller_lives
 from flexbearing.optimise import evaluations, messages, run
 from flexbearing.optimise.answer import Optimum
 from flexbearing.optimise.case_file import case_text
@@ -34,7 +35,6 @@ from flexbearing.optimise.variables import Variable
 from flexbearing.optimise.worker import BY, NO_SLOPE_BY, slope_name
 from flexbearing.outputs import requested
 from flexbearing.quantities.roller import LAYOUT
-from flexbearing.runs import life
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan import Row
 from flexbearing.studies.prepared_study import variants_of
@@ -304,9 +304,9 @@ def test_best_case_has_the_rating_of_its_bearing():
     text = case_text(study, settings, place.parent).decode()
     best = tomllib.loads(text)
     drawn = roller_bearing.bearing(case := read_case(place, settings)).bearing
-    assert life.rated(case, drawn).dynamic < 70e3
-    assert best["life"]["dynamic_rating"] == f"{life.rated(case, drawn).dynamic / 1e3:.6g} kN"
-    assert best["life"]["static_rating"] == f"{life.rated(case, drawn).static / 1e3:.6g} kN"
+    assert roller_lives.rated(case, drawn).dynamic < 70e3
+    assert best["life"]["dynamic_rating"] == f"{roller_lives.rated(case, drawn).dynamic / 1e3:.6g} kN"
+    assert best["life"]["static_rating"] == f"{roller_lives.rated(case, drawn).static / 1e3:.6g} kN"
 
 
 VARY, GOAL = '[vary]\n"bearing.clearance" = "0 um .. 1 um"\n', '[maximise]\noutput = "life_L10"\n'

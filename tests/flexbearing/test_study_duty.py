@@ -12,7 +12,7 @@ import flexbearing
 from flexbearing.api import check
 from flexbearing.case import BadCase
 from flexbearing.findings import row as row_findings
-from flexbearing.runs import ball_life, roller_catalogue
+from flexbearing.life import ball_lives, roller_influences
 from flexbearing.studies.file.spectrum import Spectrum
 from flexbearing.studies.idle import LEAST_FACTOR
 from flexbearing.studies.plan import Row
@@ -438,7 +438,7 @@ def test_a_modified_life_that_nothing_modifies_is_refused(tmp_path):
 def test_the_mean_load_is_without_the_application_factor(reliabilities):
     mean = (0.75 * 8000 ** (10 / 3) + 0.25 * 5000 ** (10 / 3)) ** 0.3
     assert reliabilities["mean_load"].values == approx([mean, mean], rel=1e-12)
-    turns = (roller_catalogue.rated(check(ROLLERS)).dynamic / mean) ** (10 / 3) * 1e6
+    turns = (roller_influences.rated(check(ROLLERS)).dynamic / mean) ** (10 / 3) * 1e6
     hours = turns / (60 * reliabilities["mean_speed"].values[0])
     assert reliabilities["rating_life"].values == approx([hours, hours], rel=1e-12)
 
@@ -452,7 +452,7 @@ def test_a_variant_whose_load_is_not_known_leaves_that_of_others(tmp_path):
         '"operation.inner_speed" = ["500 rpm", "1000 rpm"]'
     )
     table = flexbearing.study(file, tmp_path, jobs=1)
-    load = ball_life.rated(check(case)).load().value
+    load = ball_lives.rated(check(case)).load().value
     assert table.cycles["mean_load"].values == approx([load, nan], rel=1e-12, nan_ok=True)
     assert "nan" not in words_of(table)
 

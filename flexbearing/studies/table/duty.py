@@ -346,7 +346,7 @@ def _required(catalogue: Any, case: Any) -> tuple[float, float, float, float]:
 
     That factor is a_1 of the reliability, with a C_r that leaves the stress reduction out.
     """
-    from flexbearing.runs.life_of_state import of_reliability
+    from flexbearing.life.life_of_state import of_reliability
 
     rated, factors = catalogue.rated(case), of_reliability(case.life.reliability)
     factor = rated.rating_factor**rated.power * prod(float(each.value) for each in factors)

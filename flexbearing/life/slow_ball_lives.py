@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 import quasidynamic as qd
 from flexbearing.case.as_written import BALL_SIZES, as_written
 from flexbearing.case.balls.four_point import FourPointCase
-from flexbearing.runs.ball_life import row_of
-from flexbearing.runs.life_of_state import MREV, LifeOfState, no_life, of_reliability, why_none
-from flexbearing.runs.rated_bearing import Rating
+from flexbearing.life.ball_lives import row_of
+from flexbearing.life.life_of_state import MREV, LifeOfState, no_life, of_reliability, why_none
+from flexbearing.life.rated_bearing import Rating
 from quasidynamic import OutOfRange
 from quasidynamic.note import Note
 from quasidynamic.outcome.life import reference_load

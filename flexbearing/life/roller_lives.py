@@ -12,9 +12,9 @@ from flexbearing.build.lubrication import oil, roughness
 from flexbearing.build.roller_bearing import nominal
 from flexbearing.case.as_written import ROLLER_SIZES, as_written
 from flexbearing.case.roller import Case
+from flexbearing.life.life_of_state import CAPACITY, EDGE_STRESS, LifeOfState, explained
+from flexbearing.life.rated_bearing import RatedBearing, Rating
 from flexbearing.quantities.life_records import BY_LOADS, ROLLER_BODY, Factor
-from flexbearing.runs.life_of_state import CAPACITY, EDGE_STRESS, LifeOfState, explained
-from flexbearing.runs.rated_bearing import RatedBearing, Rating
 from quasidynamic import CylindricalRollerBearing
 from quasidynamic.note import Note
 from quasidynamic.outcome.capacity import (

@@ -10,8 +10,8 @@ from flexbearing.build.ball_fits import kinematic_viscosity
 from flexbearing.build.tapered_bearing import bearing
 from flexbearing.case.as_written import TAPERED_SIZES, as_written
 from flexbearing.case.tapered import TaperedCase
-from flexbearing.runs.life_of_state import MREV, ReferenceLives
-from flexbearing.runs.rated_bearing import RatedBearing, Rating
+from flexbearing.life.life_of_state import MREV, ReferenceLives
+from flexbearing.life.rated_bearing import RatedBearing, Rating
 from quasidynamic import OutOfRange, TaperedLoads
 from quasidynamic.outcome.life import turning_share
 from quasidynamic.outcome.life_factors import ROLLERS

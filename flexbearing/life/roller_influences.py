@@ -4,9 +4,9 @@ from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
 from flexbearing.case.roller.profile import SHAPES
-from flexbearing.runs import life
-from flexbearing.runs.catalogue_life import RELIABILITY, Catalogue, Influence
-from flexbearing.runs.rated_bearing import RatedBearing
+from flexbearing.life import roller_lives
+from flexbearing.life.against_catalogue import RELIABILITY, Catalogue, Influence
+from flexbearing.life.rated_bearing import RatedBearing
 
 RATING = (
     Influence(
@@ -133,7 +133,7 @@ def require_load(case: Case) -> None:
 
 def rated(case: Case) -> RatedBearing:
     """The bearing as the standards rate it."""
-    return life.rated(case, roller_bearing.parts(case))
+    return roller_lives.rated(case, roller_bearing.parts(case))
 
 
 CATALOGUE = Catalogue(RATING, influences, require_load, rated)

@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
+from flexbearing.life.life_of_state import LifeOfState, explained, no_life, of_reliability, why_none
 from flexbearing.quantities.life_records import BY_LOADS, Factor, Ratings
-from flexbearing.runs.life_of_state import LifeOfState, explained, no_life, of_reliability, why_none
 from quasidynamic import OutOfRange
 from quasidynamic.note import Note
 from quasidynamic.outcome.life import reference_load

@@ -5,8 +5,8 @@ from dataclasses import replace
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.deep_groove import DeepGrooveBearing
-from flexbearing.runs import ball_life
-from flexbearing.runs.catalogue_life import (
+from flexbearing.life import ball_lives
+from flexbearing.life.against_catalogue import (
     LUBRICATION,
     RELIABILITY,
     Catalogue,
@@ -129,4 +129,4 @@ def require_load(case: FastCase) -> None:
         raise BadCase("[operation.load]: without a force a catalogue knows no life.")
 
 
-CATALOGUE = Catalogue(RATING, influences, require_load, ball_life.rated)
+CATALOGUE = Catalogue(RATING, influences, require_load, ball_lives.rated)

@@ -8,9 +8,9 @@ from typing import Any
 from flexbearing.case import BadCase
 from flexbearing.findings.running import NO_MODIFIED_LIFE
 from flexbearing.findings.words import of_note
+from flexbearing.life.rated_bearing import RatedBearing
 from flexbearing.quantities.life_records import Stage
 from flexbearing.results import Result
-from flexbearing.runs.rated_bearing import RatedBearing
 
 Settings = Mapping[str, str]  # an empty one takes a key or table out, also one given by settings
 SUMS = "rating"  # of life.loads, the life of a catalogue alone

@@ -13,8 +13,8 @@ from flexbearing.build.ball_rows import rating_factor
 from flexbearing.case.as_written import BALL_SIZES, as_written
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
 from flexbearing.case.balls.mounting import MountedMaterials
-from flexbearing.runs.life_of_state import MREV, ReferenceLives, why_none
-from flexbearing.runs.rated_bearing import LETTERS, RatedBearing, Rating
+from flexbearing.life.life_of_state import MREV, ReferenceLives, why_none
+from flexbearing.life.rated_bearing import LETTERS, RatedBearing, Rating
 from quasidynamic import OutOfRange
 from quasidynamic.note import Note, information
 from quasidynamic.outcome.ball_capacity import (

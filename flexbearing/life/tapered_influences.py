@@ -1,8 +1,8 @@
 """What the life of a tapered roller bearing has that a catalogue leaves out."""
 
 from flexbearing.case.roller.profile import SHAPES
-from flexbearing.runs import tapered_life
-from flexbearing.runs.catalogue_life import (
+from flexbearing.life import tapered_lives
+from flexbearing.life.against_catalogue import (
     LUBRICATION,
     RELIABILITY,
     Catalogue,
@@ -54,4 +54,4 @@ INFLUENCES = (
 )
 
 
-CATALOGUE = Catalogue(RATING, lambda case: INFLUENCES, require_known_forces, tapered_life.rated)
+CATALOGUE = Catalogue(RATING, lambda case: INFLUENCES, require_known_forces, tapered_lives.rated)
