@@ -187,3 +187,36 @@ def test_balls_under_a_load_that_is_far_too_high_have_no_answer():
     result = flexbearing.run(SLEWING, rigid | {"operation.load.radial_y": "2e9 N"})
     assert result.attributes["status"] == "not solved"
     assert "the load is far too high" in result.attributes["message"]
+
+
+WEAK = (  # a random bearing with rings half a millimetre thick, its inner face on soft springs
+    "bearing.ball.diameter=4.6602 mm", "bearing.pitch_diameter=42.8699 mm", "bearing.balls=18",
+    "bearing.inner.radius=", "bearing.inner.conformity=0.5054", "bearing.outer.radius=",
+    "bearing.outer.conformity=0.5345", "bearing.contact_angle=40.32 deg", "bearing.clearance=1.361 um",
+    "operation.load.axial=4177.6 N", "operation.load.radial_y=0 N", "operation.load.radial_z=2222.9 N",
+    "operation.load.moment_y=33.412 N m", "operation.load.moment_z=0 N m", "rings.outer.kind=bolted",
+    "rings.outer.face=-x", "rings.outer.outside_diameter=48.6314 mm", "rings.outer.width=11.2524 mm",
+    "rings.outer.face_distance=4.3927 mm", "rings.outer.face_stiffness=3980 N/mm^3",
+    "rings.outer.face_shear_stiffness=74.79 N/mm^3", "rings.inner.kind=bolted", "rings.inner.face=+x",
+    "rings.inner.bore=37.1871 mm", "rings.inner.width=9.6962 mm", "rings.inner.face_distance=4.4103 mm",
+    "rings.inner.face_stiffness=41.74 N/mm^3", "rings.inner.face_shear_stiffness=2187 N/mm^3",
+)  # fmt: skip
+
+
+@pytest.mark.slow
+def test_balance_of_soft_rings_is_that_which_stiffer_ones_lead_to():
+    """Newton's method from rigid rings found one in which a ball carries three times as much, at 74 deg."""
+    largest, place = [], SLEWING.with_name("joshi2015_fourpoint.toml")
+    for modulus in (4200, 21000):
+        steel = [
+            f"materials.{ring}.{value}"
+            for ring in ("inner_ring", "outer_ring")
+            for value in (f"youngs_modulus={modulus} GPa", "poisson_ratio=0.3")
+        ]
+        found = flexbearing.run(place, (*WEAK, *steel)).flexible
+        largest.append(found["contact_load"].max())
+        assert np.degrees(found["contact_angle"].max()) < 50
+    assert largest == approx([661.0, 673.8], abs=0.1)
+    ended = flexbearing.run(place, WEAK).attributes
+    assert ended["status"] != "converged"
+    assert "lose their balance" in ended["message"]

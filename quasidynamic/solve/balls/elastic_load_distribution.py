@@ -1,6 +1,7 @@
 """Load distribution of a four-point contact ball bearing with elastic rings."""
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,10 +29,11 @@ from quasidynamic.solve.balls.load_distribution import (
     resisted,
     what_balls_share,
 )
+from quasidynamic.solve.step_length import SolverOutcome
 
-STEPS = 100  # rarely more than ten from the rigid rings
-HALVINGS = 30
-DESCENT = 1e-3  # part of the linear fall of the forces out of balance that a step must bring
+STEPS = 100  # rarely more than ten
+DESCENT = 1e-3  # part of the forces out of balance that a step must bring into it
+LEAST_STEP = 2.0**-9  # of the compliance, by which softer rings are tried
 
 
 @dataclass(frozen=True)
@@ -56,14 +58,15 @@ def elastic_ball_loads(
     with the places v of the grooves at each ball, the place a of the inner ring, the load P and the forces F
     on the races, of balls that find their own place between them, see `FourContacts`; the compliance C
     follows the contact angles. Without inertia it is a stationary point of the energy of contacts and rings.
-    Newton's method from the rigid rings.
+    Newton's method from the rigid rings; where a step of it brings nothing nearer, by ever softer rings: it
+    could end in another balance, in which balls have climbed along their arcs.
 
     P (5) acts on the face of the inner ring, which moves as a rigid body: axial x, radial y and z [N],
     moments about y and z [N m]; the speed is that of the inner ring, the outer one at rest [rad/s].
     Grooves have two arcs for each ball, those of its diagonals side by side; the
     displacement is that of the face of the inner ring against that of the outer one.
     Raises `ImpossiblePart` when a load is not finite, or a groove does not fit the balls; `NotSolved` when
-    nothing holds the ring, no balance is found, or it may not be the only one.
+    nothing holds the ring, or where rings that become as soft as these lose their balance.
 
     Source
     ------
@@ -73,21 +76,42 @@ def elastic_ball_loads(
 
     Valid
     -----
-    As `ball_loads`; small displacement of the rings. The balance is a stable one, though there may be others.
+    As `ball_loads`; small displacement of the rings. The balance is stable, though there may be others.
     """
     rigid_rings = RigidRings.of(bearing, load, speed)
     _require_fit(bearing, grooves)
     rigid, count = balanced(rigid_rings)
-    rings = ElasticRings(rigid_rings, grooves, rigid_rings.usual_stiffness(rigid.balls.forces.loads.max()))
-    state, more = _balanced(rings, _at(rings, rigid.place, np.zeros(8 * bearing.balls), rigid.centres))
-    lowest = rings.lowest_eigenvalue(state)
-    if not lowest > 0:
-        raise NotSolved(
-            "contacts and rings together do not give way to every force: the balance that was found may be "
-            f"one of several; the lowest eigenvalue is {lowest:.2g}; is the compliance that of these rings?",
-            "not unique",
-        )
-    return _shared(bearing, rings, state, count + more)
+    stiffness = rigid_rings.usual_stiffness(rigid.balls.forces.loads.max())
+    begin = Begin(rigid.place, np.zeros(8 * bearing.balls), rigid.centres)
+    part, step = 0.0, 1.0
+    while part < 1.0:
+        softer = ElasticRings(rigid_rings, grooves.softened(part + step), stiffness)
+        try:
+            state, more = _balanced(softer, _at(softer, *begin))
+        except NotSolved as problem:
+            step /= 4
+            if step < LEAST_STEP:
+                raise _too_soft(part) from problem
+            continue
+        begin, part, count = Begin(state.place, state.shape, state.centres), part + step, count + more
+        step = min(2 * step, 1.0 - part)
+    return _shared(bearing, softer, state, count)
+
+
+class Begin(NamedTuple):
+    """Where a search begins."""
+
+    place: NDArray  # (5) [m]
+    shape: NDArray  # (8 Z) [m]
+    centres: NDArray  # (Z, 2) [m]
+
+
+def _too_soft(part: float) -> NotSolved:
+    return NotSolved(
+        f"between elastic rings the balls lose their balance: it is stable up to {part:.1%} of the "
+        "compliance of the rings; are rings, faces and load those of a bearing?",
+        SolverOutcome.TOO_SOFT,
+    )
 
 
 def elastic_ball_loads_near(
@@ -152,32 +176,27 @@ def _moved(
 
 
 def _balanced(rings: ElasticRings, state: ElasticRingState) -> tuple[ElasticRingState, int]:
-    """State in which balls, rings and load are in balance, and the number of evaluations."""
+    """Stable state in which balls, rings and load are in balance, and the number of evaluations.
+
+    Raises `NotSolved` where a step of Newton's method brings nothing nearer to it.
+    """
     evaluations, previous = 1, np.inf
     for _ in range(STEPS):
-        imbalance = rings.imbalance(state)
+        imbalance, size = rings.imbalance(state), rings.size(state)
         if imbalance < TOLERANCE or previous / 2 < imbalance < ROUNDED:
             require_held(state)
+            if not rings.lowest_eigenvalue(state) > 0:
+                raise NotSolved("contacts and rings together snap to another balance", "not unique")
             return state, evaluations
-        state, trials = _next_state(rings, state)
-        evaluations, previous = evaluations + trials, imbalance
-    raise NotSolved(
-        f"the elastic rings found no balance in {evaluations} evaluations: {rings.imbalance(state):.1e} of "
-        f"the largest force is left, allowed {ROUNDED:.0e}; loads over the pitch radius {rings.rigid.load} N",
-        "iteration limit",
-    )
-
-
-def _next_state(rings: ElasticRings, state: ElasticRingState) -> tuple[ElasticRingState, int]:
-    """A step of Newton's method, halved until less is out of balance."""
-    place, shape = _newton_step(rings, state)
-    size, share = rings.size(state), BALL_SHARE * rings.imbalance(state)
-    for halvings in range(HALVINGS):
-        part = 0.5**halvings
-        trial = _moved(rings, state, state.place + part * place, state.shape + part * shape, share)
-        if rings.size(trial) <= (1 - DESCENT * part) * size:
+        place, shape = _newton_step(rings, state)
+        share = BALL_SHARE * imbalance
+        state = _moved(rings, state, state.place + place, state.shape + shape, share)
+        evaluations, previous = evaluations + 1, imbalance
+        if imbalance > ROUNDED and not rings.size(state) <= (1 - DESCENT) * size:
             break
-    return trial, halvings + 1
+    raise NotSolved(
+        f"a step left {rings.imbalance(state):.1e} of the largest force out of balance", "stalled"
+    )
 
 
 def _newton_step(rings: ElasticRings, state: ElasticRingState) -> tuple[NDArray, NDArray]:
