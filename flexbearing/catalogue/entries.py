@@ -36,7 +36,9 @@ ENTRIES = {
     "outer_raceway": Entry(
         "--outer-raceway", "diameter of the outer raceway", "-E", "Length", example="81.5 mm"
     ),
-    "angle": Entry("--contact-angle", "nominal contact angle", "", "Angle", example="40 deg"),
+    "angle": Entry(
+        "--contact-angle", "nominal contact angle, of a cup by tan = e/1.5", "", "Angle", example="40 deg"
+    ),
     "elements": Entry("--elements", "number of rollers or balls", "-Z", example="16"),
     "diameter": Entry("--diameter", "diameter of the rollers or balls", "--Dw", "Length", example="11 mm"),
     "length": Entry("--length", "effective length of the rollers", "--lw", "Length", example="11.2 mm"),
@@ -133,6 +135,12 @@ LIKES = {
         (*_SIZE, "angle", "axial", "speed"),
         (),
         (*_BALLS, *_OIL, "shaft", "housing", "load", "outer_speed"),
+    ),
+    "tapered_roller": Like(
+        "tapered_roller",
+        (*_SIZE, "angle", "axial", "speed"),
+        (),
+        (*_RATINGS, "elements", "diameter", "length", "material", *_OIL, "load", "outer_speed"),
     ),
     "four_point_ball": Like(  # there are no load ratings of two contacts on a ring
         "four_point_ball",

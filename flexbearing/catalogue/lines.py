@@ -59,6 +59,29 @@ def usual_number(elements: ElementSet, usual: str, size: str, rated: bool) -> st
     return f"{span(few, many)} {verb} {usual}{of_size}"
 
 
+def rollers_of(page: Page, rollers: ElementSet, usual: str, lengths: str) -> tuple[Line, Line]:
+    """Number and effective length of the rollers; where assumed, a pair that has C_0 of the maker."""
+    rated, counted, measured = (name in page for name in ("static_rating", "elements", "length"))
+    number, length = rollers.chosen
+    count = Line("bearing.rollers", number)
+    if not counted:
+        why = f"nearest to {RATED}" if rated and measured else usual_number(rollers, usual, "length", rated)
+        count = assumed("bearing.rollers", number, why)
+    if measured:
+        return count, Line("bearing.roller.length", page["length"].text)
+    why = from_rating(page, rollers) if rated else f"{THUMB}, the middle of {lengths}"
+    return count, assumed("bearing.roller.length", mm(length), why)
+
+
+def materials(page: Page) -> Iterator[Line]:
+    """Materials of rollers and rings."""
+    for part in ("roller", "inner_ring", "outer_ring"):
+        if "material" in page:
+            yield Line(f"materials.{part}", page["material"].text)
+        else:
+            yield assumed(f"materials.{part}", "100Cr6", "the usual bearing steel")
+
+
 def mm(length: float) -> str:
     """Write a length [m] as a case would, rounded."""
     return f"{length * 1e3:.4g} mm"

@@ -88,6 +88,12 @@ def _lines(page: Page) -> tuple[list[Line], str]:
 
         rollers = roller_set(page)
         return roller_lines.lines(page, rollers), table(page, rollers, "length")
+    if page.like == "tapered_roller":
+        from flexbearing.catalogue import tapered_lines
+        from flexbearing.catalogue.tapered_set import tapered_set
+
+        rollers = tapered_set(page)
+        return tapered_lines.lines(page, rollers), table(page, rollers, "length")
     from flexbearing.catalogue import ball_lines
     from flexbearing.catalogue.ball_set import ball_set
 

@@ -4,19 +4,18 @@ from collections.abc import Iterator
 
 from flexbearing.catalogue.lines import (
     CHOSEN,
-    RATED,
     THUMB,
     Line,
     assumed,
     entry,
-    from_rating,
     life,
+    materials,
     mm,
     mounting,
     oil,
+    rollers_of,
     speeds,
     surroundings,
-    usual_number,
 )
 from flexbearing.catalogue.page import Page
 from flexbearing.catalogue.roller_set import RollerSet
@@ -32,7 +31,7 @@ def lines(page: Page, rollers: RollerSet) -> list[Line]:
     parts = (
         _bearing(page, rollers),
         mounting(page),
-        _materials(page),
+        materials(page),
         surroundings(page),
         oil(page),
         _film(),
@@ -46,7 +45,7 @@ def lines(page: Page, rollers: RollerSet) -> list[Line]:
 
 
 def _bearing(page: Page, rollers: RollerSet) -> Iterator[Line]:
-    number, length = _rollers(page, rollers)
+    number, length = rollers_of(page, rollers, "at a usual spacing", "0.4 to 0.7 B")
     yield Line("bearing.kind", "cylindrical_roller")
     yield number
     if "outer_raceway" in page:
@@ -65,32 +64,6 @@ def _bearing(page: Page, rollers: RollerSet) -> Iterator[Line]:
     yield assumed("bearing.cage.guidance", "rollers", "usual of catalogue bearings")
     yield assumed("bearing.cage.pocket_friction", 0.05, THUMB)
     yield assumed("bearing.cage.thickness", mm(0.5 * rollers.diameter), f"{THUMB}, half a roller diameter")
-
-
-def _rollers(page: Page, rollers: RollerSet) -> tuple[Line, Line]:
-    """Number and effective length of the rollers; where assumed, a pair that has C_0 of the maker."""
-    rated, counted, measured = (name in page for name in ("static_rating", "elements", "length"))
-    number, length = rollers.chosen
-    count = Line("bearing.rollers", number)
-    if not counted:
-        why = (
-            f"nearest to {RATED}"
-            if rated and measured
-            else usual_number(rollers, "at a usual spacing", "length", rated)
-        )
-        count = assumed("bearing.rollers", number, why)
-    if measured:
-        return count, Line("bearing.roller.length", page["length"].text)
-    why = from_rating(page, rollers) if rated else f"{THUMB}, the middle of 0.4 to 0.7 B"
-    return count, assumed("bearing.roller.length", mm(length), why)
-
-
-def _materials(page: Page) -> Iterator[Line]:
-    for part in ("roller", "inner_ring", "outer_ring"):
-        if "material" in page:
-            yield Line(f"materials.{part}", page["material"].text)
-        else:
-            yield assumed(f"materials.{part}", "100Cr6", "the usual bearing steel")
 
 
 def _film() -> Iterator[Line]:

@@ -4,6 +4,7 @@ C_0 of ISO 76 holds the product Z l, so one follows from the other; C of ISO 281
 the same product, so both ratings together cannot tell them apart.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from itertools import pairwise
@@ -14,7 +15,7 @@ import quasidynamic as qd
 from flexbearing.case import BadCase
 from flexbearing.catalogue.element_set import ElementSet, Ratings, chosen, near, span
 from flexbearing.catalogue.page import Page
-from flexbearing.runs.roller_counts import plausible_numbers
+from flexbearing.runs.roller_counts import SPACING, plausible_numbers
 from quasidynamic.outcome.capacity import dynamic_rating, fatigue_load_limit, static_rating
 
 # Rule of thumb, assumed: Harris' 209 has 0.51, the bearing of Mao, Wang and Zhang 0.5.
@@ -26,34 +27,54 @@ MM = 1e-3
 class RollerSet(ElementSet):
     """The rollers of a bearing; their size is the effective length."""
 
-    outer_raceway: float  # [m]
+    pitch: float  # [m] diameter of the circle of the roller centres
     diameter: float  # [m] of a roller
+
+    @property
+    def outer_raceway(self) -> float:
+        """Diameter of the outer raceway of cylindrical rollers [m]."""
+        return self.pitch + self.diameter
 
 
 def roller_set(page: Page) -> RollerSet:
-    """Rollers of a page.
+    """Cylindrical rollers of a page.
+
+    Raises `BadCase` where they do not fit in, or none that is plausible has the static rating.
+    """
+    outer, diameter = _raceway_and_diameter(page)
+    pitch = outer - diameter
+    return fitting(page, pitch, diameter, partial(_ratings, outer, diameter), SPACING, SHARE)
+
+
+def fitting(  # what the kinds of rollers differ in
+    page: Page,
+    pitch: float,
+    diameter: float,
+    rated: Callable[[int, float], Ratings],
+    spacing: tuple[float, float],
+    share: tuple[float, float],
+) -> RollerSet:
+    """Rollers of a diameter on a pitch circle [m], with a usual spacing over it and share of the width.
 
     Of the plausible pairs of number and length that have the static rating, that of most rollers is taken, as
     makers fill bearings; without a static rating the middle of both ranges.
-
-    Raises `BadCase` where the rollers do not fit in, or none that is plausible has the static rating.
     """
-    outer, diameter = _raceway_and_diameter(page)
-    pitch, width = outer - diameter, page["width"].si
     _require_room(page, pitch, diameter)
-    numbers = [int(page["elements"].si)] if "elements" in page else plausible_numbers(diameter / pitch)
-    shortest, longest = (page["length"].si,) * 2 if "length" in page else (part * width for part in SHARE)
-    plausible = (numbers[0], shortest), (numbers[-1], longest)
+    numbers = plausible_numbers(diameter / pitch, spacing)
+    if "elements" in page:
+        numbers = [int(page["elements"].si)]
+    width = page["width"].si
+    shortest, longest = (page["length"].si,) * 2 if "length" in page else (part * width for part in share)
     if "static_rating" in page and not ("elements" in page and "length" in page):
-        pairs = _of_rating(page, outer, diameter, numbers, (shortest, longest))
+        pairs = _of_rating(page, diameter, rated, numbers, (shortest, longest))
     else:
         pairs = [(number, (shortest + longest) / 2) for number in numbers]
     return RollerSet(
         chosen=chosen(pairs, "static_rating" in page),
         pairs=tuple(pairs),
-        plausible=plausible,
-        rated=partial(_ratings, outer, diameter),
-        outer_raceway=outer,
+        plausible=((numbers[0], shortest), (numbers[-1], longest)),
+        rated=rated,
+        pitch=pitch,
         diameter=diameter,
     )
 
@@ -99,24 +120,26 @@ def _require_room(page: Page, pitch: float, diameter: float) -> None:
 
 
 def _of_rating(
-    page: Page, outer: float, diameter: float, numbers: list[int], lengths: tuple[float, float]
+    page: Page,
+    diameter: float,
+    rated: Callable[[int, float], Ratings],
+    numbers: list[int],
+    lengths: tuple[float, float],
 ) -> list[tuple[int, float]]:
     """Pairs that have the maker's static rating; its formula is linear in the length."""
     shortest, longest = lengths
     rating = page["static_rating"].si
     if "length" in page:
-        nearest = min(
-            numbers, key=lambda number: abs(_ratings(outer, diameter, number, longest).static - rating)
-        )
+        nearest = min(numbers, key=lambda number: abs(rated(number, longest).static - rating))
         return [(nearest, longest)]
-    pairs = [(number, rating / _ratings(outer, diameter, number, MM).static * MM) for number in numbers]
+    pairs = [(number, rating / rated(number, MM).static * MM) for number in numbers]
     if plausible := [(number, length) for number, length in pairs if shortest <= length <= longest]:
         return plausible
     corners = [(numbers[0], shortest), (numbers[-1], longest)]
-    if found := near(corners, partial(_ratings, outer, diameter), rating):
+    if found := near(corners, rated, rating):
         return found
     unit, force = page["bore"].with_unit_of_this, page["static_rating"].with_unit_of_this
-    low, high = (_ratings(outer, diameter, *corner).static for corner in corners)
+    low, high = (rated(*corner).static for corner in corners)
     raise BadCase(
         f"{page.option('static_rating')}: {span(numbers[0], numbers[-1])} rollers of {unit(diameter)}, "
         f"{unit(shortest)} to {unit(longest)} long, have {force(low)} to {force(high)} by ISO 76; "

@@ -6,7 +6,7 @@ from math import asin, ceil, floor, pi
 SPACING = (1.2, 1.6)  # distance of roller centres over the roller diameter, with a cage
 
 
-def plausible_numbers(ratio: float) -> list[int]:
+def plausible_numbers(ratio: float, spacing: tuple[float, float] = SPACING) -> list[int]:
     """Numbers of rollers whose distance leaves room for a cage and wastes none."""
-    closest, widest = (pi / asin(min(distance * ratio, 1.0)) for distance in SPACING)
+    closest, widest = (pi / asin(min(distance * ratio, 1.0)) for distance in spacing)
     return [*range(ceil(widest), floor(closest) + 1)] or [floor(closest)]

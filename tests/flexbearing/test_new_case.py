@@ -4,7 +4,7 @@ import json
 import re
 import shlex
 import tomllib
-from math import pi, sin
+from math import cos, pi, sin
 from pathlib import Path
 
 import pytest
@@ -613,6 +613,34 @@ def test_a_four_point_bearing_is_a_case(balls):
     assert "bearing.contact_angle" in case["assumed"]
     with pytest.raises(BadCase, match="--static-rating: a four_point_ball takes none"):
         balls("four_point_ball", page, static_rating="36 kN")
+
+
+CONE = {
+    "bore": "35 mm", "outside": "72 mm", "width": "23 mm", "angle": "14.036 deg", "static_rating": "78 kN",
+    "axial": "4 kN", "load": "8 kN", "speed": "2000 rpm",
+}  # fmt: skip
+
+
+def test_tapered_rollers_have_the_static_rating_and_fill_the_pitch_circle(tmp_path, few_weighed):
+    file = tmp_path / "cone.toml"
+    assert "effects: " in new(file, "tapered_roller", CONE)
+    bearing = flexbearing.api.check(file).bearing
+    number, size = bearing.rollers, bearing.roller
+    filled = number * size.diameter / (pi * bearing.pitch_diameter)
+    assert 0.85 < filled < 0.92
+    ratio, projected = size.diameter * cos(bearing.cup_angle), size.length * cos(bearing.cup_angle)
+    static = 44e6 * (1 - ratio / bearing.pitch_diameter) * number * projected * size.diameter
+    assert static == approx(78e3, rel=1e-3)  # the length is written with four digits
+    result = flexbearing.run(file)
+    assert result.attributes["status"] == "converged"
+    reach = result.rigid["rib_contact_depth"] / (size.diameter / 2)
+    assert reach == approx(0.7, rel=1e-3)
+
+
+def test_a_tapered_bearing_needs_its_angle_and_an_axial_load(tmp_path):
+    for name in ("angle", "axial"):
+        with pytest.raises(BadCase, match=f"{pages.ENTRIES[name].option} .* is missing"):
+            new(tmp_path / "cone.toml", "tapered_roller", CONE | {name: None})
 
 
 @pytest.mark.parametrize(

@@ -93,7 +93,7 @@ def test_ratings_of_the_independent_program():
     assert row.static_rating == approx(112.36e3, rel=1e-4)
 
 
-# SKF, General catalogue 6000 (2005), single row tapered roller bearings: e and Y by the angles of ISO 355
+# e and Y as makers print them and the angles of ISO 355, from memory: no catalogue was at hand
 @pytest.mark.parametrize(
     ("angle", "limit", "factor"),
     [
