@@ -3,7 +3,7 @@
 import quasidynamic as qd
 from flexbearing.build import profiles
 from flexbearing.case.tapered import TaperedCase
-from quasidynamic.parts.tapered_bearing import apex_angles, spherical_rib
+from quasidynamic.parts.tapered_bearing import spherical_rib
 
 
 def bearing(case: TaperedCase) -> qd.TaperedRollerBearing:
@@ -15,9 +15,7 @@ def bearing(case: TaperedCase) -> qd.TaperedRollerBearing:
         material=profiles.elastic(case.materials.roller),
         profile=profiles.of_roller(case),
     )
-    axis, cone = apex_angles(own.cup_angle, own.roller.diameter / own.pitch_diameter)
-    if own.cone_angle is not None:
-        axis, cone = (own.cup_angle + own.cone_angle) / 2, own.cone_angle
+    axis, cone = own.angles
     ring = profiles.elastic(case.materials.inner_ring)
     return qd.TaperedRollerBearing(
         rollers=own.rollers,

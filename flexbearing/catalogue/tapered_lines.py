@@ -21,8 +21,8 @@ from flexbearing.catalogue.roller_set import RollerSet
 from flexbearing.catalogue.tapered_set import DIAMETER
 from quasidynamic.parts.tapered_bearing import apex_angles
 
-# Rules of thumb, assumed: usual are spheres of 0.9 to 0.98 of the distance to the apex, contacts at 0.6 to 0.8
-# of the radius of the end.
+# Rules of thumb, assumed: usual are spheres of 0.9 to 0.98 of the distance to the apex, contacts at 0.6 to
+# 0.8 of the radius of the end.
 END, DEPTH = 0.94, 0.7
 
 

@@ -30,8 +30,6 @@ def draw(
         raise BadCase(f"--format {printable(form)}: it is one of {', '.join(FORMS)}")
     wanted = api.read_case(case, settings or [])
     drawings = api.drawings(wanted, values=not keys)
-    if not drawings:
-        raise BadCase(f'{printable(str(case))}: there are no drawings of kind = "{wanted.kind}"')
     folder, stem = require_folder(output or Path("results")), stem_of_outputs(case, settings or ())
     written: list[Path] = []
     with keeping(written):

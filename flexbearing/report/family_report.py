@@ -60,11 +60,11 @@ class FamilyReport:
 
     # by names of files; or why one would be empty
     pictures: Callable[[], Callable[[Result], Mapping[str, Figure | str]]]
+    drawings: Callable[[], Callable[[Words], Iterator[Drawing]]]  # to scale, of a case
     elements: Elements | None = None  # rolling elements that a report shows one by one
     deformed: bool = False  # whether deformed rings can be drawn
     balls: Callable[[], Callable[[Result], tuple[DrawnBall, ...]]] | None = None  # whose cells a result holds
     short: Mapping[str, str] = field(default_factory=dict)  # names of pictures in notebooks to those of files
-    drawings: Callable[[], Callable[[Words], Iterator[Drawing]]] | None = None  # to scale, of a case
 
     def plots(self, result: Result) -> Plots:
         """Pictures of a result as functions."""
@@ -146,6 +146,7 @@ ANGULAR_CONTACT = _of_balls(
 )
 TAPERED = FamilyReport(
     pictures=Entry("flexbearing.report.roller.figures:tapered_pictures"),
+    drawings=Entry("flexbearing.report.drawing.of_case:of_tapered_rollers"),
     elements=Elements(
         word="roller",
         azimuth="roller_azimuth",

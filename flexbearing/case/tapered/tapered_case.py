@@ -78,6 +78,15 @@ class TaperedBearing(Section):
     )
     rib: Rib = key("the rib of the inner ring, which holds the large ends of the rollers")
 
+    @property
+    def angles(self) -> tuple[float, float]:
+        """Angles of the rollers' axes and of the inner raceway [rad]."""
+        from quasidynamic.parts.tapered_bearing import apex_angles
+
+        if self.cone_angle is None:
+            return apex_angles(self.cup_angle, self.roller.diameter / self.pitch_diameter)
+        return (self.cup_angle + self.cone_angle) / 2, self.cone_angle
+
     def raceway_radius(self, race: Literal["inner", "outer"]) -> float:
         """Radius of curvature of a raceway at mid-contact [m], negative of the hollow outer one."""
         pitch, radius = self.pitch_diameter / 2, self.roller.diameter / 2

@@ -68,7 +68,7 @@ def balls(words: Words) -> Drawing:
     sheet.circle(pitch, ec="0.4", lw=0.4, ls=(0, (8, 2, 1, 2)))
     sheet.label("bearing.pitch_diameter", place(pitch, 1.9), "Ø ")
     _count(sheet, azimuths, ("bearing.balls", "bearing.first_ball_azimuth", "bearing.ball.diameter"), pitch)
-    _load_of_balls(sheet, case.operation.load, pitch, pitch - 0.55 * size)
+    _load_at_rolling_elements(sheet, case.operation.load, pitch, pitch - 0.55 * size)
     _turning(
         sheet, f"operation.{'speed' if hasattr(case.operation, 'speed') else 'inner_speed'}", 0.55 * pitch
     )
@@ -76,11 +76,30 @@ def balls(words: Words) -> Drawing:
     return _finished(sheet, case, "ball")
 
 
-def _load_of_balls(sheet: Sheet, load: Any, pitch: float, inside: float) -> None:
+def tapered_rollers(words: Words) -> Drawing:
+    """Draw a tapered roller bearing along its axis, rollers as circles of their diameter in the middle."""
+    sheet, case = Sheet("along-axis", words), words.case
+    bearing: Any = case.bearing
+    pitch, size = bearing.pitch_diameter / 2, bearing.roller.diameter
+    for reach, colour in ((1.0, OUTER), (0.5, "white"), (-0.5, INNER), (-1.0, "white")):
+        sheet.circle(pitch + reach * size, fc=colour, **SCHEMATIC)
+    azimuths = bearing.first_roller_azimuth + 2 * np.pi * np.arange(bearing.rollers) / bearing.rollers
+    _elements(sheet, pitch, size / 2, azimuths)
+    sheet.label("bearing.pitch_diameter", place(pitch, 1.9), "Ø ")
+    _count(
+        sheet, azimuths, ("bearing.rollers", "bearing.first_roller_azimuth", "bearing.roller.diameter"), pitch
+    )
+    _load_at_rolling_elements(sheet, case.operation.load, pitch, pitch - 0.55 * size)
+    _turning(sheet, "operation.inner_speed", 0.55 * pitch)
+    _turning(sheet, "operation.outer_speed", pitch + 0.75 * size)
+    return _finished(sheet, case, "roller")
+
+
+def _load_at_rolling_elements(sheet: Sheet, load: Any, pitch: float, inside: float) -> None:
     """Radial load as an arrow inside the balls, moments at their axes; the section shows the thrust."""
     if load is None:
         return
-    if load.radial_y or load.radial_z:
+    if load.radial_y or load.radial_z:  # None of a place that is given instead
         azimuth = np.arctan2(load.radial_y or 0.0, load.radial_z or 0.0)
         _arrow(sheet, azimuth, inside / TIP, "operation.load.radial_y", "operation.load.radial_z")
     for name, azimuth in (("moment_y", np.pi / 2), ("moment_z", 0.0)):

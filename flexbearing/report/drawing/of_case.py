@@ -10,6 +10,7 @@ from flexbearing.report.drawing import (
     cage_pocket,
     profiles,
     roller_section,
+    tapered_section,
 )
 from flexbearing.report.drawing.sheet import Drawing
 from flexbearing.report.drawing.words import Words
@@ -22,9 +23,8 @@ def drawings(
 
     Raises `BadCase` where points of a profile cannot be read or are none of its roller.
     """
-    draw, profiles_of = family.report().drawings, family.profiles
-    if draw is not None:
-        yield from draw()(Words(case, values, profiles_of() if profiles_of else None, names))
+    draw, profiles_of = family.report().drawings(), family.profiles
+    yield from draw(Words(case, values, profiles_of() if profiles_of else None, names))
 
 
 def of_rollers(words: Words) -> Iterator[Drawing]:
@@ -37,6 +37,14 @@ def of_rollers(words: Words) -> Iterator[Drawing]:
         yield profiles.profiles(words, drops)
     if words.case.bearing.cage.thickness:
         yield cage_pocket.cage(words)
+
+
+def of_tapered_rollers(words: Words) -> Iterator[Drawing]:
+    """Section, view along the axis, profiles."""
+    yield tapered_section.section(words)
+    yield along_axis.tapered_rollers(words)
+    if drops := words.profiles and words.profiles(words.case):
+        yield profiles.profiles(words, drops)
 
 
 def of_fast_balls(words: Words) -> Iterator[Drawing]:
