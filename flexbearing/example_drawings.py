@@ -44,7 +44,7 @@ EXAMPLES = (
             page="roller-bearing"),
     Example("cage", "Cage, its pockets and its land, not to scale", "mao2016.toml", "cage",
             ("bearing.cage.pocket_clearance=0.1 mm",), page="roller-bearing"),
-    Example("tapered-bearing", "Tapered roller bearing and the rib of its inner ring", "32207.toml", "section",
+    Example("tapered-bearing", "Tapered roller bearing, rib of its inner ring", "32207.toml", "section",
             page="tapered-bearing"),
     Example("squirrel-cage", "Squirrel cage, and ring on a hollow shaft", "mao2016.toml", "section",
             page="rings"),

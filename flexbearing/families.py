@@ -63,6 +63,7 @@ _TAPERED = Family(
     solve=Entry("flexbearing.runs.tapered:solve"),
     rows=Entry("flexbearing.runs.tapered:answers"),
     layout=Entry("flexbearing.quantities.tapered:LAYOUT"),
+    sensitivities=Entry("flexbearing.derivatives.tapered:sensitivities"),
     report=Entry("flexbearing.report.family_report:TAPERED"),
     card=_CARD,
     profiles=Entry("flexbearing.build.profiles:drawn"),

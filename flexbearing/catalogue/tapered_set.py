@@ -12,10 +12,10 @@ import quasidynamic as qd
 from flexbearing.catalogue.element_set import Ratings
 from flexbearing.catalogue.page import Page
 from flexbearing.catalogue.roller_set import RollerSet, fitting
+from flexbearing.runs.roller_counts import TAPERED_SPACING
 from quasidynamic.outcome.tapered_life import InclinedRow
 
-# Rules of thumb, assumed. Spacing: rollers fill 0.85 to 0.92 of the pitch circle.
-SPACING = (1.08, 1.18)  # distance of roller centres over the roller diameter
+# Rules of thumb, assumed.
 DIAMETER = 0.48  # of a roller at its middle, over (D - d)/2
 SHARE = (0.5, 0.8)  # roller length over the width of the inner ring
 
@@ -28,7 +28,7 @@ def tapered_set(page: Page) -> RollerSet:
     pitch, half = (page["bore"].si + page["outside"].si) / 2, (page["outside"].si - page["bore"].si) / 2
     diameter = page["diameter"].si if "diameter" in page else DIAMETER * half
     return fitting(
-        page, pitch, diameter, partial(_ratings, pitch, page["angle"].si, diameter), SPACING, SHARE
+        page, pitch, diameter, partial(_ratings, pitch, page["angle"].si, diameter), TAPERED_SPACING, SHARE
     )
 
 

@@ -9,7 +9,7 @@ from flexbearing.build.clearance import operating
 from flexbearing.case.declarations import Declaration, by_path, toml
 from flexbearing.case.key_ranges import FROM_ZERO, GRADED, THUMB, range_of
 from flexbearing.quantities.effects import CHOICE, COMPARISON, INPUT
-from flexbearing.runs.roller_counts import plausible_numbers
+from flexbearing.runs.roller_counts import SPACING, TAPERED_SPACING, plausible_numbers
 
 LIMITING_RATIO = 0.05  # usual, where a law needs one
 CHOICES = "other choices of the key"
@@ -194,7 +194,8 @@ def _counts(case: Any) -> tuple[tuple[Other, ...], str]:
     beside = (bearing.rollers - 1, bearing.rollers + 1)
     if "bearing.roller.length" not in case.assumed:
         return tuple(_set(path, count) for count in beside), "one less, one more"
-    fitting = plausible_numbers(bearing.roller.diameter / bearing.pitch_diameter)
+    spacing = TAPERED_SPACING if case.kind == "tapered_roller" else SPACING
+    fitting = plausible_numbers(bearing.roller.diameter / bearing.pitch_diameter, spacing)
     ends = [count for count in (fitting[0], fitting[-1]) if count != bearing.rollers]
     others = []
     for count in ends or beside:

@@ -17,7 +17,7 @@ from flexbearing.files import BadOutput
 from flexbearing.findings import stored
 from flexbearing.outputs import requested
 from flexbearing.program.threads import linear_algebra_alone
-from flexbearing.progress import Logged, Report
+from flexbearing.progress import Logged, Report, Silent
 from flexbearing.results import Others, Record, Result, ResultFile, case_file
 from flexbearing.runs import effects_file
 from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer, row_findings
@@ -73,7 +73,7 @@ def compared(case: Head, family: Family, beside: Result | None = None) -> Result
     with family.ahead()(case) if family.ahead else nullcontext() as ahead, linear_algebra_alone():
         record = Record(_head(case) | family.opening()(case), family, others="left out")
         near = family.neighbouring_state()(beside, case) if beside and family.neighbouring_state else None
-        ending = _solver(case, family, None, ahead=ahead, near=near)(case, record, Logged())
+        ending = _solver(case, family, None, ahead=ahead, near=near)(case, record, Silent())
         return record.finish(**ending, wall_time_s=perf_counter() - began)
 
 
