@@ -58,8 +58,8 @@ def elastic_ball_loads(
     with the places v of the grooves at each ball, the place a of the inner ring, the load P and the forces F
     on the races, of balls that find their own place between them, see `FourContacts`; the compliance C
     follows the contact angles. Without inertia it is a stationary point of the energy of contacts and rings.
-    Newton's method from the rigid rings; where a step of it brings nothing nearer, by ever softer rings: it
-    could end in another balance, in which balls have climbed along their arcs.
+    Newton's method from the rigid rings; where a step of it does not lower the forces out of balance, by ever
+    softer rings: it could end in another balance, in which balls have climbed along their arcs.
 
     P (5) acts on the face of the inner ring, which moves as a rigid body: axial x, radial y and z [N],
     moments about y and z [N m]; the speed is that of the inner ring, the outer one at rest [rad/s].
@@ -178,7 +178,7 @@ def _moved(
 def _balanced(rings: ElasticRings, state: ElasticRingState) -> tuple[ElasticRingState, int]:
     """Stable state in which balls, rings and load are in balance, and the number of evaluations.
 
-    Raises `NotSolved` where a step of Newton's method brings nothing nearer to it.
+    Raises `NotSolved` where a step of Newton's method does not lower the forces out of balance.
     """
     evaluations, previous = 1, np.inf
     for _ in range(STEPS):
