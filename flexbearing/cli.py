@@ -48,6 +48,7 @@ COMMANDS = {  # in the order of the help
     "sensitivity": "sensitivity.command:sensitivity",
     "goal": "goal.command:goal",
     "limits": "limits.command:limits",
+    "select": "select.command:select",
     "study": "studies.command:study",
     "optimise": "optimise.command:optimise",
     "explain": "cli:explain_key",
@@ -76,7 +77,7 @@ def application(first: str = "") -> typer.Typer:
     )
     app.callback()(options)
     for name, place in COMMANDS.items():
-        if first in (name, "new") or first not in COMMANDS:  # `new --run` runs what it wrote
+        if first in (name, "new", "select") or first not in COMMANDS:  # these run what they wrote
             module, _, function = place.partition(":")
             app.command(name)(getattr(import_module(f"flexbearing.{module}"), function))
     if first not in COMMANDS:

@@ -103,7 +103,7 @@ def new(  # noqa: PLR0913  # an argument for each option
         sys.stdout.write(printable(f"case: {case}\n{ratings}"))
         for wanted, name in ((life, "life"), (run, "run")):
             if wanted:
-                _go_on(context, name, case)
+                go_on(context, name, case)
 
 
 def _designated(
@@ -165,7 +165,7 @@ def _of_model(
     yield from cases(file, Order(model, number, **about), tell)
 
 
-def _go_on(context: typer.Context, name: str, file: Path) -> None:
+def go_on(context: typer.Context, name: str, file: Path) -> None:
     """Do what another command does with the case."""
     program = context.parent
     assert program is not None

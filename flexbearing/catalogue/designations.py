@@ -7,6 +7,7 @@ from pathlib import Path
 
 from flexbearing import inputs
 from flexbearing.case import BadCase
+from flexbearing.case.quantity import Mass, Speed
 from flexbearing.catalogue.entries import ENTRIES
 
 TABLE = "designations.csv"
@@ -16,6 +17,7 @@ _SUFFIXES = re.compile(
     r"(?P<bearing>.+?)(?:-?(?:2?RS[1HLR]?|2?RZ|2?Z|ZZ))?(?:[-/ ]+(?P<clearance>C[1-5N]))?", re.I
 )
 ABOUT = ("designation", "like", "source")  # columns besides entries of a page
+FURTHER = {"mass": Mass, "reference_speed": Speed, "limiting_speed": Speed}  # that a selection reads
 
 
 def designated(name: str, *folders: Path) -> dict[str, str] | None:
@@ -48,27 +50,33 @@ def unknown(name: str, *folders: Path) -> str:
 
 def _known(folders: Iterable[Path]) -> Iterator[Mapping[str, str]]:
     """Rows of all tables, those of users first."""
-    for folder in (*folders, Path(__file__).parent):
-        if (folder / TABLE).exists():
-            yield from _rows(folder / TABLE)
+    for table in tables(*folders):
+        yield from (row for _, row in numbered_rows(table))
 
 
-def _rows(table: Path) -> Iterator[Mapping[str, str]]:
-    """Rows of a table by its headings."""
+def tables(*folders: Path) -> list[Path]:
+    """Tables of some folders, and the shipped one."""
+    return [folder / TABLE for folder in (*folders, Path(__file__).parent) if (folder / TABLE).exists()]
+
+
+def numbered_rows(table: Path) -> Iterator[tuple[int, Mapping[str, str]]]:
+    """Rows of a table by its headings, each with its line in the file.
+
+    Raises `BadCase` for a table that cannot be read.
+    """
     try:
         lines = inputs.numbered_cells(inputs.text(table, LARGEST), LARGEST)
         _, heads = next(lines, (1, []))
         inputs.require_different(heads)
-        if unknown := [head for head in heads if head not in (*ABOUT, *ENTRIES)]:
-            raise BadCase(
-                f"{table}: {unknown[0][:60]!r} is no column; they are {', '.join((*ABOUT, *ENTRIES))}."
-            )
+        known = (*ABOUT, *ENTRIES, *FURTHER)
+        if unknown := [head for head in heads if head not in known]:
+            raise BadCase(f"{table}: {unknown[0][:60]!r} is no column; they are {', '.join(known)}.")
         if missing := [head for head in ("designation", "like") if head not in heads]:
             raise BadCase(f"{table}: has no column {missing[0]}.")
         for number, cells in lines:
             if len(cells) != len(heads):
                 raise BadCase(f"{table}: line {number} has {len(cells)} cells, its header {len(heads)}.")
-            yield dict(zip(heads, cells, strict=True))
+            yield number, dict(zip(heads, cells, strict=True))
     except inputs.Unreadable as problem:
         raise BadCase(f"{table}: {problem}") from problem
 

@@ -13,9 +13,11 @@ from flexbearing.findings.running import (
     GYROSCOPIC_MOMENT,
     GYROSCOPIC_SLIP,
     LEAST_STIFFNESS,
+    LIMITING_SPEED,
     PRESSED_ENDS,
     RACEWAY_SLOPE,
     RATED_VISCOSITY_RATIO,
+    REFERENCE_SPEED,
     REQUIRED_LIFE,
     RIB_CONTACT,
     SHORT_LIFE,
@@ -96,7 +98,16 @@ OF_SLOW_BALLS = (  # which need no load against skidding
     GYROSCOPIC_SLIP,
     SMALL_OSCILLATION,
 )
-DECLARED = tuple(dict.fromkeys((*OF_ROLLERS, *OF_BALLS, *OF_SLOW_BALLS, *OF_TAPERED)))
+OF_SPEEDS = (LIMITING_SPEED, REFERENCE_SPEED)  # of a maker's table, which a selection judges
+DECLARED = tuple(dict.fromkeys((*OF_ROLLERS, *OF_BALLS, *OF_SLOW_BALLS, *OF_TAPERED, *OF_SPEEDS)))
+
+
+def of_selection(rollers: bool) -> tuple[Finding, ...]:
+    """What a catalogue's ratings are judged by: life, static safety, loads, speeds."""
+    by_ratings = {REQUIRED_LIFE, STATIC_SAFETY, USUAL_STATIC_SAFETY, HEAVY_LOAD, LOAD_ABOVE_STATIC_RATING}
+    light = {LIGHT_LOAD_OF_ROLLERS, LIGHT_LOAD_OF_BALLS}
+    of_kind = OF_ROLLERS if rollers else OF_BALLS
+    return (*(each for each in of_kind if each in by_ratings | light), *OF_SPEEDS)
 
 
 def is_declared(code: str, grade: str) -> bool:

@@ -17,6 +17,22 @@ REQUIRED_LIFE = Finding(
     meaning="the required life is not reached",
     action="take a bearing with a longer life, a lower load, a cleaner, cooler or more viscous oil",
 )  # fmt: skip
+LIMITING_SPEED = Finding(
+    code="limiting-speed", label="largest speed", quantity="speed",
+    at_most=1.0, times="limiting_speed", grade=DANGER, source="limiting speed of the maker",
+    unit="rad/s", shown="rpm",
+    meaning="beyond what cage, seals and balance of the bearing are made for",
+    action="take a smaller bearing, another cage or open sides, or ask the maker",
+)  # fmt: skip
+REFERENCE_SPEED = replace(
+    LIMITING_SPEED,
+    code="reference-speed",
+    times="reference_speed",
+    grade=USUAL,
+    source="reference speed of the maker, ISO 15312",
+    meaning="warmer than at the thermal reference conditions unless load, oil or cooling differ from them",
+    action="take a smaller bearing, less or thinner oil, cooling, or compute its heat",
+)
 VISCOSITY_RATIO = Finding(
     code="viscosity-ratio", label="viscosity ratio κ", quantity="viscosity_ratio",
     at_least=1.0, grade=USUAL, source="usual; ISO 281 rates from 0.1", noted=False,

@@ -333,7 +333,7 @@ def catalogued(
     if family.catalogue is None:
         return None
     of = family.catalogue()
-    each = [IDLE if variant.idle else _required(of, case_of(variant)) for variant in plan.variants]
+    each = [IDLE if variant.idle else rated(of, case_of(variant)) for variant in plan.variants]
     loads, factors, exponents, ratings = np.array(each).T.reshape(4, -1, len(plan.axes[-1].rows))
     if not np.any(loads > 0):
         return None
@@ -341,7 +341,7 @@ def catalogued(
     return Catalogued(loads, exponent, factors, ratings, spectrum.required, spectrum.application_factor)
 
 
-def _required(catalogue: Any, case: Any) -> tuple[float, float, float, float]:
+def rated(catalogue: Any, case: Any) -> tuple[float, float, float, float]:
     """Equivalent load [N], NaN where not known beforehand, life over (C_r/P)^p, p, and C_r [N].
 
     That factor is a_1 of the reliability, with a C_r that leaves the stress reduction out.
