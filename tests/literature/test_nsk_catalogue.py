@@ -1,9 +1,14 @@
-"""Worked examples of NSK's catalogue Rolling Bearings, section 5.7, deep groove ball bearing 6208."""
+"""Worked examples of NSK's catalogue Rolling Bearings, section 5.7, deep groove ball bearing 6208.
+
+The same lives, rounded down to two digits, are required of series 62, which must give the 6208 back. Example
+2, recalled: bore 50 mm, 3000 N, 1900 1/min, at least 10 000 h.
+"""
 
 import pytest
 
 from quasidynamic.outcome.ball_equivalent_load import ball_dynamic_load
 from quasidynamic.outcome.rating_life import BALL_EXPONENT, rating_life
+from tests.literature.selected import SERIES_62, Choice
 from tests.literature.worked_example import WorkedExample, hours
 
 RATING, STATIC, F_0 = 29100.0, 17900.0, 14.0  # [N], [N], [-]
@@ -35,3 +40,16 @@ EXAMPLES = (
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: example.name)
 def test_worked_example(example):
     example.check()
+
+
+CHOICES = (
+    Choice("example 1", "29000 h", "6208", options={"load": "2500 N", "speed": "900 rpm"}),
+    Choice("example 2", "10000 h", "6210", bore=50, options={"load": "3000 N", "speed": "1900 rpm"},
+           bearings={**SERIES_62, "6010": (50, 80, 16)}),
+    Choice("example 3", "15000 h", "6208", options={"load": "2500 N", "axial": "1 kN", "speed": "900 rpm"}),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("choice", CHOICES, ids=lambda choice: choice.name)
+def test_choice(choice, tmp_path):
+    choice.check(tmp_path)
