@@ -7,7 +7,7 @@ from flexbearing.program import signals  # everything else is imported when sign
 CONVERGED, NOT_CONVERGED, BAD_INPUT, INTERNAL = range(4)
 SIGNALLED = 128  # and the number of the signal
 DEBUG = "--debug"
-SAVING = "run", "study", "optimise", "report", "plot", "export", "map", "pareto", "limits"
+SAVING = "run", "study", "optimise", "report", "plot", "export", "map", "pareto", "limits", "select"
 TOLD_BY_CODE = (*SAVING, "check")  # commands whose exit code says what matters
 HINTS = {  # by the name of what the operating system refused
     "ENOSPC": "Free space there, or choose another place; TMPDIR names the folder for temporary files.",

@@ -1,7 +1,7 @@
 """What a catalogue says of each candidate under the loads of an application, and which one is chosen."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass
 from functools import cached_property
 from math import inf, pi
 from typing import Any
@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from flexbearing.case import BadCase
+from flexbearing.catalogue.entries import LIKES
 from flexbearing.families import FAMILIES
 from flexbearing.findings import Record, evaluate, records
 from flexbearing.findings.declared import of_code, of_selection
@@ -69,7 +70,7 @@ class Selection:
     """All candidates for an application, the lightest first."""
 
     application: Application
-    cards: tuple[Card, ...] = field(default=())
+    cards: tuple[Card, ...]
 
     @cached_property
     def chosen(self) -> Card | None:
@@ -95,11 +96,10 @@ def _rated(candidate: Candidate, application: Application) -> Rated:
 
     Raises `BadCase`, `ImpossiblePart` or `OutOfRange` where it has none.
     """
-    case = candidate.case(application)
-    offered = FAMILIES[case.kind].catalogue
+    offered = FAMILIES[LIKES[candidate.like].kind].catalogue
     if offered is None:
         raise BadCase("no ratings in ISO 281")
-    catalogue = offered()
+    case, catalogue = candidate.case(application), offered()
     forces = application.of("load").tolist(), application.of("axial").tolist()
     loaded, turning = application.loaded, application.speed != 0
     cases = [_under(case, *each) for each in zip(*forces, strict=True)]

@@ -78,13 +78,14 @@ def select(  # noqa: PLR0913  # an argument for each option
     from flexbearing.files import as_csv, require_outputs, write
     from flexbearing.select import cards
 
+    read = _tables(table)
+    written = [output] if output else []
+    require_outputs(written, [*read, *([spectrum] if spectrum else [])])
     options = {"load": load, "axial": axial_load, "speed": speed, "outer_speed": outer_speed}
     application = _application(options, spectrum, required_life, application_factor, reliability)
-    limits = {"bore": bore, "outside": max_outside, "width": max_width}
-    found = cards.selection(application, _candidates(table, limits, like))
-    written = [output] if output else []
+    sizes = {"bore": bore, "outside": max_outside, "width": max_width}
+    found = cards.selection(application, _candidates(read, sizes, like))
     if output:
-        require_outputs(written, [each for each in (table, spectrum) if each])
         write(output.resolve(), as_csv([cards.COLUMNS, *map(cards.row, found.cards)]).encode())
     with keeping(written):
         if as_json:
@@ -94,7 +95,14 @@ def select(  # noqa: PLR0913  # an argument for each option
         if found.chosen is None:
             end("no bearing of the table keeps all limits")
         if run:
-            _compute(context, found.chosen, application, force=force)
+            _compute(context, found.chosen, application, [*read, *written], force=force)
+
+
+def _tables(table: Path | None) -> list[Path]:
+    """Tables whose bearings are candidates."""
+    from flexbearing.catalogue.designations import tables
+
+    return [table] if table else tables(Path(), Path(typer.get_app_dir("flexbearing")))
 
 
 def _application(
@@ -110,10 +118,9 @@ def _application(
     return read(given, spectrum, life, factor, reliability)
 
 
-def _candidates(table: Path | None, limits: dict[str, str | None], like: str | None) -> "list[Candidate]":
-    """Bearings of the table that are small enough, of a kind."""
+def _candidates(tables: list[Path], limits: dict[str, str | None], like: str | None) -> "list[Candidate]":
+    """Bearings of the tables that are small enough, of a kind."""
     from flexbearing.case import BadCase
-    from flexbearing.catalogue.designations import tables
     from flexbearing.catalogue.entries import LIKES
     from flexbearing.catalogue.page import value
     from flexbearing.select.candidates import SIZES, candidates
@@ -121,10 +128,9 @@ def _candidates(table: Path | None, limits: dict[str, str | None], like: str | N
     if like is not None and like not in LIKES:
         raise BadCase(f"--like {like}: it is none of {', '.join(LIKES)}.")
     sizes = {name: value(name, text, "deep_groove_ball").si for name, text in limits.items() if text}
-    settings = Path(typer.get_app_dir("flexbearing"))
     found = [
         each
-        for each in candidates([table] if table else tables(Path(), settings))
+        for each in candidates(tables)
         if (like is None or each.like == like)
         and all(
             abs(size - sizes[name]) < 1e-9 if name == "bore" else size <= sizes[name] * (1 + 1e-9)
@@ -133,7 +139,7 @@ def _candidates(table: Path | None, limits: dict[str, str | None], like: str | N
         )
     ]
     if not found:
-        raise BadCase(f"{table or 'select'}: no bearing of the table has such sizes.")
+        raise BadCase(f"{', '.join(map(str, tables))}: no bearing is of such a size and kind.")
     return found
 
 
@@ -189,12 +195,17 @@ def _line(card: "Card") -> str:
     return LINE.format(of.designation, sizes, mass, *numbers, card.verdict or "keeps all limits")
 
 
-def _compute(context: typer.Context, chosen: "Card", application: "Application", *, force: bool) -> None:
+def _compute(
+    context: typer.Context, chosen: "Card", application: "Application", used: list[Path], *, force: bool
+) -> None:
     """Write the case of the chosen bearing at the loads that do most damage, and compute it."""
     from flexbearing.catalogue.command import go_on
     from flexbearing.catalogue.new import new
+    from flexbearing.files import require_outputs
+    from flexbearing.runs.run_case import usual_output
 
     of, file = chosen.candidate, Path(chosen.candidate.file)
+    require_outputs([file, usual_output(file)], used)
     assert chosen.rated is not None
     loads = {name: application.text(name, chosen.rated.row) for name in application.rows}
     ratings = new(file, of.like, {**of.entries, **loads}, title=of.designation, source=of.source, force=force)

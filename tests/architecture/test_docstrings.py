@@ -15,6 +15,7 @@ HELP_TEXTS = (
     "flexbearing.goal.command",
     "flexbearing.limits.command",
     "flexbearing.optimise.command",
+    "flexbearing.select.command",
     "flexbearing.sensitivity.command",
     "flexbearing.studies.command",
     "flexbearing.studies.maps.command",

@@ -49,6 +49,8 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
     ("rating-below-formula", USUAL, ""): 1 / 1.15,
     ("changed-rating", OUTSIDE, ""): 2.0,
     ("required-life", DANGER, "required_life"): 1.0,
+    ("limiting-speed", DANGER, "limiting_speed"): 1.0,
+    ("reference-speed", USUAL, "reference_speed"): 1.0,  # ISO 15312
     ("viscosity-ratio", USUAL, ""): 1.0,
     ("no-modified-life", OUTSIDE, ""): 0.1,  # ISO 281
     ("film-ratio", USUAL, "mixed_film_ratio"): 1.0,
@@ -69,7 +71,7 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
 QJ = ("joshi2015_qj309.toml", "operation.speed=10000 rpm", "operation.load.axial=2 kN")
 BASES = {"static_pressure": rating_life.ROLLERS, "dynamic_rating": 7e4, "static_rating": 6e4,
          "yield_stress": 9e8, "friction": 0.1, "mixed_film_ratio": MIXED_FROM,
-         "required_life": 7.2e7}  # fmt: skip
+         "required_life": 7.2e7, "limiting_speed": 900.0, "reference_speed": 800.0}  # fmt: skip
 CASES = [
     *((number, "OF_ROLLERS",
        BARS if each.code in FLEXIBLE else RATED if each.code in OF_RATINGS else ROLLERS)

@@ -22,6 +22,7 @@ BEAM = {"inner.kind": "rigid", "outer.kind": "ring", "accuracy.structure": "beam
 TEXTS = {
     **dict.fromkeys(("p.csv", "q.csv"), "position [mm],drop [um]\n0,0\n1.5,0.3\n2.5,2\n"),
     "loads.csv": "operation.radial_load [kN]\n4\n5\n",
+    "bearings.csv": "designation,like,bore,outside,width\n6210,deep_groove_ball,50 mm,90 mm,20 mm\n",
     "cycle.csv": "time [%],operation.radial_load [kN]\n20,4\n80,5\n",
     "slurm.toml": 'jobs = 2\nmemory = "1 GB"\n',
     "study.toml": 'case = "drawn.toml"\nresults = "full"\n[over]\nfile = "loads.csv"\n'
@@ -96,6 +97,13 @@ USES = {
         Use(f"map paper.toml {RANGE} -o OUT/out.csv", "out.csv out.png", PAPER),
     ),
     "pareto": (Use("pareto drawn.toml -o OUT --name few", "pareto_few.csv pareto_few.png", DRAWN),),
+    "select": (
+        Use(
+            "select bearings.csv --required-life 9h --speed 9rpm --spectrum cycle.csv -o OUT/out.csv",
+            "out.csv",
+            "bearings.csv cycle.csv",
+        ),
+    ),
     "limits": (Use("limits four.toml -o OUT/out.png", "out.png out.csv", "four.toml"),),
     "sensitivity": (Use("sensitivity drawn.toml -o OUT/out.png", "out.png out.csv", DRAWN),),
     "study": (
