@@ -1,6 +1,6 @@
 """What a bearing is selected for: loads and speeds with their shares, and the life that they must leave."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -54,6 +54,21 @@ class Application:
     def loaded(self) -> NDArray:
         """Rows (N) with a load."""
         return (self.of("load") != 0) | (self.of("axial") != 0)
+
+    @property
+    def forces(self) -> Iterator[tuple[float, float]]:
+        """Radial and axial load of each row [N], without their signs."""
+        yield from zip(*(abs(self.of(name)).tolist() for name in ("load", "axial")), strict=True)
+
+    @cached_property
+    def heaviest(self) -> list[int]:
+        """Rows of which no other one has both a larger radial and a larger axial load."""
+        found, axial = list[int](), -1.0
+        rows = list(self.forces)
+        for row in sorted(range(len(rows)), key=rows.__getitem__, reverse=True):
+            if rows[row][1] > axial:
+                found, axial = [*found, row], rows[row][1]
+        return found
 
     @cached_property
     def revolutions(self) -> NDArray:

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass
 from functools import cached_property
-from math import inf, pi
+from math import pi
 from typing import Any
 
 import numpy as np
@@ -16,7 +16,7 @@ from flexbearing.findings.declared import of_code, of_selection
 from flexbearing.findings.words import text as sentence
 from flexbearing.select.application import Application
 from flexbearing.select.candidates import Candidate
-from flexbearing.studies.table.duty import IDLE, Catalogued, rated
+from flexbearing.studies.table.duty import Catalogued, rated
 from quasidynamic import ImpossiblePart, OutOfRange
 
 HOUR, KN, RPM = 3600.0, 1e3, pi / 30
@@ -100,35 +100,30 @@ def _rated(candidate: Candidate, application: Application) -> Rated:
     if offered is None:
         raise BadCase("no ratings in ISO 281")
     case, catalogue = candidate.case(application), offered()
-    forces = application.of("load").tolist(), application.of("axial").tolist()
-    loaded, turning = application.loaded, application.speed != 0
-    cases = [_under(case, *each) for each in zip(*forces, strict=True)]
-    pages = [catalogue.ratings(each, 1.0) if load else None for each, load in zip(cases, loaded, strict=True)]
-    counted = [
-        rated(catalogue, each) if counts else IDLE
-        for each, counts in zip(cases, loaded & turning, strict=True)
-    ]
-    loads, factors, exponents, ratings = np.array(counted).T
+    counts = application.loaded & (application.speed != 0)
+    cases = [_under(case, *each) for each in application.forces]
+    _, of_life, exponent, dynamic = rated(catalogue, case)
+    each = zip(cases, counts, strict=True)
+    loads = np.array([catalogue.load(of) if counted else 0.0 for of, counted in each])
+    pages = [catalogue.ratings(cases[row], 1.0) for row in application.heaviest]
     wanted, factor = application.spectrum.required, application.spectrum.application_factor
     assert wanted is not None
-    cycle = Catalogued(
-        loads[None], exponents.max(keepdims=True), factors[None], ratings[None], wanted, factor
-    )
+    alike = np.ones((1, loads.size))  # cycles of one bearing
+    cycle = Catalogued(loads[None], np.array([exponent]), of_life * alike, dynamic * alike, wanted, factor)
     columns = {
         column.name: float(column.values[0])
         for column in cycle.columns(application.revolutions[None], np.array([application.mean_speed]))
     }
-    first = next(page for page in pages if page)
-    dynamic, required = first.ratings_N["C_r"], columns["required_rating"]
-    life = wanted * (dynamic / required) ** float(exponents.max()) if required else inf
-    safety = min(page.static_safety for page in pages if page) / factor
+    required, static = columns["required_rating"], pages[0].ratings_N["C_0r"]
+    life = wanted * (dynamic / required) ** exponent
+    safety = min(page.static_safety for page in pages) / factor
     values = {
         "life_to_reach": life, "required_life": wanted, "static_safety": safety,
-        "dynamic_rating": dynamic, "static_rating": first.ratings_N["C_0r"], "load": factor * loads.max(),
+        "dynamic_rating": dynamic, "static_rating": static, "load": factor * loads.max(),
         "speed": float(abs(application.speed).max()),
         "limiting_speed": candidate.limiting_speed, "reference_speed": candidate.reference_speed,
     }  # fmt: skip
-    least = float(loads[loaded & turning].min())
+    least = float(loads[counts].min())
     judged = of_selection(candidate.rollers)
     found = [
         *evaluate((each for each in judged if each.code != LIGHT), values),
@@ -136,14 +131,14 @@ def _rated(candidate: Candidate, application: Application) -> Rated:
     ]
     return Rated(
         dynamic_rating=dynamic,
-        static_rating=first.ratings_N["C_0r"],
-        by_maker=tuple(first.given),
+        static_rating=static,
+        by_maker=tuple(pages[0].given),
         mean_load=columns["mean_load"],
         least_load=least,
         required_rating=required,
         life=life,
         static_safety=safety,
-        row=int(np.argmax(application.revolutions * loads ** exponents.max())),
+        row=int(np.argmax(application.revolutions * loads**exponent)),
         findings=tuple(records(found)),
     )
 
