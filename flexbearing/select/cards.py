@@ -14,10 +14,12 @@ from flexbearing.families import FAMILIES
 from flexbearing.findings import Record, evaluate, records
 from flexbearing.findings.declared import of_code, of_selection
 from flexbearing.findings.words import text as sentence
+from flexbearing.runs.rated_bearing import LETTERS
 from flexbearing.select.application import Application
 from flexbearing.select.candidates import Candidate
 from flexbearing.studies.table.duty import Catalogued, rated
 from quasidynamic import ImpossiblePart, OutOfRange
+from quasidynamic.outcome.rating_life import static_safety
 
 HOUR, KN, RPM = 3600.0, 1e3, pi / 30
 LIGHT = "light-load"  # code of the finding that the smallest load decides
@@ -100,12 +102,13 @@ def _rated(candidate: Candidate, application: Application) -> Rated:
     if offered is None:
         raise BadCase("no ratings in ISO 281")
     case, catalogue = candidate.case(application), offered()
-    counts = application.loaded & (application.speed != 0)
-    cases = [_under(case, *each) for each in application.forces]
+    page = catalogue.rated(case)
     _, of_life, exponent, dynamic = rated(catalogue, case)
-    each = zip(cases, counts, strict=True)
-    loads = np.array([catalogue.load(of) if counted else 0.0 for of, counted in each])
-    pages = [catalogue.ratings(cases[row], 1.0) for row in application.heaviest]
+    counts = application.loaded & (application.speed != 0)
+    rows = [catalogue.rated(_under(case, *each)) for each in application.forces]
+    each = zip(rows, counts, strict=True)
+    loads = np.array([under.load().value if counted else 0.0 for under, counted in each])
+    at_rest = max(rows[row].static_load().value for row in application.heaviest)
     wanted, factor = application.spectrum.required, application.spectrum.application_factor
     assert wanted is not None
     alike = np.ones((1, loads.size))  # cycles of one bearing
@@ -114,9 +117,9 @@ def _rated(candidate: Candidate, application: Application) -> Rated:
         column.name: float(column.values[0])
         for column in cycle.columns(application.revolutions[None], np.array([application.mean_speed]))
     }
-    required, static = columns["required_rating"], pages[0].ratings_N["C_0r"]
+    required, static = columns["required_rating"], page.static
     life = wanted * (dynamic / required) ** exponent
-    safety = min(page.static_safety for page in pages) / factor
+    safety = float(static_safety(static, factor * at_rest))
     values = {
         "life_to_reach": life, "required_life": wanted, "static_safety": safety,
         "dynamic_rating": dynamic, "static_rating": static, "load": factor * loads.max(),
@@ -132,7 +135,7 @@ def _rated(candidate: Candidate, application: Application) -> Rated:
     return Rated(
         dynamic_rating=dynamic,
         static_rating=static,
-        by_maker=tuple(pages[0].given),
+        by_maker=tuple(LETTERS[name] for name in page.given),
         mean_load=columns["mean_load"],
         least_load=least,
         required_rating=required,
