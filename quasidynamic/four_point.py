@@ -18,7 +18,6 @@ from quasidynamic.contact.pressure import BallInGroove, GroovePress, PressedGroo
 from quasidynamic.errors import ImpossiblePart, OutOfRange
 from quasidynamic.motion.ball_slip import SIDE, BallContacts, pressed_height, pressed_radius
 from quasidynamic.note import Note, outside
-from quasidynamic.outcome.ball_torque import hysteresis_torque, race_torques
 from quasidynamic.outcome.slow_balls import RollingBalls, SlidingBalls, rolling_balls
 from quasidynamic.parts.ball import FourPointBearing, FrictionCurve
 from quasidynamic.solve.balls.elastic_load_distribution import (
@@ -28,7 +27,6 @@ from quasidynamic.solve.balls.elastic_load_distribution import (
 )
 from quasidynamic.solve.balls.load_distribution import BallLoads, ball_loads, ball_loads_near
 from quasidynamic.solve.balls.refined_rolling import RefinedRolling, RollingModel, refined_rolling
-from quasidynamic.solve.balls.sliding_motion import sliding_motion, sliding_motion_near
 
 FINER = 2  # cells in each direction on which a pressure is computed, for one on which friction is
 STEEPEST = np.pi / 2  # [rad] a contact angle stays below
@@ -121,9 +119,10 @@ class FourPointBallBearing:
         """Motion and torque of N balls whose contact angles [rad] and loads [N] (N, G, 2) are known.
 
         They are those at the inner and the outer race of one or two diagonals; `near` (N, 3) is the motion of
-        balls that differ little, see `sliding_motion_near` [rad/s].
+        balls that differ little, see `sliding_motion_near` [rad/s]. The motion is found when it is first
+        asked for, with `NotSolved` when a ball finds no balance.
         Raises `ImpossiblePart` when an angle or a load cannot be, `OutOfRange` when a contact is no longer
-        small, `NotSolved` when a ball finds no balance.
+        small.
         """
         angle, load = np.asarray(angle, dtype=float), np.asarray(load, dtype=float)
         _check(angle, load)
@@ -144,22 +143,16 @@ class FourPointBallBearing:
             angle=angle,
             height=pressed_height(np.asarray(radius), self._surface(angle), across),
         )
-        sliding = (
-            sliding_motion(contacts, ellipse)
-            if near is None
-            else sliding_motion_near(contacts, ellipse, near)
-        )
         return SlidingBalls(
             load=load,
             contacts=contacts,
             ellipse=ellipse,
             peak_pressure=pressure,
             friction=coefficient,
-            sliding=sliding,
             reach=across,
-            torques=race_torques(contacts, sliding.slip, ellipse),
-            hysteresis=hysteresis_torque(sliding.slip, load, along, self.hysteresis_loss),
+            hysteresis_loss=self.hysteresis_loss,
             notes=self._notes(pressure, coefficient * load),
+            near=near,
         )
 
     def roll(

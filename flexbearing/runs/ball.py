@@ -185,15 +185,18 @@ def _of_fast(
 
 
 def _of_slow(case: FourPointCase, texts: Sequence[str]) -> Answer:
+    outputs = [requested(OF_SLOW_BALLS, text) for text in texts]
+    names = {name for each in outputs for name in (*each.output.declared.of, each.output.declared.speed)}
+    rigid = any(each.block == "rigid" for each in outputs)
     blocks: dict[str, Any] = {}
 
     def solve() -> Answer:
         solution: Any = None
-        for name, solution in four_point.blocks(case, Logged()):
-            blocks[name] = four_point.block(solution)
+        for name, solution in four_point.blocks(case, Logged(), rigid=rigid):
+            blocks[name] = four_point.block(solution, names)
         numbers = _numbers(OF_SLOW_BALLS, blocks, texts)
-        judged = four_point.judge(solution)
-        found = row_findings(records(judged), four_point.notes(solution, judged))
+        judged = four_point.judge(solution, in_row=True)
+        found = row_findings(records(judged), four_point.notes(solution, judged, in_row=True))
         return Answer(CONVERGED, "", numbers, found)
 
     answer = named(case, solve)

@@ -1,9 +1,9 @@
 """From a case to a slow ball bearing, and from its solution to the arrays of a result file."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property, partial
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,7 +45,7 @@ class Solution:
     case: FourPointCase
     balls: qd.SlidingBalls
     distribution: BallLoads | None  # None when contact loads are given
-    full_sliding_torque: float  # [N m] of all balls, before parts of their contacts stick
+    full_sliding: qd.SlidingBalls | None = None  # before parts of their contacts stick; None where none do
     unrolled: str = ""  # why stick and slip are not known, where the case requires them
 
     @property
@@ -207,11 +207,17 @@ def solved(
     )
 
 
-def blocks(case: FourPointCase, report: Report) -> Iterator[tuple[Literal["rigid", "flexible"], Solution]]:
-    """Yield the solution between rigid rings, then that between elastic ones where the case has them."""
+def blocks(
+    case: FourPointCase, report: Report, *, rigid: bool = True
+) -> Iterator[tuple[Literal["rigid", "flexible"], Solution]]:
+    """Yield the solution between rigid rings, then that between elastic ones where the case has them.
+
+    Beside elastic rings rigid ones may be left out.
+    """
     progress = partial(report.stage, STICK)
-    report.stage("slow balls between rigid rings", None)
-    yield "rigid", solved(case, progress=progress)
+    if rigid or case.rigid:
+        report.stage("slow balls between rigid rings", None)
+        yield "rigid", solved(case, progress=progress)
     if not case.rigid:
         rings = elastic_rings(case, report)
         report.stage("slow balls between elastic rings", None)
@@ -235,31 +241,32 @@ def _rolled(
 ) -> Solution:
     """Solution with the friction of the case, from full sliding."""
     balls, distribution = sliding
-    torque = balls.torque
     if case.friction.model == "full_sliding":
-        return Solution(case, balls, distribution, torque)
+        return Solution(case, balls, distribution)
     along, across = case.friction.cells
     try:
         with shared_map() as mapped:
-            balls = model.roll(balls, case.friction.model, (along, across), progress, mapped)
+            rolled = model.roll(balls, case.friction.model, (along, across), progress, mapped)
     except OutOfRange as why:
-        return Solution(case, balls, distribution, torque, str(why))
-    return Solution(case, balls, distribution, torque)
+        return Solution(case, balls, distribution, unrolled=str(why))
+    return Solution(case, rolled, distribution, balls)
 
 
-def block(solution: Solution) -> dict[str, NDArray]:
-    """Quantities of the solution."""
-    parts = {
-        "worst": solution.worst,
-        "subsurface": subsurface.of_balls(solution.case, solution.worst),
-        "solution": solution,
-        "balls": solution.balls,
-        "ring": solution.distribution,
-        "life": solution.lives,
-        "rolling": solution.rolling,
-        "fields": _fields(solution.case, solution.balls),
+def block(solution: Solution, names: Collection[str] | None = None) -> dict[str, NDArray]:
+    """Quantities of the solution, all or some by name; what no one needs is not computed."""
+    parts: dict[str, Callable[[], Any]] = {
+        "worst": lambda: solution.worst,
+        "subsurface": lambda: subsurface.of_balls(solution.case, solution.worst),
+        "solution": lambda: solution,
+        "balls": lambda: solution.balls,
+        "ring": lambda: solution.distribution,
+        "life": lambda: solution.lives,
+        "rolling": lambda: solution.rolling,
+        "fields": lambda: _fields(solution.case, solution.balls),
     }
-    return row(taken(LAYOUT.quantities, {name: [part] for name, part in parts.items()}), 0)
+    wanted = [each for each in LAYOUT.quantities if names is None or each.name in names]
+    needed = {str(each.path[0]) for each in wanted}
+    return row(taken(wanted, {name: [part()] for name, part in parts.items() if name in needed}), 0)
 
 
 def _fields(case: FourPointCase, balls: qd.SlidingBalls) -> dict[str, NDArray | None]:
@@ -308,12 +315,13 @@ def _fatigue(solution: Solution) -> dict[str, object]:
     return values
 
 
-def judge(solution: Solution) -> tuple[Judged, ...]:
-    """The solution against the limits of ball bearings."""
+def judge(solution: Solution, *, in_row: bool = False) -> tuple[Judged, ...]:
+    """The solution against the limits of ball bearings; `in_row`: where only dangers are reported."""
     largest = solution.balls.peak_pressure.max(axis=(0, 1))
+    neglected = neglect.danger_of_slow_balls if in_row else neglect.of_slow_balls
     values = {
         **judged.pressures(largest, BALLS),
-        **neglect.of_slow_balls(solution),
+        **neglected(solution),
         **neglect.friction_of_moments(solution),
         "contact_height": _heights(solution),
         **_fatigue(solution),
@@ -323,8 +331,8 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
     return evaluate(declared.OF_SLOW_BALLS, values)
 
 
-def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
-    """What a user must know of the solution, judged by findings before."""
+def notes(solution: Solution, found: Iterable[Judged], *, in_row: bool = False) -> tuple[Note, ...]:
+    """What a user must know of the solution, judged by findings before; rows do not report the torque."""
     case, balls = solution.case, solution.balls
     lines = (*judged.notes(found), *balls.notes, *shoulders.unusual(case.materials), *clearance.notes(case))
     lines += slow_ball_lives.notes(case)
@@ -340,10 +348,12 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
         lines += elastic_grooves.notes(case, *(np.moveaxis(each, -1, 0) for each in contacts))
     lines += _on_shoulders(case, balls) + shoulders.unrolled(solution.unrolled)
     lines += subsurface.notes(case, solution.worst)
-    idle = int((~balls.sliding.driven).sum())
+    idle = int((~balls.driven).sum())
     if idle:
         words = f"{idle} of {len(balls.load)} balls are not pressed on both rings: they make no torque"
         lines += (information("idle-balls", words),)
+    if in_row:
+        return lines
     lines += _local_spin(balls) if solution.rolling is None else _stick(solution, solution.rolling)
     if case.friction.torque == "circumferential":
         share = 100 * (balls.torques.circumferential.sum(0) / balls.torques.total.sum(0) - 1)
@@ -360,7 +370,9 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
 
 def _stick(solution: Solution, balls: qd.RollingBalls) -> tuple[Note, ...]:
     """What stick makes of the torque, and how exact it is."""
-    friction, share = solution.case.friction, balls.torque / solution.full_sliding_torque - 1
+    assert solution.full_sliding is not None  # of balls that stick and slip
+    friction, sliding = solution.case.friction, solution.full_sliding.torque
+    share = balls.torque / sliding - 1
     (along, across), computed = friction.cells, friction.contact_pressure != "hertz"
     same = "the same spin" + (" and the pressure of Hertz" if computed else "")
     lines = (
@@ -368,7 +380,7 @@ def _stick(solution: Solution, balls: qd.RollingBalls) -> tuple[Note, ...]:
             "stick-and-slip",
             f"torque: {friction.model} on {along} by {across} cells a contact, within "
             f"{balls.grid_error.sum():.2g} N m of finer ones; {100 * share:+.1f} % against full sliding with "
-            f"{same}, of {solution.full_sliding_torque:.5g} N m"
+            f"{same}, of {sliding:.5g} N m"
             f"{shoulders.by_springs(friction.model, balls.stick_share)}",
             {"friction.spin": friction.spin},
         ),

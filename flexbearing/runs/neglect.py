@@ -5,12 +5,14 @@ from typing import Any
 
 import numpy as np
 
+from flexbearing.findings.neglected import MUCH_NEGLECTED
 from quasidynamic.motion.ball_slip import OUTER
 from quasidynamic.outcome.neglected import friction_share, inertia_shares, weight_share
 
 INERTIA, MOMENT, WEIGHT, FRICTION = "inertia", "gyroscopic moment", "weight", "friction"
 ORBIT = "orbit of the balls by friction"
 OF_BALLS = " of the balls"
+FAR = 0.5  # of the share that is a danger: bounds below it need no exact one
 
 
 def of_fast_balls(solution: Any) -> Mapping[str, Any]:
@@ -29,7 +31,7 @@ def of_fast_balls(solution: Any) -> Mapping[str, Any]:
 def of_slow_balls(solution: Any) -> Mapping[str, Any]:
     """Weight and friction; where the loads of contacts are given, also what inertia would do to them."""
     balls, bearing = solution.balls, solution.bearing
-    ball, driven = bearing.ball, balls.sliding.driven
+    ball, driven = bearing.ball, balls.driven
     loads = balls.load.sum(axis=(1, 2))
     if not driven.any():
         return {}
@@ -38,6 +40,25 @@ def of_slow_balls(solution: Any) -> Mapping[str, Any]:
         WEIGHT + OF_BALLS: weight_share(ball.mass, largest),
         FRICTION: friction_share(balls.torque, bearing.pitch_diameter, loads.sum() / 2),
     }}  # fmt: skip
+
+
+def danger_of_slow_balls(solution: Any) -> Mapping[str, Any]:
+    """The same where only dangers are reported: bounds without the motion of the balls, far from a danger.
+
+    Balls that roll have more heat than those that move freely, and no orbit is faster than the ring.
+    """
+    balls, bearing, distribution = solution.balls, solution.bearing, solution.distribution
+    if distribution is None or not balls.driven.any():
+        return of_slow_balls(solution)
+    mass, pitch, largest = bearing.ball.mass, bearing.pitch_diameter, balls.load.max()
+    fastest = max(solution.case.operation.speed**2, float(np.square(distribution.orbit).max()))
+    bounds = {
+        ORBIT: mass * pitch / 2 * fastest / largest,
+        WEIGHT + OF_BALLS: weight_share(mass, largest),
+        FRICTION: friction_share(balls.rolling_torque, pitch, balls.load.sum() / 2),
+    }
+    far = max(bounds.values()) < FAR * MUCH_NEGLECTED.limit
+    return {"neglected": bounds} if far else of_slow_balls(solution)
 
 
 def _inertia(solution: Any, largest: float) -> dict[str, Any]:

@@ -2,6 +2,8 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields, replace
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,11 +14,22 @@ from quasidynamic.contact.half_space import grid_over
 from quasidynamic.contact.rolling.full_sliding import hertz_pressure
 from quasidynamic.motion.ball_slip import DIAGONAL, BallContacts, slip_by_motion, slip_of
 from quasidynamic.note import Note
-from quasidynamic.outcome.ball_torque import RaceTorques, hysteresis_torque, torques_by_slip
+from quasidynamic.outcome.ball_torque import (
+    RaceTorques,
+    hysteresis_torque,
+    race_torques,
+    torques_by_slip,
+)
 from quasidynamic.outcome.truncation import edge_angle, height_above_bottom
 from quasidynamic.solve.balls.refined_rolling import RefinedRolling
 from quasidynamic.solve.balls.rolling_motion import RollingMotion
-from quasidynamic.solve.balls.sliding_motion import SlidingMotion
+from quasidynamic.solve.balls.sliding_motion import (
+    SlidingMotion,
+    pressed_on_both,
+    rolling_heat,
+    sliding_motion,
+    sliding_motion_near,
+)
 
 RING_SIGN = np.array([1.0, -1.0])  # of the torques on inner and outer ring
 
@@ -34,10 +47,38 @@ class SlidingBalls:
     peak_pressure: NDArray  # (N, G, 2) [Pa]
     friction: NDArray  # (N, G, 2) [-] coefficient
     reach: NDArray  # (N, G, 2) [m] of the contacts, from the contact angle towards the shoulder
-    sliding: SlidingMotion
-    torques: RaceTorques
-    hysteresis: NDArray  # (N) [N m]
+    hysteresis_loss: float  # [-] part of the elastic work lost in rolling
     notes: tuple[Note, ...]  # what a user must know
+    near: NDArray | None = None  # (N, 3) [rad/s] motion of balls that differ little
+
+    @cached_property
+    def sliding(self) -> SlidingMotion:
+        """Their motion, found when it is first asked for; raises `NotSolved` when a ball finds no balance."""
+        if self.near is None:
+            return sliding_motion(self.contacts, self.ellipse)
+        return sliding_motion_near(self.contacts, self.ellipse, self.near)
+
+    @cached_property
+    def torques(self) -> RaceTorques:
+        """Of the balls on both rings."""
+        return race_torques(self.contacts, self.sliding.slip, self.ellipse)
+
+    @cached_property
+    def hysteresis(self) -> NDArray:
+        """Torque of elastic hysteresis (N) [N m]."""
+        return hysteresis_torque(self.sliding.slip, self.load, self.ellipse.along, self.hysteresis_loss)
+
+    @property
+    def driven(self) -> NDArray:
+        """Whether each ball is pressed on both rings (N)."""
+        return pressed_on_both(self.ellipse)
+
+    @property
+    def rolling_torque(self) -> float:
+        """Torque of balls that roll on their stronger diagonals [N m], with more heat than they have."""
+        slip, power = rolling_heat(self.contacts, self.ellipse)
+        lost = hysteresis_torque(slip, self.load, self.ellipse.along, self.hysteresis_loss)
+        return float(power.sum() + lost.sum())
 
     @property
     def ball_torques(self) -> NDArray:
@@ -111,11 +152,27 @@ class SlidingBalls:
         }
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class RollingBalls(SlidingBalls):
     """Balls whose contacts stick and slip; what the fields of full sliding hold is that of stick and slip."""
 
     rolled: tuple[RefinedRolling | None, ...]  # (N) None for balls that are not pressed on both rings
+    moved: tuple[SlidingMotion, RaceTorques, NDArray]  # motion, torques, hysteresis
+
+    @cached_property
+    def sliding(self) -> SlidingMotion:
+        """Their motion."""
+        return self.moved[0]
+
+    @cached_property
+    def torques(self) -> RaceTorques:
+        """Of the balls on both rings."""
+        return self.moved[1]
+
+    @cached_property
+    def hysteresis(self) -> NDArray:
+        """Torque of elastic hysteresis (N) [N m]."""
+        return self.moved[2]
 
     @property
     def grid_error(self) -> NDArray:
@@ -177,16 +234,15 @@ def rolling_balls(
     slip = slip_of(motion, slip_by_motion(contacts))
     torques = torques_by_slip(contacts, by_slip.sum(0), by_slip[1])
     unbalanced = torques.total - RING_SIGN * power[:, None]  # by heat a thousand times more exact
-    changed = {
-        "sliding": replace(sliding.sliding, motion=motion, slip=slip, power=power, imbalance=imbalance),
-        "torques": replace(torques, roll=torques.roll - unbalanced),
-        "hysteresis": hysteresis_torque(slip, sliding.load, sliding.ellipse.along, hysteresis_loss),
-    }
-    if computed_pressure:
-        changed |= _computed(sliding, rolled)
-    kept = {part.name: getattr(sliding, part.name) for part in fields(SlidingBalls)} | changed
+    moved = (
+        replace(sliding.sliding, motion=motion, slip=slip, power=power, imbalance=imbalance),
+        replace(torques, roll=torques.roll - unbalanced),
+        hysteresis_torque(slip, sliding.load, sliding.ellipse.along, hysteresis_loss),
+    )
+    changed: dict[str, Any] = _computed(sliding, rolled) if computed_pressure else {}
+    same: dict[str, Any] = {part.name: getattr(sliding, part.name) for part in fields(SlidingBalls)}
     balls = [rolled.get(number) for number in range(len(motion))]
-    return RollingBalls(**kept, rolled=tuple(balls))
+    return RollingBalls(**same | changed, rolled=tuple(balls), moved=moved)
 
 
 def _computed(sliding: SlidingBalls, rolled: Mapping[int, RefinedRolling]) -> dict[str, NDArray]:

@@ -85,7 +85,7 @@ def test_balls_of_another_material_and_too_large_rings_have_no_life(balls):
 def test_contacts_that_move_less_than_their_width_are_reported(balls):
     """0.689 of the width at 0.1 deg, by hand: 0.1 deg 1.9 m/4 over twice the largest semi-axis along."""
     case = read_case(JOSHI, ["operation.oscillation=0.1 deg"])
-    found = four_point.judge(four_point.Solution(case, balls, None, balls.torque))
+    found = four_point.judge(four_point.Solution(case, balls, None))
     (small,) = (each for each in found if each.finding.code == "small-oscillation")
     width = np.radians(0.1) * 1.9 / 4 / (2 * balls.ellipse.along.max())
     (record,) = records([small])

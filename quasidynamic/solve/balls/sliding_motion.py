@@ -16,7 +16,14 @@ from quasidynamic.balance.balls.sliding_balls import (
 from quasidynamic.contact.ellipse.full_sliding import Ellipse, sliding_friction
 from quasidynamic.contact.ellipse.rigid_slip import CENTRE, ROLL, SPIN
 from quasidynamic.errors import NotSolved
-from quasidynamic.motion.ball_slip import ORBIT, BallContacts, rolling_motion, slip_by_motion, spinning_motion
+from quasidynamic.motion.ball_slip import (
+    ORBIT,
+    BallContacts,
+    rolling_motion,
+    slip_by_motion,
+    slip_of,
+    spinning_motion,
+)
 from quasidynamic.solve.step_length import shortened
 
 TOLERANCE = 1e-10  # unbalanced power over the power of friction
@@ -44,6 +51,38 @@ class SlidingMotion:
     evaluations: int
 
 
+def pressed_on_both(ellipse: Ellipse) -> NDArray:
+    """Whether each ball has friction on both races (N)."""
+    return np.all(ellipse.traction.max(axis=1) > 0.0, axis=1)
+
+
+def rolling_heat(contacts: BallContacts, ellipse: Ellipse) -> tuple[NDArray, NDArray]:
+    """Slip (N, G, 2, 3) and heat (N) [W] of balls that roll on their stronger diagonal.
+
+    At an inner ring that turns by one rad/s: an upper bound of the heat of `sliding_motion`, the least of
+    all motions. Balls that are not pressed on both rings have none.
+
+    Source
+    ------
+    The convexity of the heat, see `sliding_motion`.
+
+    Valid
+    -----
+    As `sliding_motion`.
+    """
+    driven = pressed_on_both(ellipse)
+    slip = slip_of(_rolling(contacts, ellipse), slip_by_motion(contacts))
+    heat = np.zeros(len(driven))
+    heat[driven] = sliding_friction(slip[driven], ellipse.taken(driven)).power.sum((1, 2))
+    return slip, heat
+
+
+def _rolling(contacts: BallContacts, ellipse: Ellipse) -> NDArray:
+    """Motion (N, 3) of balls that roll on their stronger diagonal [rad/s]."""
+    motions = [rolling_motion(contacts, diagonal) for diagonal in range(contacts.angle.shape[1])]
+    return np.array(motions)[stronger_diagonal(ellipse), np.arange(len(contacts.angle))]
+
+
 def sliding_motion(contacts: BallContacts, ellipse: Ellipse) -> SlidingMotion:
     r"""Motion in which the friction of slow balls is in balance, without inertia.
 
@@ -67,13 +106,12 @@ def sliding_motion(contacts: BallContacts, ellipse: Ellipse) -> SlidingMotion:
     -----
     Slow: no inertia, no oil film, no cage; sliding everywhere in the contacts.
     """
-    driven = np.all(ellipse.traction.max(axis=1) > 0.0, axis=1)
-    motions = [rolling_motion(contacts, diagonal) for diagonal in range(contacts.angle.shape[1])]
-    rolling = np.array(motions)[stronger_diagonal(ellipse), np.arange(len(driven))]
+    driven, rolling = pressed_on_both(ellipse), _rolling(contacts, ellipse)
     balls = sliding_ball_balance(contacts, ellipse, rolling)
     unknowns = np.full_like(rolling, np.nan)
     (power, imbalance), evaluations = np.zeros((2, len(rolling))), 0
     if driven.any():
+        motions = [rolling_motion(contacts, diagonal) for diagonal in range(contacts.angle.shape[1])]
         if len(motions) == 2:
             motions.append(spinning_motion(contacts))
         moving, starts = balls.taken(driven), _starts(balls, np.array(motions) - rolling)[:, driven]
@@ -94,11 +132,10 @@ def sliding_motion_near(contacts: BallContacts, ellipse: Ellipse, motion: NDArra
     Raises `NotSolved` when a ball comes to be pressed on both rings or ceases to be, or finds no balance near
     by.
     """
-    driven = np.all(ellipse.traction.max(axis=1) > 0.0, axis=1)
+    driven = pressed_on_both(ellipse)
     if not np.array_equal(driven, np.isfinite(motion).all(axis=1)):
         raise NotSolved("a ball begins or ceases to be pressed on both rings", "not the same balls")
-    motions = [rolling_motion(contacts, diagonal) for diagonal in range(contacts.angle.shape[1])]
-    rolling = np.array(motions)[stronger_diagonal(ellipse), np.arange(len(driven))]
+    rolling = _rolling(contacts, ellipse)
     balls = sliding_ball_balance(contacts, ellipse, rolling)
     unknowns = np.full_like(rolling, np.nan)
     (power, imbalance), moving = np.zeros((2, len(rolling))), balls.taken(driven)
