@@ -87,6 +87,7 @@ class FourPointBallBearing:
         grooves: ElasticGrooves | None = None,
         near: FourPointEquilibrium | None = None,
         speed: float = 0.0,
+        start: BallLoads | None = None,
     ) -> FourPointEquilibrium:
         """Load distribution, then the motion and torque of every ball.
 
@@ -95,23 +96,29 @@ class FourPointBallBearing:
 
         Grooves are those of elastic rings, see `elastic_ball_loads`. Near the equilibrium of a bearing and a
         load that differ little, one step of Newton's method is taken, which is exact to first order in the
-        difference.
+        difference. The balance under another load may be given as a `start`, where the search begins.
         Raises `ImpossiblePart`, `NotSolved` or `OutOfRange`, see `ball_loads`, `elastic_ball_loads`,
         `sliding_motion` and `slide`.
         """
-        distribution = self._distribution(load.vector(), grooves, near and near.distribution, speed)
+        distribution = self._distribution(load.vector(), grooves, near and near.distribution, speed, start)
         motion = None if near is None else near.balls.sliding.motion
         return FourPointEquilibrium(distribution, self.slide(distribution.angles, distribution.loads, motion))
 
     def _distribution(
-        self, load: NDArray, grooves: ElasticGrooves | None, near: BallLoads | None, speed: float
+        self,
+        load: NDArray,
+        grooves: ElasticGrooves | None,
+        near: BallLoads | None,
+        speed: float,
+        start: BallLoads | None,
     ) -> BallLoads:
         if grooves is None:
             if near is None:
-                return ball_loads(self.bearing, load, speed)
+                return ball_loads(self.bearing, load, speed, start)
             return ball_loads_near(self.bearing, load, near, speed)
         if near is None:
-            return elastic_ball_loads(self.bearing, load, grooves, speed)
+            assert start is None or isinstance(start, ElasticBallLoads)  # as it is between elastic rings
+            return elastic_ball_loads(self.bearing, load, grooves, speed, start)
         assert isinstance(near, ElasticBallLoads)  # as it is between elastic rings
         return elastic_ball_loads_near(self.bearing, load, grooves, near, speed)
 

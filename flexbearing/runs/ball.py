@@ -160,9 +160,13 @@ def angular_answers(
 def four_point_answers(
     cases: Sequence[FourPointCase], texts: Sequence[str], *_: Any, **__: Any
 ) -> list[Answer]:
-    """Outputs of slow bearings, each solved alone."""
+    """Outputs of slow bearings, one after the other: elastic rings are those of the cases before.
+
+    The search for the loads begins where it ended in the case before.
+    """
+    known = four_point.Known()
     with linear_algebra_alone():
-        return [_of_slow(case, texts) for case in cases]
+        return [_of_slow(case, texts, known) for case in cases]
 
 
 def _of_fast(
@@ -184,7 +188,7 @@ def _of_fast(
     return Answer(CONVERGED, "", _numbers(OF_FAST_BALLS, blocks, texts), found)
 
 
-def _of_slow(case: FourPointCase, texts: Sequence[str]) -> Answer:
+def _of_slow(case: FourPointCase, texts: Sequence[str], known: four_point.Known) -> Answer:
     outputs = [requested(OF_SLOW_BALLS, text) for text in texts]
     names = {name for each in outputs for name in (*each.output.declared.of, each.output.declared.speed)}
     rigid = any(each.block == "rigid" for each in outputs)
@@ -192,7 +196,7 @@ def _of_slow(case: FourPointCase, texts: Sequence[str]) -> Answer:
 
     def solve() -> Answer:
         solution: Any = None
-        for name, solution in four_point.blocks(case, Logged(), rigid=rigid):
+        for name, solution in four_point.blocks(case, Logged(), rigid=rigid, known=known):
             blocks[name] = four_point.block(solution, names)
         numbers = _numbers(OF_SLOW_BALLS, blocks, texts)
         judged = four_point.judge(solution, in_row=True)

@@ -1,7 +1,7 @@
 """From a case to a slow ball bearing, and from its solution to the arrays of a result file."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property, partial
 from typing import Any, Literal
 
@@ -175,11 +175,13 @@ def solved(
     rings: ElasticGrooves | None = None,
     progress: Callable[[float], None] = lambda _: None,
     near: Solution | None = None,
+    start: BallLoads | None = None,
 ) -> Solution:
     """Loads and motion of the balls between rigid rings, or between elastic ones.
 
     The part of the balls whose stick and slip is found goes to `progress`. From a solution in full sliding
-    that is `near`, one step of Newton's method is made, which is exact to first order.
+    that is `near`, one step of Newton's method is made, which is exact to first order. The search for the
+    loads begins at a `start`, where there is one.
     """
     model = bearing(case)
     motion = None if near is None else near.balls.sliding.motion
@@ -197,6 +199,7 @@ def solved(
             rings,
             known,
             case.operation.speed,
+            start,
         )
         return _rolled(case, model, (equilibrium.balls, equilibrium.distribution), progress)
     loads = np.array(case.operation.contact_loads)
@@ -207,21 +210,41 @@ def solved(
     )
 
 
+@dataclass
+class Known:
+    """What cases leave to those after them: elastic rings, and loads where a search begins."""
+
+    rings: dict[Any, ElasticGrooves | None] = field(default_factory=dict)  # by what decides them
+    starts: dict[str, BallLoads | None] = field(default_factory=dict)  # by block
+
+
 def blocks(
-    case: FourPointCase, report: Report, *, rigid: bool = True
+    case: FourPointCase, report: Report, *, rigid: bool = True, known: Known | None = None
 ) -> Iterator[tuple[Literal["rigid", "flexible"], Solution]]:
     """Yield the solution between rigid rings, then that between elastic ones where the case has them.
 
-    Beside elastic rings rigid ones may be left out.
+    Beside elastic rings rigid ones may be left out. What is `known` of other cases is added to.
     """
-    progress = partial(report.stage, STICK)
+    progress, shared = partial(report.stage, STICK), Known() if known is None else known
     if rigid or case.rigid:
         report.stage("slow balls between rigid rings", None)
-        yield "rigid", solved(case, progress=progress)
+        found = solved(case, progress=progress, start=_start(case, shared, "rigid"))
+        shared.starts["rigid"] = found.distribution
+        yield "rigid", found
     if not case.rigid:
-        rings = elastic_rings(case, report)
+        key = grooves.parts(case), case.balls
+        if key not in shared.rings:
+            shared.rings[key] = elastic_rings(case, report)
         report.stage("slow balls between elastic rings", None)
-        yield "flexible", solved(case, rings, progress)
+        found = solved(case, shared.rings[key], progress, start=_start(case, shared, "flexible"))
+        shared.starts["flexible"] = found.distribution
+        yield "flexible", found
+
+
+def _start(case: FourPointCase, known: Known, block: str) -> BallLoads | None:
+    """Loads of a bearing with as many balls; None where there are none."""
+    start = known.starts.get(block)
+    return start if start is not None and len(start.loads) == case.balls else None
 
 
 def elastic_rings(case: FourPointCase, report: Report) -> ElasticGrooves | None:

@@ -134,11 +134,20 @@ class ElasticRings:
         softness = -by_moves * np.tile(ARMS_BY_SHAPE, count // 8)
         by_place = contacts.arms_by_place
         columns = np.concatenate([by_moves @ by_place.reshape(-1, 5), -misfit[:, None]], axis=1)
-        shapes = np.linalg.solve(np.eye(count) + softness, columns)
+        shapes = self._closed(softness, columns)
         moved = ARMS_BY_SHAPE[:, None] * shapes.reshape(-1, 8, 6)
         moved[..., :5] += by_place
         forces = balls.force_slopes @ (by_grooves @ moved)
         return ElasticRingState(place, shape, centres, balls, moves, excess, misfit, softness, forces, shapes)
+
+    def _closed(self, softness: NDArray, columns: NDArray) -> NDArray:
+        """Solve (1 + softness) x = columns; contacts without load have softness of others alone."""
+        act = softness.any(axis=0)
+        acting = np.eye(int(act.sum())) + softness[np.ix_(act, act)]
+        found = columns.copy()
+        found[act] = np.linalg.solve(acting, columns[act])
+        found[~act] -= softness[np.ix_(~act, act)] @ found[act]
+        return found
 
     def _made(self, balls: BallsOnArches) -> tuple[NDArray, NDArray]:
         """Shape (8 Z) [m] that forces make, and its change by the arms of each ball (Z, 8 Z, 8) [-]."""
@@ -185,7 +194,24 @@ class ElasticRings:
         """Change of the shape (8 Z) [m] that closes the misfit while the ring moves (5) [m]."""
         return state.shapes @ np.append(place, 1.0)
 
-    def lowest_eigenvalue(self, state: ElasticRingState) -> float:
-        """Lowest eigenvalue of the softness plus one [-]; below zero, contacts and rings snap together."""
+    def require_unique(self, state: ElasticRingState) -> None:
+        """Require that every eigenvalue of the softness plus one is above zero.
+
+        Below, contacts and rings snap together. It is so where the symmetric part has positive ones alone,
+        which takes a twentieth of the time.
+
+        Raises `NotSolved` otherwise.
+        """
         loaded = np.repeat(state.balls.forces.loads.ravel() > 0, 2)  # others make no shape
-        return 1.0 + float(np.linalg.eigvals(state.softness[np.ix_(loaded, loaded)]).real.min(initial=0.0))
+        softness = state.softness[np.ix_(loaded, loaded)]
+        try:
+            np.linalg.cholesky(np.eye(len(softness)) + (softness + softness.T) / 2)
+        except np.linalg.LinAlgError:
+            lowest = 1.0 + float(np.linalg.eigvals(softness).real.min(initial=0.0))
+            if not lowest > 0:
+                raise NotSolved(
+                    "contacts and rings together do not give way to every force: the balance that was found "
+                    f"may be one of several; the lowest eigenvalue is {lowest:.2g}; is the compliance that "
+                    "of these rings?",
+                    "not unique",
+                ) from None

@@ -43,7 +43,9 @@ class BallLoads:
     iterations: int  # evaluations of all balls
 
 
-def ball_loads(bearing: FourPointBearing, load: NDArray, speed: float = 0.0) -> BallLoads:
+def ball_loads(
+    bearing: FourPointBearing, load: NDArray, speed: float = 0.0, start: BallLoads | None = None
+) -> BallLoads:
     r"""Load of every contact under five loads on the inner ring, with contact angles that turn.
 
     .. math:: \sum_k (-Q_k + \mathrm i P_k)\, n_k + \mathrm i F_c = 0,\quad
@@ -61,6 +63,8 @@ def ball_loads(bearing: FourPointBearing, load: NDArray, speed: float = 0.0) -> 
         on the inner ring: axial x, radial y and z [N], moments about y and z [N m]
     speed : float
         of the inner ring, the outer one at rest [rad/s]
+    start : BallLoads, optional
+        of another load, where the search begins
 
     Raises
     ------
@@ -80,6 +84,13 @@ def ball_loads(bearing: FourPointBearing, load: NDArray, speed: float = 0.0) -> 
     of the unloaded contact angle; moments act on the pitch circle. No truncation at the groove edge.
     """
     rings = RigidRings.of(bearing, load, speed)
+    if start is not None:
+        try:
+            state, evaluations = _newton(rings, start.displacement * ring_levers(bearing), start.centres)
+            require_held(state)
+            return _shared(bearing, rings, state, evaluations)
+        except NotSolved:
+            pass  # a usual start is tried
     return _shared(bearing, rings, *balanced(rings))
 
 
