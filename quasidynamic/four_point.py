@@ -96,7 +96,8 @@ class FourPointBallBearing:
 
         Grooves are those of elastic rings, see `elastic_ball_loads`. Near the equilibrium of a bearing and a
         load that differ little, one step of Newton's method is taken, which is exact to first order in the
-        difference. The balance under another load may be given as a `start`, where the search begins.
+        difference. Between rigid rings the balance under another load may be given as a `start`, where the
+        search begins.
         Raises `ImpossiblePart`, `NotSolved` or `OutOfRange`, see `ball_loads`, `elastic_ball_loads`,
         `sliding_motion` and `slide`.
         """
@@ -117,8 +118,7 @@ class FourPointBallBearing:
                 return ball_loads(self.bearing, load, speed, start)
             return ball_loads_near(self.bearing, load, near, speed)
         if near is None:
-            assert start is None or isinstance(start, ElasticBallLoads)  # as it is between elastic rings
-            return elastic_ball_loads(self.bearing, load, grooves, speed, start)
+            return elastic_ball_loads(self.bearing, load, grooves, speed)
         assert isinstance(near, ElasticBallLoads)  # as it is between elastic rings
         return elastic_ball_loads_near(self.bearing, load, grooves, near, speed)
 

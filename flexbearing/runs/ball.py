@@ -162,7 +162,7 @@ def four_point_answers(
 ) -> list[Answer]:
     """Outputs of slow bearings, one after the other: elastic rings are those of the cases before.
 
-    The search for the loads begins where it ended in the case before.
+    Between rigid rings the search for the loads begins where it ended in the case before.
     """
     known = four_point.Known()
     with linear_algebra_alone():

@@ -181,7 +181,7 @@ def solved(
 
     The part of the balls whose stick and slip is found goes to `progress`. From a solution in full sliding
     that is `near`, one step of Newton's method is made, which is exact to first order. The search for the
-    loads begins at a `start`, where there is one.
+    loads begins at a `start`, where there is one, and from rigid rings between elastic ones.
     """
     model = bearing(case)
     motion = None if near is None else near.balls.sliding.motion
@@ -212,10 +212,10 @@ def solved(
 
 @dataclass
 class Known:
-    """What cases leave to those after them: elastic rings, and loads where a search begins."""
+    """What cases leave to those after them: elastic rings, and loads between rigid ones."""
 
     rings: dict[Any, ElasticGrooves | None] = field(default_factory=dict)  # by what decides them
-    starts: dict[str, BallLoads | None] = field(default_factory=dict)  # by block
+    loads: BallLoads | None = None  # where a search begins
 
 
 def blocks(
@@ -228,23 +228,16 @@ def blocks(
     progress, shared = partial(report.stage, STICK), Known() if known is None else known
     if rigid or case.rigid:
         report.stage("slow balls between rigid rings", None)
-        found = solved(case, progress=progress, start=_start(case, shared, "rigid"))
-        shared.starts["rigid"] = found.distribution
+        near = shared.loads if shared.loads and len(shared.loads.loads) == case.balls else None
+        found = solved(case, progress=progress, start=near)
+        shared.loads = found.distribution
         yield "rigid", found
     if not case.rigid:
         key = grooves.parts(case), case.balls
         if key not in shared.rings:
             shared.rings[key] = elastic_rings(case, report)
         report.stage("slow balls between elastic rings", None)
-        found = solved(case, shared.rings[key], progress, start=_start(case, shared, "flexible"))
-        shared.starts["flexible"] = found.distribution
-        yield "flexible", found
-
-
-def _start(case: FourPointCase, known: Known, block: str) -> BallLoads | None:
-    """Loads of a bearing with as many balls; None where there are none."""
-    start = known.starts.get(block)
-    return start if start is not None and len(start.loads) == case.balls else None
+        yield "flexible", solved(case, shared.rings[key], progress)
 
 
 def elastic_rings(case: FourPointCase, report: Report) -> ElasticGrooves | None:
