@@ -14,7 +14,7 @@ from flexbearing.families import FAMILIES
 from flexbearing.findings import Record, evaluate, records
 from flexbearing.findings.declared import of_code, of_selection
 from flexbearing.findings.words import text as sentence
-from flexbearing.runs.rated_bearing import LETTERS
+from flexbearing.life.rated_bearing import LETTERS
 from flexbearing.select.application import Application
 from flexbearing.select.candidates import Candidate
 from flexbearing.studies.table.duty import Catalogued, rated

@@ -74,6 +74,8 @@ class ElasticGrooves(NamedTuple):
 
     def softened(self, part: float) -> "ElasticGrooves":
         """Grooves of a part of the compliance, and of what moves them before balls press."""
+        if part == 1.0:
+            return self
         return ElasticGrooves(
             *(
                 each and replace(each, compliance=part * each.compliance, initial=part * each.initial)

@@ -185,7 +185,7 @@ def _balanced(rings: ElasticRings, state: ElasticRingState) -> tuple[ElasticRing
         imbalance, size = rings.imbalance(state), rings.size(state)
         if imbalance < TOLERANCE or previous / 2 < imbalance < ROUNDED:
             require_held(state)
-            if not rings.lowest_eigenvalue(state) > 0:
+            if not rings.is_stable(state):
                 raise NotSolved("contacts and rings together snap to another balance", "not unique")
             return state, evaluations
         place, shape = _newton_step(rings, state)
