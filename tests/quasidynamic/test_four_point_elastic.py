@@ -121,6 +121,10 @@ def test_softness_is_that_of_differences_of_the_shape(seed, speed):
     misfits = [[at(shape + step * each).misfit for each in change] for step in (1e-9, -1e-9)]
     by_difference = np.subtract(*misfits) / 2e-9 - change
     assert change @ state.softness.T == approx(by_difference, abs=1e-6 * np.abs(by_difference).max())
+    closed = state.shapes[:, 5] + state.softness @ state.shapes[:, 5]  # also of contacts without load
+    assert closed == approx(-state.misfit, abs=1e-12 * np.abs(state.misfit).max())
+    eigenvalues = np.linalg.eigvals(np.eye(len(shape)) + state.softness)
+    assert rings.is_stable(state) == bool(eigenvalues.real.min() > 0)
 
 
 @settings(max_examples=4)
