@@ -134,20 +134,11 @@ class ElasticRings:
         softness = -by_moves * np.tile(ARMS_BY_SHAPE, count // 8)
         by_place = contacts.arms_by_place
         columns = np.concatenate([by_moves @ by_place.reshape(-1, 5), -misfit[:, None]], axis=1)
-        shapes = self._closed(softness, columns)
+        shapes = _closed(softness, columns, _loaded(balls))
         moved = ARMS_BY_SHAPE[:, None] * shapes.reshape(-1, 8, 6)
         moved[..., :5] += by_place
         forces = balls.force_slopes @ (by_grooves @ moved)
         return ElasticRingState(place, shape, centres, balls, moves, excess, misfit, softness, forces, shapes)
-
-    def _closed(self, softness: NDArray, columns: NDArray) -> NDArray:
-        """Solve (1 + softness) x = columns; contacts without load have softness of others alone."""
-        act = softness.any(axis=0)
-        acting = np.eye(int(act.sum())) + softness[np.ix_(act, act)]
-        found = columns.copy()
-        found[act] = np.linalg.solve(acting, columns[act])
-        found[~act] -= softness[np.ix_(~act, act)] @ found[act]
-        return found
 
     def _made(self, balls: BallsOnArches) -> tuple[NDArray, NDArray]:
         """Shape (8 Z) [m] that forces make, and its change by the arms of each ball (Z, 8 Z, 8) [-]."""
@@ -199,10 +190,27 @@ class ElasticRings:
 
         They are where those of the symmetric part are, which takes a twentieth of the time to find.
         """
-        loaded = np.repeat(state.balls.forces.loads.ravel() > 0, 2)  # others make no shape
+        loaded = _loaded(state.balls)  # others make no shape
         softness = state.softness[np.ix_(loaded, loaded)]
         try:
             np.linalg.cholesky(np.eye(len(softness)) + (softness + softness.T) / 2)
         except np.linalg.LinAlgError:
             return 1.0 + float(np.linalg.eigvals(softness).real.min(initial=0.0)) > 0
         return True
+
+
+def _loaded(balls: BallsOnArches) -> NDArray:
+    """Which displacements of the grooves (8 Z) are those of loaded contacts."""
+    return np.repeat(balls.forces.loads.ravel() > 0, 2)
+
+
+def _closed(softness: NDArray, columns: NDArray, loaded: NDArray) -> NDArray:
+    """Solve (1 + softness) x = columns, first for loaded contacts: others move nothing but themselves."""
+    idle, whole = ~loaded, np.eye(len(softness)) + softness
+    if softness[np.ix_(loaded, idle)].any():
+        return np.linalg.solve(whole, columns)
+    found = np.empty_like(columns)
+    found[loaded] = np.linalg.solve(whole[np.ix_(loaded, loaded)], columns[loaded])
+    left = columns[idle] - softness[np.ix_(idle, loaded)] @ found[loaded]
+    found[idle] = np.linalg.solve(whole[np.ix_(idle, idle)], left)
+    return found
