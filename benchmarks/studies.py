@@ -3,6 +3,7 @@
 thickness: 8 thicknesses x 3 loads of the paper's bearing, rigid and flexible, no ring known, two jobs.
 hypercube: 100 000 variants of the paper's bearing between rigid rings, two jobs, with the largest memory.
 tolerances: 100 000 variants within tolerances, between rigid rings and flexible ones, two jobs.
+slewing: a spectrum of 100 000 rows of a slewing bearing, between rigid rings and bolted ones, two jobs.
 workers: 24 distinct rings by one job and by two.
 machinery: what planning, journal, table, engine and the models take of a variant that is not solved.
 
@@ -20,6 +21,7 @@ from functools import partial
 from itertools import pairwise
 from pathlib import Path
 
+import numpy as np
 import psutil
 
 from benchmarks.machine import describe
@@ -68,6 +70,12 @@ seed = 1
 "lubricant.oil_fraction" = "uniform 0.3, 0.36"
 "lubricant.inlet_temperature" = "uniform 215 degC, 225 degC"
 """
+SPECTRUM = """[duty]
+series = "rows.csv"
+bins = {bins}
+[collect]
+life = "life_L10 [Mrev]"
+"""
 MEGABYTE = 1e6
 
 
@@ -102,6 +110,34 @@ def tolerances(count: int = 100_000) -> None:
         )
 
 
+def slewing(count: int = 100_000) -> None:
+    for name, bins in (("joshi2015_fourpoint", 10), ("slewing_bolted", 6)):
+        before = processor_time()
+        case = CASE.with_name(f"{name}.toml").read_text()
+        seconds, memory, words = command(SPECTRUM.format(bins=bins), case=case, rows=blown(count))
+        print(
+            f"{count} rows of {name} in {bins} bins, two jobs: {seconds:.0f} s, "
+            f"{processor_time() - before:.0f} s of processors, {memory:.0f} MB; {words}"
+        )
+
+
+def blown(count: int) -> str:
+    """Rows of a bearing that the wind loads: gusts and noise on radial load and moment, a swinging thrust."""
+    draw, time = np.random.default_rng(1), np.arange(count)
+    wind = 1 + 0.3 * np.sin(time / 97) + 0.15 * draw.standard_normal(count)
+    keys = "axial [kN]", "radial_z [kN]", "moment_y [kN m]"
+    columns = [
+        time,
+        20 * np.sin(time / 7.3) + 30,
+        40 * wind + 5 * draw.standard_normal(count),
+        350 * wind**2 + 20 * draw.standard_normal(count),
+        0.5 + 0.3 * abs(np.sin(time / 31)),
+    ]
+    head = ["time [s]", *(f"operation.load.{key}" for key in keys), "operation.speed [rpm]"]
+    rows = (",".join(f"{value:.6g}" for value in row) for row in np.transpose(columns))
+    return "\n".join([",".join(head), *rows])
+
+
 def processor_time() -> float:
     """Of commands that have ended, with their workers [s]."""
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -114,11 +150,15 @@ def workers() -> None:
     print(f"24 rings: one job {one:.1f} s, two jobs {two:.1f} s, {one / two:.2f} times faster; {words}")
 
 
-def command(text: str, *, jobs: int = 2, rigid: bool = False) -> tuple[float, float, str]:
+def command(
+    text: str, *, jobs: int = 2, rigid: bool = False, case: str = "", rows: str = ""
+) -> tuple[float, float, str]:
     """Seconds of a study as a command, its largest memory [MB] and how it ended."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        (folder / "case.toml").write_text(between_rigid_rings() if rigid else CASE.read_text())
+        paper = between_rigid_rings() if rigid else CASE.read_text()
+        (folder / "case.toml").write_text(case or paper)
+        (folder / "rows.csv").write_text(rows)
         (folder / "study.toml").write_text(f'case = "case.toml"\n{text}')
         began = time.perf_counter()
         process = subprocess.Popen(
@@ -205,6 +245,7 @@ PARTS = {
     "thickness": thickness,
     "hypercube": hypercube,
     "tolerances": tolerances,
+    "slewing": slewing,
     "workers": workers,
     "machinery": machinery,
 }
