@@ -44,7 +44,7 @@ class Candidate:
     @property
     def rollers(self) -> bool:
         """Whether its rolling elements are rollers."""
-        return LIKES[self.like].kind == "cylindrical_roller"
+        return LIKES[self.like].kind in ("cylindrical_roller", "tapered_roller")
 
     def case(self, application: Application) -> Any:
         """The case that `flexbearing new` makes of its page, with the largest loads and speed.

@@ -68,6 +68,16 @@ def test_rollers_take_no_axial_load_and_steep_balls_do(table):
     assert each["7210"].rated.dynamic_rating == approx(36e3, rel=0.01)
 
 
+def test_tapered_rollers_are_judged_as_rollers(table):
+    """C_0/P_0 of 1.3 is enough for balls; the least load is 0.02 C."""
+    table.write_text(f"{HEAD}\n32207,tapered_roller,35 mm,72 mm,24.25 mm,14 deg,70 kN,80 kN,,\n")
+    (card,) = selected(table, {"load": "60 kN", "axial": "20 kN", "speed": "1 rpm"}, "1 h").cards
+    assert 1 < card.rated.static_safety < 1.5
+    assert "static-safety" in card.verdict
+    (card,) = selected(table, {"load": "1 kN", "axial": "0.2 kN", "speed": "1 rpm"}, "1 h").cards
+    assert card.verdict == "light-load"
+
+
 def test_reliability_and_factor_raise_the_required_rating(table):
     """a_1 of 99 % is 0.25: C goes with 4^(1/3); the factor counts for life and static safety."""
     plain, strict = (
