@@ -127,7 +127,7 @@ class FourPointBallBearing:
 
         They are those at the inner and the outer race of one or two diagonals; `near` (N, 3) is the motion of
         balls that differ little, see `sliding_motion_near` [rad/s]. The motion is found when it is first
-        asked for, with `NotSolved` when a ball finds no balance.
+        needed, with `NotSolved` when a ball finds no balance.
         Raises `ImpossiblePart` when an angle or a load cannot be, `OutOfRange` when a contact is no longer
         small.
         """

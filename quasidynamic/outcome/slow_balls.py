@@ -53,7 +53,7 @@ class SlidingBalls:
 
     @cached_property
     def sliding(self) -> SlidingMotion:
-        """Their motion, found when it is first asked for; raises `NotSolved` when a ball finds no balance."""
+        """Their motion, found when it is first needed; raises `NotSolved` when a ball finds no balance."""
         if self.near is None:
             return sliding_motion(self.contacts, self.ellipse)
         return sliding_motion_near(self.contacts, self.ellipse, self.near)
