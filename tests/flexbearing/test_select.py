@@ -105,6 +105,14 @@ def test_every_limit_decides(table, options, name, verdict):
     assert not card.fits
 
 
+def test_a_reference_speed_is_judged_where_the_table_has_one(table):
+    text = TABLE.replace("limiting_speed", "reference_speed")
+    table.write_text(text)
+    card = cards(selected(table, {"load": "3 kN", "speed": "8500 rpm"}, "1 h"))["6210"]
+    assert card.verdict == "reference-speed"
+    assert cards(selected(table, {"load": "3 kN", "speed": "7900 rpm"}, "1 h"))["6210"].fits
+
+
 def test_minimum_load_is_the_declared_one(table, tmp_path):
     """Of the row with the least load, which no application factor raises; a row without load has none."""
     limit = LIGHT_LOAD_OF_BALLS.limit
