@@ -215,8 +215,8 @@ QUANTITIES = (
         summary=(SummaryValue("diagonal_clearance_um", label="clearance along a diagonal", digits=".2f"),)),
     Quantity("end_play", "", "", "m", "block",
         "axial clearance: way of the inner ring from balls that just touch on one diagonal to the other, of "
-        "rigid rings; zero with an interference; absent where no axial way brings balls to touch",
-        source="solution.bearing.end_play", people=UM, optional=True,
+        "rigid rings; zero with an interference",
+        source="solution.bearing.end_play", people=UM,
         summary=(SummaryValue("end_play_um", label="end play", digits=".2f"),)),
     Quantity("ring_load", "P", "force", "N, N m", "block", f"load on the inner ring ({_ORDER}); {_GIVEN}",
         source="solution.ring_load", optional=True),

@@ -113,17 +113,14 @@ class FourPointBearing:
         return (self.inner.conformity + self.outer.conformity - 1.0) * self.ball.diameter
 
     @property
-    def end_play(self) -> float | None:
+    def end_play(self) -> float:
         """Axial way of the ring from balls that touch on one diagonal to the other [m].
 
-        2 (sqrt(A^2 - r^2) - x), opposite centres being x and r apart before; zero with an interference, none
-        where no axial way brings balls to touch.
+        2 (sqrt(A^2 - r^2) - x), opposite centres being x and r apart before; zero with an interference.
         """
         apart = self.centre_distance - max(self.clearance, 0.0)
         x, r = apart * np.sin(self.contact_angle), apart * np.cos(self.contact_angle)
-        return (
-            None if abs(r) > self.centre_distance else 2 * float(np.sqrt(self.centre_distance**2 - r**2) - x)
-        )
+        return 2 * float(np.sqrt(self.centre_distance**2 - r**2) - x)
 
     @property
     def outer_offset(self) -> float:

@@ -57,8 +57,8 @@ def test_end_play_is_the_way_between_light_thrusts(clearance, angle):
     up, down = (ball_loads(bearing, np.array([sign * 1e-3, 0, 0, 0, 0])) for sign in (1, -1))
     assert up.displacement[0] - down.displacement[0] == approx(bearing.end_play, rel=2e-3)
     assert TIGHT.bearing.end_play == approx(0.0, abs=1e-15)
-    wide = replace(TIGHT.bearing, clearance=2.5 * TIGHT.bearing.centre_distance)
-    assert wide.end_play is None
+    with pytest.raises(ImpossiblePart, match="below the distance of the groove centres"):
+        replace(TIGHT.bearing, clearance=1.01 * TIGHT.bearing.centre_distance)
 
 
 @settings(max_examples=15)
