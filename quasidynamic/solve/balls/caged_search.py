@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.caged_ball import Cages
 from quasidynamic.balance.balls.free_ball import FreeBallBalance, FreeBalls
-from quasidynamic.contact.ellipse.general_sliding import COARSE, FINE
+from quasidynamic.contact.ellipse.general_sliding import COARSE
 from quasidynamic.motion.ball_slip import ORBIT
 from quasidynamic.solve.balls.free_ball_search import (
     COARSE_TOLERANCE,
@@ -16,7 +16,7 @@ from quasidynamic.solve.balls.free_ball_search import (
     Nearby,
     least_heat,
     motion_at,
-    searched,
+    searched_again,
 )
 
 LIMIT = 40  # speeds of a cage that are tried, rarely more than four
@@ -57,7 +57,7 @@ def caged_ball_motion(balls: FreeBalls, cages: Cages, nearby: Nearby | None) -> 
     speed, unknowns, lost = _together(balls, cages, speed, unknowns)
     if lost.any():
         some = balls.in_cage(speed[cages.of_ball]).taken(lost)
-        unknowns[lost], _ = searched(some, unknowns[lost], 1.0, (FINE, ONE_STEP_AWAY))
+        unknowns[lost] = searched_again(some, unknowns[lost])
         speed, unknowns, _ = _together(balls, cages, speed, unknowns)
 
     def with_cage(some: FreeBalls, state: FreeBallBalance, unknowns: NDArray) -> NDArray:
@@ -86,7 +86,7 @@ def _coarse(balls: FreeBalls, cages: Cages) -> tuple[NDArray, NDArray]:
     unknowns = least_heat(balls)
     for _ in range(LIMIT):
         some = balls.in_cage(speed[cages.of_ball])
-        unknowns, _ = searched(some, unknowns, 1.0, (COARSE, COARSE_TOLERANCE))
+        unknowns = searched_again(some, unknowns, (COARSE, COARSE_TOLERANCE))
         state = some.balance(unknowns, some.friction(unknowns, COARSE))
         step = _step(some, state._replace(left=0.0 * state.left), cages, speed, unknowns)
         slow, fast = (

@@ -163,16 +163,27 @@ def nearly_balanced(balls: FreeBalls) -> NDArray:
     return unknowns
 
 
-def searched_again(balls: FreeBalls, start: NDArray) -> NDArray:
-    """Unknowns (N, 4) with all points; balls that find no balance follow the moments from none to all."""
-    unknowns, left = searched(balls, start, 1.0, (FINE, ONE_STEP_AWAY))
-    lost = ~(left <= ONE_STEP_AWAY)
+def searched_again(
+    balls: FreeBalls, start: NDArray, resolution: tuple[EllipsePoints, float] = (FINE, ONE_STEP_AWAY)
+) -> NDArray:
+    """Unknowns (N, 4) from a start, with all points; of balls that find no balance from other ones.
+
+    These follow the moments from none to all; then they begin at each of the starts, as traction that falls
+    with the slip lets a Newton step lead away from the balance.
+    """
+    unknowns, left = searched(balls, start, 1.0, resolution)
+    lost = ~(left <= resolution[1])
     if lost.any():
         some = balls.taken(lost)
-        path = least_heat(some)
+        path, left_there = least_heat(some), left[lost]
         for part in PARTS:
-            path, _ = searched(some, path, part, (FINE, ONE_STEP_AWAY))
-        unknowns[lost] = path
+            path, left_there = searched(some, path, part, resolution)
+        unknowns[lost], left[lost] = path, left_there
+    for begin in _starts(balls):
+        lost = ~(left <= resolution[1])
+        if not lost.any():
+            break
+        unknowns[lost], left[lost] = searched(balls.taken(lost), begin[lost], 1.0, resolution)
     return unknowns
 
 
