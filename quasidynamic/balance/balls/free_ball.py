@@ -309,7 +309,7 @@ def free_balls(
     """Balls at these contacts, see the fields of `FreeBalls`.
 
     Oil is what both races are lubricated with, the speed (N) [rad/s] of the rings against each other, and the
-    part of the driving loads that is there (N) [-]. Only balls in oil have pockets.
+    part of the driving loads that is there (N, 2) [-]. Only balls in oil have pockets.
     """
     by_motion = turning_slip_by_motion(contacts)[:, 0]
     rolling = np.pad(rolling_motion(contacts, 0), [(0, 0), (0, 1)])

@@ -51,8 +51,9 @@ class OiledContacts:
     on the ball it acts at the contact, and the pressure of the inlet, 2 F (R_c + n_r h_0)/R_c, at its centre.
 
     Of a lightly pressed ball without a cage the races overcome the part `hold` of inlets, drag and churning
-    alone, instead of a cage that would carry it against the rest. In a cage the shear of an inlet stays below
-    `INLET_SHARE` of the load, which the law exceeds at loads far below those that it holds for.
+    alone, instead of a cage that would carry it against the rest. In a cage the inlet of each contact has its
+    part: none where no load is. Its shear stays below `INLET_SHARE` of the load, which the law exceeds at
+    loads far below those that it holds for.
 
     Source
     ------
@@ -62,7 +63,7 @@ class OiledContacts:
 
     races: LubricatedRaces
     speed: NDArray  # (N) [rad/s] of the rings against each other, > 0
-    hold: NDArray  # (N) [-] part of the loads that drive which is there, see `driving_load`; one in a cage
+    hold: NDArray  # (N, 2) [-] part of the loads that drive which is there, see `driving_load`
     mean_by_motion: NDArray  # (N, 2, 4) [m] mean surface speed by the motion, of rings seen from the orbit
     pockets: Pockets | None = None  # that push the balls along; None: no cage
 
@@ -82,10 +83,12 @@ class OiledContacts:
         speed = self.speed[:, None] * entrainment
         sliding, film = self.races.traction(slip, ellipse, self.speed, speed, points)
         rolling = self.races.rolling(ellipse.traction, ellipse.width, speed)
+        part = self.hold
         if self.pockets is None:
-            rolling = RollingShear(*(self.hold[:, None] * each for each in rolling))
+            part = part.prod(1, keepdims=True)
         else:
             rolling = _limited(rolling, ellipse.traction)
+        rolling = RollingShear(*(part * each for each in rolling))
         return OiledFriction(sliding, film, rolling, entrainment, mean / entrainment)
 
     def rolling_by_motion(self, friction: OiledFriction) -> NDArray:
@@ -119,7 +122,8 @@ class OiledContacts:
         drag, by_speed = ball_drag_force(
             self.speed * pitch * orbit, diameter, laws.oil, laws.oil_fraction, laws.drag_coefficient
         )
-        drag, by_speed = self.hold * drag, self.hold * by_speed
+        part = self.hold.prod(1) if self.pockets is None else 1.0
+        drag, by_speed = part * drag, part * by_speed
         left, slopes = np.zeros((count, 4)), np.zeros((count, 4, 4))
         left[:, ORBIT] = -pitch * drag
         slopes[:, ORBIT, ORBIT] = self.speed * pitch**2 * by_speed
@@ -132,7 +136,7 @@ class OiledContacts:
             churning, by_spin = ball_churning(
                 self.speed * size, diameter, laws.oil, oil_fraction=laws.oil_fraction, gap=laws.churning_gap
             )
-            churning, by_spin = self.hold * churning, self.hold * by_spin
+            churning, by_spin = part * churning, part * by_spin
             whole = (churning / np.where(size > 0, size, 1.0))[:, None, None]
             outer = along[:, :, None] * along[:, None, :]
             matrix = whole * (np.eye(3) - outer) + (self.speed * by_spin)[:, None, None] * outer

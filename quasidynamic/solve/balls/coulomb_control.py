@@ -224,15 +224,13 @@ class CoulombControl:
     ) -> FreeBalls:
         """Balls that move, of all."""
         loads = driven.loads[:, moving]
-        axes, hold = self._axes(loads), driven.hold[:, moving].prod(0)
-        if self.cage is not None:
-            hold = np.ones_like(hold)
+        axes = self._axes(loads)
         return free_balls(
             self._places(driven.angles[:, moving].T, axes[:, 0].T),
             self._ellipses(axes, loads),
             self.bearing.ball.inertia * ahead[moving] ** 2,
             outer_speed[moving] / ahead[moving],
-            self.oil and (self.oil, np.abs(ahead[moving]), hold),
+            self.oil and (self.oil, np.abs(ahead[moving]), driven.hold[:, moving].T),
             self._pockets(outer_speed[moving] / ahead[moving]),
         )
 
