@@ -150,7 +150,9 @@ class AngularContactBallBearing:
             if solution.outcomes[case] is not SolverOutcome.CONVERGED:
                 loose = _loose(ring.stiffness[case], balance.held[case])
                 angle = _steepest(balls.contacts.angles[:, case], balls.contacts.loads[:, case])
-                states.append(_not_solved(operation, solution, case, loose, angle))
+                moving = np.isfinite(kinematics.orbit[case])
+                lost = int((np.isfinite(balls.contacts.loads[:, case]).all(0) & ~moving).sum())
+                states.append(_not_solved(operation, solution, case, loose, angle, lost))
                 continue
             if self._too_wide(balls.contacts.loads[:, case]):
                 states.append(
@@ -323,7 +325,7 @@ def _steepest(angles: NDArray, loads: NDArray) -> float:
 
 
 def _not_solved(
-    operation: RingOperation, solution: RingSolution, case: int, loose: list[str], steepest: float
+    operation: RingOperation, solution: RingSolution, case: int, loose: list[str], steepest: float, lost: int
 ) -> NotSolved:
     outcome, evaluations = solution.outcomes[case], solution.evaluations[case]
     where = f"load {operation.load}, inner ring {operation.inner_speed * 30 / np.pi:.5g} rpm"
@@ -349,6 +351,13 @@ def _not_solved(
             f"contact angles reach {np.degrees(steepest):.1f} deg: where that is beyond the shoulders, balls "
             "climb over them as the rings give way, and there is no balance; give a smaller axial load or "
             "tilt, or stiffer rings",
+            outcome,
+        )
+    if lost:
+        return NotSolved(
+            f"{where}: no motion of {lost} balls found in which friction balances what else acts on them, in "
+            f"{evaluations} evaluations of ring and balls; a heavier load or an axial displacement as preload "
+            'would press them, and control = "outer" needs no friction',
             outcome,
         )
     if outcome is SolverOutcome.NOT_FINITE:

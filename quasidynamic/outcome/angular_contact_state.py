@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.angular_contact import race_contacts
 from quasidynamic.balance.balls.free_ball import OiledBalls
-from quasidynamic.balance.balls.light_ball import FULL_ANGLE, FULL_GRIP
+from quasidynamic.balance.balls.light_ball import FULL_ANGLE, FULL_CAGED, FULL_GRIP
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.point_contact import INNER, OUTER, PointContact
 from quasidynamic.contact.ellipse.rigid_slip import Spin
@@ -282,8 +282,10 @@ class AngularContactState:
 
         The others are pressed too lightly, stand too far round a race or lack friction for their gyroscopic
         moment, see `PrescribedControl`: orbit, spin and tractions of these are estimates. Where friction
-        decides, see `CoulombControl`, they are pressed too lightly.
+        decides, see `CoulombControl`, they are pressed too lightly, in a cage hardly at all.
         """
+        if self.oil is not None and self.oil.cage_speed.any():
+            return self.loads[0] > FULL_CAGED * self.loads[1]
         apart = np.abs(self.contact_angles[0] - self.contact_angles[1])
         pressed = self.loads[0] > FULL_GRIP * self.centrifugal_force
         if self.sliding_heat is not None:

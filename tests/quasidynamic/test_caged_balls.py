@@ -113,6 +113,15 @@ def test_idle_balls_at_one_turn_a_minute_stay_in_their_pockets():
     assert abs(identities(state)[0]) < 1e-9
 
 
+def test_light_balls_in_a_cage_are_guided_by_what_presses_them():
+    """A third of the centrifugal force on the inner race drives a ball, as a cage carries what cannot."""
+    light = caged(thrust(60.0, 25000.0))
+    assert (light.loads[0] < 0.4 * light.centrifugal_force).all()
+    assert light.guided.all()
+    idle = caged(combined(1.0, radial=2000.0))
+    assert (idle.guided == (idle.loads[0] > 0)).all()
+
+
 def test_a_cage_needs_oil():
     with pytest.raises(ImpossiblePart, match="cage"):
         AngularContactBallBearing(bearing=BEARING, control="outer", cage=CAGE)

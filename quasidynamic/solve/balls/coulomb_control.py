@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.caged_ball import CREEP, Cages, Pockets
 from quasidynamic.balance.balls.free_ball import FreeBalls, OiledBalls, free_balls
-from quasidynamic.balance.balls.light_ball import RELEASE
+from quasidynamic.balance.balls.light_ball import CAGED, RELEASE
 from quasidynamic.balance.balls.race_control import (
     BallKinematics,
     LoadedContacts,
@@ -44,8 +44,9 @@ from quasidynamic.solve.balls.sticking_ball_motion import sticking_ball_motion
 
 RELEASED = (RELEASE, RELEASE / 8)  # of F_c: least driving load of the inner, of the outer race
 UNEVEN = 0.05  # of the load on the other race: the same, away from balance
-CAGED = 1e-3  # of both: the same in the pocket of a cage, for numbers alone
-LEAST_DRIVE = 1e-6  # of the largest load in the cage: the same
+LEAST_CAGED = 1e-6  # of the largest load in the cage: the same
+LEAST_IN_OIL = 1e-4  # of the largest load in the bearing: the same of balls in oil without a cage; what the
+#                      oil does to lighter ones, by laws for pressed contacts, is more than friction holds
 STICKING_NOISE = 1e-8  # the same where contacts stick and slip
 BLOCK = 64  # balls whose cells are in memory together
 NOISE = 1e-9  # of the largest force: what is left of the balance of balls that friction moves
@@ -180,8 +181,10 @@ class CoulombControl:
         released, uneven, least = RELEASED, UNEVEN, 0.0
         if self.cage is not None:
             released, uneven = (CAGED, CAGED), CAGED
+        if self.oil is not None:
             of_rows = loads.reshape(2, -1, self.bearing.balls).max((0, 2))
-            least = LEAST_DRIVE * np.repeat(of_rows, self.bearing.balls)
+            part = LEAST_IN_OIL if self.cage is None else LEAST_CAGED
+            least = part * np.repeat(of_rows, self.bearing.balls)
         driving = driving_load(loads, np.reshape(released, (2, 1)) * centrifugal + uneven * other + least)
         safe = np.where(driving.value > 0, driving.value, 1.0)
         by_own = stiffness * driving.by_load / safe
