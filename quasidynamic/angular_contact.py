@@ -356,8 +356,8 @@ def _not_solved(
     if lost:
         return NotSolved(
             f"{where}: no motion of {lost} balls found in which friction balances what else acts on them, in "
-            f"{evaluations} evaluations of ring and balls; a heavier load or an axial displacement as preload "
-            'would press them, and control = "outer" needs no friction',
+            f"{evaluations} evaluations of ring and balls; a heavier load or an axial displacement as "
+            'preload would press them, and control = "outer" needs no friction',
             outcome,
         )
     if outcome is SolverOutcome.NOT_FINITE:

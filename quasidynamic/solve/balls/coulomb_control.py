@@ -178,17 +178,20 @@ class CoulombControl:
         """Contacts as friction sees them; `contacts` (2, N), F_c (N) [N]."""
         (inner, outer), loads, stiffness = contacts
         apart, other = inner - outer, loads[::-1]
-        released, uneven, least = RELEASED, UNEVEN, 0.0
+        released, uneven, least = RELEASED, UNEVEN, np.zeros_like(centrifugal)
         if self.cage is not None:
             released, uneven = (CAGED, CAGED), CAGED
         if self.oil is not None:
             of_rows = loads.reshape(2, -1, self.bearing.balls).max((0, 2))
-            part = LEAST_IN_OIL if self.cage is None else LEAST_CAGED
-            least = part * np.repeat(of_rows, self.bearing.balls)
-        driving = driving_load(loads, np.reshape(released, (2, 1)) * centrifugal + uneven * other + least)
+            share = LEAST_IN_OIL if self.cage is None else LEAST_CAGED
+            least = share * np.repeat(of_rows, self.bearing.balls)
+        width = np.reshape(released, (2, 1)) * centrifugal + uneven * other
+        part = least / np.maximum(least + width, np.finfo(float).tiny)  # one where nothing else is
+        driving = driving_load(loads, width + part * least)
+        by_width = uneven * (1 - part**2) * driving.by_width
         safe = np.where(driving.value > 0, driving.value, 1.0)
         by_own = stiffness * driving.by_load / safe
-        by_other = stiffness[::-1] * uneven * driving.by_width / safe
+        by_other = stiffness[::-1] * by_width / safe
         hold_slopes = np.array([stiffness / safe - driving.hold * by_own, -driving.hold * by_other])
         chain = np.zeros((len(inner), 4, 4))
         chain[:, 0, 0], chain[:, 2, 2] = by_own
