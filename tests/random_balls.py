@@ -74,7 +74,7 @@ def identities(state: AngularContactState) -> tuple[float, float, float]:
     turning = np.where(state.orbital_speed != 0, state.orbital_speed, 1.0)
     left = abs(inner + outer - (oil.drag_heat / turning).sum())
     torques = np.abs(oil.ring_torque).sum() + pitch * np.abs(oil.pocket_force).sum()
-    cage = abs(oil.land_torque.sum() - pitch * oil.pocket_force.sum())
+    cage = abs(oil.land_torque.sum() - oil.pocket_torque.sum())
     return power / oil.heat.sum() - 1, left / np.abs(oil.ring_torque).sum(), cage / torques
 
 

@@ -70,8 +70,8 @@ def test_balls_that_are_alike_do_not_feel_a_cage_that_nothing_brakes():
     assert np.abs(in_cage.oil.pocket_displacement).max() < 1e-9 * CAGE.pocket_clearance
 
 
-def test_a_cage_without_a_land_has_the_mean_speed_of_its_balls():
-    state = caged(combined(15000.0))
+def test_a_cage_without_land_and_friction_has_the_mean_speed_of_its_balls():
+    state = caged(combined(15000.0), replace(CAGE, pocket_friction=0.0))
     assert np.ptp(state.orbital_speed) > 1e-4 * state.orbital_speed.mean()
     assert np.abs(state.oil.pocket_displacement).max() < CAGE.pocket_clearance  # the film is linear there
     assert state.oil.cage_speed == approx(state.orbital_speed.mean(), rel=1e-12)
@@ -93,7 +93,7 @@ def test_lands_brake_or_drive_a_cage():
 
 def test_momentum_of_the_rings_is_that_of_the_drag_also_with_a_cage():
     still = replace(OILED, churning_gap=None)
-    land = replace(CAGE, guidance="outer", pocket_friction=0.0, **LAND)
+    land = replace(CAGE, guidance="outer", **LAND)
     assert identities(caged(combined(15000.0), land, still))[1] < 1e-9
 
 

@@ -14,6 +14,10 @@ from quasidynamic.parts.oil_properties import Lubricant
 
 CREEP = 1e-3  # of the speed of the rings: least speed of the cage by which a lead becomes a displacement
 ROUNDING = 1e-3  # of the load of the film at the wall: pocket force at which its friction sets in
+IN_CAGE = np.eye(4)[AXIAL:TURN] - np.outer(
+    [1.0, 0.0], np.eye(4)[ORBIT]
+)  # spin against the cage by the motion
+IN_CAGE_AT_REST = np.array([1.0, 0.0])
 STANDSTILL = 1e-3  # of the speed of the rings: spin at which the friction of the pocket turns round
 
 
@@ -24,7 +28,7 @@ class PocketForces(NamedTuple):
     slopes: NDArray  # (N, 4, 4) [N m]; those by the speed of the cage are the ones by `ORBIT`
     displacement: NDArray  # (N) [m] of the ball from the pocket centre, signed like the speed of the rings
     force: NDArray  # (N) [N] of the ball on the cage, signed alike
-    by_speed: NDArray  # (N) [N] of the force by the orbit, against the cage
+    torque: NDArray  # (N) [N m] of force and friction on the cage about the shaft, the same by `ORBIT`
     heat: NDArray  # (N) [N m] of friction, and of the film that the ball displaces
 
 
@@ -44,13 +48,14 @@ class Pockets:
               M_p = \mu_p |F(z)| \frac{D}{2}
 
     A ball that orbits faster than the cage is ahead in its pocket by what it gains while the cage goes on by
-    one ball. It pushes the cage with F, `ball_on_pocket_force`, and the pocket brakes its spin with M_p, but
-    for that about the rolling direction. omega_c0 is the speed of the cage without slip.
+    one ball. It pushes the cage with F, `ball_on_pocket_force`, and the pocket brakes its spin against the
+    cage with M_p, but for that about the rolling direction; the part about the shaft drives the cage.
+    omega_c0 is the speed of the cage without slip.
 
     Source
     ------
     Displacement by the lead: quasi-dynamic roller bearing programs, with omega_c for omega_c0. Balls of a
-    cage that has no land balance each other: it has the mean of their speeds.
+    cage that has neither land nor friction balance each other: it has the mean of their speeds.
 
     Valid
     -----
@@ -86,22 +91,23 @@ class Pockets:
         displacement = self.advance * lead
         force, stiffness = ball_on_pocket_force(displacement, self.cage.pocket_clearance, self.stop)
         by_speed = self.advance * stiffness
-        spin, count = motion[:, AXIAL:TURN], len(motion)
+        spin = motion @ IN_CAGE.T + (self.outer_speed - self.speed)[:, None] * IN_CAGE_AT_REST
         turning = np.sqrt((spin**2).sum(1) + STANDSTILL**2)
         sense = spin / turning[:, None]
         rounded = np.sqrt(force**2 + (ROUNDING * BALL_FILM_LOAD) ** 2)
         share = force / rounded
         arm = self.cage.pocket_friction * self.ball_radius
         brake = arm * force * share
-        left, slopes = np.zeros((count, 4)), np.zeros((count, 4, 4))
-        left[:, ORBIT], left[:, AXIAL:TURN] = -self.pitch_radius * force, brake[:, None] * sense
-        slopes[:, ORBIT, ORBIT] = self.pitch_radius * by_speed
-        grown = -arm * share * (2 - share**2) * by_speed
-        slopes[:, AXIAL:TURN, ORBIT] = grown[:, None] * sense
+        along = sense @ IN_CAGE  # (N, 4)
+        left = brake[:, None] * along
+        left[:, ORBIT] -= self.pitch_radius * force
         outer = sense[:, :, None] * sense[:, None, :]
-        slopes[:, AXIAL:TURN, AXIAL:TURN] = (brake / turning)[:, None, None] * (np.eye(2) - outer)
+        turned = (brake / turning)[:, None, None] * (np.eye(2) - outer)
+        slopes = IN_CAGE.T @ turned @ IN_CAGE
+        slopes[:, :, ORBIT] -= (arm * share * (2 - share**2) * by_speed)[:, None] * along
+        slopes[:, ORBIT, ORBIT] += self.pitch_radius * by_speed
         heat = self.pitch_radius * force * lead + brake * (sense * spin).sum(1)
-        return PocketForces(left, slopes, displacement, force, by_speed, heat)
+        return PocketForces(left, slopes, displacement, force, -left[:, ORBIT], heat)
 
 
 @dataclass(frozen=True)

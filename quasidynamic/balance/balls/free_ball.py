@@ -57,6 +57,7 @@ class OiledBalls(NamedTuple):
     spin_to_roll: NDArray  # (2) [-]
     sliding_power: NDArray  # (2) [W/m2] pressure times slip, mean over the contact
     pocket_force: NDArray  # [N] of the cage on the ball, signed like speeds
+    pocket_torque: NDArray  # [N m] of the pocket on the ball about the shaft, with its friction, signed alike
     pocket_displacement: NDArray  # [m] of the ball from the centre of its pocket, signed alike
     pocket_heat: NDArray  # [W]
     cage_speed: NDArray  # [rad/s]
@@ -218,6 +219,7 @@ class FreeBalls:
             spin_to_roll=slip[..., SPIN] / slip[..., ROLL],
             sliding_power=speed * alone / area,
             pocket_force=none if pocket is None else -sense * pocket.force,
+            pocket_torque=none if pocket is None else -sense * pocket.torque,
             pocket_displacement=none if pocket is None else sense * pocket.displacement,
             pocket_heat=none if pocket is None else oil.speed * pocket.heat,
             cage_speed=none if oil.pockets is None else sense * oil.speed * oil.pockets.speed,

@@ -40,7 +40,7 @@ class _CageStep(NamedTuple):
 def caged_ball_motion(balls: FreeBalls, cages: Cages, nearby: Nearby | None) -> FreeBallMotion:
     r"""Balance of balls and of their cages, see `Pockets`.
 
-    .. math:: \frac{d_m}{2} \sum_j F_j(\omega_c) + M_{land}(\omega_c) = 0
+    .. math:: \sum_j \left(\frac{d_m}{2} F_j + M_{pj} \cdot e_x\right)(\omega_c) + M_{land}(\omega_c) = 0
 
     Both parts fall as the cage becomes faster: it has one speed, which lies between those that are too fast
     and too slow. Balls that are balanced at every speed on the way, with few points in their contacts, lead
@@ -125,14 +125,12 @@ def _step(
     """Newton step at speeds of the cages (G) and unknowns (N, 4): balls are eliminated one by one."""
     pocket, land = balls.pocket(balls.motion(unknowns)), cages.land(speed)
     assert pocket is not None  # of balls in cages
-    radius = balls.contacts.pitch_radius
     by_cage = np.swapaxes(balls.unknowns, -1, -2) @ pocket.slopes[:, :, [ORBIT]]
     alone, follow = np.moveaxis(-state.resolved(np.concatenate([state.left[..., None], by_cage], -1)), -1, 0)
-    moved, follows = (
-        -np.einsum("nj,nj->n", balls.unknowns[:, ORBIT], each) for each in (alone, follow)
-    )  # of the orbit in space
-    unbalanced = cages.summed(radius * pocket.force) + land.torque
-    slope = cages.summed(radius * pocket.by_speed * (follows - 1)) + land.by_speed
-    expected = unbalanced + cages.summed(radius * pocket.by_speed * moved)
+    by_motion = pocket.slopes[:, [ORBIT]] @ balls.unknowns  # (N, 1, 4) less torque on the cage
+    moved, follows = (-(by_motion @ each[..., None])[:, 0, 0] for each in (alone, follow))
+    unbalanced = cages.summed(pocket.torque) + land.torque
+    slope = cages.summed(follows - pocket.slopes[:, ORBIT, ORBIT]) + land.by_speed
+    expected = unbalanced + cages.summed(moved)
     cage = -expected / np.where(slope < -TINY, slope, -np.inf)
     return _CageStep(unbalanced, cage, alone + follow * cage[cages.of_ball, None], follow)
