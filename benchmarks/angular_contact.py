@@ -9,7 +9,7 @@ moments up to load times pitch radius, held against tilt, or held against tilt w
 nothing holds the ring against such loads the outcome is "undetermined", which counts for itself. KINDs: with
 `coulomb`, friction of 0.03 to 0.12 moves the balls of the same bearings; with `pairs` they have a second row
 in O, X or tandem arrangement, with play or preload; with `oil`, tractions of a random oil move them, with
-`cage` in the pockets of a cage, too.
+`cage` in the pockets of a cage, too. What is not solved is printed as it comes.
 """
 
 import collections
@@ -88,7 +88,7 @@ def textbook() -> None:
 
 def at_random(count: int, first: int = 0, *, draw: Callable[[int], tuple[Model, RingOperation]]) -> None:
     outcomes, evaluations, worst, unguided, seconds = collections.Counter(), [], 0.0, 0, []
-    left = np.zeros(2)
+    left, still = np.zeros(3), 0
     for seed in range(first, first + count):
         model, operation = draw(seed)
         began = time.process_time()
@@ -98,19 +98,23 @@ def at_random(count: int, first: int = 0, *, draw: Callable[[int], tuple[Model, 
         except NotSolved as found:
             seconds.append(time.process_time() - began)
             undetermined = found.outcome is SolverOutcome.UNDETERMINED
+            print(f"seed {seed}, {seconds[-1]:.1f} s: {found}", flush=True)
             outcomes[f"{found.outcome}" + ("" if undetermined else f" (seed {seed})")] += 1
             continue
         evaluations.append(state.evaluations)
         worst = max(worst, unbalanced(state))
         unguided += not state.guided.all()
         if state.oil is not None:
-            power, _, cage = identities(state)
-            left = np.maximum(left, np.abs([power, cage]))
+            power, momentum, cage = identities(state)
+            without = not state.oil.churning_heat.any()  # which brakes balls against the housing
+            still += without
+            left = np.maximum(left, np.abs([power, cage, momentum if without else 0.0]))
     print(
         f"{count} bearings at random from seed {first}: {len(evaluations)} solved "
         f"({unguided} with balls that the races do not guide), "
         f"worst imbalance {worst:.1e} of the largest force, others: {dict(outcomes)}; "
-        f"power of the rings less heat by cause {left[0]:.1e}, torque left on a cage {left[1]:.1e}; "
+        f"power of the rings less heat by cause {left[0]:.1e}, torque left on a cage {left[1]:.1e}, "
+        f"of the rings less that of the drag, of {still} without churning, {left[2]:.1e}; "
         f"evaluations: median {np.median(evaluations):.0f}, "
         f"99 % below {np.percentile(evaluations, 99):.0f}, largest {max(evaluations)}; "
         f"{np.mean(seconds) * 1e3:.1f} ms each, median {np.median(seconds) * 1e3:.1f} ms, "
