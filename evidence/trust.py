@@ -109,6 +109,7 @@ ROWS = (
     ),
     Row(FAST, "torque", (Compared("closed form", "rivera-torque"),)),
     Row(FAST, "stiffness", ()),
+    Row(FAST, "cage slip", (), ("skid-120-mm",)),
     Row(
         SLOW,
         "load, strain",
