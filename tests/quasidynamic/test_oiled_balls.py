@@ -22,6 +22,7 @@ from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
+from quasidynamic.solve.balls.free_ball_search import free_ball_motion
 from tests.random_balls import FILM, drawn_oiled, identities, unbalanced
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
@@ -230,3 +231,21 @@ def test_random_bearings_in_oil_are_in_balance(seed):
     assert abs(power) < 1e-9
     if model.lubrication.churning_gap is None:
         assert momentum < 1e-9
+
+
+def test_balls_that_friction_does_not_balance_are_named(monkeypatch):
+    def lost(balls, nearby=None):
+        found = free_ball_motion(balls, nearby)
+        found.motion[3] = np.nan
+        return found
+
+    monkeypatch.setattr("quasidynamic.solve.balls.coulomb_control.free_ball_motion", lost)
+    with pytest.raises(NotSolved, match=r"no motion of \d+ balls found") as caught:
+        solved(thrust(300.0, 15000.0))
+    assert "wrong unit" not in str(caught.value)
+
+
+@pytest.mark.parametrize("seed", [23, 38, 43])
+def test_slow_bearings_without_a_cage_are_solved(seed):
+    """At 0.7 to 4.4 rpm unloaded balls were lost to inlets, or the ring stalled at balls with two motions."""
+    test_random_bearings_in_oil_are_in_balance(seed)

@@ -121,6 +121,8 @@ class CoulombControl:
         """A search for the motion of every ball, and less of all else."""
         if self.stick is not None:
             return 100
+        if self.cage is not None:
+            return 240
         return 20 if self.oil is None else 60
 
     @property
