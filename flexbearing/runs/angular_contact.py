@@ -439,6 +439,7 @@ def _in_cage(case: FastCase, oil: OiledBalls, state: qd.AngularContactState) -> 
         "speed": speed,
         "slip": None if not driving else 1 - (speed - outer) / driving,
         "force": oil.pocket_force,
+        "torque": oil.pocket_torque,
         "displacement": oil.pocket_displacement,
         "share": oil.pocket_displacement / cage.pocket_clearance,
         "land_torque": oil.land_torque.sum(),
