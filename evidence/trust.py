@@ -109,7 +109,7 @@ ROWS = (
     ),
     Row(FAST, "torque", (Compared("closed form", "rivera-torque"),)),
     Row(FAST, "stiffness", ()),
-    Row(FAST, "cage slip", (), ("skid-120-mm",)),
+    Row(FAST, "cage slip", (), ("skid-120-mm", "skid-over-speed")),
     Row(
         SLOW,
         "load, strain",

@@ -17,7 +17,7 @@ MISSING = (
     "Oil under the races heats and cools rings, grooves and oil differently; clearance and contact angle stay those "
     "of a bearing at rest. Slip is against balls that roll without slip in the middle of both contacts."
 )
-FASTEST = 25000  # [rpm]
+SPEEDS = (12000, 25000)  # [rpm]
 CAGE_SLIP = "cage_slip [%]"
 BETWEEN = 12.0  # [mm] from the pitch circle to the land, on the diameter
 SETTINGS: dict[str, object] = {
@@ -83,7 +83,13 @@ def slip_at(draws: Draws, speed: int) -> NDArray:
 
 def fastest(draws: Draws) -> NDArray:
     """Slip of the cage at the highest speed [%]."""
-    return slip_at(draws, FASTEST)
+    return slip_at(draws, SPEEDS[-1])
+
+
+def growth(draws: Draws) -> NDArray:
+    """Change of the slip of the cage between the speeds [%]."""
+    slow, fast = (slip_at(draws, speed) for speed in SPEEDS)
+    return fast - slow
 
 
 EXPERIMENTS = (
@@ -113,5 +119,32 @@ EXPERIMENTS = (
         refuted="A largest slip outside the band, with a cage and an oil that are in these ranges.",
         missing=MISSING,
         needed="the largest slip that was measured",
+    ),
+    Experiment(
+        name="skid-over-speed",
+        title="Skid of a ball bearing of 120 mm bore over the speed",
+        source=NASA_1975,
+        given=GIVEN,
+        quantity="change of the slip of the cage from 12 000 to 25 000 rpm",
+        unit="%",
+        run="The same bearings at 12 000 and 25 000 rpm, at thrusts up to the largest.",
+        case_file="configs/harris218.toml",
+        settings=SETTINGS,
+        inputs=(
+            Input(
+                name="operation.load.axial",
+                low=4.4,
+                high=22.24,
+                unit="kN",
+                logarithmic=True,
+                reason="1000 lb to the largest thrust",
+            ),
+            *UNKNOWN,
+        ),
+        count=8,
+        predict=growth,
+        refuted="Slip that falls as the speed rises at any of these thrusts.",
+        missing=MISSING,
+        needed="whether the slip grows with the speed",
     ),
 )
