@@ -17,6 +17,14 @@ MISSING = (
     "Oil under the races heats and cools rings, grooves and oil differently; clearance and contact angle stay those "
     "of a bearing at rest. Slip is against balls that roll without slip in the middle of both contacts."
 )
+AGAIN = (
+    "Registered more than once: the first band, -0.34, 1.9 and 15.5 %, was of longer inlets, which changed nothing, "
+    "and of pockets whose friction did not drive the cage. "
+)
+AGAIN_OVER_SPEED = (
+    "Registered more than once: the first band, 0.16, 0.79 and 8.9 %, of fewer points and three speeds, lay above zero "
+    "and would have met the statement. "
+)
 SPEEDS = (12000, 25000)  # [rpm]
 CAGE_SLIP = "cage_slip [%]"
 BETWEEN = 12.0  # [mm] from the pitch circle to the land, on the diameter
@@ -117,7 +125,7 @@ EXPERIMENTS = (
         count=8,
         predict=fastest,
         refuted="A largest slip outside the band, with a cage and an oil that are in these ranges.",
-        missing=MISSING,
+        missing=AGAIN + MISSING,
         needed="the largest slip that was measured",
     ),
     Experiment(
@@ -144,7 +152,7 @@ EXPERIMENTS = (
         count=8,
         predict=growth,
         refuted="Slip that falls as the speed rises at any of these thrusts.",
-        missing=MISSING,
+        missing=AGAIN_OVER_SPEED + MISSING,
         needed="whether the slip grows with the speed",
     ),
 )

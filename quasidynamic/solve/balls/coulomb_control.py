@@ -45,8 +45,9 @@ from quasidynamic.solve.balls.sticking_ball_motion import sticking_ball_motion
 RELEASED = (RELEASE, RELEASE / 8)  # of F_c: least driving load of the inner, of the outer race
 UNEVEN = 0.05  # of the load on the other race: the same, away from balance
 LEAST_CAGED = 1e-6  # of the largest load in the cage: the same
-LEAST_IN_OIL = 1e-3  # of the largest load in the bearing: the same of balls in oil without a cage; what the
-#                      oil does to lighter ones, by laws for pressed contacts, is more than friction holds
+# Assumed, without a source: the same of balls in oil without a cage. What the oil does to lighter ones, by
+# laws for pressed contacts, is more than friction holds.
+LEAST_IN_OIL = 1e-3  # of the largest load in the bearing
 STICKING_NOISE = 1e-8  # the same where contacts stick and slip
 BLOCK = 64  # balls whose cells are in memory together
 NOISE = 1e-9  # of the largest force: what is left of the balance of balls that friction moves
