@@ -226,9 +226,15 @@ class BearingStates:
         """Moments (C, 2) [N m] that act on the inner ring from outside: applied, or held by its guide."""
         if self.balance.roller.axial_modes == 1:
             return np.zeros((len(self.scaled), 2))
-        moment = self.balance.roller.raceways.slices.length / 2 * self.rollers.contact.force[INNER, 1]
-        azimuth = self.balance.roller.bearing.azimuths
-        return np.stack([(moment * np.cos(azimuth)).sum(-1), (moment * np.sin(azimuth)).sum(-1)], axis=-1)
+        kinematics, inner = self.balance.kinematics, self.rollers.contact.force[INNER, :, None]
+        moments = kinematics.tilted(self._along_inner[None], inner)
+        return -np.stack([moment[0].sum(-1) for moment in moments], axis=-1)
+
+    @property
+    def _along_inner(self) -> NDArray:
+        """Force of the inner raceway on the rollers along their motion (C, Z) [N]."""
+        pressure = 1 - 2 * self.balance.roller.bearing.diameter_ratio  # of the inlet, against its shear
+        return self.traction[:, INNER] + pressure * self.rolling_shear[:, INNER]
 
     @property
     def land_torque(self) -> NDArray:
@@ -291,7 +297,7 @@ class BearingStates:
     def losses(self) -> Losses:
         """Power loss by cause (C) [W]."""
         bearing, rollers, spin = self.balance.roller.bearing, self.rollers, self.roller_speed
-        orbit = self._cage_speed * bearing.pitch_diameter / 2 * bearing.rollers
+        orbit = self._cage_speed * bearing.pitch_diameter / 2 * bearing.all_rollers
         return Losses(
             sliding=(self.traction * self.sliding).sum((1, 2)),
             rolling=2
