@@ -97,7 +97,7 @@ def _bearing(case: Mapping[str, Any], attributes: Mapping[str, Any]) -> Attribut
     }
     return {
         "bearing_type": ("radial_roller_bearing", PLAIN),
-        "number_of_bearing_rows": (1, PLAIN),
+        "number_of_bearing_rows": (2 if bearing.get("second_row") else 1, PLAIN),
         "inner_diameter": (_times(1e3, fits.get("bore") or case["inner"]["bore"]), MM),
         "outer_diameter": (_times(1e3, fits.get("outer_diameter")), MM),
         "radial_clearance_class": (CLASSES.get(bearing["clearance_class"]), PLAIN),

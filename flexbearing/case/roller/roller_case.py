@@ -147,6 +147,13 @@ class Case(Head):
         return self
 
     @model_validator(mode="after")
+    def _rows_stand_between_rigid_rings(self) -> Self:
+        for name, kind in (("outer", self.outer.kind), ("inner", self.inner.kind)):
+            if self.bearing.second_row is not None and kind != "rigid":
+                raise impossible(f"{name}.kind", '"rigid" beside bearing.second_row')
+        return self
+
+    @model_validator(mode="after")
     def _tilt_is_stated(self) -> Self:
         if "tilt" in self.operation.model_fields_set:
             return self

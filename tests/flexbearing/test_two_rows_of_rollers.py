@@ -1,0 +1,132 @@
+"""Two rows of cylindrical rollers on common rings, from the case to the result."""
+
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from flexbearing import run
+from flexbearing.api import read_case
+from flexbearing.build import roller_bearing
+from flexbearing.case import BadCase
+from flexbearing.runs import life
+from quasidynamic import solve_many
+
+CASE, LOAD = Path("configs/nu209.toml"), 4450.0  # [N]
+ROWS = {"bearing.second_row.distance": "25 mm"}
+DOUBLE = {**ROWS, "operation.radial_load": "8900 N"}
+TILTED = {**ROWS, "operation.tilt": "free", "operation.moment": "50 N m"}
+LAND = {
+    "bearing.cage.guidance": "outer",
+    "bearing.cage.land_diameter": "74 mm",
+    "bearing.cage.land_width": "4 mm",
+    "bearing.cage.land_clearance": "0.4 mm",
+}
+OF_RATINGS = {"life.dynamic_rating": "", "life.static_rating": "", "life.capacity": "iso281"}
+
+
+def written(settings):
+    return [f"{key}={value}" for key, value in settings.items()]
+
+
+def case(**settings):
+    return read_case(CASE, written(settings))
+
+
+@cache
+def result(*settings):
+    return run(CASE, written(dict(settings)))
+
+
+def solved(**settings):
+    return result(*settings.items())
+
+
+def test_two_equal_rows_are_two_bearings_under_half_the_load():
+    one, two = solved().rigid, solved(**DOUBLE).rigid
+    for name in ("inner_load", "outer_load", "cage_force", "roller_speed", "inner_film"):
+        assert two[name] == approx(np.tile(one[name], 2), rel=1e-9, abs=1e-9 * np.abs(one[name]).max())
+    assert two["cage_slip"] == approx(float(one["cage_slip"]), rel=1e-6)
+    assert two["row_load"] == approx(np.array([[0, LOAD]] * 2), abs=1e-9 * LOAD)
+    assert two["row_load_factor"] == approx(1.0, rel=1e-9)
+    assert two["driving_torque"] == approx(2 * one["driving_torque"], rel=1e-9)
+    assert two["row_loss"].sum() == approx(two["loss_sliding"] + two["loss_rolling"], rel=1e-9)
+    assert two["row_loss"][0] == approx(two["row_loss"][1], rel=1e-9)
+    assert two["roller_row"].tolist() == [0] * 14 + [1] * 14
+    assert "row_load" not in one
+
+
+def test_lives_and_ratings():
+    """L_10 = L (1 + 1)^(-8/9) of two rows that carry a load each; C_r by 2^(7/9), C_0r by 2."""
+    one, two = solved(**OF_RATINGS), solved(**DOUBLE, **OF_RATINGS)
+    for name in ("life_L10", "raceway_life", "reference_life"):
+        assert two.rigid[name] == approx(one.rigid[name] * 2 ** (-8 / 9), rel=1e-6)
+    ratings = [
+        (life.dynamic(each, bearing), life.static(each, bearing))
+        for each in (case(**OF_RATINGS), case(**DOUBLE, **OF_RATINGS))
+        for bearing in [roller_bearing.parts(each)]
+    ]
+    assert ratings[1] == approx([ratings[0][0] * 2 ** (7 / 9), ratings[0][1] * 2], rel=1e-12)
+
+
+@pytest.mark.parametrize("direction", [0.0, 90.0, 200.0])
+def test_rows_share_load_and_couple(direction):
+    """What rows carry is the load; their moments about the middle are the couple but for their own."""
+    block = solved(**TILTED, **{"operation.tilt_direction": f"{direction} deg"}).rigid
+    angle = np.radians(direction)
+    assert block["row_load"].sum(0) == approx([0.0, LOAD], abs=1e-9 * LOAD)
+    assert block["ring_moment"] == approx([50 * np.cos(angle), 50 * np.sin(angle)], abs=1e-7)
+    by_rows = 0.0125 * (block["row_load"][1] - block["row_load"][0])[::-1]  # on dz/dx, dy/dx
+    own = block["ring_moment"] - by_rows
+    assert 0 < own @ [np.cos(angle), np.sin(angle)] < 0.25 * 50
+    loads = np.hypot(*block["row_load"].T)
+    assert block["row_load_factor"] == approx(loads.max() / (LOAD / 2), rel=1e-12)
+
+
+def test_rows_far_apart_carry_half_the_load_and_a_couple_over_their_distance():
+    far = {**TILTED, "bearing.second_row.distance": "2500 mm", "operation.moment": "2500 N m"}
+    block = solved(**far).rigid
+    assert block["row_load"][:, 1] == approx([LOAD / 2 - 1000, LOAD / 2 + 1000], rel=1e-3)
+
+
+def test_a_row_with_room_carries_nothing_and_leaves_the_other_its_loads():
+    """At a speed so low that the idle rollers hardly hold back the cage of both rows."""
+    slow = {"operation.inner_speed": "1 rpm", "operation.gravity": "0 m/s^2"}
+    loose = solved(**ROWS, **slow, **{"bearing.second_row.clearance": "300 um"}).rigid
+    one = solved(**slow).rigid
+    assert loose["inner_load"][:14] == approx(one["inner_load"], rel=1e-9, abs=1e-9 * LOAD)
+    assert loose["inner_load"][14:] == approx(0.0, abs=1e-5)
+    assert loose["row_load_factor"] == approx(2.0, rel=1e-9)
+
+
+def test_studies_solve_rows_side_by_side_as_one_by_one():
+    settings = [
+        {**TILTED, "operation.moment": f"{moment} N m", "bearing.second_row.clearance": f"{room} um"}
+        for moment, room in ((50, 0), (0, 0), (20, 5), (0, 5))
+    ]
+    models = [roller_bearing.bearing(case(**each)) for each in settings]
+    together = solve_many(models)
+    for model, state in zip(models, together, strict=True):
+        assert state.loads == approx(model.solve().loads, rel=1e-9, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("settings", "named"),
+    [
+        ({"bearing.second_row.distance": "5 mm"}, "distance"),
+        ({**ROWS, "bearing.second_row.clearance": "60 mm"}, "clearance"),
+        ({**ROWS, **LAND, "bearing.cage.centre": "free"}, "second_row"),
+        ({**ROWS, "bearing.form_error.roller_diameters": '["1 um", "0 um"]'}, "roller_diameters"),
+        ({**ROWS, "operation.tilt": "free", "inner.kind": "ring_on_shaft"}, "inner"),
+    ],
+)
+def test_impossible_rows(settings, named):
+    with pytest.raises(BadCase, match=named):
+        case(**settings)
+
+
+def test_elastic_rings_are_refused_by_name():
+    with pytest.raises(BadCase, match="bearing.second_row"):
+        read_case(Path("configs/mao2016.toml"), written({"bearing.second_row.distance": "20 mm"}))
