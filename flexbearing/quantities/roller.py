@@ -110,6 +110,9 @@ QUANTITIES = (
         )),
     Quantity("roller_row", "", "Z", "1", "block", f"number of the row of the roller, from 0; {_ONE_ROW}",
         source="state.roller_row", optional=True),
+    Quantity("roller_station", "x", "Z", "m", "block",
+        f"axial place of mid-roller from the middle between the rows; {_ONE_ROW}",
+        source="state.roller_station", people=MM, optional=True),
     Quantity("row_load", "", "row transverse", "N", "block",
         f"radial force that each row takes for the inner ring (y, z); {_ONE_ROW}", source="state.row_load",
         optional=True, summary=(

@@ -245,6 +245,12 @@ class BearingStates:
         return np.tile(np.arange(bearing.row_count).repeat(bearing.rollers), (len(self.scaled), 1))
 
     @property
+    def roller_station(self) -> NDArray | None:
+        """Places of the rollers along the axis (C, Z) [m]; None where all are in the middle of the rings."""
+        stations = self.balance.roller.bearing.stations
+        return None if stations is None else np.broadcast_to(stations, self.roller_speed.shape)
+
+    @property
     def row_load(self) -> NDArray | None:
         """Force along y and z that each row takes for the inner ring (C, R, 2) [N]; None of one row."""
         if self.balance.layout.rows == 1:
