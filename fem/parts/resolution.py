@@ -7,7 +7,7 @@ from typing import Any
 
 from fem.parts.groove import Stations
 from fem.parts.material import ImpossiblePart, require, require_positive
-from fem.parts.rings import MeshSize, Patches
+from fem.parts.rings import MIDDLE, MeshSize, Patches
 
 
 def neighbour(order: int) -> int:
@@ -36,7 +36,7 @@ class Shape:
 class Resolution:
     """How finely a raceway and its part are resolved; a beam needs no mesh, a solid needs azimuths."""
 
-    length: float  # l of the loaded band, or width of a groove [m]
+    length: float  # l of a loaded band, or width of a groove [m]
     axial_modes: int = 1  # M, Legendre polynomials along a band that carry forces and displacements
     mesh_size: MeshSize | None = None
     harmonics: int | None = None  # N, the highest; None: what part and band need, or the mesh resolves
@@ -45,11 +45,13 @@ class Resolution:
     threads: int = field(default=2, compare=False)  # of NGSolve, for a solid
     stations: Stations | None = None  # on the arcs of a groove, in place of a band and its axial modes
     nodes_of: Shape | None = None  # of the same kind: its mesh is taken, with its nodes moved; None: no other
+    rows: tuple[float, ...] = MIDDLE  # [m] axial places of the loaded bands, one of each row of rollers
     first_order: bool = False  # for derivatives: of a cage in space right to first order of what moves alone
 
     def __post_init__(self):
         require_positive(self, "length")
-        require(self.axial_modes >= 1, "axial_modes", self.axial_modes, "1 or more")
+        least = 1 if self.rows == MIDDLE else 2
+        require(self.axial_modes >= least, "axial_modes", self.axial_modes, f"{least} or more")
         require(
             self.nodes_of is not None or not self.first_order, "first_order", True, "False without nodes_of"
         )

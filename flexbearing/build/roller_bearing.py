@@ -47,13 +47,18 @@ def parts(case: Case) -> qd.CylindricalRollerBearing:
     )
 
 
-def _rows(case: Case) -> tuple[RollerRow, ...]:
-    """Rows of rollers, the second one towards +x."""
+def row_places(case: Case) -> tuple[float, ...]:
+    """Places of the rows along the axis [m], the second one towards +x."""
     second = case.bearing.second_row
+    return (0.0,) if second is None else (-second.distance / 2, second.distance / 2)
+
+
+def _rows(case: Case) -> tuple[RollerRow, ...]:
+    second, places = case.bearing.second_row, row_places(case)
     if second is None:
         return ONE_ROW
-    further = RollerRow(axial=second.distance / 2, clearance=second.clearance, azimuth=second.azimuth)
-    return RollerRow(axial=-second.distance / 2), further
+    further = RollerRow(axial=places[1], clearance=second.clearance, azimuth=second.azimuth)
+    return RollerRow(axial=places[0]), further
 
 
 def nominal(case: Case, bearing: qd.CylindricalRollerBearing) -> qd.CylindricalRollerBearing:

@@ -149,7 +149,7 @@ class Case(Head):
     @model_validator(mode="after")
     def _rows_stand_between_rigid_rings(self) -> Self:
         for name, kind in (("outer", self.outer.kind), ("inner", self.inner.kind)):
-            if self.bearing.second_row is not None and kind != "rigid":
+            if self.bearing.second_row is not None and kind not in ("rigid", "ring"):
                 raise impossible(f"{name}.kind", '"rigid" beside bearing.second_row')
         return self
 
