@@ -211,8 +211,9 @@ class Bearing(Section):
         "form errors: raceways that are not round, rollers that are not alike", None
     )
     second_row: SecondRow | None = key(
-        "a second row of the same rollers between the same rigid rings: a double-row bearing, or two bearings "
-        "in a planet; there is one row without it",
+        "a second row of the same rollers between the same rings: a double-row bearing, or two bearings in a "
+        'planet; elastic rings are those of outer.support = "side", "seat" or "planet" and of inner.fit = '
+        '"bonded"; there is one row without it',
         None,
     )
 
@@ -220,6 +221,11 @@ class Bearing(Section):
     def all_rollers(self) -> int:
         """Number of the rollers of all rows."""
         return self.rollers if self.second_row is None else 2 * self.rollers
+
+    @property
+    def rows_width(self) -> float:
+        """From end to end of the rollers of all rows, along the axis [m]."""
+        return self.roller.length + (0.0 if self.second_row is None else self.second_row.distance)
 
     @property
     def mounting(self) -> Fits | None:
