@@ -207,7 +207,6 @@ def _in_harmonics(
             elastic=part.materials["ring"],
             bars=None,
             seconds=seconds,
-            rows=len(resolution.rows),
         )
         _require_enough(compliance, resolution)
         return compliance

@@ -262,6 +262,16 @@ def pocket_rounding(bearing) -> float:
     return 1e-10 * 2 / steepness / curvature * bearing.roller.length
 
 
+def carried_moment(state, tangential) -> np.ndarray:
+    """Moments (z, y) [N m] that rows of rollers carry about the middle of the rings, with forces along t."""
+    bearing = state.balance.roller.bearing
+    x = 0.0 if bearing.stations is None else bearing.stations
+    sin, cos = np.sin(bearing.azimuths), np.cos(bearing.azimuths)
+    about = state.forces[0, :, 1] * bearing.roller.length / 2 + x * state.loads[0]
+    along = x * tangential
+    return np.array([(about * cos - along * sin).sum(), (about * sin + along * cos).sum()])
+
+
 def imbalance(state) -> float:
     """Largest imbalance over the largest force, from the reported quantities alone."""
     bearing, points = state.balance.roller.bearing, state.balance.points
@@ -293,12 +303,8 @@ def imbalance(state) -> float:
     cage -= state.rollers.churning.sum()
     moments = [0.0]
     if points.free_tilt[0, 0]:
-        own = state.forces[0, :, 1] * bearing.roller.length / 2
-        x = 0.0 if bearing.stations is None else bearing.stations
-        about_z = own @ cos + (x * (load[0] * cos - tangential * sin)).sum()
-        about_y = own @ sin + (x * (load[0] * sin + tangential * cos)).sum()
         applied = np.array([points.moment_z[0, 0], points.moment_y[0, 0]])
-        moments = (np.array([about_z, about_y]) - applied) / (bearing.roller.length + 2 * np.max(np.abs(x)))
+        moments = (carried_moment(state, tangential) - applied) / bearing.roller.length
     parts = [*radial, *along, *spin, *ring, cage / r_m, *moments]
     size = max(points.load[0, 0], load.max(), points.moment[0, 0] / bearing.roller.length)
     return float(np.abs(parts).max() / size)

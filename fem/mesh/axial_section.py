@@ -108,7 +108,7 @@ def _(part: BoltedRing, length, rows=MIDDLE):
 
 def _bands(rows: Sequence[float], half: float, radius: float) -> list[tuple[float, float, str | None]]:
     """Corners of loaded bands one after the other, towards +x; of negative halves of their length, -x."""
-    places = sorted(rows, reverse=half < 0)
+    places = sorted(rows, reverse=bool(half < 0))
     return [corner for x in places for corner in ((x - half, radius, None), (x + half, radius, "raceway"))]
 
 

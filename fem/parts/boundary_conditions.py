@@ -122,6 +122,11 @@ class PlanetGear:
                     "rollers cannot hold it; allowed is a sum of zero"
                 )
 
+    @property
+    def helical(self) -> bool:
+        """Whether teeth press along the axis."""
+        return any(force.axial for force in self.forces)
+
 
 Support = ClampedFace | RigidSeat | Foundation | Housing | LineSupports | PlanetGear | ReducedBody
 

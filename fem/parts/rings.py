@@ -27,7 +27,6 @@ from fem.parts.material import (
 from fem.parts.room import ROUNDING, SLENDEREST_SLOT, require_inside, require_room
 from fem.parts.squirrel_cage import SquirrelCage
 
-
 MIDDLE = (0.0,)  # [m] axial place of the only row of rollers
 
 

@@ -124,6 +124,7 @@ class Responses(NamedTuple):
     support_error: float | None = None  # of the support's stiffness, over it; estimated [-]
     bar_response: BarResponse | None = None  # of a squirrel cage
     short_waves: NDArray | None = None  # (S, M, M) what N + 1 .. N + S answer to themselves [m/N]
+    rows: int = 1  # of rollers, whose shapes stand one row after the other
 
 
 def with_short_waves(responses: Responses, resolved: int, waves: NDArray) -> Responses:
@@ -159,14 +160,7 @@ def _of_translation(response: NDArray) -> float:
 
 
 def harmonic_compliance(
-    responses: Responses,
-    *,
-    radius: float,
-    length: float,
-    elastic: Elastic,
-    bars: int | None,
-    seconds: dict,
-    rows: int = 1,
+    responses: Responses, *, radius: float, length: float, elastic: Elastic, bars: int | None, seconds: dict
 ) -> "HarmonicCompliance":
     """Raceway compliance of a part; a body of revolution answers n and -n alike."""
     response = responses.response
@@ -186,7 +180,7 @@ def harmonic_compliance(
         support_error=responses.support_error,
         bar_response=responses.bar_response,
         short_waves=responses.short_waves,
-        rows=rows,
+        rows=responses.rows,
     )
 
 
@@ -194,8 +188,8 @@ def harmonic_compliance(
 class HarmonicCompliance:
     """Raceway compliance in azimuthal harmonics; the azimuths of the rollers stay free.
 
-    A body of revolution answers each harmonic with the same one only and holds no more than that. The M shapes
-    are those of all rows of rollers, one row after the other.
+    A body of revolution answers each harmonic with the same one only and holds no more than that. The M
+    shapes are those of all rows of rollers, one row after the other.
     """
 
     harmonics: NDArray  # (K,) of int, -N .. N
@@ -228,8 +222,8 @@ class HarmonicCompliance:
         limit of the answer close to a line less that of the half-space. Beyond the last harmonic come the
         short waves, where they are known, and then what follows from how the last harmonics fall.
 
-        All azimuths (Z,) [rad] in a row are different; rows have as many rollers, one row after the other. There
-        is no H between rows, whose bands do not touch.
+        All azimuths (Z,) [rad] in a row are different; rows have as many rollers, one row after the other.
+        There is no H between rows, whose bands do not touch.
         Raises `ImpossiblePart` if two rollers stand at one azimuth, `NotSolved` if the harmonics end too
         early for the own terms.
 
@@ -279,7 +273,9 @@ class HarmonicCompliance:
         if self.rows == 1:
             return values
         rollers, shapes = values.shape[:2]
-        each = values.reshape(self.rows, rollers // self.rows, self.rows, shapes // self.rows, *values.shape[2:])
+        each = values.reshape(
+            self.rows, rollers // self.rows, self.rows, shapes // self.rows, *values.shape[2:]
+        )
         own = np.arange(self.rows)
         return each[own, :, own].reshape(rollers, shapes // self.rows, *values.shape[2:])
 

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from fem.assembly.factorisation import threads
 from fem.errors import TooFewHarmonics
+from fem.parts.boundary_conditions import PlanetGear
 from fem.parts.resolution import Resolution
 from fem.parts.rings import OuterRing
 from fem.raceway.harmonics import HarmonicCompliance, Responses, harmonic_compliance
@@ -36,7 +37,7 @@ class FreeRing:
     lines: HarmonicCompliance  # radial loads on the outer surface, mean and moment over the full width
     radial: NDArray  # (N + 1, M, 2) [m/N] w_nm of the raceway per radial line load
     tangential: NDArray  # (N + 1, M) [m/N] per tangential load like sin, where w is like cos
-    axial: NDArray | None = None  # (N + 1, M) [m/N] per axial line load; None of a groove
+    axial: NDArray | None = None  # (N + 1, M) [m/N] per axial line load; None where teeth have none
     reading: NDArray  # (M + 2, 2) what shapes of raceway and lines read of a translation [-], of a tilt [m]
 
     def under_radial(self, azimuths: NDArray, lines: NDArray) -> NDArray:
@@ -90,7 +91,6 @@ class FreeRing:
         pair = np.einsum("ikn,nm->imk", waves, self.radial[..., 0])
         return (self.under_tangential(azimuths, lines) + pair) / self.lines.radius
 
-
     def under_axial(self, azimuths: NDArray, lines: NDArray) -> NDArray:
         r"""Raceway displacement by axial line loads on the outer surface, towards +x; see `under_radial`.
 
@@ -100,7 +100,7 @@ class FreeRing:
         ------
         Fourier series of the answer of a body of revolution; derived here.
         """
-        assert self.axial is not None  # of a cylinder
+        assert self.axial is not None  # of a ring with axial tooth forces
         n = np.arange(len(self.axial))
         waves = np.where(n > 0, 2, 1) * np.cos(np.multiply.outer(azimuths[:, None] - lines, n))
         return np.einsum("ikn,nm->imk", waves, self.axial)
@@ -130,7 +130,7 @@ def free_ring(part: OuterRing, resolution: Resolution, last: int, stage: Stage, 
     with stage("condense"):
         W, reading = _free_responses(body, part, resolution, last)
     axial = None
-    if not part.groove:
+    if _is_helical(part):
         axial, W, reading = W[:, :-1, -1], W[:, :-1, :-1], reading[:-1]
     M = W.shape[1] - LINE_MODES - 1
     every_row = len(resolution.rows) * resolution.axial_modes
@@ -161,12 +161,13 @@ def _free_responses(
 ) -> tuple[NDArray, NDArray]:
     """Answers (N + 1, L, L) [m/N] of raceway modes, two radial line modes and a tangential one.
 
-    Of a cylinder an axial one comes last. Then what they read of rigid motions like cos (L, 2): of a translation [-] and of a tilt [m].
+    With axial tooth forces an axial one comes last. Then what they read of rigid motions like cos (L, 2): of
+    a translation [-] and of a tilt [m].
     """
     v, section = body.space.TestFunction(), body.space.mesh
     where = section.Boundaries("lines")
     length = ngs.Integrate(ngs.CF(1), section, ngs.BND, definedon=where)
-    directions = (2,) if part.groove else (2, 0)
+    directions = (2, 0) if _is_helical(part) else (2,)
     even = [body.load(v[direction] * ngs.ds(definedon=where)) / length for direction in directions]
     shapes = resolution if part.groove else replace(resolution, axial_modes=max(resolution.axial_modes, 2))
     G = np.column_stack([raceway_modes(body, part, shapes), edge_modes(body, "lines", LINE_MODES), *even])
@@ -177,6 +178,10 @@ def _free_responses(
     if part.groove:
         W[0] = referred(W[0], along_axis[:, :1], of_raceway)
     return W, across
+
+
+def _is_helical(part: OuterRing) -> bool:
+    return part.groove is None and isinstance(part.support, PlanetGear) and part.support.helical
 
 
 def _require_all_harmonics(ring: FreeRing, slenderness: float) -> None:

@@ -46,7 +46,8 @@ def section_responses(
             W[0] = without_axial_motion(W[0], body, modes)
         estimated = not part.free_motions.across and resolution.nodes_of is None and part.groove is None
         error = _support_error(part, resolution, W) if estimated else None
-    return Responses(W, body.stiffness.unknowns, body.space.mesh.ne, support_error=error)
+    rows = len(resolution.rows)
+    return Responses(W, body.stiffness.unknowns, body.space.mesh.ne, support_error=error, rows=rows)
 
 
 def _support_error(part: OuterRing | RingOnShaft, resolution: Resolution, response: NDArray) -> float:

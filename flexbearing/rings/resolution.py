@@ -9,8 +9,8 @@ import fem
 from fem.condense import BEAM, HARMONICS, SMEARED, SOLID
 from fem.parts.step_solid import StepSolid
 from flexbearing.build.expansion import roller_length
-from flexbearing.build.roller_bearing import row_places
 from flexbearing.build.mesh_sizes import IN_SPACE, ON_A_SECTION, mesh_size, nodes_of
+from flexbearing.build.roller_bearing import row_places
 from flexbearing.case.roller import Case
 from flexbearing.program.threads import of_solids
 

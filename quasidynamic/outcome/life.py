@@ -108,9 +108,9 @@ def reference_life(
     """
     if edge_stress and not bearing.relieved:
         raise OutOfRange("the edge stress factor holds for profiled rollers; this roller is straight")
-    edge = edge_stress_factor(np.shape(inner)[-1]) if edge_stress else None
+    edge = edge_stress_factor(np.shape(inner)[-1]) if edge_stress else 1.0
     capacity = reference_raceway_capacity(bearing, rating)
-    return slice_life(inner, outer, capacity, turning, edge=edge, rows=bearing.row_count)
+    return slice_life(edge * inner, edge * outer, capacity, turning, rows=bearing.row_count)
 
 
 def slice_life(
@@ -119,7 +119,6 @@ def slice_life(
     capacity: tuple[float, float],
     turning: Turning,
     *,
-    edge: NDArray | None = None,
     rollers: RollerBody | None = None,
     rows: int = 1,
 ) -> Any:
@@ -139,13 +138,11 @@ def slice_life(
     Parameters
     ----------
     inner, outer : array (..., Z, K)
-        load of each slice [N], >= 0
+        load of each slice [N], >= 0, times its `edge_stress_factor` f_k if wanted
     capacity : tuple of float
         Q_c of the inner and outer raceway [N]
     turning : pair of float or of array (...)
         how far the inner and the outer ring turn against the load, 0 standing to 1, see `turning_share` [-]
-    edge : array (K), optional
-        f_k, edge stress factor [-]; 1 if left out
     rollers : RollerBody, optional
         capacity Q_cr and speed ratio s; only the raceways fail if left out
     rows : int
@@ -165,7 +162,7 @@ def slice_life(
     -----
     Fatigue from below the surface, full film, equal slices over the whole length of the roller.
     """
-    loads = [np.asarray(side) * (1.0 if edge is None else edge) for side in (inner, outer)]
+    loads = [np.asarray(side) for side in (inner, outer)]
     sides = zip(loads, capacity, turning, strict=True)
     damage = sum(raceway_damage(q, c, share, rows=rows) for q, c, share in sides)
     if rollers:

@@ -16,9 +16,7 @@ FAIR = MeshSize(order=5, size=5e-3, raceway_size=1.5e-3)
 ROWS = (-DISTANCE / 2, DISTANCE / 2)
 ONE_ROW = 2 * np.pi * np.arange(Z) / Z
 AZIMUTHS = np.concatenate([ONE_ROW, ONE_ROW + 0.2])  # a second row that is ahead of the first
-RING = OuterRing(
-    raceway_diameter=75e-3, thickness=5e-3, width=26e-3, elastic=STEEL, support=ClampedFace()
-)
+RING = OuterRing(raceway_diameter=75e-3, thickness=5e-3, width=26e-3, elastic=STEEL, support=ClampedFace())
 PIN = RingOnShaft(
     raceway_diameter=60e-3, track_width=26e-3, rib_diameter=None, bore=50e-3, width=26e-3, shaft_bore=0.0,
     shaft_length=40e-3, ring=STEEL, shaft=STEEL,
@@ -75,7 +73,9 @@ def test_axial_tooth_forces_bend_a_rim_with_their_couple_about_its_section():
         for psi, pull in ((0.0, 1e3), (np.pi / 2, -1e3), (np.pi, 1e3), (-np.pi / 2, -1e3))
     )
     near, far, further = (
-        condensed(replace(RING, support=PlanetGear(forces=forces, radius=radius))).at(ONE_ROW).initial_deviation
+        condensed(replace(RING, support=PlanetGear(forces=forces, radius=radius)))
+        .at(ONE_ROW)
+        .initial_deviation
         for radius in (42.5e-3, 5.0, 10.0)
     )
     assert further - near == approx((further - far) * (10.0 - 42.5e-3) / 5.0, rel=1e-6)

@@ -310,6 +310,7 @@ EFFECTS = (
     ("planet", "outer.tooth_radius", "48 mm", "outer.support.radius"),
     ("planet", "outer.tooth_radial", ["-2.02 kN", "-2.02 kN"],
      "outer.support.forces.0.radial outer.support.forces.1.radial"),
+    ("planet", "outer.tooth_axial", ["500 N", "-500 N"], "outer.support.forces.{0.axial,1.axial}"),
     ("planet", "outer.tooth_tangential", ["9.09 kN", "-9.09 kN"],
      "outer.support.forces.0.tangential outer.support.forces.1.tangential"),
     ("cage", "outer.bars", 25, "outer.bars"),

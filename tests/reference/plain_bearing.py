@@ -92,6 +92,13 @@ def height(p, phi, j):
     return roller + sum(a * cos(n * (phi - crest)) for a, n, crest in p["waves"])
 
 
+def of_row(p, j):
+    """Place along the axis, further clearance and azimuth of roller j, and the one before it in its row."""
+    row, number = divmod(j, p["Z"])
+    x, room, turned = p["rows"][row]
+    return x, room, 2 * pi * number / p["Z"] + turned, j - 1 if number else j + p["Z"] - 1
+
+
 def evaluate(p, oil, y, z, slopes, omega_c, e, tilt, spin, films):
     """Residuals of ring, cage and rollers, and outputs; pairs are inner and outer, lists run over rollers."""
     Z, D, dm = p["Z"], p["D"], p["outer_race"] - p["D"]
@@ -102,8 +109,7 @@ def evaluate(p, oil, y, z, slopes, omega_c, e, tilt, spin, films):
     ring_y, ring_z = p["load"] * sin(p["direction"]), p["load"] * cos(p["direction"])
     cage, moment_z, moment_y, rollers = 0.0, 0.0, 0.0, []
     for j in range(Z * len(p["rows"])):
-        x, room, turned = p["rows"][j // Z]
-        phi, before = 2 * pi * j / Z + turned, j - 1 if j % Z else j + Z - 1
+        x, room, phi, before = of_row(p, j)
         u_i, u_o = (p["inner_speed"] - omega_c) * r_i - spin[j] * r_w, spin[j] * r_w - omega_c * r_o
         U_i, U_o = (
             ((p["inner_speed"] - omega_c) * r_i + spin[j] * r_w) / 2,
@@ -111,9 +117,10 @@ def evaluate(p, oil, y, z, slopes, omega_c, e, tilt, spin, films):
         )
         h_i, h_o = films[0][j], films[1][j]
         slope = slopes[0] * cos(phi) + slopes[1] * sin(phi)
-        approach_i = z * cos(phi) + y * sin(phi) + x * slope - (p["clearance"] + room) / 2
-        approach_i += height(p, phi, j) - e[j] + h_i + h_o
-        Q_i, M_i, T_i, F_i = raceway(p, oil, approach_i, slope - tilt[j], u_i, U_i, h_i, R_i, E)
+        between = z * cos(phi) + y * sin(phi) + x * slope - (p["clearance"] + room) / 2 + height(p, phi, j)
+        Q_i, M_i, T_i, F_i = raceway(
+            p, oil, between - e[j] + h_i + h_o, slope - tilt[j], u_i, U_i, h_i, R_i, E
+        )
         Q_o, M_o, T_o, F_o = raceway(p, oil, e[j], tilt[j], u_o, U_o, h_o, R_o, E)
         F_g = drag(p, oil, omega_c * r_m)
         F_c = -(T_i + T_o + (1 - 2 * g) * F_i - (1 + 2 * g) * F_o - F_g - mass * 9.81 * sin(phi))

@@ -9,7 +9,13 @@ from flexbearing.case.head import KIND, Head
 from flexbearing.case.quantity import impossible, in_mm, key, located, needed
 from flexbearing.case.ratings import FEWEST_SLICES, Life
 from flexbearing.case.roller.bearing import Bearing
-from flexbearing.case.roller.consistency import bands, require_known, require_mounting, require_rows, require_solids
+from flexbearing.case.roller.consistency import (
+    bands,
+    require_known,
+    require_mounting,
+    require_rows,
+    require_solids,
+)
 from flexbearing.case.roller.lubricant import Lubricant
 from flexbearing.case.roller.numerics import Accuracy, Coupling
 from flexbearing.case.roller.outputs import Outputs

@@ -150,8 +150,8 @@ class Operation(Section):
         "fixed",
     )
     tilt_direction: Angle = key(
-        "azimuth, ahead of load_direction, of the plane in which moment and misalignment tilt the inner ring: "
-        "90 deg for the couple of helical teeth on a planet",
+        "azimuth, ahead of load_direction, of the plane in which moment and misalignment tilt the inner "
+        "ring: 90 deg for the couple of helical teeth on a planet",
         "0 deg",
         example="90 deg",
     )

@@ -13,7 +13,7 @@ from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 
 class Stations(NamedTuple):
-    """Rollers beside the middle of the rings: a tilt moves them along the radius, by the same lever they tilt.
+    """Rollers beside the middle of the rings: a tilt moves them along the radius, and so they tilt the ring.
 
     M is 1 or 2, with tilt.
     """
@@ -21,7 +21,7 @@ class Stations(NamedTuple):
     ratio: NDArray | None  # (Z) place along the axis over half the length [-]; None: all in the middle
 
     @classmethod
-    def of(cls, bearing: CylindricalRollerBearing, half_length: float) -> "Stations":
+    def of(cls, bearing: CylindricalRollerBearing, half_length: NDArray | float) -> "Stations":
         """Stations of the rollers of a bearing."""
         return cls(None if bearing.stations is None else bearing.stations / half_length)
 
