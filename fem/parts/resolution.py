@@ -15,6 +15,11 @@ def neighbour(order: int) -> int:
     return order - 1 if order > 2 else order + 1
 
 
+def row_places(distance: float) -> tuple[float, ...]:
+    """Axial places of two rows of rollers at a distance [m]; of one, where that is zero."""
+    return (-distance / 2, distance / 2) if distance else MIDDLE
+
+
 class Discretisation(StrEnum):
     """Which numbers stand for a part and for the loads on its raceway."""
 
@@ -30,6 +35,12 @@ class Shape:
 
     part: Any
     length: float  # l of the band [m]
+    row_distance: float = 0.0  # [m] between the middles of the bands of two rows of rollers; 0: one row
+
+    @property
+    def rows(self) -> tuple[float, ...]:
+        """Axial places of the middles of the bands [m]."""
+        return row_places(self.row_distance)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,18 +56,23 @@ class Resolution:
     threads: int = field(default=2, compare=False)  # of NGSolve, for a solid
     stations: Stations | None = None  # on the arcs of a groove, in place of a band and its axial modes
     nodes_of: Shape | None = None  # of the same kind: its mesh is taken, with its nodes moved; None: no other
-    rows: tuple[float, ...] = MIDDLE  # [m] axial places of the loaded bands, one of each row of rollers
+    row_distance: float = 0.0  # [m] between the middles of the bands of two rows of rollers; 0: one row
     first_order: bool = False  # for derivatives: of a cage in space right to first order of what moves alone
 
     def __post_init__(self):
         require_positive(self, "length")
-        least = 1 if self.rows == MIDDLE else 2
+        least = 2 if self.row_distance else 1
         require(self.axial_modes >= least, "axial_modes", self.axial_modes, f"{least} or more")
         require(
             self.nodes_of is not None or not self.first_order, "first_order", True, "False without nodes_of"
         )
         if self.azimuths is not None:
             object.__setattr__(self, "azimuths", tuple(float(phi) for phi in self.azimuths))
+
+    @property
+    def rows(self) -> tuple[float, ...]:
+        """Axial places of the middles of the loaded bands [m]."""
+        return row_places(self.row_distance)
 
     @property
     def mesh(self) -> MeshSize:

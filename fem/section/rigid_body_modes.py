@@ -39,7 +39,7 @@ def body_of(
         springs["foundation"] = Springs(part.normal_stiffness, part.shear_stiffness, part.shear_stiffness)
     if isinstance(support, Foundation):
         springs["foundation"] = Springs(support.axial, support.radial, support.tangential)
-    others = None if nodes_of is None else sections(nodes_of.part, nodes_of.length, rows)
+    others = None if nodes_of is None else sections(nodes_of.part, nodes_of.length, nodes_of.rows)
     return assembled(sections(part, length, rows), part.materials, mesh or resolution.mesh, springs, others)
 
 

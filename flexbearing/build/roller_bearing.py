@@ -47,18 +47,19 @@ def parts(case: Case) -> qd.CylindricalRollerBearing:
     )
 
 
-def row_places(case: Case) -> tuple[float, ...]:
-    """Places of the rows along the axis [m], the second one towards +x."""
+def row_distance(case: Case) -> float:
+    """Between both rows of rollers [m]; zero of one row."""
     second = case.bearing.second_row
-    return (0.0,) if second is None else (-second.distance / 2, second.distance / 2)
+    return 0.0 if second is None else second.distance
 
 
 def _rows(case: Case) -> tuple[RollerRow, ...]:
-    second, places = case.bearing.second_row, row_places(case)
+    """The second one is towards +x."""
+    second = case.bearing.second_row
     if second is None:
         return ONE_ROW
-    further = RollerRow(axial=places[1], clearance=second.clearance, azimuth=second.azimuth)
-    return RollerRow(axial=places[0]), further
+    further = RollerRow(axial=second.distance / 2, clearance=second.clearance, azimuth=second.azimuth)
+    return RollerRow(axial=-second.distance / 2), further
 
 
 def nominal(case: Case, bearing: qd.CylindricalRollerBearing) -> qd.CylindricalRollerBearing:
