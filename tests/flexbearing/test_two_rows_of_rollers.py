@@ -11,6 +11,7 @@ from flexbearing import run
 from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
+from flexbearing.derivatives.rollers import sensitivities
 from flexbearing.runs import life
 from quasidynamic import solve_many
 
@@ -208,3 +209,18 @@ def test_a_planet_with_helical_teeth():
     assert 1.126 > result.rigid["row_load_factor"] > 1.10
     assert result.flexible["row_load_factor"] == approx(1.109, abs=2e-3)
     assert "unbalanced-teeth" not in {note["code"] for note in result.attributes["notes"]}
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "unit"),
+    [("bearing.second_row.distance", 100.0, "mm"), ("operation.tilt_direction", 80.0, "deg")],
+)
+def test_derivatives_are_those_of_planets_solved_again(key, value, unit):
+    """The distance moves the bands on the rim, whose nodes follow."""
+    aside = ["operation.tilt_direction=80 deg"]
+    found = sensitivities(read_case(PLANET, aside), ["row_load_factor"], [key])["row_load_factor", key]
+    ends = [
+        float(run(PLANET, [*aside, f"{key}={value * share} {unit}"]).flexible["row_load_factor"])
+        for share in (0.999, 1.001)
+    ]
+    assert found.slope == approx((ends[1] - ends[0]) / (2e-3 * value), rel=2e-3)
