@@ -207,6 +207,7 @@ RECORDS = {
             "lines": Kept("HarmonicCompliance"),
             "radial": Array(("N K 2",)),
             "tangential": Array(("N K",)),
+            "axial": Array(("N K",), optional=True),
             "reading": Array(("L 2",), largest=10.0),
         },
     ),
