@@ -88,6 +88,16 @@ def test_rows_share_load_and_couple(direction):
     assert block["row_load_factor"] == approx(loads.max() / (LOAD / 2), rel=1e-12)
 
 
+def test_a_ring_that_is_free_tilts_between_unlike_rows():
+    """Without a moment; the stiffer row carries more where the ring is held, and half where it is not."""
+    unlike = {**ROWS, "bearing.second_row.clearance": "10 um"}
+    free, held = (solved(**unlike, **{"operation.tilt": tilt}).rigid for tilt in ("free", "fixed"))
+    assert free["ring_tilt"][0] > 1e-4
+    assert free["ring_moment"] == approx([0.0, 0.0], abs=1e-7)
+    assert held["ring_moment"][0] < -1.0
+    assert held["row_load_factor"] > 1.2 > 1.05 > free["row_load_factor"] > 1
+
+
 def test_rows_far_apart_carry_half_the_load_and_a_couple_over_their_distance():
     far = {**TILTED, "bearing.second_row.distance": "2500 mm", "operation.moment": "2500 N m"}
     block = solved(**far).rigid
