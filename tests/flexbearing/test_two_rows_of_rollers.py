@@ -12,7 +12,7 @@ from flexbearing.api import read_case
 from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.derivatives.rollers import sensitivities
-from flexbearing.runs import life
+from flexbearing.life.roller_lives import rated
 from quasidynamic import solve_many
 
 PLANET = Path("configs/planet_helical.toml")
@@ -66,12 +66,12 @@ def test_lives_and_ratings():
     one, two = solved(**OF_RATINGS), solved(**DOUBLE, **OF_RATINGS)
     for name in ("life_L10", "raceway_life", "reference_life"):
         assert two.rigid[name] == approx(one.rigid[name] * 2 ** (-8 / 9), rel=1e-6)
-    ratings = [
-        (life.dynamic(each, bearing), life.static(each, bearing))
+    first, both = (
+        rated(each, roller_bearing.parts(each)).rating
         for each in (case(**OF_RATINGS), case(**DOUBLE, **OF_RATINGS))
-        for bearing in [roller_bearing.parts(each)]
-    ]
-    assert ratings[1] == approx([ratings[0][0] * 2 ** (7 / 9), ratings[0][1] * 2], rel=1e-12)
+    )
+    for name, factor in (("dynamic_rating", 2 ** (7 / 9)), ("static_rating", 2.0)):
+        assert both(name).value == approx(factor * first(name).value, rel=1e-12)
 
 
 @pytest.mark.parametrize("direction", [0.0, 90.0, 200.0])
