@@ -155,13 +155,13 @@ def condense_in_process(
 
             condensed = replace(condense_solid(part, resolution, stage), seconds=seconds)
         case OuterRing(support=LineSupports() | PlanetGear()), Discretisation.HARMONICS:
-            require_on_track(resolution.length, part.track)
+            require_on_track(resolution.length, part.track, resolution.rows)
             return _free_ring(part, resolution, stage, seconds)
         case OuterRing(support=Foundation(pushing=True)), Discretisation.HARMONICS | Discretisation.BEAM:
-            require_on_track(resolution.length, part.track)
+            require_on_track(resolution.length, part.track, resolution.rows)
             return _on_foundation(part, discretisation, resolution, stage, seconds)
         case OuterRing(support=ReducedBody()), _:
-            require_on_track(resolution.length, part.track)
+            require_on_track(resolution.length, part.track, resolution.rows)
             condensed = _on_matrix(part, discretisation, resolution, stage, seconds)
         case (
             BoltedRing()
@@ -175,7 +175,7 @@ def condense_in_process(
 
             condensed = groove_compliance(part, resolution, stage, seconds)
         case OuterRing() | SquirrelCage() | RingOnShaft(), _:
-            require_on_track(resolution.length, part.track)
+            require_on_track(resolution.length, part.track, resolution.rows)
             condensed = _in_harmonics(part, discretisation, resolution, stage, seconds)
         case _:
             raise ImpossiblePart(f"{type(part).__name__} is impossible as {discretisation.name}")

@@ -56,6 +56,7 @@ if TYPE_CHECKING:
         CylindricalRollerBearing as CylindricalRollerBearing,
         Operation as Operation,
         Roller as Roller,
+        RollerRow as RollerRow,
     )
     from quasidynamic.parts.tapered_bearing import (
         Rib as Rib,
@@ -103,7 +104,7 @@ EXPORTS = {
         "Straight",
         "TangentCrowned",
     ),
-    "parts.roller_bearing": ("Cage", "CylindricalRollerBearing", "Operation", "Roller"),
+    "parts.roller_bearing": ("Cage", "CylindricalRollerBearing", "Operation", "Roller", "RollerRow"),
     "parts.tapered_bearing": ("Rib", "TaperedRollerBearing"),
     "roller": ("Equilibria", "Equilibrium", "RollerBearing", "solve_many"),
     "solve.balls.preloaded_place": ("preloaded_place", "unloading_force"),

@@ -3,7 +3,7 @@
 Columns broadcast against arrays (..., C, Z) as numbers do: physics written for one case holds for many.
 """
 
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import fields, is_dataclass
 from functools import cache, partial
 from types import FunctionType, NoneType
@@ -76,6 +76,11 @@ def stacked(*numbers: Number) -> NDArray:
     if any(isinstance(number, np.ndarray) for number in numbers):
         return np.stack(np.broadcast_arrays(*np.atleast_2d(*numbers)))
     return np.array(numbers)[:, None, None]  # the same, ten times faster
+
+
+def joined(parts: Iterable[NDArray]) -> NDArray:
+    """Arrays (..., n) one after the other along their last axis, some of them perhaps of many cases."""
+    return np.concatenate(np.broadcast_arrays(*parts), axis=-1)
 
 
 def columns_of(part: Any, cases: int) -> NDArray:

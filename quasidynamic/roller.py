@@ -70,7 +70,7 @@ class RollerBearing:
         The compliance (Z, M, Z, M) is the outward deviation of a raceway per outward force [m/N]; the
         deviation is as of `solve`, there without any roller load.
         """
-        size = self.bearing.rollers * self.axial_modes
+        size = self.bearing.all_rollers * self.axial_modes
         inner, outer = (None if matrix is None else matrix.reshape(size, size) for matrix in compliance)
         rigid = self.balance(deviation=deviation, aligned=False)
         balance = replace(rigid, compliance=(inner, outer))
@@ -176,15 +176,16 @@ def side_by_side_batches(
     """Yield the places (C) of at most so many bearings of one kind, and the one bearing that stands for them.
 
     Its numbers that differ are columns (C, 1), see `kind_and_numbers`. Bearings of about the same load over
-    squared speed stand together: they slip alike, and take about as many steps. Those whose rings tilt stand
-    apart, as the rollers of others may be aligned.
+    squared speed stand together: they slip alike, and take about as many steps. Those whose rollers may be
+    aligned stand apart from others.
     """
     kinds: dict[Hashable, list[int]] = {}
     numbers = []
     for place, bearing in enumerate(bearings):
         kind, own = kind_and_numbers(bearing)
         numbers.append(own)
-        kinds.setdefault((kind, tilting_apart and bearing.operation.tilts), []).append(place)
+        tilting = tilting_apart and (bearing.operation.tilts or not bearing.bearing.symmetric)
+        kinds.setdefault((kind, tilting), []).append(place)
     for places in kinds.values():
         places.sort(key=lambda place: _pressed(bearings[place].operation))
         for first in range(0, len(places), at_once):

@@ -32,6 +32,7 @@ def static_loads(
     direction: float = 0.0,
     moment: float = 0.0,
     slices: int = 30,
+    tilt_direction: float = 0.0,
 ) -> StaticLoads:
     r"""Static load distribution between rigid rings.
 
@@ -39,8 +40,9 @@ def static_loads(
               q_{jk} = c\, [u \cdot n_j + x_k\, \theta \cdot n_j - G/2 - 2 C_k]_+^{10/9},\quad
               c^{-0.9} = c_i^{-0.9} + c_o^{-0.9}
 
-    with Q_j and M_j the sums of q_jk and q_jk x_k over the slices of roller j, u the displacement and
-    theta the slopes (dy/dx, dz/dx) of the inner ring. Newton's method on a convex energy.
+    with Q_j and M_j the sums of q_jk and q_jk x_k over the slices of roller j, places x_k along the axis from
+    the middle of the rings, u the displacement there and theta the slopes (dy/dx, dz/dx) of the inner ring.
+    Newton's method on a convex energy.
 
     Parameters
     ----------
@@ -51,9 +53,11 @@ def static_loads(
     direction : float
         azimuth the load points to [rad]
     moment : float
-        M, tilts the ring in the plane of the load [N m]; at zero the ring stays straight by symmetry
+        M, tilts the ring [N m]; at zero a ring that is symmetric along its axis stays straight
     slices : int
         number of slices of each roller
+    tilt_direction : float
+        azimuth of the plane in which the moment tilts, from that of the load [rad]
 
     Raises
     ------
@@ -85,13 +89,15 @@ def static_loads(
     """
     _check(bearing, load, moment)
     sliced = Slices(slices, bearing.roller.length, 2 if moment or not bearing.symmetric else 1)
-    along, half = np.array([np.sin(direction), np.cos(direction)]), sliced.length / 2
-    rings = RigidRings.of(bearing, sliced, np.outer(along, [load, moment / half][: sliced.axial_modes]))
+    tilting, half = direction + tilt_direction, sliced.length / 2
+    along = [np.sin(direction), np.cos(direction)], [np.sin(tilting), np.cos(tilting)]
+    applied = np.transpose(along) * [load, moment / half]
+    rings = RigidRings.of(bearing, sliced, applied[:, : sliced.axial_modes])
     state, evaluations = balanced(rings)
     return StaticLoads(
         loads=state.slice_load @ sliced.widths,
         slice_loads=sliced.unfolded(state.slice_load),
-        approach=rings.normal @ state.place[:, 0] - bearing.clearances / 2,
+        approach=rings.stations.at_rollers(rings.normal @ state.place)[:, 0] - bearing.clearances / 2,
         ring_displacement=state.place[:, 0],
         ring_tilt=state.place[::-1, 1] / half if sliced.axial_modes > 1 else np.zeros(2),
         stiffness=state.stiffness[:, 0, :, 0],

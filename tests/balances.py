@@ -32,6 +32,8 @@ def balances(block: Mapping[str, Any], guidance: str) -> dict[str, np.ndarray]:
     on_ring = one["applied_load"] - outward @ one["inner_load"] - along @ by_inner
     pushed = -along @ one["cage_force"] - outward @ lift  # by the rollers on the cage
     land = float(one["land_torque"])
+    station = one.get("roller_station", np.zeros_like(azimuth))
+    by_rows = (outward @ (station * one["inner_load"]) + along @ (station * by_inner))[::-1]
     left = {
         "radial": one["inner_load"] - one["outer_load"] + one["centrifugal_force"] + weight_out + lift,
         "along the motion": by_inner + by_outer + one["roller_drag"] + weight_along + one["cage_force"],
@@ -39,7 +41,8 @@ def balances(block: Mapping[str, Any], guidance: str) -> dict[str, np.ndarray]:
         "tilt": one["outer_load_moment"] - one["inner_load_moment"],
         "ring": on_ring,
         "ring, moment": one["ring_moment"]
-        - np.array([np.cos(azimuth), np.sin(azimuth)]) @ one["inner_load_moment"],
+        - np.array([np.cos(azimuth), np.sin(azimuth)]) @ one["inner_load_moment"]
+        - by_rows,
         "cage, moment": land
         - r_m * one["cage_force"].sum()
         - r_w * brake.sum()

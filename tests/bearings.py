@@ -13,6 +13,7 @@ from quasidynamic import (
     Regression4109,
     Roller,
     RollerBearing,
+    RollerRow,
     Straight,
     oil_at,
 )
@@ -53,6 +54,8 @@ def paper_bearing(**changes) -> RollerBearing:
         "roller_deviations": (),
         "inner_profile": Straight(),
         "outer_profile": Straight(),
+        "rows": (RollerRow(),),
+        "tilt_direction": 0.0,
         **changes,
     }
     ring = Material(youngs_modulus=203e9, poisson_ratio=0.28, density=7850)
@@ -77,6 +80,7 @@ def paper_bearing(**changes) -> RollerBearing:
         roller_deviations=value.pop("roller_deviations"),
         inner_profile=value.pop("inner_profile"),
         outer_profile=value.pop("outer_profile"),
+        rows=value.pop("rows"),
     )
     operation = Operation(
         radial_load=value.pop("load"),
@@ -86,6 +90,7 @@ def paper_bearing(**changes) -> RollerBearing:
         free_tilt=value.pop("free_tilt", value["moment"] != 0),
         moment=value.pop("moment"),
         misalignment=value.pop("misalignment"),
+        tilt_direction=value.pop("tilt_direction"),
         gravity=value.pop("gravity"),
     )
     oil = value.pop("oil", None) or oil_at("MIL-PRF-23699", 493.15)

@@ -19,6 +19,7 @@ from quasidynamic import (
     Regression4109,
     Roller,
     RollerBearing,
+    RollerRow,
     oil_at,
 )
 from quasidynamic.contact.traction import in_any_contact
@@ -77,6 +78,29 @@ def design(rng: np.random.Generator) -> tuple[RollerBearing, str]:
     )
     lubrication = Lubrication(oil=oil, oil_fraction=log_uniform(rng, 1e-3, 0.3), traction=traction)
     return RollerBearing(bearing=bearing, operation=operation, lubrication=lubrication), name
+
+
+def row_design(rng: np.random.Generator) -> tuple[RollerBearing, str]:
+    """A bearing of `design` with two rows, alike or not; half of the rings tilt freely, under any couple."""
+    model, name = design(rng)
+    bearing, length = model.bearing, model.bearing.roller.length
+    distance = length * rng.uniform(1.1, 6.0)
+    unlike = rng.random() < 0.5
+    second = RollerRow(
+        axial=distance / 2,
+        clearance=rng.uniform(-20e-6, 20e-6) if unlike else 0.0,
+        azimuth=rng.uniform(0, 1) if unlike else 0.0,
+    )
+    free, load = bool(rng.random() < 0.5), model.operation.radial_load
+    operation = replace(
+        model.operation,
+        moment=load * distance * rng.uniform(-0.7, 0.7) if free else 0.0,
+        free_tilt=free,
+        tilt_direction=rng.uniform(0, 2 * np.pi),
+        misalignment=0.0 if free else rng.choice([0.0, 1.0]) * rng.uniform(-1e-3, 1e-3),
+    )
+    rows = RollerRow(axial=-distance / 2), second
+    return replace(model, bearing=replace(bearing, rows=rows), operation=operation), name
 
 
 def slow_design(rng: np.random.Generator, asperities=None) -> tuple[RollerBearing, str]:
@@ -238,6 +262,16 @@ def pocket_rounding(bearing) -> float:
     return 1e-10 * 2 / steepness / curvature * bearing.roller.length
 
 
+def carried_moment(state, tangential) -> np.ndarray:
+    """Moments (z, y) [N m] that rows of rollers carry about the middle of the rings, with forces along t."""
+    bearing = state.balance.roller.bearing
+    x = 0.0 if bearing.stations is None else bearing.stations
+    sin, cos = np.sin(bearing.azimuths), np.cos(bearing.azimuths)
+    about = state.forces[0, :, 1] * bearing.roller.length / 2 + x * state.loads[0]
+    along = x * tangential
+    return np.array([(about * cos - along * sin).sum(), (about * sin + along * cos).sum()])
+
+
 def imbalance(state) -> float:
     """Largest imbalance over the largest force, from the reported quantities alone."""
     bearing, points = state.balance.roller.bearing, state.balance.points
@@ -270,7 +304,7 @@ def imbalance(state) -> float:
     moments = [0.0]
     if points.free_tilt[0, 0]:
         applied = np.array([points.moment_z[0, 0], points.moment_y[0, 0]])
-        moments = (state.ring_moment - applied) / bearing.roller.length
+        moments = (carried_moment(state, tangential) - applied) / bearing.roller.length
     parts = [*radial, *along, *spin, *ring, cage / r_m, *moments]
     size = max(points.load[0, 0], load.max(), points.moment[0, 0] / bearing.roller.length)
     return float(np.abs(parts).max() / size)

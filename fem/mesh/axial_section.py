@@ -4,7 +4,7 @@ A body carries the name of its material. Edges are named "raceway", exactly the 
 or "foundation" where the part is held, "lines" where line loads may act, "seat" between bodies.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import singledispatch
 from math import cos, hypot, isinf, sin
@@ -13,7 +13,7 @@ from fem.mesh.expense import polygon, require_affordable
 from fem.parts.bolted_ring import BoltedRing
 from fem.parts.boundary_conditions import Housing, edge_names
 from fem.parts.groove import Groove
-from fem.parts.rings import ImpossiblePart, MeshSize, OuterRing, RingOnShaft
+from fem.parts.rings import MIDDLE, ImpossiblePart, MeshSize, OuterRing, RingOnShaft
 from fem.parts.squirrel_cage import SquirrelCage
 
 FINER = ("raceway", "lines")  # edges with elements of a size of their own
@@ -37,21 +37,21 @@ class AxialSection:
 
 
 @singledispatch
-def sections(part, length: float) -> list[AxialSection]:
+def sections(part, length: float, rows: Sequence[float] = MIDDLE) -> list[AxialSection]:
     """Bodies of a part as polygons that touch along whole edges, corners in counter-clockwise order.
 
-    The loaded band of `length` [m] is centred on x = 0, at most the track of the part; a groove has the width
-    that its lands leave it.
+    Loaded bands of `length` [m] are centred on the places of `rows` [m], all on the track of the part; a
+    groove has the width that its lands leave it.
     Raises `ImpossiblePart` if the part is not a body of revolution.
     """
     raise ImpossiblePart(f"{type(part).__name__} is not known as a body of revolution")
 
 
 @sections.register
-def _(part: OuterRing, length):
+def _(part: OuterRing, length, rows=MIDDLE):
     inner, (left, right) = part.raceway_diameter / 2, part.sides
     outer, half = inner + part.thickness, half_band(part.groove, inner, 1, length)
-    bore = (left, inner, None), (-half, inner, None), (half, inner, "raceway"), (right, inner, None)
+    bore = (left, inner, None), *_bands(rows, half, inner), (right, inner, None)
     bends = {} if part.groove is None else {2: start_of_arc(part.groove.end(inner, 1), 1)}
     if not isinstance(part.support, Housing):
         face, outside = edge_names(part.support)
@@ -71,7 +71,7 @@ def _(part: OuterRing, length):
 
 
 @sections.register
-def _(part: RingOnShaft, length):
+def _(part: RingOnShaft, length, rows=MIDDLE):
     raceway, rib, bore = part.raceway_diameter / 2, part.outside_diameter / 2, part.bore / 2
     hollow = part.shaft_bore / 2 or AXIS * bore
     track, side, end = part.track_width / 2, part.width / 2, part.shaft_length / 2
@@ -81,7 +81,7 @@ def _(part: RingOnShaft, length):
     bends = {} if part.groove is None else {4 + len(right): start_of_arc(part.groove.end(raceway, -1), -1)}
     ring = AxialSection("ring", (
         (-side, bore, None), (side, bore, "seat"), *right,
-        (track, raceway, None), (half, raceway, None), (-half, raceway, "raceway"), (-track, raceway, None),
+        (track, raceway, None), *_bands(rows, -half, raceway), (-track, raceway, None),
         *left,
     ), bends)  # fmt: skip
     shaft = AxialSection("shaft", (
@@ -92,7 +92,7 @@ def _(part: RingOnShaft, length):
 
 
 @sections.register
-def _(part: BoltedRing, length):
+def _(part: BoltedRing, length, rows=MIDDLE):
     groove, outward, land = part.groove, part.outward, part.raceway_diameter / 2
     first, last = part.ends[::outward]
     half, far = outward * length / 2, part.far_diameter / 2
@@ -104,6 +104,12 @@ def _(part: BoltedRing, length):
         (-half, land, None), *between, (half, land, "raceway"),
         (last, land, None), (last, far, faces.get(outward)), (first, far, None),
     ), {2 + number: start_of_arc(angle, outward) for number, angle in enumerate(begin)})]  # fmt: skip
+
+
+def _bands(rows: Sequence[float], half: float, radius: float) -> list[tuple[float, float, str | None]]:
+    """Corners of loaded bands one after the other, towards +x; of negative halves of their length, -x."""
+    places = sorted(rows, reverse=bool(half < 0))
+    return [corner for x in places for corner in ((x - half, radius, None), (x + half, radius, "raceway"))]
 
 
 def smeared_sections(cage: SquirrelCage, length: float) -> list[AxialSection]:

@@ -95,9 +95,10 @@ class LineForce:
     azimuth: float  # [rad]
     radial: float  # [N] outward
     tangential: float  # [N] towards growing azimuth
+    axial: float = 0.0  # [N] towards +x
 
     def __post_init__(self):
-        values = (self.azimuth, self.radial, self.tangential)
+        values = (self.azimuth, self.radial, self.tangential, self.axial)
         require(all(map(isfinite, values)), "line force", values, "finite numbers")
 
 
@@ -105,7 +106,7 @@ class LineForce:
 class PlanetGear:
     """The ring is the rim of a planet gear: nothing holds it, tooth forces balance the rollers'.
 
-    A tangential force at a larger radius than that of the rim also bends it by its couple there.
+    A tangential or axial force at a larger radius than that of the rim also bends it by its couple there.
     """
 
     forces: Sequence[LineForce]  # of the teeth
@@ -113,12 +114,18 @@ class PlanetGear:
 
     def __post_init__(self):
         object.__setattr__(self, "forces", tuple(self.forces))
-        tangential = [force.tangential for force in self.forces]
-        if abs(sum(tangential)) > BALANCED * max(map(abs, tangential), default=0.0):
-            raise ImpossiblePart(
-                f"tangential forces add up to {sum(tangential):.6g} N: the ring can still turn about its "
-                "axis, as rollers cannot hold it; allowed is a sum of zero"
-            )
+        for name, motion in (("tangential", "turn about"), ("axial", "move along")):
+            forces = [getattr(force, name) for force in self.forces]
+            if abs(sum(forces)) > BALANCED * max(map(abs, forces), default=0.0):
+                raise ImpossiblePart(
+                    f"{name} forces add up to {sum(forces):.6g} N: the ring can still {motion} its axis, as "
+                    "rollers cannot hold it; allowed is a sum of zero"
+                )
+
+    @property
+    def helical(self) -> bool:
+        """Whether teeth press along the axis."""
+        return any(force.axial for force in self.forces)
 
 
 Support = ClampedFace | RigidSeat | Foundation | Housing | LineSupports | PlanetGear | ReducedBody

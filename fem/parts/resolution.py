@@ -7,12 +7,17 @@ from typing import Any
 
 from fem.parts.groove import Stations
 from fem.parts.material import ImpossiblePart, require, require_positive
-from fem.parts.rings import MeshSize, Patches
+from fem.parts.rings import MIDDLE, MeshSize, Patches
 
 
 def neighbour(order: int) -> int:
     """Order whose answers tell the error of those of another: one less, above 2; else one more."""
     return order - 1 if order > 2 else order + 1
+
+
+def row_places(distance: float) -> tuple[float, ...]:
+    """Axial places of two rows of rollers at a distance [m]; of one, where that is zero."""
+    return (-distance / 2, distance / 2) if distance else MIDDLE
 
 
 class Discretisation(StrEnum):
@@ -30,13 +35,19 @@ class Shape:
 
     part: Any
     length: float  # l of the band [m]
+    row_distance: float = 0.0  # [m] between the middles of the bands of two rows of rollers; 0: one row
+
+    @property
+    def rows(self) -> tuple[float, ...]:
+        """Axial places of the middles of the bands [m]."""
+        return row_places(self.row_distance)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Resolution:
     """How finely a raceway and its part are resolved; a beam needs no mesh, a solid needs azimuths."""
 
-    length: float  # l of the loaded band, or width of a groove [m]
+    length: float  # l of a loaded band, or width of a groove [m]
     axial_modes: int = 1  # M, Legendre polynomials along a band that carry forces and displacements
     mesh_size: MeshSize | None = None
     harmonics: int | None = None  # N, the highest; None: what part and band need, or the mesh resolves
@@ -45,16 +56,23 @@ class Resolution:
     threads: int = field(default=2, compare=False)  # of NGSolve, for a solid
     stations: Stations | None = None  # on the arcs of a groove, in place of a band and its axial modes
     nodes_of: Shape | None = None  # of the same kind: its mesh is taken, with its nodes moved; None: no other
+    row_distance: float = 0.0  # [m] between the middles of the bands of two rows of rollers; 0: one row
     first_order: bool = False  # for derivatives: of a cage in space right to first order of what moves alone
 
     def __post_init__(self):
         require_positive(self, "length")
-        require(self.axial_modes >= 1, "axial_modes", self.axial_modes, "1 or more")
+        least = 2 if self.row_distance else 1
+        require(self.axial_modes >= least, "axial_modes", self.axial_modes, f"{least} or more")
         require(
             self.nodes_of is not None or not self.first_order, "first_order", True, "False without nodes_of"
         )
         if self.azimuths is not None:
             object.__setattr__(self, "azimuths", tuple(float(phi) for phi in self.azimuths))
+
+    @property
+    def rows(self) -> tuple[float, ...]:
+        """Axial places of the middles of the loaded bands [m]."""
+        return row_places(self.row_distance)
 
     @property
     def mesh(self) -> MeshSize:

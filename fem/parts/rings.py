@@ -27,6 +27,8 @@ from fem.parts.material import (
 from fem.parts.room import ROUNDING, SLENDEREST_SLOT, require_inside, require_room
 from fem.parts.squirrel_cage import SquirrelCage
 
+MIDDLE = (0.0,)  # [m] axial place of the only row of rollers
+
 
 @dataclass(frozen=True, kw_only=True)
 class OuterRing:
@@ -153,13 +155,14 @@ class RingOnShaft:
 Part = SquirrelCage | OuterRing | RingOnShaft
 
 
-def require_on_track(length: float, track: float) -> None:
-    """Refuse a loaded band [m] that is longer than the track.
+def require_on_track(length: float, track: float, rows: Sequence[float] = MIDDLE) -> None:
+    """Refuse loaded bands [m] of rows at some places [m] that reach beyond the track.
 
     Raises `ImpossiblePart` if rollers would run beyond it.
     """
-    if length > track * (1 + 1e-9):
-        raise ImpossiblePart(f"rollers of {in_mm(length)} run beyond the track of {in_mm(track)}")
+    whole = length + 2 * max(map(abs, rows))
+    if whole > track * (1 + 1e-9):
+        raise ImpossiblePart(f"rollers of {in_mm(whole)} run beyond the track of {in_mm(track)}")
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -124,6 +124,7 @@ class Responses(NamedTuple):
     support_error: float | None = None  # of the support's stiffness, over it; estimated [-]
     bar_response: BarResponse | None = None  # of a squirrel cage
     short_waves: NDArray | None = None  # (S, M, M) what N + 1 .. N + S answer to themselves [m/N]
+    rows: int = 1  # of rollers, whose shapes stand one row after the other
 
 
 def with_short_waves(responses: Responses, resolved: int, waves: NDArray) -> Responses:
@@ -179,6 +180,7 @@ def harmonic_compliance(
         support_error=responses.support_error,
         bar_response=responses.bar_response,
         short_waves=responses.short_waves,
+        rows=responses.rows,
     )
 
 
@@ -186,7 +188,8 @@ def harmonic_compliance(
 class HarmonicCompliance:
     """Raceway compliance in azimuthal harmonics; the azimuths of the rollers stay free.
 
-    A body of revolution answers each harmonic with the same one only and holds no more than that.
+    A body of revolution answers each harmonic with the same one only and holds no more than that. The M
+    shapes are those of all rows of rollers, one row after the other.
     """
 
     harmonics: NDArray  # (K,) of int, -N .. N
@@ -201,6 +204,7 @@ class HarmonicCompliance:
     support_error: float | None = None  # of the support's stiffness, over it; None: not estimated [-]
     bar_response: BarResponse | None = None  # of a squirrel cage
     short_waves: NDArray | None = None  # (S, M, M) [m/N] what N + 1 .. N + S answer to themselves, if known
+    rows: int = 1  # of rollers, on loaded bands of their own
 
     def __post_init__(self):
         K, M = self.response.shape[:2]
@@ -218,7 +222,8 @@ class HarmonicCompliance:
         limit of the answer close to a line less that of the half-space. Beyond the last harmonic come the
         short waves, where they are known, and then what follows from how the last harmonics fall.
 
-        All azimuths (Z,) [rad] are different.
+        All azimuths (Z,) [rad] in a row are different; rows have as many rollers, one row after the other.
+        There is no H between rows, whose bands do not touch.
         Raises `ImpossiblePart` if two rollers stand at one azimuth, `NotSolved` if the harmonics end too
         early for the own terms.
 
@@ -254,10 +259,25 @@ class HarmonicCompliance:
         )
 
     def absolute(self, azimuths: NDArray) -> NDArray:
-        """The matrix C of `at` alone, (Z, M, Z, M) [m/N], also for a raceway without a hold of its own."""
+        """The matrix C of `at` alone, (Z, M, Z, M) [m/N], also for a raceway without a hold of its own.
+
+        M are here, and in what follows, the shapes of the row of a roller.
+        """
         self.require_enough()
         absolute = self._series(azimuths) + self._beyond(azimuths) + self._neighbours(azimuths)
-        return (absolute + absolute.transpose(2, 3, 0, 1)) / 2
+        absolute = (absolute + absolute.transpose(2, 3, 0, 1)) / 2
+        return self.of_rows(self.of_rows(absolute).transpose(2, 3, 0, 1)).transpose(2, 3, 0, 1)
+
+    def of_rows(self, values: NDArray) -> NDArray:
+        """Of values (Z, M, ...) of rollers in the shapes of all rows those in the shapes of their own one."""
+        if self.rows == 1:
+            return values
+        rollers, shapes = values.shape[:2]
+        each = values.reshape(
+            self.rows, rollers // self.rows, self.rows, shapes // self.rows, *values.shape[2:]
+        )
+        own = np.arange(self.rows)
+        return each[own, :, own].reshape(rollers, shapes // self.rows, *values.shape[2:])
 
     def require_enough(self) -> None:
         """Refuse a compliance of which too much is extrapolated.
@@ -279,7 +299,7 @@ class HarmonicCompliance:
         """
         line = np.zeros(1)
         own_terms = np.abs(self._remainder.sum(axis=0) + self._tail(line)[0]) + self._half_space.sum(axis=0)
-        square = 2 * np.arange(own_terms.shape[0]) + 1
+        square = np.tile(2 * np.arange(own_terms.shape[0] // self.rows) + 1, self.rows)
         return float(
             np.max(np.abs(self._extrapolated(line)[0]) / np.sqrt(np.outer(square, square)))
             / np.max(np.diag(own_terms) / square)
@@ -288,9 +308,20 @@ class HarmonicCompliance:
     @cached_property
     def _half_space(self) -> NDArray:
         """Harmonics of the half-space (K, M, M) [m/N]."""
-        return indentation_harmonics(
-            self.harmonics, self.radius, self.length, self.response.shape[1], self.elastic
+        return self._in_each_row(
+            indentation_harmonics(self.harmonics, self.radius, self.length, self._shapes, self.elastic)
         )
+
+    @property
+    def _shapes(self) -> int:
+        """Number of shapes of a row."""
+        return self.response.shape[1] // self.rows
+
+    def _in_each_row(self, of_row: NDArray) -> NDArray:
+        """Of answers (..., m, m) of a row to itself those of all rows (..., M, M), zero between rows."""
+        if self.rows == 1:
+            return of_row
+        return np.kron(np.eye(self.rows), of_row)
 
     @cached_property
     def _remainder(self) -> NDArray:
@@ -319,7 +350,8 @@ class HarmonicCompliance:
         if self.short_waves is None:
             return np.empty((0, M, M))
         n = self.harmonics[-1] + 1 + np.arange(len(self.short_waves))
-        return self.short_waves - indentation_harmonics(n, self.radius, self.length, M, self.elastic)
+        waves = indentation_harmonics(n, self.radius, self.length, self._shapes, self.elastic)
+        return self.short_waves - self._in_each_row(waves)
 
     def _series(self, phi: NDArray) -> NDArray:
         """Sum of the harmonics less the half-space (Z, M, Z, M) [m/N]."""
@@ -342,12 +374,14 @@ class HarmonicCompliance:
     def _neighbours(self, phi: NDArray) -> NDArray:
         """Half-space between different rollers (Z, M, Z, M) [m/N]."""
         Z, M = phi.size, self.response.shape[1]
-        i, j = np.nonzero(~np.eye(Z, dtype=bool))
+        row = np.arange(Z) // (Z // self.rows)
+        i, j = np.nonzero(~np.eye(Z, dtype=bool) & (row[:, None] == row))
         if np.any(np.abs(np.sin((phi[i] - phi[j]) / 2)) < SAME):
             raise ImpossiblePart(f"azimuths = {phi.tolist()!r} are impossible; all must be different")
         H = np.zeros((Z, M, Z, M))
         apart, place = _distinct(phi[i] - phi[j])
-        H[i, :, j] = indentation(apart, self.radius, self.length, M, self.elastic)[place]
+        own = indentation(apart, self.radius, self.length, self._shapes, self.elastic)
+        H[i, :, j] = self._in_each_row(own)[place]
         return H
 
     def _translation(self, phi: NDArray) -> tuple[NDArray, NDArray]:
@@ -363,12 +397,15 @@ class HarmonicCompliance:
         read = np.array([[1j, -1j], [1.0, 1.0]])
         turn = np.exp(-1j * np.outer(self.harmonics, phi))
         if self.response.ndim == 3:
-            answer = self.response[first, 0, None, :] * turn[first, :, None]
-            pair = np.diag(self.response[first, 0, 0])
+            means = np.arange(0, self.response.shape[1], self._shapes)  # of every row
+            answer = self.response[first][:, means].mean(1)[:, None] * turn[first, :, None]
+            pair = np.diag(self.response[first][:, means][:, :, means].mean((1, 2)))
         else:
             answer = np.einsum("akp,kj->ajp", self.response[first, 0], turn)
             pair = self.response[first[:, None], 0, first, 0]
-        return np.real(np.tensordot(read, answer, axes=1)), np.real(read @ pair @ read.conj().T)
+        by_force = np.real(np.tensordot(read, answer, axes=1))
+        of_own = self.of_rows(np.moveaxis(by_force, 0, -1))
+        return np.moveaxis(of_own, -1, 0), np.real(read @ pair @ read.conj().T)
 
 
 def sum_beyond(remainders: NDArray, azimuth: NDArray) -> NDArray:

@@ -51,7 +51,7 @@ def bonded_growth(part: RingOnShaft, resolution: Resolution) -> BondedGrowth:
         return dict.fromkeys(names, 0.0) | {name: 1.0}
 
     with threads(1):
-        body = body_of(part, resolution.length, resolution.mesh, resolution.nodes_of)
+        body = body_of(part, resolution)
         clamped = np.zeros_like(body.stiffness.clamped)
         unclamped = replace(body, stiffness=replace(body.stiffness, clamped=clamped))
         loads = [heating(body, alone(name)) for name in names]

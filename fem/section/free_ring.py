@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from fem.assembly.factorisation import threads
 from fem.errors import TooFewHarmonics
+from fem.parts.boundary_conditions import PlanetGear
 from fem.parts.resolution import Resolution
 from fem.parts.rings import OuterRing
 from fem.raceway.harmonics import HarmonicCompliance, Responses, harmonic_compliance
@@ -36,6 +37,7 @@ class FreeRing:
     lines: HarmonicCompliance  # radial loads on the outer surface, mean and moment over the full width
     radial: NDArray  # (N + 1, M, 2) [m/N] w_nm of the raceway per radial line load
     tangential: NDArray  # (N + 1, M) [m/N] per tangential load like sin, where w is like cos
+    axial: NDArray | None = None  # (N + 1, M) [m/N] per axial line load; None where teeth have none
     reading: NDArray  # (M + 2, 2) what shapes of raceway and lines read of a translation [-], of a tilt [m]
 
     def under_radial(self, azimuths: NDArray, lines: NDArray) -> NDArray:
@@ -89,6 +91,20 @@ class FreeRing:
         pair = np.einsum("ikn,nm->imk", waves, self.radial[..., 0])
         return (self.under_tangential(azimuths, lines) + pair) / self.lines.radius
 
+    def under_axial(self, azimuths: NDArray, lines: NDArray) -> NDArray:
+        r"""Raceway displacement by axial line loads on the outer surface, towards +x; see `under_radial`.
+
+        An array (Z, M, K) [m/N]; loads on all lines together are in balance along the axis.
+
+        Source
+        ------
+        Fourier series of the answer of a body of revolution; derived here.
+        """
+        assert self.axial is not None  # of a ring with axial tooth forces
+        n = np.arange(len(self.axial))
+        waves = np.where(n > 0, 2, 1) * np.cos(np.multiply.outer(azimuths[:, None] - lines, n))
+        return np.einsum("ikn,nm->imk", waves, self.axial)
+
 
 def felt_motions(azimuths: NDArray, reading: NDArray) -> NDArray:
     """Displacements (Z, M, 4) of shapes at azimuths [rad] by rigid motions of a ring.
@@ -110,11 +126,15 @@ def free_ring(part: OuterRing, resolution: Resolution, last: int, stage: Stage, 
     Raises `NotSolved` if a solve fails; `TooFewHarmonics` where more are needed.
     """
     with stage("factor"):
-        body = body_of(part, resolution.length, resolution.mesh, resolution.nodes_of)
+        body = body_of(part, resolution)
     with stage("condense"):
         W, reading = _free_responses(body, part, resolution, last)
+    axial = None
+    if _is_helical(part):
+        axial, W, reading = W[:, :-1, -1], W[:, :-1, :-1], reading[:-1]
     M = W.shape[1] - LINE_MODES - 1
-    raceway, lines = slice(M if part.groove else resolution.axial_modes), slice(-LINE_MODES - 1, -1)
+    every_row = len(resolution.rows) * resolution.axial_modes
+    raceway, lines = slice(M if part.groove else every_row), slice(-LINE_MODES - 1, -1)
 
     def answers(loads: slice) -> Responses:
         return Responses(W[:, loads, loads], body.stiffness.unknowns, body.space.mesh.ne)
@@ -129,6 +149,7 @@ def free_ring(part: OuterRing, resolution: Resolution, last: int, stage: Stage, 
         ),
         radial=fade * W[:, raceway, lines],
         tangential=(fade * W[:, raceway, -1:])[..., 0],
+        axial=None if axial is None else axial[:, raceway],
         reading=np.concatenate([reading[raceway], reading[lines]]),
     )  # fmt: skip
     _require_all_harmonics(ring, (part.raceway_diameter / 2 + part.thickness) / part.thickness)
@@ -140,22 +161,27 @@ def _free_responses(
 ) -> tuple[NDArray, NDArray]:
     """Answers (N + 1, L, L) [m/N] of raceway modes, two radial line modes and a tangential one.
 
-    Then what they read of rigid motions like cos (L, 2): of a translation [-] and of a tilt [m].
+    With axial tooth forces an axial one comes last. Then what they read of rigid motions like cos (L, 2): of
+    a translation [-] and of a tilt [m].
     """
     v, section = body.space.TestFunction(), body.space.mesh
     where = section.Boundaries("lines")
-    along = body.load(v[2] * ngs.ds(definedon=where)) / ngs.Integrate(
-        ngs.CF(1), section, ngs.BND, definedon=where
-    )
+    length = ngs.Integrate(ngs.CF(1), section, ngs.BND, definedon=where)
+    directions = (2, 0) if _is_helical(part) else (2,)
+    even = [body.load(v[direction] * ngs.ds(definedon=where)) / length for direction in directions]
     shapes = resolution if part.groove else replace(resolution, axial_modes=max(resolution.axial_modes, 2))
-    G = np.column_stack([raceway_modes(body, part, shapes), edge_modes(body, "lines", LINE_MODES), along])
+    G = np.column_stack([raceway_modes(body, part, shapes), edge_modes(body, "lines", LINE_MODES), *even])
     W = responses(body, part.free_motions, G, last) / (2 * np.pi)
     along_axis, across = (G.T @ motions for motions in rigid_motions(body))
-    of_raceway = np.arange(len(across)) < len(across) - LINE_MODES - 1
+    of_raceway = np.arange(len(across)) < len(across) - LINE_MODES - len(even)
     W[1] = referred(W[1], across, of_raceway)
     if part.groove:
         W[0] = referred(W[0], along_axis[:, :1], of_raceway)
     return W, across
+
+
+def _is_helical(part: OuterRing) -> bool:
+    return part.groove is None and isinstance(part.support, PlanetGear) and part.support.helical
 
 
 def _require_all_harmonics(ring: FreeRing, slenderness: float) -> None:

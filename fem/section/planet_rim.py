@@ -7,6 +7,7 @@ import numpy as np
 
 from fem.parts.boundary_conditions import PlanetGear
 from fem.raceway.compliance import RacewayCompliance
+from fem.raceway.harmonics import HarmonicCompliance
 from fem.section.free_ring import FreeRing
 
 
@@ -30,14 +31,22 @@ class PlanetRim:
         """
         phi = np.asarray(azimuths, dtype=float)
         absolute = self.ring.raceway.absolute(phi)
-        psi, radial, tangential = np.array(
-            [(force.azimuth, force.radial, force.tangential) for force in self.gear.forces]
-        ).reshape(-1, 3).T  # fmt: skip
-        deviation = self.ring.under_radial(phi, psi)[..., 0] @ radial
-        deviation += self.ring.under_tangential(phi, psi) @ tangential
+        psi, radial, tangential, axial = np.array(
+            [(each.azimuth, each.radial, each.tangential, each.axial) for each in self.gear.forces]
+        ).reshape(-1, 4).T  # fmt: skip
+        lines, beyond = self.ring.lines, 0.0
         if self.gear.radius is not None:
-            couples = tangential * (self.gear.radius - self.ring.lines.radius)
-            deviation += self.ring.under_couple(phi, psi) @ couples
+            beyond = self.gear.radius - lines.radius
+        by_radial = self.ring.under_radial(phi, psi)
+        deviation = by_radial[..., 0] @ radial
+        deviation += self.ring.under_tangential(phi, psi) @ tangential
+        if beyond:
+            deviation += self.ring.under_couple(phi, psi) @ (tangential * beyond)
+        if axial.any():  # beyond the surface with a couple, that of radial forces like x
+            deviation += self.ring.under_axial(phi, psi) @ axial
+            deviation -= by_radial[..., 1] @ (axial * beyond / (lines.length / 2))
+        if isinstance(self.ring.raceway, HarmonicCompliance):
+            deviation = self.ring.raceway.of_rows(deviation)
         return RacewayCompliance(
             azimuths=phi,
             absolute=absolute,

@@ -9,7 +9,7 @@ from fem.parts.boundary_conditions import FreeMotions
 from fem.parts.groove import Groove, Stations
 from fem.parts.material import ImpossiblePart, require
 from fem.parts.resolution import Resolution
-from fem.parts.rings import Part, RingOnShaft
+from fem.parts.rings import MIDDLE, Part, RingOnShaft
 from fem.parts.squirrel_cage import SquirrelCage
 from fem.raceway.harmonics import HarmonicCompliance, Responses, harmonic_compliance, highest_harmonic
 from fem.raceway.stations import DETAIL, GrooveCompliance
@@ -28,7 +28,10 @@ def raceway_modes(body: Body, part: Part | BoltedRing, resolution: Resolution) -
     Raises `ImpossiblePart` if a groove has no stations, or stations no place on its arcs.
     """
     if part.groove is None:
-        return edge_modes(body, "raceway", resolution.axial_modes)
+        if resolution.rows == MIDDLE:
+            return edge_modes(body, "raceway", resolution.axial_modes)
+        bands = [(place, resolution.length) for place in resolution.rows]
+        return np.hstack([edge_modes(body, "raceway", resolution.axial_modes, band=band) for band in bands])
     return station_modes(body, part.groove, outward(part), _stations(part, part.groove, resolution))
 
 
@@ -36,7 +39,7 @@ def body_of_revolution(part: Part | BoltedRing, resolution: Resolution) -> Body:
     """Assembled sections of a part; bars of a cage are spread evenly around it."""
     if isinstance(part, SquirrelCage):
         return assembled_cage(part, resolution)
-    return body_of(part, resolution.length, resolution.mesh, resolution.nodes_of)
+    return body_of(part, resolution)
 
 
 def raceway_compliance(
@@ -45,8 +48,9 @@ def raceway_compliance(
     """Compliance of a raceway for elements anywhere, from the answers (N + 1, M, M) of its shapes."""
     if part.groove is None:
         return harmonic_compliance(
-            answers, radius=part.raceway_diameter / 2, length=resolution.length,
-            elastic=part.materials["ring"], bars=None, seconds=seconds,
+            answers._replace(rows=len(resolution.rows)),
+            radius=part.raceway_diameter / 2, length=resolution.length, elastic=part.materials["ring"],
+            bars=None, seconds=seconds,
         )  # fmt: skip
     stations = _stations(part, part.groove, resolution)
     return GrooveCompliance(

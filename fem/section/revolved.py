@@ -36,7 +36,7 @@ def section_responses(
     Small displacement, perfect bonds, rigid clamps; no load outside the band.
     """
     with stage("factor"):
-        body = body_of(part, resolution.length, resolution.mesh, resolution.nodes_of)
+        body = body_of(part, resolution)
     with stage("condense"):
         modes = raceway_modes(body, part, resolution)
         if face_modes:
@@ -46,13 +46,14 @@ def section_responses(
             W[0] = without_axial_motion(W[0], body, modes)
         estimated = not part.free_motions.across and resolution.nodes_of is None and part.groove is None
         error = _support_error(part, resolution, W) if estimated else None
-    return Responses(W, body.stiffness.unknowns, body.space.mesh.ne, support_error=error)
+    rows = len(resolution.rows)
+    return Responses(W, body.stiffness.unknowns, body.space.mesh.ne, support_error=error, rows=rows)
 
 
 def _support_error(part: OuterRing | RingOnShaft, resolution: Resolution, response: NDArray) -> float:
     """Estimated error of the stiffness of the support, over it [-]."""
     mesh = resolution.mesh
-    coarser = body_of(part, resolution.length, replace(mesh, order=neighbour(mesh.order)))
-    mode = edge_modes(coarser, "raceway", 1)
+    coarser = body_of(part, resolution, replace(mesh, order=neighbour(mesh.order)))
+    mode = raceway_modes(coarser, part, resolution)[:, :1]
     answer = mode.T @ coarser.stiffness.solve(1, mode) / (2 * np.pi)
     return support_error(response, np.stack([answer, answer]))

@@ -66,13 +66,16 @@ def assembled(
     )
 
 
-def edge_modes(body: Body, edge: str, axial_modes: int, direction: int = 1) -> NDArray:
+def edge_modes(
+    body: Body, edge: str, axial_modes: int, direction: int = 1, band: tuple[float, float] | None = None
+) -> NDArray:
     r"""Load vectors of Legendre pressures on a cylindrical edge, which also read its displacement.
 
     .. math:: g_m(v) = \int \frac{2m+1}{l} L_m(2(x - x_0)/l)\,v_d\,dx
 
     An array (unknowns, M) [-]; g_0 reads the mean displacement. The edge of length l is centred on x_0, along
-    x; d is 0 along x, 1 outward, 2 towards growing azimuth.
+    x; d is 0 along x, 1 outward, 2 towards growing azimuth. Of an edge in several parts a `band` has x_0 and
+    l [m] of one.
     Raises `ImpossiblePart` if no edge has this name, or if it is not one cylinder.
 
     Source
@@ -87,9 +90,14 @@ def edge_modes(body: Body, edge: str, axial_modes: int, direction: int = 1) -> N
     length, middle, radius = integral(ngs.CF(1)), integral(ngs.x), integral(ngs.y)
     if integral((ngs.y - radius / length) ** 2) > FLAT * radius**2 / length:
         raise ImpossiblePart(f"the edge {edge!r} is not one cylinder, its radius varies")
-    xi = 2 * (ngs.x - middle / length) / length
+    place, inside = middle / length, 1
+    if band is not None:
+        place, length = (MILLIMETRES * each for each in band)
+        inside = ngs.IfPos(length / 2 - ngs.sqrt((ngs.x - place) ** 2), 1.0, 0.0)
+    xi = 2 * (ngs.x - place) / length
     v = body.space.TestFunction()
-    patterns = ((2 * m + 1) / length * L for m, L in enumerate(legendre_polynomials(xi, axial_modes)))
+    shapes = enumerate(legendre_polynomials(xi, axial_modes))
+    patterns = (inside * (2 * m + 1) / length * L for m, L in shapes)
     return np.stack([body.load(forms.edge_pressure(v[direction], where, a)) for a in patterns], axis=1)
 
 

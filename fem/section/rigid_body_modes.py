@@ -16,19 +16,21 @@ from fem.mesh.axial_section import sections
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.bolted_ring import BoltedRing
 from fem.parts.boundary_conditions import Foundation, FreeMotions, Housing
-from fem.parts.resolution import Shape
+from fem.parts.resolution import Resolution
 from fem.parts.rings import MeshSize, OuterRing, RingOnShaft
 from fem.section.revolved_body import Body, Springs, assembled
 
 
 def body_of(
-    part: OuterRing | RingOnShaft | BoltedRing, length: float, mesh: MeshSize, nodes_of: Shape | None = None
+    part: OuterRing | RingOnShaft | BoltedRing, resolution: Resolution, mesh: MeshSize | None = None
 ) -> Body:
     """Assemble the sections of a part with the springs that it rests on.
 
-    The loaded band has a `length` [m]; with `nodes_of` the mesh of another part and band is taken, its nodes
-    moved to these.
+    With `nodes_of` of the resolution the mesh of another part and band is taken, its nodes moved to these;
+    with a `mesh` that of no other part, in these sizes.
     """
+    length, rows = resolution.length, resolution.rows
+    nodes_of = resolution.nodes_of if mesh is None else None
     support = part.support if isinstance(part, OuterRing) else None
     if isinstance(support, Housing):
         support = support.support
@@ -37,8 +39,8 @@ def body_of(
         springs["foundation"] = Springs(part.normal_stiffness, part.shear_stiffness, part.shear_stiffness)
     if isinstance(support, Foundation):
         springs["foundation"] = Springs(support.axial, support.radial, support.tangential)
-    others = None if nodes_of is None else sections(nodes_of.part, nodes_of.length)
-    return assembled(sections(part, length), part.materials, mesh, springs, others)
+    others = None if nodes_of is None else sections(nodes_of.part, nodes_of.length, nodes_of.rows)
+    return assembled(sections(part, length, rows), part.materials, mesh or resolution.mesh, springs, others)
 
 
 def responses(body: Body, free_motions: FreeMotions, loads: NDArray, last: int) -> NDArray:

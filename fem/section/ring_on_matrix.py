@@ -65,7 +65,7 @@ def ring_on_matrix(
     axial, radial, tangential = per_area.mean(axis=(0, 2))
     springs = replace(part, support=Foundation(axial=axial, radial=radial, tangential=tangential))
     with stage("factor"):
-        body = body_of(springs, resolution.length, resolution.mesh, resolution.nodes_of)
+        body = body_of(springs, resolution)
     with stage("condense"):
         faces = [edge_modes(body, "foundation", along, direction) for direction in range(DIRECTIONS)]
         modes = np.hstack([raceway_modes(body, springs, resolution), *faces])

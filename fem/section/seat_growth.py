@@ -28,7 +28,7 @@ def ring_seat_growth(part: OuterRing, resolution: Resolution) -> RacewayGrowth:
     Small displacement; the clamp expands evenly and carries all forces.
     """
     with threads(1):
-        body = body_of(part, resolution.length, resolution.mesh, resolution.nodes_of)
+        body = body_of(part, resolution)
         shrunk = heating(body, dict.fromkeys(part.materials, -1.0))
         growth = radial_expansion(body, shrunk, "raceway", resolution.axial_modes)
     growth[0] += part.raceway_diameter / 2

@@ -35,9 +35,13 @@ def support(outer: Any, housing: fem.Elastic | None, *, hot: float = 1.0, pushin
         case "lines":
             return fem.LineSupports(azimuths=outer.line_azimuths, pushing=not outer.bilateral)
         case "planet":
-            teeth = zip(outer.tooth_azimuths, outer.tooth_radial, outer.tooth_tangential, strict=True)
+            axial = getattr(outer, "tooth_axial", ()) or (0.0,) * len(outer.tooth_azimuths)
+            parts = outer.tooth_azimuths, outer.tooth_radial, outer.tooth_tangential, axial
             return fem.PlanetGear(
-                forces=tuple(fem.LineForce(azimuth=a, radial=r, tangential=t) for a, r, t in teeth),
+                forces=tuple(
+                    fem.LineForce(azimuth=a, radial=r, tangential=t, axial=x)
+                    for a, r, t, x in zip(*parts, strict=True)
+                ),
                 radius=outer.tooth_radius and outer.tooth_radius * hot,
             )
         case _:

@@ -1,9 +1,12 @@
 """Finite elements of a case: their order and sizes, or those of another case on moved nodes."""
 
+from typing import Any
+
 import fem
 from fem.parts.resolution import Shape
 from flexbearing.build.expansion import roller_length
 from flexbearing.build.ring_parts import Race, part_of
+from flexbearing.build.roller_bearing import row_distance
 from flexbearing.case.roller import Case
 
 ON_A_SECTION = (5, 1.2, 0.25)  # order, and sizes over the roller length: 0.1 % of the largest compliance
@@ -25,4 +28,9 @@ def mesh_size(case: Case, usual: tuple[int, float, float]) -> fem.MeshSize:
 def nodes_of(case: Case, race: Race) -> Shape | None:
     """Part and band of the case whose meshes are taken; None where the case has its own."""
     other = case.nodes_of
-    return None if other is None else Shape(part=part_of(other, race), length=roller_length(other))
+    return None if other is None else shape(other, part_of(other, race))
+
+
+def shape(case: Case, part: Any) -> Shape:
+    """A part of a case with the bands that rollers load."""
+    return Shape(part=part, length=roller_length(case), row_distance=row_distance(case))

@@ -213,6 +213,8 @@ def _without_effect(case: Case) -> tuple[Note, ...]:
 
 def why_no_solid(case: Case, race: Race) -> str:
     """Why a part is computed on its section only; empty where its solid is known."""
+    if case.bearing.second_row is not None:
+        return "bearing.second_row has no solid, only one row has one"
     if race == "inner" and case.inner.fit != "bonded":
         return f'inner.fit = "{case.inner.fit}" has no solid, only a bonded ring has one'
     if race == "outer" and case.outer.kind == "matrix":

@@ -12,7 +12,7 @@ from flexbearing.build.out_of_round import raceway_waves
 from flexbearing.case.roller import Case
 from quasidynamic import CylindricalRollerBearing
 from quasidynamic.parts.raceway_waves import RacewayWaves
-from quasidynamic.parts.roller_bearing import Flange
+from quasidynamic.parts.roller_bearing import ONE_ROW, Flange, RollerRow
 
 
 def bearing(case: Case) -> "qd.RollerBearing":  # in quotes: checking a case loads no solver
@@ -43,7 +43,23 @@ def parts(case: Case) -> qd.CylindricalRollerBearing:
         roller_deviations=case.bearing.form_error.roller_diameters if case.bearing.form_error else (),
         inner_profile=profiles.of_raceway(case, "inner"),
         outer_profile=profiles.of_raceway(case, "outer"),
+        rows=_rows(case),
     )
+
+
+def row_distance(case: Case) -> float:
+    """Between both rows of rollers [m]; zero of one row."""
+    second = case.bearing.second_row
+    return 0.0 if second is None else second.distance
+
+
+def _rows(case: Case) -> tuple[RollerRow, ...]:
+    """The second one is towards +x."""
+    second = case.bearing.second_row
+    if second is None:
+        return ONE_ROW
+    further = RollerRow(axial=second.distance / 2, clearance=second.clearance, azimuth=second.azimuth)
+    return RollerRow(axial=-second.distance / 2), further
 
 
 def nominal(case: Case, bearing: qd.CylindricalRollerBearing) -> qd.CylindricalRollerBearing:
@@ -67,6 +83,7 @@ def operation(case: Case) -> qd.Operation:
         load_direction=case.operation.load_direction,
         moment=case.operation.moment,
         misalignment=case.operation.misalignment,
+        tilt_direction=case.operation.tilt_direction,
         free_tilt=case.operation.free_tilt,
         gravity=case.operation.gravity,
         gravity_direction=case.operation.gravity_direction,

@@ -155,6 +155,7 @@ RECORDS = {
             "support_error": Number(optional=True),
             "bar_response": Kept("BarResponse", optional=True),
             "short_waves": Array(("S M M",), optional=True),
+            "rows": Count(),
         },
     ),
     "BarResponse": Record(
@@ -206,6 +207,7 @@ RECORDS = {
             "lines": Kept("HarmonicCompliance"),
             "radial": Array(("N K 2",)),
             "tangential": Array(("N K",)),
+            "axial": Array(("N K",), optional=True),
             "reading": Array(("L 2",), largest=10.0),
         },
     ),

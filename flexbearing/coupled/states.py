@@ -134,7 +134,7 @@ def _differing(result: Result, case: Case) -> str:
     rollers = block["roller_azimuth"].size
     modes, rest = divmod(block["unknowns"].size - BORDER - FIELDS * rollers, 2 * rollers)
     pairs = [
-        ("bearing.rollers", rollers, case.bearing.rollers),
+        ("bearing.rollers", rollers, case.bearing.all_rollers),
         ("accuracy.slices", block["slice_position"].size, case.accuracy.slices),
         ("accuracy.axial_shapes", "no whole number" if rest else modes, case.accuracy.axial_shapes),
         *((key, _at(other, key), _at(this, key)) for key in SAME),

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from fem.parts.material import ImpossiblePart
 from fem.parts.resolution import Shape
-from flexbearing.build.expansion import roller_length
+from flexbearing.build.mesh_sizes import shape
 from flexbearing.build.ring_parts import NAMES, Race, part_of
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
@@ -65,7 +65,7 @@ def shape_of(case: Case, race: Race) -> Shape | None:
     """
     with named_failures(case, NAMES[race]):
         part = part_of(case, race)
-    return None if part is None else Shape(part=part, length=roller_length(case))
+    return None if part is None else shape(case, part)
 
 
 @dataclass(frozen=True)

@@ -65,12 +65,13 @@ def model(case: Mapping[str, Any], attributes: Mapping[str, Any], state: Mapping
     bearing = made.add(
         "rolling_bearing_with_detailed_geometry", attributes["title"], **_bearing(case, attributes)
     )
-    row = made.add("rolling_bearing_row", **_row(case))
+    rows = [made.add("rolling_bearing_row", **_row(case)) for _ in range(_row_count(case))]
     oil = made.add("lubricant", case["lubricant"]["oil"] or "oil", **_oil(case))
     for part in (casing, shaft):
         made.relate("assembly", assembly=unit, part=part)
     made.relate("side", assembly=bearing, inner_part=shaft, outer_part=casing)
-    made.relate("ordered_assembly", 1, assembly=bearing, part=row)
+    for number, row in enumerate(rows, start=1):
+        made.relate("ordered_assembly", number, assembly=bearing, part=row)
     made.relate("reference", origin=bearing, referenced=oil)
     for race in ("inner_ring", "outer_ring"):
         ring = made.add("bearing_ring", race.replace("_", " "), bearing_ring_type=(race, PLAIN))
@@ -78,8 +79,15 @@ def model(case: Mapping[str, Any], attributes: Mapping[str, Any], state: Mapping
         made.relate("reference", origin=ring, referenced=_material(made, case, race))
     made.loaded(unit, operating_time_fraction=(100.0, "%"))
     made.loaded(bearing, **_loads(case, attributes, state), **_lives(case, state))
-    _rollers(made, row, _material(made, case, "roller"), case, state)
+    of_rows = np.array_split(np.arange(len(state["roller_azimuth"])), len(rows))
+    steel = _material(made, case, "roller")
+    for row, rollers in zip(rows, of_rows, strict=True):
+        _rollers(made, row, steel, case, state, rollers)
     return made
+
+
+def _row_count(case: Mapping[str, Any]) -> int:
+    return 2 if case["bearing"].get("second_row") else 1
 
 
 def sense(case: Mapping[str, Any]) -> float:
@@ -97,7 +105,7 @@ def _bearing(case: Mapping[str, Any], attributes: Mapping[str, Any]) -> Attribut
     }
     return {
         "bearing_type": ("radial_roller_bearing", PLAIN),
-        "number_of_bearing_rows": (1, PLAIN),
+        "number_of_bearing_rows": (_row_count(case), PLAIN),
         "inner_diameter": (_times(1e3, fits.get("bore") or case["inner"]["bore"]), MM),
         "outer_diameter": (_times(1e3, fits.get("outer_diameter")), MM),
         "radial_clearance_class": (CLASSES.get(bearing["clearance_class"]), PLAIN),
@@ -194,24 +202,29 @@ def _lives(case: Mapping[str, Any], state: Mapping[str, NDArray]) -> Attributes:
 
 
 def _rollers(
-    made: Model, row: Component, material: Component, case: Mapping[str, Any], state: Mapping[str, NDArray]
+    made: Model,
+    row: Component,
+    material: Component,
+    case: Mapping[str, Any],
+    state: Mapping[str, NDArray],
+    numbers: NDArray,
 ) -> None:
-    """Every roller with its contacts: loads and pressures along it."""
+    """Every roller of a row with its contacts: loads and pressures along it."""
     roller, turns = case["bearing"]["roller"], sense(case)
     azimuth, place = state["roller_azimuth"], state["slice_position"]
     angles = np.degrees(np.arctan2(-np.cos(azimuth), turns * np.sin(azimuth))) % 360.0  # from v towards w
     order = np.argsort(-turns * place)  # along u
     width = (place[-1] - place[0]) / (len(place) - 1) if len(place) > 1 else roller["length"]
-    for number, angle in enumerate(angles):
+    for place_in_row, number in enumerate(numbers.tolist(), start=1):
         element = made.add(
             "rolling_element",
             f"roller {number + 1}",
             diameter_of_rolling_element=(1e3 * roller["diameter"], MM),
             length_of_rolling_element=(1e3 * roller["length"], MM),
             roller_crowning_radius=(_times(1e3, roller["crown_radius"]), MM),
-            angular_position_around_u=(float(angle), DEG),
+            angular_position_around_u=(float(angles[number]), DEG),
         )
-        made.relate("ordered_assembly", number + 1, assembly=row, part=element)
+        made.relate("ordered_assembly", place_in_row, assembly=row, part=element)
         made.relate("reference", origin=element, referenced=material)
         for race in ("inner", "outer"):
             contact = made.add(

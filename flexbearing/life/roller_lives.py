@@ -68,7 +68,8 @@ def _slice_factors(case: Case, state: LoadedState, own: RatedBearing) -> Iterato
     before, edge, capacity = state.basic, None, raceway_capacity(bearing)
 
     def life(rollers: RollerBody | None = None) -> float:
-        return float(slice_life(inner, outer, capacity, state.turning, edge=edge, rollers=rollers))
+        loads = (inner, outer) if edge is None else (edge * inner, edge * outer)
+        return float(slice_life(*loads, capacity, state.turning, rollers=rollers, rows=bearing.row_count))
 
     if case.life.loads == "rating":
         after = own.by_rating(case.operation.radial_load)

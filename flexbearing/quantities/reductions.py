@@ -8,7 +8,7 @@ import numpy as np
 LOADED = 3e-4  # of the largest load: a contact carries load above it
 RACES = ("inner", "outer")
 EXTENT = ("smallest", "largest")  # entries of a range
-ROWS = ("row_1", "row_2")  # of balls
+ROWS = ("row_1", "row_2")  # of rolling elements
 YZ, XYZ, ABOUT_YZ = ("y", "z"), ("x", "y", "z"), ("about_y", "about_z")
 
 

@@ -20,6 +20,7 @@ from flexbearing.quantities.probes import PROBE_AXIS, PROBES
 from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
 from flexbearing.quantities.reductions import (
     RACES,
+    ROWS,
     YZ,
     across,
     along,
@@ -58,6 +59,7 @@ _DEVIATIONS = ("inner_deviation", "outer_deviation")
 _FLANGED = "absent without [bearing.flange]"
 _NOT_IN_SERIES = "absent where bearing and supports in series are not total_stiffness within 2 %"
 _NO_BARS = "absent without bars"
+_ONE_ROW = "absent of one row"
 _NO_ROUGHNESS = "absent without roughness"
 _PRESSURE = (
     "by Hertz, with the edge stress factor where life.edge_stress is on; that of half-spaces for the "
@@ -106,6 +108,24 @@ QUANTITIES = (
                          of=("roller_azimuth", "inner_load"), unit=Unit("deg")),
             SummaryValue("roller_azimuths_deg"),
         )),
+    Quantity("roller_row", "", "Z", "1", "block", f"number of the row of the roller, from 0; {_ONE_ROW}",
+        source="state.roller_row", optional=True),
+    Quantity("roller_station", "x", "Z", "m", "block",
+        f"axial place of mid-roller from the middle between the rows; {_ONE_ROW}",
+        source="state.roller_station", people=MM, optional=True),
+    Quantity("row_load", "", "row transverse", "N", "block",
+        f"radial force that each row takes for the inner ring (y, z); {_ONE_ROW}", source="state.row_load",
+        optional=True, summary=(
+            SummaryValue("row_load_N", length, "radial force", ",.1f", entries=ROWS),)),
+    Quantity("row_load_factor", "K_gamma", "", "1", "block",
+        "largest radial force of a row over an even share of the radial load; not a number without one; "
+        f"{_ONE_ROW}", source="state.row_load_factor", optional=True, gaps=True,
+        summary=(SummaryValue("row_load_factor", label="most loaded row over an even share", digits=".3f"),)),
+    Quantity("row_loss", "", "row", "W", "block",
+        f"power lost at the raceways of each row, by sliding and in the inlets; {_ONE_ROW}",
+        source="state.row_loss", optional=True,
+        summary=(SummaryValue("row_loss_W", label="power lost at the raceways", digits=",.2f",
+                              entries=ROWS),)),
     Quantity("slice_position", "x", "K", "m", "block",
         "axial place of the slice's middle, 0 at mid-roller", source="state.slice_positions", people=MM),
 

@@ -35,8 +35,14 @@ def raceway_of_shape(
             f"{case.source.path}: {NAMES[race]}: nodes of a whole solid are not moved; "
             'allowed is another accuracy.structure, such as "harmonics"'
         )
-    meshed = Shape(part=part, length=resolution.length)
-    resolution = replace(resolution, length=shape.length, nodes_of=meshed, first_order=True)
+    meshed = Shape(part=part, length=resolution.length, row_distance=resolution.row_distance)
+    resolution = replace(
+        resolution,
+        length=shape.length,
+        row_distance=shape.row_distance,
+        nodes_of=meshed,
+        first_order=True,
+    )
     arguments = shape.part, discretisation, resolution
     with named_failures(case, NAMES[race]):
         if race == "outer" and is_on_supports(case):

@@ -10,6 +10,7 @@ from fem.condense import BEAM, HARMONICS, SMEARED, SOLID
 from fem.parts.step_solid import StepSolid
 from flexbearing.build.expansion import roller_length
 from flexbearing.build.mesh_sizes import IN_SPACE, ON_A_SECTION, mesh_size, nodes_of
+from flexbearing.build.roller_bearing import row_distance
 from flexbearing.case.roller import Case
 from flexbearing.program.threads import of_solids
 
@@ -54,6 +55,7 @@ def _resolution(
         harmonics=None if discretisation is SOLID else case.accuracy.harmonics,
         threads=of_solids(case.accuracy.threads),
         nodes_of=nodes_of(case, "inner" if isinstance(part, fem.RingOnShaft) else "outer"),
+        row_distance=row_distance(case),
         **rollers,
     )
 

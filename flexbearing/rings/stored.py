@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
+from math import pi
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -21,6 +22,10 @@ if TYPE_CHECKING:
 Arguments = tuple[Any, fem.Discretisation, fem.Resolution]  # a part, and what else decides its compliance
 Ahead = Callable[[], Any] | None  # gives a ring that is condensed in another place than usual
 UNLOADED = fem.PlanetGear(forces=())  # of a ring that nothing holds: lines and teeth are put on it afterwards
+_PAIR = ((0.0, 1.0), (pi, -1.0))
+HELICAL = fem.PlanetGear(
+    forces=tuple(fem.LineForce(azimuth=at, radial=0.0, tangential=0.0, axial=pull) for at, pull in _PAIR)
+)  # for teeth that press along the axis, too
 
 
 def condensed_part(name: str, arguments: Arguments, report: Report, ahead: Ahead = None) -> Any:
@@ -36,7 +41,8 @@ def condensed_part(name: str, arguments: Arguments, report: Report, ahead: Ahead
         from fem.section.planet_rim import PlanetRim
         from fem.section.ring_on_lines import RingOnLines
 
-        free = replace(part, support=UNLOADED), discretisation, resolution
+        helical = isinstance(support, fem.PlanetGear) and support.helical
+        free = replace(part, support=HELICAL if helical else UNLOADED), discretisation, resolution
         ring = _cached("FreeRing", name, free, report) if part.groove else _in_memory(*free).ring
         return PlanetRim(ring, support) if isinstance(support, fem.PlanetGear) else RingOnLines(ring, support)
     if discretisation is BEAM:
@@ -96,4 +102,4 @@ def _is_of(part: Any, discretisation: fem.Discretisation, resolution: fem.Resolu
     bars = part.bars if discretisation is HARMONICS else None
     wanted = part.raceway_diameter / 2, resolution.length, part.materials["ring"], bars
     same = (kept.radius, kept.length, kept.elastic, kept.bars) == wanted
-    return same and kept.response.shape[1] == resolution.axial_modes
+    return same and kept.response.shape[1] == len(resolution.rows) * resolution.axial_modes

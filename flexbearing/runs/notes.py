@@ -29,6 +29,7 @@ def of_case(case: Case) -> tuple[Note, ...]:
     """What can be said before anything is solved."""
     notes, operation = oil(case).notes, case.operation
     pin = operation.radial_load * np.exp(1j * operation.load_direction)
+    couple = operation.moment * np.exp(1j * (operation.load_direction + operation.tilt_direction))
     if case.lubricant.traction == "4109":
         notes += (
             outside(
@@ -41,6 +42,7 @@ def of_case(case: Case) -> tuple[Note, ...]:
         notes
         + _overlap(case)
         + tuple(teeth.notes(case.outer, pin, "operation.radial_load"))
+        + (tuple(teeth.notes_on_couple(case.outer, couple, case.seat[0])) if operation.free_tilt else ())
         + _turning_waves(case)
         + clearance.notes(case)
         + ring_parts.notes(case)

@@ -216,7 +216,7 @@ def solved_near(case: Case, model: RollerBearing, rings: RacewayPair, near: Equi
             return partner.solve(start=near)
         except PartnerFailed:
             return partner.solve()
-    warm = InitialState("the position before", unknowns(flat(near.cases)[0], model.bearing.rollers))
+    warm = InitialState("the position before", unknowns(flat(near.cases)[0], model.bearing.all_rollers))
     start = None if rings.solved_in_full else warm.state  # which has no tangent to begin with
     *_, last = CoupledBearing(case.coupling, partner, rings, partner.solve(), start).attempts()
     if last.status != "converged":

@@ -87,9 +87,9 @@ def _races(result: Result, case: Case, race: Race | None) -> list[Race]:
     """Raceways of the flexible parts, or the one that is requested."""
     for block in filter(None, (result.rigid, result.flexible)):
         rollers = block["roller_azimuth"].size
-        if rollers != case.bearing.rollers:
+        if rollers != case.bearing.all_rollers:
             raise BadResult(
-                f"{result.place}: {rollers} rollers in its arrays, {case.bearing.rollers} in its case; "
+                f"{result.place}: {rollers} rollers in its arrays, {case.bearing.all_rollers} in its case; "
                 "run the case again."
             )
     flexible = fields.parts(case)

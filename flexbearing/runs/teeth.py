@@ -33,3 +33,23 @@ def notes(outer: Any, pin: complex, key: str) -> Iterator[Note]:
             "up to zero, else the rim bends differently from that of a planet gear",
             dict.fromkeys(("outer.tooth_radial", "outer.tooth_tangential", key), ""),
         )
+
+
+def notes_on_couple(outer: Any, pin: complex, outside_radius: float) -> Iterator[Note]:
+    """Say so when axial tooth forces and the moment of a pin that tilts freely leave a couple.
+
+    The moment [N m] is dz/dx + i dy/dx of the plane in which it tilts; without a pitch radius teeth press on
+    the outer surface [m].
+    """
+    if outer.kind != "ring" or outer.support != "planet" or not outer.tooth_axial:
+        return
+    radius = outer.tooth_radius or outside_radius
+    couple = radius * (np.array(outer.tooth_axial) * np.exp(1j * np.array(outer.tooth_azimuths))).sum()
+    left = abs(pin - couple)
+    if left > UNBALANCED * max(abs(couple), abs(pin)):
+        yield outside(
+            "unbalanced-teeth",
+            f"axial tooth forces tilt the planet gear with {abs(couple):,.1f} N m and leave {left:,.1f} N m "
+            "unbalanced: the moment of the pin must be equal and in the same plane",
+            dict.fromkeys(("outer.tooth_axial", "operation.moment", "operation.tilt_direction"), ""),
+        )

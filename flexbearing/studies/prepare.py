@@ -129,8 +129,8 @@ def _first(planned: Plan) -> Head | None:
 
 
 def _rollers(case: Head | None) -> int:
-    """How many rollers a case has."""
-    return getattr(getattr(case, "bearing", None), "rollers", 0)
+    """How many rollers a case has, in all rows."""
+    return getattr(getattr(case, "bearing", None), "all_rollers", 0)
 
 
 def _is_side_by_side(case: Head | None) -> bool:

@@ -226,9 +226,61 @@ class BearingStates:
         """Moments (C, 2) [N m] that act on the inner ring from outside: applied, or held by its guide."""
         if self.balance.roller.axial_modes == 1:
             return np.zeros((len(self.scaled), 2))
-        moment = self.balance.roller.raceways.slices.length / 2 * self.rollers.contact.force[INNER, 1]
-        azimuth = self.balance.roller.bearing.azimuths
-        return np.stack([(moment * np.cos(azimuth)).sum(-1), (moment * np.sin(azimuth)).sum(-1)], axis=-1)
+        kinematics, inner = self.balance.kinematics, self.rollers.contact.force[INNER, :, None]
+        moments = kinematics.tilted(self._along_inner[None], inner)
+        return -np.stack([moment[0].sum(-1) for moment in moments], axis=-1)
+
+    @property
+    def _along_inner(self) -> NDArray:
+        """Force of the inner raceway on the rollers along their motion (C, Z) [N]."""
+        pressure = 1 - 2 * self.balance.roller.bearing.diameter_ratio  # of the inlet, against its shear
+        return self.traction[:, INNER] + pressure * self.rolling_shear[:, INNER]
+
+    @property
+    def roller_row(self) -> NDArray | None:
+        """Number of the row of each roller (C, Z), from 0; None of one row."""
+        bearing = self.balance.roller.bearing
+        if bearing.row_count == 1:
+            return None
+        return np.tile(np.arange(bearing.row_count).repeat(bearing.rollers), (len(self.scaled), 1))
+
+    @property
+    def roller_station(self) -> NDArray | None:
+        """Places of the rollers along the axis (C, Z) [m]; None where all are in the middle of the rings."""
+        stations = self.balance.roller.bearing.stations
+        return None if stations is None else np.broadcast_to(stations, self.roller_speed.shape)
+
+    @property
+    def row_load(self) -> NDArray | None:
+        """Force along y and z that each row takes for the inner ring (C, R, 2) [N]; None of one row."""
+        if self.balance.layout.rows == 1:
+            return None
+        pushed = self.balance.kinematics.pushed(self._along_inner[None], self.loads[None, :, INNER])[:, 0]
+        return -self._of_rows(pushed).transpose(1, 2, 0)
+
+    @property
+    def row_load_factor(self) -> NDArray | None:
+        """Largest force that a row takes over an even share of the radial load (C) [-]; None of one row.
+
+        Not a number without a radial load.
+        """
+        if self.row_load is None:
+            return None
+        even = np.hypot(*self.applied_load.T) / self.balance.layout.rows
+        largest = np.hypot(*np.moveaxis(self.row_load, -1, 0)).max(axis=1)
+        return np.divide(largest, even, out=np.full_like(even, np.nan), where=even > 0)
+
+    @property
+    def row_loss(self) -> NDArray | None:
+        """Power lost by sliding and in the inlets of each row (C, R) [W]; None of one row."""
+        if self.balance.layout.rows == 1:
+            return None
+        rolling = self.rollers.sense.swapaxes(0, 1) * self.entrainment
+        return self._of_rows((self.traction * self.sliding + 2 * self.rolling_shear * rolling).sum(1))
+
+    def _of_rows(self, values: NDArray) -> NDArray:
+        """Sums (..., R) of values (..., Z) over the rollers of each row."""
+        return values.reshape(*values.shape[:-1], self.balance.layout.rows, -1).sum(-1)
 
     @property
     def land_torque(self) -> NDArray:
@@ -291,7 +343,7 @@ class BearingStates:
     def losses(self) -> Losses:
         """Power loss by cause (C) [W]."""
         bearing, rollers, spin = self.balance.roller.bearing, self.rollers, self.roller_speed
-        orbit = self._cage_speed * bearing.pitch_diameter / 2 * bearing.rollers
+        orbit = self._cage_speed * bearing.pitch_diameter / 2 * bearing.all_rollers
         return Losses(
             sliding=(self.traction * self.sliding).sum((1, 2)),
             rolling=2

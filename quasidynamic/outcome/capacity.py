@@ -14,11 +14,16 @@ TABULATED = (0.01, 0.30)  # gamma, the range of the f_c table of ISO 281
 
 
 class RatedRollers(Protocol):
-    """What load ratings know of a row of rollers."""
+    """What load ratings know of rows of rollers."""
 
     @property
     def rollers(self) -> int:
-        """Their number Z."""
+        """Their number Z in a row."""
+        ...
+
+    @property
+    def row_count(self) -> int:
+        """Number of rows i."""
         ...
 
     @property
@@ -109,12 +114,12 @@ def geometry_factor(diameter_ratio: float) -> float:
 def dynamic_rating(bearing: RatedRollers, material_factor: float = MATERIAL_FACTOR) -> float:
     r"""Radial load that the bearing survives for a million revolutions with 90 % probability.
 
-    .. math:: C_r = b_m f_c\, l^{7/9} Z^{3/4} D^{29/27} \quad \text{(N, mm; one row)}
+    .. math:: C_r = b_m f_c\, (i l)^{7/9} Z^{3/4} D^{29/27} \quad \text{(N, mm)}
 
     Parameters
     ----------
     bearing : RatedRollers
-        gamma, D, l, Z
+        gamma, D, l, Z in each of i rows
     material_factor : float
         b_m [-]
 
@@ -129,23 +134,23 @@ def dynamic_rating(bearing: RatedRollers, material_factor: float = MATERIAL_FACT
 
     Valid
     -----
-    gamma from 0.01 to 0.30; half the rollers loaded, rigid rings, profiled rollers.
+    gamma from 0.01 to 0.30; half the rollers loaded, rigid rings, profiled rollers, rows alike.
     """
     factor = material_factor * geometry_factor(bearing.diameter_ratio)
-    return factor * _roller_size(bearing) * bearing.rollers ** (3 / 4)
+    return factor * _rows(bearing) * _roller_size(bearing) * bearing.rollers ** (3 / 4)
 
 
 def reference_raceway_capacity(bearing: RatedRollers, rating: float | None = None) -> tuple[float, float]:
     r"""Roller load that a raceway survives for a million revolutions, from the rating C_r.
 
-    .. math:: Q_{ci} = \frac{C_r}{0.378\, \lambda\nu\, Z} \{1 + X^{9/2}\}^{2/9},\quad
-              Q_{ce} = \frac{C_r}{0.364\, \lambda\nu\, Z} \{1 + X^{-9/2}\}^{2/9},\quad
+    .. math:: Q_{ci} = \frac{C_r}{0.378\, \lambda\nu\, Z\, i^{7/9}} \{1 + X^{9/2}\}^{2/9},\quad
+              Q_{ce} = \frac{C_r}{0.364\, \lambda\nu\, Z\, i^{7/9}} \{1 + X^{-9/2}\}^{2/9},\quad
               X = 1.038 \Big(\frac{1-\gamma}{1+\gamma}\Big)^{143/108}
 
     Parameters
     ----------
     bearing : RatedRollers
-        gamma, D, l, Z
+        gamma, D, l, Z in each of i rows
     rating : float, optional
         C_r [N]; `dynamic_rating` if left out
 
@@ -156,14 +161,15 @@ def reference_raceway_capacity(bearing: RatedRollers, rating: float | None = Non
 
     Source
     ------
-    ISO/TS 16281 (2008), Eqs. 47-49, one row, contact angle zero.
+    ISO/TS 16281 (2008), Eqs. 47-49, contact angle zero.
 
     Valid
     -----
     As for C_r; lambda nu is taken out again, for the slices carry their own edge stress.
     """
     x = _inner_over_outer(1.038, bearing.diameter_ratio) ** (9 / 2)
-    share = (dynamic_rating(bearing) if rating is None else rating) / (STRESS_REDUCTION * bearing.rollers)
+    of_row = (dynamic_rating(bearing) if rating is None else rating) / _rows(bearing)
+    share = of_row / (STRESS_REDUCTION * bearing.rollers)
     return share / 0.378 * (1 + x) ** (2 / 9), share / 0.364 * (1 + 1 / x) ** (2 / 9)
 
 
@@ -201,12 +207,12 @@ def roller_capacity(bearing: RatedRollers) -> tuple[float, float]:
 def static_rating(bearing: RatedRollers) -> float:
     r"""Radial load at which the most loaded roller meets the inner raceway with 4000 MPa.
 
-    .. math:: C_0 = 44\, (1 - \gamma) Z\, l\, D \quad \text{(N, mm; one row)}
+    .. math:: C_0 = 44\, (1 - \gamma) i\, Z\, l\, D \quad \text{(N, mm)}
 
     Parameters
     ----------
     bearing : RatedRollers
-        gamma, D, l, Z
+        gamma, D, l, Z in each of i rows
 
     Returns
     -------
@@ -223,7 +229,7 @@ def static_rating(bearing: RatedRollers) -> float:
     """
     roller = bearing.roller
     area = roller.length * roller.diameter / MILLIMETRE**2
-    return 44 * (1 - bearing.diameter_ratio) * bearing.rollers * area
+    return 44 * (1 - bearing.diameter_ratio) * bearing.row_count * bearing.rollers * area
 
 
 def fatigue_load_limit(bearing: RatedRollers, rating: float | None = None) -> float:
@@ -260,6 +266,11 @@ def _roller_size(bearing: RatedRollers) -> float:
     """D^(29/27) l^(7/9) of the roller (N, mm)."""
     roller = bearing.roller
     return (roller.diameter / MILLIMETRE) ** (29 / 27) * (roller.length / MILLIMETRE) ** (7 / 9)
+
+
+def _rows(bearing: RatedRollers) -> float:
+    """Dynamic rating of all rows over that of one, i^(7/9) [-]."""
+    return bearing.row_count ** (7 / 9)
 
 
 def _inner_over_outer(constant: float, diameter_ratio: float) -> float:

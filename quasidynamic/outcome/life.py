@@ -49,7 +49,8 @@ def basic_life(
     Raceway fatigue from below the surface, reliability 90 %, no lubrication factor.
     """
     inner_capacity, outer_capacity = raceway_capacity(bearing)
-    return slice_life(inner, outer, (_of_cases(inner_capacity), _of_cases(outer_capacity)), turning)
+    capacity = _of_cases(inner_capacity), _of_cases(outer_capacity)
+    return slice_life(inner, outer, capacity, turning, rows=bearing.row_count)
 
 
 def raceway_lives(
@@ -73,7 +74,10 @@ def raceway_lives(
     As `basic_life`.
     """
     sides = zip((inner, outer), raceway_capacity(bearing), turning, strict=True)
-    damage = [raceway_damage(np.asarray(load), _of_cases(capacity), share) for load, capacity, share in sides]
+    damage = [
+        raceway_damage(np.asarray(load), _of_cases(capacity), share, rows=bearing.row_count)
+        for load, capacity, share in sides
+    ]
     with np.errstate(divide="ignore"):  # no load, no damage: for ever
         return np.stack(damage, axis=-1) ** (-1 / LINE.weibull)
 
@@ -104,8 +108,9 @@ def reference_life(
     """
     if edge_stress and not bearing.relieved:
         raise OutOfRange("the edge stress factor holds for profiled rollers; this roller is straight")
-    edge = edge_stress_factor(np.shape(inner)[-1]) if edge_stress else None
-    return slice_life(inner, outer, reference_raceway_capacity(bearing, rating), turning, edge=edge)
+    edge = edge_stress_factor(np.shape(inner)[-1]) if edge_stress else 1.0
+    capacity = reference_raceway_capacity(bearing, rating)
+    return slice_life(edge * inner, edge * outer, capacity, turning, rows=bearing.row_count)
 
 
 def slice_life(
@@ -114,8 +119,8 @@ def slice_life(
     capacity: tuple[float, float],
     turning: Turning,
     *,
-    edge: NDArray | None = None,
     rollers: RollerBody | None = None,
+    rows: int = 1,
 ) -> Any:
     r"""Life that both raceways, and if wanted all rollers, survive with 90 % probability.
 
@@ -133,15 +138,15 @@ def slice_life(
     Parameters
     ----------
     inner, outer : array (..., Z, K)
-        load of each slice [N], >= 0
+        load of each slice [N], >= 0, times its `edge_stress_factor` f_k if wanted
     capacity : tuple of float
         Q_c of the inner and outer raceway [N]
     turning : pair of float or of array (...)
         how far the inner and the outer ring turn against the load, 0 standing to 1, see `turning_share` [-]
-    edge : array (K), optional
-        f_k, edge stress factor [-]; 1 if left out
     rollers : RollerBody, optional
         capacity Q_cr and speed ratio s; only the raceways fail if left out
+    rows : int
+        rows of Z rollers, one after the other in the loads; the terms of all of them are summed
 
     Returns
     -------
@@ -157,11 +162,13 @@ def slice_life(
     -----
     Fatigue from below the surface, full film, equal slices over the whole length of the roller.
     """
-    loads = [np.asarray(side) * (1.0 if edge is None else edge) for side in (inner, outer)]
-    damage = sum(raceway_damage(q, c, share) for q, c, share in zip(loads, capacity, turning, strict=True))
+    loads = [np.asarray(side) for side in (inner, outer)]
+    sides = zip(loads, capacity, turning, strict=True)
+    damage = sum(raceway_damage(q, c, share, rows=rows) for q, c, share in sides)
     if rollers:
-        roller_damage = sum(raceway_damage(q, c, 1.0) for q, c in zip(loads, rollers.capacity, strict=True))
-        damage = damage + loads[0].shape[-2] * rollers.speed_ratio**LINE.weibull * roller_damage
+        sides = zip(loads, rollers.capacity, strict=True)
+        roller_damage = sum(raceway_damage(q, c, 1.0, rows=rows) for q, c in sides)
+        damage = damage + loads[0].shape[-2] // rows * rollers.speed_ratio**LINE.weibull * roller_damage
     with np.errstate(divide="ignore"):  # no load, no damage: for ever
         return damage ** (-1 / LINE.weibull)
 

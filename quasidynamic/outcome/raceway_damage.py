@@ -21,7 +21,7 @@ POINT = ContactFatigue(load_exponent=3.0, weibull=10 / 9)
 
 
 def raceway_damage(
-    loads: NDArray, capacity: Any, share: NDArray | float, fatigue: ContactFatigue = LINE
+    loads: NDArray, capacity: Any, share: NDArray | float, fatigue: ContactFatigue = LINE, rows: int = 1
 ) -> Any:
     r"""Damage of a raceway that turns by a share under the loads of its rolling elements.
 
@@ -33,13 +33,15 @@ def raceway_damage(
     Parameters
     ----------
     loads : array (..., Z, K)
-        q of each of K slices [N], >= 0; one for balls
+        q of each of K slices [N], >= 0; one for balls; rows of Z one after the other
     capacity : float or array (...)
         Q_c of the whole raceway [N]
     share : float or array (...)
         s_t, how far the ring turns against the load, 0 standing to 1 [-]
     fatigue : ContactFatigue
         p, e, and c
+    rows : int
+        rows of rolling elements, all on raceways of their own, whose damages add up
 
     Returns
     -------
@@ -54,6 +56,9 @@ def raceway_damage(
     -----
     Fatigue from below the surface, full film.
     """
+    if rows > 1:
+        of_rows = np.split(loads, rows, axis=-2)
+        return sum(raceway_damage(of_row, capacity, share, fatigue) for of_row in of_rows)
     damage = loads**fatigue.load_exponent
     even = np.asarray(share)[..., None, None]
     spread = (1 - even) * damage + even * damage.mean(axis=-2, keepdims=True)

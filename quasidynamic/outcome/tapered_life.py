@@ -37,6 +37,11 @@ class InclinedRow:
         return cls(bearing.rollers, projected, bearing.pitch_diameter, angle)
 
     @property
+    def row_count(self) -> int:
+        """One."""
+        return 1
+
+    @property
     def diameter_ratio(self) -> float:
         """Gamma, D cos(alpha)/D_pw [-]."""
         return self.roller.diameter * float(np.cos(self.contact_angle)) / self.pitch_diameter

@@ -2,12 +2,14 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from math import pi
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.columns import joined
 from quasidynamic.errors import ImpossiblePart, require_positive
 from quasidynamic.parts.material import Material
 from quasidynamic.parts.profile import STRAIGHT, PointsProfile, Profile, Straight
@@ -107,10 +109,25 @@ class Roller:
 
 
 @dataclass(frozen=True, kw_only=True)
-class CylindricalRollerBearing:
-    """Rollers between two raceways, spaced by a cage."""
+class RollerRow:
+    """Where a row of rollers is on common rings, and what it has of its own."""
 
-    rollers: int
+    axial: float = 0.0  # [m] of mid-roller, along x
+    clearance: float = 0.0  # [m] diametral, beyond that of the bearing
+    azimuth: float = 0.0  # [rad] of its first roller, beyond that of the bearing
+
+
+ONE_ROW = (RollerRow(),)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CylindricalRollerBearing:
+    """Rows of rollers between two rings, all spaced by one cage.
+
+    Z counts the rollers of all rows, one row after the other.
+    """
+
+    rollers: int  # of a row
     outer_raceway_diameter: float  # [m]
     clearance: float  # [m] operating, diametral; negative is a preload
     roller: Roller
@@ -123,9 +140,10 @@ class CylindricalRollerBearing:
     outer_waves: RacewayWaves | None = None
     roller_deviations: tuple[
         float, ...
-    ] = ()  # [m] of each roller's diameter from the nominal one; empty: none
+    ] = ()  # (Z) [m] of each roller's diameter from the nominal one; empty: none
     inner_profile: Profile = STRAIGHT  # of the raceways along the rollers
     outer_profile: Profile = STRAIGHT
+    rows: tuple[RollerRow, ...] = ONE_ROW
 
     def __post_init__(self):
         require_positive("bearing.outer_raceway_diameter", self.outer_raceway_diameter)
@@ -133,17 +151,26 @@ class CylindricalRollerBearing:
             raise ImpossiblePart(f"bearing.rollers = {self.rollers}: a ring needs at least 3")
         if self.rollers * self.roller.diameter >= np.pi * self.pitch_diameter:
             raise ImpossiblePart(f"{self.rollers} rollers do not fit on the pitch circle")
+        self._require_rows_apart()
         self._require_like_rollers()
         for race, radius in (("inner", self.inner_radius), ("outer", self.outer_radius)):
             waves = getattr(self, f"{race}_waves")
             if waves is not None:
                 waves.require_gentle(f"bearing.form_error.{race}", radius, self.roller.diameter / 2)
 
+    def _require_rows_apart(self) -> None:
+        places = sorted(row.axial for row in self.rows)
+        if not places or any(not right - left > self.roller.length for left, right in pairwise(places)):
+            raise ImpossiblePart(
+                f"rows at {places} m: they must be further apart than a roller is long, "
+                f"{1e3 * self.roller.length:.4g} mm"
+            )
+
     def _require_like_rollers(self) -> None:
-        if len(self.roller_deviations) not in (0, self.rollers):
+        if len(self.roller_deviations) not in (0, self.all_rollers):
             raise ImpossiblePart(
                 f"bearing.form_error.roller_diameters has {len(self.roller_deviations)} numbers; there must "
-                f"be one for each of {self.rollers} rollers"
+                f"be one for each of {self.all_rollers} rollers"
             )
         largest = max(map(abs, self.roller_deviations), default=0.0)
         if not largest <= UNLIKE * self.roller.diameter:
@@ -172,38 +199,70 @@ class CylindricalRollerBearing:
         """Outer raceway radius [m]."""
         return self.outer_raceway_diameter / 2
 
+    @property
+    def row_count(self) -> int:
+        """Number of rows."""
+        return len(self.rows)
+
+    @property
+    def all_rollers(self) -> int:
+        """Number Z of the rollers of all rows."""
+        return self.rollers * self.row_count
+
     @cached_property
     def azimuths(self) -> NDArray:
         """Roller azimuths from the load line (Z) [rad]."""
-        return self.first_roller_azimuth + 2 * np.pi * np.arange(self.rollers) / self.rollers
+        of_row = self.first_roller_azimuth + 2 * np.pi * np.arange(self.rollers) / self.rollers
+        return joined(of_row + row.azimuth for row in self.rows)
+
+    @cached_property
+    def stations(self) -> NDArray | None:
+        """Places of the rollers along the axis (Z) [m]; None where all are in the middle of the rings."""
+        if not any(np.any(row.axial) for row in self.rows):
+            return None
+        return joined(np.ones(self.rollers) * row.axial for row in self.rows)
 
     @cached_property
     def clearances(self) -> float | NDArray:
         r"""Diametral clearance at every roller (Z) [m]; one number of round raceways and rollers alike.
 
-        .. math:: G_j = G - 2\,(h_{ij} + h_{oj}) - 2\,\delta_j
+        .. math:: G_j = G + G_k - 2\,(h_{ij} + h_{oj}) - 2\,\delta_j
 
-        with the form errors h towards the rollers, and the deviations delta of their diameters.
+        with that of its row G_k, the form errors h towards the rollers, and the deviations delta of their
+        diameters.
 
         Source
         ------
         Geometry.
         """
         waves = [waves for waves in (self.inner_waves, self.outer_waves) if waves is not None]
-        if not waves and not self.roller_deviations:
+        unlike = any(np.any(row.clearance) for row in self.rows)
+        if not waves and not self.roller_deviations and not unlike:
             return self.clearance
         closer = [each.height(self.azimuths) for each in waves]
         if self.roller_deviations:
-            closer.append(
-                np.concatenate(np.broadcast_arrays(*map(np.atleast_1d, self.roller_deviations)), axis=-1)
-            )
+            closer.append(joined(map(np.atleast_1d, self.roller_deviations)))
+        if unlike:
+            closer.append(joined(np.ones(self.rollers) * row.clearance / -2 for row in self.rows))
         return self.clearance - 2 * sum(closer)
 
     @property
     def symmetric(self) -> bool:
-        """Whether both halves of rollers and raceways are alike."""
+        """Whether both halves of the bearing are alike, seen along its axis from the middle of the rings."""
         profiles = (self.roller.profile, self.inner_profile, self.outer_profile)
-        return all(each.symmetric for each in profiles if isinstance(each, PointsProfile))
+        alike = all(each.symmetric for each in profiles if isinstance(each, PointsProfile))
+        return alike and (self.stations is None or self._mirrored_rows)
+
+    @property
+    def _mirrored_rows(self) -> bool:
+        """Whether the last row is the first one seen from the other side, and so on inwards."""
+        pairs = zip(self.rows, reversed(self.rows), strict=True)
+        return not self.roller_deviations and all(
+            np.all(one.axial == -other.axial)
+            and np.all(one.clearance == other.clearance)
+            and np.all(one.azimuth == other.azimuth)
+            for one, other in pairs
+        )
 
     @property
     def relieved(self) -> bool:
@@ -237,8 +296,9 @@ class Operation:
     inner_speed: float  # [rad/s]
     outer_speed: float = 0.0  # [rad/s]
     load_direction: float = 0.0  # [rad] azimuth the load points to
-    moment: float = 0.0  # [N m] on the inner ring, tilts it in the plane of the load
-    misalignment: float = 0.0  # [rad] slope of a ring that may not tilt freely, in the plane of the load
+    moment: float = 0.0  # [N m] on the inner ring, tilts it in the plane of `tilt_direction`
+    misalignment: float = 0.0  # [rad] slope of a ring that may not tilt freely, in the same plane
+    tilt_direction: float = 0.0  # [rad] from the load to the plane in which moment and misalignment tilt
     free_tilt: bool = False  # whether the inner ring may tilt against the outer one
     gravity: float = GRAVITY  # [m/s2] across the axis: 0 where the shaft stands upright
     gravity_direction: float = 0.0  # [rad] azimuth that weights point to

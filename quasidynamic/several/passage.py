@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
+from quasidynamic.balance.rollers.kinematics import next_in_row
 from quasidynamic.balance.rollers.unknowns import Unknowns
 from quasidynamic.outcome.equilibrium import Equilibrium
 from quasidynamic.solve.rollers import bordered_system
@@ -79,7 +80,7 @@ def _after_a_pitch(balance: BearingBalance, scaled: NDArray, sense: int) -> NDAr
         if moved is None:
             return None
         unknowns = moved
-    return balance.pack(_renumbered(balance.unpack(unknowns[None]), sense))[0]
+    return balance.pack(_renumbered(balance.unpack(unknowns[None]), sense, balance.layout.rows))[0]
 
 
 def _moved(
@@ -131,10 +132,10 @@ def _unbalanced(
     return system, system.residual[0] - inertia * (scaled - before)
 
 
-def _renumbered(unknowns: Unknowns, places: int) -> Unknowns:
-    """What belongs to a roller, given to the one so many places ahead."""
+def _renumbered(unknowns: Unknowns, places: int, rows: int) -> Unknowns:
+    """What belongs to a roller, given to the one so many places ahead in its row."""
     moved = {
-        name: np.roll(getattr(unknowns, name), places, axis=-1)
+        name: next_in_row(getattr(unknowns, name), -places, rows)
         for name in ("approach", "tilt", "film", "spin_drift", "deviation")
     }
     return unknowns._replace(**moved)

@@ -41,7 +41,7 @@ def as_solid(part, patches, mesh, threads=2, report=unheard):
 def expansion_of(part, length, axial_modes, mesh, load):
     """Expansion w_m [m] of a raceway by heat and rotation, as it is supported."""
     with threads(1):
-        body = body_of(part, length, mesh)
+        body = body_of(part, Resolution(length=length, mesh_size=mesh))
         vector = np.zeros(body.stiffness.unknowns)
         if load.thermal_strains:
             vector += heating(body, load.thermal_strains)

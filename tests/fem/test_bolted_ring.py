@@ -123,7 +123,7 @@ def test_stations_read_rigid_motions_of_the_section(ring, widths, allowed):
     width = 0.8e-3
     margin = widths * width / RADIUS
     angles = np.linspace(ring.groove.bottom_angle + margin, END - margin, 3)
-    body = body_of(ring, across(ring), replace(FAIR, raceway_size=0.4e-3))
+    body = body_of(ring, Resolution(length=across(ring), mesh_size=replace(FAIR, raceway_size=0.4e-3)))
     modes = station_modes(body, ring.groove, ring.outward, Stations(angles=angles, width=width))
     normals, centres = sides(ring, angles)
     for motion in (lambda *_: (1, 0), lambda *_: (0, 1), lambda x, r: (80 - r, x)):

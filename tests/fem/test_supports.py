@@ -21,6 +21,7 @@ from fem import (
     MeshSize,
     OuterRing,
     PlanetGear,
+    Resolution,
     RigidSeat,
 )
 from fem.assembly.elasticity import elastic_energy
@@ -113,7 +114,9 @@ def test_springs_that_do_not_hold_the_ring_along_its_axis_are_enough():
 
 def test_free_ring_is_one_on_soft_springs_without_its_rigid_motion(free):
     """Loads like cos(phi): the third shape of the raceway, when its first two are held."""
-    soft = body_of(ring(Foundation(axial=1e8, radial=1e8, tangential=1e8)), L, FAIR)
+    soft = body_of(
+        ring(Foundation(axial=1e8, radial=1e8, tangential=1e8)), Resolution(length=L, mesh_size=FAIR)
+    )
     where = ngs.ds(definedon=soft.space.mesh.Boundaries("foundation"))
     G = np.column_stack([
         edge_modes(soft, "raceway", 3), edge_modes(soft, "foundation", 2),

@@ -12,11 +12,34 @@ NU209 = PAPER.parent / "nu209.toml"
 RIGID = ("outer.kind=rigid", "inner.kind=rigid", "operation.tilt=fixed")
 FREE_CAGE = ("bearing.cage.centre=free", "bearing.cage.unbalance=20 um", "lubricant.churning_gap=0.5 mm")
 INNER_GUIDED = ("bearing.cage.guidance=inner", "bearing.cage.land_diameter=65.4 mm", *FREE_CAGE)
+FLANGED = (
+    "bearing.flange.ring=outer",
+    "bearing.flange.clearance=30 um",
+    "bearing.flange.height=2 mm",
+    "bearing.flange.roller_chamfer=0.4 mm",
+    "bearing.flange.stiffness=100 N/um",
+    "bearing.flange.friction=0.05",
+)
 CASES = {
     "ordinary": (NU209, ()),
     "fast": (PAPER, RIGID),
     "misaligned": (NU209, ("operation.misalignment=2 arcmin",)),
     "moment": (NU209, ("operation.tilt=free", "operation.moment=20 N m")),
+    "two rows": (
+        NU209,
+        (
+            "bearing.second_row.distance=25 mm",
+            "bearing.second_row.clearance=8 um",
+            "bearing.second_row.azimuth=6 deg",
+            "operation.tilt=free",
+            "operation.moment=40 N m",
+            "operation.tilt_direction=75 deg",
+        ),
+    ),
+    "two rows, misaligned": (
+        NU209,
+        ("bearing.second_row.distance=25 mm", "operation.misalignment=2 arcmin", *FLANGED),
+    ),
     "slow and light": (NU209, ("operation.inner_speed=20 rpm", "operation.radial_load=50 N")),
     "free cage, churning": (PAPER, (*RIGID, *FREE_CAGE)),
     "free cage on the inner ring": (PAPER, (*RIGID, *INNER_GUIDED, "operation.outer_speed=-9000 rpm")),
@@ -28,18 +51,7 @@ CASES = {
             "operation.inner_speed=-900 rpm",
         ),
     ),
-    "flanges": (
-        NU209,
-        (
-            "operation.misalignment=2 arcmin",
-            "bearing.flange.ring=outer",
-            "bearing.flange.clearance=30 um",
-            "bearing.flange.height=2 mm",
-            "bearing.flange.roller_chamfer=0.4 mm",
-            "bearing.flange.stiffness=100 N/um",
-            "bearing.flange.friction=0.05",
-        ),
-    ),
+    "flanges": (NU209, ("operation.misalignment=2 arcmin", *FLANGED)),
 }
 
 

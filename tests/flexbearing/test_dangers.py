@@ -73,6 +73,19 @@ def test_tooth_forces_that_the_pin_does_not_balance_are_outside_validity():
     ] == [0, 1]
 
 
+def test_axial_tooth_forces_that_the_moment_of_the_pin_does_not_balance_are_outside_validity():
+    planet = ROOT / "configs" / "planet.toml"
+    helical = {
+        "outer.tooth_axial": ["650 N", "-650 N"],
+        "operation.tilt": "free",
+        "operation.tilt_direction": "90 deg",
+    }
+    assert [
+        [note.code for note in of_case(read_case(planet, {**helical, **more}))].count("unbalanced-teeth")
+        for more in ({"operation.moment": "62.4 N m"}, {"operation.moment": "50 N m"})
+    ] == [0, 1]
+
+
 @pytest.mark.slow
 def test_only_a_strict_run_fails_for_a_danger(tmp_path):
     def ended(*words):

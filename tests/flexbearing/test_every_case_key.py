@@ -147,6 +147,7 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
     "rigid": ("nu209", {}),
     "mounted": ("nu209_fits", {}),
     "floating cage": ("mao2016", {"bearing.cage.centre": "free"}),
+    "two rows": ("nu209", {"bearing.second_row": {"distance": "25 mm"}}),
     "waves": ("mao2016", {"bearing.form_error": {
         "inner": {"waves": 2, "amplitude": "4 um", "crest": "10 deg", "further_waves": [3],
                   "further_amplitudes": ["2 um"], "further_crests": ["20 deg"]},

@@ -355,6 +355,23 @@ def test_one_of_several_bearings_is_chosen(tmp_path, capsys):
     assert "no bearing 5; there are 4, 9" in capsys.readouterr().err
 
 
+def test_two_rows_have_their_rollers_each_and_come_back_as_none(tmp_path):
+    """A case that is made from a model has one row."""
+    _, path = exported(PLAIN, {"bearing.second_row.distance": "25 mm"}, tmp_path)
+    model = ElementTree.parse(path).getroot()
+    rows = [each.get("id") for each in model.iter("component") if each.get("type") == "rolling_bearing_row"]
+    assemblies = [each for each in model.iter("relation") if each.get("type") == "ordered_assembly"]
+    parts = [{ref.get("role"): ref.get("id") for ref in each.iter("ref")} for each in assemblies]
+    assert [sum(part["assembly"] == row for part in parts) for row in rows] == [14, 14]
+    with pytest.raises(BadCase, match="2 rows"):
+        bearing_of(*_only_bearing(path))
+
+
+def _only_bearing(path):
+    model = read(path)
+    return model, next(each for each in model.parts.values() if each.kind == BEARING)
+
+
 def test_ball_bearings_have_no_export_yet(tmp_path):
     result = flexbearing.run(ROOT / "configs" / "harris218.toml", output=tmp_path / "b.h5")
     with pytest.raises(BadCase, match="takes roller bearings"):

@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 from pytest import approx
 
+from quasidynamic import RollerRow
 from quasidynamic.columns import side_by_side
 from quasidynamic.solve.rollers import bordered_system, elastic_system
 from quasidynamic.solve.start import static_start
 from tests.bearings import eyring, paper_bearing
 
 RIGID = (False, False)
+ROWS = (RollerRow(axial=-5e-3), RollerRow(axial=4e-3, clearance=5e-6, azimuth=0.1))
 CASES = {
     "regression": ({}, RIGID),
     "eyring": ({"traction": "eyring"}, RIGID),
@@ -33,6 +35,8 @@ CASES = {
         RIGID,
     ),
     "starved": ({"inlet_length": 0.3}, RIGID),
+    "unlike rows, tilt free": ({"rows": ROWS, "moment": 60.0, "tilt_direction": 1.0}, RIGID),
+    "rows between elastic raceways": ({"rows": ROWS, "rollers": 9, "moment": 60.0}, (True, True)),
     "backwards, inner guided": (
         {"speed": -2000.0, "cage": {"guidance": "inner", "land_diameter": 65.4e-3}},
         RIGID,
@@ -53,7 +57,7 @@ def state(request):
         model = replace(model, lubrication=lubrication)
     balance = model.balance(aligned=not any(elastic))
     if any(elastic):
-        size = model.bearing.rollers * model.axial_modes
+        size = model.bearing.all_rollers * model.axial_modes
         root = rng.normal(size=(size, size)) * 3e-6
         compliances = zip((root @ root.T, 2 * root @ root.T), elastic, strict=True)
         inner, outer = (matrix if chosen else None for matrix, chosen in compliances)

@@ -20,7 +20,7 @@ from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.static import static_loads
 from tests.bearings import RPM
 from tests.quasidynamic.test_identities import torque_on_rollers_and_cage
-from tests.random_rollers import design, imbalance, pocket_rounding
+from tests.random_rollers import design, imbalance, pocket_rounding, row_design
 
 SEEDS, INERTIA = st.integers(1, 9999), st.booleans()  # 0 takes seconds without the inertia of spins
 FEW = settings(max_examples=12, deadline=None)
@@ -185,3 +185,15 @@ def test_slow_bearing_is_a_static_one(seed):
     found = static_loads(model.bearing, load, direction, moment, model.slices)
     size = 2e-4 * found.loads.max()  # 1.3e-4 is the most of 600 designs
     assert state.loads == approx(np.array([found.loads] * 2), rel=0, abs=size)
+
+
+@pytest.mark.parametrize("seed", range(1, 13))
+def test_two_rows_are_solved_and_in_balance(seed):
+    """Alike or not, held or free to tilt, under a couple in any plane that may take the load off a row."""
+    model, _ = row_design(np.random.default_rng(seed))
+    state = model.solve()
+    assert imbalance(state) < 1e-9
+    if not model.operation.free_tilt:
+        return
+    applied = state.balance.points.moment_z[0, 0], state.balance.points.moment_y[0, 0]
+    assert state.ring_moment == approx(applied, abs=1e-9 * np.abs(state.row_load).max())

@@ -14,6 +14,7 @@ PAPER = {
     "load": 19621.1, "inner_speed": 38000 * 2 * pi / 60, "mu_pocket": 0.05, "t_cage": 2.5e-3,
     "land": (37.3e-3, 3e-3, 0.2e-3), "oil_fraction": 0.16, "traction": "4109", "direction": 0.0,
     "roller_deviations": (),  # of the diameter of each roller
+    "rows": ((0.0, 0.0, 0.0),),  # place along the axis, further clearance and azimuth of each
     "waves": (),  # amplitude towards the rollers, number, azimuth of a crest; of either raceway
 }  # fmt: skip
 
@@ -91,6 +92,13 @@ def height(p, phi, j):
     return roller + sum(a * cos(n * (phi - crest)) for a, n, crest in p["waves"])
 
 
+def of_row(p, j):
+    """Place along the axis, further clearance and azimuth of roller j, and the one before it in its row."""
+    row, number = divmod(j, p["Z"])
+    x, room, turned = p["rows"][row]
+    return x, room, 2 * pi * number / p["Z"] + turned, j - 1 if number else j + p["Z"] - 1
+
+
 def evaluate(p, oil, y, z, slopes, omega_c, e, tilt, spin, films):
     """Residuals of ring, cage and rollers, and outputs; pairs are inner and outer, lists run over rollers."""
     Z, D, dm = p["Z"], p["D"], p["outer_race"] - p["D"]
@@ -100,24 +108,26 @@ def evaluate(p, oil, y, z, slopes, omega_c, e, tilt, spin, films):
     R_i, R_o = r_w * r_i / (r_i + r_w), r_w * r_o / (r_o - r_w)
     ring_y, ring_z = p["load"] * sin(p["direction"]), p["load"] * cos(p["direction"])
     cage, moment_z, moment_y, rollers = 0.0, 0.0, 0.0, []
-    for j in range(Z):
-        phi = 2 * pi * j / Z
+    for j in range(Z * len(p["rows"])):
+        x, room, phi, before = of_row(p, j)
         u_i, u_o = (p["inner_speed"] - omega_c) * r_i - spin[j] * r_w, spin[j] * r_w - omega_c * r_o
         U_i, U_o = (
             ((p["inner_speed"] - omega_c) * r_i + spin[j] * r_w) / 2,
             (spin[j] * r_w + omega_c * r_o) / 2,
         )
         h_i, h_o = films[0][j], films[1][j]
-        approach_i = z * cos(phi) + y * sin(phi) - p["clearance"] / 2 + height(p, phi, j) - e[j] + h_i + h_o
         slope = slopes[0] * cos(phi) + slopes[1] * sin(phi)
-        Q_i, M_i, T_i, F_i = raceway(p, oil, approach_i, slope - tilt[j], u_i, U_i, h_i, R_i, E)
+        between = z * cos(phi) + y * sin(phi) + x * slope - (p["clearance"] + room) / 2 + height(p, phi, j)
+        Q_i, M_i, T_i, F_i = raceway(
+            p, oil, between - e[j] + h_i + h_o, slope - tilt[j], u_i, U_i, h_i, R_i, E
+        )
         Q_o, M_o, T_o, F_o = raceway(p, oil, e[j], tilt[j], u_o, U_o, h_o, R_o, E)
         F_g = drag(p, oil, omega_c * r_m)
         F_c = -(T_i + T_o + (1 - 2 * g) * F_i - (1 + 2 * g) * F_o - F_g - mass * 9.81 * sin(phi))
         mu, close = p["mu_pocket"] * sense(p, spin[j]), 1e-10 * p["l"] * E * R_i
         friction = mu * F_c**2 / sqrt(F_c**2 + close**2)
         radial = Q_i - Q_o + mass * (r_m * omega_c**2 + 9.81 * cos(phi)) + mu * F_c
-        inertia = mass * D**2 / 8 * omega_c * (spin[j] - spin[j - 1]) / (2 * pi / Z)
+        inertia = mass * D**2 / 8 * omega_c * (spin[j] - spin[before]) / (2 * pi / Z)
         rollers.append({
             "radial": radial, "tilting": M_o - M_i,
             "spinning": r_w * (T_i - T_o - F_i - F_o - friction) - inertia,
@@ -127,9 +137,9 @@ def evaluate(p, oil, y, z, slopes, omega_c, e, tilt, spin, films):
             "film": (film(p, oil, Q_i, u_i, U_i, R_i, E), film(p, oil, Q_o, u_o, U_o, R_o, E)),
         })  # fmt: skip
         tangential = T_i + F_i * (1 - 2 * g)
-        ring_y -= Q_i * sin(phi) + tangential * cos(phi)
-        ring_z -= Q_i * cos(phi) - tangential * sin(phi)
-        moment_z, moment_y = moment_z + M_i * cos(phi), moment_y + M_i * sin(phi)
+        along_y, along_z = Q_i * sin(phi) + tangential * cos(phi), Q_i * cos(phi) - tangential * sin(phi)
+        ring_y, ring_z = ring_y - along_y, ring_z - along_z
+        moment_z, moment_y = moment_z + M_i * cos(phi) + x * along_z, moment_y + M_i * sin(phi) + x * along_y
         cage -= F_c * r_m + friction * D / 2
     outputs = {name: [roller[name] for roller in rollers] for name in rollers[0]}
     outputs |= {"ring_moment": (moment_z, moment_y), **torques(p, oil, rollers, omega_c)}

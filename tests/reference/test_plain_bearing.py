@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
+from quasidynamic import RollerRow
 from quasidynamic.parts.raceway_waves import RacewayWaves
 from tests.bearings import paper_bearing
 from tests.reference.plain_bearing import PAPER, evaluate
@@ -27,6 +28,19 @@ CASES = {
         "outer_waves": RacewayWaves(numbers=(2, 7), amplitudes=(-10e-6, 2e-6), crests=(0.1, -0.4)),
         "misalignment": 1e-3,
     },
+    "two rows": {"rows": (RollerRow(axial=-4e-3), RollerRow(axial=4e-3)), "load": 40e3},
+    "two unlike rows, free tilt under a moment across the load": {
+        "rows": (RollerRow(axial=-5e-3), RollerRow(axial=4e-3, clearance=5e-6, azimuth=0.1)),
+        "load": 30e3,
+        "moment": 90.0,
+        "tilt_direction": 1.4,
+        "load_direction": 2.0,
+    },
+    "three rows, tilt held": {
+        "rows": tuple(RollerRow(axial=x, clearance=1e-3 * abs(x)) for x in (-8e-3, 0.0, 8e-3)),
+        "load": 50e3,
+        "misalignment": 5e-4,
+    },
 }
 
 OUTPUTS = {  # by the name in the plain model: from production, size that rounding is measured by
@@ -37,7 +51,7 @@ OUTPUTS = {  # by the name in the plain model: from production, size that roundi
     "sliding": (lambda state: state.sliding, 1.0),
     "entrainment": (lambda state: state.entrainment, 1.0),
     "film": (lambda state: state.film, 1e-7),
-    "drag": (lambda state: np.full(30, state.rollers.drag[0, 0]), 1.0),
+    "drag": (lambda state: np.full(state.loads.shape[1], state.rollers.drag[0, 0]), 1.0),
     "cage_force": (lambda state: state.cage_force, 1.0),
     "pocket_friction": (
         lambda state: np.array([state.rollers.pocket[1, 0], state.rollers.pocket_brake[0]]),
@@ -58,6 +72,8 @@ def plain(state, **changes):
         "k": oil.conductivity, "rho": oil.density, "T": oil.temperature,
     }  # fmt: skip
     changes["direction"] = changes.pop("load_direction", 0.0)
+    rows = changes.pop("rows", (RollerRow(),))
+    changes["rows"] = [(row.axial, row.clearance, row.azimuth) for row in rows]
     waves = [changes.pop(name, None) for name in ("inner_waves", "outer_waves")]
     changes["waves"] = [
         wave
@@ -93,7 +109,8 @@ def test_equilibrium_of_production_balances_the_plain_model(solved):
     assert np.abs(model["tilting"]).max() < 1e-8  # [N m]
     assert np.abs(model["spinning"]).max() < 2e-8  # [N m]
     if "moment" in changes:
-        along = changes["moment"] * np.array([np.cos(2.0), np.sin(2.0)])
+        direction = 2.0 + changes.get("tilt_direction", 0.0)
+        along = changes["moment"] * np.array([np.cos(direction), np.sin(direction)])
         assert model["ring_moment"] == approx(along, abs=1e-6)
     elif "misalignment" in changes:
         direction = changes.get("load_direction", 0.0)

@@ -141,6 +141,22 @@ class Cage(Section):
         return self
 
 
+class SecondRow(Section):
+    """A second row of the same rollers between the same rings; one cage spaces both rows."""
+
+    distance: Length = key(
+        "between the middles of the rollers of both rows; operation.radial_load acts half-way between them",
+        example="22 mm",
+        gt=0,
+    )
+    clearance: Length = key(
+        "by how much the clearance of this row, cold and in operation, is above that of the other; may be "
+        "negative",
+        "0 um",
+    )
+    azimuth: Angle = key("by how much its rollers are ahead of those of the other row", "0 deg")
+
+
 class Roughness(Section):
     """Root-mean-square roughness of the surfaces, about 1.25 Ra."""
 
@@ -194,6 +210,22 @@ class Bearing(Section):
     form_error: FormError | None = key(
         "form errors: raceways that are not round, rollers that are not alike", None
     )
+    second_row: SecondRow | None = key(
+        "a second row of the same rollers between the same rings: a double-row bearing, or two bearings in a "
+        'planet; elastic rings are those of outer.support = "side", "seat" or "planet" and of inner.fit = '
+        '"bonded"; there is one row without it',
+        None,
+    )
+
+    @property
+    def all_rollers(self) -> int:
+        """Number of the rollers of all rows."""
+        return self.rollers if self.second_row is None else 2 * self.rollers
+
+    @property
+    def rows_width(self) -> float:
+        """From end to end of the rollers of all rows, along the axis [m]."""
+        return self.roller.length + (0.0 if self.second_row is None else self.second_row.distance)
 
     @property
     def mounting(self) -> Fits | None:
@@ -287,11 +319,28 @@ class Bearing(Section):
     @model_validator(mode="after")
     def _a_diameter_of_each_roller(self) -> Self:
         deviations = self.form_error.roller_diameters if self.form_error else ()
-        if len(deviations) not in (0, self.rollers):
+        if len(deviations) not in (0, self.all_rollers):
+            of_rows = "" if self.second_row is None else " in each of both rows"
             raise impossible(
                 "form_error.roller_diameters",
-                f"as many numbers as bearing.rollers, {self.rollers}, or left out",
+                f"as many numbers as bearing.rollers, {self.rollers}{of_rows}, or left out",
             )
+        return self
+
+    @model_validator(mode="after")
+    def _rows_stand_apart(self) -> Self:
+        second, length = self.second_row, self.roller.length
+        if second is None:
+            return self
+        if second.distance <= length:
+            raise impossible("second_row.distance", f"above {in_mm(length)}, bearing.roller.length")
+        if abs(second.clearance) > self.roller.diameter / 2:
+            most = in_mm(self.roller.diameter / 2)
+            raise impossible(
+                "second_row.clearance", f"below {most}, half of bearing.roller.diameter; is the unit right?"
+            )
+        if self.cage.centre == "free":
+            raise impossible("cage.centre", '"held" beside bearing.second_row: a free cage would tilt')
         return self
 
     def require_room(self, clearance: float) -> None:

@@ -25,6 +25,27 @@ SUPPORTS = {"beam": ("side", "foundation"), "solid": ("side", "seat", "housing")
 WITHOUT_MATRIX = ("beam", "solid")
 
 
+ROWS = "beside bearing.second_row"
+
+
+def require_rows(
+    structures: tuple[str, str], temperatures: Temperatures | None, inner: Inner, outer: Outer
+) -> None:
+    """Raise unless elastic rings are of a kind that is known under two rows of rollers."""
+    if outer.kind not in ("rigid", "ring"):
+        raise impossible("outer.kind", f'"rigid" or "ring" {ROWS}')
+    if outer.kind == "ring" and outer.support not in ("side", "seat", "planet"):
+        raise impossible("outer.support", f'"side", "seat" or "planet" {ROWS}')
+    if inner.kind != "rigid" and inner.fit != "bonded":
+        raise impossible("inner.fit", f'"bonded" {ROWS}')
+    if structures[0] != "harmonics":
+        raise impossible("accuracy.structure", f'"harmonics" {ROWS}')
+    if structures[1] != "condensed":
+        raise impossible("coupling.structure", f'"condensed" {ROWS}')
+    if temperatures is not None:
+        raise impossible("operation.temperatures", f"left out {ROWS} and an elastic ring")
+
+
 def require_mounting(
     bearing: Bearing,
     clearance: float,

@@ -83,6 +83,9 @@ class Outer(Section):
     tooth_tangential: tuple[Force, ...] = held_ring.tooth_forces(
         "tangential parts, towards growing azimuth", ["5 kN", "-5 kN"]
     )
+    tooth_axial: tuple[Force, ...] = held_ring.tooth_forces(
+        "axial parts, towards +x, of helical teeth; zero without them", ["1 kN", "-1 kN"]
+    )
     tooth_radius: Length | None = held_ring.tooth_radius()
     bars: int | None = held_ring.bars()
     bar_width: Length | None = held_ring.of_cage("tangential width of a bar")
@@ -148,6 +151,8 @@ class Outer(Section):
             held_ring.require_directions(self)
         if self.kind == "ring":
             held_ring.require_support(self)
+            if len(self.tooth_axial) not in (0, len(self.tooth_azimuths)):
+                raise impossible("tooth_axial", "as many numbers as tooth_azimuths, or left out")
         if self.kind == "squirrel_cage":
             held_ring.require_bars(self)
             self._require_collar()

@@ -9,7 +9,13 @@ from flexbearing.case.head import KIND, Head
 from flexbearing.case.quantity import impossible, in_mm, key, located, needed
 from flexbearing.case.ratings import FEWEST_SLICES, Life
 from flexbearing.case.roller.bearing import Bearing
-from flexbearing.case.roller.consistency import bands, require_known, require_mounting, require_solids
+from flexbearing.case.roller.consistency import (
+    bands,
+    require_known,
+    require_mounting,
+    require_rows,
+    require_solids,
+)
 from flexbearing.case.roller.lubricant import Lubricant
 from flexbearing.case.roller.numerics import Accuracy, Coupling
 from flexbearing.case.roller.outputs import Outputs
@@ -134,9 +140,10 @@ class Case(Head):
     def _parts_fit(self) -> Self:
         raceway, roller = self.bearing.outer_raceway_diameter, self.bearing.roller
         located("bearing", lambda: self.bearing.require_room(self.stated_clearance))
-        located("outer", lambda: self.outer.require_room(raceway, roller.length))
+        rows = self.bearing.rows_width
+        located("outer", lambda: self.outer.require_room(raceway, rows))
         inner_raceway = raceway - 2 * roller.diameter - self.stated_clearance
-        located("inner", lambda: self.inner.require_room(inner_raceway, roller.length))
+        located("inner", lambda: self.inner.require_room(inner_raceway, rows))
         if self.bearing.cage.thickness >= roller.diameter:
             allowed = f"below {in_mm(roller.diameter)}, bearing.roller.diameter"
             raise impossible("bearing.cage.thickness", allowed)
@@ -144,6 +151,14 @@ class Case(Head):
             raise needed(["materials.shaft"], 'inner.kind = "ring_on_shaft"')
         if self.accuracy.axial_shapes > self.accuracy.slices:
             raise impossible("accuracy.axial_shapes", f"at most {self.accuracy.slices}, accuracy.slices")
+        return self
+
+    @model_validator(mode="after")
+    def _rings_know_their_rows(self) -> Self:
+        rigid = self.outer.kind == self.inner.kind == "rigid"
+        if self.bearing.second_row is not None and not rigid:
+            structures = self.accuracy.structure, self.coupling.structure
+            require_rows(structures, self.operation.temperatures, self.inner, self.outer)
         return self
 
     @model_validator(mode="after")

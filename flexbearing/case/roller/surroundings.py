@@ -133,11 +133,12 @@ class Operation(Section):
         "0 rpm",
     )
     moment: Moment = key(
-        'tilting moment on the inner ring about the axis across the load; other than 0 with tilt = "free"',
+        "tilting moment on the inner ring in the plane of the load or that of tilt_direction, about the axis "
+        'across it; other than 0 with tilt = "free"',
         "0 N m",
     )
     misalignment: Angle = key(
-        'slope of an inner ring in the plane of the load; other than 0 with tilt = "fixed"',
+        'slope of an inner ring in the same plane; other than 0 with tilt = "fixed"',
         "0 deg",
         example="2 arcmin",
         ge=-STEEPEST,
@@ -147,6 +148,12 @@ class Operation(Section):
         "how the shaft holds the inner ring: fixed, it keeps its slope (operation.misalignment); free, it "
         "tilts until the moments balance (operation.moment); must be given where a ring is flexible",
         "fixed",
+    )
+    tilt_direction: Angle = key(
+        "azimuth, ahead of load_direction, of the plane in which moment and misalignment tilt the inner "
+        "ring: 90 deg for the couple of helical teeth on a planet",
+        "0 deg",
+        example="90 deg",
     )
     roller_positions: int | None = key(
         "positions of the roller set within a pitch that are solved one after the other, from "

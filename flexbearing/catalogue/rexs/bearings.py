@@ -134,7 +134,7 @@ def _row(model: Model, part: Part) -> Part | None:
     rows = [each for each in model.all_of("ordered_assembly", part, "assembly", "part") if each.kind == ROW]
     count = max(part.number_of("number_of_bearing_rows", "none") or 1, len(rows))
     if count > 1:
-        raise BadCase(f"has {count:g} rows of rolling elements; a case has one.")
+        raise BadCase(f"has {count:g} rows of rolling elements; a case that is made from a model has one.")
     return rows[0] if rows else None
 
 

@@ -246,7 +246,7 @@ def _held_at(sheet: Sheet, case: Any) -> None:
     acting = outer.tooth_radius or radius
     sheet.circle(acting, ec=AXES, lw=0.6, ls="-.")
     sheet.label("outer.tooth_radius", place(acting, 2.6), "r ")
-    for name in ("support", "tooth_azimuths", "tooth_radial", "tooth_tangential"):
+    for name in ("support", "tooth_azimuths", "tooth_radial", "tooth_tangential", "tooth_axial"):
         sheet.label(f"outer.{name}", place(acting, outer.tooth_azimuths[0]))
     largest = max(map(abs, (*outer.tooth_radial, *outer.tooth_tangential))) or 1.0
     for azimuth, radial, tangential in zip(

@@ -134,7 +134,7 @@ def _rigid(sheet: Sheet, case: Any) -> None:
     bearing: Any = case.bearing
     fits: Any = bearing.fits
     raceway = bearing.outer_raceway_diameter / 2
-    width = RIGID_WIDTH * bearing.roller.length / 2
+    width = (bearing.rows_width + (RIGID_WIDTH - 1) * bearing.roller.length) / 2
     diameter = getattr(fits, "outer_diameter", None)
     outside = diameter / 2 if diameter else raceway + RIGID_WALL * bearing.roller.diameter
     sheet.rectangle((-width, width), (raceway, outside), **SCHEMATIC, fc=OUTER, alpha=0.8)
@@ -212,7 +212,7 @@ def _rigid_inner(sheet: Sheet, case: Any, raceway: float) -> None:
     """Ring of which the case gives the raceway, and perhaps the bore and a shaft."""
     bearing: Any = case.bearing
     fits: Any = bearing.fits
-    width = RIGID_WIDTH * bearing.roller.length / 2
+    width = (bearing.rows_width + (RIGID_WIDTH - 1) * bearing.roller.length) / 2
     diameter = getattr(fits, "bore", None)
     bore = diameter / 2 if diameter else raceway - RIGID_WALL * bearing.roller.diameter
     sheet.rectangle((-width, width), (bore, raceway), **SCHEMATIC, fc=INNER, alpha=0.8)

@@ -13,11 +13,13 @@ def section(words: Words) -> Drawing:
     case: Any = words.case
     bearing = case.bearing
     outer, size = bearing.outer_raceway_diameter / 2, bearing.roller.diameter
-    inner, half = outer - size - case.stated_clearance / 2, bearing.roller.length / 2
+    inner, half = outer - size - case.stated_clearance / 2, bearing.rows_width / 2
+    length, middle = bearing.roller.length, outer - size / 2
     outer_ring(sheet, case)
     inner_ring(sheet, case, inner)
-    sheet.rectangle((-half, half), (outer - size, outer), "roller", fc=ELEMENT)
-    sheet.line([(-half, outer - size / 2), (half, outer - size / 2)], ec="0.4", lw=0.4, ls=(0, (8, 2, 1, 2)))
+    for begin in sorted({-half, half - length}):
+        sheet.rectangle((begin, begin + length), (outer - size, outer), "roller", fc=ELEMENT)
+    sheet.line([(-half, middle), (half, middle)], ec="0.4", lw=0.4, ls=(0, (8, 2, 1, 2)))
     _cage(sheet, case)
     _flanges(sheet, case, inner)
     sheet.label("bearing.outer_raceway_diameter", (half, outer), "Ø ")
@@ -25,7 +27,8 @@ def section(words: Words) -> Drawing:
     clearance = ("bearing.clearance", "bearing.clearance_class", "bearing.fits.cold_clearance")
     for path in clearance:
         sheet.label(path, (half, inner))
-    sheet.length("bearing.roller.length", -half, half, outer - size)
+    sheet.length("bearing.roller.length", half - length, half, outer - size)
+    sheet.length("bearing.second_row.distance", length / 2 - half, half - length / 2, middle)
     sheet.notes.append("Dashed: schematic, the case has no dimensions of it.")
     sheet.notes.append("Rollers touch the outer raceway; the clearance is below them.")
     operating = "" if bearing.clearance is None else ", bearing.clearance is that in operation"
@@ -40,7 +43,7 @@ def _cage(sheet: Sheet, case: Any) -> None:
     """Sides of the cage, thickness to scale, between the rollers' ends and the edge of the raceways."""
     bearing: Any = case.bearing
     cage: Any = bearing.cage
-    half, (low, high) = bearing.roller.length / 2, bearing.cage_radii
+    half, (low, high) = bearing.rows_width / 2, bearing.cage_radii
     reach = 0.25 * bearing.roller.length
     if cage.land_width:
         reach = max(reach, cage.land_width / 2)
@@ -72,7 +75,7 @@ def _flanges(sheet: Sheet, case: Any, inner: float) -> None:
     flange, bearing = case.bearing.flange, case.bearing
     if flange is None:
         return
-    start = bearing.roller.length / 2 + flange.clearance / 2
+    start = bearing.rows_width / 2 + flange.clearance / 2
     foot, out = (inner, 1) if flange.ring == "inner" else (bearing.outer_raceway_diameter / 2, -1)
     ends = sorted((foot, foot + out * flange.height))
     for side in (-1, 1):

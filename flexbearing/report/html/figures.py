@@ -130,9 +130,10 @@ def _lines(reader: Reader, block: str, name: str, around: str) -> Iterator[tuple
 
 def _rows(block: Mapping[str, Any]) -> dict[str, slice]:
     """Places of each row of rolling elements, by its words; all of one row, without words."""
-    if "ball_row" not in block:
+    rows = next((block[name] for name in ("ball_row", "roller_row") if name in block), None)
+    if rows is None:
         return {"": slice(None)}
-    counts = np.bincount(np.asarray(block["ball_row"], int))
+    counts = np.bincount(np.asarray(rows, int))
     ends = np.cumsum(counts)
     return {
         f"row {number}": slice(int(end - count), int(end))

@@ -93,7 +93,10 @@ class BearingBalance:
         """Order of the unknowns."""
         races = tuple(race for race, matrix in enumerate(self.compliance) if matrix is not None)
         return UnknownLayout(
-            rollers=self.roller.bearing.rollers, axial_modes=self.roller.axial_modes, elastic_raceways=races
+            rollers=self.roller.bearing.all_rollers,
+            axial_modes=self.roller.axial_modes,
+            elastic_raceways=races,
+            rows=self.roller.bearing.row_count,
         )
 
     @cached_property
@@ -104,9 +107,12 @@ class BearingBalance:
     @cached_property
     def kinematics(self) -> ApproachKinematics:
         """Approaches of the rollers by ring and raceways."""
-        half_length = self.roller.raceways.slices.length / 2
+        bearing = self.roller.bearing
         return ApproachKinematics(
-            layout=self.layout, azimuths=self.roller.bearing.azimuths, half_length=half_length
+            layout=self.layout,
+            azimuths=bearing.azimuths,
+            half_length=self.roller.raceways.slices.length / 2,
+            stations=bearing.stations,
         )
 
     @cached_property
@@ -148,8 +154,12 @@ class BearingBalance:
         idle = (points.load == 0) & (points.moment == 0)
         if self.deviation is not None or self.layout.elastic_raceways or not idle.any():
             return np.zeros(len(points), bool)
-        reach = np.hypot(points.slope_y, points.slope_z) * self.roller.bearing.roller.length / 2
-        return (idle & (2 * reach <= self.roller.bearing.clearances)).all(axis=1)
+        bearing = self.roller.bearing
+        from_middle = bearing.roller.length / 2
+        if bearing.stations is not None:
+            from_middle = from_middle + np.abs(bearing.stations)
+        reach = np.hypot(points.slope_y, points.slope_z) * from_middle
+        return (idle & (2 * reach <= bearing.clearances)).all(axis=1)
 
     # -- approaches and speeds -----------------------------------------------------------------
 
@@ -221,7 +231,8 @@ class BearingBalance:
     def spin_transport(self, cage_drift: NDArray, spin_drift: NDArray) -> SpinTransport:
         """What the change of spin around the bearing takes at these drifts (C, 1), (C, Z) [rad/s]."""
         inertia = self.roller.bearing.roller.inertia if self.spin_inertia else 0.0
-        return spin_transport(spin_drift, self.rolling_cage + cage_drift, self.rolling_spin, inertia)
+        cage_speed, rows = self.rolling_cage + cage_drift, self.layout.rows
+        return spin_transport(spin_drift, cage_speed, self.rolling_spin, inertia, rows)
 
     def floating(self, x: Unknowns, pockets: NDArray) -> FloatingCage:
         """Cage in its land; `pockets` (2, C, Z) [N] push rollers along the motion and outwards."""

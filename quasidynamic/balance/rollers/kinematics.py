@@ -31,6 +31,7 @@ class ApproachKinematics:
     layout: UnknownLayout
     azimuths: NDArray  # (Z) or (C, Z) [rad] from axis z towards axis y
     half_length: NDArray | float  # (C, 1) [m] of the rollers
+    stations: NDArray | None = None  # (Z) or (C, Z) [m] places of their middles along the axis; None: zero
 
     @cached_property
     def outwards(self) -> NDArray:
@@ -49,7 +50,10 @@ class ApproachKinematics:
         approach[OUTER, 0] = x.approach
         if m > 1:
             slope_z, slope_y = x.ring[TILT_Z:]
-            approach[INNER, 1] = self.half_length * (slope_z * cos + slope_y * sin) - x.tilt
+            slope = slope_z * cos + slope_y * sin
+            if self.stations is not None:
+                approach[INNER, 0] += self.stations * slope
+            approach[INNER, 1] = self.half_length * slope - x.tilt
             approach[OUTER, 1] = x.tilt
         return approach
 
@@ -97,6 +101,9 @@ class ApproachKinematics:
             table[:, 1] = outer[:, 1] - inner[:, 1]
             table[:, ring + TILT_Z] = self.half_length * cos * inner[:, 1]
             table[:, ring + TILT_Y] = self.half_length * sin * inner[:, 1]
+            if self.stations is not None:
+                table[:, ring + TILT_Z] += self.stations * cos * inner[:, 0]
+                table[:, ring + TILT_Y] += self.stations * sin * inner[:, 0]
         if self.layout.elastic_raceways:
             table[:, ring + BORDER :] = self._by_felt(inner, outer)
         return table
@@ -120,9 +127,8 @@ class ApproachKinematics:
         rows[:ring] = response[:ring]
         rows[ring + Y : ring + Z + 1] = self.pushed(tangential, inner[0])
         if m > 1:
-            sin, cos = self.outwards
-            moment = -self.half_length * inner[1]
-            rows[ring + TILT_Z], rows[ring + TILT_Y] = free_tilt * (moment * cos), free_tilt * (moment * sin)
+            moment_z, moment_y = self.tilted(tangential, inner)
+            rows[ring + TILT_Z], rows[ring + TILT_Y] = free_tilt * moment_z, free_tilt * moment_y
         rows[ring + CAGE] = cage
         for place, race in enumerate(self.layout.elastic_raceways):
             start = first + race * m
@@ -134,6 +140,19 @@ class ApproachKinematics:
         sin, cos = self.outwards
         against_motion, inwards = np.array([[-cos, sin], [-sin, -cos]])[:, :, None]
         return against_motion * along + inwards * outward
+
+    def tilted(self, along: NDArray, inner: NDArray) -> tuple[NDArray, NDArray]:
+        """Moments (n, C, Z) [N m] on slopes dz/dx and dy/dx of the inner ring, about the middle of the rings.
+
+        By forces on rollers along the motion (n, C, Z) and those of the inner contacts (M, n, C, Z), M > 1.
+        """
+        sin, cos = self.outwards
+        moment = -self.half_length * inner[1]
+        about_z, about_y = moment * cos, moment * sin
+        if self.stations is None:
+            return about_z, about_y
+        push_y, push_z = self.pushed(along, inner[0])
+        return about_z + self.stations * push_z, about_y + self.stations * push_y
 
 
 class SpinTransport(NamedTuple):
@@ -147,7 +166,7 @@ class SpinTransport(NamedTuple):
 
 
 def spin_transport(
-    spin_drift: NDArray, cage_speed: NDArray, rolling_spin: NDArray, inertia: float
+    spin_drift: NDArray, cage_speed: NDArray, rolling_spin: NDArray, inertia: float, rows: int = 1
 ) -> SpinTransport:
     r"""Torque by which the spin of rollers changes while they travel from place to place.
 
@@ -168,6 +187,8 @@ def spin_transport(
         spin in pure rolling [rad/s]
     inertia : float
         J of a roller about its axis [kg m2]
+    rows : int
+        rows of rollers, one after the other; each has Z rollers of its own
 
     Source
     ------
@@ -177,12 +198,11 @@ def spin_transport(
     -----
     First order in the pitch: spins are smeared over about a pitch at the ends of the loaded zone.
     """
-    half = inertia * spin_drift.shape[1] / (4 * np.pi)
+    half = inertia * spin_drift.shape[1] / rows / (4 * np.pi)
     size = np.sqrt(cage_speed**2 + (CREEP * rolling_spin) ** 2)
     before, after = half * (size + cage_speed), half * (size - cage_speed)
-    around = np.concatenate([spin_drift[:, -1:], spin_drift, spin_drift[:, :1]], axis=1)
-    change = around[:, 1:] - around[:, :-1]  # from each roller's neighbour before to the one after the last
-    gained, lost = before * change[:, :-1], after * change[:, 1:]
+    gained = before * (spin_drift - next_in_row(spin_drift, -1, rows))
+    lost = after * (next_in_row(spin_drift, 1, rows) - spin_drift)
     return SpinTransport(
         torque=gained - lost,
         by_spin=2 * half * size,
@@ -190,3 +210,13 @@ def spin_transport(
         by_after=after,
         by_cage=(gained + lost) / size,
     )
+
+
+def next_in_row(values: NDArray, places: int, rows: int) -> NDArray:
+    """Values (..., Z) of the rollers so many places further along the motion, each in its row.
+
+    >>> next_in_row(np.arange(6), 1, 2).tolist()
+    [1, 2, 0, 4, 5, 3]
+    """
+    of_rows = values.reshape(*values.shape[:-1], rows, -1)
+    return np.concatenate([of_rows[..., places:], of_rows[..., :places]], axis=-1).reshape(values.shape)

@@ -34,14 +34,16 @@ class OperatingPoints:
             return np.full((cases, 1), value, float)
 
         cos, sin = np.cos(operation.load_direction), np.sin(operation.load_direction)
+        tilting = operation.load_direction + operation.tilt_direction
+        tilt_cos, tilt_sin = np.cos(tilting), np.sin(tilting)
         down, gravity = operation.gravity_direction, operation.gravity
         return cls(
             load_y=column(operation.radial_load * sin),
             load_z=column(operation.radial_load * cos),
-            moment_z=column(operation.moment * cos),
-            moment_y=column(operation.moment * sin),
-            slope_z=column(operation.misalignment * cos),
-            slope_y=column(operation.misalignment * sin),
+            moment_z=column(operation.moment * tilt_cos),
+            moment_y=column(operation.moment * tilt_sin),
+            slope_z=column(operation.misalignment * tilt_cos),
+            slope_y=column(operation.misalignment * tilt_sin),
             free_tilt=np.full((cases, 1), operation.free_tilt),
             inner_speed=column(operation.inner_speed),
             outer_speed=column(operation.outer_speed),

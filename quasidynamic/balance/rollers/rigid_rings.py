@@ -12,6 +12,39 @@ from quasidynamic.contact.line.slices import Slices
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 
+class Stations(NamedTuple):
+    """Rollers beside the middle of the rings: a tilt moves them along the radius, and so they tilt the ring.
+
+    M is 1 or 2, with tilt.
+    """
+
+    ratio: NDArray | None  # (Z) place along the axis over half the length [-]; None: all in the middle
+
+    @classmethod
+    def of(cls, bearing: CylindricalRollerBearing, half_length: NDArray | float) -> "Stations":
+        """Stations of the rollers of a bearing."""
+        return cls(None if bearing.stations is None else bearing.stations / half_length)
+
+    def at_rollers(self, place: NDArray) -> NDArray:
+        """Displacement at mid-roller and half the length times slope (Z, M) [m] from those at the middle."""
+        if self.ratio is None or place.shape[1] == 1:
+            return place
+        return place + np.array([self.ratio * place[:, 1], np.zeros_like(self.ratio)]).T
+
+    def about_middle(self, force: NDArray) -> NDArray:
+        """Forces conjugate to displacements at the middle (Z, M) [N] from those at the rollers."""
+        if self.ratio is None or force.shape[1] == 1:
+            return force
+        return force + np.array([np.zeros_like(self.ratio), self.ratio * force[:, 0]]).T
+
+    def stiffness_about_middle(self, stiffness: NDArray) -> NDArray:
+        """The same of stiffnesses (Z, M, M) [N/m]."""
+        if self.ratio is None or stiffness.shape[1] == 1:
+            return stiffness
+        lever = np.eye(2) + np.multiply.outer(self.ratio, np.array([[0.0, 1.0], [0.0, 0.0]]))
+        return lever.swapaxes(1, 2) @ stiffness @ lever
+
+
 class RigidRingState(NamedTuple):
     """Forces on the ring at one place of it; M is 1 or 2, with tilt."""
 
@@ -30,6 +63,7 @@ class RigidRings:
     normal: NDArray  # (Z, 2) y, z of the outward radius at each roller
     gap: NDArray  # (K), or (Z, K) with form errors, that has to close before a slice carries [m]
     load: NDArray  # (2, M) [N] force along y, z and moment over half the length
+    stations: Stations
 
     @classmethod
     def of(cls, bearing: CylindricalRollerBearing, slices: Slices, load: NDArray) -> "RigidRings":
@@ -42,6 +76,7 @@ class RigidRings:
             normal=np.array([np.sin(bearing.azimuths), np.cos(bearing.azimuths)]).T,
             gap=np.asarray(bearing.clearances)[..., None] / 2 + sum(drops),
             load=load,
+            stations=Stations.of(bearing, slices.length / 2),
         )
 
     def with_gap(self, further: float) -> "RigidRings":
@@ -51,9 +86,12 @@ class RigidRings:
     def at(self, place: NDArray) -> RigidRingState:
         """Evaluate every slice."""
         slices, m = self.slices, self.slices.axial_modes
-        load, slope = self.law(self.normal @ (place @ slices.modes.T) - self.gap)
-        stiffness = (self._squares @ (slope @ slices.products)).reshape(2, 2, m, m).transpose(0, 2, 1, 3)
-        carried = self.normal.T @ (load @ slices.weights)
+        at_rollers = self.stations.at_rollers(self.normal @ place)
+        load, slope = self.law(at_rollers @ slices.modes.T - self.gap)
+        of_rollers = self.stations.stiffness_about_middle((slope @ slices.products).reshape(-1, m, m))
+        squares = self._squares @ of_rollers.reshape(-1, m * m)
+        stiffness = squares.reshape(2, 2, m, m).transpose(0, 2, 1, 3)
+        carried = self.normal.T @ self.stations.about_middle(load @ slices.weights)
         return RigidRingState(place, load, self.load - carried, stiffness)
 
     @cached_property

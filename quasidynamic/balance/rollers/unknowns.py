@@ -60,9 +60,10 @@ class UnknownLayout:
     roller.
     """
 
-    rollers: int
+    rollers: int  # Z, of all rows
     axial_modes: int  # M, axial modes
     elastic_raceways: tuple[int, ...] = ()  # by index
+    rows: int = 1  # of rollers, one after the other
 
     @cached_property
     def per_roller(self) -> int:

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
+from quasidynamic.balance.rollers.kinematics import next_in_row
 from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, LARGE_DEVIATION, TILT_Y, TILT_Z, Y, Z
 from quasidynamic.solve.rollers.elastic_system import (
     between_elastic_raceways,
@@ -60,7 +61,8 @@ def solve(balance: BearingBalance, system: Linearisation, right: NDArray, shift:
             solution = between_elastic_raceways(balance, *below)
             of_border, spins, unknowns[ring + BORDER :], deviations = solution
         else:
-            (of_border, spins), deviations = _with_rigid_raceways(*below), np.empty((cases, 0, count))
+            of_border, spins = _with_rigid_raceways(layout.rows, *below)
+            deviations = np.empty((cases, 0, count))
         unknowns[spin], unknowns[ring : ring + BORDER] = spins, of_border[..., None]
         substitute(table, unknowns, spin)
     rollers = unknowns[:ring].transpose(2, 0, 3, 1).reshape(cases, -1, count)
@@ -78,7 +80,8 @@ def rows_by(balance: BearingBalance, system: Linearisation, change: NDArray) -> 
         columns.append(felt_of(balance, change[:, layout.fields_end :]))
     rows = np.einsum("dkcz,krcz->drcz", system.table, np.concatenate(columns))
     spins = columns[0][ring - 1]
-    rows[ring - 1] += system.before * np.roll(spins, 1, axis=-1) + system.after * np.roll(spins, -1, axis=-1)
+    before, after = (next_in_row(spins, places, layout.rows) for places in (-1, 1))
+    rows[ring - 1] += system.before * before + system.after * after
     return rows
 
 
@@ -112,10 +115,10 @@ def substitute(table: NDArray, unknowns: NDArray, pivots: int) -> None:
         unknowns[i] = (table[i, -count:] - known) / table[i, i]
 
 
-def _with_rigid_raceways(system, table, border, right) -> tuple[NDArray, NDArray]:
-    """Border (5, R, C) and spins (R, C, Z), with the spins as a cyclic tridiagonal system."""
+def _with_rigid_raceways(rows, system, table, border, right) -> tuple[NDArray, NDArray]:
+    """Border (5, R, C) and spins (R, C, Z), with the spins of each row as a cyclic tridiagonal system."""
     # The spins are linear in the border unknowns and in the right-hand sides.
-    spins = cyclic_tridiagonal(table[0, 0], system.before, system.after, table[0, 1:])
+    spins = cyclic_tridiagonal(table[0, 0], system.before, system.after, table[0, 1:], rows)
     by_border, by_right = spins[:BORDER], spins[BORDER:]
     reduced = (table[1:, 1:] - table[1:, :1] * spins).sum(-1)
     reduced = reduced.transpose(2, 0, 1)

@@ -14,12 +14,18 @@ OPEN = 1e-13  # of the steepest slope of a contact: what the rounded load law le
 FELT = 1 + BORDER  # first column of felt deviations, first row of contact forces; before them spin and border
 
 
-def cyclic_tridiagonal(middle: NDArray, before: NDArray, after: NDArray, sides: NDArray) -> NDArray:
-    """Solve middle s_j + before s_(j-1) + after s_(j+1) = sides (R, C, Z), cyclic in j, for all cases.
+def cyclic_tridiagonal(
+    middle: NDArray, before: NDArray, after: NDArray, sides: NDArray, rows: int = 1
+) -> NDArray:
+    """Solve middle s_j + before s_(j-1) + after s_(j+1) = sides (R, C, Z), cyclic in each row, for all cases.
 
     Not a number for cases whose system is singular: such as that of rollers which only hand on their spin,
     where the speed of all of them together is undetermined. Up to `MANY` rollers full matrices are quicker.
     """
+    if rows > 1:  # each as a case of its own
+        alone = middle.reshape(-1, middle.shape[1] // rows), before.repeat(rows, 0), after.repeat(rows, 0)
+        of_rows = cyclic_tridiagonal(*alone, sides.reshape(len(sides), *alone[0].shape))
+        return of_rows.reshape(sides.shape)
     rollers = sides.shape[2]
     if rollers > MANY:
         return _by_lapack(middle, before, after, sides)
@@ -142,7 +148,7 @@ def _solved(
     """Solve a few cases, spins with those before and after (C, 1)."""
     count = right.shape[2]
     given = LARGE_DEVIATION * right[:, balance.layout.fields_end :]
-    chain, closed = _chain(around, table, count), _closed(balance, table, count)
+    chain, closed = _chain(around, table, count, balance.layout.rows), _closed(balance, table, count)
     matrix, side = _reduced(table, chain, closed)
     matrix[:, :BORDER, :BORDER] += border
     side[:, :BORDER] += right[:, :BORDER]
@@ -156,12 +162,12 @@ def _solved(
     return Solution(unknowns[:BORDER], spins, felt_of(balance, deviations), deviations)
 
 
-def _chain(around: tuple[NDArray, NDArray], table: NDArray, count: int) -> Chain:
+def _chain(around: tuple[NDArray, NDArray], table: NDArray, count: int, rows: int) -> Chain:
     """Spins by border, right-hand sides and torques."""
     cases, rollers = table.shape[2:]
     torques = np.broadcast_to(np.eye(rollers)[:, None], (rollers, cases, rollers))
     sides = np.concatenate([table[0, 1:FELT], table[0, -count:], torques])
-    spins = cyclic_tridiagonal(table[0, 0], *around, sides)
+    spins = cyclic_tridiagonal(table[0, 0], *around, sides, rows)
     border, right, spread = spins[:BORDER], spins[BORDER:-rollers], spins[-rollers:]
     return Chain(border, right, np.ascontiguousarray(spread.transpose(1, 2, 0)))
 

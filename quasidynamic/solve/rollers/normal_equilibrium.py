@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
+from quasidynamic.balance.rollers.rigid_rings import Stations
 from quasidynamic.balance.rollers.unknowns import BORDER, TILT_Y, TILT_Z, Unknowns, Y, Z
 from quasidynamic.solve.rollers.pressed_rollers import ContactWork, FilmOf, PressedRollers, PressedState
 
@@ -48,7 +49,8 @@ def _pressed(
     """Rollers under the forces (N) that are not of the contacts, and where the ring is free to go (2, M)."""
     raceways, azimuths = balance.roller.raceways, balance.roller.bearing.azimuths
     normal = np.array([np.sin(azimuths), np.cos(azimuths)]).T
-    free, load = np.ones((2, force.shape[1])), normal.T @ force[0].T
+    stations = Stations.of(balance.roller.bearing, balance.kinematics.half_length)
+    free, load = np.ones((2, force.shape[1])), normal.T @ stations.about_middle(force[0].T)
     load[:, 0] += unbalanced[[Y, Z]]
     if force.shape[1] > 1:
         free[:, 1] = balance.points.free_tilt[0, 0]
@@ -65,6 +67,7 @@ def _pressed(
         gap=balance.roller.bearing.clearances / 2,
         load=load * free,
         length=float(balance.scales.length),
+        stations=stations,
     ), free
 
 

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from quasidynamic.balance.rollers.rigid_rings import Stations
 from quasidynamic.contact.line import LoadLaw, Slices
 
 FilmOf = Callable[
@@ -84,14 +85,17 @@ class PressedRollers:
     gap: float | NDArray  # radial clearance, one or that at every roller (Z) [m]
     load: NDArray  # (2, M) on the ring: force along y, z and moment over half the length [N]
     length: float  # [m] usual size of a displacement
+    stations: Stations
 
     def at(self, place: NDArray, outer: NDArray, near: Contacts | None = None) -> PressedState:
         """Put every roller at rest, from `outer`, with the ring at a place; contacts nearby save time."""
-        room = (self.normal @ place).T.copy()
+        room = self.stations.at_rollers(self.normal @ place).T.copy()
         room[0] -= self.gap
         outer, contacts = self._at_rest(room, outer, near)
-        carried = self.normal.T @ contacts.force[0].T
-        squares = np.einsum("zi,zk,abz->iakb", self.normal, self.normal, _in_series(*contacts.stiffness))
+        carried = self.normal.T @ self.stations.about_middle(contacts.force[0].T)
+        of_rollers = _in_series(*contacts.stiffness).transpose(2, 0, 1)
+        in_series = self.stations.stiffness_about_middle(of_rollers).transpose(1, 2, 0)
+        squares = np.einsum("zi,zk,abz->iakb", self.normal, self.normal, in_series)
         return PressedState(place, outer, contacts, self.load - carried, squares)
 
     def _at_rest(self, room: NDArray, outer: NDArray, near: Contacts | None) -> tuple[NDArray, Contacts]:

@@ -123,7 +123,7 @@ def scaled_inertia(balance: BearingBalance) -> NDArray:
     bearing, spins = balance.roller.bearing, balance.layout.field(-1)
     inertia = np.zeros((len(balance.points), balance.layout.size))
     inertia[:, spins] = bearing.roller.inertia
-    orbiting = bearing.cage.mass + bearing.rollers * bearing.roller.mass
+    orbiting = bearing.cage.mass + bearing.all_rollers * bearing.roller.mass
     inertia[:, CAGE:BORDER] = orbiting * (bearing.pitch_diameter / 2) ** 2
     return inertia * balance.scales.unknown / balance.scales.residual
 

@@ -90,7 +90,11 @@ class _Friction:
         by_spin, by_cage = r_w * (by_speed[:, 0] - by_speed[:, 1])
         sides = np.array([-spin, by_cage - transport.by_cage])
         alone, per_cage = cyclic_tridiagonal(
-            by_spin - transport.by_spin, transport.by_before, transport.by_after, sides
+            by_spin - transport.by_spin,
+            transport.by_before,
+            transport.by_after,
+            sides,
+            balance.layout.rows,
         )
         torque, slope = self.rollers.cage_torque(np.concatenate([traction, shear]), cage_drift)
         row, corner = r_m * by_speed[0].sum(0), slope + (r_m * by_speed[1].sum(0)).sum(-1)

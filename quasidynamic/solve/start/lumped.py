@@ -170,7 +170,7 @@ class LumpedRollers:
     def _resistance(self, cage_speed: NDArray) -> tuple[NDArray, NDArray]:
         """Torque (C) of oil-air mixture and land on the cage [N m], its slope by the cage speed [N m s]."""
         bearing, points = self.balance.roller.bearing, self.balance.points
-        lever = bearing.pitch_diameter / 2 * bearing.rollers
+        lever = bearing.pitch_diameter / 2 * bearing.all_rollers
         drag, drag_slope = self.balance.roller.drag(cage_speed)
         ring_speed = points.guiding_speed(bearing.cage.guidance)
         land = land_torque(ring_speed - cage_speed, bearing.cage, self.balance.roller.lubrication.oil)
