@@ -79,7 +79,7 @@ TOY = Family(
         quantities=(PRESSURE,),
         blocks=("rigid",),
     ),
-    report=lambda: FamilyReport(lambda: lambda result: {}),
+    report=lambda: FamilyReport(lambda: lambda result: {}, lambda: lambda words: iter(())),
     card=lambda: card_of,
 )
 FILE = """
