@@ -111,7 +111,7 @@ class Sheet:
 
     def label(self, path: str, point: tuple[float, float], sign: str = "") -> None:
         """Write a key and its value on the right, with a leader to a point [m]; nothing if not given."""
-        if self.words.value(path) is not None:
+        if self.words.value(path) not in (None, ()):
             self.beside.append((self.words(path, sign), point))
 
     def height(self, path: str, low: float, high: float, x: float) -> None:
