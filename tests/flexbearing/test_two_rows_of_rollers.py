@@ -223,7 +223,10 @@ def test_a_planet_with_helical_teeth():
 
 @pytest.mark.parametrize(
     ("key", "value", "unit"),
-    [("bearing.second_row.distance", 100.0, "mm"), ("operation.tilt_direction", 80.0, "deg")],
+    [
+        pytest.param("bearing.second_row.distance", 100.0, "mm", marks=pytest.mark.slow),
+        ("operation.tilt_direction", 80.0, "deg"),
+    ],
 )
 def test_derivatives_are_those_of_planets_solved_again(key, value, unit):
     """The distance moves the bands on the rim, whose nodes follow."""
