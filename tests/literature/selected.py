@@ -46,6 +46,7 @@ class Choice:
     factor: float = 1.0
     reliability: float | None = None
     spectrum: str = ""
+    required: tuple[float, float] | None = None  # printed C [kN], and by how much its digits may be off
 
     def selection(self, folder):
         """The selection of all bearings of its table."""
@@ -70,4 +71,7 @@ class Choice:
         assert mass[self.chosen] <= mass[self.book or self.chosen]
         for card in found.cards[: found.cards.index(found.chosen)]:
             assert card.verdict
+        if self.required is not None:
+            printed, share = self.required
+            assert abs(found.chosen.rated.required_rating / (1e3 * printed) - 1) < share
         return found
