@@ -177,7 +177,8 @@ class AngularBearing(FastBearing):
         lt=RIGHT_ANGLE,
     )
     pair: Pair | None = key(
-        "a second row of the same balls between rings in common: a pair of bearings, or a double-row one",
+        "a second row of the same balls between rings in common: a pair of bearings, or a double-row one; "
+        "ratings in [life] are those of one row",
         None,
     )
 

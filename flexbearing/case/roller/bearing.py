@@ -213,7 +213,7 @@ class Bearing(Section):
     second_row: SecondRow | None = key(
         "a second row of the same rollers between the same rings: a double-row bearing, or two bearings in a "
         'planet; elastic rings are those of outer.support = "side", "seat" or "planet" and of inner.fit = '
-        '"bonded"; there is one row without it',
+        '"bonded"; ratings in [life] are those of both rows; there is one row without it',
         None,
     )
 
