@@ -13,7 +13,7 @@ from quasidynamic.balance.balls.elastic_rings import (
     RigidRings,
     ring_levers,
 )
-from quasidynamic.balance.balls.four_contacts import ARMS_BY_SHAPE
+from quasidynamic.balance.balls.four_contacts import ARMS_BY_SHAPE, BallsOnArches
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.motion.ball_slip import INNER, OUTER
 from quasidynamic.parts.ball import FourPointBearing
@@ -32,7 +32,9 @@ from quasidynamic.solve.balls.load_distribution import (
 from quasidynamic.solve.step_length import SolverOutcome
 
 STEPS = 100  # rarely more than ten
-DESCENT = 1e-3  # part of the forces out of balance that a step must bring into it
+HALVINGS = 30
+DESCENT = 1e-3  # part of the linear fall of the forces out of balance that a step must bring
+FURTHEST = float(np.radians(15.0))  # by which the angle of a contact may turn from rings to softer ones
 LEAST_STEP = 2.0**-9  # of the compliance, by which softer rings are tried
 
 
@@ -58,8 +60,8 @@ def elastic_ball_loads(
     with the places v of the grooves at each ball, the place a of the inner ring, the load P and the forces F
     on the races, of balls that find their own place between them, see `FourContacts`; the compliance C
     follows the contact angles. Without inertia it is a stationary point of the energy of contacts and rings.
-    Newton's method from the rigid rings; where a step of it does not lower the forces out of balance, by ever
-    softer rings: it could end in another balance, in which balls have climbed along their arcs.
+    Newton's method from the rigid rings; where it finds nothing, or another balance, in which balls have
+    climbed along their arcs, by ever softer rings.
 
     P (5) acts on the face of the inner ring, which moves as a rigid body: axial x, radial y and z [N],
     moments about y and z [N m]; the speed is that of the inner ring, the outer one at rest [rad/s].
@@ -82,19 +84,20 @@ def elastic_ball_loads(
     _require_fit(bearing, grooves)
     rigid, count = balanced(rigid_rings)
     stiffness = rigid_rings.usual_stiffness(rigid.balls.forces.loads.max())
-    begin = Begin(rigid.place, np.zeros(8 * bearing.balls), rigid.centres)
+    begin = Begin(rigid.place, np.zeros(8 * bearing.balls), rigid.centres, rigid.balls)
     part, step = 0.0, 1.0
     while part < 1.0:
         softer = ElasticRings(rigid_rings, grooves.softened(part + step), stiffness)
         try:
-            state, more = _balanced(softer, _at(softer, *begin))
+            state, more = _balanced(softer, _at(softer, begin.place, begin.shape, begin.centres))
+            _require_near(begin, state)
         except NotSolved as problem:
             step /= 4
             if step < LEAST_STEP:
                 raise _too_soft(part) from problem
             continue
-        begin, part, count = Begin(state.place, state.shape, state.centres), part + step, count + more
-        step = min(2 * step, 1.0 - part)
+        begin, part = Begin(state.place, state.shape, state.centres, state.balls), part + step
+        step, count = min(2 * step, 1.0 - part), count + more
     return _shared(bearing, softer, state, count)
 
 
@@ -104,6 +107,14 @@ class Begin(NamedTuple):
     place: NDArray  # (5) [m]
     shape: NDArray  # (8 Z) [m]
     centres: NDArray  # (Z, 2) [m]
+    balls: BallsOnArches
+
+
+def _require_near(begin: Begin, state: ElasticRingState) -> None:
+    """Raise `NotSolved` where a loaded contact is far along its arc: in another balance."""
+    turned = np.abs(state.balls.angles - begin.balls.angles)[state.balls.forces.loads > 0]
+    if turned.max(initial=0.0) > FURTHEST:
+        raise NotSolved("balls climbed along their arcs", "not unique")
 
 
 def _too_soft(part: float) -> NotSolved:
@@ -178,25 +189,31 @@ def _moved(
 def _balanced(rings: ElasticRings, state: ElasticRingState) -> tuple[ElasticRingState, int]:
     """Stable state in which balls, rings and load are in balance, and the number of evaluations.
 
-    Raises `NotSolved` where a step of Newton's method does not lower the forces out of balance.
+    Raises `NotSolved` where Newton's method finds none.
     """
     evaluations, previous = 1, np.inf
     for _ in range(STEPS):
-        imbalance, size = rings.imbalance(state), rings.size(state)
+        imbalance = rings.imbalance(state)
         if imbalance < TOLERANCE or previous / 2 < imbalance < ROUNDED:
             require_held(state)
             if not rings.is_stable(state):
                 raise NotSolved("contacts and rings together snap to another balance", "not unique")
             return state, evaluations
-        place, shape = _newton_step(rings, state)
-        share = BALL_SHARE * imbalance
-        state = _moved(rings, state, state.place + place, state.shape + shape, share)
-        evaluations, previous = evaluations + 1, imbalance
-        if imbalance > ROUNDED and not rings.size(state) <= (1 - DESCENT) * size:
+        state, trials = _next_state(rings, state)
+        evaluations, previous = evaluations + trials, imbalance
+    raise NotSolved(f"{rings.imbalance(state):.1e} of the largest force is out of balance", "iteration limit")
+
+
+def _next_state(rings: ElasticRings, state: ElasticRingState) -> tuple[ElasticRingState, int]:
+    """A step of Newton's method, halved until less is out of balance."""
+    place, shape = _newton_step(rings, state)
+    size, share = rings.size(state), BALL_SHARE * rings.imbalance(state)
+    for halvings in range(HALVINGS):
+        part = 0.5**halvings
+        trial = _moved(rings, state, state.place + part * place, state.shape + part * shape, share)
+        if rings.size(trial) <= (1 - DESCENT * part) * size:
             break
-    raise NotSolved(
-        f"a step left {rings.imbalance(state):.1e} of the largest force out of balance", "stalled"
-    )
+    return trial, halvings + 1
 
 
 def _newton_step(rings: ElasticRings, state: ElasticRingState) -> tuple[NDArray, NDArray]:
