@@ -299,11 +299,19 @@ def test_temperatures_along_the_axis_that_nothing_follows_are_refused(settings, 
         read_case(PAPER, settings)
 
 
-@pytest.mark.slow
-def test_temperatures_that_end_inside_the_shaft_are_refused(tmp_path):
-    short = ['operation.temperatures.shaft_along.at=["-10 mm", "10 mm"]', along("shaft", 225, 235)[1]]
-    with pytest.raises(BadCase, match="covers the body"):
-        flexbearing.run(PAPER, [*FITTED, *short], output=tmp_path / "r.h5")
+@pytest.mark.parametrize(
+    ("settings", "ends"),
+    [
+        (['operation.temperatures.shaft_along.at=["-10 mm", "10 mm"]'], "-20 mm or below to 20 mm"),
+        (["inner.shaft_length=49.118 mm"], "-24.56 mm or below to 24.56 mm"),
+    ],
+    ids=["places", "longer shaft"],
+)
+def test_temperatures_that_end_inside_the_shaft_are_refused(settings, ends):
+    """By `check` as by `run`: the fuzz found a longer shaft that only a run refused."""
+    warm = ['operation.temperatures.shaft_along.at=["-20 mm", "20 mm"]', along("shaft", 225, 235)[1]]
+    with pytest.raises(BadCase, match=rf"shaft_along\] at = .*{ends}"):
+        read_case(PAPER, [*FITTED, *warm, *settings])
 
 
 @pytest.mark.slow

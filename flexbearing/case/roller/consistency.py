@@ -26,6 +26,7 @@ WITHOUT_MATRIX = ("beam", "solid")
 
 
 ROWS = "beside bearing.second_row"
+ENDS = 1e-9  # of the width of a part, by which it may reach beyond places of its temperature: rounding
 
 
 def require_rows(
@@ -77,6 +78,24 @@ def require_mounting(
         raise needed(["materials.shaft"], "[bearing.fits]")
     if housing and outer.kind == "rigid" and materials.housing is None:
         raise needed(["materials.housing"], "[bearing.fits.housing]")
+
+
+def require_covered(temperatures: Temperatures | None, inner: Inner, outer: Outer) -> None:
+    """Raise unless a temperature that varies along the axis is known from end to end of its part."""
+    widths = {
+        "shaft": (inner.shaft_length, 0.0),
+        "inner_ring": (inner.width, 0.0),
+        "outer_ring": (outer.width, outer.raceway_offset),
+        "housing": (outer.housing_width, outer.raceway_offset),
+    }
+    for part, (width, offset) in widths.items():
+        along = getattr(temperatures, f"{part}_along", None)
+        if along is None or width is None:
+            continue
+        first, last = (side * width / 2 - offset for side in (-1, 1))
+        if along.at[0] > first + ENDS * width or along.at[-1] < last - ENDS * width:
+            allowed = f"places from {in_mm(first)} or below to {in_mm(last)} or above, the ends of the part"
+            raise impossible(f"operation.temperatures.{part}_along.at", allowed)
 
 
 def _require_bore(bearing: Bearing, clearance: float, fits: Fits, inner: Inner) -> None:

@@ -11,6 +11,7 @@ from flexbearing.case.ratings import FEWEST_SLICES, Life
 from flexbearing.case.roller.bearing import Bearing
 from flexbearing.case.roller.consistency import (
     bands,
+    require_covered,
     require_known,
     require_mounting,
     require_rows,
@@ -233,4 +234,5 @@ class Case(Head):
     def _mounting_is_complete(self) -> Self:
         clearance, temperatures = self.stated_clearance, self.operation.temperatures
         require_mounting(self.bearing, clearance, self.materials, temperatures, self.inner, self.outer)
+        require_covered(temperatures, self.inner, self.outer)
         return self
