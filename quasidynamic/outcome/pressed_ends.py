@@ -133,6 +133,8 @@ def _touching(matrix: NDArray, contacts: LineContacts, touching: NDArray) -> NDA
     for _ in range(SETS):
         known = np.ones((len(unsettled), right.shape[1]), bool)
         known[:, :-2] = touching[unsettled]
+        count = known[:, :-2].sum(1)
+        known[:, -2], known[:, -1] = count > 0, count > 1  # a single cell bears no moment
         whole, wanted = matrix[unsettled], right[unsettled]
         system = np.where(known[:, None] & known[..., None], whole, np.eye(known.shape[1]))
         solved = np.linalg.solve(system, (wanted * known)[..., None])

@@ -304,11 +304,15 @@ def test_parts_that_a_structure_does_not_know_are_refused_on_reading(settings, s
         (["outer.fillet=20 mm"], "[outer] fillet = 20.044 mm is impossible; allowed is zero"),
         (["inner.fit=frictionless", "inner.shoulder_diameter=100 mm"], "[inner] shoulder_diameter = 100 mm"),
         (
+            ["inner.fit=frictionless", "inner.clamping=5 kN"],
+            "[inner] shoulder_diameter is missing: inner.clamping needs it",
+        ),
+        (
             [*RING, "outer.thickness=0.1 mm"],
             "[outer] thickness = 0.10022 mm is impossible; allowed is above 0.3 mm",
         ),
     ],
-    ids=["fillet", "shoulder", "thin ring"],
+    ids=["fillet", "shoulder", "no shoulder", "thin ring"],
 )
 def test_impossible_parts_are_refused_by_check_in_the_words_of_the_case(settings, words):
     with pytest.raises(BadCase) as problem:

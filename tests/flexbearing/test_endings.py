@@ -126,3 +126,10 @@ def test_forces_that_are_not_finite_are_named_without_nan():
     message = result.attributes["message"]
     assert "without finite forces" in message
     assert "nan" not in message
+
+
+def test_a_ring_that_is_held_in_every_direction_ends_by_name():
+    """Where the search follows the inertia of the balls, no displacement is left to be found."""
+    held = ["operation.displacement.radial_y=1000 um"]
+    result = flexbearing.run(PAPER.parent / "strain_wave.toml", held)
+    assert result.attributes["status"] == "not solved"

@@ -57,3 +57,11 @@ def test_a_contact_is_judged_alone_as_beside_others():
     assert contacts.peak_error(claimed) == approx(np.array(each), rel=1e-9)
     forced = replace(contacts, force=2 * contacts.force, sliced=2 * contacts.sliced)
     assert forced.peak_error(peaks(forced))[0] == 1.0
+
+
+def test_a_moment_beyond_all_cells_presses_the_last_one_alone():
+    """One cell bears a force and no moment; the system with both was singular."""
+    contacts = replace(crowned(), moment=np.full(len(DROPS), 1e3 * FORCE * LENGTH))
+    loads = line_loads(contacts, contacts.sliced)
+    assert np.isfinite(loads).all()
+    assert (loads >= 0).all()

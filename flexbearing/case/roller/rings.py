@@ -260,6 +260,8 @@ class Inner(Section):
             raise impossible("track_width", "at most inner.width, which is a ring without ribs")
         if self.ribbed:
             require(self, ("thickness",), "a ring with ribs")
+        if self.clamping:
+            require(self, ("shoulder_diameter",), "inner.clamping")
         return self
 
     def require_room(self, raceway_diameter: float, roller_length: float) -> None:

@@ -70,7 +70,9 @@ class BorderedMatrix(NamedTuple):
 
     def _of_balls(self, right: NDArray) -> NDArray:
         """Unknowns (2 Z, R) of the balls alone."""
-        return np.linalg.solve(self.balls, right.reshape(-1, 2, right.shape[-1])).reshape(right.shape)
+        return np.linalg.solve(self.balls, right.reshape(len(self.balls), 2, right.shape[-1])).reshape(
+            right.shape
+        )
 
 
 class _FrozenState(NamedTuple):
