@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 RELEASE = 0.2  # of the nominal centrifugal force: inner load over which a ball is let go by the inner race
 FULL_GRIP = 0.5  # of the centrifugal force: inner load above which h is one but for a hundredth
 CAGED = 1e-3  # assumed; of centrifugal force and outer load: the same in the pocket of a cage
-FULL_CAGED = 5e-3  # of the outer load: inner load above which it drives a ball in a cage but for a hundredth
+FULL_CAGED = 5e-3  # assumed; of the outer load: inner load that drives a ball in a cage but for a hundredth
 LEAST_RELEASE = 1e-100  # [N] the same at rest, where it no longer matters
 FULL_ANGLE, LARGEST_ANGLE = (
     np.radians(60.0),
