@@ -78,6 +78,13 @@ class HarmonicStiffness:
         """Values (unknowns, L) with zeros on the clamped unknowns."""
         return np.where(self.clamped[:, None], 0.0, values)
 
+    def orthonormal(self, values: NDArray) -> NDArray:
+        """Orthonormal columns that span values (unknowns, L), zero where clamped."""
+        on_free = np.linalg.qr(values[~self.clamped])[0]  # columns that repeat others become free directions
+        basis = np.zeros((self.unknowns, on_free.shape[1]))
+        basis[~self.clamped] = on_free
+        return basis
+
 
 def harmonic_stiffness(space, *forms) -> HarmonicStiffness:
     """Assemble a stiffness from its symmetric parts without n, with n, with n^2.
@@ -114,7 +121,7 @@ def answers(stiffness: HarmonicStiffness, loads: NDArray, last: int) -> Harmonic
     unsolved = sorted({0, *np.rint(first).astype(int).tolist()})  # 0, 1, 2, 3, 5, 7, ... and the last
     while unsolved:
         solved |= {n: stiffness.solve(n, G) for n in unsolved}
-        basis = np.linalg.qr(np.hstack([u / np.linalg.norm(u, axis=0) for u in solved.values()]))[0]
+        basis = stiffness.orthonormal(np.hstack([u / np.linalg.norm(u, axis=0) for u in solved.values()]))
         forces = [stiffness.on_free(part @ basis) for part in stiffness.parts]
         small, g = [basis.T @ part for part in forces], basis.T @ G
         residuals = {}

@@ -8,7 +8,7 @@ from pytest import approx
 
 from fem import ClampedFace, Elastic, ImpossiblePart, MeshSize, OuterRing, Patches
 from fem.assembly.factorisation import NotSolved
-from fem.assembly.harmonic_stiffness import compliances
+from fem.assembly.harmonic_stiffness import answers, compliances
 from fem.half_space.load_patch import half_space
 from fem.mesh.axial_section import AxialSection, sections
 from fem.section import expansion, revolved_body
@@ -170,10 +170,10 @@ def test_pinched_free_ring_is_that_of_two_other_codes():
     )
     middle = np.array([1, 0, -1 / 2, 0, 3 / 8, 0, -5 / 16])  # L_m(0)
     n = np.arange(0, 50, 2)
-    answers = np.array([middle @ inside.T @ body.stiffness.solve(int(k), outside)[:, 0] for k in n]) / (
+    found = np.array([middle @ inside.T @ body.stiffness.solve(int(k), outside)[:, 0] for k in n]) / (
         2 * np.pi
     )
-    diameter = 2 * np.where(n == 0, 2, 4) * answers * 1e6  # [mm/kN]
+    diameter = 2 * np.where(n == 0, 2, 4) * found * 1e6  # [mm/kN]
     assert diameter.sum() == approx(1.15124, rel=2e-5)
     assert diameter @ np.cos(n * np.pi / 2) == approx(-1.04936, rel=2e-5)
 
@@ -185,6 +185,16 @@ def test_small_space_holds_all_harmonics():
     exact = np.array([loads.T @ body.stiffness.solve(n, loads) for n in some])
     assert found[some] == approx(exact, rel=0, abs=1e-6 * found[0].max())
     assert found[some, 0, 0] == approx(exact[:, 0, 0], rel=2e-5)
+
+
+def test_more_answers_than_free_unknowns_are_those_of_single_solves():
+    """Linear elements on a clamped ring: harmonics ask for more directions than it has."""
+    body = held(sections(RING, L), RING.materials, MeshSize(order=1, size=12e-3, raceway_size=6e-3))
+    loads = revolved_body.edge_modes(body, "raceway", 12)
+    solved = answers(body.stiffness, loads, 60)
+    assert solved.basis.shape[1] == (~body.stiffness.clamped).sum()
+    for n in (0, 17, 60):
+        assert solved.basis @ solved.factors[n] == approx(body.stiffness.solve(n, loads), rel=1e-6, abs=1e-18)
 
 
 @pytest.mark.slow

@@ -59,7 +59,7 @@ def sockets(process):
     "words",
     [
         pytest.param(["study", "study.toml", "--jobs", "2"], marks=pytest.mark.slow),
-        ["map", CASE, "--over", "operation.radial_load=2 kN..8 kN,80", "-o", "map.csv"],
+        ["map", CASE, "--over", "operation.radial_load=2 kN..8 kN,4000", "-o", "map.csv"],
         pytest.param(
             ["run", CONFIGS / "joshi2015_fourpoint.toml", "--set", "friction.model=kalker"],
             marks=pytest.mark.slow,
