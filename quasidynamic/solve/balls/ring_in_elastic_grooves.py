@@ -31,6 +31,7 @@ LIMIT = 80  # Newton steps for one compliance, rarely more than ten
 LONGEST = 0.3  # of the smaller reach: step of a groove against a ball
 FLOATING = 1e-9  # of the whole stiffness: what resists every direction of the ring, soft supports or none
 SHORTEST = 2.0**-10  # part of a Newton step
+PATIENCE = 3  # steps without a smaller imbalance; grooves that soften step by step arrive sooner
 LEAST_STEP = 2e-3  # part of the compliance by which grooves become softer at least
 TOLERANCE = 1e-10  # of the largest force: unbalanced force
 ROUNDED = 1e-9  # the same, where a step no longer halves it: balls that only inertia presses go to and fro
@@ -269,11 +270,14 @@ def _newton(balance: AngularBalance, grooves: ElasticGrooves, start: Places) -> 
     """Damped Newton of ring and grooves, all cases side by side; a case leaves as soon as it ends."""
     outcomes, cases = [SolverOutcome.RUNNING] * len(start.ring), np.arange(len(start.ring))
     state, gained = _at(balance, grooves, start, BALL_SHARE), np.full(len(cases), True)
-    halved = gained
+    halved, least, without = gained, np.full(len(cases), np.inf), np.zeros(len(cases), int)
     whole = state.of(cases)  # arrays of its own
     for number in range(LIMIT + 1):
-        for case, left, gain, better in zip(cases, state.imbalance, gained, halved, strict=True):
-            outcomes[case] = _outcome(balance, left, TOLERANCE if better else ROUNDED, gain, number == LIMIT)
+        without[cases] = np.where(state.imbalance < least[cases], 0, without[cases] + 1)
+        least[cases] = np.fmin(least[cases], state.imbalance)
+        going = gained & (without[cases] < PATIENCE)
+        for case, left, goes, better in zip(cases, state.imbalance, going, halved, strict=True):
+            outcomes[case] = _outcome(balance, left, TOLERANCE if better else ROUNDED, goes, number == LIMIT)
         running = np.array([outcomes[case] is SolverOutcome.RUNNING for case in cases])
         if not running.any():
             break
@@ -293,14 +297,12 @@ def _newton(balance: AngularBalance, grooves: ElasticGrooves, start: Places) -> 
     return whole, outcomes
 
 
-def _outcome(
-    balance: AngularBalance, left: float, tolerance: float, gained: bool, last: bool
-) -> SolverOutcome:
+def _outcome(balance: AngularBalance, left: float, tolerance: float, goes: bool, last: bool) -> SolverOutcome:
     if not np.isfinite(left):
         return SolverOutcome.NOT_FINITE
     if left <= max(tolerance, balance.control.noise):
         return SolverOutcome.CONVERGED
-    if not gained:
+    if not goes:
         return SolverOutcome.STALLED
     return SolverOutcome.LIMIT if last else SolverOutcome.RUNNING
 
