@@ -134,6 +134,13 @@ def test_only_the_first_names_of_many_matrices_are_listed(tmp_path):
     assert re.search(r"1000 matrices, .* and 992 more; allowed is one", message)
 
 
+@pytest.mark.parametrize("row", ["0 1", "3 1"])
+def test_rows_of_calculix_count_from_one(row, tmp_path):
+    (tmp_path / "k.sti").write_text(f"1 2 2.0\n{row} 2.0\n")
+    (tmp_path / "k.dof").write_text("1.1\n1.2\n")
+    assert "does not name" in refusal(matrix_files.stiffness, tmp_path / "k.sti")
+
+
 @pytest.mark.parametrize(
     ("unknowns", "complaint"),
     [

@@ -577,7 +577,7 @@ def test_the_error_of_the_bins_is_that_of_a_series_without_bins(tmp_path):
 
 
 WRONG_SERIES = {
-    "is not above that of the row before": ["0,1,1", "2,1,1", "2,1,1"],
+    "time of row 3 is not above that of the row before": ["0,1,1", "2,1,1", "2,1,1"],
     "row 2, time": ["0,1,1", "x,1,1"],
     "row 1, operation.radial_load has": ["0,x,1", "1,1,1"],
     "row 2, operation.radial_load is empty": ["0,1,1", "1,,1"],
