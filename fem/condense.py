@@ -149,6 +149,8 @@ def condense_in_process(
     Raises `ImpossiblePart` and `NotSolved` as it does.
     """
     stage, seconds = stages(report)
+    if getattr(part, "taper", 0.0) and discretisation is not HARMONICS:
+        raise ImpossiblePart(f"a cone is impossible as {discretisation.name}, only as {HARMONICS.name}")
     match part, discretisation:
         case _, Discretisation.SOLID:
             from fem.solid.condensation import condense_solid
@@ -195,6 +197,7 @@ def _in_harmonics(
 ) -> "HarmonicCompliance":
     """Compliance of a raceway that is held, from what its harmonics are answered with."""
     from fem.raceway.harmonics import harmonic_compliance
+    from fem.section.raceway_shapes import taper
 
     if isinstance(part, SquirrelCage) and discretisation is HARMONICS:
         return _cage_in_space(part, resolution, stage, seconds)
@@ -207,6 +210,7 @@ def _in_harmonics(
             elastic=part.materials["ring"],
             bars=None,
             seconds=seconds,
+            taper=taper(part),
         )
         _require_enough(compliance, resolution)
         return compliance

@@ -107,9 +107,9 @@ def foundation(u, v, edge, springs):
 
 
 def edge_pressure(v, edge, pressure):
-    r"""Virtual work of a load per length along a cylindrical edge, divided by its radius.
+    r"""Virtual work of a load per length and radian along an edge.
 
-    .. math:: g(v) = \int p\,v\,dx
+    .. math:: g(v) = \int p\,v\,ds
 
     Parameters
     ----------

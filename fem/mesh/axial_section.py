@@ -7,7 +7,7 @@ or "foundation" where the part is held, "lines" where line loads may act, "seat"
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import singledispatch
-from math import cos, hypot, isinf, sin
+from math import cos, hypot, isinf, sin, tan
 
 from fem.mesh.expense import polygon, require_affordable
 from fem.parts.bolted_ring import BoltedRing
@@ -51,7 +51,7 @@ def sections(part, length: float, rows: Sequence[float] = MIDDLE) -> list[AxialS
 def _(part: OuterRing, length, rows=MIDDLE):
     inner, (left, right) = part.raceway_diameter / 2, part.sides
     outer, half = inner + part.thickness, half_band(part.groove, inner, 1, length)
-    bore = (left, inner, None), *_bands(rows, half, inner), (right, inner, None)
+    bore = _on_cone([(left, inner, None), *_bands(rows, half, inner), (right, inner, None)], part.taper)
     bends = {} if part.groove is None else {2: start_of_arc(part.groove.end(inner, 1), 1)}
     if not isinstance(part.support, Housing):
         face, outside = edge_names(part.support)
@@ -79,10 +79,9 @@ def _(part: RingOnShaft, length, rows=MIDDLE):
     ribs = [[(side, rib, None), (track, rib, None)], [(-track, rib, None), (-side, rib, None)]]
     right, left = ribs if part.rib_diameter is not None else ([], [])
     bends = {} if part.groove is None else {4 + len(right): start_of_arc(part.groove.end(raceway, -1), -1)}
+    surface = [(track, raceway, None), *_bands(rows, -half, raceway), (-track, raceway, None)]
     ring = AxialSection("ring", (
-        (-side, bore, None), (side, bore, "seat"), *right,
-        (track, raceway, None), *_bands(rows, -half, raceway), (-track, raceway, None),
-        *left,
+        (-side, bore, None), (side, bore, "seat"), *right, *_on_cone(surface, part.taper), *left,
     ), bends)  # fmt: skip
     shaft = AxialSection("shaft", (
         (-end, hollow, None), (end, hollow, None), (end, bore, "clamped"), (side, bore, None),
@@ -104,6 +103,13 @@ def _(part: BoltedRing, length, rows=MIDDLE):
         (-half, land, None), *between, (half, land, "raceway"),
         (last, land, None), (last, far, faces.get(outward)), (first, far, None),
     ), {2 + number: start_of_arc(angle, outward) for number, angle in enumerate(begin)})]  # fmt: skip
+
+
+def _on_cone(
+    corners: Sequence[tuple[float, float, str | None]], taper: float
+) -> list[tuple[float, float, str | None]]:
+    """Corners of a cylinder on a cone of the same radius at x = 0, which widens by an angle [rad]."""
+    return [(x, radius + x * tan(taper), name) for x, radius, name in corners]
 
 
 def _bands(rows: Sequence[float], half: float, radius: float) -> list[tuple[float, float, str | None]]:

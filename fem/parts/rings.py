@@ -6,7 +6,7 @@ phi turns from z towards y, so that the outward normal of a raceway is (0, sin p
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import isfinite
+from math import isfinite, pi, tan
 
 from fem.parts.boundary_conditions import (
     FreeMotions,
@@ -40,10 +40,13 @@ class OuterRing:
     elastic: Elastic
     support: Support
     offset: float = 0.0  # [m] axial, of the raceway's middle from the ring's, towards the clamped face
-    groove: Groove | None = None  # for balls, cut into the inner surface; None: a cylinder for rollers
+    groove: Groove | None = None  # for balls, cut into the inner surface; None: a raceway for rollers
+    taper: float = 0.0  # [rad] angle of the raceway from the axis, > 0 where it widens towards +x
 
     def __post_init__(self):
         require_positive(self, "raceway_diameter", "thickness", "width")
+        if self.taper:
+            self._require_cone()
         if self.groove is not None:
             land = self.raceway_diameter / 2
             require_room(self.groove, land, land + self.thickness, 1, self.width, self.offset)
@@ -56,6 +59,16 @@ class OuterRing:
             raise ImpossiblePart(
                 f"raceway_offset = {in_mm(self.offset)}: a ring on lines or tooth forces is known with its "
                 "raceway in its middle only; allowed is zero"
+            )
+
+    def _require_cone(self) -> None:
+        """Refuse a cone without a wall, or in a support that does not hold it along its axis."""
+        walls = [self.thickness - x * tan(self.taper) for x in self.sides]
+        require_conical(self, min(walls), self.raceway_diameter / 2 + self.thickness - max(walls))
+        if self.free_motions.axial or getattr(self.support, "pushing", False):
+            raise ImpossiblePart(
+                "a conical raceway is impossible on lines, between teeth, on springs that only push, and "
+                "without anything that holds the ring along its axis"
             )
 
     @property
@@ -98,7 +111,8 @@ class RingOnShaft:
     shaft_length: float  # [m] axial, centred on the ring
     ring: Elastic
     shaft: Elastic
-    groove: Groove | None = None  # for balls, cut into the outer surface; None: a cylinder for rollers
+    groove: Groove | None = None  # for balls, cut into the outer surface; None: a raceway for rollers
+    taper: float = 0.0  # [rad] angle of the raceway of a ring without ribs, > 0 where it widens towards +x
 
     def __post_init__(self):
         if self.groove is not None:
@@ -117,6 +131,10 @@ class RingOnShaft:
             limit, value = getattr(self, outside) - wall, getattr(self, inside)
             allowed = f"at most {in_mm(limit)}, inside {outside}"
             require(value <= limit + ROUNDING, inside, in_mm(value), allowed)
+        if self.taper:
+            require(not ribs, "rib_diameter", self.rib_diameter, "None: a cone is known without ribs")
+            thinnest = self.raceway_diameter / 2 - self.width / 2 * tan(abs(self.taper))
+            require_conical(self, thinnest - self.bore / 2, thinnest)
 
     @property
     def track(self) -> float:
@@ -153,6 +171,16 @@ class RingOnShaft:
 
 
 Part = SquirrelCage | OuterRing | RingOnShaft
+
+
+def require_conical(part: OuterRing | RingOnShaft, wall: float, radius: float) -> None:
+    """Refuse a conical raceway with a thinnest wall and a least radius [m] that cannot be, or for balls."""
+    require(abs(part.taper) < pi / 4, "taper", part.taper, "an angle below pi/4")
+    require(part.groove is None, "groove", part.groove, "None in a conical raceway")
+    require(
+        wall > SLENDEREST_SLOT and radius > 0, "width", in_mm(part.width),
+        f"a width in which the cone leaves a wall of {in_mm(SLENDEREST_SLOT)}; it leaves {in_mm(wall)}",
+    )  # fmt: skip
 
 
 def require_on_track(length: float, track: float, rows: Sequence[float] = MIDDLE) -> None:

@@ -11,7 +11,7 @@ import logging
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from math import ceil, floor
+from math import ceil, cos, floor, tan
 from typing import NamedTuple, TypeVar
 
 import numpy as np
@@ -160,8 +160,9 @@ def _of_translation(response: NDArray) -> float:
 
 
 def harmonic_compliance(
-    responses: Responses, *, radius: float, length: float, elastic: Elastic, bars: int | None, seconds: dict
-) -> "HarmonicCompliance":
+    responses: Responses, *, radius: float, length: float, elastic: Elastic, bars: int | None, seconds: dict,
+    taper: float = 0.0,
+) -> "HarmonicCompliance":  # fmt: skip
     """Raceway compliance of a part; a body of revolution answers n and -n alike."""
     response = responses.response
     if response.ndim == 3:
@@ -174,6 +175,7 @@ def harmonic_compliance(
         length=length,
         elastic=elastic,
         bars=bars,
+        taper=taper,
         unknowns=responses.unknowns,
         elements=responses.elements,
         seconds=seconds,
@@ -195,7 +197,7 @@ class HarmonicCompliance:
     harmonics: NDArray  # (K,) of int, -N .. N
     response: NDArray  # (K, M, K, M), or (K, M, M) of revolution [m/N]: w_nm per F_n'm', nothing removed
     radius: float  # R of the raceway [m]
-    length: float  # l of the loaded band [m]
+    length: float  # l of the loaded band along the axis [m]
     elastic: Elastic  # material below the raceway
     bars: int | None  # equal bars with one at azimuth 0; None for a body of revolution
     unknowns: int
@@ -205,6 +207,7 @@ class HarmonicCompliance:
     bar_response: BarResponse | None = None  # of a squirrel cage
     short_waves: NDArray | None = None  # (S, M, M) [m/N] what N + 1 .. N + S answer to themselves, if known
     rows: int = 1  # of rollers, on loaded bands of their own
+    taper: float = 0.0  # [rad] angle of the raceway from the axis, > 0 where it widens towards +x
 
     def __post_init__(self):
         K, M = self.response.shape[:2]
@@ -246,11 +249,12 @@ class HarmonicCompliance:
 
     def _computed_at(self, phi: NDArray) -> RacewayCompliance:
         translation, support = self._translation(phi)
+        across = cos(self.taper)  # what the normal has of it
         return RacewayCompliance(
             azimuths=phi,
             absolute=self.absolute(phi),
-            translation=translation,
-            support_stiffness=float(2 / np.trace(support)),
+            translation=translation / across,
+            support_stiffness=float(2 * across**2 / np.trace(support)),
             unknowns=self.unknowns,
             elements=self.elements,
             seconds=self.seconds,
@@ -265,6 +269,9 @@ class HarmonicCompliance:
         """
         self.require_enough()
         absolute = self._series(azimuths) + self._beyond(azimuths) + self._neighbours(azimuths)
+        if self.taper:
+            own = np.arange(len(azimuths))
+            absolute[own, :, own] += self._of_wider_end
         absolute = (absolute + absolute.transpose(2, 3, 0, 1)) / 2
         return self.of_rows(self.of_rows(absolute).transpose(2, 3, 0, 1)).transpose(2, 3, 0, 1)
 
@@ -309,8 +316,34 @@ class HarmonicCompliance:
     def _half_space(self) -> NDArray:
         """Harmonics of the half-space (K, M, M) [m/N]."""
         return self._in_each_row(
-            indentation_harmonics(self.harmonics, self.radius, self.length, self._shapes, self.elastic)
+            indentation_harmonics(
+                self.harmonics, self.radius, self._contact_length, self._shapes, self.elastic
+            )
         )
+
+    @property
+    def _contact_length(self) -> float:
+        """Length of the loaded band along the raceway [m]."""
+        return self.length / cos(self.taper)
+
+    @cached_property
+    def _of_wider_end(self) -> NDArray:
+        r"""What own terms gain where the radius r(s) of a cone is above the R of the half-space (M, M) [m/N].
+
+        .. math:: \frac{2 (1 - \nu^2)}{\pi E} \int a_m a_p \ln\frac{r}{R}\,ds
+
+        A place at an azimuth is as much further from the line as r is larger.
+
+        Source
+        ------
+        Logarithm of the displacement beside a line load; derived here.
+        """
+        places, weights = np.polynomial.legendre.leggauss(self._shapes + 8)
+        shapes = np.polynomial.legendre.legvander(places, self._shapes - 1)
+        shapes *= 2 * np.arange(self._shapes) + 1
+        ratio = np.log1p(self.length / 2 * tan(self.taper) * places / self.radius)
+        unit = 2 * (1 - self.elastic.poisson_ratio**2) / (np.pi * self.elastic.youngs_modulus)
+        return unit / (2 * self._contact_length) * (shapes.T * (weights * ratio)) @ shapes
 
     @property
     def _shapes(self) -> int:
@@ -350,7 +383,7 @@ class HarmonicCompliance:
         if self.short_waves is None:
             return np.empty((0, M, M))
         n = self.harmonics[-1] + 1 + np.arange(len(self.short_waves))
-        waves = indentation_harmonics(n, self.radius, self.length, self._shapes, self.elastic)
+        waves = indentation_harmonics(n, self.radius, self._contact_length, self._shapes, self.elastic)
         return self.short_waves - self._in_each_row(waves)
 
     def _series(self, phi: NDArray) -> NDArray:
@@ -380,7 +413,7 @@ class HarmonicCompliance:
             raise ImpossiblePart(f"azimuths = {phi.tolist()!r} are impossible; all must be different")
         H = np.zeros((Z, M, Z, M))
         apart, place = _distinct(phi[i] - phi[j])
-        own = indentation(apart, self.radius, self.length, self._shapes, self.elastic)
+        own = indentation(apart, self.radius, self._contact_length, self._shapes, self.elastic)
         H[i, :, j] = self._in_each_row(own)[place]
         return H
 

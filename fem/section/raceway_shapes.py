@@ -9,7 +9,7 @@ from fem.parts.boundary_conditions import FreeMotions
 from fem.parts.groove import Groove, Stations
 from fem.parts.material import ImpossiblePart, require
 from fem.parts.resolution import Resolution
-from fem.parts.rings import MIDDLE, Part, RingOnShaft
+from fem.parts.rings import MIDDLE, OuterRing, Part, RingOnShaft
 from fem.parts.squirrel_cage import SquirrelCage
 from fem.raceway.harmonics import HarmonicCompliance, Responses, harmonic_compliance, highest_harmonic
 from fem.raceway.stations import DETAIL, GrooveCompliance
@@ -29,7 +29,7 @@ def raceway_modes(body: Body, part: Part | BoltedRing, resolution: Resolution) -
     """
     if part.groove is None:
         if resolution.rows == MIDDLE:
-            return edge_modes(body, "raceway", resolution.axial_modes)
+            return edge_modes(body, "raceway", resolution.axial_modes, taper=taper(part))
         bands = [(place, resolution.length) for place in resolution.rows]
         return np.hstack([edge_modes(body, "raceway", resolution.axial_modes, band=band) for band in bands])
     return station_modes(body, part.groove, outward(part), _stations(part, part.groove, resolution))
@@ -50,7 +50,7 @@ def raceway_compliance(
         return harmonic_compliance(
             answers._replace(rows=len(resolution.rows)),
             radius=part.raceway_diameter / 2, length=resolution.length, elastic=part.materials["ring"],
-            bars=None, seconds=seconds,
+            bars=None, seconds=seconds, taper=taper(part),
         )  # fmt: skip
     stations = _stations(part, part.groove, resolution)
     return GrooveCompliance(
@@ -137,6 +137,11 @@ def _stations(part: Part | BoltedRing, groove: Groove, resolution: Resolution) -
         "angles", stations.angles, f"between {first:.4g} and {end:.4g} rad, where the arc of the groove ends",
     )  # fmt: skip
     return stations
+
+
+def taper(part: Part | BoltedRing) -> float:
+    """Angle of a raceway from the axis [rad]; zero of a cylinder."""
+    return part.taper if isinstance(part, OuterRing | RingOnShaft) else 0.0
 
 
 def outward(part: Part | BoltedRing) -> int:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import cos, sin, tan
 from typing import Any
 
 import ngsolve as ngs
@@ -67,16 +68,17 @@ def assembled(
 
 
 def edge_modes(
-    body: Body, edge: str, axial_modes: int, direction: int = 1, band: tuple[float, float] | None = None
-) -> NDArray:
-    r"""Load vectors of Legendre pressures on a cylindrical edge, which also read its displacement.
+    body: Body, edge: str, axial_modes: int, direction: int = 1, band: tuple[float, float] | None = None,
+    taper: float = 0.0,
+) -> NDArray:  # fmt: skip
+    r"""Load vectors of Legendre pressures on a straight edge, which also read its displacement.
 
-    .. math:: g_m(v) = \int \frac{2m+1}{l} L_m(2(x - x_0)/l)\,v_d\,dx
+    .. math:: g_m(v) = \int \frac{2m+1}{l} L_m(2 s/l)\,v_d\,ds
 
-    An array (unknowns, M) [-]; g_0 reads the mean displacement. The edge of length l is centred on x_0, along
-    x; d is 0 along x, 1 outward, 2 towards growing azimuth. Of an edge in several parts a `band` has x_0 and
-    l [m] of one.
-    Raises `ImpossiblePart` if no edge has this name, or if it is not one cylinder.
+    An array (unknowns, M) [-]; g_0 reads the mean displacement. The edge of length l has its middle at s = 0,
+    s towards +x; d is 0 along x, 1 outward, 2 towards growing azimuth; on a cone with a `taper` [rad] from
+    the axis outward is normal to it. Of a cylinder in several parts a `band` has x_0 and l [m] of one.
+    Raises `ImpossiblePart` if no edge has this name, or if it is not one cylinder or cone.
 
     Source
     ------
@@ -88,17 +90,18 @@ def edge_modes(
         return ngs.Integrate(f, body.space.mesh, ngs.BND, definedon=where)
 
     length, middle, radius = integral(ngs.CF(1)), integral(ngs.x), integral(ngs.y)
-    if integral((ngs.y - radius / length) ** 2) > FLAT * radius**2 / length:
-        raise ImpossiblePart(f"the edge {edge!r} is not one cylinder, its radius varies")
     place, inside = middle / length, 1
+    if integral((ngs.y - radius / length - tan(taper) * (ngs.x - place)) ** 2) > FLAT * radius**2 / length:
+        raise ImpossiblePart(f"the edge {edge!r} is not one cylinder or cone: its radius varies otherwise")
     if band is not None:
         place, length = (MILLIMETRES * each for each in band)
         inside = ngs.IfPos(length / 2 - ngs.sqrt((ngs.x - place) ** 2), 1.0, 0.0)
-    xi = 2 * (ngs.x - place) / length
+    xi = 2 * (ngs.x - place) / (length * cos(taper))
     v = body.space.TestFunction()
+    along = cos(taper) * v[1] - sin(taper) * v[0] if direction == 1 and taper else v[direction]
     shapes = enumerate(legendre_polynomials(xi, axial_modes))
     patterns = (inside * (2 * m + 1) / length * L for m, L in shapes)
-    return np.stack([body.load(forms.edge_pressure(v[direction], where, a)) for a in patterns], axis=1)
+    return np.stack([body.load(forms.edge_pressure(along, where, a)) for a in patterns], axis=1)
 
 
 def station_modes(body: Body, groove: Groove, outward: int, stations: Stations) -> NDArray:
