@@ -1,5 +1,6 @@
-"""How tapered rollers between rigid rings share load, with their inertia, raceways without friction."""
+"""How tapered rollers share load between rigid or elastic rings, with inertia, raceways without friction."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -15,6 +16,7 @@ from quasidynamic.parts.angular_contact_bearing import RingOperation
 from quasidynamic.parts.material import contact_modulus
 from quasidynamic.parts.tapered_bearing import TaperedRollerBearing
 from quasidynamic.solve.rollers.inclined_equilibrium import InclinedSolution, inclined_equilibrium
+from quasidynamic.solve.rollers.inclined_raceways import Compliance, between_elastic_raceways
 
 PRESSED = 2.0  # times the approach of evenly loaded rollers: where the search begins, on the safe side
 
@@ -142,8 +144,13 @@ class TaperedLoads:
         return np.abs(rib.depth) + radius + 0 * self.rib_loads
 
 
-def tapered_loads(bearing: TaperedRollerBearing, operation: RingOperation, slices: int = 40) -> TaperedLoads:
-    r"""Balance of rollers and inner ring, the outer ring standing still in its place.
+def tapered_loads(
+    bearing: TaperedRollerBearing,
+    operation: RingOperation,
+    slices: int = 40,
+    raceways: Sequence[Compliance] = (None, None),
+) -> TaperedLoads:
+    r"""Balance of rollers and inner ring, the outer ring standing still in its place or giving way.
 
     .. math:: Q_o N_o + Q_i N_i + Q_f N_f = (0, F_c),\quad M_o - M_i + h Q_f = M_g,
 
@@ -158,6 +165,10 @@ def tapered_loads(bearing: TaperedRollerBearing, operation: RingOperation, slice
         load or displacement in each direction, and speeds; the axial force acts towards its `side`
     slices : int
         number of slices of each roller
+    raceways : sequence of arrays (Z, M, Z, M)
+        compliance of the inner and the outer raceway [m/N]: displacement along the normal into the ring by
+        forces along it, both in Legendre modes of the place towards the large end, without that of a
+        half-space under the own line; None of a rigid one
 
     Raises
     ------
@@ -170,8 +181,8 @@ def tapered_loads(bearing: TaperedRollerBearing, operation: RingOperation, slice
 
     Valid
     -----
-    Rigid rings; raceways and rib without friction; no film between roller and raceway, no cage. Contact
-    begins smoothly over `gap_rounding`.
+    Rigid or linear rings, the rib in the frame of the inner one; raceways and rib without friction; no film
+    between roller and raceway, no cage. Contact begins smoothly over `gap_rounding`.
     """
     speeds = tapered_speeds(bearing, operation.inner_speed, operation.outer_speed)
     sliced = Slices(slices, bearing.roller.length)
@@ -181,7 +192,11 @@ def tapered_loads(bearing: TaperedRollerBearing, operation: RingOperation, slice
     turn = bearing.pitch_diameter / 2
     load = np.array(operation.load) / [1.0, 1.0, 1.0, turn, turn]
     held = np.array([place is not None for place in operation.displacement])
-    solution = inclined_equilibrium(model, load, held, _start(bearing, operation, model, load))
+    start = _start(bearing, operation, model, load)
+    if all(raceway is None for raceway in raceways):
+        solution = inclined_equilibrium(model, load, held, start)
+    else:
+        solution = between_elastic_raceways(model, load, held, start, raceways)
     return TaperedLoads(bearing, operation, sliced, speeds, solution)
 
 

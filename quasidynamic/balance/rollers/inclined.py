@@ -23,6 +23,7 @@ class InclinedState(NamedTuple):
     ring: NDArray  # (5) [m]
     rollers: NDArray  # (Z, 3) [m]
     slice_load: NDArray  # (2, Z, K) [N/m] inner, outer
+    slice_slope: NDArray  # (2, Z, K) [N/m2] of these by the approach
     rib_load: NDArray  # (Z) [N]
     excess: NDArray  # (Z, 3) [N] of forces on rollers: minus the gradient of the energy
     on_ring: NDArray  # (Z, 3) [N] of the rollers on a section of the inner ring
@@ -50,7 +51,7 @@ class InclinedRollers:
 
     law: LoadLaw  # of both raceways, inner first
     slices: Slices
-    drops: NDArray  # (2, 1, K) [m]
+    drops: NDArray  # (2, 1 or Z, K) [m] with the shape of elastic raceways
     normals: NDArray  # (3, 3) of inner and outer raceway and rib: unit displacements to their approaches [-]
     gap: float  # [m] at the inner raceway
     rib_stiffness: float  # [N/m^1.5]
@@ -87,7 +88,7 @@ class InclinedRollers:
         return self.slices.modes
 
     @cached_property
-    def _levers(self) -> NDArray:
+    def levers(self) -> NDArray:
         """Unit displacements of a section to the mean and the turn of its approach (2, 2, 3) [-]."""
         mean = self.normals[:2] * [1.0, 1.0, 0.0]
         turn = self.normals[:2] * [0.0, 0.0, 1.0]
@@ -97,13 +98,13 @@ class InclinedRollers:
         """Evaluate every slice and the rib."""
         section = self.sections @ ring
         moved = np.stack([rollers - section, rollers])  # against inner and outer ring
-        approach = np.einsum("rmd,rzd->rzm", self._levers, moved) @ self._modes.T - self.drops
+        approach = np.einsum("rmd,rzd->rzm", self.levers, moved) @ self._modes.T - self.drops
         approach[INNER] -= self.gap
         load, slope = self.law(approach)
         force = load @ self.slices.weights  # (2, Z, 2)
         stiff = (slope @ self.slices.products).reshape(2, len(rollers), 2, 2)
-        on = np.einsum("rmd,rzm->rzd", self._levers, force)
-        by = np.einsum("rmd,rzmn,rne->rzde", self._levers, stiff, self._levers)
+        on = np.einsum("rmd,rzm->rzd", self.levers, force)
+        by = np.einsum("rmd,rzmn,rne->rzde", self.levers, stiff, self.levers)
         closed, root = smooth_positive(moved[INNER] @ self.normals[2], self.law.rounding)
         rib = self.rib_stiffness * closed**RIB_EXPONENT
         towards = self.normals[2]
@@ -113,6 +114,7 @@ class InclinedRollers:
             ring=ring,
             rollers=rollers,
             slice_load=load,
+            slice_slope=slope,
             rib_load=rib,
             excess=self.dead - inner - on[OUTER],
             on_ring=inner,

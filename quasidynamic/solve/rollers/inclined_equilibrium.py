@@ -27,6 +27,8 @@ class InclinedSolution:
     stiffness: NDArray  # (5, 5) [N/m] of the ring in its scaled displacements
     imbalance: float  # [-] largest unbalanced force over the largest force
     evaluations: int  # of all contacts
+    floor: float  # [N/m] that holds rollers which nothing touches
+    shape: NDArray | None = None  # (2, Z, M) [m] of elastic raceways: modes of what they give way by
 
 
 @dataclass
@@ -49,19 +51,21 @@ class _Search:
 
 
 def inclined_equilibrium(
-    model: InclinedRollers, load: NDArray, held: NDArray, start: NDArray
+    model: InclinedRollers, load: NDArray, held: NDArray, start: NDArray, rollers: NDArray | None = None
 ) -> InclinedSolution:
     """Place of the ring (5) where the rollers carry the load, their own balance within every place of it.
 
     Loads (5) [N] and displacements (5) [m] are those of `InclinedRollers`, of which `held` (5) stay where
-    they start. The energy is convex: from any start the steps lead to its lowest place.
+    they start, `rollers` (Z, 3) where they begin. The energy is convex: from any start the steps lead to its
+    lowest place.
 
     Raises `NotSolved` where the ring finds none.
     """
     law, length = model.law, float(np.max(model.slices.length))
     usual = float(np.min(law.coefficient)) * length * (TYPICAL * length) ** (1 / 9)
     search = _Search(model, load, FLOOR * usual, LONGEST * length)
-    rollers = np.full((len(model.sections), SECTION), 0.5) * (model.sections @ start)
+    if rollers is None:
+        rollers = np.full((len(model.sections), SECTION), 0.5) * (model.sections @ start)
     state = _rollers_at_rest(search, search.at(start, rollers))
     free = ~held
     for _ in range(STEPS):
@@ -70,7 +74,7 @@ def inclined_equilibrium(
         matrix, follow = _stiffness(search, state)
         if imbalance < TOLERANCE:
             _require_held(matrix[np.ix_(free, free)], search.floor)
-            return InclinedSolution(state, matrix, imbalance, search.evaluations)
+            return InclinedSolution(state, matrix, imbalance, search.evaluations, search.floor)
         part = matrix[np.ix_(free, free)]
         stiffer = STIFFENING * min(imbalance, 1.0) * part.trace() + search.floor
         step = np.zeros(HELD)
