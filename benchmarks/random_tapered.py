@@ -1,4 +1,7 @@
-"""How many random tapered roller bearings are solved: `python -m benchmarks.random_tapered [--number N]`."""
+"""How many random tapered roller bearings are solved: `python -m benchmarks.random_tapered [--number N]`.
+
+Between rigid rings, or between elastic ones with `--elastic`; rollers and rings are summed up again.
+"""
 
 import argparse
 import time
@@ -8,29 +11,68 @@ import numpy as np
 from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe
-from quasidynamic import NotSolved, tapered_loads
-from tests.random_tapered import drawn
+from quasidynamic import NotSolved, TaperedLoads, tapered_loads
+from tests.random_tapered import compliance, drawn, drawn_rings
+
+SHAPES = 4
+
+
+def summed_again(found: TaperedLoads) -> float:
+    """Largest unbalanced force of rollers and ring over the largest force [-], from the loads of slices."""
+    bearing = found.bearing
+    cone, cup, rib = bearing.cone_angle, bearing.cup_angle, bearing.rib
+    inner, outer, on_rib = *found.loads, found.rib_loads
+    along = inner * np.sin(cone) - outer * np.sin(cup) + on_rib * np.cos(rib.angle)
+    across = outer * np.cos(cup) - inner * np.cos(cone) + on_rib * np.sin(rib.angle)
+    moments = found.slice_loads * found.slices.widths @ found.slices.centres
+    turning = moments[1] - moments[0] + on_rib * rib.lever - found.speeds.gyroscopic_moment
+    towards = np.array([np.sin(bearing.azimuths), np.cos(bearing.azimuths)])
+    on_ring = [-bearing.side * (inner * np.sin(cone) + on_rib * np.cos(rib.angle)).sum()]
+    on_ring += [*towards @ (on_rib * np.sin(rib.angle) - inner * np.cos(cone))]
+    left = [along, across - found.speeds.centrifugal_force, turning / (bearing.roller.length / 2)]
+    largest = max(outer.max(), np.abs(found.load[:3]).max())
+    return float(max(np.abs(left).max(), np.abs(np.array(on_ring) + found.load[:3]).max()) / largest)
+
+
+def shape_again(found: TaperedLoads, raceways: list[np.ndarray | None]) -> float:
+    """Largest difference of raceways from the shape that the loads of slices make, over the largest [-]."""
+    modes = found.slices.with_axial_modes(SHAPES)
+    worst = 0.0
+    for raceway, deflection, loads in zip(raceways, found.deflection, found.slice_loads, strict=True):
+        if raceway is not None and deflection is not None:
+            shape = np.einsum("jmkn,kn->jm", raceway, loads @ modes.weights) @ modes.modes.T
+            worst = max(worst, float(np.abs(shape - deflection).max() / np.abs(shape).max()))
+    return worst
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--number", type=int, default=500)
-    number = parser.parse_args().number
-    outcomes, times, imbalances = Counter[str](), [], []
+    parser.add_argument("--elastic", action="store_true")
+    options = parser.parse_args()
+    outcomes, named, times, left, shapes = Counter[str](), [], [], [0.0], [0.0]
     with threadpool_limits(1):
-        for seed in range(number):
+        for seed in range(options.number):
             bearing, asked = drawn(seed)
+            rings = drawn_rings(seed, bearing) if options.elastic else [None, None]
+            raceways = [ring and compliance(bearing, ring, SHAPES) for ring in rings]
             began = time.process_time()
             try:
-                imbalances.append(tapered_loads(bearing, asked).solution.imbalance)
+                found = tapered_loads(bearing, asked, raceways=raceways)
+                left.append(summed_again(found))
+                shapes.append(shape_again(found, raceways))
                 outcomes["converged"] += 1
             except NotSolved as failure:
                 outcomes[failure.outcome] += 1
+                named.append(f"{seed}: {failure}")
             times.append(time.process_time() - began)
     print(describe())
-    print(f"{number} bearings: {dict(outcomes)}")
+    print(f"{options.number} bearings: {dict(outcomes)}")
     print(f"processor time: median {1e3 * np.median(times):.0f} ms, largest {1e3 * max(times):.0f} ms")
-    print(f"unbalanced force on the ring over the largest one: at most {max(imbalances):.1e}")
+    print(f"unbalanced force of rollers and ring over the largest one: at most {max(left):.1e}")
+    if options.elastic:
+        print(f"raceways against the shape that their loads make: at most {max(shapes):.1e}")
+    print(*named, sep="\n")
 
 
 if __name__ == "__main__":

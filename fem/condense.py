@@ -197,7 +197,6 @@ def _in_harmonics(
 ) -> "HarmonicCompliance":
     """Compliance of a raceway that is held, from what its harmonics are answered with."""
     from fem.raceway.harmonics import harmonic_compliance
-    from fem.section.raceway_shapes import taper
 
     if isinstance(part, SquirrelCage) and discretisation is HARMONICS:
         return _cage_in_space(part, resolution, stage, seconds)
@@ -210,7 +209,6 @@ def _in_harmonics(
             elastic=part.materials["ring"],
             bars=None,
             seconds=seconds,
-            taper=taper(part),
         )
         _require_enough(compliance, resolution)
         return compliance

@@ -41,6 +41,16 @@ class TaperedLoads:
         """Load of the rollers on the raceways (2, Z) [N]."""
         return self.slice_loads @ self.slices.widths
 
+    @cached_property
+    def deflection(self) -> tuple[NDArray | None, NDArray | None]:
+        """Displacement of elastic raceways at the slices (Z, K) [m] along their normals, into the rings."""
+        shape = self.solution.shape
+        if shape is None:
+            return None, None
+        at_slices = shape @ self.slices.with_axial_modes(shape.shape[-1]).modes.T
+        inner, outer = (each if shape[race].any() else None for race, each in enumerate(at_slices))
+        return inner, outer
+
     @property
     def rib_loads(self) -> NDArray:
         """Load of the rollers on the rib (Z) [N]."""

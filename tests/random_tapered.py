@@ -1,9 +1,13 @@
-"""Random tapered roller bearings: short and long rollers, at rest and at speed, held and free."""
+"""Random tapered roller bearings: short and long rollers, at rest and at speed, held and free, with rings."""
 
 from math import pi, radians
 
 import numpy as np
 
+import fem
+from fem.condense import HARMONICS, condense
+from fem.parts.boundary_conditions import Support
+from flexbearing.rings.cones import towards_large_end
 from quasidynamic.motion.tapered_speeds import tapered_speeds
 from quasidynamic.parts.angular_contact_bearing import RingOperation
 from quasidynamic.parts.material import Material
@@ -62,3 +66,69 @@ def drawn(seed: int) -> tuple[TaperedRollerBearing, RingOperation]:
         displacement=tuple(None if place is None else float(place) for place in displacement),
         inner_speed=float(speed),
     )
+
+
+def drawn_rings(seed: int, bearing: TaperedRollerBearing) -> list[fem.OuterRing | fem.RingOnShaft | None]:
+    """Inner and outer ring, one or both elastic: a cup that is held in any way, a cone on a shaft."""
+    random = np.random.default_rng([seed, 1])
+    roller, cone = bearing.roller, bearing.cone_angle
+    elastic = fem.Elastic(youngs_modulus=206e9, poisson_ratio=0.3)
+    length, which = roller.length, random.random()
+    width = length * random.uniform(1.05, 1.4)
+    outer = fem.OuterRing(
+        raceway_diameter=2 * raceway_middle(bearing, "outer"),
+        thickness=width / 2 * np.tan(bearing.cup_angle) + roller.diameter * random.uniform(0.15, 1.0),
+        width=width,
+        elastic=elastic,
+        support=_support(random, bearing, width),
+        taper=-bearing.cup_angle,
+    )
+    middle = raceway_middle(bearing, "inner")
+    below = middle - width / 2 * np.tan(cone)
+    bore = 2 * (below - min(roller.diameter * random.uniform(0.2, 1.0), 0.6 * below))
+    inner = fem.RingOnShaft(
+        raceway_diameter=2 * middle,
+        track_width=width,
+        rib_diameter=None,
+        bore=bore,
+        width=width,
+        shaft_bore=bore * random.choice([0.0, 0.5, 0.8]),
+        shaft_length=width * random.uniform(1.1, 4.0),
+        ring=elastic,
+        shaft=elastic,
+        taper=-cone,
+    )
+    return [inner if which > 0.6 else None, outer if which < 0.85 else None]
+
+
+def raceway_middle(bearing: TaperedRollerBearing, race: str) -> float:
+    """Distance of the middle of the contacts from the axis [m]."""
+    reach = bearing.roller.diameter / 2 / np.cos(bearing.taper)
+    if race == "outer":
+        return bearing.pitch_diameter / 2 + reach * np.cos(bearing.cup_angle)
+    return bearing.pitch_diameter / 2 - reach * np.cos(bearing.cone_angle)
+
+
+def _support(random: np.random.Generator, bearing: TaperedRollerBearing, width: float) -> Support:
+    which, soft = random.integers(4), 10 ** random.uniform(-2, 0.5)
+    if which == 0:
+        return fem.RigidSeat()
+    if which == 1:
+        return fem.ClampedFace()
+    if which == 2:  # as stiff as a layer of the roller's size of aluminium, or much softer
+        springs = soft * 70e9 / bearing.roller.diameter
+        return fem.Foundation(axial=springs, radial=springs, tangential=springs)
+    housing = fem.Elastic(youngs_modulus=70e9, poisson_ratio=0.33)
+    thickness = bearing.roller.diameter * random.uniform(0.5, 2)
+    return fem.Housing(thickness=thickness, width=width * random.uniform(0.8, 1.5), elastic=housing)
+
+
+def compliance(
+    bearing: TaperedRollerBearing, ring: fem.OuterRing | fem.RingOnShaft, shapes: int
+) -> np.ndarray:
+    """Compliance of a raceway as `tapered_loads` takes it, (Z, M, Z, M) [m/N]."""
+    length = bearing.roller.length
+    mesh = fem.MeshSize(order=5, size=1.2 * length, raceway_size=0.25 * length)
+    band = length * np.cos(ring.taper)
+    condensed = condense(ring, HARMONICS, fem.Resolution(length=band, axial_modes=shapes, mesh_size=mesh))
+    return towards_large_end(condensed.at(bearing.azimuths).absolute)

@@ -125,6 +125,7 @@ class Responses(NamedTuple):
     bar_response: BarResponse | None = None  # of a squirrel cage
     short_waves: NDArray | None = None  # (S, M, M) what N + 1 .. N + S answer to themselves [m/N]
     rows: int = 1  # of rollers, whose shapes stand one row after the other
+    taper: float = 0.0  # [rad] angle of the raceway from the axis
 
 
 def with_short_waves(responses: Responses, resolved: int, waves: NDArray) -> Responses:
@@ -160,9 +161,8 @@ def _of_translation(response: NDArray) -> float:
 
 
 def harmonic_compliance(
-    responses: Responses, *, radius: float, length: float, elastic: Elastic, bars: int | None, seconds: dict,
-    taper: float = 0.0,
-) -> "HarmonicCompliance":  # fmt: skip
+    responses: Responses, *, radius: float, length: float, elastic: Elastic, bars: int | None, seconds: dict
+) -> "HarmonicCompliance":
     """Raceway compliance of a part; a body of revolution answers n and -n alike."""
     response = responses.response
     if response.ndim == 3:
@@ -175,7 +175,7 @@ def harmonic_compliance(
         length=length,
         elastic=elastic,
         bars=bars,
-        taper=taper,
+        taper=responses.taper,
         unknowns=responses.unknowns,
         elements=responses.elements,
         seconds=seconds,

@@ -48,9 +48,9 @@ def raceway_compliance(
     """Compliance of a raceway for elements anywhere, from the answers (N + 1, M, M) of its shapes."""
     if part.groove is None:
         return harmonic_compliance(
-            answers._replace(rows=len(resolution.rows)),
+            answers._replace(rows=len(resolution.rows), taper=taper(part)),
             radius=part.raceway_diameter / 2, length=resolution.length, elastic=part.materials["ring"],
-            bars=None, seconds=seconds, taper=taper(part),
+            bars=None, seconds=seconds,
         )  # fmt: skip
     stations = _stations(part, part.groove, resolution)
     return GrooveCompliance(

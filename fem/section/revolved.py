@@ -9,7 +9,7 @@ from fem.assembly.factorisation import threads
 from fem.parts.resolution import Resolution, neighbour
 from fem.parts.rings import OuterRing, RingOnShaft
 from fem.raceway.harmonics import Responses, support_error
-from fem.section.raceway_shapes import raceway_modes, without_axial_motion
+from fem.section.raceway_shapes import raceway_modes, taper, without_axial_motion
 from fem.section.revolved_body import edge_modes
 from fem.section.rigid_body_modes import body_of, responses
 from fem.stages import Stage
@@ -47,7 +47,9 @@ def section_responses(
         estimated = not part.free_motions.across and resolution.nodes_of is None and part.groove is None
         error = _support_error(part, resolution, W) if estimated else None
     rows = len(resolution.rows)
-    return Responses(W, body.stiffness.unknowns, body.space.mesh.ne, support_error=error, rows=rows)
+    return Responses(
+        W, body.stiffness.unknowns, body.space.mesh.ne, support_error=error, rows=rows, taper=taper(part)
+    )
 
 
 def _support_error(part: OuterRing | RingOnShaft, resolution: Resolution, response: NDArray) -> float:

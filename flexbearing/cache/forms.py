@@ -156,6 +156,7 @@ RECORDS = {
             "bar_response": Kept("BarResponse", optional=True),
             "short_waves": Array(("S M M",), optional=True),
             "rows": Count(),
+            "taper": Number(),
         },
     ),
     "BarResponse": Record(

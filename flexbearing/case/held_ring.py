@@ -207,8 +207,9 @@ def require_support(ring: Any) -> None:
         raise impossible("line_azimuths", "three or more azimuths, or the ring can move freely")
     if ring.support == "planet" and not ring.tooth_azimuths:
         raise impossible("tooth_azimuths", "one or more azimuths: teeth carry the load away")
-    counts = {len(ring.tooth_azimuths), len(ring.tooth_radial), len(ring.tooth_tangential)}
-    if ring.support == "planet" and len(counts) > 1:
+    if ring.support == "planet" and not (
+        len(ring.tooth_azimuths) == len(ring.tooth_radial) == len(ring.tooth_tangential)
+    ):
         raise impossible("tooth_radial", "as many numbers as tooth_azimuths and tooth_tangential")
 
 

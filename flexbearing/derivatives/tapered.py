@@ -3,10 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.case import BadCase
 from flexbearing.case.tapered import TaperedCase
 from flexbearing.derivatives.by_keys import Differences, columns
 from flexbearing.derivatives.keys import Key, announced, given_keys, keys_of, with_value
@@ -18,7 +20,10 @@ from flexbearing.quantities.tapered import LAYOUT
 from flexbearing.runs import tapered
 
 OUTPUTS = Differentiable(
-    LAYOUT, ("life_L10", "peak_pressure.inner", "max_rib_load", "stiffness_zz"), ("imbalance",), ""
+    LAYOUT,
+    ("life_L10", "peak_pressure.inner", "max_rib_load", "stiffness_zz"),
+    ("imbalance",),
+    "outer.kind and inner.kind",
 )
 
 
@@ -27,14 +32,15 @@ def sensitivities(
 ) -> Sensitivities:
     """Derivatives of outputs by continuous keys at the equilibrium of a case.
 
-    Raises `BadCase` for keys that are none; `UnknownOutput`, `WrongUnit` for texts that name no output;
-    `NotSolved` where there is no equilibrium.
+    Raises `BadCase` for keys that are none, outputs of rigid rings where rings are elastic; `UnknownOutput`,
+    `WrongUnit` for texts that name no output; `NotSolved` where there is no equilibrium.
     """
     keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
-    asked = OUTPUTS.requested(of, LIFE, elastic=False)
-    state = _State(case, asked)
-    found, left_out = columns(state, announced(keys, report or Logged()))
-    return tabled((case.title, "rigid raceways"), asked, state.values, found, left_out)
+    asked, report = OUTPUTS.requested(of, LIFE, elastic=not case.rigid), report or Logged()
+    state = _State(case, tapered.raceways(case, report), asked)
+    found, left_out = columns(state, announced(keys, report))
+    raceways = "rigid raceways" if case.rigid else "flexible rings"
+    return tabled((case.title, raceways), asked, state.values, found, left_out)
 
 
 @dataclass(frozen=True)
@@ -42,12 +48,14 @@ class _State:
     """A case in equilibrium, with the outputs that are differentiated there."""
 
     case: TaperedCase
+    raceways: Any  # which no variant changes
     outputs: Sequence[RequestedOutput]
 
     @cached_property
     def values(self) -> NDArray:
         """Of the outputs (O)."""
-        block = {"rigid": tapered.block(tapered.solved(self.case))}
+        name = "rigid" if self.case.rigid else "flexible"
+        block = {name: tapered.block(tapered.solved(self.case, self.raceways))}
         return np.array([output.number(block) for output in self.outputs])
 
     def differences(self, key: Key, stencil: Stencil) -> Differences:
@@ -58,5 +66,15 @@ class _State:
         )
 
     def _moved(self, key: Key, change: float) -> "_State":
-        """The state with a key changed by so many steps."""
-        return _State(with_value(self.case, key.path, key.value + change * key.step), self.outputs)
+        """The state with a key changed by so many steps; raises `BadCase` where that changes a ring."""
+        variant = with_value(self.case, key.path, key.value + change * key.step)
+        if not self.case.rigid and _rings(variant) != _rings(self.case):
+            raise BadCase("it changes an elastic ring, which is meshed anew; vary it in a study")
+        return _State(variant, self.raceways, self.outputs)
+
+
+def _rings(case: TaperedCase) -> tuple[Any, ...]:
+    """What decides the compliance of the raceways under the rollers of a case."""
+    from flexbearing.rings.cones import parts  # with what describes finite elements
+
+    return parts(case), case.bearing.first_roller_azimuth

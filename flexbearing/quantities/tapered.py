@@ -58,6 +58,15 @@ QUANTITIES = (
         "place of the slice's middle along the contact, 0 in its middle, positive to the large end",
         source="loads.slices.centres", people=MM),
 
+    Quantity("inner_deflection", "w_i", "Z K", "m", "block",
+        f"displacement of an elastic inner raceway along its normal, away from the rollers, {_SLICES}; "
+        "absent of a rigid ring", source="loads.deflection.0", people=UM, optional=True),
+    Quantity("outer_deflection", "w_o", "Z K", "m", "block",
+        f"displacement of an elastic outer raceway along its normal, away from the rollers, {_SLICES}; "
+        "absent of a rigid ring", source="loads.deflection.1", people=UM, optional=True, summary=(
+            SummaryValue("max_outer_deflection_um", lambda way: way.max((-2, -1)),
+                "largest displacement of the outer raceway", ".2f"),)),
+
     # rib
     Quantity("rib_load", "Q_f", "Z", "N", "block", "load of the roller's large end on the rib, >= 0",
         source="loads.rib_loads", summary=(
@@ -208,6 +217,7 @@ azimuth from z towards y, left-handed about +x; rotations about y and z are righ
         ("stiffness_zz", "stiffness"),
     ),
     blocks=("rigid",),
+    further_blocks=("flexible",),
     further_attributes=(LIFE_ATTRIBUTE, RULE_ATTRIBUTE, CATALOGUE_ATTRIBUTE),
     head=("kind", *HEAD, "life", "life_rule", "catalogue_life"),
 )

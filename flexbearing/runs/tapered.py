@@ -1,9 +1,9 @@
 """Tapered roller bearings, from cases to result files and to rows of a table."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +17,7 @@ from flexbearing.life.life_of_state import MREV, ReferenceLives
 from flexbearing.life.tapered_lives import LoadsRated
 from flexbearing.outputs import requested
 from flexbearing.program.threads import linear_algebra_alone
-from flexbearing.progress import Report
+from flexbearing.progress import Logged, Report
 from flexbearing.quantities.quantity import row, taken
 from flexbearing.quantities.tapered import LAYOUT
 from flexbearing.results import Recorder
@@ -69,10 +69,33 @@ def opening(case: TaperedCase) -> dict[str, object]:
     return {"notes": [], "life": {}}
 
 
-def solved(case: TaperedCase) -> Solution:
-    """Balance of rollers and inner ring of a case; raises `NotSolved` where there is none."""
-    loads = tapered_loads(*tapered_bearing.build(case), case.accuracy.slices)
+RIGID: tuple[None, None] = (None, None)
+Block = Literal["rigid", "flexible"]
+
+
+def raceways(case: TaperedCase, report: Report) -> Any:
+    """Compliance of both raceways of a case; raises `NotSolved` where the finite elements find none."""
+    if case.rigid:
+        return RIGID
+    from flexbearing.rings import cones  # with finite elements
+
+    return cones.raceways(case, tapered_bearing.bearing(case).azimuths, report)
+
+
+def solved(case: TaperedCase, raceways: Any = RIGID) -> Solution:
+    """Balance of rollers and inner ring of a case between raceways; raises `NotSolved` without one."""
+    loads = tapered_loads(*tapered_bearing.build(case), case.accuracy.slices, raceways)
     return Solution(case, loads, tapered_lives.loads_rated(case, loads), tapered_lives.lives(case, loads))
+
+
+def solutions(case: TaperedCase, report: Report) -> Iterator[tuple[Block, Solution]]:
+    """Yield the solution between rigid rings, then that between elastic ones where the case has them."""
+    report.stage("tapered rollers between rigid rings", None)
+    yield "rigid", solved(case)
+    if not case.rigid:
+        shapes = raceways(case, report)
+        report.stage("tapered rollers between elastic rings", None)
+        yield "flexible", solved(case, shapes)
 
 
 def solve(case: TaperedCase, record: Recorder, report: Report) -> dict[str, object]:
@@ -80,14 +103,15 @@ def solve(case: TaperedCase, record: Recorder, report: Report) -> dict[str, obje
 
     Raises `BadCase` when no such bearing can exist.
     """
-    report.stage("tapered rollers between rigid rings", None)
+    name, solution = "", None
     try:
-        solution = solved(case)
+        for name, solution in solutions(case, report):
+            record.block(name, block(solution))
     except NotSolved as failure:
         return _ending(NOT_SOLVED, str(failure), str(failure.outcome))
     except (ImpossiblePart, OutOfRange) as problem:
         raise BadCase(f"{case.source.path}: {problem}") from problem
-    record.block("rigid", block(solution))
+    assert solution  # of rigid rings, at least
     found = judge(solution)
     words = (
         f"ring and rollers in balance to {solution.loads.solution.imbalance:.1e} of the largest force after "
@@ -99,7 +123,7 @@ def solve(case: TaperedCase, record: Recorder, report: Report) -> dict[str, obje
         **_ending("converged", words, "converged"),
         "notes": [note.record() for note in graded(notes(solution, found))],
         "findings": [*map(vars, records(found))],
-        "life": {"rigid": life.record()} if life else {},
+        "life": {name: life.record()} if life else {},
         **rule,
     }
 
@@ -181,13 +205,21 @@ def answers(cases: Sequence[TaperedCase], texts: Sequence[str], *_: Any, **__: A
 
 
 def _answer(case: TaperedCase, texts: Sequence[str]) -> Answer:
+    blocks: dict[str, Any] = {}
+    solution = None
     try:
-        solution = solved(case)
+        for name, solution in solutions(case, Logged()):
+            blocks[name] = block(solution)
     except NotSolved as failure:
-        return Answer(NOT_SOLVED, str(failure), {})
-    except (ImpossiblePart, OutOfRange) as problem:
+        of_rigid = [text for text in texts if text.startswith("rigid.")] if blocks else []
+        return Answer(NOT_SOLVED, str(failure), _numbers(blocks, of_rigid))
+    except (BadCase, ImpossiblePart, OutOfRange) as problem:
         return Answer(BAD_INPUT, str(problem), {})
-    blocks = {"rigid": block(solution)}
-    numbers = {text: requested(LAYOUT, text).number(blocks) for text in texts}
+    assert solution  # of rigid rings, at least
+    numbers = _numbers(blocks, texts)
     judgement = judge(solution)
     return Answer(CONVERGED, "", numbers, row_findings(records(judgement), notes(solution, judgement)))
+
+
+def _numbers(blocks: dict[str, Any], texts: Sequence[str]) -> dict[str, float]:
+    return {text: requested(LAYOUT, text).number(blocks) for text in texts}

@@ -10,6 +10,7 @@ from flexbearing.case import Head
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.case.roller import Case
+from flexbearing.case.tapered import TaperedCase
 from flexbearing.families import FAMILIES
 
 RACES: tuple[Race, Race] = ("inner", "outer")
@@ -25,6 +26,10 @@ def rings(case: Head) -> tuple[str, ...]:
         from flexbearing.rings import grooves  # finite elements are not described between rigid rings
 
         return _named(dict(zip(grooves.RACES, grooves.parts(case), strict=True)))
+    if isinstance(case, TaperedCase) and not case.rigid:
+        from flexbearing.rings import cones
+
+        return _named(dict(zip(cones.RACES, cones.parts(case), strict=True)))
     return ()
 
 

@@ -1,4 +1,4 @@
-"""A tapered roller bearing between rigid rings, as a case."""
+"""A tapered roller bearing between rigid or elastic rings, as a case."""
 
 from math import asin, cos, hypot, pi
 from typing import Literal, Self
@@ -6,7 +6,7 @@ from typing import Literal, Self
 from pydantic import model_validator
 
 from flexbearing.case.head import KIND, Head
-from flexbearing.case.materials import HeavyElastic, Oil
+from flexbearing.case.materials import Elastic, HeavyElastic, Oil
 from flexbearing.case.outputs import LifeOutputs
 from flexbearing.case.quantity import (
     Angle,
@@ -18,11 +18,13 @@ from flexbearing.case.quantity import (
     impossible,
     in_mm,
     key,
+    located,
     needed,
 )
 from flexbearing.case.ratings import TaperedLife
 from flexbearing.case.roller.bearing import Roller
 from flexbearing.case.roller.profile import Generatrix
+from flexbearing.case.tapered.rings import TaperedAccuracy, TaperedInner, TaperedOuter
 
 PLANE = "about the point of the bearing axis in the plane of the roller centres"
 STEEPEST = pi / 4  # [rad] of a cup
@@ -94,6 +96,14 @@ class TaperedBearing(Section):
             return -(pitch / cos(self.cup_angle) + radius)
         return pitch / cos(self.cone_angle or self.cup_angle) - radius
 
+    def raceway_middle(self, race: Literal["inner", "outer"]) -> float:
+        """Distance of the middle of the contacts on a raceway from the axis [m]."""
+        axis, cone = self.angles
+        reach = self.roller.diameter / 2 / cos(self.cup_angle - axis)
+        if race == "outer":
+            return self.pitch_diameter / 2 + reach * cos(self.cup_angle)
+        return self.pitch_diameter / 2 - reach * cos(cone)
+
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.roller.diameter >= self.pitch_diameter / 2:
@@ -121,6 +131,14 @@ class TaperedMaterials(Section):
     roller: HeavyElastic = key("of the rollers")
     inner_ring: HeavyElastic = key("of the inner ring")
     outer_ring: HeavyElastic = key("of the outer ring")
+    shaft: Elastic | None = key(
+        "of the shaft; needed for an elastic inner ring", None, only={"inner.kind": ("ring_on_shaft",)}
+    )
+    housing: Elastic | None = key(
+        "of the housing; needed for an elastic housing",
+        None,
+        only={"outer.kind": ("ring",), "outer.support": ("housing",)},
+    )
 
 
 class TaperedLoad(Section):
@@ -194,14 +212,8 @@ class TaperedOperation(Section):
         return self
 
 
-class TaperedAccuracy(Section):
-    """Numerical resolution."""
-
-    slices: int = key("slices of each roller", 40, ge=4, le=1000)
-
-
 class TaperedCase(Head):
-    """A tapered roller bearing between rigid rings: loads with inertia, raceways without friction."""
+    """A tapered roller bearing: loads with inertia, rigid or elastic rings, raceways without friction."""
 
     file_keys = (
         "bearing.roller.points_file", "bearing.inner_raceway.points_file", "bearing.outer_raceway.points_file"
@@ -213,8 +225,26 @@ class TaperedCase(Head):
     lubricant: Oil | None = key("the oil, for the viscosity ratio of ISO 281", None)
     operation: TaperedOperation = key("load and speed")
     life: TaperedLife = key("what the life is rated with, and what modifies it", {})
+    outer: TaperedOuter = key("what carries the outer raceway", {})
+    inner: TaperedInner = key("what carries the inner raceway", {})
     accuracy: TaperedAccuracy = key("numerical resolution", {})
     outputs: LifeOutputs = key("further results to compute", {})
+
+    @property
+    def rigid(self) -> bool:
+        """Whether both rings are rigid."""
+        return self.outer.kind == self.inner.kind == "rigid"
+
+    @model_validator(mode="after")
+    def _elastic_rings_are_known(self) -> Self:
+        outer, inner = self.outer, self.inner
+        if outer.kind == "ring" and outer.support == "housing" and self.materials.housing is None:
+            raise needed(["materials.housing"], 'outer.support = "housing"')
+        if inner.kind == "ring_on_shaft" and self.materials.shaft is None:
+            raise needed(["materials.shaft"], 'inner.kind = "ring_on_shaft"')
+        located("outer", lambda: outer.require_room(self.bearing))
+        located("inner", lambda: inner.require_room(self.bearing))
+        return self
 
     @model_validator(mode="after")
     def _life_can_be_rated(self) -> Self:

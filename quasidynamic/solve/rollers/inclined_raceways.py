@@ -54,7 +54,7 @@ class _Raceways:
         for each in shapes:
             if each.shape != (rollers, count) * 2 or not np.isfinite(each).all() or count < 2:
                 raise ImpossiblePart(
-                    f"a compliance of shape {each.shape} does not fit {rollers} rollers with two modes or more"
+                    f"a compliance of shape {each.shape} does not fit {rollers} rollers with two modes"
                 )
         size = rollers * count
         whole = np.zeros((len(races) * size,) * 2)
@@ -166,7 +166,7 @@ def between_elastic_raceways(
         step = np.linalg.solve(np.eye(len(matrix)) + matrix @ raceways.compliance, -found.misfit)
         found = _before_the_minimum(search, found, step)
     raise NotSolved(
-        f"raceways and rollers found no balance in {STEPS} steps: {found.size:.1e} of the largest force is left",
+        f"raceways found no balance in {STEPS} steps: {found.size:.1e} of the largest force is left",
         "iteration limit",
     )
 

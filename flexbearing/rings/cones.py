@@ -1,0 +1,143 @@
+"""Elastic rings under tapered rollers: their parts, condensed to the compliance of conical raceways."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from math import cos
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+import fem
+from fem.condense import HARMONICS
+from fem.errors import NotSolved as RingNotSolved
+from fem.mesh.axial_section import require_affordable_section, sections
+from flexbearing.build import held_ring
+from flexbearing.case import BadCase
+from flexbearing.case.materials import Elastic
+from flexbearing.case.quantity import require
+from flexbearing.case.tapered import TaperedCase
+from flexbearing.progress import Report
+from flexbearing.rings.stored import Arguments, condensed_part
+from quasidynamic import NotSolved
+
+if TYPE_CHECKING:
+    from flexbearing.build.ring_parts import Race
+
+RACES: "tuple[Race, Race]" = ("inner", "outer")
+ON_A_SECTION = (1.2, 0.25)  # element sizes over the roller length, as under cylindrical rollers
+
+Raceways = tuple[NDArray | None, NDArray | None]
+
+
+def raceways(case: TaperedCase, azimuths: NDArray, report: Report) -> Raceways:
+    """Compliance of both raceways under rollers at azimuths (Z) [rad], as `tapered_loads` takes it.
+
+    Raises `BadCase` when a part cannot exist; `NotSolved` when the finite elements find none.
+    """
+    inner, outer = (_raceway(case, race, azimuths, report) for race in RACES)
+    return inner, outer
+
+
+def _raceway(case: TaperedCase, race: "Race", azimuths: NDArray, report: Report) -> NDArray | None:
+    arguments = arguments_of(case, race)
+    if arguments is None:
+        return None
+    name = f"{race} ring"
+    report.stage(name, None)
+    with _named(case, race):
+        return towards_large_end(condensed_part(name, arguments, report).at(azimuths).absolute)
+
+
+def towards_large_end(compliance: NDArray) -> NDArray:
+    """A compliance (Z, M, Z, M) in shapes along x in those along the rollers, whose large ends are at -x."""
+    sign = (-1.0) ** np.arange(compliance.shape[1])
+    return compliance * sign[:, None, None] * sign
+
+
+def parts(case: TaperedCase) -> tuple[Arguments | None, Arguments | None]:
+    """What decides the elastic rings of a case, inner and outer; None where a ring is rigid.
+
+    Raises `BadCase` when no such part can exist, or its elements are too small.
+    """
+    inner, outer = (arguments_of(case, race) for race in RACES)
+    for race, arguments in zip(RACES, (inner, outer), strict=True):
+        if arguments:
+            part, _, resolution = arguments
+            try:
+                require_affordable_section(sections(part, resolution.length), resolution.mesh)
+            except RingNotSolved as problem:
+                raise BadCase(
+                    f"{case.source.path}: [accuracy] mesh_size: {race} ring: {problem}"
+                ) from problem
+    return inner, outer
+
+
+def arguments_of(case: TaperedCase, race: "Race") -> Arguments | None:
+    """What decides an elastic ring of a case; None of a rigid one."""
+    if getattr(case, race).kind == "rigid":
+        return None
+    with _named(case, race):
+        part = _outer(case) if race == "outer" else _inner(case)
+    accuracy, length = case.accuracy, case.bearing.roller.length
+    size, raceway_size = (share * length for share in ON_A_SECTION)
+    return (
+        part,
+        HARMONICS,
+        fem.Resolution(
+            length=length * cos(part.taper),
+            axial_modes=accuracy.axial_shapes,
+            mesh_size=fem.MeshSize(
+                order=accuracy.element_order,
+                size=accuracy.mesh_size or size,
+                raceway_size=accuracy.raceway_mesh_size or raceway_size,
+            ),
+        ),
+    )
+
+
+def _outer(case: TaperedCase) -> fem.OuterRing:
+    outer, housing = case.outer, case.materials.housing
+    thickness, width = require(outer, ("thickness", "width"), 'outer.kind = "ring"')
+    return fem.OuterRing(
+        raceway_diameter=2 * case.bearing.raceway_middle("outer"),
+        thickness=thickness,
+        width=width,
+        elastic=_elastic(case.materials.outer_ring),
+        support=held_ring.support(outer, housing and _elastic(housing)),
+        offset=outer.raceway_offset,
+        taper=-case.bearing.cup_angle,
+    )
+
+
+def _inner(case: TaperedCase) -> fem.RingOnShaft:
+    inner, shaft = case.inner, case.materials.shaft
+    bore, width, length = require(inner, ("bore", "width", "shaft_length"), 'inner.kind = "ring_on_shaft"')
+    assert shaft  # checked on reading
+    return fem.RingOnShaft(
+        raceway_diameter=2 * case.bearing.raceway_middle("inner"),
+        track_width=width,
+        rib_diameter=None,
+        bore=bore,
+        width=width,
+        shaft_bore=inner.shaft_bore,
+        shaft_length=length,
+        ring=_elastic(case.materials.inner_ring),
+        shaft=_elastic(shaft),
+        taper=-case.bearing.angles[1],
+    )
+
+
+def _elastic(material: Elastic) -> fem.Elastic:
+    return fem.Elastic(youngs_modulus=material.youngs_modulus, poisson_ratio=material.poisson_ratio)
+
+
+@contextmanager
+def _named(case: TaperedCase, race: "Race") -> Iterator[None]:
+    """Turn failures of the finite elements into those of a case or of a solve, with the name of the ring."""
+    try:
+        yield
+    except fem.ImpossiblePart as problem:
+        raise BadCase(f"{case.source.path}: {race} ring: {problem}") from problem
+    except RingNotSolved as problem:
+        raise NotSolved(f"{race} ring: {problem}", "not solved") from problem
