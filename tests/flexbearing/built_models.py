@@ -16,7 +16,7 @@ from flexbearing.build.probes import probes
 from flexbearing.case.roller import Case
 from flexbearing.families import FAMILIES
 from flexbearing.progress import Logged
-from flexbearing.rings import condensed, grooves, resolution
+from flexbearing.rings import condensed, cones, grooves, resolution
 from flexbearing.runs import angular_contact, four_point
 
 OIL = qd.Lubricant(
@@ -125,7 +125,13 @@ def _four_point(case):
 def _tapered(case):
     model, operation = tapered_bearing.build(case)
     viscosity = None if case.lubricant is None else kinematic_viscosity(case.lubricant)[0]
-    return {"model": {"bearing": model}, "operation": operation, "viscosity": viscosity}
+    inner, outer = cones.parts(case)
+    elastic = {race: each[0] for race, each in (("inner", inner), ("outer", outer)) if each}
+    fineness = next((each[2] for each in (inner, outer) if each), None)
+    return {
+        "model": {"bearing": model}, "operation": operation, "viscosity": viscosity,
+        "resolution": fineness, **elastic,
+    }  # fmt: skip
 
 
 def _given_load(case):

@@ -20,6 +20,13 @@ _SHAPES = {
     "points": {"profile": "points", "point_positions": ["0 mm", "2.5 mm", "7.5 mm"],
                "point_drops": ["0 um", "1 um", "12 um"]},
 }  # fmt: skip
+_SPRINGS = {f"outer.foundation_{direction}": "200 N/mm^3" for direction in ("radial", "axial", "tangential")}
+_ELASTIC = {"youngs_modulus": "110 GPa", "poisson_ratio": 0.26}
+_CUP = {**_FILE, "outer.kind": "ring", "outer.thickness": "5 mm", "outer.width": "19 mm"}
+_FINENESS = (
+    "resolution resolution.{is,azimuths,axial_modes,first_order,harmonics,length,nodes_of,patch_width} "
+    "resolution.{row_distance,stations,threads} resolution.mesh_size.{is,order,raceway_size,size}"
+)
 PROFILES = {"roller": "roller.profile", "inner_raceway": "inner_profile", "outer_raceway": "outer_profile"}
 CONTEXTS = {
     "tapered": ("32207", _FILE),
@@ -27,6 +34,14 @@ CONTEXTS = {
     "tapered, held": ("32207", {
         **_FILE, "operation.load.axial": "0 N", "operation.load.radial_z": "0 N",
         "operation.displacement": {"axial": "20 um", "radial_y": "1 um", "radial_z": "2 um"}}),
+    "tapered, cup": ("32207", _CUP),
+    "tapered, cup on springs": ("32207", {**_CUP, "outer.support": "foundation", **_SPRINGS}),
+    "tapered, cup in a housing": ("32207", {
+        **_CUP, "outer.support": "housing", "outer.housing_thickness": "8 mm", "outer.housing_width": "25 mm",
+        "materials.housing": _ELASTIC}),
+    "tapered, cone on a shaft": ("32207", {
+        **_FILE, "inner.kind": "ring_on_shaft", "inner.bore": "35 mm", "inner.width": "17 mm",
+        "inner.shaft_length": "40 mm", "materials.shaft": _ELASTIC}),
     "tapered, rated": ("32207", {**_OILED, "lubricant.oil": "ISO VG 32"}),
     "tapered, oil by its data": ("32207", {
         **_OILED, "lubricant.viscosity": "10 mPa s", "lubricant.density": "870 kg/m^3"}),
@@ -85,6 +100,39 @@ EFFECTS = (
     ("tapered, held", "operation.displacement.radial_z", "2.1 um", "operation.displacement.2"),
     ("tapered", "operation.displacement.tilt_y", "0.01 deg", "operation.displacement.3"),
     ("tapered", "operation.displacement.tilt_z", "0.01 deg", "operation.displacement.4"),
+    ("tapered", "outer.kind", {"outer.kind": "ring", "outer.thickness": "5 mm", "outer.width": "19 mm"},
+     "outer.{groove,is,offset,raceway_diameter,support.is,taper,thickness,width} "
+     f"outer.elastic.{{is,poisson_ratio,youngs_modulus}} {_FINENESS}"),
+    ("tapered", "inner.kind", {
+        "inner.kind": "ring_on_shaft", "inner.bore": "35 mm", "inner.width": "17 mm",
+        "inner.shaft_length": "40 mm", "materials.shaft": _ELASTIC},
+     "inner.{bore,groove,is,raceway_diameter,rib_diameter,shaft_bore,shaft_length,taper,track_width,width} "
+     "inner.ring.{is,poisson_ratio,youngs_modulus} inner.shaft.{is,poisson_ratio,youngs_modulus} "
+     f"{_FINENESS}"),
+    ("tapered, cup", "outer.thickness", "5.1 mm", "outer.thickness"),
+    ("tapered, cup", "outer.width", "19.1 mm", "outer.width"),
+    ("tapered, cup", "outer.raceway_offset", "0.1 mm", "outer.offset"),
+    ("tapered, cup", "outer.support", "seat", "outer.support.is"),
+    ("tapered, cup on springs", "outer.foundation_radial", "202 N/mm^3", "outer.support.radial"),
+    ("tapered, cup on springs", "outer.foundation_axial", "202 N/mm^3", "outer.support.axial"),
+    ("tapered, cup on springs", "outer.foundation_tangential", "202 N/mm^3", "outer.support.tangential"),
+    ("tapered, cup in a housing", "outer.housing_thickness", "8.1 mm", "outer.support.thickness"),
+    ("tapered, cup in a housing", "outer.housing_width", "25.1 mm", "outer.support.width"),
+    ("tapered, cup in a housing", "outer.housing_support", "side", "outer.support.support.is"),
+    ("tapered, cup in a housing", "materials.housing.youngs_modulus", "111 GPa",
+     "outer.support.elastic.youngs_modulus"),
+    ("tapered, cup in a housing", "materials.housing.poisson_ratio", 0.27,
+     "outer.support.elastic.poisson_ratio"),
+    ("tapered, cone on a shaft", "inner.bore", "35.1 mm", "inner.bore"),
+    ("tapered, cone on a shaft", "inner.width", "17.1 mm", "inner.track_width inner.width"),
+    ("tapered, cone on a shaft", "inner.shaft_thickness", "8 mm", "inner.shaft_bore"),
+    ("tapered, cone on a shaft", "inner.shaft_length", "41 mm", "inner.shaft_length"),
+    ("tapered, cone on a shaft", "materials.shaft.youngs_modulus", "212 GPa", "inner.shaft.youngs_modulus"),
+    ("tapered, cone on a shaft", "materials.shaft.poisson_ratio", 0.303, "inner.shaft.poisson_ratio"),
+    ("tapered, cup", "accuracy.axial_shapes", 5, "resolution.axial_modes"),
+    ("tapered, cup", "accuracy.element_order", 4, "resolution.mesh_size.order"),
+    ("tapered, cup", "accuracy.mesh_size", "4 mm", "resolution.mesh_size.size"),
+    ("tapered, cup", "accuracy.raceway_mesh_size", "2 mm", "resolution.mesh_size.raceway_size"),
     ("tapered", "accuracy.slices", 41, "case.accuracy.slices"),
     ("tapered", "outputs.subsurface_stresses", True, "case.outputs.subsurface_stresses"),
     ("tapered", "outputs.assumed_effects", True, "case.outputs.assumed_effects"),

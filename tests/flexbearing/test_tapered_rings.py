@@ -1,0 +1,147 @@
+"""Elastic rings of tapered roller bearings as cases: limits, balances, rows, derivatives, refusals."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from flexbearing import BadCase, api
+from flexbearing.build.tapered_bearing import bearing, build
+from flexbearing.derivatives.tapered import sensitivities
+from flexbearing.families import FAMILIES
+from flexbearing.progress import Logged
+from flexbearing.rings import cones
+from flexbearing.runs.validate import require_possible
+from quasidynamic import tapered_loads
+from tests.flexbearing.test_tapered_cases import CASE, read
+
+CUP = ["outer.kind=ring", "outer.thickness=5 mm", "outer.width=19 mm"]
+SPRINGS = [*CUP, "outer.support=foundation", "outer.foundation_radial=200 N/mm^3",
+           "outer.foundation_axial=100 N/mm^3", "outer.foundation_tangential=100 N/mm^3"]  # fmt: skip
+CONE = ["inner.kind=ring_on_shaft", "inner.bore=35 mm", "inner.width=17 mm", "inner.shaft_length=40 mm",
+        "materials.shaft=structural steel"]  # fmt: skip
+BOTH = [*SPRINGS, *CONE]
+HELD = {
+    "side": [*CUP, "outer.support=side"],
+    "seat": [*CUP, "outer.support=seat"],
+    "springs": SPRINGS,
+    "housing": [*CUP, "outer.support=housing", "outer.housing_thickness=8 mm", "outer.housing_width=25 mm",
+                "materials.housing=grey cast iron"],
+    "cone": CONE,
+    "both": BOTH,
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def both():
+    return api.run(CASE, BOTH)
+
+
+def compliances(case):
+    return cones.raceways(case, bearing(case).azimuths, Logged())
+
+
+@pytest.mark.parametrize("settings", HELD.values(), ids=HELD)
+def test_nearly_rigid_rings_are_rigid(settings):
+    """Young's modulus and springs times a million, the contacts as they were."""
+    stiff = {"youngs_modulus": "210e6 GPa", "poisson_ratio": "0.3", "density": "7810 kg/m^3"}
+    parts = [f"materials.{ring}.{name}={value}" for ring in ("inner_ring", "outer_ring")
+             for name, value in stiff.items()]  # fmt: skip
+    parts += [each.replace(" N/mm^3", "e6 N/mm^3") for each in settings if "N/mm^3" in each]
+    for part in ("housing", "shaft"):
+        if any(each.startswith(f"materials.{part}=") for each in settings):
+            parts += [
+                f"materials.{part}.{name}={stiff[name]}" for name in ("youngs_modulus", "poisson_ratio")
+            ]
+    kept = [each for each in settings if not each.startswith("materials.")]
+    model, operation = build(read())
+    rigid = tapered_loads(model, operation)
+    found = tapered_loads(model, operation, raceways=compliances(read([*kept, *parts])))
+    assert found.loads == approx(rigid.loads, rel=0, abs=1e-6 * rigid.loads.max())
+    elastic = tapered_loads(model, operation, raceways=compliances(read(settings)))
+    assert np.abs(elastic.loads - rigid.loads).max() > 1e-4 * rigid.loads.max()
+
+
+def test_angles_that_vanish_leave_the_ring_of_cylindrical_rollers():
+    """The cup of a cone of hardly an angle is condensed to what rollers without one find."""
+    case = read([*CUP, "outer.support=seat"])
+    part, discretisation, resolution = cones.parts(case)[1]
+    own = {angle: cones.condensed_part("outer", (replace(part, taper=angle), discretisation,
+           replace(resolution, length=case.bearing.roller.length)), Logged()).at(bearing(case).azimuths)
+           for angle in (-1e-10, 0.0)}  # fmt: skip
+    difference = np.abs(own[-1e-10].absolute - own[0.0].absolute).max()
+    assert 0 < difference < 1e-9 * np.abs(own[0.0].absolute).max()
+
+
+def test_balances_hold_for_the_stored_loads(both):
+    values, model = both.flexible, bearing(read())
+    cone, cup, rib = model.cone_angle, model.cup_angle, model.rib
+    inner, outer, axial = values["inner_load"], values["outer_load"], values["rib_load"]
+    size = 1e-9 * outer.max()
+    assert inner * np.sin(cone) + axial * np.cos(rib.angle) == approx(outer * np.sin(cup), abs=size)
+    across = outer * np.cos(cup) - inner * np.cos(cone) + axial * np.sin(rib.angle)
+    assert across - values["centrifugal_force"] == approx(0.0, abs=size)
+    assert (outer * np.sin(cup)).sum() == approx(4000.0, rel=1e-9)
+    assert outer * np.cos(cup) @ np.cos(values["roller_azimuth"]) == approx(8000.0, rel=1e-9)
+
+
+def test_rings_have_the_shape_that_the_stored_loads_make(both):
+    values, case = both.flexible, read(BOTH)
+    places = values["slice_position"] / (case.bearing.roller.length / 2)
+    modes = np.polynomial.legendre.legvander(places, case.accuracy.axial_shapes - 1)
+    width = case.bearing.roller.length / case.accuracy.slices
+    for race, compliance in zip(("inner", "outer"), compliances(case), strict=True):
+        forces = values[f"{race}_slice_load"] @ modes * width
+        shape = np.einsum("jmkn,kn->jm", compliance, forces) @ modes.T
+        deflection = values[f"{race}_deflection"]
+        assert deflection == approx(shape, rel=0, abs=1e-9 * deflection.max())
+    assert values["outer_deflection"].max() > 10e-6
+
+
+def test_rigid_rings_have_no_deflection(both):
+    assert "outer_deflection" not in both.rigid
+    assert both.rigid["outer_load"] == approx(api.run(CASE).rigid["outer_load"], rel=1e-12)
+
+
+def test_more_shapes_and_finer_elements_change_little(both):
+    finer = api.run(CASE, [*BOTH, "accuracy.axial_shapes=6", "accuracy.raceway_mesh_size=2 mm"])
+    largest = both.flexible["outer_load"].max()
+    assert finer.flexible["outer_load"] == approx(both.flexible["outer_load"], rel=0, abs=1e-3 * largest)
+    assert float(finer["life_L10"]) == approx(float(both["life_L10"]), rel=5e-3)
+
+
+def test_rows_of_a_table_are_those_of_runs(both):
+    texts = ["max_rib_load", "life_L10", "rigid.stiffness_zz", "stiffness_zz", "max_outer_deflection"]
+    (answer,) = FAMILIES["tapered_roller"].rows()([read(BOTH)], texts)
+    for name, number in answer.numbers.items():
+        assert number == approx(float(both[name]), rel=1e-9), name
+    assert answer.status == "converged"
+
+
+def test_derivatives_are_those_between_elastic_rings():
+    found = sensitivities(read(BOTH), ["max_rib_load"], ["operation.load.axial"])
+    ends = [
+        float(api.run(CASE, [*BOTH, f"operation.load.axial={4000 + change} N"])["max_rib_load"])
+        for change in (20, -20)
+    ]
+    assert float(found.slopes[0, 0]) == approx((ends[0] - ends[1]) / 0.04, rel=2e-3)  # N/kN
+    with pytest.raises(BadCase, match=r"set outer\.kind and inner\.kind to rigid"):
+        sensitivities(read(BOTH), ["rigid.max_rib_load"], ["operation.load.axial"])
+
+
+REFUSED = {
+    "cup without a wall": ([*CUP, "outer.thickness=2 mm"], "wide end of the raceway has no wall"),
+    "rollers beside the cup": ([*CUP, "outer.width=12 mm"], "what the rollers touch of it"),
+    "rollers that leave the cup": ([*CUP, "outer.raceway_offset=3 mm"], "or rollers leave the ring"),
+    "springs without thrust": ([*SPRINGS, "outer.foundation_axial=0 N/mm^3"], "against the thrust"),
+    "cone without a wall": ([*CONE, "inner.bore=42 mm"], "narrow end of the raceway has no wall"),
+    "shaft without material": (CONE[:-1], "shaft is missing"),
+    "shapes without rings": (["accuracy.axial_shapes=5"], "it belongs to"),
+}
+
+
+@pytest.mark.parametrize(("settings", "why"), REFUSED.values(), ids=REFUSED)
+def test_impossible_rings_are_refused(settings, why):
+    with pytest.raises(BadCase, match=why):
+        require_possible(read(settings), FAMILIES["tapered_roller"])
