@@ -1,16 +1,13 @@
 """The sections [outer], [inner] and [accuracy] of a tapered roller bearing: what carries its raceways."""
 
 from math import cos, tan
-from typing import TYPE_CHECKING, Literal, Self
+from typing import Any, Literal, Self
 
 from pydantic import model_validator
 
 from flexbearing.case import held_ring
 from flexbearing.case.held_ring import ON_SHAFT, RING
 from flexbearing.case.quantity import Foundation, Length, Section, impossible, in_mm, key, require
-
-if TYPE_CHECKING:
-    from flexbearing.case.tapered.tapered_case import TaperedBearing
 
 ELASTIC = ({"outer.kind": ("ring",)}, {"inner.kind": ("ring_on_shaft",)})
 
@@ -53,7 +50,7 @@ class TaperedOuter(Section):
             raise impossible("foundation_axial", "above zero, or nothing holds the ring against the thrust")
         return self
 
-    def require_room(self, bearing: "TaperedBearing") -> None:
+    def require_room(self, bearing: Any) -> None:
         """Raise unless the contacts are on the ring, and the ring has a wall at its wide end."""
         if self.kind == "rigid":
             return
@@ -106,7 +103,7 @@ class TaperedInner(Section):
             held_ring.require_shaft(self)
         return self
 
-    def require_room(self, bearing: "TaperedBearing") -> None:
+    def require_room(self, bearing: Any) -> None:
         """Raise unless the contacts are on the ring, and the ring has a wall at its narrow end."""
         if self.kind == "rigid":
             return
