@@ -15,12 +15,14 @@ from quasidynamic.parts.oil_properties import two_point_oil
 if TYPE_CHECKING:  # checking rollers loads no balls, and the other way round
     from flexbearing.case.balls.angular_contact import FastCase
     from flexbearing.case.roller import Case
+    from flexbearing.case.tapered import TaperedCase
 
-    Lubricated = Case | FastCase
+    Lubricated = Case | FastCase | TaperedCase
 
 
-def lubrication(case: "Case") -> qd.Lubrication:
+def lubrication(case: "Case | TaperedCase") -> qd.Lubrication:
     """Oil of a case with rollers and the laws it follows."""
+    assert case.lubricant  # checked on reading
     return qd.Lubrication(film=qd.FORMULAS[case.lubricant.film], **_laws(case))
 
 

@@ -164,3 +164,22 @@ class FilmOil(Oil):
         """Raise where a law needs the roughness and the case does not give it."""
         if self.mixed and not given:
             raise needed(["bearing.roughness"], "[lubricant.mixed]")
+
+    @property
+    def of_contacts(self) -> list[str]:
+        """Keys that are given for contacts in oil alone."""
+        sheet = self.data_sheet.model_fields_set - set(ViscositySheet.model_fields) if self.data_sheet else ()
+        names = [name for name in self.model_fields_set if name not in Oil.model_fields]
+        return sorted([*names, *(f"data_sheet.{name}" for name in sheet)])
+
+    def require_film(self, choice: str) -> None:
+        """Raise where something is missing that contacts in oil need."""
+        needs: dict[str, float | None] = {"oil_fraction": self.oil_fraction}
+        if self.data_sheet is not None:
+            names = ("density", "cold_pressure_viscosity", "conductivity")
+            needs |= {f"data_sheet.{name}": getattr(self.data_sheet, name) for name in names}
+        elif self.oil is None:
+            names = ("pressure_viscosity", "temperature_viscosity", "conductivity")
+            needs |= {name: getattr(self, name) for name in names}
+        if missing := [f"lubricant.{name}" for name, value in needs.items() if value is None]:
+            raise needed(missing, choice)

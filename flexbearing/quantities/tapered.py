@@ -1,5 +1,7 @@
 """Output quantities of a tapered roller bearing; the page of a result shows rows in this order."""
 
+from numpy.typing import NDArray
+
 from flexbearing.quantities.attributes import HEAD
 from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, static_safety, subsurface, worst_contact
 from flexbearing.quantities.layout import Axis, Layout
@@ -16,7 +18,9 @@ from flexbearing.quantities.reductions import (
     loaded_arc_in_degrees,
     loaded_rollers,
     place_of_largest,
+    smallest_above_zero,
     tilts,
+    total,
 )
 from flexbearing.quantities.stiffness import RADIAL_STIFFNESSES
 from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, MREV, RPM, UM
@@ -25,7 +29,26 @@ RING, CONTACT = "ring", "contact"  # sections of the page
 _ORDER = "x, y, z, about y, about z; these about the point of the axis in the plane of the roller centres"
 _UNRATED = "absent at rest, without load, and where ISO 281 has no rating and the case gives none"
 _PRESSURES = ("inner_pressure", "outer_pressure")
+_NO_FRICTION = "absent without outputs.friction"
+LOSSES = (  # causes, words, sources
+    ("sliding", "sliding of the raceways on the rollers", "friction.sliding_heat.sum"),
+    ("rolling", "rolling friction of the oil film", "friction.rolling_heat.sum"),
+    ("rib", "friction of the rib", "friction.rib_heat.sum"),
+    ("drag", "drag of the mixture on the orbiting rollers", "friction.drag_heat"),
+    ("churning", "churning around the spinning rollers", "friction.churning_heat"),
+)
 _SLICES = "from the small end of the rollers to the large one"
+
+
+def _least_films(*films: NDArray) -> NDArray:
+    """Least film of each contact (..., 2) of all loaded slices (..., Z, K)."""
+    return smallest_above_zero(*(film.reshape(*film.shape[:-2], -1) for film in films))
+
+
+def _least_ratios(ratios: NDArray) -> NDArray:
+    """Least of ratios (..., 2, Z) of each contact, of loaded rollers."""
+    return smallest_above_zero(ratios[..., 0, :], ratios[..., 1, :])
+
 
 # declarations read best as a table:
 # fmt: off
@@ -90,6 +113,46 @@ QUANTITIES = (
     Quantity("rib_heat", "", "Z", "W", "block",
         "heat of the Coulomb friction of the end on the rib", source="solution.rib_heat", summary=(
             SummaryValue("rib_heat_W", lambda heat: heat.sum(-1), "heat of the ribs", ",.3g"),)),
+
+    # film and friction
+    Quantity("inner_film", "h_i", "Z K", "m", "block",
+        f"film of the inner contact by the load of each slice, 0 without load, {_SLICES}; {_NO_FRICTION}",
+        source="friction.loaded_film.0", people=UM, optional=True),
+    Quantity("outer_film", "h_o", "Z K", "m", "block",
+        f"film of the outer contact by the load of each slice, 0 without load, {_SLICES}; {_NO_FRICTION}",
+        source="friction.loaded_film.1", people=UM, optional=True, summary=(
+            SummaryValue("minimum_film_um", _least_films, "smallest film", ".3f", parts=RACES,
+                of=("inner_film", "outer_film")),)),
+    Quantity("film_ratio", "Lambda", "race Z", "1", "block",
+        "least film of each roller over the composite roughness (inner, outer), 0 without load; "
+        f"{_NO_FRICTION}, or bearing.roughness", source="solution.film_ratio", optional=True, summary=(
+            SummaryValue("minimum_lambda", _least_ratios,
+                 "smallest film ratio", ".2f", parts=RACES),)),
+    Quantity("rolling_traction", "T_i, T_o", "race Z", "N", "block",
+        "force of the raceways (inner, outer) on the roller in the middle of the contacts, along its motion, "
+        f"that keeps it rolling; {_NO_FRICTION}", source="friction.rolling_traction", optional=True),
+    Quantity("traction_share", "", "race Z", "1", "block",
+        "that force and the tractions of sliding slices over the load of the contact (inner, outer): what "
+        f"the films must transmit, 0 without load; {_NO_FRICTION}", source="friction.traction_share",
+        optional=True, summary=(
+            SummaryValue("max_traction_share", lambda share: share.max((-2, -1)),
+                "largest traction over load", ".4f"),)),
+    *(
+        Quantity(f"loss_{cause}", "", "", "W", "block", f"power lost by {words}; {_NO_FRICTION}",
+            source=source, optional=True,
+            summary=(SummaryValue(f"power_loss_W.{cause}", label=f"power lost by {words}", digits=",.2f"),))
+        for cause, words, source in LOSSES
+    ),
+    Quantity("driving_power", "", "", "W", "block",
+        f"power that the rings put in: the sum of all losses; {_NO_FRICTION}", source="friction.power",
+        optional=True, summary=(
+            SummaryValue("power_loss_W.total", total, "power lost, all of it", ",.2f",
+                of=tuple(f"loss_{cause}" for cause, *_ in LOSSES)),
+            SummaryValue("driving_power_W", label="driving power", digits=",.2f"))),
+    Quantity("ring_torque", "M_i, M_o", "race", "N m", "block",
+        "torque that keeps each ring (inner, outer) turning or holds it, positive along the motion of the "
+        f"cage; {_NO_FRICTION}", source="friction.torque", optional=True, summary=(
+            SummaryValue("ring_torque_Nm", label="friction torque", digits=".4f", parts=RACES),)),
 
     # life
     Quantity("life_L10", "L_10r", "", "rev", "block",

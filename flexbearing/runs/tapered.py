@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.build import tapered_bearing
+from flexbearing.build import lubrication, tapered_bearing
 from flexbearing.case import BadCase
 from flexbearing.case.tapered import TaperedCase
 from flexbearing.findings import Judged, declared, evaluate, records
@@ -27,6 +27,7 @@ from quasidynamic import ImpossiblePart, NotSolved, OutOfRange, TaperedLoads, ta
 from quasidynamic.note import Note, graded, information
 from quasidynamic.outcome.neglected import weight_share
 from quasidynamic.outcome.rating_life import ROLLERS
+from quasidynamic.outcome.tapered_friction import TaperedFriction
 from quasidynamic.outcome.worst_line_contact import WorstLineContact
 
 NOT_SOLVED = "not solved"
@@ -40,6 +41,24 @@ class Solution:
     loads: TaperedLoads
     rated: LoadsRated
     lives: ReferenceLives | None
+
+    @cached_property
+    def friction(self) -> TaperedFriction | None:
+        """Films and friction; None where the case does not ask for them."""
+        if not self.case.outputs.friction:
+            return None
+        laws = lubrication.lubrication(self.case)
+        return TaperedFriction(self.loads, laws, self.case.bearing.rib.friction)
+
+    @property
+    def film_ratio(self) -> NDArray | None:
+        """Least film over the composite roughness of each contact (2, Z) [-], 0 without load."""
+        rough = lubrication.roughness(self.case)
+        if self.friction is None or rough is None:
+            return None
+        film = self.friction.loaded_film
+        least = np.where(film > 0, film, np.inf).min(-1)
+        return np.where(np.isfinite(least), least, 0.0) / rough[:, None]
 
     @cached_property
     def rib_heat(self) -> NDArray:
@@ -144,6 +163,7 @@ def block(solution: Solution) -> dict[str, NDArray]:
         "rated": solution.rated,
         "life": solution.lives,
         "worst": worst,
+        "friction": solution.friction,
     }
     return row(taken(LAYOUT.quantities, {name: [part] for name, part in parts.items()}), 0)
 
@@ -178,21 +198,30 @@ def _neglected(solution: Solution) -> dict[str, float]:
     loads, largest = solution.loads, float(solution.loads.loads.max())
     if not largest:
         return {}
-    friction = solution.case.bearing.rib.friction * float(loads.rib_loads.max())
+    rib, friction = solution.case.bearing.rib.friction * float(loads.rib_loads.max()), solution.friction
+    raceways = {} if friction is None else {
+        "friction of the raceways": float(np.abs(friction.rolling_traction).max() / largest)
+    }  # fmt: skip
     return {
         "weight of the rollers": float(weight_share(loads.bearing.roller.mass, largest)),
-        "friction of the rib": friction / largest,
+        "friction of the rib": rib / largest,
+        **raceways,
     }
 
 
 def notes(solution: Solution, found: Sequence[Judged]) -> tuple[Note, ...]:
     """What a user must know of the solution, judged by findings before."""
-    left_out = information(
-        "rollers-in-pure-rolling",
+    words = (
         "rollers roll without slip at mid-contact: friction of the raceways, oil film and cage are left out "
-        "of loads and speeds; centrifugal forces and gyroscopic moments are in them",
+        "of loads and speeds; centrifugal forces and gyroscopic moments are in them"
     )
-    return (*judged.notes(found), left_out, *tapered_lives.rated(solution.case).notes)
+    if solution.friction is not None:
+        share = float(solution.friction.traction_share.max())
+        words += f". For that the raceways must pull the rollers with up to {share:.2g} times their load"
+    left_out = information("rollers-in-pure-rolling", words)
+    of_oil = () if solution.friction is None else solution.friction.lubrication.oil.notes
+    rated = tapered_lives.rated(solution.case).notes
+    return (*judged.notes(found), left_out, *dict.fromkeys((*rated, *of_oil)))
 
 
 # -- rows of a table -------------------------------------------------------------------------------

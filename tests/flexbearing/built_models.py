@@ -10,7 +10,7 @@ import numpy as np
 import quasidynamic as qd
 from flexbearing.build import expansion, ring_parts, roller_bearing, seat_growth, tapered_bearing
 from flexbearing.build.ball_fits import kinematic_viscosity
-from flexbearing.build.lubrication import roughness
+from flexbearing.build.lubrication import lubrication, roughness
 from flexbearing.build.mesh_sizes import IN_SPACE, mesh_size
 from flexbearing.build.probes import probes
 from flexbearing.case.roller import Case
@@ -128,8 +128,10 @@ def _tapered(case):
     inner, outer = cones.parts(case)
     elastic = {race: each[0] for race, each in (("inner", inner), ("outer", outer)) if each}
     fineness = next((each[2] for each in (inner, outer) if each), None)
+    oiled = lubrication(case) if case.outputs.friction else None
     return {
-        "model": {"bearing": model}, "operation": operation, "viscosity": viscosity,
+        "model": {"bearing": model, "lubrication": oiled}, "operation": operation, "viscosity": viscosity,
+        "law": oiled and oiled.traction(**CONTACT), "roughness": roughness(case),
         "resolution": fineness, **elastic,
     }  # fmt: skip
 

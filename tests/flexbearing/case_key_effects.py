@@ -20,6 +20,7 @@ PROBED = [
     ("outputs.probes.gauge_lengths", ["3 mm"], "probes.outer.{0.length,1.length}"),
 ]
 _OIL = "model.lubrication.oil"
+_FLUID = "{}.{{conductivity,density,is,pressure_viscosity,temperature,temperature_viscosity,viscosity}}"
 _STRESS = "law.eyring_stress model.lubrication.traction.eyring_stress"
 IN_OIL = [  # of fast balls and of deep groove bearings
     ("in a cage", "bearing.cage.guidance", "inner", "model.cage.guidance"),
@@ -794,3 +795,23 @@ EFFECTS += (
     ),
 )  # fmt: skip
 EFFECTS += TAPERED
+EFFECTS += (
+    *(
+        (f"tapered, {context}", key, value, names)
+        for context, key, value, names in IN_OIL
+        if key.startswith("lubricant.") and key != "lubricant.film"
+    ),
+    ("tapered, rated", "outputs.friction", {"outputs.friction": True, "lubricant.oil_fraction": 0.02},
+     f"law law.{{is,length,modulus,radius,smallest_load}} model.lubrication {_FLUID.format('law.oil')} "
+     "model.lubrication.{churning_gap,drag_coefficient,inlet_heating,inlet_length,is,oil_fraction,rolling} "
+     "model.lubrication.{traction,film.factor,film.is,film.load,film.material,film.source,film.speed} "
+     f"{_FLUID.format(_OIL)} {_OIL}.notes.0.{{code,grade,is,text}}"),
+    ("tapered, in oil", "lubricant.film", "dowson_higginson",
+     "model.lubrication.film.{factor,material,source}"),
+    *(
+        ("tapered, in mixed lubrication", f"bearing.roughness.{part}", "0.09 um",
+         f"law.roughness roughness model.lubrication.traction.{rough}")
+        for part, rough in (("inner_raceway", "inner_roughness"), ("outer_raceway", "outer_roughness"),
+                            ("roller", "{inner_roughness,outer_roughness}"))
+    ),
+)  # fmt: skip

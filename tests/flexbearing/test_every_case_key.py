@@ -343,6 +343,13 @@ CONTEXTS |= {
 }
 
 CONTEXTS |= tapered_key_effects.CONTEXTS
+_OF_ROLLERS = {"roller": "0.02 um", "inner_raceway": "0.05 um", "outer_raceway": "0.05 um"}
+for _context, _settings in _LUBRICATED.items():
+    if "bearing.cage" not in _settings:
+        _keys = {key: value for key, value in _settings.items() if key != "operation.control"}
+        if "bearing.roughness" in _keys:
+            _keys["bearing.roughness"] = _OF_ROLLERS
+        CONTEXTS[f"tapered, {_context}"] = ("32207", {**_keys, "outputs.friction": True})
 
 
 def read_in(context, change=None):

@@ -133,7 +133,39 @@ def test_what_is_left_out_is_noted(result):
     assert "rib load" in page
 
 
+OILED = ["outputs.friction=true", "lubricant.oil=ISO VG 100", "lubricant.inlet_temperature=60 degC",
+         "lubricant.oil_fraction=0.05"]  # fmt: skip
+ROUGH = [f"bearing.roughness.{name}=0.2 um" for name in ("roller", "inner_raceway", "outer_raceway")]
+
+
+def test_losses_of_all_causes_are_the_power_of_the_rings():
+    found = api.run(CASE, [*OILED, *ROUGH])
+    values, case = found.rigid, read()
+    causes = [float(values[f"loss_{cause}"]) for cause in ("sliding", "rolling", "rib", "drag", "churning")]
+    assert min(causes[:4]) > 0
+    assert causes[4] == 0.0  # without lubricant.churning_gap
+    assert float(found["driving_power"]) == approx(sum(causes), rel=1e-9)
+    assert causes[2] == approx(values["rib_heat"].sum(), rel=1e-12)
+    assert values["ring_torque"][0] * case.operation.inner_speed == approx(sum(causes), rel=1e-9)
+    film = values["outer_film"]
+    least = film[film > 0].min() / (0.2e-6 * np.sqrt(2))
+    assert values["film_ratio"][1].min() == approx(least, rel=1e-12)
+    (answer,) = FAMILIES["tapered_roller"].rows()(
+        [read([*OILED, *ROUGH])], ["power_loss.total", "minimum_film.inner"]
+    )
+    assert answer.numbers["power_loss.total"] == approx(sum(causes), rel=1e-12)
+    assert "driving_power" not in api.run(CASE).rigid
+
+
 REFUSED = {
+    "friction without oil": (["outputs.friction=true"], "lubricant is missing"),
+    "film law without friction": (
+        [*OILED[1:3], "lubricant.film=dowson_toyoda"],
+        "left out but with outputs.friction",
+    ),
+    "oil without a fraction": (OILED[:3], "oil_fraction"),
+    "friction of rings at rest": ([*OILED, "operation.inner_speed=0 rpm"], "another one than"),
+    "asperities without roughness": ([*OILED, "lubricant.mixed.boundary_friction=0.1"], "roughness"),
     "cone that leaves its cup": (["operation.load.axial=0 N"], "the cone leaves the cup"),
     "moment on a held ring": (["operation.load.moment_y=1 N m"], 'it belongs to operation.tilt = "free"'),
     "rib beside the end": (["bearing.rib.angle=5 deg"], "must be within the end of the roller"),

@@ -39,7 +39,6 @@ from flexbearing.case.balls.ring_room import Race, elastic_groove, require_room
 from flexbearing.case.coupling import MethodsOfCoupling
 from flexbearing.case.film_oil import FilmOil
 from flexbearing.case.head import KIND
-from flexbearing.case.materials import Oil, ViscositySheet
 from flexbearing.case.outputs import RingOutputs
 from flexbearing.case.quantity import (
     Angle,
@@ -91,25 +90,6 @@ class BallOil(FilmOil):
     film: Literal["hamrock_dowson", "hamrock_dowson_minimum"] = key(
         "regression of the film thickness: central, or minimum", "hamrock_dowson"
     )
-
-    @property
-    def of_contacts(self) -> list[str]:
-        """Keys that are given for contacts in oil alone."""
-        sheet = self.data_sheet.model_fields_set - set(ViscositySheet.model_fields) if self.data_sheet else ()
-        names = [name for name in self.model_fields_set if name not in Oil.model_fields]
-        return sorted([*names, *(f"data_sheet.{name}" for name in sheet)])
-
-    def require_film(self, choice: str) -> None:
-        """Raise where something is missing that contacts in oil need."""
-        needs: dict[str, float | None] = {"oil_fraction": self.oil_fraction}
-        if self.data_sheet is not None:
-            names = ("density", "cold_pressure_viscosity", "conductivity")
-            needs |= {f"data_sheet.{name}": getattr(self.data_sheet, name) for name in names}
-        elif self.oil is None:
-            names = ("pressure_viscosity", "temperature_viscosity", "conductivity")
-            needs |= {name: getattr(self, name) for name in names}
-        if missing := [f"lubricant.{name}" for name, value in needs.items() if value is None]:
-            raise needed(missing, choice)
 
 
 class FastBearing(MountedBearing):

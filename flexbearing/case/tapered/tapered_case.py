@@ -5,8 +5,9 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
+from flexbearing.case.film_oil import FilmOil
 from flexbearing.case.head import KIND, Head
-from flexbearing.case.materials import Elastic, HeavyElastic, Oil
+from flexbearing.case.materials import Elastic, HeavyElastic
 from flexbearing.case.outputs import LifeOutputs
 from flexbearing.case.quantity import (
     Angle,
@@ -22,12 +23,14 @@ from flexbearing.case.quantity import (
     needed,
 )
 from flexbearing.case.ratings import TaperedLife
-from flexbearing.case.roller.bearing import Roller
+from flexbearing.case.roller.bearing import Roller, Roughness
+from flexbearing.case.roller.lubricant import FilmName
 from flexbearing.case.roller.profile import Generatrix
 from flexbearing.case.tapered.rings import TaperedAccuracy, TaperedInner, TaperedOuter
 
 PLANE = "about the point of the bearing axis in the plane of the roller centres"
 STEEPEST = pi / 4  # [rad] of a cup
+FRICTION = {"outputs.friction": (True,)}
 HELD = {"operation.tilt": ("fixed",)}
 FREE = {"operation.tilt": ("free",)}
 
@@ -79,6 +82,9 @@ class TaperedBearing(Section):
         "profile of the outer raceway along the rollers, which is straight without it", None
     )
     rib: Rib = key("the rib of the inner ring, which holds the large ends of the rollers")
+    roughness: Roughness | None = key(
+        "roughness of rollers and raceways, for film ratios", None, only=FRICTION
+    )
 
     @property
     def angles(self) -> tuple[float, float]:
@@ -138,6 +144,22 @@ class TaperedMaterials(Section):
         "of the housing; needed for an elastic housing",
         None,
         only={"outer.kind": ("ring",), "outer.support": ("housing",)},
+    )
+
+
+class TaperedOil(FilmOil):
+    """The oil: by name, by its data sheet, or by its data at the inlet temperature; and its laws."""
+
+    film: FilmName = key("regression of the film thickness", "dowson")
+
+
+class TaperedOutputs(LifeOutputs):
+    """What is computed beside the solution."""
+
+    friction: bool = key(
+        "whether films, tractions, torque and heat of rollers that roll without slip are computed, by the "
+        "laws of [lubricant]",
+        False,
     )
 
 
@@ -222,13 +244,15 @@ class TaperedCase(Head):
     kind: Literal["tapered_roller"] = key(KIND)
     bearing: TaperedBearing = key("the bearing")
     materials: TaperedMaterials = key("the materials")
-    lubricant: Oil | None = key("the oil, for the viscosity ratio of ISO 281", None)
+    lubricant: TaperedOil | None = key(
+        "the oil, for the viscosity ratio of ISO 281, and for films and friction", None
+    )
     operation: TaperedOperation = key("load and speed")
     life: TaperedLife = key("what the life is rated with, and what modifies it", {})
     outer: TaperedOuter = key("what carries the outer raceway", {})
     inner: TaperedInner = key("what carries the inner raceway", {})
     accuracy: TaperedAccuracy = key("numerical resolution", {})
-    outputs: LifeOutputs = key("further results to compute", {})
+    outputs: TaperedOutputs = key("further results to compute", {})
 
     @property
     def rigid(self) -> bool:
@@ -244,6 +268,21 @@ class TaperedCase(Head):
             raise needed(["materials.shaft"], 'inner.kind = "ring_on_shaft"')
         located("outer", lambda: outer.require_room(self.bearing))
         located("inner", lambda: inner.require_room(self.bearing))
+        return self
+
+    @model_validator(mode="after")
+    def _oil_has_films(self) -> Self:
+        oil, choice = self.lubricant, "outputs.friction = true"
+        if not self.outputs.friction:
+            if oil and oil.of_contacts:
+                raise impossible(f"lubricant.{oil.of_contacts[0]}", f"left out but with {choice}")
+            return self
+        if oil is None:
+            raise needed(["lubricant"], choice)
+        oil.require_film(choice)
+        oil.require_rough_surfaces(self.bearing.roughness is not None)
+        if self.operation.inner_speed == self.operation.outer_speed:
+            raise impossible("operation.inner_speed", f"another one than operation.outer_speed with {choice}")
         return self
 
     @model_validator(mode="after")

@@ -159,9 +159,34 @@ def orbit_drag_force(
     """
     roller, radius = bearing.roller, bearing.pitch_diameter / 2
     area = roller.length * np.maximum(roller.diameter - bearing.cage.thickness, 0.0)
-    pushed = oil, mixture_density(oil, oil_fraction) * area, roller.diameter
-    force, by_speed = _stream_force(cage_speed * radius, pushed, cylinder_drag, coefficient)
+    stream = oil, oil_fraction, coefficient
+    force, by_speed = roller_drag_force(cage_speed * radius, area, roller.diameter, *stream)
     return force, by_speed * radius
+
+
+def roller_drag_force(
+    speed: NDArray | float,
+    area: NDArray | float,
+    diameter: NDArray | float,
+    oil: Lubricant,
+    oil_fraction: float,
+    coefficient: float | None = None,
+) -> tuple[NDArray, NDArray]:
+    r"""Force of the oil-air mixture on a roller that shows an area to the stream, see `orbit_drag_force`.
+
+    From the speed of its centre [m/s], its area [m2] and diameter D [m]; its derivative is by the speed
+    [N s/m].
+
+    Source
+    ------
+    As `orbit_drag_force`.
+
+    Valid
+    -----
+    As `cylinder_drag`.
+    """
+    pushed = oil, mixture_density(oil, oil_fraction) * area, diameter
+    return _stream_force(speed, pushed, cylinder_drag, coefficient)
 
 
 def ball_drag_force(
