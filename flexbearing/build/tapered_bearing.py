@@ -44,9 +44,5 @@ def operation(case: TaperedCase) -> qd.RingOperation:
 
 
 def build(case: TaperedCase) -> tuple[qd.TaperedRollerBearing, qd.RingOperation]:
-    """Bearing and operation; raises `ImpossiblePart` or `BadCase` where they, or elastic rings, cannot be."""
-    if not case.rigid:
-        from flexbearing.rings.cones import parts  # with what describes finite elements
-
-        parts(case)
+    """Bearing and operation; raises `ImpossiblePart` where they cannot be."""
     return bearing(case), operation(case)

@@ -23,7 +23,15 @@ from flexbearing.quantities.tapered import LAYOUT
 from flexbearing.results import Recorder
 from flexbearing.runs import judged, subsurface
 from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer, row_findings
-from quasidynamic import ImpossiblePart, NotSolved, OutOfRange, TaperedLoads, tapered_loads
+from quasidynamic import (
+    ImpossiblePart,
+    NotSolved,
+    OutOfRange,
+    RingOperation,
+    TaperedLoads,
+    TaperedRollerBearing,
+    tapered_loads,
+)
 from quasidynamic.note import Note, graded, information
 from quasidynamic.outcome.neglected import weight_share
 from quasidynamic.outcome.rating_life import ROLLERS
@@ -44,7 +52,7 @@ class Solution:
 
     @cached_property
     def friction(self) -> TaperedFriction | None:
-        """Films and friction; None where the case does not ask for them."""
+        """Films and friction; None without outputs.friction."""
         if not self.case.outputs.friction:
             return None
         laws = lubrication.lubrication(self.case)
@@ -81,6 +89,15 @@ class Solution:
         places = flat.argmax(axis=1)
         radii = [loads.reduced_radius(race)[place % loads.slices.count] for race, place in enumerate(places)]
         return WorstLineContact.under(flat.max(axis=1), np.array(radii), loads.moduli)
+
+
+def build(case: TaperedCase) -> tuple[TaperedRollerBearing, RingOperation]:
+    """Bearing and operation; raises `ImpossiblePart` or `BadCase` where they, or elastic rings, cannot be."""
+    if not case.rigid:
+        from flexbearing.rings.cones import parts  # with what describes finite elements
+
+        parts(case)
+    return tapered_bearing.build(case)
 
 
 def opening(case: TaperedCase) -> dict[str, object]:
