@@ -35,8 +35,8 @@ from quasidynamic import (
 from quasidynamic.note import Note, graded, information
 from quasidynamic.outcome.neglected import weight_share
 from quasidynamic.outcome.rating_life import ROLLERS
-from quasidynamic.outcome.tapered_friction import TaperedFriction
 from quasidynamic.outcome.worst_line_contact import WorstLineContact
+from quasidynamic.tapered_friction import TaperedFriction
 
 NOT_SOLVED = "not solved"
 

@@ -10,7 +10,7 @@ from pytest import approx
 from quasidynamic import FORMULAS, ImpossiblePart, Lubrication, RingOperation, Roller, oil_at, tapered_loads
 from quasidynamic.contact.film import FilmLaw
 from quasidynamic.contact.traction import biboulet_houpert
-from quasidynamic.outcome.tapered_friction import TaperedFriction
+from quasidynamic.tapered_friction import TaperedFriction
 from tests.quasidynamic.test_tapered import RPM, STEEL, STRAIGHTENED, tapered
 
 OIL = oil_at("ISO VG 100", 333.15)
