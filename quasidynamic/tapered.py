@@ -83,6 +83,13 @@ class TaperedLoads:
         return np.einsum("zde,zd->e", _model(self).sections, model) * self._scale
 
     @cached_property
+    def row_load(self) -> NDArray:
+        """What each row carries for the inner ring along x, y, z (rows, 3) [N]."""
+        model = _model(self)
+        each = np.einsum("zde,zd->ze", model.sections, self.solution.state.on_ring)
+        return -each.reshape(len(self.bearing.rows), -1, 5).sum(1)[:, :3]
+
+    @cached_property
     def load(self) -> NDArray:
         """What carries the inner ring, given loads and reactions where it is held (5) [N, N m]."""
         held = np.array([place is not None for place in self.operation.displacement])
@@ -246,14 +253,14 @@ def least_thrust(bearing: TaperedRollerBearing, radial: float, centrifugal: floa
     """
     cup, rib = bearing.cup_angle, bearing.rib.angle
     pressed = centrifugal / (np.cos(cup) + np.sin(cup) * np.tan(rib))
-    return float(radial * np.tan(cup) + bearing.rollers * pressed * np.sin(cup))
+    return float(radial * np.tan(cup) + bearing.all_rollers * pressed * np.sin(cup))
 
 
 def _require_thrust(bearing: TaperedRollerBearing, operation: RingOperation, centrifugal: float) -> None:
     """Raise where the axial load is below `least_thrust`."""
     axial, y, z, *_ = operation.load
     held = [place is not None for place in operation.displacement]
-    if held[0]:
+    if held[0] or bearing.opposed:
         return
     least = least_thrust(bearing, float(np.hypot(0.0 if held[1] else y, 0.0 if held[2] else z)), centrifugal)
     if bearing.side * axial <= least:
@@ -277,7 +284,8 @@ def _start(
     line_load = np.asarray(even / bearing.rollers / bearing.roller.length)
     approach = PRESSED * (float(np.max(model.law.approach(line_load))) + float(np.max(model.drops)))
     if not held[0]:
-        places[0] = bearing.side * (approach + model.gap) / steep
+        towards = np.sign(load[0]) if bearing.opposed else bearing.side
+        places[0] = towards * (approach + model.gap) / steep
     elif not held[1:3].all() and (radial := float(np.hypot(load[1], load[2]))):
         push = approach + model.gap - bearing.side * places[0] * np.sin(bearing.cup_angle)
         places[1:3] += np.where(held[1:3], 0.0, max(push, 0.0) * load[1:3] / radial)

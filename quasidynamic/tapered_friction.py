@@ -241,9 +241,9 @@ class TaperedFriction:
     def drag_heat(self) -> float:
         """Heat of the drag on all rollers [W]."""
         bearing, orbit = self.loads.bearing, self.loads.speeds.orbit
-        return bearing.rollers * self.drag * orbit * bearing.pitch_diameter / 2
+        return bearing.all_rollers * self.drag * orbit * bearing.pitch_diameter / 2
 
     @property
     def churning_heat(self) -> float:
         """Heat of the churning around all rollers [W]."""
-        return self.loads.bearing.rollers * self.churning * self.loads.speeds.spin
+        return self.loads.bearing.all_rollers * self.churning * self.loads.speeds.spin

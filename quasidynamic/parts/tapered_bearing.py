@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.errors import ImpossiblePart, require_positive
+from quasidynamic.parts.angular_contact_bearing import RowPlace
 from quasidynamic.parts.material import Material, contact_modulus
 from quasidynamic.parts.profile import STRAIGHT, Profile, Straight
 from quasidynamic.parts.roller_bearing import Roller
@@ -119,7 +120,7 @@ def apex_angles(cup_angle: float, ratio: float) -> tuple[float, float]:
 class TaperedRollerBearing:
     """Conical rollers between the raceways of cup and cone; angle zero is a cylindrical roller bearing."""
 
-    rollers: int
+    rollers: int  # of one row
     pitch_diameter: float  # [m] of the roller centres, where the normals of mid-contact meet the axes
     cup_angle: float  # [rad] alpha_o of the outer raceway
     cone_angle: float  # [rad] alpha_i of the inner raceway
@@ -127,12 +128,13 @@ class TaperedRollerBearing:
     rib: Rib
     inner_ring: Material
     outer_ring: Material
-    side: Literal[1, -1] = 1  # of the axial force on the inner ring that it carries
+    side: Literal[1, -1] = 1  # of the axial force on the inner ring that rows which are not mirrored carry
     clearance: float = 0.0  # [m] diametral, with the rollers on the rib where the inner ring is at x = 0
     contact_law: Literal["palmgren", "iso16281"] = "palmgren"
     first_roller_azimuth: float = 0.0  # [rad]
     inner_profile: Profile = STRAIGHT
     outer_profile: Profile = STRAIGHT
+    rows: tuple[RowPlace, ...] = (RowPlace(),)  # of the same rollers between rings in common
 
     def __post_init__(self):
         require_positive("bearing.pitch_diameter", self.pitch_diameter)
@@ -195,8 +197,24 @@ class TaperedRollerBearing:
 
     @cached_property
     def azimuths(self) -> NDArray:
-        """Roller azimuths from z towards y (Z) [rad]."""
-        return self.first_roller_azimuth + 2 * np.pi * np.arange(self.rollers) / self.rollers
+        """Azimuths of all rollers from z towards y (Z) [rad], row by row."""
+        of_row = self.first_roller_azimuth + 2 * np.pi * np.arange(self.rollers) / self.rollers
+        return np.tile(of_row, len(self.rows))
+
+    @property
+    def all_rollers(self) -> int:
+        """Number of the rollers of all rows."""
+        return self.rollers * len(self.rows)
+
+    @property
+    def sides(self) -> tuple[int, ...]:
+        """Sign of the axial force on the inner ring that each row carries."""
+        return tuple(-self.side if row.mirrored else self.side for row in self.rows)
+
+    @property
+    def opposed(self) -> bool:
+        """Whether rows press each other along the axis."""
+        return len(set(self.sides)) > 1
 
     @property
     def relieved(self) -> bool:

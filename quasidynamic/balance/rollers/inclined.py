@@ -56,6 +56,7 @@ class InclinedRollers:
     gap: float  # [m] at the inner raceway
     rib_stiffness: float  # [N/m^1.5]
     sections: NDArray  # (Z, 3, 5) displacements of a section of the inner ring by those of the ring [-]
+    shifts: NDArray  # (Z, 3) [m] of the sections where the ring is at zero: rows that are closer
     dead: NDArray  # (3) [N] on every roller: axial, outwards, moment over half the length
 
     @classmethod
@@ -78,7 +79,8 @@ class InclinedRollers:
             ),
             gap=bearing.clearance / 2 * np.cos(cone),
             rib_stiffness=rib.stiffness,
-            sections=_sections(bearing, half),
+            sections=np.concatenate([_sections(bearing, half, row) for row in range(len(bearing.rows))]),
+            shifts=_shifts(bearing),
             dead=dead,
         )
 
@@ -96,7 +98,7 @@ class InclinedRollers:
 
     def at(self, ring: NDArray, rollers: NDArray) -> InclinedState:
         """Evaluate every slice and the rib."""
-        section = self.sections @ ring
+        section = self.sections @ ring + self.shifts
         moved = np.stack([rollers - section, rollers])  # against inner and outer ring
         approach = np.einsum("rmd,rzd->rzm", self.levers, moved) @ self._modes.T - self.drops
         approach[INNER] -= self.gap
@@ -123,14 +125,21 @@ class InclinedRollers:
         )
 
 
-def _sections(bearing: TaperedRollerBearing, half: float) -> NDArray:
-    """Displacements of the sections (Z, 3, 5) towards the rib, outwards and turn times `half`, by a ring's.
+def _sections(bearing: TaperedRollerBearing, half: float, row: int) -> NDArray:
+    """Displacements of the sections of a row (Z, 3, 5) by those of a ring: to the rib, outwards, turn by `half`.
 
     Those of the ring are x, y, z and the turns about y and z times the pitch radius.
     """
-    sin, cos, zero = np.sin(bearing.azimuths), np.cos(bearing.azimuths), np.zeros(bearing.rollers)
-    rib, turn = -bearing.side, half / (bearing.pitch_diameter / 2)
+    azimuths, pitch = bearing.azimuths[: bearing.rollers], bearing.pitch_diameter / 2
+    sin, cos, zero = np.sin(azimuths), np.cos(azimuths), np.zeros(bearing.rollers)
+    rib, place = -bearing.sides[row], bearing.rows[row].axial / pitch
     along = rib * np.array([zero + 1, zero, zero, cos, -sin])
-    outwards = np.array([zero, sin, cos, zero, zero])
-    turned = rib * turn * np.array([zero, zero, zero, -cos, sin])
+    outwards = np.array([zero, sin, cos, -place * cos, place * sin])
+    turned = rib * half / pitch * np.array([zero, zero, zero, -cos, sin])
     return np.stack([along, outwards, turned]).transpose(2, 0, 1)
+
+
+def _shifts(bearing: TaperedRollerBearing) -> NDArray:
+    """Displacement of the sections of all rollers (Z, 3) [m] by which rows are closer, away from the rib."""
+    closer = np.repeat([row.closer for row in bearing.rows], bearing.rollers)
+    return np.stack([-closer, 0 * closer, 0 * closer], axis=1)

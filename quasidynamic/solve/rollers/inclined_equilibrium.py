@@ -65,7 +65,7 @@ def inclined_equilibrium(
     usual = float(np.min(law.coefficient)) * length * (TYPICAL * length) ** (1 / 9)
     search = _Search(model, load, FLOOR * usual, LONGEST * length)
     if rollers is None:
-        rollers = np.full((len(model.sections), SECTION), 0.5) * (model.sections @ start)
+        rollers = np.full((len(model.sections), SECTION), 0.5) * (model.sections @ start + model.shifts)
     state = _rollers_at_rest(search, search.at(start, rollers))
     free = ~held
     for _ in range(STEPS):
