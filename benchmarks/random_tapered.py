@@ -1,6 +1,7 @@
 """How many random tapered roller bearings are solved: `python -m benchmarks.random_tapered [--number N]`.
 
-Between rigid rings, or between elastic ones with `--elastic`; rollers and rings are summed up again.
+Between rigid rings, or between elastic ones with `--elastic`; `--pairs` are two rows between rigid rings. Rollers
+and rings are summed up again.
 """
 
 import argparse
@@ -12,7 +13,7 @@ from threadpoolctl import threadpool_limits
 
 from benchmarks.machine import describe
 from quasidynamic import NotSolved, TaperedLoads, tapered_loads
-from tests.random_tapered import compliance, drawn, drawn_rings
+from tests.random_tapered import compliance, drawn, drawn_pair, drawn_rings
 
 SHAPES = 4
 
@@ -27,7 +28,8 @@ def summed_again(found: TaperedLoads) -> float:
     moments = found.slice_loads * found.slices.widths @ found.slices.centres
     turning = moments[1] - moments[0] + on_rib * rib.lever - found.speeds.gyroscopic_moment
     towards = np.array([np.sin(bearing.azimuths), np.cos(bearing.azimuths)])
-    on_ring = [-bearing.side * (inner * np.sin(cone) + on_rib * np.cos(rib.angle)).sum()]
+    sides = np.repeat(bearing.sides, bearing.rollers)
+    on_ring = [-(sides * (inner * np.sin(cone) + on_rib * np.cos(rib.angle))).sum()]
     on_ring += [*towards @ (on_rib * np.sin(rib.angle) - inner * np.cos(cone))]
     left = [along, across - found.speeds.centrifugal_force, turning / (bearing.roller.length / 2)]
     largest = max(outer.max(), np.abs(found.load[:3]).max())
@@ -49,11 +51,15 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--number", type=int, default=500)
     parser.add_argument("--elastic", action="store_true")
+    parser.add_argument("--pairs", action="store_true")
     options = parser.parse_args()
+    if options.elastic and options.pairs:
+        parser.error("pairs are between rigid rings")
     outcomes, named, times, left, shapes = Counter[str](), [], [], [0.0], [0.0]
     with threadpool_limits(1):
         for seed in range(options.number):
             bearing, asked = drawn(seed)
+            bearing = drawn_pair(seed, bearing) if options.pairs else bearing
             rings = drawn_rings(seed, bearing) if options.elastic else [None, None]
             raceways = [ring and compliance(bearing, ring, SHAPES) for ring in rings]
             began = time.process_time()

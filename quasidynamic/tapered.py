@@ -82,6 +82,12 @@ class TaperedLoads:
         model = self.solution.state.on_ring
         return np.einsum("zde,zd->e", _model(self).sections, model) * self._scale
 
+    @property
+    def roller_row(self) -> NDArray | None:
+        """Number of the row of each roller (Z); None of one row."""
+        count = len(self.bearing.rows)
+        return None if count == 1 else np.repeat(np.arange(count), self.bearing.rollers)
+
     @cached_property
     def row_load(self) -> NDArray:
         """What each row carries for the inner ring along x, y, z (rows, 3) [N]."""

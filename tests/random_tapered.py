@@ -1,5 +1,6 @@
 """Random tapered roller bearings: short and long rollers, at rest and at speed, held and free, with rings."""
 
+from dataclasses import replace
 from math import pi, radians
 
 import numpy as np
@@ -9,7 +10,7 @@ from fem.condense import HARMONICS, condense
 from fem.parts.boundary_conditions import Support
 from flexbearing.rings.cones import towards_large_end
 from quasidynamic.motion.tapered_speeds import tapered_speeds
-from quasidynamic.parts.angular_contact_bearing import RingOperation
+from quasidynamic.parts.angular_contact_bearing import RingOperation, RowPlace
 from quasidynamic.parts.material import Material
 from quasidynamic.parts.profile import STRAIGHT, Logarithmic
 from quasidynamic.parts.roller_bearing import Roller
@@ -65,6 +66,22 @@ def drawn(seed: int) -> tuple[TaperedRollerBearing, RingOperation]:
         load=(axial_force, y, z, about_y, about_z),
         displacement=tuple(None if place is None else float(place) for place in displacement),
         inner_speed=float(speed),
+    )
+
+
+def drawn_pair(seed: int, bearing: TaperedRollerBearing) -> TaperedRollerBearing:
+    """The same with a second row in O, X or tandem arrangement, with preload or play."""
+    random = np.random.default_rng([seed, 2])
+    distance = bearing.roller.length * random.uniform(1.1, 6.0)
+    first, second = ((False, True), (True, False), (False, False))[random.integers(3)]
+    closer = bearing.roller.diameter * random.normal(5e-4, 1e-3) if first != second else 0.0
+    rows = ((-1, first), (1, second))
+    return replace(
+        bearing,
+        rows=tuple(
+            RowPlace(axial=sign * distance / 2, closer=float(closer), mirrored=mirrored)
+            for sign, mirrored in rows
+        ),
     )
 
 

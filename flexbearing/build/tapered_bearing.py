@@ -1,8 +1,12 @@
 """From a case to a tapered roller bearing and what is asked of it."""
 
+from dataclasses import replace
+
 import quasidynamic as qd
 from flexbearing.build import profiles
+from flexbearing.case.balls.pair import Pair
 from flexbearing.case.tapered import TaperedCase
+from quasidynamic.parts.angular_contact_bearing import RowPlace
 from quasidynamic.parts.tapered_bearing import spherical_rib
 
 
@@ -17,7 +21,7 @@ def bearing(case: TaperedCase) -> qd.TaperedRollerBearing:
     )
     axis, cone = own.angles
     ring = profiles.elastic(case.materials.inner_ring)
-    return qd.TaperedRollerBearing(
+    one = qd.TaperedRollerBearing(
         rollers=own.rollers,
         pitch_diameter=own.pitch_diameter,
         cup_angle=own.cup_angle,
@@ -31,6 +35,21 @@ def bearing(case: TaperedCase) -> qd.TaperedRollerBearing:
         inner_profile=profiles.of_raceway(case, "inner"),
         outer_profile=profiles.of_raceway(case, "outer"),
     )
+    return one if own.pair is None else replace(one, rows=_rows(case, own.pair, one))
+
+
+def _rows(case: TaperedCase, pair: Pair, one: qd.TaperedRollerBearing) -> tuple[RowPlace, RowPlace]:
+    """Rows of a pair; that at +x is the mirrored one in O, the other one in X."""
+    closer = pair.offset or 0.0
+    if pair.preload is not None:
+        straight = qd.RingOperation(load=(pair.preload, 0, 0, 0, 0), displacement=(None, 0, 0, 0, 0))
+        closer = float(qd.tapered_loads(one, straight, case.accuracy.slices).displacement[0])
+    places = {"back_to_back": (False, True), "face_to_face": (True, False), "tandem": (False, False)}
+    first, second = (
+        RowPlace(axial=sign * pair.distance / 2, closer=closer, mirrored=mirrored)
+        for sign, mirrored in zip((-1, 1), places[pair.arrangement], strict=True)
+    )
+    return first, second
 
 
 def operation(case: TaperedCase) -> qd.RingOperation:

@@ -12,7 +12,7 @@ from flexbearing.case.as_written import TAPERED_SIZES, as_written
 from flexbearing.case.tapered import TaperedCase
 from flexbearing.life.life_of_state import MREV, ReferenceLives
 from flexbearing.life.rated_bearing import RatedBearing, Rating
-from quasidynamic import OutOfRange, TaperedLoads
+from quasidynamic import OutOfRange, RingOperation, TaperedLoads, tapered_loads
 from quasidynamic.outcome.life import turning_share
 from quasidynamic.outcome.life_factors import ROLLERS
 from quasidynamic.outcome.rating_life import ROLLER_EXPONENT, EquivalentLoad, static_safety
@@ -26,6 +26,7 @@ from quasidynamic.outcome.tapered_life import (
     tapered_reference_life,
     tapered_static_load,
 )
+from quasidynamic.parts.angular_contact_bearing import RowPlace
 
 FORMULAS: dict[str, Callable[[InclinedRow], float]] = {
     "dynamic_rating": lambda row: row.dynamic_rating,
@@ -42,22 +43,36 @@ class LoadsRated:
     equivalent: float  # P
     limit: float  # e [-]
     factor: float  # Y [-]
-    induced: float
+    induced: float | None  # of one row
+    unloading_force: float | None  # of rows against each other
     static_safety: float | None  # [-] s_0
 
 
 def loads_rated(case: TaperedCase, loads: TaperedLoads) -> LoadsRated:
     """Ratings and equivalent loads; those of ISO 281 are absent beyond its table."""
-    angle, (radial, axial) = case.bearing.cup_angle, _forces(loads)
-    static, own = tapered_static_load(radial, axial, angle).value, rated(case)
+    angle, (radial, axial), opposed = case.bearing.cup_angle, _forces(loads), case.bearing.opposed
+    static, own = tapered_static_load(radial, axial, angle, opposed=opposed).value, rated(case)
     return LoadsRated(
         dynamic=None if own.unrated else own.dynamic,
-        equivalent=tapered_dynamic_load(radial, axial, angle).value,
+        equivalent=tapered_dynamic_load(radial, axial, angle, opposed=opposed).value,
         limit=load_limit(angle),
-        factor=axial_factor(angle),
-        induced=induced_thrust(radial, angle),
+        factor=axial_factor(angle, opposed=opposed),
+        induced=None if case.bearing.pair else induced_thrust(radial, angle),
+        unloading_force=_unloading_force(case, loads),
         static_safety=float(static_safety(own.static, static)),
     )
+
+
+def _unloading_force(case: TaperedCase, loads: TaperedLoads) -> float | None:
+    """Axial load at which the row that it relieves just touches: what the other one carries then, at rest."""
+    if not loads.bearing.opposed:
+        return None
+    closer = loads.bearing.rows[0].closer
+    if closer <= 0.0:
+        return 0.0
+    alone = replace(loads.bearing, rows=(RowPlace(),))
+    held = RingOperation(displacement=(2 * closer, 0.0, 0.0, 0.0, 0.0))
+    return float(tapered_loads(alone, held, case.accuracy.slices).load[0])
 
 
 def _forces(loads: TaperedLoads) -> tuple[float, float]:
@@ -89,8 +104,8 @@ def rated(case: TaperedCase) -> RatedBearing:
         life=case.life,
         rating=partial(_rating, case, row),
         limit_of_static=row.fatigue_load_limit,
-        load=partial(_load, case, tapered_dynamic_load),
-        static_load=partial(_load, case, tapered_static_load),
+        load=partial(_load, case, partial(tapered_dynamic_load, opposed=case.bearing.opposed)),
+        static_load=partial(_load, case, partial(tapered_static_load, opposed=case.bearing.opposed)),
         forces=operation.forces,
         elements=ROLLERS,
         exponent=ROLLER_EXPONENT,
@@ -120,5 +135,5 @@ def _rated(case: TaperedCase, now: InclinedRow, name: str) -> InclinedRow:
     length = case.bearing.roller.length if length is None else length
     diameter = case.bearing.roller.diameter if diameter is None else diameter
     roller = replace(now.roller, diameter=diameter, length=length * float(np.cos(angle)))
-    then = InclinedRow(rollers or now.rollers, roller, pitch or now.pitch_diameter, angle)
+    then = InclinedRow(rollers or now.rollers, roller, pitch or now.pitch_diameter, angle, now.row_count)
     return now if then == now else then

@@ -1,5 +1,6 @@
 """Output quantities of a tapered roller bearing; the page of a result shows rows in this order."""
 
+import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.quantities.attributes import HEAD
@@ -10,6 +11,7 @@ from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
 from flexbearing.quantities.reductions import (
     ABOUT_YZ,
     RACES,
+    ROWS,
     XYZ,
     azimuth_of_largest,
     displacements,
@@ -27,6 +29,7 @@ from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, MREV, RPM, U
 
 RING, CONTACT = "ring", "contact"  # sections of the page
 _ORDER = "x, y, z, about y, about z; these about the point of the axis in the plane of the roller centres"
+_ONE_ROW = "absent of one row"
 _UNRATED = "absent at rest, without load, and where ISO 281 has no rating and the case gives none"
 _PRESSURES = ("inner_pressure", "outer_pressure")
 _NO_FRICTION = "absent without outputs.friction"
@@ -77,6 +80,21 @@ QUANTITIES = (
                          of=("roller_azimuth", "inner_load"), unit=Unit("deg")),
             SummaryValue("roller_azimuths_deg"),
         )),
+    Quantity("roller_row", "", "Z", "1", "block", f"number of the row of the roller, from 0; {_ONE_ROW}",
+        source="loads.roller_row", optional=True),
+    Quantity("row_load", "", "row row_force", "N", "block",
+        f"what each row carries for the inner ring (x, y, z); {_ONE_ROW}", source="solution.row_load",
+        optional=True, summary=(
+            SummaryValue("row_axial_force_N", lambda forces: forces[:, 0], "axial force", ",.1f",
+                entries=ROWS, section=RING),
+            SummaryValue("row_radial_force_N", lambda forces: np.hypot(forces[:, 1], forces[:, 2]),
+                "radial force", ",.1f", entries=ROWS, section=RING),
+        )),
+    Quantity("unloading_force", "", "", "N", "block",
+        "axial load that takes the load off a row which another presses, at rest and by it alone; zero with "
+        "play between them; absent without rows against each other", source="rated.unloading_force",
+        optional=True,
+        summary=(SummaryValue("unloading_force_N", label="axial load that unloads a row", digits=",.1f"),)),
     Quantity("slice_position", "s", "K", "m", "block",
         "place of the slice's middle along the contact, 0 in its middle, positive to the large end",
         source="loads.slices.centres", people=MM),
@@ -184,11 +202,13 @@ QUANTITIES = (
     Quantity("axial_load_limit", "e", "", "1", "block",
         "F_a/F_r up to which an axial load does not count, 1.5 tan(alpha)", source="rated.limit", summary=(
             SummaryValue("axial_load_limit", label="e", digits=".4f"),)),
-    Quantity("axial_load_factor", "Y", "", "1", "block", "factor of axial loads above e, 0.4 cot(alpha)",
+    Quantity("axial_load_factor", "Y", "", "1", "block",
+        "factor of axial loads above e, 0.4 cot(alpha), 0.67 cot(alpha) of rows against each other",
         source="rated.factor", summary=(SummaryValue("axial_load_factor", label="Y", digits=".4f"),)),
     Quantity("induced_thrust", "", "", "N", "block",
         "axial force that the radial load makes in a bearing without play, F_r/(2 Y), which the other "
-        "bearing of a shaft must carry", source="rated.induced", summary=(
+        "bearing of a shaft must carry", source="rated.induced", optional=True,
+        summary=(
             SummaryValue("induced_thrust_N", label="induced thrust F_r/(2 Y)", digits=",.1f"),)),
     static_safety("rated.static_safety", "the load on the ring", optional=True),
 

@@ -68,6 +68,11 @@ class Solution:
         least = np.where(film > 0, film, np.inf).min(-1)
         return np.where(np.isfinite(least), least, 0.0) / rough[:, None]
 
+    @property
+    def row_load(self) -> NDArray | None:
+        """What each of two rows carries (2, 3) [N]; None of one."""
+        return None if self.case.bearing.pair is None else self.loads.row_load
+
     @cached_property
     def rib_heat(self) -> NDArray:
         r"""Heat of each roller's end on the rib (Z) [W].

@@ -22,24 +22,20 @@ from quasidynamic.parts.tapered_bearing import TaperedRollerBearing
 
 @dataclass(frozen=True)
 class InclinedRow:
-    """Rollers of one row as ratings see them: with the projection of their length."""
+    """Rollers of rows as ratings see them: with the projection of their length."""
 
     rollers: int
     roller: Roller
     pitch_diameter: float  # [m]
     contact_angle: float  # [rad] of the cup
+    row_count: int = 1
 
     @classmethod
     def of(cls, bearing: TaperedRollerBearing) -> "InclinedRow":
-        """The row of a bearing."""
+        """The rows of a bearing."""
         roller, angle = bearing.roller, bearing.cup_angle
         projected = replace(roller, length=roller.length * float(np.cos(angle)))
-        return cls(bearing.rollers, projected, bearing.pitch_diameter, angle)
-
-    @property
-    def row_count(self) -> int:
-        """One."""
-        return 1
+        return cls(bearing.rollers, projected, bearing.pitch_diameter, angle, len(bearing.rows))
 
     @property
     def diameter_ratio(self) -> float:
@@ -50,7 +46,7 @@ class InclinedRow:
     def dynamic_rating(self) -> float:
         r"""C_r of ISO 281 [N].
 
-        .. math:: C_r = b_m f_c\, (l \cos\alpha)^{7/9} Z^{3/4} D^{29/27} \quad \text{(N, mm)}
+        .. math:: C_r = b_m f_c\, (i\, l \cos\alpha)^{7/9} Z^{3/4} D^{29/27} \quad \text{(N, mm)}
 
         Source
         ------
@@ -62,7 +58,7 @@ class InclinedRow:
     def static_rating(self) -> float:
         r"""C_0r of ISO 76 [N].
 
-        .. math:: C_{0r} = 44\, (1 - \gamma) Z\, l D \cos\alpha \quad \text{(N, mm)}
+        .. math:: C_{0r} = 44\, (1 - \gamma)\, i Z\, l D \cos\alpha \quad \text{(N, mm)}
 
         Source
         ------
@@ -88,7 +84,7 @@ class InclinedRow:
 
         Source
         ------
-        ISO/TS 16281 (2008), Eqs. 47-49 with the contact angle, one row.
+        ISO/TS 16281 (2008), Eqs. 47-49 with the contact angle.
         """
         inner, outer = reference_raceway_capacity(self, rating)
         cosine = float(np.cos(self.contact_angle))
@@ -105,20 +101,25 @@ def load_limit(contact_angle: float) -> float:
     return 1.5 * float(np.tan(contact_angle))
 
 
-def axial_factor(contact_angle: float) -> float:
-    """Y = 0.4 cot(alpha) of the dynamic equivalent load [-], alpha [rad].
+def axial_factor(contact_angle: float, *, opposed: bool = False) -> float:
+    """Y = 0.4 cot(alpha) of the dynamic equivalent load [-], alpha [rad]; 0.67 of rows against each other.
 
     Source
     ------
     ISO 281 (2007), table 8.
     """
-    return 0.4 / float(np.tan(contact_angle))
+    return (0.67 if opposed else 0.4) / float(np.tan(contact_angle))
 
 
-def tapered_dynamic_load(radial: float, axial: float, contact_angle: float) -> EquivalentLoad:
-    r"""Dynamic equivalent radial load of one row.
+def tapered_dynamic_load(
+    radial: float, axial: float, contact_angle: float, *, opposed: bool = False
+) -> EquivalentLoad:
+    r"""Dynamic equivalent radial load of one row, or of two against each other.
 
     .. math:: P_r = F_r \;(F_a/F_r \le e),\quad P_r = 0.4 F_r + 0.4 \cot\alpha\, F_a \;(F_a/F_r > e)
+
+    .. math:: P_r = F_r + 0.45 \cot\alpha\, F_a \;(\le e),\quad
+              P_r = 0.67 F_r + 0.67 \cot\alpha\, F_a \;(> e) \quad \text{(two rows)}
 
     Parameters
     ----------
@@ -141,16 +142,23 @@ def tapered_dynamic_load(radial: float, axial: float, contact_angle: float) -> E
     The axial load is that which the bearing carries, induced thrust with it.
     """
     limit = load_limit(contact_angle)
+    if opposed:
+        x, share = (1.0, 0.45) if axial <= limit * radial else (0.67, 0.67)
+        y = share / float(np.tan(contact_angle))
+        return EquivalentLoad(x * radial + y * axial, x, y, limit)
     if axial <= limit * radial:
         return EquivalentLoad(radial, 1.0, 0.0, limit)
     y = axial_factor(contact_angle)
     return EquivalentLoad(0.4 * radial + y * axial, 0.4, y, limit)
 
 
-def tapered_static_load(radial: float, axial: float, contact_angle: float) -> EquivalentLoad:
-    r"""Static equivalent radial load of one row.
+def tapered_static_load(
+    radial: float, axial: float, contact_angle: float, *, opposed: bool = False
+) -> EquivalentLoad:
+    r"""Static equivalent radial load of one row, or of two against each other.
 
-    .. math:: P_{0r} = \max(0.5 F_r + 0.22 \cot\alpha\, F_a,\; F_r)
+    .. math:: P_{0r} = \max(0.5 F_r + 0.22 \cot\alpha\, F_a,\; F_r),\quad
+              P_{0r} = F_r + 0.44 \cot\alpha\, F_a \quad \text{(two rows)}
 
     Parameters
     ----------
@@ -169,6 +177,8 @@ def tapered_static_load(radial: float, axial: float, contact_angle: float) -> Eq
     ISO 76 (2006), section 6.2.
     """
     y = 0.22 / float(np.tan(contact_angle))
+    if opposed:
+        return EquivalentLoad(radial + 2 * y * axial, 1.0, 2 * y)
     together = 0.5 * radial + y * axial
     return EquivalentLoad(together, 0.5, y) if together > radial else EquivalentLoad(radial, 1.0, 0.0)
 
@@ -213,7 +223,7 @@ def tapered_reference_life(
     -----
     Reliability 90 %, no edge stress; the rib is left out: it wears, or seizes, before it fatigues.
     """
-    return slice_life(inner, outer, row.raceway_capacity(rating), turning)
+    return slice_life(inner, outer, row.raceway_capacity(rating), turning, rows=row.row_count)
 
 
 def tapered_raceway_lives(
@@ -226,6 +236,8 @@ def tapered_raceway_lives(
     ISO/TS 16281 (2008), roller bearings.
     """
     sides = zip((inner, outer), row.raceway_capacity(rating), turning, strict=True)
-    damage = np.array([raceway_damage(load, capacity, share) for load, capacity, share in sides])
+    damage = np.array(
+        [raceway_damage(load, capacity, share, rows=row.row_count) for load, capacity, share in sides]
+    )
     with np.errstate(divide="ignore"):  # no load, no damage: for ever
         return damage ** (-1 / LINE.weibull)

@@ -42,6 +42,10 @@ CONTEXTS = {
     "tapered, cone on a shaft": ("32207", {
         **_FILE, "inner.kind": "ring_on_shaft", "inner.bore": "35 mm", "inner.width": "17 mm",
         "inner.shaft_length": "40 mm", "materials.shaft": _ELASTIC}),
+    **{f"tapered, {name}": ("32207", {**_FILE, "bearing.pair": {
+        "arrangement": "back_to_back", "distance": "40 mm", **more}})
+       for name, more in (("pair", {"preload": "2 kN"}), ("pair with offset", {"offset": "5 um"}))},
+    "tapered, tandem": ("32207", {**_FILE, "bearing.pair": {"arrangement": "tandem", "distance": "40 mm"}}),
     "tapered, rated": ("32207", {**_OILED, "lubricant.oil": "ISO VG 32"}),
     "tapered, oil by its data": ("32207", {
         **_OILED, "lubricant.viscosity": "10 mPa s", "lubricant.density": "870 kg/m^3"}),
@@ -100,6 +104,11 @@ EFFECTS = (
     ("tapered, held", "operation.displacement.radial_z", "2.1 um", "operation.displacement.2"),
     ("tapered", "operation.displacement.tilt_y", "0.01 deg", "operation.displacement.3"),
     ("tapered", "operation.displacement.tilt_z", "0.01 deg", "operation.displacement.4"),
+    ("tapered, pair", "bearing.pair.arrangement", "face_to_face",
+     "model.bearing.rows.{0.mirrored,1.mirrored}"),
+    ("tapered, pair", "bearing.pair.distance", "41 mm", "model.bearing.rows.{0.axial,1.axial}"),
+    ("tapered, pair", "bearing.pair.preload", "2.1 kN", "model.bearing.rows.{0.closer,1.closer}"),
+    ("tapered, pair with offset", "bearing.pair.offset", "6 um", "model.bearing.rows.{0.closer,1.closer}"),
     ("tapered", "outer.kind", {"outer.kind": "ring", "outer.thickness": "5 mm", "outer.width": "19 mm"},
      "outer.{groove,is,offset,raceway_diameter,support.is,taper,thickness,width} "
      f"outer.elastic.{{is,poisson_ratio,youngs_modulus}} {_FINENESS}"),

@@ -157,7 +157,55 @@ def test_losses_of_all_causes_are_the_power_of_the_rings():
     assert "driving_power" not in api.run(CASE).rigid
 
 
+PAIR = ["bearing.pair.arrangement=back_to_back", "bearing.pair.distance=40 mm"]
+
+
+def test_pairs_carry_loads_of_any_sign_and_name_what_unloads_a_row():
+    pair = [*PAIR, "bearing.pair.preload=2 kN"]
+    found = api.run(CASE, [*pair, "operation.load.axial=-1 kN"])
+    values, case = found.rigid, read(pair)
+    assert values["row_load"].sum(0) == approx([-1000.0, 0.0, 8000.0], abs=1e-6)
+    assert values["roller_row"].tolist() == [0] * 17 + [1] * 17
+    unloads = float(found["unloading_force"].to("N"))
+    pure = [*pair, "operation.load.radial_z=0 N", "operation.inner_speed=0 rpm"]
+    touching = api.run(CASE, [*pure, f"operation.load.axial={unloads} N"]).rigid["row_load"]
+    assert touching[:, 0] == approx([unloads, 0.0], abs=1e-6 * unloads)
+    alone = InclinedRow.of(bearing(read()))
+    both = InclinedRow.of(bearing(case))
+    assert both.dynamic_rating == approx(2 ** (7 / 9) * alone.dynamic_rating, rel=1e-12)
+    assert both.static_rating == approx(2 * alone.static_rating, rel=1e-12)
+    assert "induced_thrust" not in values
+
+
+def test_two_rows_that_share_a_load_live_as_long_as_the_ratings_say():
+    """L = (2^(7/9)/2)^4 = 2^(-8/9) of one row with half of the load."""
+    loads = ["operation.load.radial_z=0 N", "operation.load.axial=8 kN", "operation.inner_speed=1 rpm"]
+    both = api.run(CASE, ["bearing.pair.arrangement=tandem", "bearing.pair.distance=40 mm", *loads])
+    alone = api.run(CASE, [*loads, "operation.load.axial=4 kN"])
+    assert float(both["life_L10"]) == approx(2 ** (-8 / 9) * float(alone["life_L10"]), rel=1e-9)
+
+
+def test_equivalent_loads_of_rows_against_each_other():
+    cup = np.radians(14.0)
+    small, large = (tapered_dynamic_load(1.0, axial, cup, opposed=True) for axial in (0.1, 2.0))
+    assert small.value == approx(1 + 0.45 / np.tan(cup) * 0.1, rel=1e-12)
+    assert large.value == approx(0.67 + 0.67 / np.tan(cup) * 2.0, rel=1e-12)
+
+
 REFUSED = {
+    "rows that overlap": (
+        [*PAIR[:1], "bearing.pair.distance=10 mm", "bearing.pair.preload=1 kN"],
+        "at least the",
+    ),
+    "pair in elastic rings": (
+        [*PAIR, "bearing.pair.preload=1 kN", "outer.kind=ring", "outer.thickness=5 mm", "outer.width=19 mm"],
+        '"rigid" beside bearing.pair',
+    ),
+    "tandem without thrust": (
+        ["bearing.pair.arrangement=tandem", "bearing.pair.distance=40 mm", "operation.load.axial=0 N"],
+        "the cone leaves the cup",
+    ),
+    "pair without preload": (PAIR, "preload is missing"),
     "friction without oil": (["outputs.friction=true"], "lubricant is missing"),
     "film law without friction": (
         [*OILED[1:3], "lubricant.film=dowson_toyoda"],

@@ -1,4 +1,4 @@
-"""A second row of the same balls on the same rings, as a case."""
+"""A second row of the same balls or rollers on the same rings, as a case."""
 
 from typing import Literal, Self
 
@@ -17,7 +17,8 @@ class Pair(Section):
         "DF), or parallel (DT)"
     )
     distance: Length = key(
-        "between the planes of the balls of both rows; operation.load.moment acts about their middle",
+        "between the planes of the balls, or of the roller centres, of both rows; moments of operation.load "
+        "act about their middle",
         example="20 mm",
         gt=0,
     )
@@ -30,8 +31,8 @@ class Pair(Section):
         only=PRELOADED,
     )
     offset: Length | None = key(
-        "by how much the grooves of each row are closer, axially, than where all balls just touch, instead "
-        "of preload; negative is play, half that of the pair",
+        "by how much the raceways of each row are closer, axially, than where all balls or rollers just "
+        "touch, instead of preload; negative is play, half that of the pair",
         None,
         example="5 um",
         only=PRELOADED,

@@ -5,6 +5,7 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
+from flexbearing.case.balls.pair import Pair
 from flexbearing.case.film_oil import FilmOil
 from flexbearing.case.head import KIND, Head
 from flexbearing.case.materials import Elastic, HeavyElastic
@@ -86,6 +87,17 @@ class TaperedBearing(Section):
         "roughness of rollers and raceways, for film ratios", None, only=FRICTION
     )
 
+    pair: Pair | None = key(
+        "a second row of the same rollers between rings in common: a pair of bearings, or a double-row one; "
+        "ratings in [life] are those of both rows",
+        None,
+    )
+
+    @property
+    def opposed(self) -> bool:
+        """Whether two rows press each other."""
+        return self.pair is not None and self.pair.opposed
+
     @property
     def angles(self) -> tuple[float, float]:
         """Angles of the rollers' axes and of the inner raceway [rad]."""
@@ -166,7 +178,11 @@ class TaperedOutputs(LifeOutputs):
 class TaperedLoad(Section):
     """Load on the inner ring."""
 
-    axial: Force = key("axial force along x, above zero: it presses the inner ring into the cup", "0 N")
+    axial: Force = key(
+        "axial force along x, above zero: it presses the inner ring into the cup; of any sign on rows "
+        "against each other",
+        "0 N",
+    )
     radial_y: Force = key("radial force along y", "0 N")
     radial_z: Force = key("radial force along z, where azimuths begin", "0 N")
     moment_y: Moment = key(f"moment about y, by the right hand, {PLANE}", "0 N m", only=FREE)
@@ -226,13 +242,6 @@ class TaperedOperation(Section):
                 raise impossible(f"displacement.{name}", allowed)
         return self
 
-    @model_validator(mode="after")
-    def _thrust(self) -> Self:
-        if self.displacement.axial is None and not self.load.axial > 0:
-            allowed = "above 0 N, or operation.displacement.axial: without either the cone leaves the cup"
-            raise impossible("load.axial", allowed)
-        return self
-
 
 class TaperedCase(Head):
     """A tapered roller bearing: loads with inertia, rigid or elastic rings, raceways without friction."""
@@ -258,6 +267,27 @@ class TaperedCase(Head):
     def rigid(self) -> bool:
         """Whether both rings are rigid."""
         return self.outer.kind == self.inner.kind == "rigid"
+
+    @model_validator(mode="after")
+    def _thrust(self) -> Self:
+        held, axial = self.operation.displacement.axial is not None, self.operation.load.axial
+        if not (self.bearing.opposed or held or axial > 0):
+            allowed = "above 0 N, or operation.displacement.axial: without either the cone leaves the cup"
+            raise impossible("operation.load.axial", allowed)
+        return self
+
+    @model_validator(mode="after")
+    def _pair(self) -> Self:
+        pair = self.bearing.pair
+        if pair is None:
+            return self
+        if pair.distance < self.bearing.roller.length:
+            least = f"at least the length of the rollers, {in_mm(self.bearing.roller.length)}"
+            raise impossible("bearing.pair.distance", least)
+        if not self.rigid:
+            name = "outer" if self.outer.kind != "rigid" else "inner"
+            raise impossible(f"{name}.kind", '"rigid" beside bearing.pair')
+        return self
 
     @model_validator(mode="after")
     def _elastic_rings_are_known(self) -> Self:

@@ -1,6 +1,7 @@
 """Axial half section of a tapered roller bearing; rings schematic, but for the raceways and the rib."""
 
 from math import cos, sin
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,12 +45,20 @@ def section(words: Words) -> Drawing:
         start = np.array([-1.9 * half, inner[0][1] - wall / 2])
         sheet.line([start, start + np.array([0.8 * half, 0.0])], ec=LOAD, arrowstyle="-|>", lw=2.0)
         sheet.label("operation.load.axial", tuple(start))
-    sheet.notes.append("Dashed: schematic, the case has no dimensions of it.")
-    sheet.notes.append("Angles from the axis of the bearing; the rib's is that of its normal.")
+    sheet.notes.extend(_notes(bearing))
     return sheet.drawn(
         "Axial half section, rollers and raceways to scale, dimensions as the case gives them.",
         "Axial half section of a tapered roller bearing with its dimensions, the rib on the right.",
     )
+
+
+def _notes(bearing: Any) -> list[str]:
+    """What the drawing does not show."""
+    notes = ["Dashed: schematic, the case has no dimensions of it."]
+    if pair := bearing.pair:
+        arrangement = pair.arrangement.replace("_", " ")
+        notes.append(f"One row of two, {arrangement}, {1e3 * pair.distance:.4g} mm apart.")
+    return [*notes, "Angles from the axis of the bearing; the rib's is that of its normal."]
 
 
 def _direction(angle: float) -> NDArray:

@@ -126,7 +126,7 @@ class InclinedRollers:
 
 
 def _sections(bearing: TaperedRollerBearing, half: float, row: int) -> NDArray:
-    """Displacements of the sections of a row (Z, 3, 5) by those of a ring: to the rib, outwards, turn by `half`.
+    """Displacements of the sections of a row (Z, 3, 5) to the rib, outwards, turned times `half`, by a ring.
 
     Those of the ring are x, y, z and the turns about y and z times the pitch radius.
     """
