@@ -1,7 +1,7 @@
 """How many random tapered roller bearings are solved: `python -m benchmarks.random_tapered [--number N]`.
 
-Between rigid rings, or between elastic ones with `--elastic`; `--pairs` are two rows between rigid rings. Rollers
-and rings are summed up again.
+Between rigid rings, or between elastic ones with `--elastic`; `--pairs` are two rows between rigid rings.
+Rollers and rings are summed up again.
 """
 
 import argparse
