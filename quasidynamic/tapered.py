@@ -289,10 +289,14 @@ def _start(
     even = max(abs(load[0]) / steep, 5 * float(np.hypot(load[1], load[2])), 2 * np.abs(load[3:]).max())
     line_load = np.asarray(even / bearing.rollers / bearing.roller.length)
     approach = PRESSED * (float(np.max(model.law.approach(line_load))) + float(np.max(model.drops)))
-    if not held[0]:
-        towards = np.sign(load[0]) if bearing.opposed else bearing.side
-        places[0] = towards * (approach + model.gap) / steep
-    elif not held[1:3].all() and (radial := float(np.hypot(load[1], load[2]))):
-        push = approach + model.gap - bearing.side * places[0] * np.sin(bearing.cup_angle)
+    pressed = bearing.side * places[0]
+    if bearing.opposed:
+        pressed = bearing.rows[0].closer  # by each other, or apart by a play that the thrust takes up
+        places[0] = places[0] if held[0] else np.sign(load[0]) * max(-pressed, 0.0)
+    elif not held[0]:
+        places[0] = bearing.side * (approach + model.gap) / steep
+        return places
+    if not held[1:3].all() and (radial := float(np.hypot(load[1], load[2]))):
+        push = approach + model.gap - pressed * np.sin(bearing.cup_angle)
         places[1:3] += np.where(held[1:3], 0.0, max(push, 0.0) * load[1:3] / radial)
     return places

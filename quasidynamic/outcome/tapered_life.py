@@ -127,6 +127,8 @@ def tapered_dynamic_load(
         F_r, F_a [N], >= 0
     contact_angle : float
         alpha of the cup [rad]
+    opposed : bool
+        whether two rows press each other
 
     Returns
     -------
@@ -166,6 +168,8 @@ def tapered_static_load(
         F_r, F_a [N], >= 0
     contact_angle : float
         alpha of the cup [rad]
+    opposed : bool
+        whether two rows press each other
 
     Returns
     -------
