@@ -9,7 +9,6 @@ from flexbearing.results.checks import NotInLayout, require_finite
 from tests.balances import largest_imbalance
 
 LOST = 1e-6  # of the largest force or power: far above the tolerances of the solvers
-LOSSES = ("sliding", "rolling", "drag", "pocket", "land", "churning")
 FROM_ZERO = (
     "inner_load", "outer_load", "contact_load", "inner_slice_load", "outer_slice_load", "inner_film",
     "outer_film",
@@ -53,12 +52,13 @@ def _losses(block: Any, lost: float) -> Iterator[str]:
     """Losses are not negative, and together the power that the rings put in."""
     if "driving_power" not in block:
         return
-    losses = {cause: float(block[f"loss_{cause}"]) for cause in LOSSES}
+    losses = {name[5:]: float(block[name]) for name in block if name.startswith("loss_")}
+    transport = losses.pop("transport", 0.0)  # no loss
     size = max(sum(map(abs, losses.values())), 1e-9)
     for cause, power in losses.items():
         if power < -lost * size:
             yield f"loss_{cause} is {power:.3g} W of {size:.3g} W; a loss is not negative"
-    together = sum(losses.values()) + float(block["loss_transport"])
+    together = sum(losses.values()) + transport
     if abs(together - block["driving_power"]) > lost * size:
         yield f"losses of {together:.6g} W, driving power {float(block['driving_power']):.6g} W"
 
@@ -81,16 +81,24 @@ def _balance(result: Any, block: Any, lost: float) -> Iterator[str]:
         yield from _angular(result, block, lost)
 
 
+SIDES = {"back_to_back": (1, -1), "face_to_face": (-1, 1), "tandem": (1, 1)}  # of both rows
+
+
 def _inclined(result: Any, block: Any, lost: float) -> Iterator[str]:
     """Tapered rollers are in balance along and across the axis, and carry what the ring is loaded with."""
     inner, outer, rib = block["inner_load"], block["outer_load"], block["rib_load"]
     bearing, azimuth = _case(result)["bearing"], block["roller_azimuth"]
     cone, cup, against = float(block["cone_angle"]), bearing["cup_angle"], bearing["rib"]["angle"]
     out = inner * np.cos(cone) - rib * np.sin(against)
+    sides = np.ones(len(outer))
+    if "roller_row" in block:
+        sides = np.array(SIDES[bearing["pair"]["arrangement"]])[block["roller_row"].astype(int)]
     left = {
         "axially": inner * np.sin(cone) + rib * np.cos(against) - outer * np.sin(cup),
         "outwards": out + block["centrifugal_force"] - outer * np.cos(cup),
-        "on the ring": np.array([(outer * np.sin(cup)).sum(), out @ np.sin(azimuth), out @ np.cos(azimuth)])
+        "on the ring": np.array(
+            [(sides * outer * np.sin(cup)).sum(), out @ np.sin(azimuth), out @ np.cos(azimuth)]
+        )
         - block["ring_load"][:3],
     }
     size = max(outer.max(), 1e-12)

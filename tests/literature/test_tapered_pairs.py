@@ -86,3 +86,21 @@ def test_two_rows_are_as_stiff_as_statics_says():
     both = tapered_loads(replace(tapered(), side=1, rows=rows("T", 0.0)), held).stiffness
     assert both[:3, :3] == approx(2 * one[:3, :3], rel=1e-9, abs=1.0)
     assert both[3, 3] == approx(2 * one[3, 3] + 0.06**2 / 2 * one[2, 2], rel=1e-9)
+
+
+def test_a_row_far_apart_leaves_the_other_alone():
+    """A millimetre of play between the rows, the radial load on the first one."""
+    asked = RingOperation(load=(1e4, 0.0, 1.5e4, 0.0, 0.0), displacement=(None, None, None, 0.0, 0.0))
+    alone = tapered_loads(replace(tapered(), side=1), asked)
+    idle = RowPlace(axial=60e-3, closer=-1e-3, mirrored=True)
+    found = tapered_loads(replace(tapered(), side=1, rows=(RowPlace(), idle)), asked)
+    assert found.loads[:, :19] == approx(alone.loads, rel=1e-9)
+    assert found.loads[:, 19:] == approx(0.0, abs=1e-3)
+    assert found.displacement == approx(alone.displacement, rel=1e-9, abs=1e-15)
+
+
+@pytest.mark.parametrize("arrangement", ["O", "X"])
+def test_equal_rows_share_a_radial_load(arrangement):
+    row_load = solved(arrangement, 0, 20).row_load
+    assert row_load[:, 2] == approx([1e4, 1e4], rel=1e-9)
+    assert row_load[0, 0] == approx(-row_load[1, 0], rel=1e-9)
