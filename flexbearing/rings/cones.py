@@ -33,6 +33,8 @@ Raceways = tuple[NDArray | None, NDArray | None]
 def raceways(case: TaperedCase, azimuths: NDArray, report: Report) -> Raceways:
     """Compliance of both raceways under rollers at azimuths (Z) [rad], as `tapered_loads` takes it.
 
+    Each row of a pair has an outer ring of its own, the mirror image of the other.
+
     Raises `BadCase` when a part cannot exist; `NotSolved` when the finite elements find none.
     """
     inner, outer = (_raceway(case, race, azimuths, report) for race in RACES)
@@ -45,8 +47,12 @@ def _raceway(case: TaperedCase, race: "Race", azimuths: NDArray, report: Report)
         return None
     name = f"{race} ring"
     report.stage(name, None)
+    of_row = azimuths[: case.bearing.rollers]
     with _named(case, race):
-        return towards_large_end(condensed_part(name, arguments, report).at(azimuths).absolute)
+        own = towards_large_end(condensed_part(name, arguments, report).at(of_row).absolute)
+    rows = len(azimuths) // len(of_row)
+    whole = np.einsum("ab,jmkn->ajmbkn", np.eye(rows), own)
+    return whole.reshape((len(azimuths), own.shape[1]) * 2)
 
 
 def towards_large_end(compliance: NDArray) -> NDArray:

@@ -197,10 +197,6 @@ REFUSED = {
         [*PAIR[:1], "bearing.pair.distance=10 mm", "bearing.pair.preload=1 kN"],
         "at least the",
     ),
-    "pair in elastic rings": (
-        [*PAIR, "bearing.pair.preload=1 kN", "outer.kind=ring", "outer.thickness=5 mm", "outer.width=19 mm"],
-        '"rigid" beside bearing.pair',
-    ),
     "tandem without thrust": (
         ["bearing.pair.arrangement=tandem", "bearing.pair.distance=40 mm", "operation.load.axial=0 N"],
         "the cone leaves the cup",

@@ -130,7 +130,25 @@ def test_derivatives_are_those_between_elastic_rings():
         sensitivities(read(BOTH), ["rigid.max_rib_load"], ["operation.load.axial"])
 
 
+PAIR = ["bearing.pair.arrangement=back_to_back", "bearing.pair.distance=40 mm", "bearing.pair.preload=2 kN"]
+
+
+def test_rows_of_a_pair_have_rings_of_their_own():
+    """A thrust on two rows in tandem loads each ring as half of it loads the ring of one row."""
+    tandem = ["bearing.pair.arrangement=tandem", "bearing.pair.distance=40 mm", "operation.load.radial_z=0 N"]
+    both = api.run(CASE, [*SPRINGS, *tandem, "operation.load.axial=8 kN"]).flexible
+    alone = api.run(CASE, [*SPRINGS, tandem[-1]]).flexible
+    assert both["outer_load"].reshape(2, -1) == approx(np.array([alone["outer_load"]] * 2), rel=1e-8)
+    assert both["outer_deflection"][17:] == approx(alone["outer_deflection"], rel=1e-8)
+    opposed = api.run(CASE, [*SPRINGS, *PAIR, "operation.load.axial=0 N"])
+    rows = opposed.flexible["row_load"]
+    assert rows[:, 2] == approx([4000.0, 4000.0], rel=1e-8)
+    assert rows[0, 0] == approx(-rows[1, 0], rel=1e-8)
+    assert rows[0, 0] < 0.8 * opposed.rigid["row_load"][0, 0]  # softer rings lose preload
+
+
 REFUSED = {
+    "pair on an elastic shaft": ([*CONE, *PAIR], "whose rows have one shaft"),
     "cup without a wall": ([*CUP, "outer.thickness=2 mm"], "wide end of the raceway has no wall"),
     "rollers beside the cup": ([*CUP, "outer.width=12 mm"], "what the rollers touch of it"),
     "rollers that leave the cup": ([*CUP, "outer.raceway_offset=3 mm"], "or rollers leave the ring"),

@@ -88,8 +88,8 @@ class TaperedBearing(Section):
     )
 
     pair: Pair | None = key(
-        "a second row of the same rollers between rings in common: a pair of bearings, or a double-row one; "
-        "ratings in [life] are those of both rows",
+        "a second row of the same rollers: a pair of bearings, or a double-row one. Elastic outer rings are "
+        "two, each with its support; ratings in [life] are those of both rows",
         None,
     )
 
@@ -284,9 +284,8 @@ class TaperedCase(Head):
         if pair.distance < self.bearing.roller.length:
             least = f"at least the length of the rollers, {in_mm(self.bearing.roller.length)}"
             raise impossible("bearing.pair.distance", least)
-        if not self.rigid:
-            name = "outer" if self.outer.kind != "rigid" else "inner"
-            raise impossible(f"{name}.kind", '"rigid" beside bearing.pair')
+        if self.inner.kind != "rigid":
+            raise impossible("inner.kind", '"rigid" beside bearing.pair, whose rows have one shaft')
         return self
 
     @model_validator(mode="after")
