@@ -126,6 +126,15 @@ VARIANTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "angular inner control": ("harris218", ("operation.control=inner",)),
     "angular radial": ("rivera2021_7008", ("operation.load.radial_z=300 N",
         "bearing.inner.shoulder=1.5 mm", "bearing.outer.shoulder=1.5 mm")),
+    "tapered cup": ("32207", ("outer.kind=ring", "outer.thickness=5 mm", "outer.width=19 mm",
+        "outer.support=foundation", "outer.foundation_radial=200 N/mm^3",
+        "outer.foundation_axial=100 N/mm^3", "accuracy.element_order=3")),
+    "tapered cone": ("32207", ("inner.kind=ring_on_shaft", "inner.bore=35 mm", "inner.width=17 mm",
+        "inner.shaft_length=40 mm", "materials.shaft=structural steel", "accuracy.element_order=3")),
+    "tapered pair": ("32207", ("bearing.pair.arrangement=back_to_back", "bearing.pair.distance=40 mm",
+        "bearing.pair.preload=2 kN", "outer.kind=ring", "outer.thickness=5 mm", "outer.width=19 mm")),
+    "tapered in oil": ("32207", ("outputs.friction=true", "lubricant.oil=ISO VG 100",
+        "lubricant.inlet_temperature=60 degC", "lubricant.oil_fraction=0.05")),
     "angular held": ("rivera2021_7008", ("operation.load=", "operation.displacement.axial=20 um")),
 }  # fmt: skip
 
