@@ -1,4 +1,4 @@
-"""Processor time of commands over that of importing numpy and pydantic: help, check, runs of the paper's bearing.
+"""Processor time of commands over that of importing numpy and pydantic: help, check, single runs.
 
 Every round measures all commands one after the other in processes of their own; medians of the rounds.
 """
