@@ -45,7 +45,8 @@ def first_order(prepared: PreparedStudy) -> FirstOrder:
     columns = [each for each in prepared.columns if not (each.over or each.rollers or each.error)]
     try:
         case = _at_means(prepared, drawn)
-        known = [each for each in columns if _differentiable(each, elastic=bool(prepared.plan.rings()))]
+        elastic = bool(prepared.plan.rings())
+        known = [each for each in columns if _differentiable(each, elastic=elastic)]
         found = sensitivities(
             case, FAMILIES[case.kind], [each.text for each in known], [each.key for each in drawn.factors]
         )

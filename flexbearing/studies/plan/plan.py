@@ -24,7 +24,7 @@ FEWEST = 8  # tasks into which a small study is cut, so that several workers hav
 ENOUGH, OF_LARGE = 16, 8  # a task of more than ENOUGH is at most this part of a worker's share
 LONGEST = 300  # characters of the settings of a variant in a message
 CHECKED_AT_ONCE = 256  # variants, a tenth of a second of work
-MADE_ONCE = 10_000  # variants of a plan, some 10 MB; more are made anew whenever they are read
+MADE_ONCE = 50_000  # variants of a plan, some 50 MB; more are made anew whenever they are read
 MOST_PROBLEMS = 200  # after which the other variants are not checked: a refused one takes ten times as long
 
 
