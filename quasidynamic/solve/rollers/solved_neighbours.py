@@ -10,6 +10,7 @@ SEED = 15  # of an order that shall be without order, and the same at every call
 NUGGET = 1e-3  # squared, of the distance of the furthest neighbour: closer ones count alike
 ALIKE = 1e-9  # distance of cases that are nearly the same
 STIFFENING = 1e-12  # of the moments of the neighbours, where they do not span all coordinates
+AT_ONCE = 100_000  # coordinates of differences, which fit into the processor's cache
 SPARE = 1.5  # neighbours over terms of a fit
 
 
@@ -80,14 +81,14 @@ def local_fit(solved: NDArray, places: NDArray) -> Weights:
     ------
     Moving least squares, Lancaster and Salkauskas (1981), with weights of inverse squared distances.
     """
-    from scipy.spatial import KDTree  # costly to import
-
     axes = places.shape[1]
     terms = (axes + 1) * (axes + 2) // 2
     quadratic = len(solved) >= SPARE * terms
     count = min(len(solved), int(SPARE * terms) if quadratic else 2 * axes + 2)
-    nearest = KDTree(solved).query(places, k=count)  # without an axis where that is one
-    distances, neighbours = (np.reshape(values, (len(places), count)) for values in nearest)
+    parts = np.array_split(places, 1 + places.size * len(solved) // AT_ONCE)
+    distances, neighbours = map(
+        np.concatenate, zip(*(_nearest(solved, part, count) for part in parts), strict=True)
+    )
     furthest = distances.max(axis=1, keepdims=True) + ALIKE
     nearness = 1 / ((distances / furthest) ** 2 + NUGGET)
     steps = (solved[neighbours] - places[:, None]) / furthest[..., None]
@@ -97,6 +98,15 @@ def local_fit(solved: NDArray, places: NDArray) -> Weights:
     moments += STIFFENING * np.trace(moments, axis1=1, axis2=2)[:, None, None] * np.eye(powers.shape[-1])
     at_place = np.linalg.inv(moments)[:, :1]
     return Weights(neighbours, (at_place @ weighted.swapaxes(1, 2))[:, 0])
+
+
+def _nearest(solved: NDArray, places: NDArray, count: int) -> tuple[NDArray, NDArray]:
+    """Distances (n, count) of the solved places around each, and which they are, the nearest first."""
+    distances = np.sqrt(((solved - places[:, None]) ** 2).sum(-1))
+    some = np.argpartition(distances, count - 1, axis=1)[:, :count]
+    order = np.argsort(np.take_along_axis(distances, some, 1), axis=1, kind="stable")
+    neighbours = np.take_along_axis(some, order, 1)
+    return np.take_along_axis(distances, neighbours, 1), neighbours
 
 
 def _powers(steps: NDArray, *, quadratic: bool) -> NDArray:
