@@ -185,7 +185,7 @@ def workers() -> None:
     print(f"24 rings: one job {one:.1f} s, two jobs {two:.1f} s, {one / two:.2f} times faster; {words}")
 
 
-def command(  # noqa: PLR0913  # what a study needs
+def command(
     text: str, *, jobs: int = 2, rigid: bool = False, case: str = "", rows: str = "", cache: str = ""
 ) -> tuple[float, float, str]:
     """Seconds of a study as a command, its largest memory [MB] and how it ended."""
