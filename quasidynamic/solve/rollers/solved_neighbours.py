@@ -86,27 +86,18 @@ def local_fit(solved: NDArray, places: NDArray) -> Weights:
     quadratic = len(solved) >= SPARE * terms
     count = min(len(solved), int(SPARE * terms) if quadratic else 2 * axes + 2)
     parts = np.array_split(places, 1 + places.size * len(solved) // AT_ONCE)
-    distances, neighbours = map(
-        np.concatenate, zip(*(_nearest(solved, part, count) for part in parts), strict=True)
-    )
+    squares = (((solved - part[:, None]) ** 2).sum(-1) for part in parts)
+    neighbours = np.concatenate([each.argsort(axis=1)[:, :count] for each in squares])
+    apart = solved[neighbours] - places[:, None]
+    distances = np.linalg.norm(apart, axis=-1)
     furthest = distances.max(axis=1, keepdims=True) + ALIKE
     nearness = 1 / ((distances / furthest) ** 2 + NUGGET)
-    steps = (solved[neighbours] - places[:, None]) / furthest[..., None]
-    powers = _powers(steps, quadratic=quadratic)
+    powers = _powers(apart / furthest[..., None], quadratic=quadratic)
     weighted = nearness[..., None] * powers
     moments = weighted.swapaxes(1, 2) @ powers
     moments += STIFFENING * np.trace(moments, axis1=1, axis2=2)[:, None, None] * np.eye(powers.shape[-1])
     at_place = np.linalg.inv(moments)[:, :1]
     return Weights(neighbours, (at_place @ weighted.swapaxes(1, 2))[:, 0])
-
-
-def _nearest(solved: NDArray, places: NDArray, count: int) -> tuple[NDArray, NDArray]:
-    """Distances (n, count) of the solved places around each, and which they are, the nearest first."""
-    distances = np.sqrt(((solved - places[:, None]) ** 2).sum(-1))
-    some = np.argpartition(distances, count - 1, axis=1)[:, :count]
-    order = np.argsort(np.take_along_axis(distances, some, 1), axis=1, kind="stable")
-    neighbours = np.take_along_axis(some, order, 1)
-    return np.take_along_axis(distances, neighbours, 1), neighbours
 
 
 def _powers(steps: NDArray, *, quadratic: bool) -> NDArray:
