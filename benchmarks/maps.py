@@ -4,10 +4,12 @@ Points by lot of three maps over load and speed: the bearing of Mao et al. with 
 and with cold oil between rigid raceways, and with falling traction between its rings. Equilibria of the map
 against an exhaustive search from 40 random starts at each point, half of the points where the map has
 several. With `--timed` the time of a map of 100 x 100 loads and speeds of the paper's bearing between its
-rings, condensed before. With `--few` the times of maps of few points with many states, in thick oil.
+rings, condensed before. With `--few` the times of a map of 1000 points between rigid rings as a command and
+of maps of few points with many states, in thick oil, over a rigid solve of the paper's bearing.
 """
 
 import argparse
+import os
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -20,6 +22,8 @@ from threadpoolctl import threadpool_limits
 
 from benchmarks.bearings import CASE, RPM
 from benchmarks.machine import describe
+from benchmarks.starting import COMMAND, RIGID as AS_RIGID, seconds
+from benchmarks.studies import rigid_solve
 from flexbearing.api import check, read_case
 from flexbearing.build import roller_bearing
 from flexbearing.program.workers import shared_map
@@ -44,7 +48,9 @@ FEW = (
     ("bearing.clearance=0 um..-20 um,4", "operation.misalignment=0 arcmin..4 arcmin,2"),
     ("bearing.clearance=0 um..20 um,4", "bearing.roller.drop=log 9 um..1 um,2"),
     ("operation.load_direction=360 deg..0 deg,4", "bearing.clearance=20 um..0 um,4"),
+    ("operation.load_direction=360 deg..0 deg,10", "bearing.clearance=20 um..0 um,4"),
 )
+THOUSAND = ("operation.radial_load=log 2 kN..30 kN,40", "operation.inner_speed=5000 rpm..40000 rpm,25")
 FALLING = {
     "lubricant.traction": "four-point",
     "lubricant.traction_curve.peak": 0.06,
@@ -113,14 +119,21 @@ def timed() -> None:
 
 
 def few() -> None:
-    """Print processor times of maps of few points, and how many states they have."""
-    case = check(*THICK)
+    """Print processor times of a map as a command, of maps of few points, and how many states they have."""
+    solve, case = rigid_solve(), check(*THICK)
+    os.environ["FLEXBEARING_THREADS"] = "1"
+    with TemporaryDirectory() as folder:
+        over = (word for text in THOUSAND for word in ("--over", text))
+        time_of_map = seconds(folder, *COMMAND, "map", str(CASE), *AS_RIGID, *over, "-o", f"{folder}/map.csv")
+    print(f"1000 points, command: {time_of_map:.2f} s, {time_of_map / solve / 1000:.2f} solves a point")
     for over in FEW:
         processor = time.process_time()
         found = solved_map(case, axes(over, type(case)), OUTPUTS[:1], Logged())
         states, ends = len(found.solved.point), len(found.solved.ends[0])
+        spent = time.process_time() - processor
         print(
-            f"{time.process_time() - processor:5.1f} s: {found.points} points, {states} states, {ends} ends "
+            f"{spent:5.1f} s, {spent / solve / found.points:.0f} solves a point: {found.points} points, "
+            f"{states} states, {ends} ends "
             f"of stable ones, {found.folds.located.sum()} located, {len(found.folds.curves)} curves: {over}",
             flush=True,
         )

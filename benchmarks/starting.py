@@ -1,4 +1,4 @@
-"""Processor time of starting: help, check and a rigid run, over that of importing numpy and pydantic.
+"""Processor time of commands over that of importing numpy and pydantic: help, check, single runs.
 
 Every round measures all commands one after the other in processes of their own; medians of the rounds.
 """
@@ -12,6 +12,7 @@ from statistics import median
 from tempfile import TemporaryDirectory
 
 from benchmarks.machine import describe
+from flexbearing.cache.store import VARIABLE
 
 CASE = "configs/mao2016.toml"
 RIGID = ("--set", "outer.kind=rigid", "--set", "inner.kind=rigid")
@@ -19,11 +20,13 @@ COMMAND = ("-m", "flexbearing")
 ROUNDS = 7
 
 
-def seconds(*arguments: str) -> float:
-    """Processor time of a Python process, user and system [s]."""
+def seconds(cache: str, *arguments: str) -> float:
+    """Processor time of a Python process with a folder of condensed rings, user and system [s]."""
     environment = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+    environment[VARIABLE] = cache
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run([sys.executable, *arguments], check=True, stdout=subprocess.DEVNULL, env=environment)
+    quiet = subprocess.DEVNULL
+    subprocess.run([sys.executable, *arguments], check=True, stdout=quiet, stderr=quiet, env=environment)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
@@ -31,15 +34,17 @@ def seconds(*arguments: str) -> float:
 def main() -> None:
     print(describe())
     with TemporaryDirectory() as folder:
-        out = str(Path(folder) / "rigid.h5")
+        out = "-o", str(Path(folder) / "out.h5")
         commands = {
-            "import numpy, pydantic": ("-c", "import numpy, pydantic"),
-            "flexbearing --help": (*COMMAND, "--help"),
-            "flexbearing check": (*COMMAND, "check", CASE),
-            "flexbearing run, rigid rings": (*COMMAND, "run", CASE, *RIGID, "-o", out),
+            "import numpy, pydantic": (folder, "-c", "import numpy, pydantic"),
+            "flexbearing --help": (folder, *COMMAND, "--help"),
+            "flexbearing check": (folder, *COMMAND, "check", CASE),
+            "flexbearing run, rigid rings": (folder, *COMMAND, "run", CASE, *RIGID, *out),
+            "flexbearing run, known rings": (folder, *COMMAND, "run", CASE, *out),
+            "flexbearing run, no ring known": ("off", *COMMAND, "run", CASE, *out),
         }
         for arguments in commands.values():
-            seconds(*arguments)  # bytecode is written
+            seconds(*arguments)  # bytecode is written, and rings
         rounds = [{name: seconds(*arguments) for name, arguments in commands.items()} for _ in range(ROUNDS)]
     imports = "import numpy, pydantic"
     for name in commands:

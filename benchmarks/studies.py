@@ -4,6 +4,7 @@ thickness: 8 thicknesses x 3 loads of the paper's bearing, rigid and flexible, n
 hypercube: 100 000 variants of the paper's bearing between rigid rings, two jobs, with the largest memory.
 tolerances: 100 000 variants within tolerances, between rigid rings and flexible ones, two jobs.
 slewing: a spectrum of 100 000 rows of a slewing bearing, between rigid rings and bolted ones, two jobs.
+rows: 20 000 rows between rigid rings, and 402 between six known ring pairs, one job, over rigid solves.
 workers: 24 distinct rings by one job and by two.
 machinery: what planning, journal, table, engine and the models take of a variant that is not solved.
 
@@ -17,6 +18,7 @@ import sys
 import tempfile
 import threading
 import time
+from dataclasses import replace
 from functools import partial
 from itertools import pairwise
 from pathlib import Path
@@ -25,6 +27,7 @@ import numpy as np
 import psutil
 
 from benchmarks.machine import describe
+from flexbearing.api import read_case
 from flexbearing.build.roller_bearing import bearing
 from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
@@ -59,6 +62,10 @@ seed = 1
 "lubricant.oil_fraction" = "uniform 0.1, 0.4"
 "bearing.cage.pocket_friction" = "uniform 0.02, 0.1"
 "lubricant.inlet_temperature" = "uniform 180 degC, 220 degC"
+"""
+PAIRS = """[over]
+"outer.thickness" = "2.9 mm .. 5.1 mm, 6"
+"operation.radial_load" = "10 kN .. 30 kN, 67"
 """
 SCATTER = """[sample]
 count = {count}
@@ -110,6 +117,34 @@ def tolerances(count: int = 100_000) -> None:
         )
 
 
+def rows() -> None:
+    """Rows of one job over rigid solves of the same minutes, which an interpreter of its own times."""
+    with tempfile.TemporaryDirectory() as cache:
+        command(PAIRS + COLLECT, jobs=1, cache=cache)
+        for name, count, text, rigid in (
+            ("rigid rings", 20_000, HYPERCUBE.format(count=20_000), True),
+            ("six known ring pairs", 402, PAIRS, False),
+        ):
+            solves, before = [rigid_solve()], processor_time()
+            _, memory, words = command(text + COLLECT, jobs=1, rigid=rigid, cache=cache)
+            each = (processor_time() - before) / count
+            solve = (solves[0] + rigid_solve()) / 2
+            print(
+                f"{count} rows, {name}: {each * 1e3:.2f} ms of a processor a row, {each / solve:.3f} of a "
+                f"rigid solve of {solve * 1e3:.2f} ms, {memory:.0f} MB; {words}"
+            )
+
+
+def rigid_solve() -> float:
+    """Shortest processor time of a rigid solve of the paper's bearing [s]."""
+    model, times = bearing(read_case(CASE)), []
+    for _ in range(60):
+        began = time.process_time()
+        replace(model).solve()
+        times.append(time.process_time() - began)
+    return min(times)
+
+
 def slewing(count: int = 100_000) -> None:
     for name, bins in (("joshi2015_fourpoint", 10), ("slewing_bolted", 6)):
         before = processor_time()
@@ -151,7 +186,7 @@ def workers() -> None:
 
 
 def command(
-    text: str, *, jobs: int = 2, rigid: bool = False, case: str = "", rows: str = ""
+    text: str, *, jobs: int = 2, rigid: bool = False, case: str = "", rows: str = "", cache: str = ""
 ) -> tuple[float, float, str]:
     """Seconds of a study as a command, its largest memory [MB] and how it ended."""
     with tempfile.TemporaryDirectory() as name:
@@ -164,7 +199,7 @@ def command(
         process = subprocess.Popen(
             [sys.executable, "-m", "flexbearing", "study", "study.toml", "--jobs", str(jobs), "-o", "out"],
             cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
-            env=os.environ | {"FLEXBEARING_CACHE": str(folder / "cache")},
+            env=os.environ | {"FLEXBEARING_CACHE": cache or str(folder / "cache")},
         )  # fmt: skip
         largest = [0.0]
         watch = threading.Thread(target=_watch, args=(process.pid, largest))
@@ -219,7 +254,8 @@ def machinery() -> None:
             f"a variant in a batch: plan {each[0]:.2f} ms; engine, journal, tables {each[1]:.2f} ms; "
             f"its case and bearing in a worker {each[2]:.2f} ms; together {sum(each):.2f} ms"
         )
-        tasks = [alone for task in prepared.plan.tasks(lambda _: True)[:8] for alone in task.alone]
+        tasks = prepared.plan.tasks(lambda _: True)[:8]
+        tasks = [replace(task, variants=(variant,)) for task in tasks for variant in task.variants]
         engine = Processes(1)
         try:
             for count in (20, len(tasks)):  # the first ones wait for the worker
@@ -246,6 +282,7 @@ PARTS = {
     "hypercube": hypercube,
     "tolerances": tolerances,
     "slewing": slewing,
+    "rows": rows,
     "workers": workers,
     "machinery": machinery,
 }

@@ -23,9 +23,12 @@ HINTS = {  # by the name of what the operating system refused
 
 def main() -> None:
     """Run the command line of this process; its exit code speaks of the computation."""
+    import gc
+
     code, problem = INTERNAL, None
     try:
         signals.notice()
+        gc.set_threshold(300_000)  # loading modules leaves nothing to collect
         from flexbearing.program.streams import prepare
 
         prepare()
@@ -37,15 +40,15 @@ def main() -> None:
         problem = ended
     if problem and (interruption := signals.received()):
         code = _interrupted(interruption, problem, sys.argv[1:])
-    sys.exit(_delivered(code, sys.argv[1:]))
+    code = _delivered(code, sys.argv[1:])
+    gc.freeze()  # the interpreter need not search what ends with it: as long as a check takes
+    sys.exit(code)
 
 
 def command(words: list[str]) -> int:
     """Do what a command line says; no traceback reaches a user who does not require it by --debug."""
-    import gc
     from os import environ
 
-    gc.set_threshold(100_000)  # loading modules leaves nothing to collect
     environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # a search through every installed package
     try:
         from flexbearing.cli import application

@@ -1,4 +1,4 @@
-"""Growth of a raceway that its seat widens or narrows."""
+"""Growth of a raceway that its seat or shaft widens or narrows, by unit loads."""
 
 from dataclasses import dataclass
 
@@ -24,3 +24,17 @@ class RacewayGrowth:
         beyond = self.coefficients.copy()
         beyond[0, 0] = 0.0
         return np.cos(np.outer(azimuths, waves)) @ beyond
+
+
+@dataclass(frozen=True)
+class BondedGrowth:
+    """Outward displacement of a raceway by unit loads on ring and shaft, Legendre modes along the roller."""
+
+    by_heat: NDArray  # (2, M) [m] per free expansion of ring, shaft
+    by_rotation: NDArray  # (2, M) [m] per density of ring, shaft times speed squared [kg/m^3 rad^2/s^2]
+
+    def under(
+        self, thermal_strains: tuple[float, float], densities: tuple[float, float], speed: float
+    ) -> NDArray:
+        """Growth (M,) [m] by heat [-] and rotation [kg/m^3], [rad/s] of ring and shaft."""
+        return np.array(thermal_strains) @ self.by_heat + speed**2 * np.array(densities) @ self.by_rotation

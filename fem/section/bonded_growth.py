@@ -1,34 +1,20 @@
 """Growth of the raceway of an inner ring that is one piece with its shaft, by heat and rotation."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from fem.assembly.factorisation import threads
 from fem.parts.boundary_conditions import FreeMotions
 from fem.parts.resolution import Resolution
 from fem.parts.rings import RingOnShaft
+from fem.raceway.growth import BondedGrowth
 from fem.section.expansion import heating, rotation
 from fem.section.revolved_body import edge_modes
 from fem.section.rigid_body_modes import body_of, held_on_points
 
 FREE = FreeMotions(axial=True, turning=True, across=True)
-
-
-@dataclass(frozen=True)
-class BondedGrowth:
-    """Outward displacement of a raceway by unit loads on ring and shaft, Legendre modes along the roller."""
-
-    by_heat: NDArray  # (2, M) [m] per free expansion of ring, shaft
-    by_rotation: NDArray  # (2, M) [m] per density of ring, shaft times speed squared [kg/m^3 rad^2/s^2]
-
-    def under(
-        self, thermal_strains: tuple[float, float], densities: tuple[float, float], speed: float
-    ) -> NDArray:
-        """Growth (M,) [m] by heat [-] and rotation [kg/m^3], [rad/s] of ring and shaft."""
-        return np.array(thermal_strains) @ self.by_heat + speed**2 * np.array(densities) @ self.by_rotation
 
 
 def bonded_growth(part: RingOnShaft, resolution: Resolution) -> BondedGrowth:

@@ -17,7 +17,7 @@ from flexbearing.case.roller import Case
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from fem.section.bonded_growth import BondedGrowth
+    from fem.raceway.growth import BondedGrowth
 
 
 def bonded_shape(case: Case, note: Callable[[str], None] = lambda text: None) -> "NDArray | None":

@@ -183,7 +183,7 @@ RECORDS = {
         },
     ),
     "BondedGrowth": Record(
-        "fem.section.bonded_growth",
+        "fem.raceway.growth",
         {"by_heat": Array(("2 M",), largest=GROWTH), "by_rotation": Array(("2 M",), largest=GROWTH)},
     ),
     "GrooveCompliance": Record(

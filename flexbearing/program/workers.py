@@ -12,7 +12,7 @@ from itertools import chain, islice
 from typing import Any
 
 from flexbearing.program.interpreter import Died
-from flexbearing.program.processes import Processes
+from flexbearing.program.processes import Processes, keep_freed
 from flexbearing.program.threads import cores
 
 ATTEMPTS = 3  # of a call whose worker dies: another program may have taken the memory
@@ -32,6 +32,7 @@ def shared_map(
     workers end with the context. With a module `ahead` they start at once, and load it while this process
     does something else; without one they start with the first call that needs them.
     """
+    keep_freed()  # the calls of one process are made here
     with closing(Processes(cores(), ahead)) as processes:
         if ahead is not None and cores() > 1:
             processes.start()
@@ -78,4 +79,5 @@ def _in_order(answered: Iterator[tuple[int, Any]]) -> Iterator[Any]:
 
 
 def _answer(function: Callable[[Any], Any], numbered: tuple[int, Any]) -> Any:
+    keep_freed()
     return function(numbered[1])

@@ -10,11 +10,10 @@ from flexbearing.build import clearance, ring_parts
 from flexbearing.build.lubrication import oil, oil_name
 from flexbearing.case.roller import Case
 from flexbearing.findings.running import PRESSED_ENDS
-from flexbearing.life import roller_lives
 from flexbearing.runs import several, skew, teeth
 from flexbearing.runs.not_round import turning
 from flexbearing.runs.solved_rows import SolvedRows
-from quasidynamic import CylindricalRollerBearing, Equilibrium, NotSolved, OutOfRange
+from quasidynamic import Equilibrium, NotSolved, OutOfRange
 from quasidynamic.note import Note, danger, information, outside
 from quasidynamic.outcome.sliced_peak import CORNER_DECADE, SlicedPeak, corner_rise, sliced_peak
 from quasidynamic.outcome.validity import validity
@@ -78,15 +77,10 @@ def of_solution(rows: SolvedRows) -> tuple[Note, ...]:
         *validity(state),
         *_information(case, state),
         *(skew.notes(skewed, state, state.minimum_film) if skewed else ()),
-        *without_life(case, rows.models[0].bearing),
+        *rows.rated[0].notes,
         *rows.life_errors.notes(0),
         *rows.notes_of_whole[0],
     )
-
-
-def without_life(case: Case, bearing: CylindricalRollerBearing) -> tuple[Note, ...]:
-    """Why the modified life of a case is left out."""
-    return roller_lives.rated(case, bearing).notes
 
 
 def of_others(rows: SolvedRows, place: int, *, search: bool = False) -> tuple[Note, ...]:

@@ -5,15 +5,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.case.roller import Case
 from flexbearing.findings import Record, declared, evaluate, records
 from flexbearing.findings.row import in_rows
 from flexbearing.findings.strength import BARS
-from flexbearing.life import rated_bearing, roller_lives
+from flexbearing.life import rated_bearing
 from flexbearing.life.life_of_state import MREV
+from flexbearing.life.rated_bearing import RatedBearing
 from flexbearing.runs import judged
 from flexbearing.runs.solved_rows import SolvedRows
-from quasidynamic import CylindricalRollerBearing, Equilibrium, OutOfRange
+from quasidynamic import Equilibrium, OutOfRange
 from quasidynamic.contact.film.roughness import MIXED_FROM
 from quasidynamic.outcome.neglected import tilting_share
 from quasidynamic.outcome.rating_life import ROLLERS
@@ -21,14 +21,13 @@ from quasidynamic.outcome.rating_life import ROLLERS
 
 def values(rows: SolvedRows) -> dict[str, Any]:
     """Values of solved states of roller bearings, cases first; without stresses of solids."""
-    each = _parts(rows)
     return {
         **values_of_dangers(rows),
         **_stress_of_bars(rows),
         "load": np.hypot(*rows.states.applied_load.T),
-        "dynamic_rating": np.array([_dynamic_rating(*of) for of in each]),
-        **rated_bearing.rating_ratios([roller_lives.rated(*of).given for of in each]),
-        "viscosity_ratio": np.array([roller_lives.rated(*of).known_kappa for of in each], dtype=float),
+        "dynamic_rating": np.array([_dynamic_rating(each) for each in rows.rated]),
+        **rated_bearing.rating_ratios([each.given for each in rows.rated]),
+        "viscosity_ratio": np.array([each.known_kappa for each in rows.rated], dtype=float),
         "film_ratio": None if rows.film_ratio is None else _smallest(rows.film_ratio),
         "mixed_film_ratio": MIXED_FROM,
         "series_error": None if rows.rings[0].rigid else rows.end.series_error,
@@ -39,14 +38,10 @@ def values(rows: SolvedRows) -> dict[str, Any]:
     }
 
 
-def _parts(rows: SolvedRows) -> list[tuple[Case, CylindricalRollerBearing]]:
-    return list(zip(rows.cases, (model.bearing for model in rows.models), strict=True))
-
-
-def _dynamic_rating(case: Case, bearing: CylindricalRollerBearing) -> float:
+def _dynamic_rating(own: RatedBearing) -> float:
     """C_r [N]; not a number where none is given and ISO 281 has none."""
     try:
-        return roller_lives.rated(case, bearing).dynamic
+        return own.dynamic
     except OutOfRange:
         return np.nan
 
@@ -66,10 +61,8 @@ def values_of_dangers(rows: SolvedRows) -> dict[str, Any]:
             np.array(lives) / MREV, rows.relative_speed, (case.life.required for case in rows.cases)
         ),
         "neglected": {"gyroscopic moment of the rollers": _gyroscopic(rows)},
-        "rated_viscosity_ratio": np.array(
-            [roller_lives.rated(*of).rated_kappa for of in _parts(rows)], dtype=float
-        ),
-        **rated_bearing.rating_changes([roller_lives.rated(*of).given for of in _parts(rows)]),
+        "rated_viscosity_ratio": np.array([each.rated_kappa for each in rows.rated], dtype=float),
+        **rated_bearing.rating_changes([each.given for each in rows.rated]),
         **(_stress_of_bars(rows) if limited else {}),
     }
 

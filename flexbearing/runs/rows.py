@@ -73,6 +73,5 @@ def _findings(solved: Solved, search: bool, of_levels: Sequence[Note]) -> Iterat
     rows = solved.rows
     each = zip(roller_findings.of_rows(rows), rows.several_likely.tolist(), strict=True)
     for place, (records, likely) in enumerate(each):
-        without = notes.without_life(rows.cases[place], rows.models[place].bearing)
         others = notes.of_others(rows, place, search=search) if likely else ()
-        yield row_findings(records, (*of_levels, *without, *others))
+        yield row_findings(records, (*of_levels, *rows.rated[place].notes, *others))

@@ -32,6 +32,7 @@ from quasidynamic import (
     solve_many_elastic,
 )
 from quasidynamic.outcome.equilibrium import Equilibria
+from quasidynamic.solve.rollers.newton import MAX_EVALUATIONS
 
 if TYPE_CHECKING:
     from flexbearing.accuracy.shared import Levels
@@ -126,6 +127,8 @@ def needs_own_run(case: Case) -> str:
         return ""
     if case.coupling.method != "newton":
         return f'coupling.method = "{case.coupling.method}"'
+    if case.coupling.max_iterations < MAX_EVALUATIONS:
+        return f"coupling.max_iterations = {case.coupling.max_iterations}"
     if case.outputs.stresses:
         return "outputs.stresses"
     return "" if is_linear(case) else "rings or supports that do not deflect linearly"

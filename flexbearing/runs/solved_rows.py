@@ -15,6 +15,7 @@ from flexbearing.case.roller import Case
 from flexbearing.coupled.states import EndStates, flat
 from flexbearing.coupling import LinearPair
 from flexbearing.life.life_of_state import MREV, LifeOfState
+from flexbearing.life.rated_bearing import RatedBearing
 from flexbearing.life.roller_lives import LoadedState, edge_stress, modified, rated
 from flexbearing.outputs import RequestedOutput
 from flexbearing.outputs.names import BLOCKS
@@ -316,10 +317,14 @@ class SolvedRows:
         return WorstLineContact.under(self.peak_pressure, states.contact_radius, states.contact_modulus)
 
     @cached_property
+    def rated(self) -> list[RatedBearing]:
+        """The bearings as the standards rate them."""
+        return [rated(case, model.bearing) for case, model in zip(self.cases, self.models, strict=True)]
+
+    @cached_property
     def static_safety(self) -> NDArray:
         """C_0/P_0 (C) of ISO 76 [-]."""
-        each = zip(self.cases, self.models, strict=True)
-        ratings = np.array([rated(case, model.bearing).static for case, model in each])
+        ratings = np.array([each.static for each in self.rated])
         return static_safety(ratings, np.hypot(*self.states.applied_load.T))
 
     @property

@@ -73,8 +73,8 @@ class Placement:
         return partial(_queued, self.slurm, profile(self.slurm), found)
 
     def _here(self, tasks: int, plan: Plan) -> Engine:
-        worth = cores() if expected(plan) > WORTH_WORKERS else 1
-        jobs = min(tasks, processes(self.jobs) if self.jobs else worth)
+        jobs = processes(self.jobs) if self.jobs else cores() if expected(plan) > WORTH_WORKERS else 1
+        jobs = min(tasks, jobs)
         return Serial() if jobs == 1 else Processes(jobs)
 
 

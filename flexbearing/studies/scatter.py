@@ -22,7 +22,6 @@ from flexbearing.studies.file.read import ENDS
 from flexbearing.studies.file.sampled import Drawn, Factor
 from flexbearing.studies.prepared_study import PreparedStudy, variants_of
 from flexbearing.studies.table import Column, Table
-from flexbearing.studies.table.collected import Collected
 from flexbearing.studies.table.files import SCATTER_PICTURE, store
 from flexbearing.studies.table.scatter import Scatter
 from quasidynamic import NotSolved
@@ -45,7 +44,8 @@ def first_order(prepared: PreparedStudy) -> FirstOrder:
     columns = [each for each in prepared.columns if not (each.over or each.rollers or each.error)]
     try:
         case = _at_means(prepared, drawn)
-        known = [each for each in columns if _differentiable(each, elastic=bool(prepared.plan.rings()))]
+        elastic = bool(prepared.plan.rings())  # states on the way to the answer are not differentiated
+        known = [each for each in columns if not (elastic and each.text.startswith("rigid."))]
         found = sensitivities(
             case, FAMILIES[case.kind], [each.text for each in known], [each.key for each in drawn.factors]
         )
@@ -65,11 +65,6 @@ def first_order(prepared: PreparedStudy) -> FirstOrder:
     return FirstOrder(
         outputs, tuple(f"linear prediction without {key}: {why}" for key, why in found.left_out)
     )
-
-
-def _differentiable(column: Collected, *, elastic: bool) -> bool:
-    """Whether an output is one of the answer; states on the way to it are not differentiated."""
-    return not (elastic and column.text.startswith("rigid."))
 
 
 def _at_means(prepared: PreparedStudy, drawn: Drawn) -> Any:

@@ -70,6 +70,13 @@ def test_rigid_run_loads_no_finite_elements_and_no_balls(tmp_path):
     assert among(modules, (*HEAVY, *BALLS, "flexbearing.accuracy", "flexbearing.case.explain")) == []
 
 
+def test_run_with_condensed_rings_loads_no_finite_elements(tmp_path, monkeypatch):
+    monkeypatch.setenv("FLEXBEARING_CACHE", str(tmp_path / "rings"))
+    words = ["run", "configs/mao2016.toml", "--set", "accuracy.slices=6", "-o", tmp_path / "r.h5", "--quiet"]
+    loaded(*words)
+    assert among(loaded(*words), ("ngsolve", "netgen", "scipy.sparse")) == []
+
+
 def test_outer_ring_begins_before_anything_that_solves_is_loaded():
     code = "import flexbearing.rings.raceways, json, sys; sys.stderr.write(json.dumps(sorted(sys.modules)))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=True)

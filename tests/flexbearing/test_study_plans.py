@@ -129,11 +129,14 @@ def test_a_small_study_is_cut_for_several_workers():
     assert [len(task.variants) for task in tasks] == [3] * 8
 
 
-@pytest.mark.parametrize(("variants", "largest"), [(400, 16), (3200, 50), (20_000, 256)])
-def test_tasks_between_elastic_rings_grow_with_the_study(variants, largest):
+@pytest.mark.parametrize(
+    ("variants", "largest", "of_shares"), [(100, 100, 13), (3200, 128, 50), (20_000, 256, 256)]
+)
+def test_tasks_between_elastic_rings_grow_with_the_study(variants, largest, of_shares):
     """Most of a task start from solved neighbours; little is lost where one of them ends a worker."""
-    alike = [Variant((number,), str(number), ("outer a",)) for number in range(variants)]
-    assert max(len(task.variants) for task in planned(alike).tasks(lambda variant: True)) == largest
+    alike = planned([Variant((number,), str(number), ("outer a",)) for number in range(variants)])
+    for of, most in ((replace(alike, side_by_side=True), largest), (alike, of_shares)):
+        assert max(len(task.variants) for task in of.tasks(lambda variant: True)) == most
 
 
 def test_the_plan_names_the_rings_that_are_condensed(tmp_path):
@@ -144,7 +147,7 @@ def test_the_plan_names_the_rings_that_are_condensed(tmp_path):
     )
     settled = prepare_source(file)
     assert len(settled.plan.rings()) == 3  # two outer ones and an inner one
-    assert [len(task.variants) for task in settled.plan.tasks(lambda variant: True)] == [1] * 6
+    assert [len(task.variants) for task in settled.plan.tasks(lambda variant: True)] == [3, 3]
     again = replace(settled.plan, variants=tuple(replace(each, rings=()) for each in settled.plan.variants))
     assert again.rings() == ()
 

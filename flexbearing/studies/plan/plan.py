@@ -18,13 +18,14 @@ from flexbearing.studies.plan.checked import CheckedVariants
 from flexbearing.studies.plan.corners import share_levels
 from flexbearing.studies.plan.task import Base, Corners, Ring, Task, Values, Variant
 
-LARGEST_RIGID, LARGEST_ELASTIC = 128, 256  # variants of a task: up to 1 s of work
+LARGEST, LARGEST_ELASTIC = 128, 256  # variants of a task: up to 1 s of work
 FEWEST = 8  # tasks into which a small study is cut, so that several workers have some
-# Most variants of a task between elastic rings start from solved neighbours in it; the first ones have none.
-ENOUGH, OF_LARGE = 16, 8  # a task of more than ENOUGH is at most this part of a worker's share
+# Side by side between elastic rings most variants of a task start from solved neighbours in it; the first
+# ones have none. Otherwise a task of more than ENOUGH is at most this part of a worker's share.
+ENOUGH, OF_LARGE = 16, 8
 LONGEST = 300  # characters of the settings of a variant in a message
 CHECKED_AT_ONCE = 256  # variants, a tenth of a second of work
-MADE_ONCE = 10_000  # variants of a plan, some 10 MB; more are made anew whenever they are read
+MADE_ONCE = 50_000  # variants of a plan, some 50 MB; more are made anew whenever they are read
 MOST_PROBLEMS = 200  # after which the other variants are not checked: a refused one takes ten times as long
 
 
@@ -80,8 +81,11 @@ class Plan:
     def _size(self, total: int, *, elastic: bool) -> int:
         """Most variants of a task, so that little is lost when one of them ends a worker."""
         share = -(-total // self.fewest)
-        largest = min(LARGEST_ELASTIC, max(ENOUGH, share // OF_LARGE)) if elastic else LARGEST_RIGID
-        return min(largest, share)
+        if not elastic:
+            return min(LARGEST, share)
+        if self.side_by_side:
+            return min(LARGEST_ELASTIC, max(LARGEST, share // OF_LARGE))
+        return min(LARGEST_ELASTIC, max(ENOUGH, share // OF_LARGE), share)
 
     @property
     def computed(self) -> Iterator[Variant]:

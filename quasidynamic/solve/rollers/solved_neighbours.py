@@ -10,6 +10,7 @@ SEED = 15  # of an order that shall be without order, and the same at every call
 NUGGET = 1e-3  # squared, of the distance of the furthest neighbour: closer ones count alike
 ALIKE = 1e-9  # distance of cases that are nearly the same
 STIFFENING = 1e-12  # of the moments of the neighbours, where they do not span all coordinates
+AT_ONCE = 100_000  # coordinates of differences, which fit into the processor's cache
 SPARE = 1.5  # neighbours over terms of a fit
 
 
@@ -80,18 +81,18 @@ def local_fit(solved: NDArray, places: NDArray) -> Weights:
     ------
     Moving least squares, Lancaster and Salkauskas (1981), with weights of inverse squared distances.
     """
-    from scipy.spatial import KDTree  # costly to import
-
     axes = places.shape[1]
     terms = (axes + 1) * (axes + 2) // 2
     quadratic = len(solved) >= SPARE * terms
     count = min(len(solved), int(SPARE * terms) if quadratic else 2 * axes + 2)
-    nearest = KDTree(solved).query(places, k=count)  # without an axis where that is one
-    distances, neighbours = (np.reshape(values, (len(places), count)) for values in nearest)
+    parts = np.array_split(places, 1 + places.size * len(solved) // AT_ONCE)
+    squares = (((solved - part[:, None]) ** 2).sum(-1) for part in parts)
+    neighbours = np.concatenate([each.argsort(axis=1)[:, :count] for each in squares])
+    apart = solved[neighbours] - places[:, None]
+    distances = np.linalg.norm(apart, axis=-1)
     furthest = distances.max(axis=1, keepdims=True) + ALIKE
     nearness = 1 / ((distances / furthest) ** 2 + NUGGET)
-    steps = (solved[neighbours] - places[:, None]) / furthest[..., None]
-    powers = _powers(steps, quadratic=quadratic)
+    powers = _powers(apart / furthest[..., None], quadratic=quadratic)
     weighted = nearness[..., None] * powers
     moments = weighted.swapaxes(1, 2) @ powers
     moments += STIFFENING * np.trace(moments, axis1=1, axis2=2)[:, None, None] * np.eye(powers.shape[-1])
