@@ -141,7 +141,7 @@ class AngularContactBallBearing:
         kinematics, scale, control, heat = balls.kinematics, self._scale, self._race_control, None
         oiled = None
         if isinstance(control, CoulombControl) and control.oil is not None:
-            oiled = control.oiled(balls.contacts, balance.speeds, balance.free_centrifugal)
+            oiled = control.oiled(balls.contacts, balance.speeds, balance.free_centrifugal, kinematics.near)
             heat = oiled.heat
         elif isinstance(control, CoulombControl):
             heat = control.heat(balls.contacts, balance.speeds, balance.free_centrifugal)

@@ -159,13 +159,16 @@ class AngularBalance:
 
     # -- balance -------------------------------------------------------------------------------
 
-    def balls(self, grooves: Vectors, centres: Vectors) -> BallBalance:
-        """Forces on balls at `centres`, the inner groove at `grooves`, both (C, Z) [m]."""
+    def balls(self, grooves: Vectors, centres: Vectors, near: NDArray | None = None) -> BallBalance:
+        """Forces on balls at `centres`, the inner groove at `grooves`, both (C, Z) [m].
+
+        For `near` see `RaceControl`.
+        """
         arms = groove_arm(np.array([grooves - centres, centres]))
         lengths = np.abs(arms)
         normals = arms / lengths
         contacts = LoadedContacts(np.arctan2(normals.real, normals.imag), *self.pressed(lengths))
-        kinematics = self.control.kinematics(contacts, self.speeds, self.free_centrifugal)
+        kinematics = self.control.kinematics(contacts, self.speeds, self.free_centrifugal, near)
         tractions, held = kinematics.tractions, kinematics.traction_slopes
         turns = -1j * normals  # along the groove sections
         pushes = contacts.loads - 1j * tractions

@@ -33,6 +33,9 @@ class BallKinematics(NamedTuple):
     gyroscopic: NDArray  # (C, Z) [N m] about the rolling direction
     tractions: NDArray  # (2, C, Z) [N] along the groove sections
     traction_slopes: NDArray  # (2, 4, C, Z)
+    near: NDArray | None = (
+        None  # (5, C, Z) of balls in oil: where a search nearby begins, see `FreeBallMotion`
+    )
 
 
 class RaceControl(Protocol):
@@ -58,8 +61,10 @@ class RaceControl(Protocol):
         """Whether a ball on the outer race alone lies where its rolling has a closed form, or nearly."""
         ...
 
-    def kinematics(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> BallKinematics:
-        """Motion of balls and what it asks of the races."""
+    def kinematics(
+        self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray, near: NDArray | None = None
+    ) -> BallKinematics:
+        """Motion of balls and what it asks of the races; of several motions that are balanced one `near`."""
         ...
 
 
@@ -105,7 +110,9 @@ class PrescribedControl:
         """True: it rolls."""
         return True
 
-    def kinematics(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> BallKinematics:
+    def kinematics(
+        self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray, near: NDArray | None = None
+    ) -> BallKinematics:
         """Motion of balls and what it asks of the races, see `RaceControl`."""
         bearing, (inner, outer) = self.bearing, contacts.angles
         hold, hold_slope = grip(contacts.loads[0], contacts.stiffness[0], centrifugal)

@@ -52,9 +52,10 @@ def at_places(
     centres: Vectors,
     share: NDArray | float = 0.0,
     evaluations: int = 1,
+    near: NDArray | None = None,
 ) -> BallsInBalance:
-    """Balls where they are, see `balance_balls` for the share."""
-    balls = balance.balls(grooves, centres)
+    """Balls where they are, see `balance_balls` for the share and `RaceControl` for `near`."""
+    balls = balance.balls(grooves, centres, near)
     left, scales = np.abs(balls.excess), force_scales(balance, balls, grooves)
     return BallsInBalance(centres, balls, scales, left, ~(left <= scales.allowed(share)), evaluations)
 
@@ -67,29 +68,37 @@ def force_scales(balance: AngularBalance, balls: BallBalance, grooves: Vectors) 
 
 
 def balance_balls(
-    balance: AngularBalance, grooves: Vectors, centres: Vectors, share: NDArray | float = 0.0
+    balance: AngularBalance,
+    grooves: Vectors,
+    centres: Vectors,
+    share: NDArray | float = 0.0,
+    near: NDArray | None = None,
 ) -> BallsInBalance:
     """Balance of every ball for itself, the groove centres given.
 
-    Balls may stay out of balance by a `share` (C) of the largest force.
+    Balls may stay out of balance by a `share` (C) of the largest force. For `near` see `RaceControl`.
     """
-    result = _newton_of_balls(balance, grooves, _start(balance, grooves, centres), share)
+    result = _newton_of_balls(balance, grooves, _start(balance, grooves, centres), share, near)
     if result.moving.any() and balance.pulled.any():  # again from the places without friction
         centres = np.where(result.moving, balance.places.resting(grooves), result.centres)
-        again = _newton_of_balls(balance, grooves, centres, share)
+        again = _newton_of_balls(balance, grooves, centres, share, result.balls.kinematics.near)
         return again._replace(evaluations=result.evaluations + again.evaluations)
     return result
 
 
 def _newton_of_balls(
-    balance: AngularBalance, grooves: Vectors, centres: Vectors, share: NDArray | float
+    balance: AngularBalance,
+    grooves: Vectors,
+    centres: Vectors,
+    share: NDArray | float,
+    near: NDArray | None,
 ) -> BallsInBalance:
     """Damped Newton for each ball."""
-    state = at_places(balance, grooves, centres, share)
+    state = at_places(balance, grooves, centres, share, near=near)
     far = (state.left > balance.free_centrifugal) & balance.pulled
     if far.any():  # where they were is no better than a closed form
         centres = np.where(far, balance.places.resting(grooves), centres)
-        state = at_places(balance, grooves, centres, share, 2)
+        state = at_places(balance, grooves, centres, share, 2, state.balls.kinematics.near)
     return _damped(balance, grooves, state, share) if state.moving.any() else state
 
 
@@ -101,7 +110,7 @@ def _damped(
     cases, some, shares = np.arange(len(grooves)), balance, np.broadcast_to(share, len(grooves))
     at, centres, size, moving, good = grooves, state.centres, state.left, state.moving, ~state.moving
     step, damping = _ball_step(balance, state.balls), np.ones(centres.shape)
-    ahead = _along(state.balls.excess, step)
+    ahead, near = _along(state.balls.excess, step), state.balls.kinematics.near
     while count < LIMIT:
         running = np.logical_and(moving.any(axis=1), (damping >= SHORTEST).all(axis=1))
         if not running.any():
@@ -110,12 +119,15 @@ def _damped(
             places[cases], unbalanced[cases] = centres, moving
             cases, some, shares = cases[running], some.take(running), shares[running]
             at, centres, size, moving = at[running], centres[running], size[running], moving[running]
-            step, damping, ahead, running = step[running], damping[running], ahead[running], running[running]
+            step, damping, ahead = step[running], damping[running], ahead[running]
+            near, running = near if near is None else near[:, running], running[running]
         trial = along_arc(centres, np.where(moving & running[:, None], damping, 0.0) * step)
-        state, count = at_places(some, at, trial, shares), count + 1
+        state, count = at_places(some, at, trial, shares, near=near), count + 1
         left = _along(state.balls.excess, step)
         good = (left >= -0.5 * np.abs(ahead)) | (state.left < 0.5 * size)
         centres = np.where(good, trial, centres)
+        if near is not None:
+            near = np.where(good, state.balls.kinematics.near, near)
         step = np.where(good, _ball_step(some, state.balls), step)
         ahead = np.where(good, _along(state.balls.excess, step), ahead)
         size = np.where(good, state.left, size)

@@ -37,14 +37,17 @@ class _CageStep(NamedTuple):
     follow: NDArray  # (N, 4) what they move with the cage
 
 
-def caged_ball_motion(balls: FreeBalls, cages: Cages, nearby: Nearby | None) -> FreeBallMotion:
+def caged_ball_motion(
+    balls: FreeBalls, cages: Cages, nearby: Nearby | None, near: NDArray | None = None
+) -> FreeBallMotion:
     r"""Balance of balls and of their cages, see `Pockets`.
 
     .. math:: \sum_j \left(\frac{d_m}{2} F_j + M_{pj} \cdot e_x\right)(\omega_c) + M_{land}(\omega_c) = 0
 
     Both parts fall as the cage becomes faster: it has one speed, which lies between those that are too fast
     and too slow. Balls that are balanced at every speed on the way, with few points in their contacts, lead
-    near it; then all are balanced together. A ball that finds no balance does not push its cage.
+    near it; then all are balanced together. Unknowns and speeds of the cage that are `near` (N, 5) are tried
+    first, see `free_ball_motion`. A ball that finds no balance does not push its cage.
 
     Slopes are those at a speed of the cage that is given: what one ball does to the others by way of the
     cage is left out.
@@ -53,12 +56,15 @@ def caged_ball_motion(balls: FreeBalls, cages: Cages, nearby: Nearby | None) -> 
     ------
     Balance of the moments on a cage as in `land_torque` and `Pockets`; balls eliminated one by one.
     """
-    speed, unknowns = _coarse(balls, cages)
-    speed, unknowns, lost = _together(balls, cages, speed, unknowns)
-    if lost.any():
-        some = balls.in_cage(speed[cages.of_ball]).taken(lost)
-        unknowns[lost] = searched_again(some, unknowns[lost])
-        speed, unknowns, _ = _together(balls, cages, speed, unknowns)
+    count, anew = len(cages.ring_speed), np.full(len(cages.of_ball), True)
+    speed, unknowns = np.zeros(count), np.zeros((len(anew), 4))
+    if near is not None:
+        first = np.unique(cages.of_ball, return_index=True)[1]
+        speed, unknowns, lost = _together(balls, cages, near[first, 4], near[:, :4])
+        anew = np.isin(cages.of_ball, cages.of_ball[lost])
+    if anew.any():
+        numbers = np.unique(cages.of_ball[anew])
+        speed[numbers], unknowns[anew] = _searched(balls.taken(anew), cages.taken(anew))
 
     def with_cage(some: FreeBalls, state: FreeBallBalance, unknowns: NDArray) -> NDArray:
         nonlocal speed
@@ -75,6 +81,17 @@ def caged_ball_motion(balls: FreeBalls, cages: Cages, nearby: Nearby | None) -> 
     for array in solution:
         array[~(left <= ONE_STEP_AWAY)] = np.nan
     return solution
+
+
+def _searched(balls: FreeBalls, cages: Cages) -> tuple[NDArray, NDArray]:
+    """Speeds of the cages (G) and unknowns of the balls (N, 4) most often near a balance."""
+    speed, unknowns = _coarse(balls, cages)
+    speed, unknowns, lost = _together(balls, cages, speed, unknowns)
+    if lost.any():
+        some = balls.in_cage(speed[cages.of_ball]).taken(lost)
+        unknowns[lost] = searched_again(some, unknowns[lost])
+        speed, unknowns, _ = _together(balls, cages, speed, unknowns)
+    return speed, unknowns
 
 
 def _coarse(balls: FreeBalls, cages: Cages) -> tuple[NDArray, NDArray]:

@@ -131,10 +131,12 @@ class CoulombControl:
         """Without a cage, which makes it orbit at its own speed."""
         return self.cage is None
 
-    def kinematics(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> BallKinematics:
+    def kinematics(
+        self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray, near: NDArray | None = None
+    ) -> BallKinematics:
         """Motion of balls and what it asks of the races, see `RaceControl`."""
         bearing, shape = self.bearing, contacts.angles.shape[1:]
-        driven, balls, ahead, outer = self._in_a_row(contacts, speeds, centrifugal)
+        driven, balls, ahead, outer = self._in_a_row(contacts, speeds, centrifugal, near)
         orbit = outer - ahead * balls.motion[:, ORBIT]
         turn = np.sign(ahead) * balls.motion[:, TURN]
         size = np.linalg.norm(balls.motion[:, AXIAL:], axis=1)
@@ -154,7 +156,11 @@ class CoulombControl:
             tractions=driven.hold * balls.across.T,
             traction_slopes=across,
         )
-        return BallKinematics(*(array.reshape(*array.shape[:-1], *shape) for array in kinematics))
+        if self.oil is not None:
+            kinematics = kinematics._replace(near=np.concatenate([balls.unknowns.T, balls.cage[None]]))
+        return BallKinematics(
+            *(array if array is None else array.reshape(*array.shape[:-1], *shape) for array in kinematics)
+        )
 
     def heat(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> NDArray:
         """Heat of friction on both races (C, Z) [W]; for what is given see `RaceControl`."""
@@ -166,7 +172,13 @@ class CoulombControl:
         return heat.reshape(contacts.angles.shape[1:])
 
     def _in_a_row(
-        self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray, *, slopes: bool = True
+        self,
+        contacts: LoadedContacts,
+        speeds: NDArray,
+        centrifugal: NDArray,
+        near: NDArray | None = None,
+        *,
+        slopes: bool = True,
     ) -> tuple[DrivenContacts, FreeBallMotion, NDArray, NDArray]:
         """Balls (N) of all cases, speed of the inner against the outer ring, speed of the outer one."""
         shape = contacts.angles.shape[1:]
@@ -175,7 +187,8 @@ class CoulombControl:
             (array + np.zeros(shape)).ravel() for array in (speeds[0] - speeds[1], speeds[1], centrifugal)
         )
         driven = self.driven(flat, free)
-        return driven, self.motion(driven, ahead, outer, slopes=slopes), ahead, outer
+        near = None if near is None else near.reshape(5, -1).T
+        return driven, self.motion(driven, ahead, outer, near, slopes=slopes), ahead, outer
 
     def driven(self, contacts: LoadedContacts, centrifugal: NDArray) -> DrivenContacts:
         """Contacts as friction sees them; `contacts` (2, N), F_c (N) [N]."""
@@ -206,15 +219,23 @@ class CoulombControl:
         return DrivenContacts(seen, driving.value, driving.hold, hold_slopes, chain)
 
     def motion(
-        self, driven: DrivenContacts, ahead: NDArray, outer_speed: NDArray, *, slopes: bool = True
+        self,
+        driven: DrivenContacts,
+        ahead: NDArray,
+        outer_speed: NDArray,
+        near: NDArray | None = None,
+        *,
+        slopes: bool = True,
     ) -> FreeBallMotion:
         """Balance of balls (N) between rings of these speeds (N) [rad/s]; not a number where none is found.
+
+        Of balls in oil from unknowns and speeds of the cage that are `near` (N, 5).
 
         Balls that nothing drives roll at no slope. Slopes of balls in oil take more time than all else.
         """
         moving = _moving(driven, ahead)
         motion = FreeBallMotion(
-            *(np.zeros((len(ahead), *size)) for size in ((4,), (4, 4), (2,), (2, 4), (2,), ()))
+            *(np.zeros((len(ahead), *size)) for size in ((4,), (4, 4), (2,), (2, 4), (2,), (), (4,)))
         )
         motion.motion[:, ORBIT] = -(1 - self.bearing.diameter_ratio) / 2
         if moving.any():
@@ -223,7 +244,8 @@ class CoulombControl:
                 found = self._sticking(balls, loads, free_ball_motion(balls))
             else:
                 cages = self._cages(ahead, outer_speed, moving)
-                found = self._in_oil(self.oil, (balls, cages), loads, slopes=slopes)
+                start = None if near is None else near[moving]
+                found = self._in_oil(self.oil, (balls, cages), loads, start, slopes=slopes)
             for array, part in zip(motion, found, strict=True):
                 array[moving] = part
         return motion
@@ -272,9 +294,11 @@ class CoulombControl:
         turning = (1.0 if self.cage.guidance == "inner" else 0.0) + outer_speed / ahead
         return Cages(self.cage, self.oil.lubrication.oil, of_ball, turning, np.abs(ahead))
 
-    def oiled(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> OiledBalls:
+    def oiled(
+        self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray, near: NDArray | None = None
+    ) -> OiledBalls:
         """What the oil does to balls (C, Z); for what is given see `RaceControl`. Zero of balls at rest."""
-        driven, motion, ahead, outer = self._in_a_row(contacts, speeds, centrifugal, slopes=False)
+        driven, motion, ahead, outer = self._in_a_row(contacts, speeds, centrifugal, near, slopes=False)
         moving = _moving(driven, ahead)
         shape, arrays = contacts.angles.shape[1:], []
         balls, sense = self._free(driven, ahead, outer, moving), np.sign(ahead[moving])
@@ -294,6 +318,7 @@ class CoulombControl:
         oil: LubricatedRaces,
         of_all: tuple[FreeBalls, Cages | None],
         loads: NDArray,
+        near: NDArray | None,
         *,
         slopes: bool,
     ) -> FreeBallMotion:
@@ -302,10 +327,11 @@ class CoulombControl:
         for block in _blocks(loads.shape[1], cages):
             some = balls.taken(block)
             nearby = partial(self._nearby, oil, some, loads[:, block]) if slopes else None
+            start = None if near is None else near[block]
             if cages is None:
-                found.append(free_ball_motion(some, nearby))
+                found.append(free_ball_motion(some, nearby, None if start is None else start[:, :4]))
             else:
-                found.append(caged_ball_motion(some, cages.taken(block), nearby))
+                found.append(caged_ball_motion(some, cages.taken(block), nearby, start))
         return FreeBallMotion(*(np.concatenate(arrays) for arrays in zip(*found, strict=True)))
 
     def _nearby(

@@ -44,6 +44,7 @@ class FreeBallMotion(NamedTuple):
     across_slopes: NDArray  # (N, 2, 4)
     power: NDArray  # (N, 2) [N m] heat over the speed of the inner against the outer ring
     cage: NDArray  # (N) speed of the cage in space, over the same; zero without one
+    unknowns: NDArray  # (N, 4) of `FreeBalls`
 
 
 class _Contact(NamedTuple):
@@ -53,9 +54,20 @@ class _Contact(NamedTuple):
     across: NDArray  # (N, 2) [N] derivative of the heat by the slip across
 
 
-def free_ball_motion(balls: FreeBalls, nearby: Nearby | None = None) -> FreeBallMotion:
-    """Balance of balls with its slopes, by implicit differentiation; of balls in oil with those `nearby`."""
-    unknowns = nearly_balanced(balls)
+def free_ball_motion(
+    balls: FreeBalls, nearby: Nearby | None = None, near: NDArray | None = None
+) -> FreeBallMotion:
+    """Balance of balls with its slopes, by implicit differentiation; of balls in oil with those `nearby`.
+
+    Of several motions that are balanced, as of a traction that falls with the slip, the one by Newton's
+    method from unknowns `near` (N, 4), where it finds one.
+    """
+    if near is None:
+        unknowns = nearly_balanced(balls)
+    else:
+        unknowns, left = searched(balls, near, 1.0, (FINE, ONE_STEP_AWAY))
+        if (lost := ~(left <= ONE_STEP_AWAY)).any():
+            unknowns[lost] = nearly_balanced(balls.taken(lost))
     solution, left, unknowns = motion_at(balls, unknowns, nearby)
     for search in (None, None, searched_again):
         lost = ~(left <= ONE_STEP_AWAY)
@@ -101,6 +113,7 @@ def motion_at(
         across_slopes=across,
         power=sliding.power,
         cage=np.zeros(len(motion)),
+        unknowns=unknowns + last[..., 0],
     )
     return solution, (np.abs(near_balance.left) / balls.scale).max(1), unknowns + last[..., 0]
 

@@ -42,13 +42,14 @@ class RingSolution:
     imbalance: NDArray  # (C) largest unbalanced force over the largest force
     evaluations: NDArray  # (C) of all balls
     last_forces: tuple[BallBalance, RingBalance] | None = None  # forces there, where all cases ended together
+    near: NDArray | None = None  # (5, C, Z) motion of balls in oil, see `BallKinematics`
 
     def forces(self, balance: AngularBalance) -> tuple[BallBalance, RingBalance]:
         """Forces on balls and ring at these places."""
         if self.last_forces is not None:
             return self.last_forces
         with np.errstate(all="ignore"):  # a case that ended not finite has no forces
-            balls = balance.balls(balance.grooves(self.ring), self.centres)
+            balls = balance.balls(balance.grooves(self.ring), self.centres, self.near)
             return balls, balance.ring(balls, followed(balls))
 
 
@@ -61,6 +62,7 @@ class _RingState:
     ball_moves: NDArray  # (C, Z) [m] what the balls still have to move
     balls: BallBalance
     follow: NDArray  # (2, C, Z) see `followed`
+    near: NDArray | None  # (5, C, Z) see `RingSolution`
     balance: RingBalance
     balls_done: NDArray  # (C) bool, whether all balls are balanced as well as was requested
     imbalance: NDArray  # (C)
@@ -91,7 +93,9 @@ def _solve(balance: AngularBalance) -> RingSolution:
     for case, piece in pieces.items():
         for array, value in zip(arrays, [piece.ring, piece.centres, piece.imbalance], strict=True):
             array[case] = value[0]
-    return RingSolution(solution.ring, solution.centres, outcomes, solution.imbalance, solution.evaluations)
+        if solution.near is not None and piece.near is not None:
+            solution.near[:, case] = piece.near[:, 0]
+    return replace(solution, outcomes=outcomes, last_forces=None)
 
 
 def start(balance: AngularBalance) -> tuple[NDArray, Vectors]:
@@ -131,7 +135,9 @@ def from_slower_rings(balance: AngularBalance) -> tuple[RingSolution | None, int
             continue
         while share < 1.0 and step >= LEAST_SPEED_STEP and count < budget:
             faster = min(1.0, share + step)
-            trial = newton(replace(balance, speeds=faster * balance.speeds), known.ring, known.centres)
+            trial = newton(
+                replace(balance, speeds=faster * balance.speeds), known.ring, known.centres, known.near
+            )
             count += int(trial.evaluations[0])
             if trial.outcomes[0] is SolverOutcome.CONVERGED:
                 share, known, step = faster, trial, 2 * step
@@ -152,11 +158,15 @@ def along_path(balance: AngularBalance) -> tuple[RingSolution | None, int]:
     ring, centres = places
     state = _at(balance, ring, at_places(balance, balance.grooves(ring), centres))
     outcome = _outcome(balance, state, 0, 1.0, last=True)
-    return RingSolution(ring, centres, [outcome], state.imbalance, np.array([count])), count + 1
+    return RingSolution(
+        ring, centres, [outcome], state.imbalance, np.array([count]), near=state.near
+    ), count + 1
 
 
 @np.errstate(all="ignore")  # places tried on the way may overflow: such a step is not taken
-def newton(balance: AngularBalance, ring: NDArray, centres: NDArray | None = None) -> RingSolution:
+def newton(
+    balance: AngularBalance, ring: NDArray, centres: NDArray | None = None, near: NDArray | None = None
+) -> RingSolution:
     """Damped Newton on the ring, all cases side by side; a case leaves as soon as it ends."""
     if centres is None:
         centres = balance.places.resting(balance.grooves(ring))
@@ -167,7 +177,8 @@ def newton(balance: AngularBalance, ring: NDArray, centres: NDArray | None = Non
         np.full(size, np.inf),
         np.zeros(size, int),
     )
-    cases, state = np.arange(size), _state(balance, ring, centres, BALL_SHARE)
+    cases, state = np.arange(size), _state(balance, ring, centres, BALL_SHARE, near)
+    out_near = None if state.near is None else state.near.copy()
     evaluations += state.evaluations
     damping, number = np.ones(size), 0
     while True:
@@ -175,10 +186,12 @@ def newton(balance: AngularBalance, ring: NDArray, centres: NDArray | None = Non
         for k, case in enumerate(cases):
             out_ring[case], out_centres[case] = state.ring[k], state.centres[k]
             outcomes[case], imbalance[case] = ended[k], state.imbalance[k]
+            if out_near is not None and state.near is not None:
+                out_near[:, case] = state.near[:, k]
         running = np.array([outcome is SolverOutcome.RUNNING for outcome in ended])
         if not running.any():
             together = (state.balls, state.balance) if len(cases) == size else None
-            return RingSolution(out_ring, out_centres, outcomes, imbalance, evaluations, together)
+            return RingSolution(out_ring, out_centres, outcomes, imbalance, evaluations, together, out_near)
         if not running.all():
             cases, balance, damping = cases[running], balance.take(running), damping[running]
             state = _taken(state, running)
@@ -223,7 +236,7 @@ def _moved(balance: AngularBalance, state: _RingState) -> tuple[_RingState, NDAr
     trial, good = _tried(balance, state, step, damping, BALL_SHARE * state.imbalance)
     count = trial.evaluations
     if not good.all():
-        state = _state(balance, state.ring, state.centres, 0.0)
+        state = _state(balance, state.ring, state.centres, 0.0, state.near)
         step, count = (
             newton_step(balance, state.balance.excess, state.balance.stiffness, state.imbalance),
             count + state.evaluations,
@@ -242,7 +255,7 @@ def _tried(
     ring = state.ring + damping[:, None] * step
     shift = balance.grooves(ring) - balance.grooves(state.ring)
     move = damping[:, None] * state.ball_moves + moved(state.follow, shift)
-    trial = _state(balance, ring, along_arc(state.centres, move), share)
+    trial = _state(balance, ring, along_arc(state.centres, move), share, state.near)
     ahead, left = (state.balance.excess * step).sum(1), (trial.balance.excess * step).sum(1)
     good = (left >= -0.5 * np.abs(ahead)) | (trial.imbalance < 0.5 * state.imbalance)
     return trial, good & trial.balls_done
@@ -257,6 +270,7 @@ def _taken(state: _RingState, cases: NDArray) -> _RingState:
         centres=state.centres[cases],
         ball_moves=state.ball_moves[cases],
         follow=state.follow[:, cases],
+        near=None if state.near is None else state.near[:, cases],
         balance=ring,
         balls_done=state.balls_done[cases],
         imbalance=state.imbalance[cases],
@@ -264,10 +278,16 @@ def _taken(state: _RingState, cases: NDArray) -> _RingState:
     )
 
 
-def _state(balance: AngularBalance, ring: NDArray, centres: NDArray, share: NDArray | float) -> _RingState:
+def _state(
+    balance: AngularBalance,
+    ring: NDArray,
+    centres: NDArray,
+    share: NDArray | float,
+    near: NDArray | None,
+) -> _RingState:
     """Ring at a place, balls in balance up to a share of the largest force."""
     grooves = balance.grooves(ring)
-    return _at(balance, ring, balance_balls(balance, grooves, centres, share))
+    return _at(balance, ring, balance_balls(balance, grooves, centres, share, near))
 
 
 def _at(balance: AngularBalance, ring: NDArray, result: BallsInBalance) -> _RingState:
@@ -290,6 +310,7 @@ def _at(balance: AngularBalance, ring: NDArray, result: BallsInBalance) -> _Ring
         ball_moves=ball_moves,
         balls=balls,
         follow=follow,
+        near=balls.kinematics.near,
         balance=forces._replace(excess=excess),
         balls_done=result.done,
         imbalance=np.maximum(np.abs(counted).max(1), left) / largest,

@@ -73,6 +73,7 @@ def sticking_ball_motion(
         across_slopes=across_by_contact + slopes.across @ by_contact,
         power=-(state.by_slip * contacts.contact_slip(_each(state.motion)).reshape(count, 2, 5)).sum(-1),
         cage=np.zeros(count),
+        unknowns=np.zeros((count, 4)),
     )
     for array in solution:
         array[~(state.size <= UNSOLVED)] = np.nan
