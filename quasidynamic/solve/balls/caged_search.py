@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.caged_ball import Cages
-from quasidynamic.balance.balls.free_ball import FreeBallBalance, FreeBalls
+from quasidynamic.balance.balls.free_ball import OILED, FreeBallBalance, FreeBalls
 from quasidynamic.contact.ellipse.general_sliding import COARSE
 from quasidynamic.motion.ball_slip import ORBIT
 from quasidynamic.solve.balls.free_ball_search import (
@@ -32,6 +32,7 @@ class _CageStep(NamedTuple):
     """Newton step of cages and balls together."""
 
     unbalanced: NDArray  # (G) [N m] torque on the cages
+    left: NDArray  # (G) [-] the same over the torque of pockets and of the largest friction
     cage: NDArray  # (G) [-]
     balls: NDArray  # (N, 4) what balls move then
     follow: NDArray  # (N, 4) what they move with the cage
@@ -52,6 +53,9 @@ def caged_ball_motion(
     Slopes are those at a speed of the cage that is given: what one ball does to the others by way of the
     cage is left out.
 
+    Where traction falls with the slip the torque on a cage may grow with its speed: a cage that is not near
+    its balance then goes on towards it, and has none where that does not end.
+
     Source
     ------
     Balance of the moments on a cage as in `land_torque` and `Pockets`; balls eliminated one by one.
@@ -66,20 +70,23 @@ def caged_ball_motion(
         numbers = np.unique(cages.of_ball[anew])
         speed[numbers], unknowns[anew] = _searched(balls.taken(anew), cages.taken(anew))
 
+    cage_left = np.zeros(count)
+
     def with_cage(some: FreeBalls, state: FreeBallBalance, unknowns: NDArray) -> NDArray:
-        nonlocal speed
+        nonlocal speed, cage_left
         step = _step(some, state, cages, speed, unknowns)
-        speed = speed + step.cage
+        speed, cage_left = speed + step.cage, step.left
         return step.balls
 
     for _ in range(LAST_STEPS):
         some = balls.in_cage(speed[cages.of_ball])
         solution, left, unknowns = motion_at(some, unknowns, nearby, with_cage)
-        if (left <= ONE_STEP_AWAY).all():
+        balanced = (left <= ONE_STEP_AWAY) & (cage_left <= ONE_STEP_AWAY)[cages.of_ball]
+        if balanced.all():
             break
     solution = solution._replace(cage=speed[cages.of_ball])
     for array in solution:
-        array[~(left <= ONE_STEP_AWAY)] = np.nan
+        array[~balanced] = np.nan
     return solution
 
 
@@ -131,7 +138,8 @@ def _together(
         step = _step(some, state, cages, speed, unknowns)
         speed, unknowns = speed + step.cage, unknowns + step.balls
         left = (np.abs(state.left) / some.scale).max(1)
-        if (left <= TWO_STEPS_AWAY).all() and (np.abs(step.cage) <= TWO_STEPS_AWAY).all():
+        left = np.maximum(left, np.maximum(step.left, np.abs(step.cage))[cages.of_ball])
+        if (left <= TWO_STEPS_AWAY).all():
             break
     return speed, unknowns, ~(left <= TWO_STEPS_AWAY)
 
@@ -149,5 +157,10 @@ def _step(
     unbalanced = cages.summed(pocket.torque) + land.torque
     slope = cages.summed(follows - pocket.slopes[:, ORBIT, ORBIT]) + land.by_speed
     expected = unbalanced + cages.summed(moved)
-    cage = -expected / np.where(slope < -TINY, slope, -np.inf)
-    return _CageStep(unbalanced, cage, alone + follow * cage[cages.of_ball, None], follow)
+    falling = slope < -TINY
+    cage = np.where(falling, -expected / np.where(falling, slope, 1.0), LONGEST * np.sign(unbalanced))
+    largest = OILED * balls.ellipse.traction.max(1) * balls.contacts.pitch_radius
+    size = cages.summed(np.abs(pocket.torque) + largest)
+    return _CageStep(
+        unbalanced, np.abs(unbalanced) / size, cage, alone + follow * cage[cages.of_ball, None], follow
+    )

@@ -44,7 +44,7 @@ from quasidynamic.solve.balls.sticking_ball_motion import sticking_ball_motion
 
 RELEASED = (RELEASE, RELEASE / 8)  # of F_c: least driving load of the inner, of the outer race
 UNEVEN = 0.05  # of the load on the other race: the same, away from balance
-LEAST_CAGED = 1e-6  # assumed; of the largest load in the cage: the same
+LEAST_CAGED = 1e-4  # assumed; of the largest load in the cage: the same
 # Assumed, without a source: the same of balls in oil without a cage. What the oil does to lighter ones, by
 # laws for pressed contacts, is more than friction holds.
 LEAST_IN_OIL = 1e-3  # of the largest load in the bearing
