@@ -123,7 +123,7 @@ class CoulombControl:
         if self.stick is not None:
             return 100
         if self.cage is not None:
-            return 240
+            return 120
         return 20 if self.oil is None else 60
 
     @property

@@ -26,7 +26,7 @@ SHORTEST = 2.0**-6  # part of a Newton step; a path of growing inertia is quicke
 TOUCHING = 10  # times what may be left: least load that counts as contact of the ring
 SLOWER = (0.7, 0.3, 0.1, 0.01)  # parts of the speed from which Newton's method is tried once more
 LEAST_SPEED_STEP = 2e-3  # part of the speed by which rings become faster at least
-BUDGET = 12000  # evaluations of all balls along a path, rarely more than two thousand
+BUDGET = 12000  # evaluations of all balls in one search, of closed forms, rarely more than two thousand
 TINY = float(np.finfo(float).tiny)
 ANSWERED = (SolverOutcome.CONVERGED, SolverOutcome.UNDETERMINED)  # that no other path would change
 SINGULAR = 1e-12  # of the whole stiffness: a direction that nothing holds
@@ -71,7 +71,7 @@ class _RingState:
 
 
 def solve(balance: AngularBalance) -> RingSolution:
-    """Balance of all cases: in one go, else along a path of growing inertia, else from slower rings."""
+    """Balance of all cases: in one go, else from rest, along a path of growing inertia, from slower rings."""
     with np.errstate(all="ignore"):  # places tried on the way may overflow: such a step is not taken
         return _solve(balance)
 
@@ -82,8 +82,11 @@ def _solve(balance: AngularBalance) -> RingSolution:
     if not len(failed):
         return solution
     outcomes, pieces = list(solution.outcomes), {}
+    searches = (along_path, from_slower_rings)
+    if balance.control.simpler is not None:
+        searches = (from_rest, *searches)
     for case in failed:
-        for search in (along_path, from_slower_rings):
+        for search in searches:
             piece, count = search(balance.take(np.array([case])))
             solution.evaluations[case] += count
             if piece is not None:
@@ -118,6 +121,17 @@ def inertia_forces(balance: AngularBalance, ring: NDArray, centres: Vectors) -> 
     """Centrifugal forces and tractions on the balls (C, Z), their part of the load (C, 5) [N]."""
     balls = balance.balls(balance.grooves(ring), centres)
     return balls.pull, balance.dragged(balls)
+
+
+def from_rest(balance: AngularBalance) -> tuple[RingSolution | None, int]:
+    """Balance of one case by Newton's method from the place of a ring at rest, else None, and evaluations.
+
+    Balls that friction cannot drive stay behind and have little inertia: those of a race control, which roll,
+    lead away from such a balance.
+    """
+    known = newton(balance, *start(replace(balance, speeds=0.0 * balance.speeds)))
+    converged = known.outcomes[0] is SolverOutcome.CONVERGED
+    return known if converged else None, int(known.evaluations[0])
 
 
 def from_slower_rings(balance: AngularBalance) -> tuple[RingSolution | None, int]:
@@ -182,7 +196,8 @@ def newton(
     evaluations += state.evaluations
     damping, number = np.ones(size), 0
     while True:
-        ended = [_outcome(balance, state, k, damping[k], number == LIMIT) for k in range(len(cases))]
+        last = (number == LIMIT) | (evaluations[cases] > BUDGET // balance.control.cost)
+        ended = [_outcome(balance, state, k, damping[k], last[k]) for k in range(len(cases))]
         for k, case in enumerate(cases):
             out_ring[case], out_centres[case] = state.ring[k], state.centres[k]
             outcomes[case], imbalance[case] = ended[k], state.imbalance[k]
