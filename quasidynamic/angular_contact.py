@@ -159,7 +159,7 @@ class AngularContactBallBearing:
                     NotSolved(
                         f"load {operation.load}: contact ellipses would be nearly as wide as the ball and "
                         "have no friction that is known; the load is far too high",
-                        SolverOutcome.NOT_FINITE,
+                        SolverOutcome.OUT_OF_RANGE,
                     )
                 )
                 continue

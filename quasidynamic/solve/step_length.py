@@ -53,4 +53,5 @@ class SolverOutcome(StrEnum):
     LIMIT = "iteration limit"
     WORK = "work limit"  # every way together took as many evaluations as a case may
     NOT_FINITE = "not finite"
+    OUT_OF_RANGE = "out of range"  # a balance far outside the range of the model
     TOO_SOFT = "too soft"  # a balance between stiffer grooves has none as they become as soft as these

@@ -69,11 +69,14 @@ class Pockets:
     pitch_radius: float  # [m]
     advance: NDArray  # (N) [m] displacement by the lead of the orbit
     outer_speed: NDArray  # (N) [-] of the outer ring in space
-    speed: NDArray  # (N) [-] of the cage in space
+    base: (
+        NDArray  # (N) [-] speed in space that those of the cage are counted from, to keep digits of the lead
+    )
+    speed: NDArray  # (N) [-] of the cage beyond that
 
     def taken(self, keep: NDArray) -> "Pockets":
         """Return those of some of the balls."""
-        arrays = {name: getattr(self, name)[keep] for name in ("advance", "outer_speed", "speed")}
+        arrays = {name: getattr(self, name)[keep] for name in ("advance", "outer_speed", "base", "speed")}
         return replace(self, **arrays)
 
     @property
@@ -82,16 +85,27 @@ class Pockets:
         return self.pitch_radius * self.advance * BALL_FILM_LOAD / self.cage.pocket_clearance
 
     def at_speed(self, speed: NDArray) -> "Pockets":
-        """Return pockets of cages of this speed (N) [-]."""
+        """Return pockets of cages of this speed (N) [-] beyond the base."""
         return replace(self, speed=speed)
 
-    def forces(self, motion: NDArray) -> PocketForces:
-        """Forces at motions (N, 4)."""
-        lead = self.outer_speed - motion[:, ORBIT] - self.speed
+    @property
+    def cage_speed(self) -> NDArray:
+        """Speed of the cage in space (N) [-]."""
+        return self.base + self.speed
+
+    def lead(self, rolling: NDArray, change: NDArray) -> NDArray:
+        """Lead (N) [-] of balls whose outer ring, seen from the orbit, is a change beyond that of rolling.
+
+        Small differences stay apart from the speeds, whose rounding would be more than the film carries.
+        """
+        return (self.outer_speed - rolling - self.base) - change - self.speed
+
+    def forces(self, motion: NDArray, lead: NDArray) -> PocketForces:
+        """Forces at motions (N, 4), of the orbit by its lead over the cage (N) [-]."""
         displacement = self.advance * lead
         force, stiffness = ball_on_pocket_force(displacement, self.cage.pocket_clearance, self.stop)
         by_speed = self.advance * stiffness
-        spin = motion @ IN_CAGE.T + (self.outer_speed - self.speed)[:, None] * IN_CAGE_AT_REST
+        spin = motion @ IN_CAGE.T + (self.outer_speed - self.cage_speed)[:, None] * IN_CAGE_AT_REST
         turning = np.sqrt((spin**2).sum(1) + STANDSTILL**2)
         sense = spin / turning[:, None]
         rounded = np.sqrt(force**2 + (ROUNDING * BALL_FILM_LOAD) ** 2)
@@ -119,11 +133,13 @@ class Cages:
     of_ball: NDArray  # (N) number of the cage of each ball
     ring_speed: NDArray  # (G) [-] of the ring that guides, in space
     speed: NDArray  # (G) [rad/s] of the rings against each other, > 0
+    base: NDArray  # (G) [-] speed of the cage in space that others are counted from, see `Pockets`
 
     def taken(self, keep: NDArray) -> "Cages":
         """Return those of some of the balls."""
         numbers, of_ball = np.unique(self.of_ball[keep], return_inverse=True)
-        return replace(self, of_ball=of_ball, ring_speed=self.ring_speed[numbers], speed=self.speed[numbers])
+        of_cages = {name: getattr(self, name)[numbers] for name in ("ring_speed", "speed", "base")}
+        return replace(self, of_ball=of_ball, **of_cages)
 
     def land(self, speed: NDArray) -> CageTorque:
         """Torque of the land on cages of these speeds (G) [-]."""

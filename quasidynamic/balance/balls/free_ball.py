@@ -30,7 +30,7 @@ from quasidynamic.motion.ball_slip import (
 )
 
 _RIDGE = 1e-12  # of `above`: keeps slopes of saturated friction regular
-POCKET_NOISE = 1e-7  # of the stiffness of pockets: the same, which keeps above rounding what is left
+POCKET_NOISE = 1e-9  # of the stiffness of pockets: the same, which keeps above rounding what is left
 OILED = 2e-3  # of the load: friction that moments of lubricated contacts are measured with
 
 
@@ -196,13 +196,13 @@ class FreeBalls:
             by_motion + self.oil.rolling_by_motion(friction), across, sliding.power, friction
         )
 
-    def oiled(self, motion: NDArray, sense: NDArray) -> OiledBalls:
-        """What the oil does at motions (N, 4) between rings of this sense (N), the sign of their speed."""
+    def oiled(self, motion: NDArray, unknowns: NDArray, sense: NDArray) -> OiledBalls:
+        """What the oil does at motions and unknowns (N, 4); `sense` (N) is the sign of the speeds."""
         oil, powers = self.oil, self.powers(motion)
         assert oil is not None  # of lubricated balls
         assert powers.friction is not None
         slip, friction, speed = _of_rings(self.by_motion, motion), powers.friction, oil.speed[:, None]
-        mixture, pocket = oil.mixture(motion, self.contacts, self.outer_speed), self.pocket(motion)
+        mixture, pocket = oil.mixture(motion, self.contacts, self.outer_speed), self.pocket(unknowns)
         none = np.zeros(len(motion))
         alone = sliding_ellipse(slip, self.ellipse).power  # of a coefficient of one
         area = np.pi * self.ellipse.across * self.ellipse.along
@@ -222,7 +222,9 @@ class FreeBalls:
             pocket_torque=none if pocket is None else -sense * pocket.torque,
             pocket_displacement=none if pocket is None else sense * pocket.displacement,
             pocket_heat=none if pocket is None else oil.speed * pocket.heat,
-            cage_speed=none if oil.pockets is None else sense * oil.speed * oil.pockets.speed,
+            cage_speed=none
+            if oil.pockets is None
+            else sense * oil.speed * (oil.pockets.base + oil.pockets.speed),
             land_torque=none,
             land_heat=none,
         )
@@ -234,10 +236,20 @@ class FreeBalls:
         assert oil.pockets is not None
         return replace(self, oil=replace(oil, pockets=oil.pockets.at_speed(speed)))
 
-    def pocket(self, motion: NDArray) -> PocketForces | None:
-        """Forces of pockets at motions (N, 4); None without a cage."""
+    def from_base(self, base: NDArray) -> "FreeBalls":
+        """Return the same balls with speeds of their cages counted from a base (N) [-]."""
+        oil = self.oil
+        assert oil is not None  # of lubricated balls
+        assert oil.pockets is not None
+        return replace(self, oil=replace(oil, pockets=replace(oil.pockets, base=base)))
+
+    def pocket(self, unknowns: NDArray) -> PocketForces | None:
+        """Forces of pockets at unknowns (N, 4); None without a cage."""
         pockets = self.oil and self.oil.pockets
-        return None if pockets is None else pockets.forces(motion)
+        if pockets is None:
+            return None
+        change = np.einsum("nj,nj->n", self.unknowns[:, ORBIT], unknowns)
+        return pockets.forces(self.motion(unknowns), pockets.lead(self.rolling[:, ORBIT], change))
 
     def balance(
         self, unknowns: NDArray, friction: GeneralSliding | OiledFriction, part: float = 1.0
@@ -254,7 +266,7 @@ class FreeBalls:
             by_motions = by_motions - mixture.slopes
             rolling, most = self.oil.rolling_slopes(friction, self._mean_by_unknown)
             slopes, above = slopes + rolling, above + most
-            if (pocket := self.pocket(motion)) is not None:
+            if (pocket := self.pocket(unknowns)) is not None:
                 by_motion, by_motions = by_motion - pocket.left, by_motions - pocket.slopes
                 above = above + pocket.slopes[:, [ORBIT], ORBIT] * self.unknowns[:, ORBIT] ** 2
         return FreeBallBalance(

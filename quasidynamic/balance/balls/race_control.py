@@ -33,9 +33,7 @@ class BallKinematics(NamedTuple):
     gyroscopic: NDArray  # (C, Z) [N m] about the rolling direction
     tractions: NDArray  # (2, C, Z) [N] along the groove sections
     traction_slopes: NDArray  # (2, 4, C, Z)
-    near: NDArray | None = (
-        None  # (5, C, Z) of balls in oil: where a search nearby begins, see `FreeBallMotion`
-    )
+    near: NDArray  # (C, Z, k) where a search nearby begins; k = 0 where motion has a closed form, else 5
 
 
 class RaceControl(Protocol):
@@ -137,6 +135,7 @@ class PrescribedControl:
             gyroscopic=moment.value,
             tractions=tractions,
             traction_slopes=held,
+            near=np.zeros((*inner.shape, 0)),
         )
 
     def _tractions(

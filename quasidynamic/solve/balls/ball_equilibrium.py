@@ -111,31 +111,30 @@ def _damped(
     at, centres, size, moving, good = grooves, state.centres, state.left, state.moving, ~state.moving
     step, damping = _ball_step(balance, state.balls), np.ones(centres.shape)
     ahead, near = _along(state.balls.excess, step), state.balls.kinematics.near
+    nears = near.copy()
     while count < LIMIT:
         running = np.logical_and(moving.any(axis=1), (damping >= SHORTEST).all(axis=1))
         if not running.any():
             break
         if 2 * running.sum() <= len(running):
-            places[cases], unbalanced[cases] = centres, moving
+            places[cases], unbalanced[cases], nears[cases] = centres, moving, near
             cases, some, shares = cases[running], some.take(running), shares[running]
             at, centres, size, moving = at[running], centres[running], size[running], moving[running]
-            step, damping, ahead = step[running], damping[running], ahead[running]
-            near, running = near if near is None else near[:, running], running[running]
+            step, damping, ahead, near = step[running], damping[running], ahead[running], near[running]
+            running = running[running]
         trial = along_arc(centres, np.where(moving & running[:, None], damping, 0.0) * step)
         state, count = at_places(some, at, trial, shares, near=near), count + 1
         left = _along(state.balls.excess, step)
         good = (left >= -0.5 * np.abs(ahead)) | (state.left < 0.5 * size)
         centres = np.where(good, trial, centres)
-        if near is not None:
-            near = np.where(good, state.balls.kinematics.near, near)
+        near = np.where(good[..., None], state.balls.kinematics.near, near)
         step = np.where(good, _ball_step(some, state.balls), step)
         ahead = np.where(good, _along(state.balls.excess, step), ahead)
-        size = np.where(good, state.left, size)
-        damping = np.where(good, 1.0, damping / 2)
+        size, damping = np.where(good, state.left, size), np.where(good, 1.0, damping / 2)
         moving = np.where(running[:, None], ~good | state.moving, moving)
-    places[cases], unbalanced[cases] = centres, moving
+    places[cases], unbalanced[cases], nears[cases] = centres, moving, near
     if len(cases) < len(places) or not good.all():
-        state, count = at_places(balance, grooves, places, share), count + 1
+        state, count = at_places(balance, grooves, places, share, near=nears), count + 1
     return state._replace(moving=unbalanced, evaluations=count)
 
 

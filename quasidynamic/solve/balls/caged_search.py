@@ -1,5 +1,6 @@
 """Newton's method for balls in oil and the speed of the cage that they share."""
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -60,6 +61,8 @@ def caged_ball_motion(
     ------
     Balance of the moments on a cage as in `land_torque` and `Pockets`; balls eliminated one by one.
     """
+    balls, base = on_base(balls, cages)
+    cages = replace(cages, base=base)
     count, anew = len(cages.ring_speed), np.full(len(cages.of_ball), True)
     speed, unknowns = np.zeros(count), np.zeros((len(anew), 4))
     if near is not None:
@@ -90,6 +93,14 @@ def caged_ball_motion(
     return solution
 
 
+def on_base(balls: FreeBalls, cages: Cages) -> tuple[FreeBalls, NDArray]:
+    """Balls with speeds of cages counted from a base, and the base (G) [-]: their mean by load in rolling."""
+    load = balls.ellipse.traction.min(1)
+    rolling = balls.outer_speed - balls.rolling[:, ORBIT]
+    base = cages.summed(load * rolling) / cages.summed(load)
+    return balls.from_base(base[cages.of_ball]), base
+
+
 def _searched(balls: FreeBalls, cages: Cages) -> tuple[NDArray, NDArray]:
     """Speeds of the cages (G) and unknowns of the balls (N, 4) most often near a balance."""
     speed, unknowns = _coarse(balls, cages)
@@ -103,9 +114,7 @@ def _searched(balls: FreeBalls, cages: Cages) -> tuple[NDArray, NDArray]:
 
 def _coarse(balls: FreeBalls, cages: Cages) -> tuple[NDArray, NDArray]:
     """Speeds of the cages (G) and unknowns of the balls (N, 4) near the balance, by few points."""
-    load = balls.ellipse.traction.min(1)
-    rolling = balls.outer_speed - balls.rolling[:, ORBIT]
-    speed = cages.summed(load * rolling) / cages.summed(load)
+    speed = np.zeros_like(cages.ring_speed)
     slow, fast = np.full_like(speed, -np.inf), np.full_like(speed, np.inf)
     unknowns = least_heat(balls)
     for _ in range(LIMIT):
@@ -148,7 +157,7 @@ def _step(
     balls: FreeBalls, state: FreeBallBalance, cages: Cages, speed: NDArray, unknowns: NDArray
 ) -> _CageStep:
     """Newton step at speeds of the cages (G) and unknowns (N, 4): balls are eliminated one by one."""
-    pocket, land = balls.pocket(balls.motion(unknowns)), cages.land(speed)
+    pocket, land = balls.pocket(unknowns), cages.land(cages.base + speed)
     assert pocket is not None  # of balls in cages
     by_cage = np.swapaxes(balls.unknowns, -1, -2) @ pocket.slopes[:, :, [ORBIT]]
     alone, follow = np.moveaxis(-state.resolved(np.concatenate([state.left[..., None], by_cage], -1)), -1, 0)

@@ -38,7 +38,7 @@ from quasidynamic.motion.roller_speeds import rolling_cage_speed
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing
 from quasidynamic.parts.ball_cage import BallCage
 from quasidynamic.parts.material import contact_modulus
-from quasidynamic.solve.balls.caged_search import caged_ball_motion
+from quasidynamic.solve.balls.caged_search import caged_ball_motion, on_base
 from quasidynamic.solve.balls.free_ball_search import FreeBallMotion, free_ball_motion
 from quasidynamic.solve.balls.sticking_ball_motion import sticking_ball_motion
 
@@ -155,11 +155,11 @@ class CoulombControl:
             gyroscopic=bearing.ball.inertia * orbit * ahead * balls.motion[:, RADIAL],
             tractions=driven.hold * balls.across.T,
             traction_slopes=across,
+            near=balls.unknowns,
         )
-        if self.oil is not None:
-            kinematics = kinematics._replace(near=np.concatenate([balls.unknowns.T, balls.cage[None]]))
         return BallKinematics(
-            *(array if array is None else array.reshape(*array.shape[:-1], *shape) for array in kinematics)
+            *(array.reshape(*array.shape[:-1], *shape) for array in kinematics[:-1]),
+            near=np.concatenate([balls.unknowns, balls.cage[:, None]], axis=1).reshape(*shape, 5),
         )
 
     def heat(self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray) -> NDArray:
@@ -187,7 +187,7 @@ class CoulombControl:
             (array + np.zeros(shape)).ravel() for array in (speeds[0] - speeds[1], speeds[1], centrifugal)
         )
         driven = self.driven(flat, free)
-        near = None if near is None else near.reshape(5, -1).T
+        near = None if near is None else near.reshape(-1, 5)
         return driven, self.motion(driven, ahead, outer, near, slopes=slopes), ahead, outer
 
     def driven(self, contacts: LoadedContacts, centrifugal: NDArray) -> DrivenContacts:
@@ -281,6 +281,7 @@ class CoulombControl:
             pitch_radius=pitch,
             advance=2 * np.pi * pitch / bearing.balls / np.maximum(rolling, CREEP),
             outer_speed=outer_speed,
+            base=np.zeros_like(outer_speed),
             speed=np.zeros_like(outer_speed),
         )
 
@@ -292,7 +293,8 @@ class CoulombControl:
         _, first, of_ball = np.unique(rows, return_index=True, return_inverse=True)
         ahead, outer_speed = ahead[moving][first], outer_speed[moving][first]
         turning = (1.0 if self.cage.guidance == "inner" else 0.0) + outer_speed / ahead
-        return Cages(self.cage, self.oil.lubrication.oil, of_ball, turning, np.abs(ahead))
+        base = np.zeros_like(turning)
+        return Cages(self.cage, self.oil.lubrication.oil, of_ball, turning, np.abs(ahead), base)
 
     def oiled(
         self, contacts: LoadedContacts, speeds: NDArray, centrifugal: NDArray, near: NDArray | None = None
@@ -303,8 +305,8 @@ class CoulombControl:
         shape, arrays = contacts.angles.shape[1:], []
         balls, sense = self._free(driven, ahead, outer, moving), np.sign(ahead[moving])
         if (cages := self._cages(ahead, outer, moving)) is not None:
-            balls = balls.in_cage(motion.cage[moving])
-        found = balls.oiled(motion.motion[moving], sense)
+            balls = on_base(balls, cages)[0].in_cage(motion.cage[moving])
+        found = balls.oiled(motion.motion[moving], motion.unknowns[moving], sense)
         if cages is not None:
             found = found.on_land(cages, sense)
         for part in found:

@@ -43,7 +43,7 @@ class FreeBallMotion(NamedTuple):
     across: NDArray  # (N, 2) [N] friction on the ball along the groove sections
     across_slopes: NDArray  # (N, 2, 4)
     power: NDArray  # (N, 2) [N m] heat over the speed of the inner against the outer ring
-    cage: NDArray  # (N) speed of the cage in space, over the same; zero without one
+    cage: NDArray  # (N) speed of the cage over the same, from the base of `Pockets`; zero without one
     unknowns: NDArray  # (N, 4) of `FreeBalls`
 
 

@@ -42,7 +42,7 @@ class RingSolution:
     imbalance: NDArray  # (C) largest unbalanced force over the largest force
     evaluations: NDArray  # (C) of all balls
     last_forces: tuple[BallBalance, RingBalance] | None = None  # forces there, where all cases ended together
-    near: NDArray | None = None  # (5, C, Z) motion of balls in oil, see `BallKinematics`
+    near: NDArray | None = None  # (C, Z, k) motion of the balls, see `BallKinematics`; None: not known
 
     def forces(self, balance: AngularBalance) -> tuple[BallBalance, RingBalance]:
         """Forces on balls and ring at these places."""
@@ -62,7 +62,7 @@ class _RingState:
     ball_moves: NDArray  # (C, Z) [m] what the balls still have to move
     balls: BallBalance
     follow: NDArray  # (2, C, Z) see `followed`
-    near: NDArray | None  # (5, C, Z) see `RingSolution`
+    near: NDArray  # (C, Z, k) see `BallKinematics`
     balance: RingBalance
     balls_done: NDArray  # (C) bool, whether all balls are balanced as well as was requested
     imbalance: NDArray  # (C)
@@ -82,23 +82,29 @@ def _solve(balance: AngularBalance) -> RingSolution:
     if not len(failed):
         return solution
     outcomes, pieces = list(solution.outcomes), {}
+    for case in failed:
+        piece, count = _sought_elsewhere(balance.take(np.array([case])))
+        solution.evaluations[case] += count
+        if piece is not None:
+            pieces[case], outcomes[case] = piece, piece.outcomes[0]
+    for case, piece in pieces.items():
+        for name in ("ring", "centres", "imbalance", "near"):
+            getattr(solution, name)[case] = getattr(piece, name)[0]
+    return replace(solution, outcomes=outcomes, last_forces=None)
+
+
+def _sought_elsewhere(balance: AngularBalance) -> tuple[RingSolution | None, int]:
+    """Balance of one case that Newton's method does not find, else None, and evaluations."""
     searches = (along_path, from_slower_rings)
     if balance.control.simpler is not None:
         searches = (from_rest, *searches)
-    for case in failed:
-        for search in searches:
-            piece, count = search(balance.take(np.array([case])))
-            solution.evaluations[case] += count
-            if piece is not None:
-                pieces[case], outcomes[case] = piece, piece.outcomes[0]
-                break
-    arrays = [solution.ring, solution.centres, solution.imbalance]
-    for case, piece in pieces.items():
-        for array, value in zip(arrays, [piece.ring, piece.centres, piece.imbalance], strict=True):
-            array[case] = value[0]
-        if solution.near is not None and piece.near is not None:
-            solution.near[:, case] = piece.near[:, 0]
-    return replace(solution, outcomes=outcomes, last_forces=None)
+    evaluations = 0
+    for search in searches:
+        piece, count = search(balance)
+        evaluations += count
+        if piece is not None:
+            return piece, evaluations
+    return None, evaluations
 
 
 def start(balance: AngularBalance) -> tuple[NDArray, Vectors]:
@@ -192,17 +198,15 @@ def newton(
         np.zeros(size, int),
     )
     cases, state = np.arange(size), _state(balance, ring, centres, BALL_SHARE, near)
-    out_near = None if state.near is None else state.near.copy()
+    out_near = state.near.copy()
     evaluations += state.evaluations
     damping, number = np.ones(size), 0
     while True:
         last = (number == LIMIT) | (evaluations[cases] > BUDGET // balance.control.cost)
         ended = [_outcome(balance, state, k, damping[k], last[k]) for k in range(len(cases))]
         for k, case in enumerate(cases):
-            out_ring[case], out_centres[case] = state.ring[k], state.centres[k]
+            out_ring[case], out_centres[case], out_near[case] = state.ring[k], state.centres[k], state.near[k]
             outcomes[case], imbalance[case] = ended[k], state.imbalance[k]
-            if out_near is not None and state.near is not None:
-                out_near[:, case] = state.near[:, k]
         running = np.array([outcome is SolverOutcome.RUNNING for outcome in ended])
         if not running.any():
             together = (state.balls, state.balance) if len(cases) == size else None
@@ -285,7 +289,7 @@ def _taken(state: _RingState, cases: NDArray) -> _RingState:
         centres=state.centres[cases],
         ball_moves=state.ball_moves[cases],
         follow=state.follow[:, cases],
-        near=None if state.near is None else state.near[:, cases],
+        near=state.near[cases],
         balance=ring,
         balls_done=state.balls_done[cases],
         imbalance=state.imbalance[cases],
