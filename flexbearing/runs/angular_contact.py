@@ -553,11 +553,11 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
         lines += (
             information("idle-balls", f"{lifted} of {len(state.on_inner)} balls do not touch the inner race"),
         )
-    for name, heights, angles in zip(
-        ("inner", "outer"), state.needed_shoulders, state.contact_angles, strict=True
-    ):
-        shoulder = getattr(case.bearing, name).shoulder
-        lines += shoulders.reached_over(name, heights, angles, case.bearing.ball.diameter, shoulder)
+    for race, name in enumerate(("inner", "outer")):
+        shoulder, height = getattr(case.bearing, name).shoulder, state.needed_shoulders[race]
+        carried = np.nan if shoulder is None else float(state.carried_shares(race, shoulder).min())
+        angles, diameter = state.contact_angles[race], case.bearing.ball.diameter
+        lines += shoulders.reached_over(name, height, angles, diameter, shoulder, carried)
     unguided = int((state.on_inner & ~state.guided).sum())
     if unguided:
         far = "" if case.operation.by_friction else " or too far round"

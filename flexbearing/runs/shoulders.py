@@ -32,9 +32,17 @@ def unusual(materials: MountedMaterials) -> tuple[Note, ...]:
 
 
 def reached_over(
-    race: str, heights: NDArray, angles: NDArray, ball_diameter: float, shoulder: float | None
+    race: str,
+    heights: NDArray,
+    angles: NDArray,
+    ball_diameter: float,
+    shoulder: float | None,
+    carried: float = np.nan,
 ) -> tuple[Note, ...]:
-    """What is left out of contacts above a shoulder, one of usual height unless given."""
+    """What is left out of contacts above a shoulder, one of usual height unless given.
+
+    `carried` is the least share of a load that a cut contact carries, not a number where it is not known.
+    """
     over = heights > (USUAL_SHOULDER * ball_diameter if shoulder is None else shoulder)
     if not over.any():
         return ()
@@ -50,6 +58,8 @@ def reached_over(
         f"high: they reach up to {1e3 * heights.max():.4g} mm, {at}; "
         "that is neglected, as if the race continued"
     )
+    if np.isfinite(carried):
+        text += f"; at the same approach the most cut one would carry {carried:.0%} of its load"
     return (danger("truncated-contact", text),)
 
 

@@ -13,6 +13,7 @@ from quasidynamic.balance.balls.light_ball import FULL_ANGLE, FULL_CAGED, FULL_G
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.point_contact import INNER, OUTER, PointContact
 from quasidynamic.contact.ellipse.rigid_slip import Spin
+from quasidynamic.contact.ellipse.truncated import carried_share
 from quasidynamic.motion.ball_slip import BallContacts, pressed_height
 from quasidynamic.motion.ball_speeds import Control, ball_attitude, spin_to_roll
 from quasidynamic.motion.rolling_lines import (
@@ -188,6 +189,24 @@ class AngularContactState:
         radii = diameter * np.array([[self.bearing.inner.conformity], [self.bearing.outer.conformity]])
         edge = edge_angle(np.abs(self.contact_angles), self.semi_axes[0], diameter / 2, "chord")
         return np.where(self.loads > 0, height_above_bottom(edge, radii), 0.0)
+
+    def carried_shares(self, race: int, shoulder: float) -> NDArray:
+        """Load of contacts (Z) with a race, cut at a shoulder [m], over the whole one at the same approach [-].
+
+        See `carried_share`.
+        """
+        groove = (self.bearing.inner, self.bearing.outer)[race]
+        diameter, across, angle = (
+            self.bearing.ball.diameter,
+            self.semi_axes[0],
+            np.abs(self.contact_angles[race]),
+        )
+        end = np.arccos(1 - shoulder / (groove.conformity * diameter))
+        half = edge_angle(angle, across[race], diameter / 2, "chord") - angle
+        loaded = self.loads[race] > 0
+        ratio = self.contacts.across[race] / self.contacts.along[race]
+        shares = carried_share((end - angle) / np.where(loaded, half, 1.0), ratio)
+        return np.where(loaded, shares, 1.0)
 
     @property
     def peak_pressures(self) -> NDArray:

@@ -19,6 +19,7 @@ from flexbearing.quantities.angular_contact import DRY_TORQUE
 from flexbearing.report.output import text, write_figures
 from flexbearing.runs import angular_contact
 from quasidynamic import NotSolved
+from quasidynamic.contact.ellipse.truncated import carried_share
 from tests.flexbearing.noted import codes, keys, texts
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -296,19 +297,30 @@ def reached(values, ball, groove):
     return groove * (1 - np.cos(ends))
 
 
+def least_carried(values, shoulder):
+    """By the table at the inner contacts of RIVERA."""
+    angle, across, along = (
+        values[name][0] for name in ("contact_angle", "semi_axis_across", "semi_axis_along")
+    )
+    end = np.arccos(1 - shoulder / (0.52 * 7.938e-3))
+    return carried_share((end - abs(angle)) / np.arcsin(2 * across / 7.938e-3), across / along).min()
+
+
 def shoulder_notes(result):
     return [note for note in texts(result) if "shoulder" in note]
 
 
 def test_contacts_on_a_given_shoulder_are_counted(run):
     leaning = ("bearing.contact_angle=30 deg", "operation.load.radial_z=400 N")
-    height = reached(run(RIVERA, *leaning).rigid, 7.938e-3, 0.52 * 7.938e-3)
+    state = run(RIVERA, *leaning).rigid
+    height = reached(state, 7.938e-3, 0.52 * 7.938e-3)
     shoulder = float(np.median(height))
     (note,) = shoulder_notes(run(RIVERA, *leaning, f"bearing.inner.shoulder={shoulder!r} m"))
     over = int((height > shoulder).sum())
     assert 0 < over < 18
     assert note.startswith(f"{over} contacts are cut off on the shoulder of the inner race, ")
     assert f"{1e3 * shoulder:.4g} mm high: they reach up to {1e3 * height.max():.4g} mm" in note
+    assert note.endswith(f"the most cut one would carry {least_carried(state, shoulder):.0%} of its load")
 
 
 def test_given_shoulder_counts_instead_of_the_usual_one(run):
