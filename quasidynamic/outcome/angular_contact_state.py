@@ -191,7 +191,7 @@ class AngularContactState:
         return np.where(self.loads > 0, height_above_bottom(edge, radii), 0.0)
 
     def carried_shares(self, race: int, shoulder: float) -> NDArray:
-        """Load of contacts (Z) with a race, cut at a shoulder [m], over the whole one at the same approach [-].
+        """Load of contacts (Z) with a race, cut at a shoulder [m], over the whole one, same approach [-].
 
         See `carried_share`.
         """

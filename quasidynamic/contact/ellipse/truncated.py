@@ -1,7 +1,7 @@
 """Load of an elliptic contact that the shoulder of a groove cuts off."""
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 CUTS = np.linspace(-1.0, 1.0, 11)
 RATIOS = np.array([1.5, 2.5, 4.0, 7.0, 12.0, 20.0, 30.0])
@@ -20,7 +20,7 @@ SHARES = np.array(
 )
 
 
-def carried_share(cut: NDArray | float, ratio: NDArray | float) -> NDArray:
+def carried_share(cut: ArrayLike, ratio: ArrayLike) -> NDArray:
     r"""Load of a contact cut off across the rolling direction over that of the whole one, same approach.
 
     .. math:: \varphi(c, k) = \frac{Q(\delta, c)}{K \delta^{3/2}},\quad c = \frac{s}{a(\delta)},\quad

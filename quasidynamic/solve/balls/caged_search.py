@@ -73,7 +73,7 @@ def caged_ball_motion(
         numbers = np.unique(cages.of_ball[anew])
         speed[numbers], unknowns[anew] = _searched(balls.taken(anew), cages.taken(anew))
 
-    cage_left = np.zeros(count)
+    cage_left, balanced = np.zeros(count), np.full(len(anew), False)
 
     def with_cage(some: FreeBalls, state: FreeBallBalance, unknowns: NDArray) -> NDArray:
         nonlocal speed, cage_left

@@ -55,17 +55,17 @@ class _Contact(NamedTuple):
 
 
 def free_ball_motion(
-    balls: FreeBalls, nearby: Nearby | None = None, near: NDArray | None = None
+    balls: FreeBalls, nearby: Nearby | None = None, start: NDArray | None = None
 ) -> FreeBallMotion:
     """Balance of balls with its slopes, by implicit differentiation; of balls in oil with those `nearby`.
 
     Of several motions that are balanced, as of a traction that falls with the slip, the one by Newton's
-    method from unknowns `near` (N, 4), where it finds one.
+    method from unknowns of a `start` (N, 4), where it finds one.
     """
-    if near is None:
+    if start is None:
         unknowns = nearly_balanced(balls)
     else:
-        unknowns, left = searched(balls, near, 1.0, (FINE, ONE_STEP_AWAY))
+        unknowns, left = searched(balls, start, 1.0, (FINE, ONE_STEP_AWAY))
         if (lost := ~(left <= ONE_STEP_AWAY)).any():
             unknowns[lost] = nearly_balanced(balls.taken(lost))
     solution, left, unknowns = motion_at(balls, unknowns, nearby)

@@ -27,6 +27,7 @@ TOUCHING = 10  # times what may be left: least load that counts as contact of th
 SLOWER = (0.7, 0.3, 0.1, 0.01)  # parts of the speed from which Newton's method is tried once more
 LEAST_SPEED_STEP = 2e-3  # part of the speed by which rings become faster at least
 BUDGET = 12000  # evaluations of all balls in one search, of closed forms, rarely more than two thousand
+FIRST = 3  # parts of that: for the first search, as others are quicker where it does not succeed soon
 TINY = float(np.finfo(float).tiny)
 ANSWERED = (SolverOutcome.CONVERGED, SolverOutcome.UNDETERMINED)  # that no other path would change
 SINGULAR = 1e-12  # of the whole stiffness: a direction that nothing holds
@@ -77,7 +78,8 @@ def solve(balance: AngularBalance) -> RingSolution:
 
 
 def _solve(balance: AngularBalance) -> RingSolution:
-    solution = newton(balance, *start(balance))
+    budget = BUDGET // FIRST // balance.control.cost
+    solution = newton(balance, *start(balance), budget=budget)
     failed = np.flatnonzero([outcome not in ANSWERED for outcome in solution.outcomes])
     if not len(failed):
         return solution
@@ -185,9 +187,16 @@ def along_path(balance: AngularBalance) -> tuple[RingSolution | None, int]:
 
 @np.errstate(all="ignore")  # places tried on the way may overflow: such a step is not taken
 def newton(
-    balance: AngularBalance, ring: NDArray, centres: NDArray | None = None, near: NDArray | None = None
+    balance: AngularBalance,
+    ring: NDArray,
+    centres: NDArray | None = None,
+    near: NDArray | None = None,
+    budget: int | None = None,
 ) -> RingSolution:
-    """Damped Newton on the ring, all cases side by side; a case leaves as soon as it ends."""
+    """Damped Newton on the ring, all cases side by side; a case leaves as soon as it ends.
+
+    `budget` is the number of evaluations after which it does, that of any search unless given.
+    """
     if centres is None:
         centres = balance.places.resting(balance.grooves(ring))
     size = len(ring)
@@ -202,7 +211,7 @@ def newton(
     evaluations += state.evaluations
     damping, number = np.ones(size), 0
     while True:
-        last = (number == LIMIT) | (evaluations[cases] > BUDGET // balance.control.cost)
+        last = (number == LIMIT) | (evaluations[cases] > (budget or BUDGET // balance.control.cost))
         ended = [_outcome(balance, state, k, damping[k], last[k]) for k in range(len(cases))]
         for k, case in enumerate(cases):
             out_ring[case], out_centres[case], out_near[case] = state.ring[k], state.centres[k], state.near[k]
