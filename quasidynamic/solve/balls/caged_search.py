@@ -17,6 +17,7 @@ from quasidynamic.solve.balls.free_ball_search import (
     Nearby,
     least_heat,
     motion_at,
+    searched,
     searched_again,
 )
 
@@ -48,7 +49,8 @@ def caged_ball_motion(
 
     Both parts fall as the cage becomes faster: it has one speed, which lies between those that are too fast
     and too slow. Balls that are balanced at every speed on the way, with few points in their contacts, lead
-    near it; then all are balanced together. Unknowns and speeds of the cage that are `near` (N, 5) are tried
+    near it, though one that was lost at a speed is not sought as widely at the next; then all are balanced
+    together. Unknowns and speeds of the cage that are `near` (N, 5) are tried
     first, see `free_ball_motion`. A ball that finds no balance does not push its cage.
 
     Slopes are those at a speed of the cage that is given: what one ball does to the others by way of the
@@ -116,11 +118,15 @@ def _coarse(balls: FreeBalls, cages: Cages) -> tuple[NDArray, NDArray]:
     """Speeds of the cages (G) and unknowns of the balls (N, 4) near the balance, by few points."""
     speed = np.zeros_like(cages.ring_speed)
     slow, fast = np.full_like(speed, -np.inf), np.full_like(speed, np.inf)
-    unknowns = least_heat(balls)
+    unknowns, found = least_heat(balls), np.full(len(cages.of_ball), True)
     for _ in range(LIMIT):
         some = balls.in_cage(speed[cages.of_ball])
-        unknowns = searched_again(some, unknowns, (COARSE, COARSE_TOLERANCE))
+        unknowns, left = searched(some, unknowns, 1.0, (COARSE, COARSE_TOLERANCE))
+        lost = found & ~(left <= COARSE_TOLERANCE)
+        if lost.any():
+            unknowns[lost] = searched_again(some.taken(lost), unknowns[lost], (COARSE, COARSE_TOLERANCE))
         state = some.balance(unknowns, some.friction(unknowns, COARSE))
+        found = (np.abs(state.left) / some.scale).max(1) <= COARSE_TOLERANCE
         step = _step(some, state._replace(left=0.0 * state.left), cages, speed, unknowns)
         slow, fast = (
             np.where(step.unbalanced > 0, speed, slow),
