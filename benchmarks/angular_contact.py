@@ -6,7 +6,8 @@ First the 218 bearing of the textbook, in CPU time of a warm interpreter on one 
 random: size, conformity, contact angle, steel or ceramic balls, raceway control, loads over five decades, up
 to about the static capacity in any direction from axial to radial, 10 to 500 000 mm/min; the ring free under
 moments up to load times pitch radius, held against tilt, or held against tilt with an axial preload. Where
-nothing holds the ring against such loads the outcome is "undetermined", which counts for itself. KINDs: with
+nothing holds the ring against such loads the outcome is "undetermined", under ellipses as wide as the balls
+"out of range"; both count for themselves. KINDs: with
 `coulomb`, friction of 0.03 to 0.12 moves the balls of the same bearings; with `pairs` they have a second row
 in O, X or tandem arrangement, with play or preload; with `oil`, tractions of a random oil move them, with
 `cage` in the pockets of a cage, too. What is not solved is printed as it comes.
@@ -97,9 +98,9 @@ def at_random(count: int, first: int = 0, *, draw: Callable[[int], tuple[Model, 
             seconds.append(time.process_time() - began)
         except NotSolved as found:
             seconds.append(time.process_time() - began)
-            undetermined = found.outcome is SolverOutcome.UNDETERMINED
+            refused = found.outcome in (SolverOutcome.UNDETERMINED, SolverOutcome.OUT_OF_RANGE)
             print(f"seed {seed}, {seconds[-1]:.1f} s: {found}", flush=True)
-            outcomes[f"{found.outcome}" + ("" if undetermined else f" (seed {seed})")] += 1
+            outcomes[f"{found.outcome}" + ("" if refused else f" (seed {seed})")] += 1
             continue
         evaluations.append(state.evaluations)
         worst = max(worst, unbalanced(state))
