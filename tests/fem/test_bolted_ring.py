@@ -276,10 +276,10 @@ def test_stations_converge_for_a_force_between_them():
     for count in (3, 5, 7, 9, 11):
         angles = tuple(middle + half * np.sin(np.pi / 2 * np.linspace(-1, 1, count)))
         at = condensed(RING, angles).at(2 * np.pi * np.arange(BALLS) / BALLS)
-        force = np.zeros((1, 2 * BALLS), dtype=complex)
-        force[0, 0] = np.sin(angle) + 1j * np.cos(angle)
-        shape = shape_of(ElasticGroove(np.array(angles), at.absolute), np.full((1, 2 * BALLS), angle), force)
-        moved[count] = shape.moved[0] @ [np.sin(angle), np.cos(angle)]
+        force = np.zeros(2 * BALLS, dtype=complex)
+        force[0] = np.sin(angle) + 1j * np.cos(angle)
+        shape = shape_of(ElasticGroove(np.array(angles), at.absolute), np.full(2 * BALLS, angle), force)
+        moved[count] = shape.moved @ [np.sin(angle), np.cos(angle)]
     local = patch_answers(np.zeros(1), WIDTH, RING.elastic)[0]
     off = {count: np.abs(moved[count] - moved[11])[:4].max() / local for count in (3, 5, 7, 9)}
     assert max(off[3], off[5]) < 6e-3

@@ -56,24 +56,27 @@ def test_a_rigid_motion_of_the_groove_is_read_exactly(angle):
 @pytest.mark.parametrize("seed", range(4))
 def test_derivatives_are_those_of_differences(seed):
     random, balls, step = np.random.default_rng(seed), 4, 1e-6
-    groove, angles = random_groove(seed, balls, 1.0), random.uniform(-0.7, 0.7, (2, balls))
-    force, more = (random.normal(size=(2, balls)) + 1j * random.normal(size=(2, balls)) for _ in range(2))
-    turn = random.normal(size=(2, balls))
+    groove, angles = random_groove(seed, balls, 1.0), random.uniform(-0.7, 0.7, balls)
+    force, more = (random.normal(size=balls) + 1j * random.normal(size=balls) for _ in range(2))
+    turn, idle = random.normal(size=balls), 1
+    force[idle] = more[idle] = 0.0
     ahead, behind = (
         shape_of(groove, angles + side * step * turn, force + side * step * more).moved for side in (1, -1)
     )
     shape = shape_of(groove, angles, force)
-    by_force = np.einsum("czayb,cyb->cza", shape.by_force, np.stack([more.real, more.imag], axis=-1))
-    by_angle = np.einsum("czay,cy->cza", shape.by_angle, turn)
-    assert by_force + by_angle == approx((ahead - behind) / (2 * step), rel=1e-5, abs=1e-5)
+    assert list(shape.loaded) == [0, 2, 3]
+    change = np.stack([more.real, more.imag, turn], axis=-1)[shape.loaded]
+    found = np.einsum("yaxc,ya->xc", shape.by_contact, change) + shape.by_reading * turn[:, None]
+    assert found == approx((ahead - behind) / (2 * step), rel=1e-5, abs=1e-5)
 
 
 def test_beyond_its_stations_a_groove_is_as_stiff_as_there():
-    groove, force = random_groove(2, 3), np.full((1, 3), 1000.0 + 500j)
+    groove, force = random_groove(2, 3), np.full(3, 1000.0 + 500j)
     _, last = extrapolated(ANGLES)
-    at, beyond = (shape_of(groove, np.full((1, 3), angle), force) for angle in (last, last + 0.2))
+    at, beyond = (shape_of(groove, np.full(3, angle), force) for angle in (last, last + 0.2))
     assert beyond.moved == approx(at.moved, rel=1e-12)
-    assert not beyond.by_angle.any()
+    assert not beyond.by_contact[:, 2].any()
+    assert not beyond.by_reading.any()
 
 
 @pytest.mark.parametrize("count", [3, 5, 7, 9, 15])
@@ -109,7 +112,7 @@ def test_random_bearings_are_in_balance_between_random_grooves(seed):
     for race, groove in enumerate((inner, outer)):
         normals = np.exp(-1j * state.contact_angles[race])
         force = (1j * state.loads[race] + state.tractions[race]) * normals
-        moved = shape_of(groove, state.contact_angles[race, None], (-force, force)[race][None]).moved[0]
+        moved = shape_of(groove, state.contact_angles[race], (-force, force)[race]).moved
         largest = np.abs(state.groove_displacement).max()
         assert state.groove_displacement[race] == approx(moved, abs=1e-6 * largest)
 

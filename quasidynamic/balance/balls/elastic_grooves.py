@@ -1,7 +1,6 @@
 """Grooves that give way under the forces of balls, at any contact angle."""
 
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -42,11 +41,6 @@ class ElasticGroove:
         largest = np.abs(self.compliance).max()
         if not np.abs(self.compliance - mirrored).max() <= SYMMETRIC * largest:
             raise ImpossiblePart("the compliance of a groove must be finite and symmetric")
-
-    @cached_property
-    def by_ball(self) -> NDArray:
-        """Displacements of all stations by forces on those of each ball (Z, Z K, K) [m/N]."""
-        return np.moveaxis(self.compliance.reshape(-1, *self.compliance.shape[2:]), 1, 0).copy()
 
     def shares(self, angles: NDArray) -> "StationShares":
         """Shares of the stations at contact angles (C, Z) [rad]."""
@@ -152,23 +146,35 @@ def lagrange(nodes: NDArray, at: NDArray) -> tuple[NDArray, NDArray, NDArray]:
 
 
 class GrooveShape(NamedTuple):
-    """What forces of balls make of one groove, C cases; vectors are axial, radial."""
+    """What forces of Z contacts make of one groove; vectors are axial, radial."""
 
-    moved: NDArray  # (C, Z, 2) [m] displacement of the groove at the balls
-    by_force: NDArray  # (C, Z, 2, Z, 2) [m/N] its derivative by forces, the contact angles kept
-    by_angle: NDArray  # (C, Z, 2, Z) [m/rad] and by contact angles, the forces kept
+    moved: NDArray  # (Z, 2) [m] displacement of the groove at the contacts
+    loaded: NDArray  # (n) contacts with a force
+    by_contact: NDArray  # (n, 3, Z, 2) [m/N, m/rad] its derivatives by their force and by their angle
+    by_reading: NDArray  # (Z, 2) [m/rad] by the angle of the same contact, as another place is displaced
+
+    def after(self, changes: NDArray) -> NDArray:
+        """Displacements (Z, m, Z, 2) [m] by changes (Z, 3, m) [N, rad] of force and angle of each contact."""
+        (count, _, each), loaded = changes.shape, self.loaded
+        moved = np.zeros((count, each, count, 2))
+        by_contact = self.by_contact.reshape(len(loaded), 3, 2 * count)
+        moved[loaded] = (changes[loaded].swapaxes(1, 2) @ by_contact).reshape(len(loaded), *moved.shape[1:])
+        own = np.arange(count)
+        moved[own, :, own] += changes[:, 2, :, None] * self.by_reading[:, None]
+        return moved
 
 
 def shape_of(groove: ElasticGroove, angles: NDArray, force: Vectors) -> GrooveShape:
-    """How a groove gives way to forces (C, Z) [N] on it at contact angles (C, Z) [rad]."""
-    shares = groove.shares(angles)
-    (cases, balls), vectors = angles.shape, np.stack([force.real, force.imag], axis=-1)
-    by_vector, by_turn = shares.by_vector, shares.by_turn
-    pressed = np.concatenate([by_vector, by_turn @ vectors[..., None]], axis=-1)  # (C, Z, K, 3)
-    answers = (groove.by_ball @ pressed).reshape(cases, balls, balls, -1, 3)  # by ball, at ball, at station
-    displaced = groove.initial + np.einsum("cyzka,cya->czk", answers[..., :2], vectors)
-    moves = np.moveaxis(by_vector.swapaxes(-1, -2)[:, None] @ answers, 1, 3)  # (C, Z, 2, Z, 3)
-    ball = np.arange(balls)  # its angle also moves the place where its displacement is taken
-    moves[:, ball, :, ball, 2] += (displaced[:, :, None] @ by_turn)[:, :, 0].swapaxes(0, 1)
-    moved = (displaced[:, :, None] @ by_vector)[:, :, 0]
-    return GrooveShape(moved, moves[..., :2], moves[..., 2])
+    """How a groove gives way to forces (Z) [N] on it at contact angles (Z) [rad]."""
+    shares, (count, stations) = groove.shares(angles), groove.initial.shape
+    vectors, loaded = np.stack([force.real, force.imag], axis=-1), np.flatnonzero(force)
+    by_vector, by_turn, size = shares.by_vector, shares.by_turn, count * stations
+    pressed = (by_vector @ vectors[..., None]).ravel()
+    displaced = groove.initial + (groove.compliance.reshape(size, size) @ pressed).reshape(count, stations)
+    turned = by_turn[loaded] @ vectors[loaded, :, None]
+    each = np.concatenate([by_vector[loaded], turned], axis=-1).swapaxes(-1, -2)  # (n, 3, K)
+    answers = each @ groove.compliance[loaded].reshape(len(loaded), stations, size)  # which is symmetric
+    read = answers.reshape(3 * len(loaded), count, stations).swapaxes(0, 1) @ by_vector  # (Z, 3 n, 2)
+    by_contact = read.swapaxes(0, 1).reshape(len(loaded), 3, count, 2)
+    moved, by_reading = ((displaced[:, None] @ shares)[:, 0] for shares in (by_vector, by_turn))
+    return GrooveShape(moved, loaded, by_contact, by_reading)

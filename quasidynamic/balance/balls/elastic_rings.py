@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves, shape_of
+from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves, GrooveShape, shape_of
 from quasidynamic.balance.balls.four_contacts import (
     ARMS_BY_BALL,
     ARMS_BY_SHAPE,
@@ -108,7 +108,7 @@ class ElasticRingState(NamedTuple):
     moves: NDArray  # (Z, 2) [m] that balls still have to make
     excess: NDArray  # (5) load less what the balls carry, after these moves [N]
     misfit: NDArray  # (8 Z) shape less what the forces make of it [m]
-    softness: NDArray  # (8 Z, 8 Z) [-] change of the misfit by the shape, less one
+    softness: NDArray  # (8 Z, L) [-] change of the misfit by the shape at loaded contacts, less one
     forces: NDArray  # (Z, 8, 6) [N/m, N] change of the forces by the place, and by the misfit once it closes
     shapes: NDArray  # (8 Z, 6) [-, m] and that of the shape
 
@@ -126,43 +126,18 @@ class ElasticRings:
     ) -> ElasticRingState:
         """State of the rings at a place and of a shape, with balls that are in balance after small moves."""
         contacts, by_grooves = self.rigid.contacts, balls.arms_by_grooves
-        excess = self.rigid.load - contacts.carried(balls.after(moves))
-        made, by_arms = self._made(balls)
-        further = by_arms @ (ARMS_BY_BALL @ moves[..., None])
-        misfit, count = shape - made - further.sum(0)[:, 0], len(shape)
-        by_moves = (by_arms @ by_grooves).swapaxes(0, 1).reshape(count, count)  # of the arms by grooves
-        softness = -by_moves * np.tile(ARMS_BY_SHAPE, count // 8)
-        by_place = contacts.arms_by_place
-        columns = np.concatenate([by_moves @ by_place.reshape(-1, 5), -misfit[:, None]], axis=1)
-        shapes = _closed(softness, columns, _loaded(balls))
+        excess, by_place = self.rigid.load - contacts.carried(balls.after(moves)), contacts.arms_by_place
+        given = ShapeByArms.of(self.grooves, balls)
+        arms = np.concatenate([by_grooves @ by_place, ARMS_BY_BALL @ moves[..., None]], axis=-1)
+        columns = given.after(arms)
+        misfit = shape - given.made.ravel() - columns[:, 5]
+        columns[:, 5] = -misfit
+        softness = given.softness(by_grooves)
+        shapes = given.closed(softness, columns)
         moved = ARMS_BY_SHAPE[:, None] * shapes.reshape(-1, 8, 6)
         moved[..., :5] += by_place
         forces = balls.force_slopes @ (by_grooves @ moved)
         return ElasticRingState(place, shape, centres, balls, moves, excess, misfit, softness, forces, shapes)
-
-    def _made(self, balls: BallsOnArches) -> tuple[NDArray, NDArray]:
-        """Shape (8 Z) [m] that forces make, and its change by the arms of each ball (Z, 8 Z, 8) [-]."""
-        angles, force = balls.angles, balls.forces.on_races
-        count = len(angles)
-        made, by_arms = np.zeros((count, 2, 2, 2)), np.zeros((count, count, 2, 2, 2, 8))
-        turn = np.zeros((count, 2, 2, 8))
-        turn.reshape(count, 4, 4, 2)[:, np.arange(4), np.arange(4)] = balls.turn.reshape(count, 4, 2)
-        slopes = balls.force_slopes.reshape(count, 2, 2, 2, 8)
-        for race, groove in enumerate(self.grooves):
-            if groove is None:
-                continue
-            vectors = (force[..., race, 0] + 1j * force[..., race, 1]).reshape(1, -1)
-            shape = shape_of(groove, angles[..., race].reshape(1, -1), vectors)
-            made[:, :, race] = shape.moved[0].reshape(count, 2, 2)
-            by_force = shape.by_force[0].reshape(count, 2, 2, count, 2, 2)  # at, component, of, component
-            by_arms[..., race, :, :] = np.einsum(
-                "jgckhd,khdy->kjgcy", by_force, slopes[:, :, race], optimize=True
-            )
-            by_angle = shape.by_angle[0].reshape(count, 2, 2, count, 2)
-            by_arms[..., race, :, :] += np.einsum(
-                "jgckh,khy->kjgcy", by_angle, turn[:, :, race], optimize=True
-            )
-        return made.ravel(), by_arms.reshape(count, 8 * count, 8)
 
     def imbalance(self, state: ElasticRingState) -> float:
         """Largest force that balance or the shape of the rings requires, over the largest force [-]."""
@@ -190,8 +165,7 @@ class ElasticRings:
 
         They are where those of the symmetric part are, which takes a twentieth of the time to find.
         """
-        loaded = _loaded(state.balls)  # others make no shape
-        softness = state.softness[np.ix_(loaded, loaded)]
+        softness = state.softness[_loaded(state.balls)]  # others make no shape
         try:
             np.linalg.cholesky(np.eye(len(softness)) + (softness + softness.T) / 2)
         except np.linalg.LinAlgError:
@@ -204,13 +178,71 @@ def _loaded(balls: BallsOnArches) -> NDArray:
     return np.repeat(balls.forces.loads.ravel() > 0, 2)
 
 
-def _closed(softness: NDArray, columns: NDArray, loaded: NDArray) -> NDArray:
-    """Solve (1 + softness) x = columns, first for loaded contacts: others move nothing but themselves."""
-    idle, whole = ~loaded, np.eye(len(softness)) + softness
-    if softness[np.ix_(loaded, idle)].any():
-        return np.linalg.solve(whole, columns)
-    found = np.empty_like(columns)
-    found[loaded] = np.linalg.solve(whole[np.ix_(loaded, loaded)], columns[loaded])
-    left = columns[idle] - softness[np.ix_(idle, loaded)] @ found[loaded]
-    found[idle] = np.linalg.solve(whole[np.ix_(idle, idle)], left)
-    return found
+class ShapeByArms(NamedTuple):
+    """Shape of both rings under the forces of balls, and how it changes with the arms of their contacts."""
+
+    made: NDArray  # (Z, 2, 2, 2) [m]
+    grooves: tuple[GrooveShape | None, ...]  # of the inner and the outer race
+    pressing: NDArray  # (Z, 2, 2, 3, 8) [N/m, rad/m] force and angle of each contact by the arms
+    turn: NDArray  # (Z, 2, 2, 2) [rad/m] angle of each contact by its own arm
+    reading: NDArray  # (Z, 2, 2, 2) [m/rad] shape at each contact by its angle, as another place is displaced
+    loaded: NDArray  # (8 Z) whether a displacement is that of a loaded contact
+
+    @classmethod
+    def of(cls, grooves: ElasticGrooves, balls: BallsOnArches) -> "ShapeByArms":
+        """Build from both grooves and the balls between them."""
+        angles, forces, turn = balls.angles, balls.forces.on_races, balls.turn
+        by_arms, each = np.zeros((len(turn), 4, 4, 2)), np.arange(4)
+        by_arms[:, each, each] = turn.reshape(-1, 4, 2)
+        slopes = balls.force_slopes.reshape(-1, 2, 2, 2, 8)
+        pressing = np.concatenate([slopes, by_arms.reshape(-1, 2, 2, 1, 8)], axis=-2)
+        made, reading, shapes = np.zeros_like(turn), np.zeros_like(turn), []
+        for race, groove in enumerate(grooves):
+            vectors = (forces[..., race, 0] + 1j * forces[..., race, 1]).ravel()
+            shape = groove and shape_of(groove, angles[..., race].ravel(), vectors)
+            shapes.append(shape)
+            if shape:
+                made[:, :, race] = shape.moved.reshape(-1, 2, 2)
+                reading[:, :, race] = shape.by_reading.reshape(-1, 2, 2)
+        return cls(made, tuple(shapes), pressing, turn, reading, _loaded(balls))
+
+    def after(self, arms: NDArray) -> NDArray:
+        """Change of the shape (8 Z, m) [m] by changes of the arms (Z, 8, m) [m]."""
+        pressed = self.pressing @ arms[:, None, None]  # (Z, 2, 2, 3, m)
+        change = self.reading[..., None] * pressed[..., 2:, :]
+        for race, shape in enumerate(self.grooves):
+            if shape:
+                loaded = pressed[:, :, race].reshape(-1, 3, arms.shape[-1])[shape.loaded]
+                made = np.tensordot(shape.by_contact, loaded, axes=((0, 1), (0, 1)))
+                change[:, :, race] += made.reshape(len(arms), 2, 2, -1)
+        return change.reshape(-1, arms.shape[-1])
+
+    def softness(self, by_grooves: NDArray) -> NDArray:
+        """Change of the misfit (8 Z, L) [-] by the L displacements of loaded contacts, less one."""
+        loaded = self.loaded.reshape(-1, 8)
+        count, most = len(loaded), loaded.sum(1).max()
+        first = np.argsort(~loaded, axis=1, kind="stable")[:, :most]  # of the arms of each ball
+        chosen = np.take_along_axis(loaded, first, 1)
+        arms = np.take_along_axis(by_grooves * ARMS_BY_SHAPE, first[:, None], 2)
+        pressed = self.pressing @ arms[:, None, None]  # (Z, 2, 2, 3, most)
+        softness = np.zeros((chosen.sum(), count, 2, 2, 2))
+        for race, shape in enumerate(self.grooves):
+            if shape:
+                change = shape.after(pressed[:, :, race].reshape(2 * count, 3, most))
+                both = change.reshape(count, 2, most, count, 2, 2).sum(1)
+                softness[:, :, :, race] = -both[chosen]
+        return softness.reshape(len(softness), 8 * count).T
+
+    def closed(self, softness: NDArray, columns: NDArray) -> NDArray:
+        """Changes of the shape (8 Z, m) that make up for columns (8 Z, m) [m].
+
+        The displacement of a contact without load changes only the place where it is read itself.
+        """
+        found, loaded = columns.copy(), self.loaded
+        found[loaded] = np.linalg.solve(np.eye(softness.shape[1]) + softness[loaded], columns[loaded])
+        found[~loaded] -= softness[~loaded] @ found[loaded]
+        own, turn = found.reshape(-1, 2, found.shape[1]), ARMS_BY_SHAPE.reshape(2, 2, 2) * self.turn
+        turned = np.where(loaded[::2, None], 0.0, turn.reshape(-1, 2))  # (1 - reading turned) x = own
+        reading = self.reading.reshape(-1, 2)
+        angles = (turned[:, None] @ own) / (1 - (turned * reading).sum(1)[:, None, None])
+        return (own + reading[..., None] * angles).reshape(found.shape)

@@ -444,11 +444,12 @@ def _displaced(
     for race, groove in enumerate(grooves):
         if groove is None:
             continue
-        each = shape_of(groove, balls.contacts.angles[race], forces[:, race])
-        turned = each.by_angle.swapaxes(2, 3)[..., None] * turns[race][:, None, :, None]
-        displaced[:, race] = (each.moved + turned[..., 0].sum(2)).reshape(cases, -1)
-        change = each.by_force.swapaxes(2, 3) @ by_moves[:, race, None] + turned[..., 1:]
-        deflection_by_moves[:, race] = change.swapaxes(2, 3).reshape(cases, 2 * count, 2 * count)
+        for case in range(cases):
+            shape = shape_of(groove, balls.contacts.angles[race, case], forces[case, race])
+            pressed = np.concatenate([np.zeros((count, 2, 1)), by_moves[case, race]], axis=2)
+            change = shape.after(np.concatenate([pressed, turns[race, case, :, None]], axis=1))
+            displaced[case, race] = (shape.moved + change[:, 0].sum(0)).ravel()
+            deflection_by_moves[case, race] = change[:, 1:].reshape(2 * count, 2 * count).T
     return displaced, deflection_by_moves
 
 
