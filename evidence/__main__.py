@@ -1,23 +1,30 @@
 """Compute cases of evidence and write their pages: `python -m evidence [NAME ...] [--check]`."""
 
 import argparse
+import json
+import subprocess
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import matplotlib as mpl
 import matplotlib.pyplot as plt
 
-from evidence import trust
+from evidence import sources, trust
 from evidence.case import Case
 from evidence.cases import CASES
 from evidence.drawing import LOOK
 from evidence.measured import page as measured_page, stored as measured
 from evidence.measured.declared import Experiment
-from evidence.measured.draws import predicted
+from evidence.measured.draws import computed as computed_rows, predicted
 from evidence.measured.experiments import EXPERIMENTS
+from evidence.measured.stored import EVERY
 from evidence.page import index, page
-from evidence.stored import DOCS, file_of, moved, read, write
+from evidence.sources import Digests
+from evidence.stored import DOCS, ROOT, file_of, moved, read, write
 from evidence.verdict import verdict
 
 
@@ -45,7 +52,9 @@ def register(experiments: Sequence[Experiment]) -> None:
     for experiment in experiments:
         began = time.process_time()
         blind = measured.printed(experiment) is None
-        measured.register(experiment, predicted(experiment, blind=blind))
+        found = computed_rows(experiment)
+        measured.write_rows(experiment, found)
+        measured.register(experiment, predicted(experiment, found, blind=blind))
         print(
             f"{experiment.name}: registered, {time.process_time() - began:.1f} s of the processor", flush=True
         )
@@ -65,29 +74,38 @@ def write_pages() -> None:
     (DOCS / "trust.md").write_text(trust.page(kept, registered))
 
 
-def check_of(name: str) -> Callable[[], list[str]]:
-    """What computes a case or a prediction again, and says which of its numbers moved."""
-    if name in CASES:
-        case = CASES[name]
-        return lambda: moved(case, read(case), case.compute())
+def recomputed(name: str) -> tuple[list[str], Digests]:
+    """Which rows of a prediction moved, and what it was computed from, by a process of its own."""
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / "found.json"
+        subprocess.run([sys.executable, "-m", "evidence.measured", name, str(file)], cwd=ROOT, check=True)
+        found = json.loads(file.read_text())
     experiment = EXPERIMENTS[name]
-    return lambda: measured.changed(
-        experiment, measured.registered(experiment), predicted(experiment, blind=True)
-    )
+    band = predicted(experiment, measured.rows_of(experiment), blind=True)
+    lines = [*measured.changed(experiment, measured.registered(experiment), band), *found["lines"]]
+    print(said(name, lines, found["seconds"]), flush=True)
+    return lines, found["files"]
 
 
-def checked(names: Sequence[str]) -> int:
-    """Say which numbers moved; how many."""
+def said(name: str, lines: Sequence[str], seconds: float) -> str:
+    """What a page is reported with."""
+    return "\n".join(lines) or f"{name}: as before, {seconds:.1f} s of the processor"
+
+
+def checked(names: Sequence[str], jobs: int) -> int:
+    """Report which numbers moved, of predictions in some rows; how many."""
+    experiments = [name for name in reversed(EXPERIMENTS) if name in names]  # the longest ones first
     lines = []
-    for name in names:
-        began = time.process_time()
-        new = check_of(name)()
-        print(
-            "\n".join(new) or f"{name}: as before, {time.process_time() - began:.1f} s of the processor",
-            flush=True,
-        )
-        lines += new
-    return len(lines)
+    with ThreadPoolExecutor(jobs) as pool:
+        waiting = {name: pool.submit(recomputed, name) for name in experiments}
+        for case in (CASES[name] for name in names if name in CASES):
+            began = time.process_time()
+            new = moved(case, read(case), case.compute())
+            print(said(case.name, new, time.process_time() - began), flush=True)
+            lines += new
+        found = {name: each.result() for name, each in waiting.items()}
+    sources.write({name: files for name, (new, files) in found.items() if not new})
+    return len([*lines, *(line for new, _ in found.values() for line in new)])
 
 
 def main() -> int:
@@ -96,13 +114,25 @@ def main() -> int:
     parser.add_argument(
         "name", nargs="*", choices=[[], *CASES, *EXPERIMENTS], help="cases; all without a name"
     )
-    parser.add_argument("--check", action="store_true", help="compute again and fail where a number moved")
+    parser.add_argument(
+        "--check",
+        action="store_true",
+        help=f"compute again, of predictions every {EVERY}th row, and fail where a number moved",
+    )
+    parser.add_argument(
+        "--touched", action="store_true", help="leave out predictions whose files did not change"
+    )
+    parser.add_argument("--jobs", type=int, default=2, help="processes of --check")
     parser.add_argument("--pages", action="store_true", help="write pages from the numbers that are kept")
     parser.add_argument("--register", action="store_true", help="predict measurements and store the bands")
     options = parser.parse_args()
     names = options.name or [*CASES, *EXPERIMENTS]
+    if options.touched:
+        names = [name for name in names if name in CASES] + sources.touched(
+            n for n in names if n in EXPERIMENTS
+        )
     if options.check:
-        return 1 if checked(names) else 0
+        return 1 if checked(names, options.jobs) else 0
     if options.register:
         register([EXPERIMENTS[name] for name in names if name in EXPERIMENTS])
     elif not options.pages:

@@ -106,7 +106,8 @@ HEAD = """<!-- written by python -m evidence; do not edit -->
 # Evidence
 
 Each case has a page: what is known, from where, what was run, the misfit and our own error.
-`python -m evidence` computes all, `--check` fails when a number moved. Nothing is tuned to a source.
+`python -m evidence` computes all, `--check` fails when a number moved; of predictions it computes every
+fourth row. Nothing is tuned to a source.
 
 |verdict|meaning|
 |---|---|

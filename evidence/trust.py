@@ -61,7 +61,7 @@ ROWS = (
             Compared("program", "mao-flexible", "^largest load"),
             Compared("closed form", "half-space-split"),
         ),
-        ("planet-helical-couple", "planet-rim-load"),
+        ("planet-helical-couple", "planet-rim-load", "planet-rim-out-of-plane"),
     ),
     Row(
         ROLLERS,

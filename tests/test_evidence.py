@@ -103,16 +103,9 @@ def test_case_names_source_error_and_the_files_it_uses(case, kept):
         assert (root / file).exists(), file
 
 
-LONG = {"gearbox-slip", "time-domain"}  # more than ten seconds each
-
-
-def time(case):
-    """The marks of a case that takes its time."""
-    return [pytest.mark.long if case.name in LONG else pytest.mark.slow] * case.slow
-
-
 @pytest.mark.parametrize(
-    "case", [pytest.param(case, marks=time(case), id=name) for name, case in CASES.items()]
+    "case",
+    [pytest.param(case, marks=[pytest.mark.slow] * case.slow, id=name) for name, case in CASES.items()],
 )
 def test_numbers_are_those_that_are_computed(case, kept):
     assert moved(case, kept[case.name], case.compute()) == []

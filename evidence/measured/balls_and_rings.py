@@ -1,5 +1,7 @@
 """Measurements on slow four-point bearings, squirrel cages and rings."""
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -98,6 +100,21 @@ def ring_strain(draws: Draws) -> NDArray:
     return deflection / (1e-3 * PITCH_DIAMETER / 2)
 
 
+TORQUE_DIP = Experiment(
+    name="torque-dip",
+    title="Torque of a pitch bearing where four contacts become two",
+    source=MENCK,
+    given="Double-row four-point bearings of 0.7 to 5 m; grooves, preload, friction and loads are not in what could be read.",
+    quantity="least torque under axial load, over that without load",
+    run=f"One row of 1.9 m between rigid rings, axial loads {', '.join(AXIAL)}.",
+    case_file="configs/joshi2015_fourpoint.toml",
+    settings={},
+    inputs=FOUR_POINT_INPUTS,
+    count=8,
+    predict=dip,
+    refuted="A torque that rises with load from the first.",
+    missing="Second row, rings that deflect, grease and seals, whose torque hides part of the dip.",
+)
 EXPERIMENTS = (
     Experiment(
         name="slewing-strain",
@@ -129,33 +146,15 @@ EXPERIMENTS = (
         missing="Gauges on bolted rings: bending makes the strain of the inside another one; bolt by bolt, the faces open.",
         needed="the table of strains over load, with the section of the rings",
     ),
-    Experiment(
-        name="torque-dip",
-        title="Torque of a pitch bearing where four contacts become two",
-        source=MENCK,
-        given="Double-row four-point bearings of 0.7 to 5 m; grooves, preload, friction and loads are not in what could be read.",
-        quantity="least torque under axial load, over that without load",
-        run=f"One row of 1.9 m between rigid rings, axial loads {', '.join(AXIAL)}.",
-        case_file="configs/joshi2015_fourpoint.toml",
-        settings={},
-        inputs=FOUR_POINT_INPUTS,
-        count=8,
-        predict=dip,
-        refuted="A torque that rises with load from the first.",
-        missing="Second row, rings that deflect, grease and seals, whose torque hides part of the dip.",
-    ),
-    Experiment(
+    TORQUE_DIP,
+    replace(
+        TORQUE_DIP,
         name="unloaded-torque",
         title="Torque of pitch bearings without load, from one to the next",
-        source=MENCK,
         given="Torque without load differs much between equal bearings; no number.",
         quantity="torque without load",
         unit="N m",
         run="One row of 1.9 m between rigid rings without load.",
-        case_file="configs/joshi2015_fourpoint.toml",
-        settings={},
-        inputs=FOUR_POINT_INPUTS,
-        count=8,
         predict=unloaded,
         refuted="Equal bearings of this size that differ by less than a factor of two.",
         missing="Grease, seals, spacers.",

@@ -25,9 +25,10 @@ ENDS = (0.05, 0.5, 0.95)
 
 @dataclass(frozen=True, eq=False)
 class Draws:
-    """Rows of the inputs of an experiment."""
+    """Rows of the inputs of an experiment, all or some of them."""
 
     experiment: Experiment
+    every: int = 1  # the first of so many rows is drawn
 
     @property
     def design(self) -> Design:
@@ -38,12 +39,11 @@ class Draws:
     def values(self) -> dict[str, NDArray]:
         """Inputs (rows) in their units, by name."""
         inputs = self.experiment.inputs
-        points = self.design.points([1] * len(inputs))
-        shares = points[slice(0, len(points))]
+        shares = self.design.points([1] * len(inputs))[:: self.every]
         return {each.name: each.at(column) for each, column in zip(inputs, shares.T, strict=True)}
 
     def __len__(self) -> int:
-        return self.design.rows(len(self.experiment.inputs))
+        return len(range(0, self.design.rows(len(self.experiment.inputs)), self.every))
 
     def texts(self, name: str) -> list[object]:
         """An input (rows) in the words of a case file."""
@@ -89,11 +89,14 @@ def digest(experiment: Experiment) -> str:
     return hashlib.sha256(json.dumps(parts, sort_keys=True, default=str).encode()).hexdigest()[:12]
 
 
-def predicted(experiment: Experiment, *, blind: bool) -> Prediction:
-    """The band of an experiment by the program as it is."""
-    draws = Draws(experiment)
-    found = np.asarray(experiment.predict(draws), float)
-    rows = found[draws.design.independent(len(found))]
+def computed(experiment: Experiment, every: int = 1) -> NDArray:
+    """What is predicted of all rows that are drawn, or of some; NaN of those not solved."""
+    return np.asarray(experiment.predict(Draws(experiment, every)), float)
+
+
+def predicted(experiment: Experiment, found: NDArray, *, blind: bool) -> Prediction:
+    """The band of an experiment by what was found for all rows that are drawn."""
+    rows = found[Draws(experiment).design.independent(len(found))]
     known = rows[np.isfinite(rows)]
     low, median, high = (quantile(known, len(rows) - len(known), end).value for end in ENDS)
     indices = sobol_indices(found.reshape(-1, len(experiment.inputs) + 2), SEED)

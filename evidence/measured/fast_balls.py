@@ -1,5 +1,7 @@
 """Measurements on fast ball bearings in oil."""
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -100,56 +102,40 @@ def growth(draws: Draws) -> NDArray:
     return fast - slow
 
 
-EXPERIMENTS = (
-    Experiment(
-        name="skid-120-mm",
-        title="Largest skid of a ball bearing of 120 mm bore",
-        source=NASA_1975,
-        given=GIVEN,
-        quantity="slip of the cage at 25 000 rpm under the lowest thrust",
-        unit="%",
-        run="Balls in oil in a cage on a land; films that warm by their shear.",
-        case_file="configs/harris218.toml",
-        settings=SETTINGS,
-        inputs=(
-            Input(
-                name="operation.load.axial",
-                low=4.4,
-                high=8.9,
-                unit="kN",
-                logarithmic=True,
-                reason="lowest thrust: 1000 to 2000 lb, as only the largest one could be read",
-            ),
-            *UNKNOWN,
-        ),
-        count=8,
-        predict=fastest,
-        refuted="A largest slip outside the band, with a cage and an oil that are in these ranges.",
-        missing=AGAIN + MISSING,
-        needed="the largest slip that was measured",
+def thrust(low: float, high: float, reason: str) -> Input:
+    """An axial load [kN] that could not be read."""
+    return Input(name="operation.load.axial", low=low, high=high, unit="kN", logarithmic=True, reason=reason)
+
+
+SKID = Experiment(
+    name="skid-120-mm",
+    title="Largest skid of a ball bearing of 120 mm bore",
+    source=NASA_1975,
+    given=GIVEN,
+    quantity="slip of the cage at 25 000 rpm under the lowest thrust",
+    unit="%",
+    run="Balls in oil in a cage on a land; films that warm by their shear.",
+    case_file="configs/harris218.toml",
+    settings=SETTINGS,
+    inputs=(
+        thrust(4.4, 8.9, "lowest thrust: 1000 to 2000 lb, as only the largest one could be read"),
+        *UNKNOWN,
     ),
-    Experiment(
+    count=8,
+    predict=fastest,
+    refuted="A largest slip outside the band, with a cage and an oil that are in these ranges.",
+    missing=AGAIN + MISSING,
+    needed="the largest slip that was measured",
+)
+EXPERIMENTS = (
+    SKID,
+    replace(
+        SKID,
         name="skid-over-speed",
         title="Skid of a ball bearing of 120 mm bore over the speed",
-        source=NASA_1975,
-        given=GIVEN,
         quantity="change of the slip of the cage from 12 000 to 25 000 rpm",
-        unit="%",
         run="The same bearings at 12 000 and 25 000 rpm, at thrusts up to the largest.",
-        case_file="configs/harris218.toml",
-        settings=SETTINGS,
-        inputs=(
-            Input(
-                name="operation.load.axial",
-                low=4.4,
-                high=22.24,
-                unit="kN",
-                logarithmic=True,
-                reason="1000 lb to the largest thrust",
-            ),
-            *UNKNOWN,
-        ),
-        count=8,
+        inputs=(thrust(4.4, 22.24, "1000 lb to the largest thrust"), *UNKNOWN),
         predict=growth,
         refuted="Slip that falls as the speed rises at any of these thrusts.",
         missing=AGAIN_OVER_SPEED + MISSING,

@@ -32,6 +32,7 @@ REQUIRED = (
 )
 FEWEST_SLICES = 30  # of ISO/TS 16281, for the edge stress
 BY_RATING = {"loads": ("rating",)}
+BY_OIL = {"lubrication": ("a_ISO",)}
 
 
 class Ratings(Section):
@@ -113,6 +114,11 @@ class Life(Ratings):
     lubrication: Literal["film", "a_ISO"] | None = key(
         "film: factor of the film over the roughness; a_ISO: factor of ISO 281 by viscosity and cleanliness",
         None,
+    )
+    modification: Literal["bearing", "slices"] = key(
+        "whether a_ISO is that of the reference load of the bearing, or of each slice by its own",
+        "bearing",
+        only=BY_OIL,
     )
 
     @model_validator(mode="after")

@@ -12,13 +12,15 @@ if TYPE_CHECKING:
 
 BY_LOADS, RADIAL, AXIAL = "ISO/TS 16281:2008", "C_r of ISO 281:2007", "C_a of ISO 281:2007, thrust bearings"
 GIVEN, A_ISO, A_1 = "a given rating", "a_ISO of ISO 281:2007, once for the bearing", "a_1 of ISO 281:2007"
+A_ISO_OF_SLICES = "a_ISO of ISO 281:2007 slice by slice, derived"
 BY_DAMAGE, GUIDELINE = "oscillation by the damage of each arc", "oscillation by NREL DG03:2009"
 
 
 def of_rollers(case: "Case") -> str:
     """Rules of a roller bearing: that of `life_L10`, then those of further lives where the case has them."""
     life = case.life
-    further = *_of_capacity(life), *_factors(life.lubrication, life.reliability)
+    a_iso = A_ISO_OF_SLICES if life.modification == "slices" else A_ISO
+    further = *_of_capacity(life), *_factors(life.lubrication, life.reliability, a_iso)
     return "; ".join(("Lundberg and Palmgren (1952)", *further))
 
 
@@ -46,8 +48,8 @@ def of_arcs(case: "FourPointCase", *, thrust: bool) -> str:
     return "; ".join([*rules, *_factors(None, case.life.reliability)])
 
 
-def _factors(lubrication: str | None, reliability: float | None) -> Iterator[str]:
+def _factors(lubrication: str | None, reliability: float | None, a_iso: str = A_ISO) -> Iterator[str]:
     if lubrication:
-        yield A_ISO if lubrication == "a_ISO" else "film factor of STLE"
+        yield a_iso if lubrication == "a_ISO" else "film factor of STLE"
     if reliability is not None:
         yield A_1

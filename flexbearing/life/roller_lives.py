@@ -30,9 +30,18 @@ from quasidynamic.outcome.life import (
     RollerBody,
     edge_stress_factor,
     reference_life,
+    slice_damages,
     slice_life,
 )
-from quasidynamic.outcome.life_factors import ROLLERS, LifeFactor, film_factor, material_factor
+from quasidynamic.outcome.life_factors import (
+    ROLLERS,
+    LifeFactor,
+    film_factor,
+    material_factor,
+    modification_factor,
+    modification_of_slices,
+)
+from quasidynamic.outcome.raceway_damage import LINE
 from quasidynamic.outcome.rating_life import LINE_EXPONENT, ROLLER_EXPONENT, EquivalentLoad
 from quasidynamic.parts.profile import STRAIGHT
 
@@ -103,14 +112,31 @@ def _lubrication_factors(case: Case, state: LoadedState, own: RatedBearing) -> I
         ratio = float((state.minimum_film / roughness(case)).min())
         yield explained(film_factor(ratio), f"smallest film ratio {ratio:.3g}")
     elif own.by_oil:
-        load, edge = case.operation.radial_load, case.life.edge_stress
+        load = case.operation.radial_load
         if not own.life_by_rating:
-            inner, outer = state.loads
-            basic = reference_life(
-                inner, outer, state.bearing, state.turning, edge_stress=edge, rating=own.dynamic
-            )
-            load = own.reference_load(float(basic))
+            load = own.reference_load(float(_reference(state, own, case.life.edge_stress)))
+            if case.life.modification == "slices":
+                yield _of_slices(case, state, own, load)
+                return
         yield from own.oil_factors(load)
+
+
+def _reference(state: LoadedState, own: RatedBearing, edge: bool) -> float:
+    """Basic reference life [10^6 revolutions]."""
+    inner, outer = state.loads
+    return reference_life(inner, outer, state.bearing, state.turning, edge_stress=edge, rating=own.dynamic)
+
+
+def _of_slices(case: Case, state: LoadedState, own: RatedBearing, load: float) -> LifeFactor:
+    """a_ISO slice by slice, at the reference load of the bearing [N]."""
+    edge, bearing = edge_stress(case, state.loads.shape[-1]), state.bearing
+    inner, outer = state.loads if edge is None else edge * state.loads
+    capacity = reference_raceway_capacity(bearing, own.dynamic)
+    damages = slice_damages(inner, outer, capacity, state.turning, bearing.row_count)
+    factor = modification_of_slices(own.kappa, own.fatigue_share / load, damages, own.exponent, LINE.weibull)
+    once = float(modification_factor(own.kappa, own.fatigue_share / load).value)
+    words = f"slice by slice, {once:.4g} once for the bearing; kappa {own.kappa:.3g}"
+    return replace(explained(factor, words), life_exponent=None)
 
 
 def edge_stress(case: Case, slices: int) -> NDArray | None:
