@@ -5,6 +5,7 @@
 - A problem: 3 kN 10 %, 2 kN 20 %, 1 kN 30 % of the time, idling for the rest, 37.0 Mrev with 5.54 kN.
 """
 
+import pytest
 from pytest import approx
 
 from tests.literature.selected import ROLLERS, SERIES_62, Choice
@@ -14,12 +15,16 @@ ROWS = "time [%],operation.load.radial_z [kN]\n10,3\n20,2\n30,1\n40,0\n"
 HOURS = 36.96e6 / 1000 / 60  # 37.0 Mrev, to four digits, at 1000 1/min
 
 
-def test_shaft_of_50_mm(tmp_path):
-    Choice(
-        "shaft of 50 mm", "8000 h", "NU210", "NU2210", factor=1.3, reliability=0.95,
-        options={"load": "5 kN", "speed": "1450 rpm"}, bearings=OF_50_MM, like=ROLLERS,
-        required=(53.98 * (0.6 / 0.64) ** 0.3, 2e-3),
-    ).check(tmp_path)  # fmt: skip
+CHOICES = (
+    Choice("shaft of 50 mm", "8000 h", "NU210", "NU2210", factor=1.3, reliability=0.95,
+           options={"load": "5 kN", "speed": "1450 rpm"}, bearings=OF_50_MM, like=ROLLERS,
+           required=(53.98 * (0.6 / 0.64) ** 0.3, 2e-3)),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("choice", CHOICES, ids=lambda choice: choice.name)
+def test_choice(choice, tmp_path):
+    choice.check(tmp_path)
 
 
 def test_idling(tmp_path):
