@@ -96,6 +96,7 @@ ROWS = (
         (
             Compared("closed form", "sjovall-balls"),
             Compared("program", "harris-218"),
+            Compared("program", "openjones", "load|angle"),
             Compared("program", "balls-calculix"),
         ),
     ),
