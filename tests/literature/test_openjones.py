@@ -1,9 +1,9 @@
 """Fast angular-contact bearings as in OpenJones (Sudhof, 2015; GPL), with outer-race control throughout.
 
-The bearings are those of its `trullatest.m` (commit 81d4a4e), run in Octave 7.3 with its equations unchanged. Not
-in its repository, and supplied: `engPower`, a power that keeps the sign, `ballsum`, a sum, and `precise`,
-false. It finds the ellipses of Hertz by a formula of Harris, kappa = 1.0339 (R_x/R_y)^0.636, which is why loads
-and deflections differ a little.
+The bearings are those of its `trullatest.m` (commit 81d4a4e), run in Octave 7.3 with its equations unchanged.
+Not in its repository, and supplied: `engPower`, a power that keeps the sign, `ballsum`, a sum, and `precise`,
+false. It finds the ellipses of Hertz by a formula of Harris, kappa = 1.0339 (R_x/R_y)^0.636, so that loads and
+deflections differ a little.
 """
 
 from dataclasses import dataclass
@@ -75,7 +75,8 @@ ROWS = (
         ((28.131134, 21.831317), (28.260973, 21.629930), (28.647814, 21.014542), (29.247865, 20.028151),
          (29.911726, 18.911163), (30.420850, 18.045495), (30.609387, 17.723965)),
         ((127.529083, 151.710322), (120.264005, 144.475501), (102.097520, 126.409187),
-         (81.374710, 105.871096), (65.201311, 89.943202), (55.883351, 80.842733), (52.928565, 77.974942)), (8.85808011, 2.3586963)),
+         (81.374710, 105.871096), (65.201311, 89.943202), (55.883351, 80.842733), (52.928565, 77.974942)),
+        (8.85808011, 2.3586963)),
 )  # fmt: skip
 
 
