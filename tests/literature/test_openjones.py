@@ -2,7 +2,7 @@
 
 The bearings are those of its `trullatest.m` (commit 81d4a4e), run in Octave 7.3 with its equations unchanged.
 Not in its repository, and supplied: `engPower`, a power that keeps the sign, `ballsum`, a sum, and `precise`,
-false. It finds the ellipses of Hertz by a formula of Harris, kappa = 1.0339 (R_x/R_y)^0.636, so that loads and
+false. It finds the ellipses of Hertz by a formula of Harris, kappa = 1.0339 (R_x/R_y)^0.636: loads and
 deflections differ a little.
 """
 
