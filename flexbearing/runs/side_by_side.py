@@ -145,7 +145,8 @@ def _rings(resolved: _CaseAtLevel) -> str | None:
         return None
     parts = tuple(ring_parts.part_of(case, race) for race in RACES)
     azimuths = tuple(resolved.model.bearing.azimuths)
-    return _name(parts, case.accuracy.model_dump_json(), roller_length(case), azimuths)
+    rows = roller_length(case), roller_bearing.row_distance(case)
+    return _name(parts, case.accuracy.model_dump_json(), rows, azimuths)
 
 
 @lru_cache(maxsize=64)  # most cases of a study have the rings of the one before

@@ -5,6 +5,7 @@ from functools import lru_cache
 from typing import Any
 
 from flexbearing.build.ring_parts import Race, part_of
+from flexbearing.build.roller_bearing import row_distance
 from flexbearing.cache.key import digest
 from flexbearing.case import Head
 from flexbearing.case.balls.angular_contact import FastCase
@@ -20,8 +21,8 @@ def rings(case: Head) -> tuple[str, ...]:
     """Races and digests of the elastic rings of a case."""
     if isinstance(case, Case):
         parts = {race: part_of(case, race) for race in RACES}
-        accuracy = case.accuracy.model_dump_json()
-        return _named({race: part and (part, accuracy) for race, part in parts.items()})
+        accuracy, rows = case.accuracy.model_dump_json(), row_distance(case)
+        return _named({race: part and (part, accuracy, rows) for race, part in parts.items()})
     if isinstance(case, FastCase | FourPointCase) and not case.rigid:
         from flexbearing.rings import grooves  # finite elements are not described between rigid rings
 

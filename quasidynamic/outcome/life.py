@@ -188,20 +188,12 @@ def slice_damages(
     -----
     As `slice_life`.
     """
-    sides = zip((inner, outer), capacity, turning, strict=True)
-    return sum(
-        np.moveaxis(
-            raceway_damage(
-                np.moveaxis(np.asarray(loads), -1, 0)[..., None],
-                of_raceway * np.shape(loads)[-1] ** -LINE.capacity_by_length,
-                share,
-                rows=rows,
-            ),
-            0,
-            -1,
-        )
-        for loads, of_raceway, share in sides
-    )
+    damages = []
+    for loads, of_raceway, share in zip((inner, outer), capacity, turning, strict=True):
+        each = np.moveaxis(loads, -1, 0)[..., None]  # every slice as a raceway of its own
+        of_slice = of_raceway * len(each) ** -LINE.capacity_by_length
+        damages.append(np.moveaxis(raceway_damage(each, of_slice, share, rows=rows), 0, -1))
+    return np.add(*damages)
 
 
 def edge_stress_factor(slices: int) -> NDArray:

@@ -1,6 +1,7 @@
 """Two rows of cylindrical rollers on common rings, from the case to the result."""
 
 from functools import cache
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,8 @@ from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.derivatives.rollers import sensitivities
 from flexbearing.life.roller_lives import rated
+from flexbearing.runs.rows import answers
+from flexbearing.studies.rings import rings
 from quasidynamic import solve_many
 
 PLANET = Path("configs/planet_helical.toml")
@@ -219,6 +222,20 @@ def test_a_planet_with_helical_teeth():
     assert 1.126 > result.rigid["row_load_factor"] > 1.10
     assert result.flexible["row_load_factor"] == approx(1.109, abs=2e-3)
     assert "unbalanced-teeth" not in {note["code"] for note in result.attributes["notes"]}
+
+
+@pytest.mark.slow
+def test_rows_of_another_distance_press_another_rim():
+    """Side by side they shared the rim of the first one: the largest load was 3 % off."""
+    text, keys = "flexible.max_roller_load [N]", ("bearing.second_row.distance", "bearing.clearance")
+    places = product(("100 mm", "130 mm"), ("120 um", "130 um"))
+    settings = [written(dict(zip(keys, each, strict=True))) for each in places]
+    cases = [read_case(PLANET, each) for each in settings]
+    found = answers(cases, [text], lambda place: pytest.fail("has a run of its own"))
+    for alone, answer in zip(settings, found, strict=True):
+        assert answer.numbers[text] == approx(run(PLANET, alone).flexible["outer_load"].max(), rel=1e-4)
+    assert rings(cases[0]) == rings(cases[1])
+    assert rings(cases[0]) != rings(cases[2])
 
 
 @pytest.mark.parametrize(

@@ -142,10 +142,12 @@ def _rings(cases: Sequence[Case], models: Sequence[RollerBearing], report: Repor
     first, azimuths = cases[0], models[0].bearing.azimuths
     if _rigid(first):
         return [LinearPair(None, None)] * len(cases)
+
+    def rows(case: Case) -> tuple[float, float]:
+        return roller_length(case), roller_bearing.row_distance(case)
+
     for case, model in zip(cases, models, strict=True):
-        same = np.array_equal(model.bearing.azimuths, azimuths) and roller_length(case) == roller_length(
-            first
-        )
+        same = np.array_equal(model.bearing.azimuths, azimuths) and rows(case) == rows(first)
         parts = all(ring_parts.part_of(case, race) == ring_parts.part_of(first, race) for race in RACES)
         if not (same and parts):
             raise BadCase(
