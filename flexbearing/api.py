@@ -156,7 +156,7 @@ def sensitivities(
     Raises `BadCase` for keys that hold no continuous value, and cases without derivatives; `UnknownOutput`
     and `WrongUnit` for texts that name no output; `NotSolved` where there is no equilibrium.
     """
-    from flexbearing.derivatives.any_family import sensitivities as differentiated
+    from flexbearing.derivatives.sensitivities import sensitivities as differentiated
     from flexbearing.families import FAMILIES
 
     return differentiated(case, FAMILIES[case.kind], of, by, report)

@@ -1,6 +1,17 @@
 """Which findings a bearing of a kind is judged by, in the order of their notes."""
 
 from flexbearing.findings.finding import Finding
+from flexbearing.findings.load_limits import (
+    CONTACT_PRESSURE,
+    HEAVY_LOAD,
+    LIGHT_LOAD_OF_BALLS,
+    LIGHT_LOAD_OF_ROLLERS,
+    LOAD_ABOVE_STATIC_RATING,
+    RATINGS,
+    STATIC_SAFETY,
+    USUAL_STATIC_SAFETY,
+    YIELD_STRESS,
+)
 from flexbearing.findings.neglected import (
     CONTACT_HEIGHT,
     MUCH_NEGLECTED,
@@ -24,17 +35,6 @@ from flexbearing.findings.running import (
     SMALL_OSCILLATION,
     STIFFNESS_IN_SERIES,
     VISCOSITY_RATIO,
-)
-from flexbearing.findings.strength import (
-    CONTACT_PRESSURE,
-    HEAVY_LOAD,
-    LIGHT_LOAD_OF_BALLS,
-    LIGHT_LOAD_OF_ROLLERS,
-    LOAD_ABOVE_STATIC_RATING,
-    RATINGS,
-    STATIC_SAFETY,
-    USUAL_STATIC_SAFETY,
-    YIELD_STRESS,
 )
 
 OF_ROLLERS = (

@@ -7,8 +7,8 @@ from typing import Any, Literal
 
 from flexbearing.findings.declared import is_declared, of_code
 from flexbearing.findings.finding import DANGER, Grade, Record, by_code
+from flexbearing.findings.load_limits import CHANGED_RATING
 from flexbearing.findings.running import NO_MODIFIED_LIFE, PRESSED_ENDS
-from flexbearing.findings.strength import CHANGED_RATING
 from flexbearing.findings.words import text as sentence
 
 INFORMATION: Literal["information"] = "information"  # grade of what is neither a danger nor outside validity

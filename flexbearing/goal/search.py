@@ -7,7 +7,7 @@ from math import hypot, isnan, log
 
 from flexbearing.case import BadCase, Head
 from flexbearing.case.family import Family
-from flexbearing.derivatives.any_family import sensitivities
+from flexbearing.derivatives.sensitivities import sensitivities
 from flexbearing.derivatives.table import Slope
 from flexbearing.goal.answer import Change, Changed, Goal
 from flexbearing.goal.levers import Choice, Lever, Move, choices, levers

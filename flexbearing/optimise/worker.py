@@ -6,7 +6,7 @@ from math import isnan
 from time import perf_counter
 
 from flexbearing.case import BadCase, Head
-from flexbearing.derivatives.any_family import sensitivities
+from flexbearing.derivatives.sensitivities import sensitivities
 from flexbearing.derivatives.table import Sensitivities
 from flexbearing.families import FAMILIES
 from flexbearing.findings.row import INFORMATION, RowFinding

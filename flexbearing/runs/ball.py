@@ -10,7 +10,7 @@ from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.coupled.attempts import NotCoupled
 from flexbearing.findings import Judged, records
-from flexbearing.life import life_rules, slow_ball_lives
+from flexbearing.life import four_point_lives, life_rules
 from flexbearing.outputs import requested
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
@@ -107,7 +107,7 @@ def _lives(solution: four_point.Solution) -> dict[str, Any]:
     if solution.lives is None:
         return {}
     block, state = "rigid" if solution.case.rigid else "flexible", solution.lives.of_state
-    thrust = slow_ball_lives.rated_arcs(solution.case).thrust
+    thrust = four_point_lives.rated_arcs(solution.case).thrust
     rule = {"life_rule": life_rules.of_arcs(solution.case, thrust=thrust)}
     return rule | ({} if state is None else {"life": {block: state.record()}})
 

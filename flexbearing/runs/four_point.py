@@ -13,7 +13,7 @@ from flexbearing.build import clearance
 from flexbearing.build.ball_fits import ball, groove
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.findings import Judged, declared, evaluate
-from flexbearing.life import slow_ball_lives
+from flexbearing.life import four_point_lives
 from flexbearing.life.life_of_state import MREV
 from flexbearing.program.workers import shared_map
 from flexbearing.progress import Report
@@ -55,9 +55,9 @@ class Solution:
         return WorstPointContact.of(*(values.reshape(-1, 2) for values in each))
 
     @cached_property
-    def lives(self) -> slow_ball_lives.SlowLives | None:
+    def lives(self) -> four_point_lives.FourPointLives | None:
         """Lives under these loads; None where there is none."""
-        return slow_ball_lives.lives(self.case, self.balls)
+        return four_point_lives.lives(self.case, self.balls)
 
     @property
     def bearing(self) -> qd.FourPointBearing:
@@ -325,7 +325,7 @@ def _fatigue(solution: Solution) -> dict[str, object]:
         **judged.lives(lives.longest / MREV, lives.relative_speed, [solution.case.life.required]),
     }
     if lives.oscillation is not None:
-        ratio = slow_ball_lives.row(solution.case).diameter_ratio
+        ratio = four_point_lives.row(solution.case).diameter_ratio
         way = rolled_way(lives.oscillation, solution.case.bearing.pitch_diameter, ratio)
         values["rolled_widths"] = way / (2 * balls.ellipse.along.max())
     return values
@@ -351,7 +351,7 @@ def notes(solution: Solution, found: Iterable[Judged], *, in_row: bool = False) 
     """What a user must know of the solution, judged by findings before; rows do not report the torque."""
     case, balls = solution.case, solution.balls
     lines = (*judged.notes(found), *balls.notes, *shoulders.unusual(case.materials), *clearance.notes(case))
-    lines += slow_ball_lives.notes(case)
+    lines += four_point_lives.notes(case)
     if solution.distribution is None:
         lines += (
             information(

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.findings import Record, declared, evaluate, records
+from flexbearing.findings.load_limits import BARS
 from flexbearing.findings.row import in_rows
-from flexbearing.findings.strength import BARS
 from flexbearing.life import rated_bearing
 from flexbearing.life.life_of_state import MREV
 from flexbearing.life.rated_bearing import RatedBearing

@@ -10,7 +10,7 @@ from flexbearing.program.commands import AsJson, end, keeping, say, say_json
 if TYPE_CHECKING:
     from flexbearing.select.application import Application
     from flexbearing.select.candidates import Candidate
-    from flexbearing.select.cards import Card, Selection
+    from flexbearing.select.selection import Card, Selection
 
 SHOWN = 6  # lines of lighter bearings, and of heavier ones
 LINE = "{:<14}{:>16} {:>9} {:>8} {:>8} {:>8} {:>10} {:>6}  {}"
@@ -76,7 +76,7 @@ def select(  # noqa: PLR0913  # an argument for each option
     Everything is by the formulas of a catalogue, ISO 281 and ISO 76; only --run computes the chosen one.
     """
     from flexbearing.files import as_csv, require_outputs, write
-    from flexbearing.select import cards
+    from flexbearing.select import selection
 
     read = _tables(table)
     written = [output] if output else []
@@ -84,12 +84,12 @@ def select(  # noqa: PLR0913  # an argument for each option
     options = {"load": load, "axial": axial_load, "speed": speed, "outer_speed": outer_speed}
     application = _application(options, spectrum, required_life, application_factor, reliability)
     sizes = {"bore": bore, "outside": max_outside, "width": max_width}
-    found = cards.selection(application, _candidates(read, sizes, like))
+    found = selection.selection(application, _candidates(read, sizes, like))
     if output:
-        write(output.resolve(), as_csv([cards.COLUMNS, *map(cards.row, found.cards)]).encode())
+        write(output.resolve(), as_csv([selection.COLUMNS, *map(selection.row, found.cards)]).encode())
     with keeping(written):
         if as_json:
-            say_json(cards.as_json(found))
+            say_json(selection.as_json(found))
         else:
             say(_words(found))
         if found.chosen is None:
@@ -157,7 +157,7 @@ def _words(found: "Selection") -> str:
 
 def _head(found: "Selection") -> list[str]:
     """What is required, what is chosen."""
-    from flexbearing.select.cards import HOUR, sentences
+    from flexbearing.select.selection import HOUR, sentences
 
     of = found.application
     assert of.spectrum.required is not None
@@ -180,7 +180,7 @@ def _head(found: "Selection") -> list[str]:
 
 
 def _line(card: "Card") -> str:
-    from flexbearing.select.cards import HOUR, KN
+    from flexbearing.select.selection import HOUR, KN
 
     of, rated = card.candidate, card.rated
     sizes = " x ".join(f"{1e3 * size:g}" for size in of.sizes)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.case import BadCase
-from flexbearing.derivatives.any_family import sensitivities
+from flexbearing.derivatives.sensitivities import sensitivities
 from flexbearing.families import FAMILIES
 from flexbearing.files import write
 from flexbearing.report.html.scatter import ScatterTables, figures_of

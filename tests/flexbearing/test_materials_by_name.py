@@ -12,7 +12,7 @@ from flexbearing.case import BadCase
 from flexbearing.case.explain import explain
 from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
-from flexbearing.findings.strength import BARS
+from flexbearing.findings.load_limits import BARS
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 PAPER, FITS, FAST, SLOW = (

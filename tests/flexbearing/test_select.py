@@ -11,11 +11,11 @@ from flexbearing import api
 from flexbearing.__main__ import command
 from flexbearing.case import BadCase
 from flexbearing.catalogue.new import case_text
-from flexbearing.findings.strength import LIGHT_LOAD_OF_BALLS
+from flexbearing.findings.load_limits import LIGHT_LOAD_OF_BALLS
 from flexbearing.select import candidates as of_table
 from flexbearing.select.application import read
 from flexbearing.select.candidates import candidates
-from flexbearing.select.cards import selection
+from flexbearing.select.selection import selection
 
 HEAD = "designation,like,bore,outside,width,angle,dynamic_rating,static_rating,mass,limiting_speed"
 TABLE = f"""{HEAD}

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 from flexbearing.select.application import read
 from flexbearing.select.candidates import candidates
-from flexbearing.select.cards import selection
+from flexbearing.select.selection import selection
 
 HEADS = ("designation", "like", "bore", "outside", "width", "dynamic_rating", "static_rating")
 BALLS, ROLLERS = "deep_groove_ball", "cylindrical_roller"

@@ -8,7 +8,7 @@ from pytest import approx
 
 from quasidynamic import OutOfRange
 from quasidynamic.outcome.ball_capacity import ball_dynamic_rating
-from quasidynamic.outcome.slow_ball_life import RatedArcs, slow_ball_life
+from quasidynamic.outcome.four_point_life import RatedArcs, four_point_life
 from quasidynamic.outcome.thrust_ball_capacity import (
     is_thrust,
     thrust_ball_dynamic_rating,
@@ -80,7 +80,7 @@ def test_a_central_thrust_gives_the_rating_life(angle):
     loads = np.zeros((2, 2, balls.balls))
     loads[:, 0] = each
     assert arcs.thrust
-    assert slow_ball_life(loads, arcs) == approx((arcs.rating / thrust) ** 3, rel=1e-12)
+    assert four_point_life(loads, arcs) == approx((arcs.rating / thrust) ** 3, rel=1e-12)
     assert thrust_ball_raceway_capacity(balls) == arcs.capacities
 
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
+from quasidynamic.outcome.four_point_life import RatedArcs, arc_lives, four_point_life, guideline_life
 from quasidynamic.outcome.oscillation import (
     critical_oscillation,
     guideline_factor,
@@ -11,7 +12,6 @@ from quasidynamic.outcome.oscillation import (
     spread_by_oscillation,
 )
 from quasidynamic.outcome.raceway_damage import LINE, POINT, raceway_damage
-from quasidynamic.outcome.slow_ball_life import RatedArcs, arc_lives, guideline_life, slow_ball_life
 from quasidynamic.parts.ball import BallRow
 
 ROW = BallRow(
@@ -28,13 +28,13 @@ LOADS = np.broadcast_to(
 @pytest.mark.parametrize("turns", [1, 2, 5])
 def test_whole_turns_to_and_fro_are_a_turning_bearing(turns):
     whole = 2 * np.pi * turns
-    assert slow_ball_life(LOADS, ARCS, whole) == approx(slow_ball_life(LOADS, ARCS), rel=1e-12)
+    assert four_point_life(LOADS, ARCS, whole) == approx(four_point_life(LOADS, ARCS), rel=1e-12)
     assert arc_lives(LOADS, ARCS, whole) == approx(arc_lives(LOADS, ARCS), rel=1e-12)
 
 
 def test_half_a_turn_there_and_back_is_a_revolution():
     """By the guideline an oscillation of 180 deg counts as a revolution, of 360 deg as two."""
-    life = slow_ball_life(LOADS, ARCS)
+    life = four_point_life(LOADS, ARCS)
     assert guideline_factor(np.pi, 156, 0.013) == approx(1.0, rel=1e-12)
     for degrees in (720, 360, 180, 90, 10):
         assert guideline_life(life, ARCS, np.radians(degrees)) == approx(life, rel=1e-12)
@@ -61,7 +61,7 @@ def test_critical_angles():
 
 def test_life_has_no_step_at_the_critical_angle():
     for critical in critical_oscillation(156, ROW.diameter_ratio):
-        below, above = (slow_ball_life(LOADS, ARCS, critical * (1 + side * 1e-9)) for side in (-1, 1))
+        below, above = (four_point_life(LOADS, ARCS, critical * (1 + side * 1e-9)) for side in (-1, 1))
         assert below == approx(above, rel=1e-7)
     steps = [guideline_factor(critical * (1 + side * 1e-9), 156, ROW.diameter_ratio) for side in (-1, 1)]
     assert steps[0] / steps[1] == approx(4 ** (1 / 30), rel=0.002)
@@ -99,5 +99,5 @@ def test_slices_of_lines_spread_each_on_its_own():
 
 
 def test_smaller_oscillations_live_shorter_for_the_same_way():
-    lives = [slow_ball_life(LOADS, ARCS, np.radians(degrees)) for degrees in (360, 90, 20, 5, 2, 0.5)]
+    lives = [four_point_life(LOADS, ARCS, np.radians(degrees)) for degrees in (360, 90, 20, 5, 2, 0.5)]
     assert np.all(np.diff(lives) < 0)

@@ -5,8 +5,8 @@ from textwrap import shorten
 from typing import Any
 
 from flexbearing.findings import DANGER, NOT_CHECKED
+from flexbearing.findings.load_limits import BARS, CONTACT_PRESSURE
 from flexbearing.findings.running import REQUIRED_LIFE
-from flexbearing.findings.strength import BARS, CONTACT_PRESSURE
 from flexbearing.outputs import outputs
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.quantities.effects import LIVES

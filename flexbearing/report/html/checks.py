@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 
 from flexbearing.findings import DANGER, MET, NOT_CHECKED, OUTSIDE, USUAL, Record, gravest, of_code
 from flexbearing.findings.finding import AT_LEAST, AT_MOST
+from flexbearing.findings.load_limits import CONTACT_PRESSURE, YIELD_STRESS
 from flexbearing.findings.running import CLEARANCE, PEAK_AT_ENDS, REQUIRED_LIFE, SHORT_LIFE
-from flexbearing.findings.strength import CONTACT_PRESSURE, YIELD_STRESS
 from flexbearing.findings.words import settings
 from flexbearing.report.html import effects
 from flexbearing.report.html.document import Cell, Number

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.findings.load_limits import CONTACT_PRESSURE, STATIC_SAFETY
 from flexbearing.findings.running import FILM_RATIO, PRESSED_ENDS, SHORT_LIFE
-from flexbearing.findings.strength import CONTACT_PRESSURE, STATIC_SAFETY
 from flexbearing.report.figure import BLUE, ORANGE, Axis as DrawnAxis, Contour, Figure, Line, Rule, is_wide
 from flexbearing.report.html.document import Document
 from flexbearing.report.html.map import LEVEL, LIMIT, MapPlane, figures, of_map

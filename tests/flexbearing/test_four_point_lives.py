@@ -9,7 +9,7 @@ from pytest import approx
 import flexbearing
 from flexbearing.api import read_case
 from flexbearing.findings import records
-from flexbearing.life import slow_ball_lives
+from flexbearing.life import four_point_lives
 from flexbearing.runs import four_point
 from quasidynamic.outcome.oscillation import critical_oscillation, guideline_factor
 
@@ -22,7 +22,7 @@ def balls():
 
 
 def lives(balls, *settings):
-    found = slow_ball_lives.lives(read_case(JOSHI, settings), balls)
+    found = four_point_lives.lives(read_case(JOSHI, settings), balls)
     assert found is not None
     return found
 
@@ -78,8 +78,8 @@ def test_ratings_are_axial_from_45_deg_on_radial_when_wanted_and_given(balls):
 def test_balls_of_another_material_and_too_large_rings_have_no_life(balls):
     for setting in ("materials.ball.youngs_modulus=250 GPa", "bearing.pitch_diameter=2600 mm"):
         case = read_case(JOSHI, [setting])
-        assert slow_ball_lives.lives(case, balls) is None
-        assert [note.code for note in slow_ball_lives.notes(case)] == ["no-life"]
+        assert four_point_lives.lives(case, balls) is None
+        assert [note.code for note in four_point_lives.notes(case)] == ["no-life"]
 
 
 def test_contacts_that_move_less_than_their_width_are_reported(balls):

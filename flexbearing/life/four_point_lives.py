@@ -13,15 +13,15 @@ from flexbearing.life.life_of_state import MREV, LifeOfState, no_life, of_reliab
 from flexbearing.life.rated_bearing import Rating
 from quasidynamic import OutOfRange
 from quasidynamic.note import Note
+from quasidynamic.outcome.four_point_life import RatedArcs, arc_lives, four_point_life, guideline_life
 from quasidynamic.outcome.life import reference_load
 from quasidynamic.outcome.raceway_damage import POINT
 from quasidynamic.outcome.rating_life import BALL_EXPONENT
-from quasidynamic.outcome.slow_ball_life import RatedArcs, arc_lives, guideline_life, slow_ball_life
 from quasidynamic.parts.ball import BallRow
 
 
 @dataclass(frozen=True)
-class SlowLives:
+class FourPointLives:
     """Lives at one state of the bearing [rev], those to and fro together."""
 
     basic: float  # L10r
@@ -58,20 +58,20 @@ class SlowLives:
         return float(reference_load(self.basic / MREV, self.rating, BALL_EXPONENT))
 
 
-def lives(case: FourPointCase, balls: qd.SlidingBalls) -> SlowLives | None:
+def lives(case: FourPointCase, balls: qd.SlidingBalls) -> FourPointLives | None:
     """Lives under the loads of all balls; None without load, and where no rating or no row is known."""
     if case.operation.mode != "ring_load" or unrated(case):
         return None
     loads, arcs, angle = balls.load.transpose(2, 1, 0), rated_arcs(case), case.operation.oscillation
     if angle is not None and case.life.oscillation == "DG03":
-        turning = slow_ball_life(loads, arcs), arc_lives(loads, arcs)
+        turning = four_point_life(loads, arcs), arc_lives(loads, arcs)
         basic, each = (guideline_life(life, arcs, angle) for life in turning)
     else:
-        basic, each = slow_ball_life(loads, arcs, angle), arc_lives(loads, arcs, angle)
+        basic, each = four_point_life(loads, arcs, angle), arc_lives(loads, arcs, angle)
     if not np.isfinite(basic):
         return None
     state = None if case.life.is_basic else LifeOfState.of(basic, (), of_reliability(case.life.reliability))
-    return SlowLives(basic * MREV, each.T * MREV, state, arcs.rating, case.operation.speed, angle)
+    return FourPointLives(basic * MREV, each.T * MREV, state, arcs.rating, case.operation.speed, angle)
 
 
 def rated_arcs(case: FourPointCase) -> RatedArcs:

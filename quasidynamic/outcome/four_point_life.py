@@ -78,7 +78,7 @@ def arc_lives(loads: NDArray, arcs: RatedArcs, oscillation: float | None = None)
     return _life(_damages(loads, arcs, oscillation))
 
 
-def slow_ball_life(loads: NDArray, arcs: RatedArcs, oscillation: float | None = None) -> float:
+def four_point_life(loads: NDArray, arcs: RatedArcs, oscillation: float | None = None) -> float:
     r"""Basic reference life that all arcs survive together, with 90 % probability.
 
     .. math:: L_{10r} = \big\{\sum (Q_c/Q_e)^{-10/3}\big\}^{-9/10}
