@@ -8,6 +8,7 @@ from pytest import approx
 
 from quasidynamic.angular_contact import AngularContactBallBearing
 from quasidynamic.balance.balls.caged_ball import Pockets
+from quasidynamic.balance.balls.race_control import LoadedContacts
 from quasidynamic.contact.cage import ball_on_pocket_force
 from quasidynamic.errors import ImpossiblePart
 from quasidynamic.motion.ball_slip import ORBIT
@@ -43,6 +44,26 @@ def test_pocket_holds_a_ball_by_a_film_and_then_by_its_wall():
     change = ball_on_pocket_force(places + step, 1.5e-4, 1e9).force
     change = change - ball_on_pocket_force(places - step, 1.5e-4, 1e9).force
     assert law.by_displacement == approx(change / (2 * step), rel=1e-6)
+
+
+@pytest.mark.parametrize("inner_load", [0.02, 0.3, 40.0])
+def test_slopes_of_the_loads_that_drive_a_ball_in_a_cage(inner_load):
+    """By the load of the other race, too, where hardly anything presses the ball."""
+    count = BEARING.balls
+    model = AngularContactBallBearing(bearing=BEARING, control="oil", lubrication=OILED, cage=CAGE)
+    control = model.equations([combined(10_000)]).control
+
+    def driven(inner, outer):
+        loads = np.array([np.full(count, inner), np.full(count, outer)])
+        loads[:, 0] = 60.0  # the largest, from which the least load that drives is
+        contacts = LoadedContacts(np.full((2, count), 0.5), loads, np.ones((2, count)))
+        return control.driven(contacts, np.full(count, 2.0))
+
+    here = driven(inner_load, 45.0)
+    for column, step in ((0, (1e-6 * inner_load, 0.0)), (2, (0.0, 45e-6))):
+        more, less = (driven(inner_load + s * step[0], 45.0 + s * step[1]) for s in (1, -1))
+        by_load = (np.log(more.loads) - np.log(less.loads)) / (2 * sum(step))
+        assert here.chain[1:, [0, 2], column].T == approx(by_load[:, 1:], rel=1e-6, abs=1e-9)
 
 
 def test_slopes_of_pockets_by_the_motion():
