@@ -364,9 +364,9 @@ def test_text_of_rigid_rings_has_one_column():
     assert row(page.split("lubrication ")[-1], "rigid") == ["mixed", "full", "film"]
 
 
-def test_a_number_that_rounds_to_zero_has_no_sign():
-    slow = block() | {"cage_slip": np.array(-1e-7)}
-    assert row(text(result(rigid=slow, flexible=slow)), "cage slip") == ["0.00", "0.00", "%", "0.0"]
+def test_a_number_that_rounds_to_zero_has_no_sign_and_no_change():
+    rigid, flexible = (block() | {"cage_slip": np.array(slip)} for slip in (-1e-7, 3e-7))
+    assert row(text(result(rigid=rigid, flexible=flexible)), "cage slip") == ["0.00", "0.00", "%"]
 
 
 def test_error_of_the_cage_slip_is_a_slip_and_that_of_a_load_a_share():

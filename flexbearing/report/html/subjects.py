@@ -112,7 +112,8 @@ def _rows(reader: Reader, entry: SummaryValue) -> Iterator[tuple[Cell, ...]]:
             error(reader, entry),
         ]
         if compared:
-            both = entry.compared and NOTHING not in shown
+            rounding = not numbers[0].text.strip("-0.,")
+            both = entry.compared and NOTHING not in shown and not rounding
             row.append(reader.change(numbers[0].of, numbers[-1].of) if both else "")
         yield tuple(row)
 
