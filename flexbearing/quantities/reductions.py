@@ -6,6 +6,7 @@ Those of roller bearings take arrays of one case or of many, whose axes come fir
 import numpy as np
 
 LOADED = 3e-4  # of the largest load: a contact carries load above it
+SAME_PLACE = 1e-9  # [rad] half the distance of rollers that have one azimuth
 RACES = ("inner", "outer")
 EXTENT = ("smallest", "largest")  # entries of a range
 ROWS = ("row_1", "row_2")  # of rolling elements
@@ -114,11 +115,14 @@ def loaded_rollers(load: np.ndarray) -> np.ndarray:
 
 
 def loaded_arc(azimuth: np.ndarray, load: np.ndarray) -> np.ndarray:
-    """Span the smallest arc that holds every loaded roller, from the first to the last."""
+    """Span the smallest arc that holds every loaded roller of all rows, from the first to the last."""
     turn, rollers = 2 * np.pi, load.shape[-1]
     place = np.broadcast_to(azimuth % turn, load.shape)
     order = np.argsort(place, axis=-1)
     place, is_loaded = (np.take_along_axis(array, order, axis=-1) for array in (place, _loaded(load)))
+    for step in (1, -1):  # rollers of two rows at one azimuth hold the same place
+        beside = np.abs(np.sin((place - np.roll(place, step, axis=-1)) / 2)) < SAME_PLACE
+        is_loaded = is_loaded | (beside & np.roll(is_loaded, step, axis=-1))
     # the arc is what the widest gap between neighbours leaves of the circle; twice around, so that every
     # roller has one before it
     around = [np.where(is_loaded, place + start, -turn) for start in (0.0, turn)]

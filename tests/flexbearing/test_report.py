@@ -173,6 +173,17 @@ def test_loaded_arc_runs_from_the_first_to_the_last_loaded_roller(loaded, degree
     assert np.degrees(loaded_arc(azimuth, load)) == pytest.approx(degrees, rel=1e-12, abs=1e-9)
 
 
+@pytest.mark.parametrize(
+    ("one", "other", "degrees"),
+    [(range(30), range(-5, 6), 360.0), (range(-2, 3), range(-5, 6), 120.0), ([3], [], 0.0), ([3], [3], 0.0)],
+)
+def test_loaded_arc_of_two_rows_is_that_of_both(one, other, degrees):
+    load = np.zeros((2, ROLLERS))
+    for row, loaded in enumerate((one, other)):
+        load[row, [index % ROLLERS for index in loaded]] = 100.0
+    assert np.degrees(loaded_arc(np.tile(AZIMUTH, 2), load.ravel())) == pytest.approx(degrees, abs=1e-9)
+
+
 def test_loaded_arc_does_not_depend_on_the_order_of_the_rollers_or_on_whole_turns():
     turns = 2 * np.pi * (np.arange(ROLLERS) % 3 - 1)
     order = np.random.default_rng(7).permutation(ROLLERS)
