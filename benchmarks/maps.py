@@ -26,7 +26,7 @@ from benchmarks.starting import COMMAND, RIGID as AS_RIGID, seconds
 from benchmarks.studies import rigid_solve
 from flexbearing.api import check, read_case
 from flexbearing.build import roller_bearing
-from flexbearing.program.workers import shared_map
+from flexbearing.program.shared_map import shared_map
 from flexbearing.progress import Logged
 from flexbearing.rings.condensed import condensed_raceways
 from flexbearing.studies.maps.axes import axes

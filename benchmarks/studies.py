@@ -31,7 +31,7 @@ from flexbearing.api import read_case
 from flexbearing.build.roller_bearing import bearing
 from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
-from flexbearing.program.processes import Processes
+from flexbearing.program.worker_processes import Processes
 from flexbearing.studies.engine import finished
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.plan import Row, Task

@@ -232,7 +232,7 @@ def _cage_in_space(
         with_short_waves,
     )
     from fem.section.smeared_cage import short_waves
-    from fem.squirrel_cage.cyclic_symmetry import cage_responses
+    from fem.squirrel_cage.half_pitch_cage import cage_responses
     from fem.squirrel_cage.moved_cage import near_responses
 
     shape = _shape(cage, resolution)

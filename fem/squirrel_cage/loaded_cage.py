@@ -1,7 +1,7 @@
 r"""Displacement and stress of a squirrel cage under its rollers, from half a pitch of it.
 
 Tractions are split into mirror images and phases; half a pitch answers each as in
-`fem.squirrel_cage.cyclic_symmetry`, and its answers make up the displacement of every half pitch. A whole
+`fem.squirrel_cage.half_pitch_cage`, and its answers make up the displacement of every half pitch. A whole
 solid of such elements would have fifty times the unknowns.
 """
 
@@ -26,7 +26,7 @@ from fem.parts.rings import MeshSize, Patches
 from fem.parts.squirrel_cage import SquirrelCage
 from fem.solid.extremes import Samples, cylinder_axes, in_axes
 from fem.solid.lattice import Spread, hooke, located, spread, strain_of
-from fem.squirrel_cage.half_pitch_stiffness import (
+from fem.squirrel_cage.cut_stiffness import (
     HalfPitch,
     ReducedHalfPitch,
     assembled_half_pitch,

@@ -30,8 +30,7 @@ from fem.parts.rings import MeshSize
 from fem.parts.squirrel_cage import SquirrelCage
 from fem.raceway.bar_response import BarResponse, is_mirrored
 from fem.raceway.harmonics import Responses
-from fem.squirrel_cage.cyclic_symmetry import all_phases, phase_solution, phases, reduced, ties
-from fem.squirrel_cage.half_pitch_stiffness import (
+from fem.squirrel_cage.cut_stiffness import (
     HalfPitch,
     ReducedHalfPitch,
     assembled_form,
@@ -40,6 +39,7 @@ from fem.squirrel_cage.half_pitch_stiffness import (
     readings,
     stiffness,
 )
+from fem.squirrel_cage.half_pitch_cage import all_phases, phase_solution, phases, reduced, ties
 from fem.stages import Stage
 
 MIRROR_IMAGES = (True, False)  # fields that are their own, and those that are the negative of it
@@ -75,7 +75,7 @@ class MovedHalf:
 def near_responses(cage: SquirrelCage, resolution: Resolution, last: int, stage: Stage) -> Responses:
     """Answers of the raceway of a cage that differs little from that of `resolution.nodes_of`.
 
-    They are those of `fem.squirrel_cage.cyclic_symmetry.cage_responses`, without errors.
+    They are those of `fem.squirrel_cage.half_pitch_cage.cage_responses`, without errors.
     Raises `NotSolved` if the cage of `resolution.nodes_of` cannot be solved, `ImpossiblePart` if faces that
     are one would come apart.
 

@@ -19,7 +19,7 @@ from flexbearing.findings import Judged, declared, evaluate
 from flexbearing.findings.running import GYROSCOPIC_MOMENT
 from flexbearing.life import ball_lives, rated_bearing
 from flexbearing.life.life_of_state import MREV, ReferenceLives
-from flexbearing.program.workers import shared_map
+from flexbearing.program.shared_map import shared_map
 from flexbearing.progress import Report
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import row, taken

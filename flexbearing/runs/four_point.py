@@ -15,7 +15,7 @@ from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.findings import Judged, declared, evaluate
 from flexbearing.life import four_point_lives
 from flexbearing.life.life_of_state import MREV
-from flexbearing.program.workers import shared_map
+from flexbearing.program.shared_map import shared_map
 from flexbearing.progress import Report
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import row, taken

@@ -26,7 +26,7 @@ from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
 from flexbearing.files import NotStored
-from flexbearing.program.processes import Processes
+from flexbearing.program.worker_processes import Processes
 from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.report.studies.pareto_table import Measured, Study
 from flexbearing.results import Result

@@ -11,8 +11,8 @@ from pathlib import Path
 from flexbearing.case import BadCase
 from flexbearing.files import require_folder_name
 from flexbearing.printable import excerpt
-from flexbearing.program.processes import Processes
 from flexbearing.program.threads import cores, processes
+from flexbearing.program.worker_processes import Processes
 from flexbearing.studies.engine import Engine
 from flexbearing.studies.engine.certificates import OPTIONS, Certificates, certificates
 from flexbearing.studies.engine.on_dask import NoConnection, connected

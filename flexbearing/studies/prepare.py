@@ -15,8 +15,8 @@ from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
 from flexbearing.files import require_folder_name
 from flexbearing.printable import one_line
+from flexbearing.program.shared_map import shared_map
 from flexbearing.program.threads import limited_to
-from flexbearing.program.workers import shared_map
 from flexbearing.studies.file import Study, read
 from flexbearing.studies.file.read import Source
 from flexbearing.studies.placement import Placement

@@ -23,8 +23,8 @@ from flexbearing.families import FAMILIES
 from flexbearing.files import BadOutput, NotStored
 from flexbearing.findings.row import information
 from flexbearing.printable import one_line
-from flexbearing.program.processes import keep_freed
 from flexbearing.program.threads import linear_algebra_alone
+from flexbearing.program.worker_processes import keep_freed
 from flexbearing.progress import Logged
 from flexbearing.results import store
 from flexbearing.runs.answer import Answer

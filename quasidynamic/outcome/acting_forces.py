@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.rollers.cage import FloatingCage
+from quasidynamic.balance.rollers.floating_cage import FloatingCage
 from quasidynamic.balance.rollers.roller import RollerState
 from quasidynamic.contact.line import Slices
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing

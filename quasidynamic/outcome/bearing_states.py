@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
-from quasidynamic.balance.rollers.cage import FloatingCage
+from quasidynamic.balance.rollers.floating_cage import FloatingCage
 from quasidynamic.balance.rollers.roller import RollerState
 from quasidynamic.balance.rollers.unknowns import CAGE, INNER, OUTER, TILT_Z, Unknowns
 from quasidynamic.contact.cage import displacement_in_pocket, land_torque

@@ -13,10 +13,10 @@ from fem.mesh import axial_section, section_mesh
 from fem.mesh.half_pitch import half_pitch
 from fem.mesh.moved_nodes import Faces, move_nodes
 from fem.parts.resolution import Shape
-from fem.squirrel_cage.cyclic_symmetry import cage_responses
+from fem.squirrel_cage.half_pitch_cage import cage_responses
 from fem.squirrel_cage.moved_cage import near_responses
 from fem.stages import stages, unheard
-from tests.fem.test_cyclic_symmetry import STUMPS
+from tests.fem.test_half_pitch import STUMPS
 from tests.fem.test_parts import SHAFT, STEEL
 
 L = 5e-3

@@ -9,7 +9,7 @@ import pytest
 FAULTS = """
 import resource, sys
 import numpy as np
-from flexbearing.program.processes import keep_freed
+from flexbearing.program.worker_processes import keep_freed
 if sys.argv[1] == "kept":
     keep_freed()
 def faults():

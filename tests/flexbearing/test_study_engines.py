@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from flexbearing.case import BadCase
-from flexbearing.program.processes import Processes
 from flexbearing.program.threads import limited_to
+from flexbearing.program.worker_processes import Processes
 from flexbearing.studies.engine import Done, completed
 from flexbearing.studies.engine.attempts import DIED
 from flexbearing.studies.engine.serial import Serial
@@ -207,7 +207,7 @@ DRIVER = """
 import sys
 from functools import partial
 from pathlib import Path
-from flexbearing.program.processes import Processes
+from flexbearing.program.worker_processes import Processes
 from flexbearing.studies.run import Work, run
 from tests.flexbearing.toy_studies import no_ring, slow_cubes, toy
 folder = Path(sys.argv[1])

@@ -12,8 +12,8 @@ from fem.raceway.harmonics import HarmonicCompliance
 from flexbearing.cache import configured, recent
 from flexbearing.case.declarations import toml
 from flexbearing.findings.row import words as in_words
-from flexbearing.program.processes import Processes
 from flexbearing.program.threads import cores
+from flexbearing.program.worker_processes import Processes
 from flexbearing.studies import worker
 from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.prepare import prepare_source

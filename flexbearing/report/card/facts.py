@@ -10,7 +10,7 @@ from flexbearing.findings.running import REQUIRED_LIFE
 from flexbearing.outputs import outputs
 from flexbearing.quantities.attributes import GRADES
 from flexbearing.quantities.effects import LIVES
-from flexbearing.report.card.card import Card, Item, Line
+from flexbearing.report.card.layout import Card, Item, Line
 from flexbearing.report.html import checks, effects, inputs, lives as of_report, origin, ratings, rings
 from flexbearing.report.html.checks import (
     BUILD,

@@ -7,7 +7,7 @@ from typing import Any, Protocol
 
 from flexbearing.printable import one_line
 from flexbearing.program.interpreter import Died
-from flexbearing.program.processes import Done
+from flexbearing.program.worker_processes import Done
 from flexbearing.studies.plan import Row, Task
 from flexbearing.studies.plan.task import ERROR, WORKER_DIED
 

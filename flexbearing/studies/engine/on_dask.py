@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from urllib.parse import urlsplit
 
 from flexbearing.printable import excerpt
-from flexbearing.program.processes import Done
+from flexbearing.program.worker_processes import Done
 from flexbearing.studies.engine.attempts import EngineLost
 from flexbearing.studies.engine.certificates import Certificates
 

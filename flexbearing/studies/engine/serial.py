@@ -4,7 +4,7 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from flexbearing.program.processes import Done, Processes
+from flexbearing.program.worker_processes import Done, Processes
 
 
 class Serial:

@@ -18,8 +18,8 @@ from flexbearing.coupling import PartnerFailed, RacewayPair
 from flexbearing.coupling.partners import Compliance
 from flexbearing.findings.words import of_note
 from flexbearing.printable import excerpt
-from flexbearing.program.processes import Processes
 from flexbearing.program.threads import linear_algebra_alone
+from flexbearing.program.worker_processes import Processes
 from flexbearing.progress import Logged
 from flexbearing.quantities.roller import CAGE_SLIP
 from flexbearing.rings.condensed import condensed_raceways

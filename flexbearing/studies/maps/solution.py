@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from flexbearing.case import BadCase
 from flexbearing.case.roller import Case
 from flexbearing.outputs import UnknownOutput, WrongUnit, requested
+from flexbearing.program.shared_map import shared_map
 from flexbearing.program.threads import linear_algebra_alone
-from flexbearing.program.workers import shared_map
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.runs.solved_rows import SolvedRows

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.rollers.cage import FloatingCage, floating_cage
+from quasidynamic.balance.rollers.floating_cage import FloatingCage, floating_cage
 from quasidynamic.balance.rollers.kinematics import ApproachKinematics, SpinTransport, spin_transport
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.balance.rollers.roller import (

@@ -12,8 +12,8 @@ from itertools import chain, islice
 from typing import Any
 
 from flexbearing.program.interpreter import Died
-from flexbearing.program.processes import Processes, keep_freed
 from flexbearing.program.threads import cores
+from flexbearing.program.worker_processes import Processes, keep_freed
 
 ATTEMPTS = 3  # of a call whose worker dies: another program may have taken the memory
 AHEAD = 2  # arguments that are taken for each worker

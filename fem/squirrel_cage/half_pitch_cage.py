@@ -32,7 +32,7 @@ from fem.parts.resolution import Resolution, neighbour
 from fem.parts.squirrel_cage import SquirrelCage
 from fem.raceway.bar_response import MIRRORED, BarResponse, is_mirrored
 from fem.raceway.harmonics import Responses, support_error
-from fem.squirrel_cage.half_pitch_stiffness import (
+from fem.squirrel_cage.cut_stiffness import (
     CutStiffness,
     HalfPitch,
     ReducedHalfPitch,

@@ -7,7 +7,7 @@ import pytest
 
 from flexbearing.program import interpreter
 from flexbearing.program.interpreter import Interpreter, NeverStarted
-from flexbearing.program.processes import STARTS, Processes
+from flexbearing.program.worker_processes import STARTS, Processes
 from tests.flexbearing.process_calls import own_process, second
 from tests.flexbearing.test_interpreter import await_gone, both, with_a_child
 
@@ -41,7 +41,7 @@ def test_two_processes_take_calls_that_are_submitted_meanwhile(tmp_path):
 def test_few_calls_start_few_processes(monkeypatch):
     started = []
     monkeypatch.setattr(
-        "flexbearing.program.processes.Interpreter",
+        "flexbearing.program.worker_processes.Interpreter",
         lambda *given: started.append(given) or Interpreter(*given),
     )
     with closing(Processes(8)) as processes:

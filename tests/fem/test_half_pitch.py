@@ -24,8 +24,8 @@ from fem.raceway.harmonics import RESOLVED
 from fem.solid import condensation
 from fem.solid.extremes import von_mises
 from fem.solid.fields import LoadedSolid
-from fem.squirrel_cage import cyclic_symmetry, loaded_cage
-from fem.squirrel_cage.half_pitch_stiffness import assembled_half_pitch, imbalance, interior, reduced_to_cut
+from fem.squirrel_cage import half_pitch_cage, loaded_cage
+from fem.squirrel_cage.cut_stiffness import assembled_half_pitch, imbalance, interior, reduced_to_cut
 from tests.fem.condensed import as_solid, by_harmonics
 from tests.fem.edge_layers import LAYERS, refined
 from tests.fem.test_parts import CAGE, STEEL
@@ -107,7 +107,7 @@ def test_half_a_pitch_answers_like_the_whole_cage(shape, monkeypatch):
         part = assembled_half_pitch(cage, piece, 2)
         band = roller_loads.band(part.space, "raceway", 10)
         faces = [reduced_to_cut(part, band, L, shapes, highest, symmetric) for symmetric in (True, False)]
-        found, in_bar = cyclic_symmetry._in_balance(part, faces, bars, highest)
+        found, in_bar = half_pitch_cage._in_balance(part, faces, bars, highest)
 
         mesh = whole(piece, bars)
         space = ngs.VectorH1(mesh, order=2, dirichlet="clamped")
@@ -304,7 +304,7 @@ def test_unbalanced_solution_is_noticed():
     cut = faces[0].cut
     wrong = replace(faces[0], cut=replace(cut, stiffness=cut.stiffness * (1 + 1e-6)))
     with pytest.raises(NotSolved, match="residual"):
-        cyclic_symmetry._in_balance(part, [wrong, faces[1]], STUMPS.bars, 3)
+        half_pitch_cage._in_balance(part, [wrong, faces[1]], STUMPS.bars, 3)
 
 
 def test_harmonic_too_short_for_the_mesh_is_refused():
@@ -347,7 +347,7 @@ def test_half_pitches_make_the_whole_body(shape, fillet):
     assert 2 * part.bars * halves[0].mass == approx(whole[0], rel=1e-9)
     assert 2 * part.bars * sum(body.mass for body in halves) == approx(sum(whole), rel=1e-9)
     if fillet:
-        in_one = sum(body.mass for body in half_pitch._in_one(part, L))
+        in_one = sum(body.mass for body in half_pitch_cage._in_one(part, L))
         assert 2 * part.bars * in_one == approx(sum(whole), rel=1e-9)
 
 
@@ -387,7 +387,7 @@ import ngsolve as ngs
 from dataclasses import replace
 from fem import MeshSize
 from fem.mesh.half_pitch import half_pitch
-from tests.fem.test_cyclic_symmetry import CAGE, L, LIMITS
+from tests.fem.test_half_pitch import CAGE, L, LIMITS
 size = MeshSize(order=2, size=3e-3, raceway_size=2e-3)
 for change in LIMITS:
     print(change, flush=True)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from flexbearing.program.interpreter import Died
-from flexbearing.program.workers import FEWEST, shared_map
+from flexbearing.program.shared_map import FEWEST, shared_map
 from quasidynamic.angular_contact import AngularContactBallBearing
 from quasidynamic.errors import NotSolved
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
