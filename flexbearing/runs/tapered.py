@@ -97,7 +97,12 @@ class Solution:
 
 
 def build(case: TaperedCase) -> tuple[TaperedRollerBearing, RingOperation]:
-    """Bearing and operation; raises `ImpossiblePart` or `BadCase` where they, or elastic rings, cannot be."""
+    """Bearing and operation; raises `ImpossiblePart` or `BadCase` where they, or elastic rings, cannot be.
+
+    Raises `OutOfRange` beyond the data of the oil of films.
+    """
+    if case.outputs.friction:
+        lubrication.lubrication(case)
     if not case.rigid:
         from flexbearing.rings.cones import parts  # with what describes finite elements
 

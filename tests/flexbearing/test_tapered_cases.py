@@ -207,6 +207,7 @@ REFUSED = {
         [*OILED[1:3], "lubricant.film=dowson_toyoda"],
         "left out but with outputs.friction",
     ),
+    "oil beyond its data": ([*OILED, "lubricant.inlet_temperature=338 degC"], "outside 0 to 200 degC"),
     "oil without a fraction": (OILED[:3], "oil_fraction"),
     "friction of rings at rest": ([*OILED, "operation.inner_speed=0 rpm"], "another one than"),
     "asperities without roughness": ([*OILED, "lubricant.mixed.boundary_friction=0.1"], "roughness"),
