@@ -285,7 +285,12 @@ UNKNOWN_TO_STRUCTURE = {
     "seat below a beam": ([*RING, "outer.support=seat"], "beam", '"side" or "foundation"'),
     "planet gear as a beam": (PLANET, "beam", '"side" or "foundation"'),
     "planet gear as a solid": (PLANET, "solid", '"side" or "seat" or "housing"'),
-    "solid shaft as a beam": (["outer.kind=rigid", "inner.shaft_thickness="], "beam", "a solid shaft"),
+    "solid shaft as a beam": (["outer.kind=rigid", "inner.shaft_thickness="], "beam", "a hollow shaft"),
+    "shaft of half its bore": (
+        ["outer.kind=rigid", "inner.shaft_thickness=29.8 mm"],
+        "beam",
+        "a hollow shaft",
+    ),
 }
 
 

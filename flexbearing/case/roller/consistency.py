@@ -183,8 +183,8 @@ def require_known(accuracy: Accuracy, inner: Inner, outer: Outer, *, lifts_off: 
         raise impossible(
             "outer.collar_length", f"left out {choice}: a collar makes it no beam of one section"
         )
-    if inner.kind == "ring_on_shaft" and inner.fit == "bonded" and inner.shaft_thickness is None:
-        raise impossible("inner.shaft_thickness", f"given {choice}: a solid shaft is no curved beam")
+    if inner.kind == "ring_on_shaft" and inner.fit == "bonded" and not inner.shaft_bore:
+        raise impossible("inner.shaft_thickness", f"that of a hollow shaft {choice}: a solid one is no beam")
 
 
 def require_solids(accuracy: Accuracy, inner: Inner, outer: Outer, *, lifts_off: bool) -> None:
