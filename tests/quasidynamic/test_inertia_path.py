@@ -173,7 +173,7 @@ def test_searches_that_end_with_their_budgets_are_told_with_what_they_cost(monke
     load = tuple(np.array([0.152, 0.061, 0.304, 0.001, -0.061]) * force * lever)
     with pytest.raises(NotSolved, match=r"in \d+ evaluations by Newton's method, along a path") as refused:
         model.solve(RingOperation(load=load, inner_speed=1111.6))
-    assert refused.value.outcome is SolverOutcome.STALLED
+    assert refused.value.outcome is SolverOutcome.LIMIT
 
 
 def test_bordered_equations_have_the_solution_of_the_whole_matrix():
