@@ -67,8 +67,7 @@ def sensitivities(
                 f"derivatives need another one, see flexbearing explain {key}"
             )
     keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
-    life = "life_L10" if case.life.is_basic else "modified_life"
-    asked = OUTPUTS.requested(of, life, elastic=not case.rigid)
+    asked = OUTPUTS.requested(of, basic=case.life.is_basic, elastic=not case.rigid)
     if not any(output.name.partition("_")[0] == PROBE for output in asked):
         case = case.model_copy(update={"outputs": case.outputs.model_copy(update={"probes": None})})
     report = report or Logged()

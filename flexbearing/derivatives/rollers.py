@@ -55,7 +55,7 @@ def differentiated(
 def requested_of(case: Case, of: Sequence[str]) -> list[RequestedOutput]:
     """Outputs of a case that are requested, as `sensitivities` takes them."""
     elastic = case.inner.kind != "rigid" or case.outer.kind != "rigid"
-    return OUTPUTS.requested(of, "life_L10" if case.life.is_basic else "modified_life", elastic=elastic)
+    return OUTPUTS.requested(of, basic=case.life.is_basic, elastic=elastic)
 
 
 @dataclass(frozen=True)

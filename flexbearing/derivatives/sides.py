@@ -53,12 +53,14 @@ class Differentiable:
     estimates: tuple[str, ...]  # quantities that are no outputs of the bearing
     kinds: str  # keys that decide whether rings are elastic
 
-    def requested(self, of: Sequence[str], life: str, *, elastic: bool) -> list[RequestedOutput]:
-        """Outputs that texts name, `all` and `life` among them; raises `UnknownOutput`, `WrongUnit` as well.
+    def requested(self, of: Sequence[str], *, basic: bool, elastic: bool) -> list[RequestedOutput]:
+        """Outputs that texts name, `all` and `life` among them: the basic life, or that with its factors.
+
+        Raises `UnknownOutput` and `WrongUnit` as well.
 
         Raises `BadCase` for those of rigid rings where rings are elastic.
         """
-        texts = list(of or self.main)
+        texts, life = list(of or self.main), "life_L10" if basic else "modified_life"
         if ALL in texts:
             every = (each.name for each in outputs(self.layout))
             texts = [name for name in every if name.partition(".")[0] not in self.estimates]

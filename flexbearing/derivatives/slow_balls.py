@@ -11,7 +11,7 @@ from flexbearing.case import BadCase
 from flexbearing.case.balls.four_point import FourPointCase
 from flexbearing.derivatives.by_keys import Differences, columns
 from flexbearing.derivatives.keys import Key, announced, given_keys, keys_of, with_value
-from flexbearing.derivatives.sides import LIFE, Differentiable, Stencil, tabled
+from flexbearing.derivatives.sides import Differentiable, Stencil, tabled
 from flexbearing.derivatives.table import Sensitivities
 from flexbearing.outputs import RequestedOutput
 from flexbearing.progress import Logged, Report
@@ -43,7 +43,8 @@ def sensitivities(
             'derivatives need "full_sliding"'
         )
     keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
-    asked, report = OUTPUTS.requested(of, LIFE, elastic=not case.rigid), report or Logged()
+    asked = OUTPUTS.requested(of, basic=case.life.is_basic, elastic=not case.rigid)
+    report = report or Logged()
     state = _State(case, four_point.elastic_rings(case, report), asked)
     found, left_out = columns(state, announced(keys, report))
     raceways = "rigid raceways" if case.rigid else "flexible rings"

@@ -12,7 +12,7 @@ from flexbearing.case import BadCase
 from flexbearing.case.tapered import TaperedCase
 from flexbearing.derivatives.by_keys import Differences, columns
 from flexbearing.derivatives.keys import Key, announced, given_keys, keys_of, with_value
-from flexbearing.derivatives.sides import LIFE, Differentiable, Stencil, tabled
+from flexbearing.derivatives.sides import Differentiable, Stencil, tabled
 from flexbearing.derivatives.table import Sensitivities
 from flexbearing.outputs import RequestedOutput
 from flexbearing.progress import Logged, Report
@@ -36,7 +36,8 @@ def sensitivities(
     `WrongUnit` for texts that name no output; `NotSolved` where there is no equilibrium.
     """
     keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
-    asked, report = OUTPUTS.requested(of, LIFE, elastic=not case.rigid), report or Logged()
+    asked = OUTPUTS.requested(of, basic=case.life.is_basic, elastic=not case.rigid)
+    report = report or Logged()
     state = _State(case, tapered.raceways(case, report), asked)
     found, left_out = columns(state, announced(keys, report))
     raceways = "rigid raceways" if case.rigid else "flexible rings"

@@ -42,3 +42,18 @@ def test_life_falls_by_the_power_of_all_loads():
 def test_wrong_keys_are_refused():
     with pytest.raises(BadCase):
         sensitivities(api.read_case(CASE), (), ["bearing.rolers"])
+
+
+@pytest.mark.parametrize(
+    ("case", "settings", "key"),
+    [
+        ("32207", (), "operation.load.axial"),
+        ("6209", (), "operation.load.radial_z"),
+        ("nu209", (), "operation.radial_load"),
+        ("joshi2015_fag", ("operation.mode=ring_load", "operation.load.axial=400 N"), "operation.load.axial"),
+    ],
+)
+def test_life_is_an_output_of_every_family(case, settings, key):
+    found = api.sensitivities(api.read_case(CONFIGS / f"{case}.toml", list(settings)), ["life"], [key])
+    assert [each.name for each in found.outputs] == ["life_L10"]
+    assert found.slopes.item() < 0
