@@ -122,7 +122,7 @@ def loaded_arc(azimuth: np.ndarray, load: np.ndarray) -> np.ndarray:
     place, is_loaded = (np.take_along_axis(array, order, axis=-1) for array in (place, _loaded(load)))
     for step in (1, -1):  # rollers of two rows at one azimuth hold the same place
         beside = np.abs(np.sin((place - np.roll(place, step, axis=-1)) / 2)) < SAME_PLACE
-        is_loaded = is_loaded | (beside & np.roll(is_loaded, step, axis=-1))
+        is_loaded = np.logical_or(is_loaded, np.logical_and(beside, np.roll(is_loaded, step, axis=-1)))
     # the arc is what the widest gap between neighbours leaves of the circle; twice around, so that every
     # roller has one before it
     around = [np.where(is_loaded, place + start, -turn) for start in (0.0, turn)]

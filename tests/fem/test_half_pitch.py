@@ -347,7 +347,7 @@ def test_half_pitches_make_the_whole_body(shape, fillet):
     assert 2 * part.bars * halves[0].mass == approx(whole[0], rel=1e-9)
     assert 2 * part.bars * sum(body.mass for body in halves) == approx(sum(whole), rel=1e-9)
     if fillet:
-        in_one = sum(body.mass for body in half_pitch_cage._in_one(part, L))
+        in_one = sum(body.mass for body in half_pitch._in_one(part, L))
         assert 2 * part.bars * in_one == approx(sum(whole), rel=1e-9)
 
 
