@@ -11,7 +11,7 @@ from pytest import approx
 from flexbearing import api, findings
 from flexbearing.findings import DANGER, MET, NOT_CHECKED, NOT_MET, OUTSIDE, USUAL, declared
 from flexbearing.findings.finding import AT_MOST
-from flexbearing.findings.row import RowFinding, in_rows, information, read, words, written
+from flexbearing.findings.row import RowFinding, in_rows, information, of_records, read, words, written
 from flexbearing.report.html import METRIC, checks as of_report
 from flexbearing.report.html.reader import Reader
 from flexbearing.runs import fields, judged
@@ -251,6 +251,17 @@ def test_findings_of_rows_are_named_by_code_and_grade():
     """A table keeps no more of them: limit, source and meaning are those that are declared."""
     of_rows = [(each.code, each.grade) for each in declared.DECLARED if in_rows(each.code, each.grade)]
     assert len(of_rows) == len({*of_rows})
+
+
+def test_what_is_usual_in_catalogues_is_checked_and_not_noted():
+    silent = {each.code for each in declared.DECLARED if not each.noted}
+    assert silent == {"viscosity-ratio", "film-ratio", "preload", "raceway-slope"}
+
+
+def test_rows_hold_six_digits():
+    (found,) = findings.records(findings.evaluate([declared.STATIC_SAFETY], {"static_safety": 0.123456789}))
+    (row,) = of_records([found])
+    assert (row.value, row.limit) == (0.123457, 1.0)
 
 
 ROW = RowFinding("contact-pressure", DANGER, 4.5e9, 4e9, ("inner", "outer"))

@@ -3,10 +3,11 @@
 import numpy as np
 from numpy.typing import NDArray
 
+FULL_HOLD = 2.5  # widths of tanh from which it is one but for a hundredth
 RELEASE = 0.2  # of the nominal centrifugal force: inner load over which a ball is let go by the inner race
-FULL_GRIP = 0.5  # of the centrifugal force: inner load above which h is one but for a hundredth
+FULL_GRIP = FULL_HOLD * RELEASE  # of the centrifugal force: inner load that holds a ball
 CAGED = 1e-3  # assumed; of centrifugal force and outer load: the same in the pocket of a cage
-FULL_CAGED = 5e-3  # assumed; of the outer load: inner load that drives a ball in a cage but for a hundredth
+FULL_CAGED = FULL_HOLD * 2 * CAGED  # of the outer load, which is at least the centrifugal force
 LEAST_RELEASE = 1e-100  # [N] the same at rest, where it no longer matters
 FULL_ANGLE, LARGEST_ANGLE = (
     np.radians(60.0),
