@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from flexbearing import inputs
 from flexbearing.files import require_folder, require_outputs, write
 from flexbearing.inputs.file import TABLE
+from flexbearing.outputs import AbsentOutput
 from flexbearing.outputs.value import WrongUnit, conversion
 from flexbearing.results import BadResult, Result
 
@@ -63,7 +64,7 @@ def export(source: Path | Result, directory: Path) -> Iterator[Path]:
 def of_result(result: Result) -> Bearing:
     """The bearing at the speed of a result.
 
-    Raises `BadResult` where it did not converge.
+    Raises `BadResult` where it did not converge, or has no stiffness.
     """
     if result.attributes["status"] != CONVERGED:
         raise BadResult(f"{result.place}: not converged: {result.attributes['message']}.")
@@ -76,7 +77,10 @@ def of_result(result: Result) -> Bearing:
     elastic = [f"{race} ring ({kind})" for race, kind in kinds.items() if kind != "rigid"]
     speed = case["operation"].get("inner_speed") or 0.0
     which = TILT_FOLLOWS if f"{TILT_FOLLOWS}_yy" in result.outputs else TILT_HELD
-    yy, yz, zy, zz = (np.array([float(result[f"{which}_{entry} [N/m]"])]) for entry in ENTRIES)
+    try:
+        yy, yz, zy, zz = (np.array([float(result[f"{which}_{entry} [N/m]"])]) for entry in ENTRIES)
+    except AbsentOutput as problem:  # such as of a ball under given loads of its contacts
+        raise BadResult(f"{result.place}: {problem}") from problem
     turns = np.sign(speed) or 1.0
     return Bearing(np.array([abs(speed)]), yy, -turns * yz, -turns * zy, zz, _inside(elastic))
 

@@ -102,6 +102,11 @@ WRONG = {
 }
 
 
+def test_a_result_without_a_stiffness_is_refused():
+    with pytest.raises(BadResult, match="stiffness_yy"):
+        ross.of_result(flexbearing.run(CONFIGS / "heras2017_a1.toml"))
+
+
 @pytest.mark.parametrize(("changes", "complaint"), WRONG.values(), ids=WRONG)
 def test_tables_that_give_no_bearing_are_refused(tmp_path, changes, complaint):
     with pytest.raises(BadResult, match=complaint):
