@@ -149,15 +149,16 @@ class Material(HeavyElastic):
     expansion: PerTemperature | None = key(EXPANSION, None, example="11.2e-6 1/K", ge=-1e-3, le=1e-3)
 
 
+def yield_stress() -> Any:
+    """Stress of a part whose stresses may be known."""
+    words = "yield stress; a computed stress above it is reported as a note"
+    return key(words, None, example="900 MPa", gt=0)
+
+
 class RingMaterial(Material):
     """A material of a part whose stresses may be known."""
 
-    yield_stress: Pressure | None = key(
-        "yield stress; a computed stress above it is reported as a note",
-        None,
-        example="900 MPa",
-        gt=0,
-    )
+    yield_stress: Pressure | None = yield_stress()
 
 
 @cache

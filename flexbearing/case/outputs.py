@@ -105,6 +105,12 @@ class Probes(Section):
 class RingOutputs(LifeOutputs):
     """What is computed beside the solution."""
 
+    stresses: bool = key(
+        "whether the largest stresses of the flexible parts at the end state are stored, and of roller "
+        "bearings the stiffness of their supports, for which a full solid of each part costs seconds",
+        False,
+    )
+
     probes: Probes | None = key(
         "strain gauges and displacement sensors on the flexible parts: each list has one entry for all "
         "probes, or one for each",

@@ -17,6 +17,7 @@ from flexbearing.quantities.coupling import (
     ERROR_ESTIMATE,
     ITERATIONS,
     METHOD,
+    STRESSES,
     STRUCTURE,
 )
 from flexbearing.quantities.layout import Axis, Layout
@@ -470,6 +471,7 @@ right-handed.
         RULE_ATTRIBUTE,
         CATALOGUE_ATTRIBUTE,
         *(replace(attribute, optional=True) for attribute in (METHOD, ATTEMPTS, STRUCTURE)),
+        STRESSES,
         CHOICES,
         ERROR_ESTIMATE,
     ),
@@ -482,6 +484,7 @@ right-handed.
         "life_rule",
         "catalogue_life",
         "structure",
+        "stresses",
         "choices",
         "error_estimate",
     ),

@@ -12,6 +12,14 @@ ATTEMPTS = Attribute(
     "methods of the coupling in the order they were tried, with their ends",
     form=records.ATTEMPTS,
 )
+STRESSES = Attribute(
+    "stresses",
+    "json",
+    "largest stresses of the flexible parts at the end state, and of roller bearings the stiffness of their "
+    "supports; absent without outputs.stresses",
+    optional=True,
+    form=records.STRESSES,
+)
 STRUCTURE = Attribute(
     "structure",
     "json",

@@ -12,6 +12,7 @@ from flexbearing.quantities.coupling import (
     ERROR_ESTIMATE,
     ITERATIONS,
     METHOD,
+    STRESSES,
     STRUCTURE,
 )
 from flexbearing.quantities.layout import Axis, Layout
@@ -572,14 +573,7 @@ _ATTRIBUTES = (
         form=records.EQUILIBRIA,
     ),
     STRUCTURE,
-    Attribute(
-        "stresses",
-        "json",
-        "largest stresses of the flexible parts at the end state, and the stiffness of their supports; "
-        "absent without outputs.stresses",
-        optional=True,
-        form=records.STRESSES,
-    ),
+    STRESSES,
     Attribute(
         "passage",
         "json",

@@ -156,6 +156,9 @@ STRESSES: Form = Each(
             ),
             "loads": TEXT,
             "left_out": TEXT,
+            "seconds": NUMBER,
+        },
+        optional={
             "support": Record(
                 {
                     "tilting_Nm_per_rad": NUMBER,
@@ -164,8 +167,7 @@ STRESSES: Form = Each(
                     "axial_error_N_per_m": NUMBER,
                 }
             ),
-            "seconds": NUMBER,
-        }
+        },
     ),
 )
 PASSAGE: Form = Record(

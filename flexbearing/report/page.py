@@ -71,7 +71,7 @@ def _tables(reader: Reader) -> Iterator[tuple[str, Table | None]]:
 
 def solids(reader: Reader) -> Iterator[RenderableType]:
     """Largest stresses of each body, and the stiffness of what holds the rings."""
-    yield from titled("largest stresses away from loaded rollers and sharp edges", rings.stresses(reader))
+    yield from titled("largest stresses away from contacts and sharp edges", rings.stresses(reader))
     yield from titled("loads of the solids, and stiffness of the supports alone", rings.solids(reader))
     yield from titled("radial stiffness of the supports alone", rings.supports(reader))
 

@@ -1,7 +1,7 @@
 """From a case to a bearing with fast balls, and from its solution to the arrays of a result file."""
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, Literal
@@ -36,6 +36,7 @@ from quasidynamic.parts.ball_cage import BallCage
 
 if TYPE_CHECKING:
     from fem.solid.probes import Readings
+    from flexbearing.case.balls.ring_room import Race
     from flexbearing.coupled.balls import CouplingRecord
     from flexbearing.rings.grooves import GroovePair
 
@@ -53,6 +54,7 @@ class Solution:
     unrolled: str = ""  # why stick and slip are not known, where the case requires them
     without_torque: str = ""  # why the torque of friction is not known, though a coefficient is
     probes: "Readings | str | None" = None  # or why there are none, though the case has some
+    stresses: "Mapping[Race, dict[str, Any] | str] | None" = None  # largest ones, or why there are none
 
     @property
     def worst(self) -> WorstPointContact:
@@ -195,7 +197,7 @@ def solved(
         states = between_elastic_rings(elastic, of_elastic, report, known, run)
         flexible = _finished(elastic, states, report)
         for k, each in zip(some, flexible, strict=True):
-            ended[k]["flexible"] = each if isinstance(each, Exception) else _probed(each, report)
+            ended[k]["flexible"] = each if isinstance(each, Exception) else _with_fields(each, report)
     return ended
 
 
@@ -216,14 +218,24 @@ def between_elastic_rings(
     return _balanced(cases, models, rings, run)
 
 
-def _probed(solution: Solution, report: Report) -> Solution:
-    """A solution between elastic rings with what its probes read."""
-    if solution.case.outputs.probes is None:
+def _with_fields(solution: Solution, report: Report) -> Solution:
+    """A solution between elastic rings with the stresses and strains of these that its case requires."""
+    outputs = solution.case.outputs
+    if outputs.probes is None and not outputs.stresses:
         return solution
     from flexbearing.runs import groove_fields  # with finite elements
 
-    report.stage("strains at the probes", None)
-    return replace(solution, probes=groove_fields.readings(solution.case, solution.state))
+    report.stage("stresses and strains of the rings", None)
+    return replace(
+        solution,
+        probes=groove_fields.readings(solution.case, solution.state) if outputs.probes else None,
+        stresses=groove_fields.stresses(solution.case, solution.state) if outputs.stresses else None,
+    )
+
+
+def stress_records(solution: Solution) -> dict[str, dict[str, Any]]:
+    """Largest stresses of the rings of which they are known."""
+    return {race: each for race, each in (solution.stresses or {}).items() if not isinstance(each, str)}
 
 
 def on_cam(case: FastCase, model: qd.AngularContactBallBearing) -> qd.AngularContactBallBearing:
@@ -504,6 +516,10 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
     }
     if not operation.by_friction:  # there balls turn where friction does not hold them
         values |= {"needed_friction": state.needed_friction.max(), "friction": case.friction.coefficient}
+    if stressed := stress_records(solution):
+        from flexbearing.runs import fields  # with finite elements
+
+        values |= fields.values(case, stressed)
     if lives is not None:
         life = lives.basic if lives.modified is None else lives.modified
         values |= {
@@ -579,6 +595,11 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
         + shoulders.unrolled(solution.unrolled)
         + shoulders.without_torque(solution.without_torque)
         + probes.notes(solution.probes)
+        + tuple(
+            information("no-stresses", f"no stresses: {why}")
+            for why in (solution.stresses or {}).values()
+            if isinstance(why, str)
+        )
         + subsurface.notes(case, solution.worst)
         + ball_lives.notes(case)
     )

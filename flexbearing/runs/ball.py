@@ -99,7 +99,8 @@ def solve_angular(
     life = solution.lives and solution.lives.of_state
     lives = {name: life.record()} if life else {}
     rule = {"life_rule": life_rules.of_elements(case)} if solution.lives else {}
-    return {**ending, "clearance": clearance.record(case), "life": lives, **rule, **coupled}
+    stressed = {"stresses": angular_contact.stress_records(solution)} if case.outputs.stresses else {}
+    return {**ending, "clearance": clearance.record(case), "life": lives, **rule, **stressed, **coupled}
 
 
 def _lives(solution: four_point.Solution) -> dict[str, Any]:

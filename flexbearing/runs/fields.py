@@ -30,14 +30,15 @@ WITHOUT_BARS = (3, 1.2, 0.4)
 FOR_STRESSES = {fem.OuterRing: (6, 0.6, 0.2), fem.RingOnShaft: (6, 0.6, 0.2), fem.SquirrelCage: (5, 0.6, 0.4)}
 
 
-def values(case: Case, race: Race, record: dict[str, Any]) -> dict[str, dict[str, Any]]:
-    """Largest von Mises stress of each body and its yield stress [Pa], for findings."""
+def values(case: Case | FastCase, stresses: Mapping[Any, dict[str, Any]]) -> dict[str, dict[str, Any]]:
+    """Largest von Mises stress of each body of each part and its yield stress [Pa], for findings."""
     found: dict[str, dict[str, Any]] = {"stress": {}, "yield_stress": {}}
-    for body, most in record["bodies"].items():
-        material = expansion.material(case, body if body in ("shaft", "housing") else f"{race}_ring")
-        place = f"{race}: {body} (von Mises)"
-        found["stress"][place] = MEGA * most["von_mises_MPa"]
-        found["yield_stress"][place] = getattr(material, "yield_stress", None)  # not of every material
+    for race, record in stresses.items():
+        for body, most in record["bodies"].items():
+            material = expansion.material(case, body if body in ("shaft", "housing") else f"{race}_ring")
+            place = f"{race}: {body} (von Mises)"
+            found["stress"][place] = MEGA * most["von_mises_MPa"]
+            found["yield_stress"][place] = getattr(material, "yield_stress", None)  # not of every material
     return found
 
 

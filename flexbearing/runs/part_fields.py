@@ -127,15 +127,9 @@ class PartFields:
     def record(self) -> dict[str, Any]:
         """Largest values with their errors and units, as JSON can hold them."""
         began = perf_counter()
-        bodies = {name: _body_record(most) for name, most in self.extremes.items()}
-        steady = self.surroundings.speed or any(self.surroundings.thermal_strains.values())
-        return {
-            "bodies": bodies,
-            "loads": "rollers, heat and rotation" if steady else "rollers",
-            "left_out": self.left_out,
-            "support": self.support(),
-            "seconds": perf_counter() - began,
-        }
+        bodies = {name: body_record(most) for name, most in self.extremes.items()}
+        record = stress_record(bodies, "rollers", self.surroundings, self.left_out)
+        return record | {"support": self.support(), "seconds": perf_counter() - began}
 
     @contextmanager
     def _solving(self) -> Iterator[None]:
@@ -159,7 +153,16 @@ class Sizes:
     threads: int
 
 
-def _body_record(most: BodyExtremes) -> dict[str, float]:
+def stress_record(
+    bodies: dict[str, dict[str, float]], elements: str, around: Surroundings, left_out: str
+) -> dict[str, Any]:
+    """Largest values of all bodies of a part, and the loads they hold."""
+    steady = around.speed or any(around.thermal_strains.values())
+    loads = f"{elements}, heat and rotation" if steady else elements
+    return {"bodies": bodies, "loads": loads, "left_out": left_out}
+
+
+def body_record(most: BodyExtremes) -> dict[str, float]:
     """Extremes of a body with their units; the place is that of the largest von Mises stress."""
     record = {}
     for name in ("von_mises", "tension", "compression"):

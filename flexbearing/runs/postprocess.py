@@ -79,9 +79,7 @@ class Postprocessing:
         if self.stresses:
             from flexbearing.runs import fields
 
-            for race, record in self.stresses.items():
-                for quantity, of_bodies in fields.values(self.case, race, record).items():
-                    values.setdefault(quantity, {}).update(of_bodies)
+            values |= fields.values(self.case, self.stresses)
         return findings.evaluate(declared.OF_ROLLERS, values)
 
     def _notes_on_several(self, answer: SolvedRows) -> list[Note]:

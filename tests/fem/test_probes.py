@@ -139,6 +139,22 @@ def test_hoop_strain_of_a_grooved_ring_between_two_balls_is_that_of_a_curved_bar
         assert found.hoop_strain == approx(expected, rel=0.01), degrees
 
 
+def test_largest_stress_of_a_grooved_ring_is_above_a_ball_on_its_outside(pinched_ring):
+    """Beyond the reach of the patches: the groove, where the shoulder is pressed more, does not count."""
+    clear = clearing(GROOVED, pinched_ring.patches, pinched_ring.forces, pinched_ring.radius)
+    bottom = GROOVE.bottom(1)
+    places = np.array([[0.0, 0.0, bottom + 0.59e-3], [0.0, 0.0, bottom + 0.61e-3], [0.0, bottom, 0.0]])
+    assert clear(places).tolist() == [False, True, True]
+    tension = extremes(pinched_ring, "ring", clear).tension
+    assert sin(tension.azimuth) == approx(0.0, abs=0.05)
+    assert tension.radius == approx(LAND + GROOVED.thickness, rel=1e-6)
+    there = replace(POINT, azimuth=tension.azimuth, x=tension.x)
+    strain = read(pinched_ring, GROOVED, there).strain
+    assert tension.value == approx(hooke(strain, STEEL)[0, 2], abs=tension.error)
+    bent = STEEL.youngs_modulus * grooved_strain(0.0, tension.radius)
+    assert tension.value == approx(bent, rel=0.03)
+
+
 def test_a_grooved_ring_turned_with_its_balls_reads_the_same_and_less_the_stiffer_it_is(pinched_ring):
     at = replace(POINT, azimuth=0.8)
     expected = read(pinched_ring, GROOVED, at).strain[0]

@@ -207,7 +207,7 @@ def test_balls_are_judged_by_their_ratings_and_those_that_turn_freely_by_no_fric
 
 def test_bodies_are_judged_by_the_yield_stress_of_their_material():
     case = api.read_case(CONFIGS / BARS[0], BARS[1:])
-    found = fields.values(case, "outer", {"bodies": {"ring": {"von_mises_MPa": 5.0}}})
+    found = fields.values(case, {"outer": {"bodies": {"ring": {"von_mises_MPa": 5.0}}}})
     place = "outer: ring (von Mises)"
     assert found == {"stress": {place: 5e6}, "yield_stress": {place: 9e8}}
 

@@ -8,10 +8,11 @@ from pydantic import model_validator
 from flexbearing.case.balls.fits import FITTED, HOUSED, Fits
 from flexbearing.case.balls.parts import BallBearing
 from flexbearing.case.head import Head
-from flexbearing.case.materials import EXPANSION, Elastic, HeavyElastic
+from flexbearing.case.materials import EXPANSION, Elastic, HeavyElastic, yield_stress
 from flexbearing.case.quantity import (
     Density,
     PerTemperature,
+    Pressure,
     Section,
     Temperature,
     impossible,
@@ -29,11 +30,18 @@ class WarmMaterial(HeavyElastic):
     expansion: PerTemperature | None = key(EXPANSION, None, example=STEEL, ge=-1e-3, le=1e-3)
 
 
+class SeatMaterial(WarmMaterial):
+    """A material of shaft or housing."""
+
+    yield_stress: Pressure | None = yield_stress()
+
+
 class RingElastic(Elastic):
     """A material of a ring, which fits and heat may widen."""
 
     density: Density | None = key("density; needed with [bearing.fits]", None, gt=0)
     expansion: PerTemperature | None = key(EXPANSION, None, example=STEEL, ge=-1e-3, le=1e-3)
+    yield_stress: Pressure | None = yield_stress()
 
 
 class Temperatures(Section):
@@ -149,12 +157,12 @@ class FastMaterials(MountedMaterials):
     ball: WarmMaterial = key("of the balls")
     inner_ring: RingElastic | None = key(f"of the inner ring; {AS_BALLS}", None)
     outer_ring: RingElastic | None = key(f"of the outer ring; {AS_BALLS}", None)
-    shaft: WarmMaterial | None = key(
+    shaft: SeatMaterial | None = key(
         "of the shaft; needed for [bearing.fits] and for an elastic inner ring",
         None,
         only=(FITTED, {"inner.kind": ("ring_on_shaft",)}),
     )
-    housing: WarmMaterial | None = key(
+    housing: SeatMaterial | None = key(
         "of the housing; needed for [bearing.fits.housing] and for an elastic housing",
         None,
         only=(HOUSED, {"outer.kind": ("ring",), "outer.support": ("housing",)}),

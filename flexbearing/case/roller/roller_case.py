@@ -6,6 +6,7 @@ from typing import Literal, Self
 from pydantic import model_validator
 
 from flexbearing.case.head import KIND, Head
+from flexbearing.case.outputs import RingOutputs
 from flexbearing.case.quantity import impossible, in_mm, key, located, needed
 from flexbearing.case.ratings import FEWEST_SLICES, Life
 from flexbearing.case.roller.bearing import Bearing
@@ -19,7 +20,6 @@ from flexbearing.case.roller.consistency import (
 )
 from flexbearing.case.roller.lubricant import Lubricant
 from flexbearing.case.roller.numerics import Accuracy, Coupling
-from flexbearing.case.roller.outputs import Outputs
 from flexbearing.case.roller.rings import Inner, Outer
 from flexbearing.case.roller.surroundings import Materials, Operation
 from flexbearing.case.tolerances import CLEARANCE, HOUSING, SHAFT, Band, Place
@@ -49,7 +49,7 @@ class Case(Head):
     life: Life = key("what modifies the basic life", {})
     coupling: Coupling = key("how bearing and rings are solved together", {})
     accuracy: Accuracy = key("numerical resolution", {})
-    outputs: Outputs = key("further results to compute", {})
+    outputs: RingOutputs = key("further results to compute", {})
 
     @property
     def drawing(self) -> Path | None:

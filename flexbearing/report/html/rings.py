@@ -116,6 +116,7 @@ def solids(reader: Reader) -> Table | None:
         seconds = reader.of_attribute(f"stresses/{part}/seconds", "s", "s", ",.1f")
         rows.append((part, loads, seconds, *(
             reader.of_attribute(f"stresses/{part}/support/{name}", stored, people, ",.4g")
+            if "support" in known else ""
             for *names, stored, people in stiffness.values() for name in names
         )))  # fmt: skip
     head = (
