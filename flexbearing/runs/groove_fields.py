@@ -41,13 +41,12 @@ def readings(case: FastCase, state: AngularContactState) -> Readings | str:
 
 def stresses(case: FastCase, state: AngularContactState) -> dict[Race, dict[str, Any] | str]:
     """Largest stresses of the elastic rings of a case, or why there are none; by ring."""
-    shapes = {race: shape for race in RACES if (shape := shape_of(case, race))}
+    shapes: dict[Race, GrooveShape] = {race: shape for race in RACES if (shape := shape_of(case, race))}
     found: dict[Race, dict[str, Any] | str] = {}
     for race, shape in shapes.items():
+        words = why_no_solid(case, race)
         try:
-            if words := why_no_solid(case, race):
-                raise NoFields(f"{NAMES[race]}: {words}")
-            found[race] = _record(case, state, shape)
+            found[race] = f"{NAMES[race]}: {words}" if words else _record(case, state, shape)
         except NoFields as problem:
             found[race] = str(problem)
     return found

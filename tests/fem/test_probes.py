@@ -26,7 +26,7 @@ from fem.parts.groove import BallPatches, Groove
 from fem.parts.probe import Probe, radius
 from fem.parts.surroundings import Surroundings
 from fem.section.loaded_section import loaded_section
-from fem.solid.clearing import clearing
+from fem.solid.clearing import GrooveArc, clearing
 from fem.solid.extremes import extremes, von_mises
 from fem.solid.lattice import hooke, hooke_reversed
 from fem.solid.probes import readings
@@ -101,11 +101,11 @@ GROOVED = OuterRing(
 )  # fmt: skip
 
 
-def pinched(ring=GROOVED, turned=0.0):
-    """A ring that two balls press apart, at stations of its groove."""
+def pinched(ring=GROOVED, turned=0.0, finer=1):
+    """A ring that two balls press apart, at stations of its groove; on elements so much smaller."""
     stations = Stations(angles=(-0.5, 0.0, 0.5), width=0.15e-3)
     loads = BallPatches(azimuths=(turned, turned + pi), length=GROOVE.width(LAND, 1), stations=stations)
-    size = MeshSize(order=4, size=1e-3, raceway_size=0.4e-3)
+    size = MeshSize(order=3 + finer, size=1e-3 / finer, raceway_size=0.4e-3 / finer)
     return loaded_section(ring, loads, PULL * np.array([[0.0, 1.0, 0.0]] * 2), size)
 
 
@@ -145,6 +145,12 @@ def test_largest_stress_of_a_grooved_ring_is_above_a_ball_on_its_outside(pinched
     bottom = GROOVE.bottom(1)
     places = np.array([[0.0, 0.0, bottom + 0.59e-3], [0.0, 0.0, bottom + 0.61e-3], [0.0, bottom, 0.0]])
     assert clear(places).tolist() == [False, True, True]
+    for outward in (1, -1):
+        arc = GrooveArc(GROOVE, outward, (-0.3, 0.6))
+        towards = np.array([[sin(a), 0.0, outward * cos(a)] for a in (0.2, 1.0)])
+        centre = np.array([0.0, 0.0, GROOVE.centre_radius])
+        on_arc = centre + GROOVE.radius * np.array([[sin(a), 0.0, outward * cos(a)] for a in (0.2, 0.6)])
+        assert arc.nearest(centre + 2 * GROOVE.radius * towards, 0.0) == approx(on_arc, rel=1e-12)
     tension = extremes(pinched_ring, "ring", clear).tension
     assert sin(tension.azimuth) == approx(0.0, abs=0.05)
     assert tension.radius == approx(LAND + GROOVED.thickness, rel=1e-6)
@@ -153,6 +159,14 @@ def test_largest_stress_of_a_grooved_ring_is_above_a_ball_on_its_outside(pinched
     assert tension.value == approx(hooke(strain, STEEL)[0, 2], abs=tension.error)
     bent = STEEL.youngs_modulus * grooved_strain(0.0, tension.radius)
     assert tension.value == approx(bent, rel=0.03)
+
+
+@pytest.mark.slow
+def test_error_of_the_largest_stress_of_a_grooved_ring_holds_on_a_finer_mesh(pinched_ring):
+    clear = clearing(GROOVED, pinched_ring.patches, pinched_ring.forces, pinched_ring.radius)
+    tension, reference = (extremes(each, "ring", clear).tension for each in (pinched_ring, pinched(finer=2)))
+    assert tension.value == approx(reference.value, abs=tension.error)
+    assert tension.error < 0.03 * tension.value
 
 
 def test_a_grooved_ring_turned_with_its_balls_reads_the_same_and_less_the_stiffer_it_is(pinched_ring):

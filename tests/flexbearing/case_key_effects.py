@@ -609,6 +609,7 @@ EFFECTS = (
     ("fast balls", "rolling_lines.net_force", "balanced", "case.rolling_lines.net_force"),
     ("fast balls", "rolling_lines.points", 102, "case.rolling_lines.points"),
     ("fast balls", "outputs.subsurface_stresses", True, "case.outputs.subsurface_stresses"),
+    ("fast balls", "outputs.stresses", True, "case.outputs.stresses"),
     ("fast balls", "outputs.assumed_effects", True, "case.outputs.assumed_effects"),
     ("shaft fit", "materials.inner_ring.density", "7900 kg/m^3",
      "inner_fit.fit.densities.0 model.bearing.inner_ring.density"),

@@ -33,6 +33,12 @@ BALLS = (
     *A_ISO,
 )
 DEEP = ("6209.toml",)
+STRESSED = (
+    "6209.toml", "outer.kind=ring", "outer.thickness=5 mm", "outer.width=19 mm", "outputs.stresses=true",
+    "bearing.outer.shoulder=2.2 mm", "accuracy.stations=3", "accuracy.element_order=3",
+    "accuracy.patch_width=2 mm", "materials.outer_ring.youngs_modulus=206 GPa",
+    "materials.outer_ring.poisson_ratio=0.3", "materials.outer_ring.yield_stress=900 MPa",
+)  # fmt: skip
 RATED = ("catalogue/nj2210.toml", "bearing.roller.length=12 mm")
 RATED_BALLS = ("catalogue/6208.toml", "bearing.balls=8")
 OF_RATINGS = ("rating-above-formula", "rating-below-formula", "changed-rating")
@@ -72,12 +78,13 @@ QJ = ("joshi2015_qj309.toml", "operation.speed=10000 rpm", "operation.load.axial
 BASES = {"static_pressure": rating_life.ROLLERS, "dynamic_rating": 7e4, "static_rating": 6e4,
          "yield_stress": 9e8, "friction": 0.1, "mixed_film_ratio": MIXED_FROM,
          "required_life": 7.2e7, "limiting_speed": 900.0, "reference_speed": 800.0}  # fmt: skip
+OTHER_BALLS = {"preload": DEEP, "yield-stress": STRESSED}
 CASES = [
     *((number, "OF_ROLLERS",
        BARS if each.code in FLEXIBLE else RATED if each.code in OF_RATINGS else ROLLERS)
       for number, each in enumerate(declared.OF_ROLLERS)),
     *((number, "OF_BALLS",
-       DEEP if each.code == "preload" else RATED_BALLS if each.code in OF_RATINGS else BALLS)
+       OTHER_BALLS.get(each.code, RATED_BALLS if each.code in OF_RATINGS else BALLS))
       for number, each in enumerate(declared.OF_BALLS)),
     (declared.OF_SLOW_BALLS.index(declared.GYROSCOPIC_SLIP), "OF_SLOW_BALLS", QJ),
     (declared.OF_TAPERED.index(declared.RIB_CONTACT), "OF_TAPERED", ("32207.toml",)),

@@ -112,6 +112,42 @@ def test_a_turning_shaft_stretches_its_bore():
     assert slow > 1.0  # inside of a wall that a ball bends inward
 
 
+STRESSES = {"outputs.stresses": True}
+
+
+def test_largest_stress_of_a_ring_is_stored_judged_and_on_the_page():
+    """A note where it is above the yield stress, as in a row."""
+    steel = {"youngs_modulus": "206 GPa", "poisson_ratio": 0.3, "yield_stress": "1 MPa"}
+    settings = SOFT | STRESSES | {"materials.outer_ring": steel}
+    found = flexbearing.run(CASE, settings)
+    ring = found.attributes["stresses"]["outer"]
+    largest = ring["bodies"]["ring"]
+    assert (ring["loads"], ring["left_out"]) == ("balls", "")
+    assert largest["von_mises_MPa"] > largest["tension_MPa"] / 2 > 1.0
+    (record,) = [each for each in found.attributes["findings"] if each["code"] == "yield-stress"]
+    assert (record["value"], record["limit"]) == (approx(1e6 * largest["von_mises_MPa"]), 1e6)
+    assert record["verdict"] == "not met"
+    assert f" {largest['von_mises_MPa']:.0f} " in text(found)
+    assert "Largest stresses, away from contacts" in html(of_result(found))
+    (row,) = angular_answers([read_case(CASE, settings)], [])
+    assert "yield-stress" in [each.code for each in row.findings]
+
+
+@pytest.mark.slow
+def test_stress_of_a_cage_is_that_of_its_ring_and_of_lines_there_is_none():
+    found = flexbearing.run("configs/harris218_cage.toml", STRESSES)
+    cage = found.attributes["stresses"]["outer"]
+    assert ([*cage["bodies"]], cage["left_out"]) == (["ring"], "where bars begin")
+    lines = {
+        "outer.support": "lines",
+        "outer.bilateral": True,
+        "outer.line_azimuths": ["0 deg", "120 deg", "240 deg"],
+    }
+    found = flexbearing.run(CASE, RING | lines | STRESSES)
+    assert found.attributes["stresses"] == {}
+    assert "no-stresses" in codes(found)
+
+
 @pytest.mark.parametrize(
     ("settings", "words"),
     [
