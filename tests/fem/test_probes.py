@@ -139,8 +139,7 @@ def test_hoop_strain_of_a_grooved_ring_between_two_balls_is_that_of_a_curved_bar
         assert found.hoop_strain == approx(expected, rel=0.01), degrees
 
 
-def test_largest_stress_of_a_grooved_ring_is_above_a_ball_on_its_outside(pinched_ring):
-    """Beyond the reach of the patches: the groove, where the shoulder is pressed more, does not count."""
+def test_places_count_beyond_the_reach_of_the_arc_that_a_ball_presses(pinched_ring):
     clear = clearing(GROOVED, pinched_ring.patches, pinched_ring.forces, pinched_ring.radius)
     bottom = GROOVE.bottom(1)
     places = np.array([[0.0, 0.0, bottom + 0.59e-3], [0.0, 0.0, bottom + 0.61e-3], [0.0, bottom, 0.0]])
@@ -151,6 +150,12 @@ def test_largest_stress_of_a_grooved_ring_is_above_a_ball_on_its_outside(pinched
         centre = np.array([0.0, 0.0, GROOVE.centre_radius])
         on_arc = centre + GROOVE.radius * np.array([[sin(a), 0.0, outward * cos(a)] for a in (0.2, 0.6)])
         assert arc.nearest(centre + 2 * GROOVE.radius * towards, 0.0) == approx(on_arc, rel=1e-12)
+
+
+@pytest.mark.slow
+def test_largest_stress_of_a_grooved_ring_is_above_a_ball_on_its_outside(pinched_ring):
+    """Beyond the reach of the patches: the groove, where the shoulder is pressed more, does not count."""
+    clear = clearing(GROOVED, pinched_ring.patches, pinched_ring.forces, pinched_ring.radius)
     tension = extremes(pinched_ring, "ring", clear).tension
     assert sin(tension.azimuth) == approx(0.0, abs=0.05)
     assert tension.radius == approx(LAND + GROOVED.thickness, rel=1e-6)
