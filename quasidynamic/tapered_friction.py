@@ -11,6 +11,7 @@ from quasidynamic.contact.drag.orbit_drag import roller_drag_force
 from quasidynamic.contact.film import FilmLaw, starved_film
 from quasidynamic.contact.line.load_law import SMALLEST_LOAD
 from quasidynamic.contact.lubrication import Lubrication
+from quasidynamic.contact.traction.film_strip import friction_intensity
 from quasidynamic.errors import ImpossiblePart
 from quasidynamic.tapered import TaperedLoads
 
@@ -221,6 +222,13 @@ class TaperedFriction:
     def sliding_heat(self) -> NDArray:
         """Heat of the sliding of each roller on both raceways (2, Z) [W]."""
         return (self.traction * self.sliding).sum(-1)
+
+    @property
+    def friction_intensity(self) -> NDArray:
+        """Largest heat of sliding per area (2, Z) [W/m2] of the slices of each contact."""
+        load = self.loads.slice_loads
+        pull = self.traction / self.loads.slices.widths
+        return friction_intensity(pull, self.sliding, load, self._radius, self._modulus).max(-1)
 
     @cached_property
     def rolling_heat(self) -> NDArray:

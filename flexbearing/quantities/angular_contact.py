@@ -9,7 +9,13 @@ import numpy as np
 
 from flexbearing.quantities.attributes import HEAD
 from flexbearing.quantities.ball_clearance import CLEARANCE_ATTRIBUTE
-from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, static_safety, subsurface, worst_contact
+from flexbearing.quantities.contact_stress import (
+    SUBSURFACE_AXES,
+    friction_intensity,
+    static_safety,
+    subsurface,
+    worst_contact,
+)
 from flexbearing.quantities.coupling import (
     ATTEMPTS,
     BALL_LOAD,
@@ -36,7 +42,7 @@ from flexbearing.quantities.reductions import (
     tilts,
 )
 from flexbearing.quantities.stiffness import RADIAL_STIFFNESSES
-from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, MREV, PERCENT, RPM, UM
+from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, MREV, PERCENT, RPM, UM, W_PER_MM2
 
 STIFFNESSES = ("stiffness_xx", "stiffness_yy", "stiffness_zz")  # whose errors are estimated
 DRY_TORQUE = "friction torque (dry, no cage, unless in the case)"
@@ -262,9 +268,10 @@ QUANTITIES = (
             "largest spin over roll", ".3f", parts=RACES),)),
     Quantity("sliding_power", "p V", "race Z", "W/m^2", "block",
         f"pressure times slip, mean over the contact; {_IN_OIL}", source="oil.sliding_power",
-        people=Unit("W/mm^2", 1e-6), optional=True,
+        people=W_PER_MM2, optional=True,
         summary=(SummaryValue("largest_sliding_power_W_per_mm2", _largest_of_races,
             "largest pressure times slip", ",.0f", parts=RACES),)),
+    friction_intensity("oil.friction_intensity", "mean over the contact", _IN_OIL),
 
     # life
     Quantity("life_L10", "L_10r", "", "rev", "block",

@@ -1,12 +1,13 @@
-"""Output quantities of the most pressed contact of each raceway, alike for rollers and balls."""
+"""Output quantities of the worst contacts of each raceway, alike for rollers and balls."""
 
 from flexbearing.quantities.layout import Axis
 from flexbearing.quantities.quantity import Quantity, SummaryValue
-from flexbearing.quantities.reductions import RACES
-from flexbearing.quantities.units import MPA, UM
+from flexbearing.quantities.reductions import RACES, largest
+from flexbearing.quantities.units import MPA, UM, W_PER_MM2
 
 _ASKED = "absent without outputs.subsurface_stresses"
 _WORST = "below the largest contact pressure (inner, outer)"
+OF_SLICES = "largest of the slices of a contact, mean over their width"
 SUBSURFACE_AXES = (Axis("S1", "depth_below"), Axis("S2", "place_in_rolling_direction"))
 
 
@@ -49,6 +50,16 @@ def static_safety(source: str, load: str, *, optional: bool = False) -> Quantity
         f"equivalent load of {load}; infinite without load{absent}", source=source, infinite=True,
         optional=optional, summary=(
             SummaryValue("static_safety", label="static safety C_0/P_0", digits=",.2f"),))
+
+
+def friction_intensity(source: str, mean: str, absent: str = "") -> Quantity:
+    """What published criteria of smearing limit, a mean over the width of a slice or over a contact."""
+    return Quantity("friction_intensity", "", "race Z", "W/m^2", "block",
+        f"frictional power intensity: traction times sliding speed per area, {mean} (inner, outer), 0 "
+        f"without load; no limit is declared{absent and f'; {absent}'}", source=source, people=W_PER_MM2,
+        optional=bool(absent), summary=(
+            SummaryValue("largest_friction_intensity_W_per_mm2", largest,
+                         "sliding power per area", ",.3g", parts=RACES),))
 
 
 def subsurface(section: str = "") -> tuple[Quantity, ...]:

@@ -5,7 +5,14 @@ The page of a result shows its rows in the order of declaration.
 
 from flexbearing.quantities import roller_records as records
 from flexbearing.quantities.attributes import HEAD, Attribute
-from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, static_safety, subsurface, worst_contact
+from flexbearing.quantities.contact_stress import (
+    OF_SLICES,
+    SUBSURFACE_AXES,
+    friction_intensity,
+    static_safety,
+    subsurface,
+    worst_contact,
+)
 from flexbearing.quantities.coupling import (
     ATTEMPTS,
     CHOICES,
@@ -274,6 +281,7 @@ QUANTITIES = (
         "traction of the inner raceway on the roller, positive to +azimuth", source="state.traction.0"),
     Quantity("outer_traction", "T_o", "Z", "N", "state",
         "traction of the outer raceway on the roller, positive to +azimuth", source="state.traction.1"),
+    friction_intensity("state.friction_intensity", f"{OF_SLICES}, skew left out"),
     Quantity("inner_inlet_shear", "S_i", "Z", "N", "block",
         "shear of the inner inlet on the roller, positive to +azimuth; the same acts on the raceway",
         source="state.acting.inlet_shear.0"),

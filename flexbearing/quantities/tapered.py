@@ -4,7 +4,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.quantities.attributes import HEAD
-from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, static_safety, subsurface, worst_contact
+from flexbearing.quantities.contact_stress import (
+    OF_SLICES,
+    SUBSURFACE_AXES,
+    friction_intensity,
+    static_safety,
+    subsurface,
+    worst_contact,
+)
 from flexbearing.quantities.layout import Axis, Layout
 from flexbearing.quantities.life_records import CATALOGUE_ATTRIBUTE, LIFE_ATTRIBUTE, RULE_ATTRIBUTE
 from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
@@ -155,6 +162,7 @@ QUANTITIES = (
         optional=True, summary=(
             SummaryValue("max_traction_share", lambda share: share.max((-2, -1)),
                 "largest traction over load", ".4f"),)),
+    friction_intensity("friction.friction_intensity", OF_SLICES, _NO_FRICTION),
     *(
         Quantity(f"loss_{cause}", "", "", "W", "block", f"power lost by {words}; {_NO_FRICTION}",
             source=source, optional=True,

@@ -12,6 +12,7 @@ from quasidynamic.balance.rollers.roller import RollerState
 from quasidynamic.balance.rollers.unknowns import CAGE, INNER, OUTER, TILT_Z, Unknowns
 from quasidynamic.contact.cage import displacement_in_pocket, land_torque
 from quasidynamic.contact.line import Slices, palmgren, peak_pressure
+from quasidynamic.contact.traction.film_strip import friction_intensity
 from quasidynamic.outcome.acting_forces import ActingForces, Losses
 from quasidynamic.outcome.life import basic_life, raceway_lives, turning_share
 from quasidynamic.outcome.ring_stiffness import (
@@ -420,6 +421,15 @@ class BearingStates:
         points = self.balance.points
         inner, outer = turning_share(points.ring_speeds, points.relative_speed)[..., 0]
         return inner, outer
+
+    @property
+    def friction_intensity(self) -> NDArray:
+        """Largest heat of sliding per area (C, 2, Z) [W/m2] of the slices of each contact, skew left out."""
+        raceways, rollers = self.balance.roller.raceways, self.rollers
+        load = np.moveaxis(rollers.contact.slice_load, -1, 0)  # (K, 2, C, Z)
+        pull = raceways.traction(load, rollers.sliding, rollers.entrainment, self.unknowns.film)
+        pair = raceways.radius, raceways.modulus
+        return friction_intensity(pull.force, rollers.sliding, load, *pair).max(axis=0).swapaxes(0, 1)
 
     # -- stiffness -----------------------------------------------------------------------------
 

@@ -50,6 +50,8 @@ def test_films_and_slip_are_in_the_file(block):
     assert block["film_ratio"] == approx(block["film"] / rough, rel=1e-12)
     assert block["mean_ball_slip"] == approx(block["ball_slip"].mean(), rel=1e-12)
     assert (block["sliding_power"] > 0).all()
+    area = np.pi * block["semi_axis_across"] * block["semi_axis_along"]  # at the loaded contact angles
+    assert block["friction_intensity"] == approx(block["sliding_heat"] / area, rel=5e-3)
 
 
 CAGE = {

@@ -56,6 +56,7 @@ class OiledBalls(NamedTuple):
     slip: NDArray  # [-] of the orbit against rolling with the same axis, both against the outer ring
     spin_to_roll: NDArray  # (2) [-]
     sliding_power: NDArray  # (2) [W/m2] pressure times slip, mean over the contact
+    friction_intensity: NDArray  # (2) [W/m2] heat of the slip per area
     pocket_force: NDArray  # [N] of the cage on the ball, signed like speeds
     pocket_torque: NDArray  # [N m] of the pocket on the ball about the shaft, with its friction, signed alike
     pocket_displacement: NDArray  # [m] of the ball from the centre of its pocket, signed alike
@@ -206,11 +207,12 @@ class FreeBalls:
         none = np.zeros(len(motion))
         alone = sliding_ellipse(slip, self.ellipse).power  # of a coefficient of one
         area = np.pi * self.ellipse.across * self.ellipse.along
+        heat = speed * friction.sliding.power
         rolled = 2 * friction.rolling.force * friction.sense**2 * friction.entrainment
         return OiledBalls(
             film=friction.film.thickness,
             entrainment=speed * friction.entrainment,
-            sliding_heat=speed * friction.sliding.power,
+            sliding_heat=heat,
             rolling_heat=speed * rolled,
             drag_heat=oil.speed * mixture.drag * self.contacts.pitch_radius * np.abs(mixture.orbit),
             churning_heat=oil.speed * mixture.churning * mixture.spin,
@@ -218,6 +220,7 @@ class FreeBalls:
             slip=1.0 - motion[:, ORBIT] / _rolling_orbit(self.by_motion[:, :, CENTRE], motion),
             spin_to_roll=slip[..., SPIN] / slip[..., ROLL],
             sliding_power=speed * alone / area,
+            friction_intensity=heat / area,
             pocket_force=none if pocket is None else -sense * pocket.force,
             pocket_torque=none if pocket is None else -sense * pocket.torque,
             pocket_displacement=none if pocket is None else sense * pocket.displacement,
