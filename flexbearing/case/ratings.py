@@ -33,6 +33,10 @@ REQUIRED = (
 FEWEST_SLICES = 30  # of ISO/TS 16281, for the edge stress
 BY_RATING = {"loads": ("rating",)}
 BY_OIL = {"lubrication": ("a_ISO",)}
+OF_PARTS = (
+    "whether a_ISO is that of the reference load of the bearing, or of each {} by its own, as a public "
+    "program states ISO 16281:2025"
+)
 
 
 class Ratings(Section):
@@ -115,11 +119,7 @@ class Life(Ratings):
         "film: factor of the film over the roughness; a_ISO: factor of ISO 281 by viscosity and cleanliness",
         None,
     )
-    modification: Literal["bearing", "slices"] = key(
-        "whether a_ISO is that of the reference load of the bearing, or of each slice by its own",
-        "bearing",
-        only=BY_OIL,
-    )
+    modification: Literal["bearing", "slices"] = key(OF_PARTS.format("slice"), "bearing", only=BY_OIL)
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
@@ -138,6 +138,7 @@ class BallLife(Ratings):
         "and the equivalent load P of the radial and the axial load, (C_r/P)^3 of ISO 281",
         "balls",
     )
+    modification: Literal["bearing", "rows"] = key(OF_PARTS.format("row"), "bearing", only=BY_OIL)
 
 
 class TaperedLife(Ratings):
@@ -148,3 +149,4 @@ class TaperedLife(Ratings):
         "C_r and the equivalent load P of the radial and the axial load, (C_r/P)^(10/3) of ISO 281",
         "rollers",
     )
+    modification: Literal["bearing", "slices"] = key(OF_PARTS.format("slice"), "bearing", only=BY_OIL)

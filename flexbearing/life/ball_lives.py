@@ -14,7 +14,7 @@ from flexbearing.case.as_written import BALL_SIZES, as_written
 from flexbearing.case.balls.angular_contact import AngularBearing, FastCase
 from flexbearing.case.balls.mounting import MountedMaterials
 from flexbearing.life.life_of_state import MREV, ReferenceLives, why_none
-from flexbearing.life.rated_bearing import LETTERS, RatedBearing, Rating
+from flexbearing.life.rated_bearing import LETTERS, LoadedParts, RatedBearing, Rating
 from quasidynamic import OutOfRange
 from quasidynamic.note import Note, information
 from quasidynamic.outcome.ball_capacity import (
@@ -26,9 +26,10 @@ from quasidynamic.outcome.ball_capacity import (
     static_factor,
 )
 from quasidynamic.outcome.ball_equivalent_load import ball_dynamic_load, ball_static_load
-from quasidynamic.outcome.ball_life import ball_raceway_lives, ball_reference_life
+from quasidynamic.outcome.ball_life import ball_raceway_lives, ball_reference_life, ball_row_damages
 from quasidynamic.outcome.life import turning_share
 from quasidynamic.outcome.life_factors import BALLS
+from quasidynamic.outcome.raceway_damage import POINT
 from quasidynamic.outcome.rating_life import BALL_EXPONENT, EquivalentLoad, static_safety
 from quasidynamic.parts.ball import BallRow
 from quasidynamic.parts.material import Material
@@ -51,7 +52,10 @@ def lives(case: FastCase, state: qd.AngularContactState) -> ReferenceLives | Non
     if not np.isfinite(basic):
         return None
     raceways = ball_raceway_lives(state.loads, balls, turning, rating) * MREV
-    return ReferenceLives(basic * MREV, raceways, own.modified(basic))
+    damages = ball_row_damages(state.loads, balls, turning, rating).sum(axis=0)
+    loads = len(damages) * rating * damages ** (1 / (POINT.weibull * BALL_EXPONENT))
+    parts = LoadedParts(loads, damages, POINT.weibull)
+    return ReferenceLives(basic * MREV, raceways, own.modified(basic, parts))
 
 
 def rated(case: FastCase) -> RatedBearing:

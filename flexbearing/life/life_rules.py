@@ -12,15 +12,14 @@ if TYPE_CHECKING:
 
 BY_LOADS, RADIAL, AXIAL = "ISO/TS 16281:2008", "C_r of ISO 281:2007", "C_a of ISO 281:2007, thrust bearings"
 GIVEN, A_ISO, A_1 = "a given rating", "a_ISO of ISO 281:2007, once for the bearing", "a_1 of ISO 281:2007"
-A_ISO_OF_SLICES = "a_ISO of ISO 281:2007 slice by slice, derived"
+A_ISO_OF_PARTS = "a_ISO of ISO 281:2007 for each of its {}, by formulas of a public program"
 BY_DAMAGE, GUIDELINE = "oscillation by the damage of each arc", "oscillation by NREL DG03:2009"
 
 
 def of_rollers(case: "Case") -> str:
     """Rules of a roller bearing: that of `life_L10`, then those of further lives where the case has them."""
     life = case.life
-    a_iso = A_ISO_OF_SLICES if life.modification == "slices" else A_ISO
-    further = *_of_capacity(life), *_factors(life.lubrication, life.reliability, a_iso)
+    further = *_of_capacity(life), *_factors(life.lubrication, life.reliability, life.modification)
     return "; ".join(("Lundberg and Palmgren (1952)", *further))
 
 
@@ -37,7 +36,8 @@ def of_elements(case: "FastCase | TaperedCase") -> str:
     life, exponent = case.life, "(10/3)" if case.kind == "tapered_roller" else "3"
     rated = GIVEN if life.dynamic_rating else RADIAL
     of_rating = [f"(C_r/P)^{exponent} of ISO 281:2007, {rated}"] if life.loads == "rating" else []
-    return "; ".join([f"{BY_LOADS}, {rated}", *of_rating, *_factors(life.lubrication, life.reliability)])
+    further = _factors(life.lubrication, life.reliability, life.modification)
+    return "; ".join([f"{BY_LOADS}, {rated}", *of_rating, *further])
 
 
 def of_arcs(case: "FourPointCase", *, thrust: bool) -> str:
@@ -48,8 +48,12 @@ def of_arcs(case: "FourPointCase", *, thrust: bool) -> str:
     return "; ".join([*rules, *_factors(None, case.life.reliability)])
 
 
-def _factors(lubrication: str | None, reliability: float | None, a_iso: str = A_ISO) -> Iterator[str]:
-    if lubrication:
-        yield a_iso if lubrication == "a_ISO" else "film factor of STLE"
+def _factors(
+    lubrication: str | None, reliability: float | None, modification: str = "bearing"
+) -> Iterator[str]:
+    if lubrication == "film":
+        yield "film factor of STLE"
+    elif lubrication:
+        yield A_ISO if modification == "bearing" else A_ISO_OF_PARTS.format(modification)
     if reliability is not None:
         yield A_1

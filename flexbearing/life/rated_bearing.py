@@ -3,7 +3,9 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
+
+from numpy.typing import NDArray
 
 from flexbearing.life.life_of_state import LifeOfState, explained, no_life, of_reliability, why_none
 from flexbearing.quantities.life_records import BY_LOADS, Factor, Ratings
@@ -16,6 +18,7 @@ from quasidynamic.outcome.life_factors import (
     ModifiedBy,
     contamination_factor,
     modification_factor,
+    modification_of_parts,
     modification_slope,
     viscosity_ratio,
 )
@@ -94,6 +97,14 @@ def _ratio(rating: Rating) -> float:
 def _change(rating: Rating) -> float:
     """How many times larger or smaller a rating became."""
     return max(rating.scale, 1 / rating.scale)
+
+
+class LoadedParts(NamedTuple):
+    """Slices of rollers or rows of balls under their loads."""
+
+    loads: NDArray  # equivalent load of each [N], in terms of that of the bearing
+    damages: NDArray  # [10^6 revolutions to the power -e]
+    weibull: float  # e [-]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -183,11 +194,17 @@ class RatedBearing:
         left = contamination_factor(self.kappa, self.pitch_diameter, CLEANLINESS[str(self.life.cleanliness)])
         return float(left) * self.rows * self.fatigue_limit
 
-    def oil_factors(self, load: float) -> Iterator[LifeFactor]:
-        """a_ISO at an equivalent load [N], where the life has it."""
+    def oil_factors(self, load: float, parts: LoadedParts | None = None) -> Iterator[LifeFactor]:
+        """a_ISO at an equivalent load [N], where the life has it; of each part where the case says so."""
         if not self.by_oil:
             return
         ratio, share = self.kappa, self.fatigue_share / load
+        if parts is not None and self.life.modification != "bearing":
+            once = float(modification_factor(ratio, share, self.elements).value)
+            factor = modification_of_parts(ratio, self.fatigue_share, *parts, self.elements)
+            words = f"of {self.life.modification}, {once:.4g} once for the bearing; kappa {ratio:.3g}"
+            yield replace(explained(factor, words), life_exponent=None)
+            return
         words = f"kappa {ratio:.3g}, e_C C_u/P {share:.3g}, equivalent load {load:.4g} N"
         factor = explained(modification_factor(ratio, share, self.elements), words)
         slope = float(modification_slope(ratio, share, self.elements)) / self.exponent
@@ -257,10 +274,10 @@ class RatedBearing:
         """Load that gives a life [10^6 revolutions] by C_r of all rows [N]."""
         return float(reference_load(basic, self.rows_rating * self.dynamic, self.exponent))
 
-    def modified(self, basic: float) -> LifeOfState | None:
+    def modified(self, basic: float, parts: LoadedParts) -> LifeOfState | None:
         """The life of a state after every factor; None where nothing modifies it, or a factor does not hold.
 
-        The basic life is that by the loads of all elements [10^6 revolutions].
+        The basic life is that by the loads of all elements [10^6 revolutions], the sum over its parts.
         """
         if self.life.is_basic or self.unmodified:
             return None
@@ -269,7 +286,8 @@ class RatedBearing:
             load = self.load().value
             note = f"ISO 281: (C_r/P)^{POWERS.get(self.exponent, '(10/3)')}"
             by_loads.append(Factor("rating", self.by_rating(load) / basic, BY_LOADS, note, 0.0))
-        return LifeOfState.of(basic, by_loads, (*self.oil_factors(load), *self.fixed))
+            return LifeOfState.of(basic, by_loads, (*self.oil_factors(load), *self.fixed))
+        return LifeOfState.of(basic, by_loads, (*self.oil_factors(load, parts), *self.fixed))
 
     # -- the page of a catalogue -----------------------------------------------------------------
 

@@ -13,7 +13,7 @@ from flexbearing.build.roller_bearing import nominal
 from flexbearing.case.as_written import ROLLER_SIZES, as_written
 from flexbearing.case.roller import Case
 from flexbearing.life.life_of_state import CAPACITY, EDGE_STRESS, LifeOfState, explained
-from flexbearing.life.rated_bearing import RatedBearing, Rating
+from flexbearing.life.rated_bearing import LoadedParts, RatedBearing, Rating
 from flexbearing.quantities.life_records import BY_LOADS, ROLLER_BODY, Factor
 from quasidynamic import CylindricalRollerBearing
 from quasidynamic.note import Note
@@ -32,14 +32,13 @@ from quasidynamic.outcome.life import (
     reference_life,
     slice_damages,
     slice_life,
+    slice_reference_loads,
 )
 from quasidynamic.outcome.life_factors import (
     ROLLERS,
     LifeFactor,
     film_factor,
     material_factor,
-    modification_factor,
-    modification_of_slices,
 )
 from quasidynamic.outcome.raceway_damage import LINE
 from quasidynamic.outcome.rating_life import LINE_EXPONENT, ROLLER_EXPONENT, EquivalentLoad
@@ -115,10 +114,7 @@ def _lubrication_factors(case: Case, state: LoadedState, own: RatedBearing) -> I
         load = case.operation.radial_load
         if not own.life_by_rating:
             load = own.reference_load(float(_reference(state, own, case.life.edge_stress)))
-            if case.life.modification == "slices":
-                yield _of_slices(case, state, own, load)
-                return
-        yield from own.oil_factors(load)
+        yield from own.oil_factors(load, None if own.life_by_rating else _slices(case, state, own))
 
 
 def _reference(state: LoadedState, own: RatedBearing, edge: bool) -> float:
@@ -127,16 +123,15 @@ def _reference(state: LoadedState, own: RatedBearing, edge: bool) -> float:
     return reference_life(inner, outer, state.bearing, state.turning, edge_stress=edge, rating=own.dynamic)
 
 
-def _of_slices(case: Case, state: LoadedState, own: RatedBearing, load: float) -> LifeFactor:
-    """a_ISO slice by slice, at the reference load of the bearing [N]."""
+def _slices(case: Case, state: LoadedState, own: RatedBearing) -> LoadedParts:
+    """Slices with the capacities of ISO/TS 16281."""
     edge, bearing = edge_stress(case, state.loads.shape[-1]), state.bearing
     inner, outer = state.loads if edge is None else edge * state.loads
     capacity = reference_raceway_capacity(bearing, own.dynamic)
     damages = slice_damages(inner, outer, capacity, state.turning, bearing.row_count)
-    factor = modification_of_slices(own.kappa, own.fatigue_share / load, damages, own.exponent, LINE.weibull)
-    once = float(modification_factor(own.kappa, own.fatigue_share / load).value)
-    words = f"slice by slice, {once:.4g} once for the bearing; kappa {own.kappa:.3g}"
-    return replace(explained(factor, words), life_exponent=None)
+    return LoadedParts(
+        slice_reference_loads(damages, capacity, bearing.rollers), damages.sum(axis=0), LINE.weibull
+    )
 
 
 def edge_stress(case: Case, slices: int) -> NDArray | None:

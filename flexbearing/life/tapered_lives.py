@@ -11,10 +11,11 @@ from flexbearing.build.tapered_bearing import bearing
 from flexbearing.case.as_written import TAPERED_SIZES, as_written
 from flexbearing.case.tapered import TaperedCase
 from flexbearing.life.life_of_state import MREV, ReferenceLives
-from flexbearing.life.rated_bearing import RatedBearing, Rating
+from flexbearing.life.rated_bearing import LoadedParts, RatedBearing, Rating
 from quasidynamic import OutOfRange, RingOperation, TaperedLoads, tapered_loads
-from quasidynamic.outcome.life import turning_share
+from quasidynamic.outcome.life import slice_damages, slice_reference_loads, turning_share
 from quasidynamic.outcome.life_factors import ROLLERS
+from quasidynamic.outcome.raceway_damage import LINE
 from quasidynamic.outcome.rating_life import ROLLER_EXPONENT, EquivalentLoad, static_safety
 from quasidynamic.outcome.tapered_life import (
     InclinedRow,
@@ -94,7 +95,11 @@ def lives(case: TaperedCase, loads: TaperedLoads) -> ReferenceLives | None:
     row, dynamic = InclinedRow.of(loads.bearing), own.dynamic
     basic = float(tapered_reference_life(inner, outer, row, turning, dynamic))
     raceways = tapered_raceway_lives(inner, outer, row, turning, dynamic) * MREV
-    return ReferenceLives(basic * MREV, raceways, own.modified(basic))
+    capacity = row.raceway_capacity(dynamic)
+    damages = slice_damages(inner, outer, capacity, turning, row.row_count)
+    slices = slice_reference_loads(damages, capacity, row.rollers, row.contact_angle)
+    parts = LoadedParts(slices, damages.sum(axis=0), LINE.weibull)
+    return ReferenceLives(basic * MREV, raceways, own.modified(basic, parts))
 
 
 def rated(case: TaperedCase) -> RatedBearing:

@@ -44,7 +44,7 @@ def ball_raceway_lives(
     -----
     As `ball_raceway_capacity`; reliability 90 %, no lubrication factor.
     """
-    return _life(_damages(loads, row, turning, rating))
+    return _life(ball_row_damages(loads, row, turning, rating).sum(axis=-1))
 
 
 def ball_reference_life(
@@ -64,16 +64,24 @@ def ball_reference_life(
     -----
     As `ball_raceway_lives`.
     """
-    return float(_life(_damages(loads, row, turning, rating).sum()))
+    return float(_life(ball_row_damages(loads, row, turning, rating).sum()))
 
 
-def _damages(loads: NDArray, row: BallRow, turning: tuple[float, float], rating: float | None) -> NDArray:
-    """Of the inner and the outer raceway (2), all rows together."""
+def ball_row_damages(
+    loads: NDArray, row: BallRow, turning: tuple[float, float], rating: float | None = None
+) -> NDArray:
+    """Damage (2, R) of the inner and the outer raceway of each row, the terms of `ball_reference_life`.
+
+    In 10^6 revolutions to the power -10/9; arguments as of `ball_raceway_lives`.
+
+    Source
+    ------
+    ISO/TS 16281 (2008), ball bearings.
+    """
     rows = np.asarray(loads).reshape(2, -1, row.balls)
     sides = zip(rows, ball_raceway_capacity(row, rating), turning, strict=True)
     return np.array([
-        sum(raceway_damage(load[:, None], capacity, share, POINT) for load in of_race)
-        for of_race, capacity, share in sides
+        raceway_damage(of_race[..., None], capacity, share, POINT) for of_race, capacity, share in sides
     ])  # fmt: skip
 
 

@@ -14,6 +14,7 @@ from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 REVOLUTIONS = 1e6  # that a rating life counts in
 FEWEST_SLICES = 30  # of ISO/TS 16281
+OUTER_LOAD = 1.038  # [-] q_ee over q_ei under a radial load without clearance
 
 Turning = tuple[NDArray | float, NDArray | float]
 
@@ -176,7 +177,7 @@ def slice_life(
 def slice_damages(
     inner: NDArray, outer: NDArray, capacity: tuple[float, float], turning: Turning, rows: int = 1
 ) -> NDArray:
-    """Damage (..., K) of each of K slices of both raceways, whose sum is that of `slice_life`.
+    """Damage (2, R, K) of each of K slices of R rows at both raceways, whose sum is that of `slice_life`.
 
     In 10^6 revolutions to the power -9/8; arguments as of `slice_life`, here of one bearing.
 
@@ -190,10 +191,51 @@ def slice_damages(
     """
     damages = []
     for loads, of_raceway, share in zip((inner, outer), capacity, turning, strict=True):
-        each = np.moveaxis(loads, -1, 0)[..., None]  # every slice as a raceway of its own
-        of_slice = of_raceway * len(each) ** -LINE.capacity_by_length
-        damages.append(np.moveaxis(raceway_damage(each, of_slice, share, rows=rows), 0, -1))
-    return np.add(*damages)
+        slices = loads.shape[-1]
+        each = np.swapaxes(loads.reshape(rows, -1, slices), 1, 2)[..., None]  # each a raceway of its own
+        damages.append(raceway_damage(each, of_raceway * slices**-LINE.capacity_by_length, share))
+    return np.array(damages)
+
+
+def slice_reference_loads(
+    damages: NDArray, capacity: tuple[float, float], rollers: int, contact_angle: float = 0.0
+) -> NDArray:
+    r"""Equivalent load of each slice, for its own a_ISO.
+
+    .. math:: P_{sk} = 0.323\, i Z \cos\alpha\, n_s \Big\{ \frac{q_{ei,k}^{9/2} + (1.038\,
+              q_{ee,k}\, q_{ci}/q_{ce})^{9/2}}{1 + (1.038\, q_{ci}/q_{ce})^{9/2}} \Big\}^{2/9},\quad
+              q_{e,k}^{9/2} = q_c^{9/2} d_k
+
+    Parameters
+    ----------
+    damages : array (2, i, n_s)
+        d_k of the slices of i rows at both raceways, see `slice_damages`
+    capacity : tuple of float
+        Q_c of the inner and outer raceway [N], with q_c = Q_c n_s^(-7/9)
+    rollers : int
+        Z of a row
+    contact_angle : float
+        alpha [rad]
+
+    Returns
+    -------
+    array (i, n_s)
+        P_sk [N], to be compared with the fatigue load limit of all rows
+
+    Source
+    ------
+    Formula 31 of ISO 16281 (2025) as a public program states it (CHOICHOI-KIMM/AI_Seminar, manual of its
+    tapered roller bearings); the text of the standard was not available. The factor i of rows: assumed.
+
+    Valid
+    -----
+    As `slice_life`.
+    """
+    (inner, outer), (of_inner, of_outer) = damages, capacity
+    together = (inner + OUTER_LOAD**4.5 * outer) / (1 + (OUTER_LOAD * of_inner / of_outer) ** 4.5)
+    rows, slices = inner.shape
+    whole = of_inner * slices ** (1 - LINE.capacity_by_length)  # n_s q_ci
+    return 0.323 * rows * rollers * np.cos(contact_angle) * whole * together ** (2 / 9)
 
 
 def edge_stress_factor(slices: int) -> NDArray:

@@ -276,55 +276,59 @@ def modification_factor(
     return LifeFactor("a_ISO", value[()], "lubrication", "; ".join(filter(None, notes)))
 
 
-def modification_of_slices(
-    kappa: float, load_ratio: float, damages: NDArray, exponent: float, weibull: float
+def modification_of_parts(
+    kappa: float,
+    fatigue_share: float,
+    loads: NDArray,
+    damages: NDArray,
+    weibull: float,
+    elements: ModifiedBy = ROLLERS,
 ) -> LifeFactor:
-    r"""a_ISO of rollers slice by slice, as one factor of the life.
+    r"""a_ISO of every part of a bearing, slices of rollers or rows of balls, as one factor of the life.
 
     .. math:: a = \Big[\frac{\sum_k a_k^{-e}\, d_k}{\sum_k d_k}\Big]^{-1/e},\quad
-              a_k = a_{ISO}\Big(\kappa, \frac{e_C C_u}{P_k}\Big),\quad
-              P_k = P \Big(\frac{K d_k}{\sum_i d_i}\Big)^{1/(e p)}
-
-    P_k is the load under which the bearing would live as long as if all K slices were loaded as slice k.
+              a_k = a_{ISO}\Big(\kappa, \frac{e_C C_u}{P_k}\Big)
 
     Parameters
     ----------
     kappa : float
         viscosity ratio [-], as of `modification_factor`
-    load_ratio : float
-        e_C C_u/P, by the equivalent load of the whole bearing [-], > 0
-    damages : array (K)
-        d_k, see `slice_damages` [10^6 revolutions to the power -e], one of them > 0
-    exponent : float
-        p, of the load in the life [-]
+    fatigue_share : float
+        e_C C_u of the bearing [N], > 0
+    loads : array (...)
+        P_k, equivalent load of each part [N], above zero where it has damage
+    damages : array (...)
+        d_k [10^6 revolutions to the power -e], one of them > 0
     weibull : float
-        e, by which damages of slices add up [-]
+        e, by which damages add up [-]
+    elements : ModifiedBy
+        constants of `ROLLERS` or of `BALLS`
 
     Returns
     -------
     LifeFactor
-        a [-]; that of `modification_factor` where all slices are loaded alike, less where they are not
+        a [-], between the least and the largest a_k
 
     Source
     ------
-    Derived here from ISO 281 (2007) and the sum of ISO/TS 16281 (2008). That ISO 16281 (2025) rates slices
-    singly is known; its text was not available.
+    Formulas 14 (rows of balls) and 33 (slices of rollers) of ISO 16281 (2025) as a public program states
+    them (CHOICHOI-KIMM/AI_Seminar); the text of the standard was not available. A row of balls has one
+    a_ISO there, not each ball.
 
     Valid
     -----
-    As `modification_factor`. It is below the factor of the whole bearing as a_k falls with P_k faster than
-    its damage grows.
+    As `modification_factor`.
 
-    >>> alike = modification_of_slices(1.0, 0.1, np.ones(4), 10 / 3, 9 / 8).value
+    >>> alike = modification_of_parts(1.0, 100.0, np.full(4, 1e3), np.ones(4), 9 / 8).value
     >>> bool(np.isclose(alike, modification_factor(1.0, 0.1).value, rtol=1e-12))
     True
     """
-    loaded = damages[damages > 0]
-    shares = loaded / loaded.sum()
-    load_ratios = load_ratio * (len(damages) * shares) ** (-1 / (weibull * exponent))
-    each = modification_factor(kappa, load_ratios)
-    value = (shares * each.value**-weibull).sum() ** (-1 / weibull)
-    return replace(each, value=float(value))
+    loaded = damages > 0
+    shares = damages[loaded] / damages[loaded].sum()
+    ratios = fatigue_share / loads[loaded]
+    each = modification_factor(kappa, ratios, elements).value
+    worst = modification_factor(kappa, ratios.min(), elements)  # at its limit where all are
+    return replace(worst, value=float((shares * each**-weibull).sum() ** (-1 / weibull)))
 
 
 def modification_slope(kappa: ArrayLike, load_ratio: ArrayLike, elements: ModifiedBy = ROLLERS) -> Any:

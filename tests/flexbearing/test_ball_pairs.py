@@ -1,5 +1,6 @@
 """Two rows of angular-contact balls on common rings, from the case to the result."""
 
+import itertools
 from functools import cache
 from pathlib import Path
 
@@ -11,6 +12,8 @@ from flexbearing import run
 from flexbearing.api import read_case
 from flexbearing.case import BadCase
 from flexbearing.life import ball_lives
+from quasidynamic.outcome.ball_life import ball_reference_life
+from quasidynamic.outcome.life_factors import BALLS, modification_factor
 
 CASE = Path("configs/rivera2021_7008.toml")
 RATING = {"life.dynamic_rating": "18 kN", "life.static_rating": "15 kN"}
@@ -63,6 +66,45 @@ def test_tandem_rows_have_the_life_of_two_bearings():
         loads.append(ball_lives.rated(case(**settings)).reference_load(lives.basic / 1e6))
     assert loads[1] == approx(2 * loads[0], rel=1e-9)
     assert "unloading_force" not in two.rigid
+
+
+OIL = {
+    "life.lubrication": "a_ISO", "life.cleanliness": "oil, in-line filter, -/19/16",
+    "lubricant.oil": "ISO VG 32", "lubricant.inlet_temperature": "50 degC",
+}  # fmt: skip
+
+
+def a_iso(way, **settings):
+    found = solved(**RATING, **OIL, **settings, **{"life.modification": way})
+    (factor,) = found.attributes["life"]["rigid"]["factors"]
+    return factor["value"]
+
+
+@pytest.mark.parametrize("settings", [{}, TANDEM], ids=["one", "tandem"])
+def test_rows_that_carry_the_same_have_the_a_iso_of_the_bearing(settings):
+    load = {"operation.load.radial_z": "3 kN", "operation.load.axial": "3 kN"}
+    once = a_iso("bearing", **settings, **load)
+    assert 0.2 < once < 20
+    assert a_iso("rows", **settings, **load) == approx(once, rel=1e-9)
+
+
+def test_rows_that_do_not_have_each_their_own():
+    ratios = []
+    for axial in (0, 250, 500, 1000):
+        settings = {**PRESSED, "bearing.pair.preload": "1 kN", "operation.load.axial": f"{axial} N"}
+        ratios.append(a_iso("rows", **settings) / a_iso("bearing", **settings))
+    assert ratios[0] == approx(1.0, rel=1e-9)
+    assert all(after < before for before, after in itertools.pairwise(ratios))
+    found, own = solved(**RATING, **settings), ball_lives.rated(case(**RATING, **OIL, **settings))
+    rows = np.split(found.rigid["contact_load"], 2, axis=1)
+    lives = [ball_reference_life(row, ball_lives.row(case()), (1.0, 0.0), 18e3) for row in rows]
+    shares = [own.fatigue_share / 2 / (18e3 * life ** (-1 / 3)) for life in lives]
+    each = [
+        modification_factor(own.kappa, share, BALLS).value * life
+        for share, life in zip(shares, lives, strict=True)
+    ]
+    basic, modified = (sum(life ** (-10 / 9) for life in all_of) ** -0.9 for all_of in (lives, each))
+    assert a_iso("rows", **settings) == approx(modified / basic, rel=1e-9)
 
 
 def test_rows_far_apart_share_a_couple():

@@ -38,6 +38,7 @@ from quasidynamic.outcome.life_factors import (
     reliability_factor,
 )
 from quasidynamic.outcome.rating_life import ROLLER_EXPONENT
+from tests.reference.modified_slices import modification
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 PLAIN = CONFIGS / "nu209.toml"
@@ -251,28 +252,15 @@ def test_factor_that_cannot_be_is_refused_before_anything_is_solved(settings, ex
         assert part in str(problem.value)
 
 
-def test_a_iso_slice_by_slice_is_that_of_the_bearing_where_slices_are_loaded_alike_and_less_elsewhere(state):
-    straight = {**CLEAN, "bearing.roller.profile": "straight", "bearing.roller.drop": ""}
-    for settings, least, most in ((straight, 1 - 1e-9, 1 + 1e-9), (CLEAN, 0.5, 0.98)):
-        case = read_case(PLAIN, settings)
-        solved = roller_bearing.bearing(case).solve()
-        once, each = (lived(solved, settings | {"life.modification": way}) for way in ("bearing", "slices"))
-        assert least <= each["modified_Mrev"] / once["modified_Mrev"] <= most
-        assert f"{only(once)['value']:.4g} once for the bearing" in only(each)["note"]
-
-
-def test_a_life_slice_by_slice_is_the_sum_over_its_slices(state):
-    """Each slice as a bearing of its own: (C_r/P_k)^(10/3) and a_ISO at P_k, damages to the power 9/8."""
+def test_a_iso_of_slices(state):
     bearing, settings = state.balance.roller.bearing, CLEAN | {"life.modification": "slices"}
-    inner, outer = loads(state)
     rated = roller_lives.rated(read_case(PLAIN, settings), bearing)
     capacity = reference_raceway_capacity(bearing, rated.dynamic)
-    damage, unmodified = 0.0, 0.0
-    for k in range(30):
-        alike = (np.repeat(side[:, k : k + 1], 30, axis=1) for side in (inner, outer))
-        of_slice = slice_life(*alike, capacity, (True, False))
-        share = rated.fatigue_share / (rated.dynamic * of_slice ** (-3 / 10))
-        modified = modification_factor(rated.kappa, share).value * of_slice
-        damage, unmodified = damage + modified ** (-9 / 8) / 30, unmodified + of_slice ** (-9 / 8) / 30
-    expected = (damage / unmodified) ** (-8 / 9)
-    assert only(lived(state, settings))["value"] == approx(expected, rel=1e-12)
+    expected = modification(
+        *loads(state),
+        capacity,
+        lambda load: modification_factor(rated.kappa, rated.fatigue_share / load).value,
+    )
+    factor = only(lived(state, settings))
+    assert factor["value"] == approx(expected, rel=1e-9)
+    assert f"{only(lived(state, CLEAN))['value']:.4g} once for the bearing" in factor["note"]

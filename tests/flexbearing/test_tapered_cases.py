@@ -9,9 +9,12 @@ from pytest import approx
 from flexbearing import BadCase, api
 from flexbearing.build.tapered_bearing import bearing
 from flexbearing.families import FAMILIES
+from flexbearing.life import tapered_lives
 from flexbearing.report.html import html, of_result
 from flexbearing.runs.validate import require_possible
+from quasidynamic.outcome.life_factors import modification_factor
 from quasidynamic.outcome.tapered_life import InclinedRow, axial_factor, load_limit, tapered_dynamic_load
+from tests.reference.modified_slices import modification
 
 CASE = Path(__file__).parents[2] / "configs" / "32207.toml"
 CHECKED = {  # the bearing of the independent program of tests/quasidynamic/test_tapered.py
@@ -91,6 +94,21 @@ def test_ratings_of_the_independent_program():
     assert row.diameter_ratio == approx(0.14241, abs=5e-6)
     assert row.dynamic_rating == approx(89.99e3, rel=1e-3)  # whose f_c has 207.9 for 207.78
     assert row.static_rating == approx(112.36e3, rel=1e-4)
+
+
+def test_a_iso_of_slices():
+    settings = [*LIFE, "life.modification=slices"]
+    values, case = api.run(CASE, settings).rigid, read(settings)
+    own, row = tapered_lives.rated(case), InclinedRow.of(bearing(case))
+    width = case.bearing.roller.length / case.accuracy.slices
+    expected = modification(
+        values["inner_slice_load"] * width,
+        values["outer_slice_load"] * width,
+        row.raceway_capacity(own.dynamic),
+        lambda load: modification_factor(own.kappa, own.fatigue_share / load).value,
+        np.cos(row.contact_angle),
+    )
+    assert values["modified_life"] == approx(expected * values["life_L10"], rel=1e-9)
 
 
 # e and Y as makers print them and the angles of ISO 355, from memory: no catalogue was at hand
