@@ -597,6 +597,7 @@ EFFECTS = (
         "lubricant.oil": "ISO VG 32", "lubricant.inlet_temperature": "60 degC"},
      "case.life.{cleanliness,lubrication} viscosity"),
     ("fast, rated", "life.cleanliness", "oil, in-line filter, -/13/10", "case.life.cleanliness"),
+    ("fast, rated", "life.modification", "rows", "case.life.modification"),
     ("fast, rated", "lubricant.oil", "ISO VG 68", "viscosity"),
     ("fast, rated", "lubricant.inlet_temperature", "61 degC", "viscosity"),
     ("fast, oil by its data", "lubricant.viscosity", "10.1 mPa s", "viscosity"),
