@@ -72,11 +72,11 @@ def _broken(choices: Mapping[str, tuple], item: Declaration, raw: Raw, model: ty
     for key, values in _absolute(choices, item):
         declaration, value = find(key, model), _value(raw, key)
         assert declaration is not None
+        value = declaration.field.get_default() if value is None and values != GIVEN else value
+        if value is None:
+            return f"no {key}"
         if values == GIVEN:
-            if value is None:
-                return f"no {key}"
             continue
-        value = declaration.field.get_default() if value is None else value
         # a value that is no choice at all is reported elsewhere
         if value not in values and value in (declaration.choices or (True, False)):
             return f"{key} = {toml(value)}"
