@@ -16,7 +16,7 @@ from flexbearing.case.balls.mounting import MountedMaterials
 from flexbearing.life.life_of_state import MREV, ReferenceLives, why_none
 from flexbearing.life.rated_bearing import LETTERS, LoadedParts, RatedBearing, Rating
 from quasidynamic import OutOfRange
-from quasidynamic.note import Note, information
+from quasidynamic.note import Note, information, outside
 from quasidynamic.outcome.ball_capacity import (
     RATED_STEEL,
     ball_dynamic_rating,
@@ -113,7 +113,9 @@ def _require_known(case: FastCase) -> None:
 
 def notes(case: FastCase) -> tuple[Note, ...]:
     """What keeps the life away, and what must be known of given ratings and of the oil."""
-    return _of_other_balls(case) + rated(case).notes
+    own = rated(case)
+    hybrid = (HYBRID_MODIFIED,) if case.materials.hybrid and own.by_oil and own.speed else ()
+    return _of_other_balls(case) + hybrid + own.notes
 
 
 def _of_other_balls(case: FastCase) -> tuple[Note, ...]:
@@ -142,6 +144,11 @@ def row(case: FastCase) -> BallRow:
     )
 
 
+HYBRID_MODIFIED = outside(
+    "hybrid-modified-life",
+    "a_ISO of steel balls for balls of silicon nitride: by its scope ISO 16281 (2025) has a basic reference "
+    "life of hybrids, and no modified one",
+)
 BY_PRESSURE = "as the load that presses these contacts with 4200 MPa by Hertz"
 PARTS = {part: f"materials.{part}" for part in ("ball", "inner_ring", "outer_ring")}
 

@@ -194,6 +194,15 @@ def test_static_rating_of_hybrids_is_that_of_their_stiffer_contacts():
     assert "assumed" in next(each["text"] for each in result.attributes["notes"] if each["code"] == "hybrid")
 
 
+def test_a_modified_life_of_hybrids_is_marked():
+    """ISO 16281 (2025), scope: "The calculation of the modified reference rating life is not applicable"."""
+    codes = [
+        {note.code for note in ball_lives.notes(read_case(DEEP, settings))}
+        for settings in (VG_32, {"materials.ball": "Si3N4"}, VG_32 | {"materials.ball": "Si3N4"})
+    ]
+    assert ["hybrid-modified-life" in each for each in codes] == [False, False, True]
+
+
 def test_given_static_rating_follows_the_material_of_the_balls():
     place = DEEP.parent / "catalogue" / "6208.toml"
     assert ball_lives.rated(read_case(place, {"materials.ball": "Si3N4"})).static == approx(
