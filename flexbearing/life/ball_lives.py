@@ -30,7 +30,12 @@ from quasidynamic.outcome.ball_life import ball_raceway_lives, ball_reference_li
 from quasidynamic.outcome.life import turning_share
 from quasidynamic.outcome.life_factors import BALLS
 from quasidynamic.outcome.raceway_damage import POINT
-from quasidynamic.outcome.rating_life import BALL_EXPONENT, EquivalentLoad, static_safety
+from quasidynamic.outcome.rating_life import (
+    BALL_EXPONENT,
+    EquivalentLoad,
+    effective_static_safety,
+    static_safety,
+)
 from quasidynamic.parts.ball import BallRow
 from quasidynamic.parts.material import Material
 
@@ -227,14 +232,28 @@ def _conformity(conformity: float | None, radius: float | None, diameter: float)
 
 def safety(case: FastCase, state: qd.AngularContactState) -> float | None:
     """Static safety s_0 under what the balls carry for the ring, preload with it; None of two rows."""
-    known = case.materials.steel_balls or case.materials.hybrid
-    if case.bearing.second_row is not None or (case.life.static_rating is None and not known):
+    static = _static(case)
+    if static is None or case.bearing.second_row is not None:
         return None
     axial, radial_y, radial_z = state.ring_load[:3]
     try:
         load = ball_static_load(
             float(np.hypot(radial_y, radial_z)), abs(float(axial)), row(case).contact_angle
         )
-        return float(static_safety(rated(case).static, load.value))
     except OutOfRange:
         return None
+    return float(static_safety(static, load.value))
+
+
+def effective_safety(case: FastCase, state: qd.AngularContactState) -> float | None:
+    """Static safety under the largest contact load; None where there is no static rating."""
+    static, balls = _static(case), row(case)
+    if static is None:
+        return None
+    return float(effective_static_safety(static, state.loads.max(), balls.balls, balls.contact_angle))
+
+
+def _static(case: FastCase) -> float | None:
+    """C_0r of one row [N]; None where ISO 76 has none and the case gives none."""
+    known = case.materials.steel_balls or case.materials.hybrid or case.life.static_rating is not None
+    return rated(case).static_or_none if known else None

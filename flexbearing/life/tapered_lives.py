@@ -16,7 +16,12 @@ from quasidynamic import OutOfRange, RingOperation, TaperedLoads, tapered_loads
 from quasidynamic.outcome.life import slice_damages, slice_reference_loads, turning_share
 from quasidynamic.outcome.life_factors import ROLLERS
 from quasidynamic.outcome.raceway_damage import LINE
-from quasidynamic.outcome.rating_life import ROLLER_EXPONENT, EquivalentLoad, static_safety
+from quasidynamic.outcome.rating_life import (
+    ROLLER_EXPONENT,
+    EquivalentLoad,
+    effective_static_safety,
+    static_safety,
+)
 from quasidynamic.outcome.tapered_life import (
     InclinedRow,
     axial_factor,
@@ -46,13 +51,19 @@ class LoadsRated:
     factor: float  # Y [-]
     induced: float | None  # of one row
     unloading_force: float | None  # of rows against each other
-    static_safety: float | None  # [-] s_0
+    static_safety: float  # [-] s_0
+    effective_static_safety: float  # [-] S_0,eff
 
 
 def loads_rated(case: TaperedCase, loads: TaperedLoads) -> LoadsRated:
     """Ratings and equivalent loads; those of ISO 281 are absent beyond its table."""
     angle, (radial, axial), opposed = case.bearing.cup_angle, _forces(loads), case.bearing.opposed
-    static, own = tapered_static_load(radial, axial, angle, opposed=opposed).value, rated(case)
+    static, own, model = (
+        tapered_static_load(radial, axial, angle, opposed=opposed).value,
+        rated(case),
+        loads.bearing,
+    )
+    largest = float(loads.slice_loads.max()) * model.roller.length
     return LoadsRated(
         dynamic=None if own.unrated else own.dynamic,
         equivalent=tapered_dynamic_load(radial, axial, angle, opposed=opposed).value,
@@ -61,6 +72,9 @@ def loads_rated(case: TaperedCase, loads: TaperedLoads) -> LoadsRated:
         induced=None if case.bearing.pair else induced_thrust(radial, angle),
         unloading_force=_unloading_force(case, loads),
         static_safety=float(static_safety(own.static, static)),
+        effective_static_safety=float(
+            effective_static_safety(own.static, largest, model.rollers, model.cup_angle, len(model.rows))
+        ),
     )
 
 

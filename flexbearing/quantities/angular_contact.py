@@ -122,7 +122,7 @@ QUANTITIES = (
             ".4f", parts=RACES),)),
     *worst_contact("worst"),
     *subsurface(),
-    static_safety("rated.static_safety", "the load on the ring, preload with it", optional=True),
+    *static_safety("rated", "the load on the ring, preload with it", optional=True),
     Quantity("traction", "T", "race Z", "N", "block",
         "friction along the groove section, which holds the gyroscopic moment", source="state.tractions"),
     Quantity("needed_friction", "", "race Z", "1", "block", "that traction over the load, 0 without load",

@@ -42,14 +42,21 @@ def worst_contact(source: str, section: str = "") -> tuple[Quantity, ...]:
     )
 
 
-def static_safety(source: str, load: str, *, optional: bool = False) -> Quantity:
-    """The static safety of a bearing."""
+def static_safety(part: str, load: str, *, optional: bool = False) -> tuple[Quantity, ...]:
+    """The static safety of a bearing, by its equivalent load and by the load of its elements."""
     absent = "; absent where ISO 76 has no rating and the case gives none" if optional else ""
-    return Quantity("static_safety", "s_0", "", "1", "block",
-        "static safety of the bearing, C_0/P_0 by ISO 76: life.static_rating, or its formula, over the "
-        f"equivalent load of {load}; infinite without load{absent}", source=source, infinite=True,
-        optional=optional, summary=(
-            SummaryValue("static_safety", label="static safety C_0/P_0", digits=",.2f"),))
+    return (
+        Quantity("static_safety", "s_0", "", "1", "block",
+            "static safety of the bearing, C_0/P_0 by ISO 76: life.static_rating, or its formula, over the "
+            f"equivalent load of {load}; infinite without load{absent}", source=f"{part}.static_safety",
+            infinite=True, optional=optional, summary=(
+                SummaryValue("static_safety", label="static safety C_0/P_0", digits=",.2f"),)),
+        Quantity("effective_static_safety", "S_0,eff", "", "1", "block",
+            "static safety from the largest load Q of a ball, or of a roller as loaded as the most loaded "
+            "slice, 5 C_0/(i Z cos(alpha) Q), as a public program states ISO 17956:2025; infinite without load"
+            f"{absent}", source=f"{part}.effective_static_safety", infinite=True, optional=optional, summary=(
+                SummaryValue("effective_static_safety", label="effective static safety", digits=",.2f"),)),
+    )
 
 
 def friction_intensity(source: str, mean: str, absent: str = "") -> Quantity:

@@ -354,7 +354,7 @@ QUANTITIES = (
         f"contact, >= 0; {_PRESSURE}", source="rows.slice_pressure.1", people=MPA),
     *worst_contact("rows.worst", CONTACT),
     *subsurface(CONTACT),
-    static_safety("rows.static_safety", "the radial load"),
+    *static_safety("rows", "the radial load"),
     Quantity("inner_film", "h_i", "Z", "m", "state", "film thickness of the inner contact, 0 without load",
         source="state.loaded_film.0", people=UM),
     Quantity("outer_film", "h_o", "Z", "m", "state", "film thickness of the outer contact, 0 without load",

@@ -218,7 +218,7 @@ QUANTITIES = (
         "bearing of a shaft must carry", source="rated.induced", optional=True,
         summary=(
             SummaryValue("induced_thrust_N", label="induced thrust F_r/(2 Y)", digits=",.1f"),)),
-    static_safety("rated.static_safety", "the load on the ring", optional=True),
+    *static_safety("rated", "the load on the ring", optional=True),
 
     # contacts
     Quantity("peak_pressure", "p", "race", "Pa", "block",

@@ -50,7 +50,6 @@ class Solution:
     contact: RollingContact
     rolling: qd.FastRollingBalls | None  # balls whose contacts stick and slip; None in full sliding
     lives: ReferenceLives | None  # None at rest, without load, and where no rating is known
-    static_safety: float | None = None  # [-] s_0; None where ISO 76 has none
     unrolled: str = ""  # why stick and slip are not known, where the case requires them
     without_torque: str = ""  # why the torque of friction is not known, though a coefficient is
     probes: "Readings | str | None" = None  # or why there are none, though the case has some
@@ -392,8 +391,9 @@ def followed(
     except NotSolved as why:
         state, without_torque = replace(state, friction=None), str(why)
     contact = state.rolling_contact(spin=lines.spin, friction=lines.net_force)
-    lives, safety = ball_lives.lives(case, state), ball_lives.safety(case, state)
-    return Solution(case, state, contact, rolling, lives, safety, without_torque=without_torque)
+    return Solution(
+        case, state, contact, rolling, ball_lives.lives(case, state), without_torque=without_torque
+    )
 
 
 def block(solution: Solution) -> dict[str, NDArray]:
@@ -414,7 +414,8 @@ def block(solution: Solution) -> dict[str, NDArray]:
         "probes": None if isinstance(solution.probes, str) else solution.probes,
         "life": solution.lives,
         "rated": {
-            "static_safety": solution.static_safety,
+            "static_safety": ball_lives.safety(case, state),
+            "effective_static_safety": ball_lives.effective_safety(case, state),
             "unloading_force": qd.unloading_force(state.bearing),
         },
     }
@@ -506,7 +507,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
         **judged.pressures(state.peak_pressures.max(axis=1), BALLS),
         **neglect.of_fast_balls(solution),
         **_places(case, state),
-        "static_safety": solution.static_safety,
+        "static_safety": ball_lives.safety(case, state),
         "viscosity_ratio": own.known_kappa,
         "least_stiffness": judged.least_stiffness(state.stiffness[None, 1:3, 1:3]),
         "rated_viscosity_ratio": own.rated_kappa,

@@ -31,7 +31,7 @@ from quasidynamic.note import Note
 from quasidynamic.outcome.acting_forces import Losses
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.pressed_ends import sliced_peak_error
-from quasidynamic.outcome.rating_life import static_safety
+from quasidynamic.outcome.rating_life import effective_static_safety, static_safety
 from quasidynamic.outcome.skew import Skew
 from quasidynamic.outcome.worst_line_contact import WorstLineContact
 from quasidynamic.several.indicator import each_several_likely
@@ -326,6 +326,14 @@ class SolvedRows:
         """C_0/P_0 (C) of ISO 76 [-]."""
         ratings = np.array([each.static for each in self.rated])
         return static_safety(ratings, np.hypot(*self.states.applied_load.T))
+
+    @property
+    def effective_static_safety(self) -> NDArray:
+        """Static safety (C) from the most loaded slice [-]."""
+        bearings = [model.bearing for model in self.models]
+        largest = self.states.slice_loads.max(axis=(1, 2, 3)) * [each.roller.length for each in bearings]
+        elements = [each.rollers * each.row_count for each in bearings]
+        return effective_static_safety([each.static for each in self.rated], largest, elements)
 
     @property
     def outer_mass(self) -> NDArray | None:

@@ -126,6 +126,35 @@ def test_static_safety_of_balls_is_that_of_the_load_on_their_ring():
     assert "static_safety" not in flexbearing.run(CONFIGS / "harris218.toml", ceramic).rigid
 
 
+@pytest.mark.parametrize(
+    ("file", "settings"),
+    [("nu209", {}), ("nu209", TILTED), ("32207", {}), ("6209", {"materials.ball.youngs_modulus": "207 GPa"})],
+    ids=["rollers", "tilted", "tapered", "balls"],
+)
+def test_effective_static_safety_is_that_of_the_pressure_where_the_rating_is_that_of_the_formula(
+    file, settings
+):
+    """Formulas of C_0 are those of Hertz for 4000 and 4200 MPa, rounded."""
+    block = flexbearing.run(CONFIGS / f"{file}.toml", settings).rigid
+    assert float(block["effective_static_safety"]) == approx(block["pressure_safety"].min(), rel=0.025)
+
+
+def test_effective_static_safety_goes_with_the_rating_and_the_largest_load():
+    settings = {
+        "life.static_rating": "60 kN",
+        "operation.load.axial": "10 kN",
+        "operation.load.radial_z": "8 kN",
+    }
+    block = flexbearing.run(CONFIGS / "harris218.toml", settings).rigid
+    allowed = 5 * 60e3 / (16 * np.cos(np.radians(40)))
+    assert float(block["effective_static_safety"]) == approx(allowed / block["contact_load"].max(), rel=1e-12)
+    pair = {f"bearing.pair.{key}": value for key, value in (
+        ("arrangement", "tandem"), ("distance", "40 mm"))}  # fmt: skip
+    two = flexbearing.run(CONFIGS / "harris218.toml", settings | pair).rigid
+    assert "static_safety" not in two
+    assert float(two["effective_static_safety"]) == approx(allowed / two["contact_load"].max(), rel=1e-12)
+
+
 def test_below_the_surface_of_rollers(tilted):
     block = tilted.rigid
     assert block["orthogonal_shear_stress"] == approx(block["peak_pressure"] / 4, rel=1e-12)
