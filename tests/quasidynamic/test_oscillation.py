@@ -101,3 +101,25 @@ def test_slices_of_lines_spread_each_on_its_own():
 def test_smaller_oscillations_live_shorter_for_the_same_way():
     lives = [four_point_life(LOADS, ARCS, np.radians(degrees)) for degrees in (360, 90, 20, 5, 2, 0.5)]
     assert np.all(np.diff(lives) < 0)
+
+
+@pytest.mark.parametrize(
+    ("fatigue", "of_angle", "of_elements"),
+    [(POINT, 3 / 10, 0.033), (LINE, 2 / 9, 0.028)],
+    ids=["balls", "rollers"],
+)
+def test_small_angles_have_the_exponents_of_the_guideline(fatigue, of_angle, of_elements):
+    """Rating times (180/theta)^0.3 Z^0.033 of balls, (180/theta)^(2/9) Z^0.028 of rollers.
+
+    As frasere/ISO-281 has DG03; its rollers have no part in `guideline_factor`.
+    """
+
+    def factor(degrees, elements):
+        angle, loads = np.radians(degrees), np.full((elements, 1), 5e3)
+        critical = float(critical_oscillation(elements, 0.013)[0])
+        oscillating = oscillating_damage(loads, 10e3, angle, critical, moves=True, fatigue=fatigue)
+        life = (oscillating / raceway_damage(loads, 10e3, 1.0, fatigue)) ** (-1 / fatigue.weibull)
+        return (life * np.pi / angle) ** (1 / fatigue.load_exponent)
+
+    assert np.log2(factor(0.5, 100) / factor(1.0, 100)) == approx(of_angle, rel=1e-9)
+    assert np.log2(factor(0.5, 200) / factor(0.5, 100)) == approx(of_elements, abs=5e-4)
