@@ -253,14 +253,13 @@ def test_factor_that_cannot_be_is_refused_before_anything_is_solved(settings, ex
 
 
 def test_a_iso_of_slices(state):
-    bearing, settings = state.balance.roller.bearing, CLEAN | {"life.modification": "slices"}
-    rated = roller_lives.rated(read_case(PLAIN, settings), bearing)
-    capacity = reference_raceway_capacity(bearing, rated.dynamic)
-    expected = modification(
-        *loads(state),
-        capacity,
-        lambda load: modification_factor(rated.kappa, rated.fatigue_share / load).value,
-    )
+    settings, (inner, outer) = CLEAN | {"life.modification": "slices"}, loads(state)
+    rated = roller_lives.rated(read_case(PLAIN, settings), state.balance.roller.bearing)
+    capacity = reference_raceway_capacity(state.balance.roller.bearing, rated.dynamic)
+
+    def a_iso(load):
+        return modification_factor(rated.kappa, rated.fatigue_share / load).value
+
     factor = only(lived(state, settings))
-    assert factor["value"] == approx(expected, rel=1e-9)
+    assert factor["value"] == approx(modification(inner, outer, capacity, a_iso), rel=1e-9)
     assert f"{only(lived(state, CLEAN))['value']:.4g} once for the bearing" in factor["note"]
