@@ -29,7 +29,7 @@ SIZES = {  # [mm] d, D, B, F, E
     "13": (65, 120, 23, 78.5, 108.5),
     "14": (70, 125, 24, 83.5, 113.5),
 }
-ENTRIES = ("bore", "outside", "width", "inner_raceway", "outer_raceway")
+ENTRIES: tuple[str, ...] = ("bore", "outside", "width", "inner_raceway", "outer_raceway")
 TILTS = (0, 1, 2, 3, 4)  # [arcmin]
 AXIAL = (0, 32, 16, 8, 4)  # C_r over the axial load; 0: none
 
