@@ -69,15 +69,17 @@ def nearest(attempts: Sequence[Attempt[S]]) -> Attempt[S] | None:
 
 
 def summary(attempts: Sequence[Attempt], best: Attempt | None) -> str:
-    """What became of all attempts: the message of the one that converged, or of every one.
+    """The message of the attempt that converged, or of the `best`, whose state is stored, and the others.
 
-    The state of the `best` is stored.
+    Without a state between flexible raceways it is the message of the first one.
     """
     if attempts[-1].status == "converged":
         return attempts[-1].message
-    stored = "" if best is None else f"; the stored state is that of {best.method}, which came nearest"
-    each = "; ".join(f"{attempt.method}: {attempt.message}" for attempt in attempts)
-    return f"no method brought bearing and rings to an equilibrium{stored}: {each}"
+    shown = best or attempts[0]
+    others = ", ".join(each.method for each in attempts if each is not shown)
+    also = f" (neither did {others}: see `attempts` in the result)" if others else ""
+    stored = ", whose last state is stored" if best else ""
+    return f"no equilibrium of bearing and rings by {shown.method}{stored}{also}: {shown.message}"
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ import pytest
 from pytest import approx
 
 import flexbearing
+from flexbearing.coupled.attempts import Attempt, nearest, summary
 from flexbearing.coupled.balls import BallPartner
 from flexbearing.coupling import PartnerFailed
 from flexbearing.progress import Silent
@@ -87,3 +88,14 @@ def test_a_method_that_fails_where_it_begins_is_stored_before_the_next(monkeypat
     moved = result.history("groove_displacement")
     assert not moved[0].any()
     assert moved[-1] == approx(result.flexible["groove_displacement"], rel=1e-9)
+
+
+def test_the_message_is_that_of_the_nearest_attempt_and_names_the_others():
+    first, second = (
+        Attempt(name, 3, "not solved", f"why {name} failed", "not solved", None, True, error)
+        for name, error in (("newton", 1.0), ("relaxed", 0.1))
+    )
+    words = summary([first, second], nearest([first, second]))
+    assert "why relaxed failed" in words
+    assert "neither did newton" in words
+    assert "why newton failed" not in words
