@@ -119,7 +119,7 @@ class Life(Ratings):
         "film: factor of the film over the roughness; a_ISO: factor of ISO 281 by viscosity and cleanliness",
         None,
     )
-    modification: Literal["bearing", "slices"] = key(OF_PARTS.format("slice"), "bearing", only=BY_OIL)
+    modification: Literal["bearing", "slices"] = key(OF_PARTS.format("slice"), "slices", only=BY_OIL)
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
@@ -149,4 +149,4 @@ class TaperedLife(Ratings):
         "C_r and the equivalent load P of the radial and the axial load, (C_r/P)^(10/3) of ISO 281",
         "rollers",
     )
-    modification: Literal["bearing", "slices"] = key(OF_PARTS.format("slice"), "bearing", only=BY_OIL)
+    modification: Literal["bearing", "slices"] = key(OF_PARTS.format("slice"), "slices", only=BY_OIL)

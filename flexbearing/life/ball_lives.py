@@ -59,7 +59,7 @@ def lives(case: FastCase, state: qd.AngularContactState) -> ReferenceLives | Non
     raceways = ball_raceway_lives(state.loads, balls, turning, rating) * MREV
     damages = ball_row_damages(state.loads, balls, turning, rating).sum(axis=0)
     loads = len(damages) * rating * damages ** (1 / (POINT.weibull * BALL_EXPONENT))
-    parts = LoadedParts(loads, damages, POINT.weibull)
+    parts = LoadedParts(loads, damages, POINT)
     return ReferenceLives(basic * MREV, raceways, own.modified(basic, parts))
 
 

@@ -1,7 +1,7 @@
 """By which rules lives are computed, with the editions of standards, in words."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from flexbearing.case.balls.angular_contact import FastCase
@@ -19,7 +19,7 @@ BY_DAMAGE, GUIDELINE = "oscillation by the damage of each arc", "oscillation by 
 def of_rollers(case: "Case") -> str:
     """Rules of a roller bearing: that of `life_L10`, then those of further lives where the case has them."""
     life = case.life
-    further = *_of_capacity(life), *_factors(life.lubrication, life.reliability, life.modification)
+    further = *_of_capacity(life), *_factors(life.lubrication, life.reliability, _modification(life))
     return "; ".join(("Lundberg and Palmgren (1952)", *further))
 
 
@@ -36,7 +36,7 @@ def of_elements(case: "FastCase | TaperedCase") -> str:
     life, exponent = case.life, "(10/3)" if case.kind == "tapered_roller" else "3"
     rated = GIVEN if life.dynamic_rating else RADIAL
     of_rating = [f"(C_r/P)^{exponent} of ISO 281:2007, {rated}"] if life.loads == "rating" else []
-    further = _factors(life.lubrication, life.reliability, life.modification)
+    further = _factors(life.lubrication, life.reliability, _modification(life))
     return "; ".join([f"{BY_LOADS}, {rated}", *of_rating, *further])
 
 
@@ -46,6 +46,11 @@ def of_arcs(case: "FourPointCase", *, thrust: bool) -> str:
     if case.operation.oscillation is not None:
         rules.append(GUIDELINE if case.life.oscillation == "DG03" else BY_DAMAGE)
     return "; ".join([*rules, *_factors(None, case.life.reliability)])
+
+
+def _modification(life: Any) -> str:
+    """What has an a_ISO of its own; under one load of a catalogue the bearing alone."""
+    return "bearing" if life.loads == "rating" else life.modification
 
 
 def _factors(

@@ -22,6 +22,7 @@ from quasidynamic.outcome.life_factors import (
     modification_slope,
     viscosity_ratio,
 )
+from quasidynamic.outcome.raceway_damage import ContactFatigue
 from quasidynamic.outcome.rating_life import BALL_EXPONENT, EquivalentLoad, rating_life, static_safety
 
 LETTERS = {"dynamic_rating": "C_r", "static_rating": "C_0r", "fatigue_limit_load": "C_u"}
@@ -104,7 +105,7 @@ class LoadedParts(NamedTuple):
 
     loads: NDArray  # equivalent load of each [N], in terms of that of the bearing
     damages: NDArray  # [10^6 revolutions to the power -e]
-    weibull: float  # e [-]
+    fatigue: ContactFatigue  # by which they add up
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -203,7 +204,7 @@ class RatedBearing:
             once = float(modification_factor(ratio, share, self.elements).value)
             factor = modification_of_parts(ratio, self.fatigue_share, *parts, self.elements)
             words = f"of {self.life.modification}, {once:.4g} once for the bearing; kappa {ratio:.3g}"
-            yield replace(explained(factor, words), life_exponent=None)
+            yield explained(factor, words)
             return
         words = f"kappa {ratio:.3g}, e_C C_u/P {share:.3g}, equivalent load {load:.4g} N"
         factor = explained(modification_factor(ratio, share, self.elements), words)

@@ -129,9 +129,8 @@ def _slices(case: Case, state: LoadedState, own: RatedBearing) -> LoadedParts:
     inner, outer = state.loads if edge is None else edge * state.loads
     capacity = reference_raceway_capacity(bearing, own.dynamic)
     damages = slice_damages(inner, outer, capacity, state.turning, bearing.row_count)
-    return LoadedParts(
-        slice_reference_loads(damages, capacity, bearing.rollers), damages.sum(axis=0), LINE.weibull
-    )
+    loads = slice_reference_loads(damages, capacity, bearing.rollers)
+    return LoadedParts(loads, damages.sum(axis=0), LINE)
 
 
 def edge_stress(case: Case, slices: int) -> NDArray | None:

@@ -112,7 +112,7 @@ def lives(case: TaperedCase, loads: TaperedLoads) -> ReferenceLives | None:
     capacity = row.raceway_capacity(dynamic)
     damages = slice_damages(inner, outer, capacity, turning, row.row_count)
     slices = slice_reference_loads(damages, capacity, row.rollers, row.contact_angle)
-    parts = LoadedParts(slices, damages.sum(axis=0), LINE.weibull)
+    parts = LoadedParts(slices, damages.sum(axis=0), LINE)
     return ReferenceLives(basic * MREV, raceways, own.modified(basic, parts))
 
 

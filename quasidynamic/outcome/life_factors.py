@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from quasidynamic.errors import OutOfRange
 from quasidynamic.outcome.capacity import MATERIAL_FACTOR, MILLIMETRE
+from quasidynamic.outcome.raceway_damage import LINE, ContactFatigue
 
 RPM = 2 * np.pi / 60  # [rad/s]
 LEAST_VISCOSITY_RATIO, FULL_VISCOSITY_RATIO = 0.1, 4.0  # kappa of ISO 281
@@ -281,7 +282,7 @@ def modification_of_parts(
     fatigue_share: float,
     loads: NDArray,
     damages: NDArray,
-    weibull: float,
+    fatigue: ContactFatigue = LINE,
     elements: ModifiedBy = ROLLERS,
 ) -> LifeFactor:
     r"""a_ISO of every part of a bearing, slices of rollers or rows of balls, as one factor of the life.
@@ -299,15 +300,15 @@ def modification_of_parts(
         P_k, equivalent load of each part [N], above zero where it has damage
     damages : array (...)
         d_k [10^6 revolutions to the power -e], one of them > 0
-    weibull : float
-        e, by which damages add up [-]
+    fatigue : ContactFatigue
+        e, by which damages add up, and p of L ~ P^(-p)
     elements : ModifiedBy
         constants of `ROLLERS` or of `BALLS`
 
     Returns
     -------
     LifeFactor
-        a [-], between the least and the largest a_k
+        a [-], between the least and the largest a_k; how it grows with the life where all loads do
 
     Source
     ------
@@ -319,7 +320,7 @@ def modification_of_parts(
     -----
     As `modification_factor`.
 
-    >>> alike = modification_of_parts(1.0, 100.0, np.full(4, 1e3), np.ones(4), 9 / 8).value
+    >>> alike = modification_of_parts(1.0, 100.0, np.full(4, 1e3), np.ones(4)).value
     >>> bool(np.isclose(alike, modification_factor(1.0, 0.1).value, rtol=1e-12))
     True
     """
@@ -328,7 +329,9 @@ def modification_of_parts(
     ratios = fatigue_share / loads[loaded]
     each = modification_factor(kappa, ratios, elements).value
     worst = modification_factor(kappa, ratios.min(), elements)  # at its limit where all are
-    return replace(worst, value=float((shares * each**-weibull).sum() ** (-1 / weibull)))
+    failing = shares * each**-fatigue.weibull
+    slope = np.average(modification_slope(kappa, ratios, elements), weights=failing) / fatigue.load_exponent
+    return replace(worst, value=float(failing.sum() ** (-1 / fatigue.weibull)), life_exponent=float(slope))
 
 
 def modification_slope(kappa: ArrayLike, load_ratio: ArrayLike, elements: ModifiedBy = ROLLERS) -> Any:

@@ -377,7 +377,7 @@ EFFECTS = (
     ("rated", "life.lubrication", {"life.lubrication": "film", "life.cleanliness": None},
      "case.life.{cleanliness,lubrication}"),
     ("rated", "life.cleanliness", "oil, in-line filter, -/13/10", "case.life.cleanliness"),
-    ("rated", "life.modification", "slices", "case.life.modification"),
+    ("rated", "life.modification", "bearing", "case.life.modification"),
     ("cage", "coupling.method", "iqn-ils", "case.coupling.method"),
     ("relaxed", "coupling.structure", "full", "case.coupling.structure"),
     ("cage", "coupling.fallback", False, "case.coupling.fallback"),

@@ -158,7 +158,7 @@ EFFECTS = (
         "lubricant.inlet_temperature": "60 degC",
     }, "case.life.cleanliness case.life.lubrication viscosity"),
     ("tapered, rated", "life.cleanliness", "oil, in-line filter, -/13/10", "case.life.cleanliness"),
-    ("tapered, rated", "life.modification", "slices", "case.life.modification"),
+    ("tapered, rated", "life.modification", "bearing", "case.life.modification"),
     ("tapered, rated", "lubricant.oil", "ISO VG 68", "viscosity"),
     ("tapered, rated", "lubricant.inlet_temperature", "61 degC", "viscosity"),
     ("tapered, oil by its data", "lubricant.viscosity", "10.1 mPa s", "viscosity"),

@@ -49,6 +49,7 @@ ROUGH = {
 }
 SMALL = {"bearing.roller.diameter": "0.5 mm", "bearing.cage.thickness": "0.2 mm"}
 CLEAN = {"life.lubrication": "a_ISO", "life.cleanliness": "oil, in-line filter, -/17/14"}
+ONCE = CLEAN | {"life.modification": "bearing"}
 
 THIN = CLEAN | {"lubricant.viscosity": "0.8 mPa s"}
 
@@ -120,7 +121,7 @@ def test_film_factor_is_that_of_the_thinnest_film_over_its_own_roughness(state):
 def test_factor_of_iso_281_by_hand(state):
     """d_m = 65 mm, 3000 rpm: nu_1 = 4500 / sqrt(3000 65) mm2/s; C_u/P and e_C as printed in the standard."""
     pitch = 65.032
-    factor = only(lived(state, CLEAN))
+    factor = only(lived(state, ONCE))
     kappa = 18e-3 / 850 * 1e6 / (4500 / np.sqrt(3000 * pitch))
     left = min(0.0288 * kappa**0.68 * pitch**0.55, 1.0) * (1 - 1.6329 / pitch ** (1 / 3))
     limit = 44 * (1 - 10 / pitch) * 14 * 9.601 * 10 / 8.2
@@ -146,7 +147,7 @@ def test_viscosity_ratio_is_that_of_the_speed_of_one_ring_past_the_other():
 
 def test_equivalent_load_counts_each_race_with_its_own_capacity():
     """Fast rollers load the outer race more, by their inertia."""
-    case = read_case(PLAIN, {"operation.inner_speed": "15000 rpm", **CLEAN})
+    case = read_case(PLAIN, {"operation.inner_speed": "15000 rpm", **ONCE})
     state = roller_bearing.bearing(case).solve()
     bearing, (inner, outer) = state.balance.roller.bearing, loads(state)
     rating = dynamic_rating(bearing)
@@ -155,7 +156,7 @@ def test_equivalent_load_counts_each_race_with_its_own_capacity():
         for pair in ((inner, outer), (outer, inner))
     )
     assert load != swapped
-    (factor,) = lived(state, {"operation.inner_speed": "15000 rpm", **CLEAN})["factors"]
+    (factor,) = lived(state, {"operation.inner_speed": "15000 rpm", **ONCE})["factors"]
     assert load in factor["note"]
 
 
@@ -253,7 +254,7 @@ def test_factor_that_cannot_be_is_refused_before_anything_is_solved(settings, ex
 
 
 def test_a_iso_of_slices(state):
-    settings, (inner, outer) = CLEAN | {"life.modification": "slices"}, loads(state)
+    settings, (inner, outer) = CLEAN, loads(state)
     rated = roller_lives.rated(read_case(PLAIN, settings), state.balance.roller.bearing)
     capacity = reference_raceway_capacity(state.balance.roller.bearing, rated.dynamic)
 
@@ -262,4 +263,8 @@ def test_a_iso_of_slices(state):
 
     factor = only(lived(state, settings))
     assert factor["value"] == approx(modification(inner, outer, capacity, a_iso), rel=1e-9)
-    assert f"{only(lived(state, CLEAN))['value']:.4g} once for the bearing" in factor["note"]
+    assert f"{only(lived(state, ONCE))['value']:.4g} once for the bearing" in factor["note"]
+    more = [(1 + 1e-6) * each for each in loads(state)]
+    grown = only(lived(state, settings))["life_exponent"]
+    step = np.log(modification(*more, capacity, a_iso) / factor["value"]) / (-4 * np.log(1 + 1e-6))
+    assert grown == approx(step, rel=1e-4)

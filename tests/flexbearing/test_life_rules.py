@@ -9,6 +9,7 @@ from flexbearing.life import life_rules
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 LUNDBERG, REFERENCE = "Lundberg and Palmgren (1952)", "ISO/TS 16281:2008, C_r of ISO 281:2007"
+OF_SLICES = life_rules.A_ISO_OF_PARTS.format("slices")
 OILED = "life.lubrication=a_ISO", "life.cleanliness=grease, normal cleanliness"
 
 
@@ -16,7 +17,11 @@ OILED = "life.lubrication=a_ISO", "life.cleanliness=grease, normal cleanliness"
     ("name", "settings", "rules"),
     [
         ("nu209", (), [LUNDBERG]),
-        ("nu209", ("life.capacity=iso281", *OILED), [LUNDBERG, REFERENCE, life_rules.A_ISO]),
+        ("nu209", ("life.capacity=iso281", *OILED), [LUNDBERG, REFERENCE, OF_SLICES]),
+        ("nu209", ("life.capacity=iso281", "life.modification=bearing", *OILED),
+         [LUNDBERG, REFERENCE, life_rules.A_ISO]),
+        ("nu209", ("life.loads=rating", *OILED),
+         [LUNDBERG, "(C_r/P)^(10/3) of ISO 281:2007, C_r of ISO 281:2007", life_rules.A_ISO]),
         ("nu209", ("life.loads=rating", "life.load_exponent=4", "life.reliability=0.99"),
          [LUNDBERG, "(C_r/P)^(4) of ISO 281:2007, C_r of ISO 281:2007", life_rules.A_1]),
         ("6209", (), [REFERENCE]),

@@ -45,7 +45,7 @@ def test_a_iso_of_slices_at_the_printed_life(shape):
     along = 1 + brentq(lambda uneven: life(1 + uneven * shape) - LIFE, 0, 0.99) * shape
     each = damages(along)
     loads = slice_reference_loads(each, ROW.raceway_capacity(RATING), ROW.rollers, ANGLE)
-    found = modification_of_parts(KAPPA, FATIGUE_SHARE, loads, each.sum(axis=0), LINE.weibull).value
+    found = modification_of_parts(KAPPA, FATIGUE_SHARE, loads, each.sum(axis=0)).value
     assert found == approx(A_ISO, rel=0.08)
     once = modification_factor(KAPPA, FATIGUE_SHARE / (RATING * LIFE ** (-1 / ROLLER_EXPONENT))).value
     assert once > 1.3 * A_ISO
