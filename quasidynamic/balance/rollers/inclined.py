@@ -11,7 +11,7 @@ from quasidynamic.contact.line.load_law import LoadLaw, gap_rounding, raceway_co
 from quasidynamic.contact.line.slices import Slices
 from quasidynamic.parts.tapered_bearing import TaperedRollerBearing
 
-INNER, OUTER = 0, 1
+INNER, OUTER, RIB = 0, 1, 2
 HELD = 5  # displacements of a ring: x, y, z, and turns about y and z times the pitch radius
 SECTION = 3  # those of a section: along the axis, outwards, turn times half of the roller's length
 RIB_EXPONENT = 1.5
@@ -96,20 +96,40 @@ class InclinedRollers:
         turn = self.normals[:2] * [0.0, 0.0, 1.0]
         return np.stack([mean, turn], axis=1)
 
+    @cached_property
+    def _pairs(self) -> NDArray:
+        """Products of two of these (2, 4, 9) [-]."""
+        return np.einsum("rmd,rne->rmnde", self.levers, self.levers).reshape(2, 4, 9)
+
+    def section(self, ring: NDArray) -> NDArray:
+        """Displacement of the sections of the inner ring (Z, 3) [m]."""
+        return self.sections @ ring + self.shifts
+
+    def slid(self, ring: NDArray, rollers: NDArray) -> NDArray:
+        """Rollers (Z, 3) [m] slid on cup and rib from where they were with the ring at zero.
+
+        What cup and rib carry is the same: without the inner raceway they stay in balance.
+        """
+        cup, rib = self.normals[OUTER], self.normals[RIB]
+        along = np.array([cup[1], -cup[0], 0.0])
+        return rollers + np.outer(self.section(ring) @ rib / (along @ rib), along)
+
+    def closed(self, ring: NDArray, rollers: NDArray) -> NDArray:
+        """Largest approach of each roller to the inner raceway (Z) [m], negative in a gap."""
+        mean_and_turn = (rollers - self.section(ring)) @ self.levers[INNER].T
+        return (mean_and_turn @ self._modes.T - self.drops[INNER]).max(1) - self.gap
+
     def at(self, ring: NDArray, rollers: NDArray) -> InclinedState:
         """Evaluate every slice and the rib."""
-        section = self.sections @ ring + self.shifts
-        moved = np.stack([rollers - section, rollers])  # against inner and outer ring
-        approach = np.einsum("rmd,rzd->rzm", self.levers, moved) @ self._modes.T - self.drops
+        moved = np.stack([rollers - self.section(ring), rollers])  # against inner and outer ring
+        approach = moved @ self.levers.swapaxes(1, 2) @ self._modes.T - self.drops
         approach[INNER] -= self.gap
         load, slope = self.law(approach)
-        force = load @ self.slices.weights  # (2, Z, 2)
-        stiff = (slope @ self.slices.products).reshape(2, len(rollers), 2, 2)
-        on = np.einsum("rmd,rzm->rzd", self.levers, force)
-        by = np.einsum("rmd,rzmn,rne->rzde", self.levers, stiff, self.levers)
-        closed, root = smooth_positive(moved[INNER] @ self.normals[2], self.law.rounding)
+        on = load @ self.slices.weights @ self.levers
+        by = (slope @ self.slices.products @ self._pairs).reshape(2, len(rollers), SECTION, SECTION)
+        closed, root = smooth_positive(moved[INNER] @ self.normals[RIB], self.law.rounding)
         rib = self.rib_stiffness * closed**RIB_EXPONENT
-        towards = self.normals[2]
+        towards = self.normals[RIB]
         inner = on[INNER] + rib[:, None] * towards
         inner_by = by[INNER] + (RIB_EXPONENT * rib / root)[:, None, None] * np.outer(towards, towards)
         return InclinedState(
