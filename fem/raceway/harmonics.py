@@ -16,6 +16,7 @@ from typing import NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg import block_diag
 
 from fem.errors import NotSolved, TooFewHarmonics
 from fem.half_space.line_load import cubic_tail, curvature_tail, indentation, indentation_harmonics
@@ -125,7 +126,7 @@ class Responses(NamedTuple):
     bar_response: BarResponse | None = None  # of a squirrel cage
     short_waves: NDArray | None = None  # (S, M, M) what N + 1 .. N + S answer to themselves [m/N]
     rows: int = 1  # of rollers, whose shapes stand one row after the other
-    taper: float = 0.0  # [rad] angle of the raceway from the axis
+    taper: float = 0.0  # [rad] angle of the raceway from the axis, of two of that at -x
 
 
 def with_short_waves(responses: Responses, resolved: int, waves: NDArray) -> Responses:
@@ -207,7 +208,7 @@ class HarmonicCompliance:
     bar_response: BarResponse | None = None  # of a squirrel cage
     short_waves: NDArray | None = None  # (S, M, M) [m/N] what N + 1 .. N + S answer to themselves, if known
     rows: int = 1  # of rollers, on loaded bands of their own
-    taper: float = 0.0  # [rad] angle of the raceway from the axis, > 0 where it widens towards +x
+    taper: float = 0.0  # [rad] of the raceway from the axis, of two of that at -x; > 0: it widens towards +x
 
     def __post_init__(self):
         K, M = self.response.shape[:2]
@@ -339,11 +340,13 @@ class HarmonicCompliance:
         Logarithm of the displacement beside a line load; derived here.
         """
         places, weights = np.polynomial.legendre.leggauss(self._shapes + 8)
-        shapes = np.polynomial.legendre.legvander(places, self._shapes - 1)
-        shapes *= 2 * np.arange(self._shapes) + 1
+        order = np.arange(self._shapes)
+        shapes = np.polynomial.legendre.legvander(places, self._shapes - 1) * (2 * order + 1)
         ratio = np.log1p(self.length / 2 * tan(self.taper) * places / self.radius)
         unit = 2 * (1 - self.elastic.poisson_ratio**2) / (np.pi * self.elastic.youngs_modulus)
-        return unit / (2 * self._contact_length) * (shapes.T * (weights * ratio)) @ shapes
+        own = unit / (2 * self._contact_length) * (shapes.T * (weights * ratio)) @ shapes
+        of_rows = own, own * np.outer((-1.0) ** order, (-1.0) ** order)  # mirror images
+        return block_diag(*of_rows[: self.rows])
 
     @property
     def _shapes(self) -> int:

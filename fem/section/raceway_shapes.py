@@ -30,8 +30,11 @@ def raceway_modes(body: Body, part: Part | BoltedRing, resolution: Resolution) -
     if part.groove is None:
         if resolution.rows == MIDDLE:
             return edge_modes(body, "raceway", resolution.axial_modes, taper=taper(part))
-        bands = [(place, resolution.length) for place in resolution.rows]
-        return np.hstack([edge_modes(body, "raceway", resolution.axial_modes, band=band) for band in bands])
+        shapes = (
+            edge_modes(body, "raceway", resolution.axial_modes, band=(place, resolution.length), taper=angle)
+            for place, angle in zip(resolution.rows, (taper(part), -taper(part)), strict=True)
+        )
+        return np.hstack([*shapes])
     return station_modes(body, part.groove, outward(part), _stations(part, part.groove, resolution))
 
 
@@ -140,7 +143,7 @@ def _stations(part: Part | BoltedRing, groove: Groove, resolution: Resolution) -
 
 
 def taper(part: Part | BoltedRing) -> float:
-    """Angle of a raceway from the axis [rad]; zero of a cylinder."""
+    """Angle of a raceway from the axis [rad], of two of that at -x; zero of a cylinder."""
     return part.taper if isinstance(part, OuterRing | RingOnShaft) else 0.0
 
 

@@ -22,6 +22,10 @@ SPRINGS = [*CUP, "outer.support=foundation", "outer.foundation_radial=200 N/mm^3
 CONE = ["inner.kind=ring_on_shaft", "inner.bore=35 mm", "inner.width=17 mm", "inner.shaft_length=40 mm",
         "materials.shaft=structural steel"]  # fmt: skip
 BOTH = [*SPRINGS, *CONE]
+PAIR = ["bearing.pair.arrangement=back_to_back", "bearing.pair.distance=40 mm", "bearing.pair.preload=2 kN"]
+CLOSE = [*PAIR[:1], "bearing.pair.distance=18 mm", "bearing.pair.offset=5 um"]
+ONE_CUP = [*CLOSE, *SPRINGS, "outer.width=37 mm", "outer.common=true"]
+ONE_SHAFT = [*CLOSE, *CONE, "inner.width=35 mm", "inner.shaft_length=60 mm"]
 HELD = {
     "side": [*CUP, "outer.support=side"],
     "seat": [*CUP, "outer.support=seat"],
@@ -30,6 +34,8 @@ HELD = {
                 "materials.housing=grey cast iron"],
     "cone": CONE,
     "both": BOTH,
+    "cup of two rows": ONE_CUP,
+    "shaft of two rows": ONE_SHAFT,
 }  # fmt: skip
 
 
@@ -55,7 +61,8 @@ def test_nearly_rigid_rings_are_rigid(settings):
                 f"materials.{part}.{name}={stiff[name]}" for name in ("youngs_modulus", "poisson_ratio")
             ]
     kept = [each for each in settings if not each.startswith("materials.")]
-    model, operation = build(read())
+    pair = [each for each in settings if each.startswith("bearing.pair.")]
+    model, operation = build(read(pair))
     rigid = tapered_loads(model, operation)
     found = tapered_loads(model, operation, raceways=compliances(read([*kept, *parts])))
     assert found.loads == approx(rigid.loads, rel=0, abs=1e-6 * rigid.loads.max())
@@ -130,9 +137,6 @@ def test_derivatives_are_those_between_elastic_rings():
         sensitivities(read(BOTH), ["rigid.max_rib_load"], ["operation.load.axial"])
 
 
-PAIR = ["bearing.pair.arrangement=back_to_back", "bearing.pair.distance=40 mm", "bearing.pair.preload=2 kN"]
-
-
 def test_rows_of_a_pair_have_rings_of_their_own():
     """A thrust on two rows in tandem loads each ring as half of it loads the ring of one row."""
     tandem = ["bearing.pair.arrangement=tandem", "bearing.pair.distance=40 mm", "operation.load.radial_z=0 N"]
@@ -147,8 +151,40 @@ def test_rows_of_a_pair_have_rings_of_their_own():
     assert rows[0, 0] < 0.8 * opposed.rigid["row_load"][0, 0]  # softer rings lose preload
 
 
+ONE_BODY = {"cup": ONE_CUP, "shaft": ONE_SHAFT, "both": [*ONE_CUP, *ONE_SHAFT]}
+
+
+@pytest.mark.parametrize("arrangement", ["back_to_back", "face_to_face"])
+@pytest.mark.parametrize("settings", ONE_BODY.values(), ids=ONE_BODY)
+def test_rows_in_one_body_share_a_symmetric_load(settings, arrangement):
+    """Its mesh is not symmetric; forces and shapes are summed up again from the stored slices."""
+    settings = [*settings, f"bearing.pair.arrangement={arrangement}"]
+    found = api.run(CASE, [*settings, "operation.load.axial=0 N"])
+    values, case = found.flexible, read(settings)
+    assert values["row_load"][:, 2] == approx([4000.0, 4000.0], rel=1e-5)
+    assert values["row_load"][:, 0].sum() == approx(0.0, abs=1e-6)
+    assert abs(values["row_load"][0, 0] / found.rigid["row_load"][0, 0] - 1) > 1e-3
+    outer, azimuths = values["outer_load"], values["roller_azimuth"]
+    assert outer @ np.cos(azimuths) * np.cos(case.bearing.cup_angle) == approx(8000.0, rel=1e-9)
+    places = values["slice_position"] / (case.bearing.roller.length / 2)
+    modes = np.polynomial.legendre.legvander(places, case.accuracy.axial_shapes - 1)
+    width = case.bearing.roller.length / case.accuracy.slices
+    for race, compliance in zip(("inner", "outer"), compliances(case), strict=True):
+        if compliance is not None:
+            forces = values[f"{race}_slice_load"] @ modes * width
+            shape = np.einsum("jmkn,kn->jm", compliance, forces) @ modes.T
+            deflection = values[f"{race}_deflection"]
+            assert deflection == approx(shape, rel=0, abs=1e-8 * np.abs(deflection).max())
+
+
 REFUSED = {
-    "pair on an elastic shaft": ([*CONE, *PAIR], "whose rows have one shaft"),
+    "one cup of one row": ([*CUP, "outer.common=true"], "this case has no bearing.pair"),
+    "one cup in tandem": (
+        [each for each in ONE_CUP if "offset" not in each] + ["bearing.pair.arrangement=tandem"],
+        "two rows in one elastic ring",
+    ),
+    "rows beside the cup": ([*ONE_CUP, "outer.width=32 mm"], "what the rollers touch of it"),
+    "rows beside the cone": ([*CONE, *PAIR], "what the rollers touch of it"),
     "cup without a wall": ([*CUP, "outer.thickness=2 mm"], "wide end of the raceway has no wall"),
     "rollers beside the cup": ([*CUP, "outer.width=12 mm"], "what the rollers touch of it"),
     "rollers that leave the cup": ([*CUP, "outer.raceway_offset=3 mm"], "or rollers leave the ring"),

@@ -89,7 +89,7 @@ class TaperedBearing(Section):
 
     pair: Pair | None = key(
         "a second row of the same rollers: a pair of bearings, or a double-row one. Elastic outer rings are "
-        "two, each with its support; ratings in [life] are those of both rows",
+        "two, or one (outer.common); ratings in [life] are those of both rows",
         None,
     )
 
@@ -284,8 +284,8 @@ class TaperedCase(Head):
         if pair.distance < self.bearing.roller.length:
             least = f"at least the length of the rollers, {in_mm(self.bearing.roller.length)}"
             raise impossible("bearing.pair.distance", least)
-        if self.inner.kind != "rigid":
-            raise impossible("inner.kind", '"rigid" beside bearing.pair, whose rows have one shaft')
+        if not pair.opposed and (self.inner.kind != "rigid" or self.outer.common):
+            raise impossible("bearing.pair.arrangement", "another one of two rows in one elastic ring")
         return self
 
     @model_validator(mode="after")
