@@ -77,7 +77,7 @@ def edge_modes(
 
     An array (unknowns, M) [-]; g_0 reads the mean displacement. The edge of length l has its middle at s = 0,
     s towards +x; d is 0 along x, 1 outward, 2 towards growing azimuth; on a cone with a `taper` [rad] from
-    the axis outward is normal to it. Of several parts a `band` has x_0 and axial length [m] of one.
+    the axis 0 is along it, 1 normal to it. Of several parts a `band` has x_0 and axial length [m] of one.
     Raises `ImpossiblePart` if no edge has this name, or if it is not one cylinder or cone.
 
     Source
@@ -100,10 +100,13 @@ def edge_modes(
         raise ImpossiblePart(f"the edge {edge!r} is not one cylinder or cone: its radius varies otherwise")
     xi = 2 * (ngs.x - place) / (length * cos(taper))
     v = body.space.TestFunction()
-    along = cos(taper) * v[1] - sin(taper) * v[0] if direction == 1 and taper else v[direction]
+    along, across = (v[0], v[1]) if not taper else (
+        cos(taper) * v[0] + sin(taper) * v[1], cos(taper) * v[1] - sin(taper) * v[0]
+    )  # fmt: skip
     shapes = enumerate(legendre_polynomials(xi, axial_modes))
     patterns = (inside * (2 * m + 1) / length * L for m, L in shapes)
-    return np.stack([body.load(forms.edge_pressure(along, where, a)) for a in patterns], axis=1)
+    towards = (along, across, v[2])[direction]
+    return np.stack([body.load(forms.edge_pressure(towards, where, a)) for a in patterns], axis=1)
 
 
 def station_modes(body: Body, groove: Groove, outward: int, stations: Stations) -> NDArray:

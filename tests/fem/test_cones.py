@@ -29,11 +29,12 @@ def cup(taper=TAPER, **changes):
     return fem.OuterRing(**{**parts, **changes})
 
 
-def condensed(part, shapes=SHAPES, harmonics=None, size=0.25 * BAND):
+def condensed(part, shapes=SHAPES, harmonics=None, size=0.25 * BAND, along=False):
     mesh = fem.MeshSize(order=5, size=1.2 * BAND, raceway_size=size)
     resolution = fem.Resolution(
-        length=BAND, axial_modes=shapes, mesh_size=mesh, harmonics=harmonics, row_distance=part.row_distance
-    )
+        length=BAND, axial_modes=shapes, mesh_size=mesh, harmonics=harmonics, row_distance=part.row_distance,
+        along=along,
+    )  # fmt: skip
     return condense(part, HARMONICS, resolution)
 
 
@@ -57,16 +58,17 @@ def test_nearly_rigid_cup_on_springs_is_a_closed_form(apart, taper):
             stiffness += area * np.einsum("i,ia,ib->ab", SPRINGS, moved, moved)
     rows = [(-apart / 2, taper), (apart / 2, -taper)][: 1 + bool(apart)]
     places = [(*row, azimuth) for row in rows for azimuth in AZIMUTHS]
-    read = np.zeros((len(places), SHAPES, 5))
+    read = np.zeros((len(places), SHAPES + 1, 5))
     for j, (middle, angle, azimuth) in enumerate(places):
         for x, weight in zip(points, weights, strict=True):
             axial, radial, _ = motions(middle + x * BAND / 2, RADIUS + x * BAND / 2 * tan(angle), azimuth)
             shapes = legendre.legvander(np.array([x]), SHAPES - 1)[0] * (2 * np.arange(SHAPES) + 1) / 2
-            read[j] += weight * np.outer(shapes, cos(angle) * radial - sin(angle) * axial)
+            read[j, :-1] += weight * np.outer(shapes, cos(angle) * radial - sin(angle) * axial)
+            read[j, -1] += weight / 2 * (cos(angle) * axial + sin(angle) * radial)
     expected = np.einsum("jma,ab,knb->jmkn", read, np.linalg.inv(stiffness), read)
     stiff = replace(STEEL, youngs_modulus=1e6 * STEEL.youngs_modulus)
     part = cup(taper, elastic=stiff, width=width, row_distance=apart)
-    found = condensed(part).at(np.tile(AZIMUTHS, len(rows))).absolute
+    found = condensed(part, along=True).at(np.tile(AZIMUTHS, len(rows))).absolute
     assert found == approx(expected, rel=0, abs=5e-5 * np.abs(expected).max())
 
 
