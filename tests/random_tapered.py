@@ -158,8 +158,14 @@ def compliance(
     mesh = fem.MeshSize(order=5, size=1.2 * length, raceway_size=0.25 * length)
     band = length * np.cos(ring.taper)
     resolution = fem.Resolution(
-        length=band, axial_modes=shapes, mesh_size=mesh, row_distance=ring.row_distance
+        length=band,
+        axial_modes=shapes,
+        mesh_size=mesh,
+        row_distance=ring.row_distance,
+        along=isinstance(ring, fem.RingOnShaft),
     )
     first = int(np.sign(ring.taper))
     large_end = np.repeat([first, -first][: len(bearing.rows)], bearing.rollers)
-    return towards_large_end(condense(ring, HARMONICS, resolution).at(bearing.azimuths).absolute, large_end)
+    return towards_large_end(
+        condense(ring, HARMONICS, resolution).at(bearing.azimuths).absolute, large_end, resolution.along
+    )

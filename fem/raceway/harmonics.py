@@ -350,7 +350,7 @@ class HarmonicCompliance:
         unit = 2 * (1 - self.elastic.poisson_ratio**2) / (np.pi * self.elastic.youngs_modulus)
         own = unit / (2 * self._contact_length) * (shapes.T * (weights * ratio)) @ shapes
         of_rows = own, own * np.outer((-1.0) ** order, (-1.0) ** order)  # mirror images
-        return block_diag(*map(self._with_force_along, of_rows[: self.rows]))
+        return np.asarray(block_diag(*map(self._with_force_along, of_rows[: self.rows])))
 
     @property
     def _shapes(self) -> int:

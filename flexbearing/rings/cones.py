@@ -49,19 +49,25 @@ def _raceway(case: TaperedCase, race: "Race", azimuths: NDArray, report: Report)
     report.stage(name, None)
     of_row, pair = azimuths[: case.bearing.rollers], case.bearing.pair
     rows = len(azimuths) // len(of_row)
+    along = race == "inner"  # for the load on its rib
     with _named(case, race):
         ring = condensed_part(name, arguments, report)
         if pair and _in_one_ring(case, race):
             large_end = np.repeat([-1, 1] if pair.arrangement == "back_to_back" else [1, -1], len(of_row))
-            return towards_large_end(ring.at(azimuths).absolute, large_end)
-        own = towards_large_end(ring.at(of_row).absolute, np.full(len(of_row), -1))
+            return towards_large_end(ring.at(azimuths).absolute, large_end, along)
+        own = towards_large_end(ring.at(of_row).absolute, np.full(len(of_row), -1), along)
     whole = np.einsum("ab,jmkn->ajmbkn", np.eye(rows), own)
     return whole.reshape((len(azimuths), own.shape[1]) * 2)
 
 
-def towards_large_end(compliance: NDArray, large_end: NDArray) -> NDArray:
-    """A compliance (Z, M, Z, M) in shapes along x in those towards the large ends, at a sign of x (Z)."""
+def towards_large_end(compliance: NDArray, large_end: NDArray, along: bool) -> NDArray:
+    """A compliance (Z, M, Z, M) in shapes along x in those towards the large ends, at a sign of x (Z).
+
+    The last shape may be one along the raceway of an inner ring, into which normals point that are outward.
+    """
     sign = large_end[:, None] ** np.arange(compliance.shape[1])
+    if along:
+        sign[:, -1] = -large_end
     return compliance * sign[..., None, None] * sign
 
 
@@ -110,6 +116,7 @@ def arguments_of(case: TaperedCase, race: "Race") -> Arguments | None:
                 raceway_size=accuracy.raceway_mesh_size or raceway_size,
             ),
             row_distance=part.row_distance,
+            along=race == "inner",
         ),
     )
 

@@ -24,7 +24,7 @@ _SPRINGS = {f"outer.foundation_{direction}": "200 N/mm^3" for direction in ("rad
 _ELASTIC = {"youngs_modulus": "110 GPa", "poisson_ratio": 0.26}
 _CUP = {**_FILE, "outer.kind": "ring", "outer.thickness": "5 mm", "outer.width": "19 mm"}
 _FINENESS = (
-    "resolution resolution.{is,azimuths,axial_modes,first_order,harmonics,length,nodes_of,patch_width} "
+    "resolution resolution.{is,along,azimuths,axial_modes,first_order,harmonics,length,nodes_of,patch_width} "
     "resolution.{row_distance,stations,threads} resolution.mesh_size.{is,order,raceway_size,size}"
 )
 PROFILES = {"roller": "roller.profile", "inner_raceway": "inner_profile", "outer_raceway": "outer_profile"}

@@ -83,8 +83,8 @@ class TaperedInner(Section):
 
     kind: Literal["rigid", "ring_on_shaft"] = key(
         "rigid; or a ring bonded on a shaft with both ends clamped, which move with the ring; both rows of "
-        "bearing.pair are on it. The ribs are not part of it: that at the large ends stays where the clamped "
-        "ends hold it",
+        "bearing.pair are on it. The rib at the large ends moves with the section under the raceway, "
+        "which carries its load",
         "rigid",
     )
     bore: Length | None = key(

@@ -30,7 +30,9 @@ class InclinedSolution:
     imbalance: float  # [-] largest unbalanced force over the largest force
     evaluations: int  # of all contacts
     floor: float  # [N/m] that holds rollers which nothing touches
-    shape: NDArray | None = None  # (2, Z, M) [m] of elastic raceways: modes of what they give way by
+    shape: NDArray | None = (
+        None  # (2, Z, M + 1) [m] of elastic raceways: modes along normals, mean along them
+    )
 
 
 @dataclass
@@ -65,7 +67,11 @@ class _Search:
             return None
         count = model.drops.shape[1]
         alone = replace(
-            model, gap=FAR, sections=np.zeros((count, SECTION, HELD)), shifts=np.zeros((count, SECTION))
+            model,
+            gap=FAR,
+            rib_drop=0.0,
+            sections=np.zeros((count, SECTION, HELD)),
+            shifts=np.zeros((count, SECTION)),
         )
         approach = float(np.max(model.law.approach(on_cup / model.slices.length)))
         place = np.linalg.solve(
