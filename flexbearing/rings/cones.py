@@ -162,7 +162,7 @@ def _cones(case: TaperedCase, race: "Race", angle: float) -> tuple[float, float]
     pair = case.bearing.pair
     if pair is None or not _in_one_ring(case, race):
         return -angle, 0.0
-    return -angle if pair.arrangement == "back_to_back" else angle, pair.distance
+    return -angle if pair.arrangement == "back_to_back" else angle, case.bearing.row_distance(race)
 
 
 def _elastic(material: Elastic) -> fem.Elastic:

@@ -17,6 +17,7 @@ from quasidynamic import tapered_loads
 from quasidynamic.balance.rollers.inclined import InclinedRollers
 from quasidynamic.contact.line.slices import Slices
 from tests.flexbearing.test_tapered_cases import CASE, read
+from tests.quasidynamic.test_tapered_raceways import readings
 
 CUP = ["outer.kind=ring", "outer.thickness=5 mm", "outer.width=19 mm"]
 SPRINGS = [*CUP, "outer.support=foundation", "outer.foundation_radial=200 N/mm^3",
@@ -90,6 +91,21 @@ def test_nearly_rigid_rings_are_rigid(settings):
     assert found.loads == approx(rigid.loads, rel=0, abs=1e-6 * rigid.loads.max())
     elastic = tapered_loads(model, operation, raceways=compliances(read(settings)))
     assert np.abs(elastic.loads - rigid.loads).max() > 1e-4 * rigid.loads.max()
+
+
+@pytest.mark.parametrize("arrangement", [None, "back_to_back", "face_to_face"])
+def test_a_nearly_rigid_cone_on_a_soft_shaft_moves_as_a_whole(arrangement):
+    """Raceways and what is along them, for the rib, read the motions of one rigid ring."""
+    pair = [] if arrangement is None else [*ONE_SHAFT, f"bearing.pair.arrangement={arrangement}"]
+    pair = [each for each in pair if not each.startswith("materials.")]
+    stiff = [f"materials.{part}.{each}" for part, modulus in (("inner_ring", "210e6 GPa"), ("shaft", "1 GPa"))
+             for each in (f"youngs_modulus={modulus}", "poisson_ratio=0.3")]  # fmt: skip
+    case = read([*CONE[:-1], *pair, *stiff, "materials.inner_ring.density=7810 kg/m^3"])
+    inner, _ = compliances(case)
+    motions = readings(bearing(case), case.accuracy.axial_shapes).reshape(-1, 5)
+    whole = inner.reshape(len(motions), -1)
+    left = whole - motions @ np.linalg.lstsq(motions, whole, rcond=None)[0]
+    assert np.abs(left).max() < 1e-4 * np.abs(whole).max()
 
 
 def test_angles_that_vanish_leave_the_ring_of_cylindrical_rollers():
@@ -189,7 +205,12 @@ REFUSED = {
         [each for each in ONE_CUP if "offset" not in each] + ["bearing.pair.arrangement=tandem"],
         "two rows in one elastic ring",
     ),
-    "rows beside the cup": ([*ONE_CUP, "outer.width=32 mm"], "what the rollers touch of it"),
+    "rows beside the cup": ([*ONE_CUP, "outer.width=30 mm"], "what the rollers touch of it"),
+    "rows on each other": ([*ONE_CUP, "bearing.pair.distance=16 mm"], "rows touch each other"),
+    "cones on each other": (
+        [*ONE_SHAFT, "bearing.pair.distance=16 mm", "bearing.pair.arrangement=face_to_face"],
+        "rows touch each other",
+    ),
     "rows beside the cone": ([*CONE, *PAIR], "what the rollers touch of it"),
     "cup without a wall": ([*CUP, "outer.thickness=2 mm"], "wide end of the raceway has no wall"),
     "rollers beside the cup": ([*CUP, "outer.width=12 mm"], "what the rollers touch of it"),

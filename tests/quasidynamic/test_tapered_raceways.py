@@ -80,23 +80,33 @@ def test_one_page_of_balances_is_met(side, held):
         assert np.array(misfit) == approx(0.0, abs=1e-6 * np.abs(found.solution.shape).max())
 
 
-@pytest.mark.parametrize("side", [1, -1])
-def test_a_rigid_ring_on_springs_is_one_that_moved(side):
-    """Inner raceway and rib as one rigid body on springs: loads are those at the place where it goes.
+def readings(model, shapes):
+    """What inner raceways read (Z, M + 1, 5) of a motion of their ring: x, y, z, turns about y and z.
 
-    Displacements (x', r) of mid-contact by a motion of the ring, x' to the rib.
+    Of displacements (x', r) of mid-contact, x' to the rib, that along the normal, its turn, that along.
     """
-    model = replace(bearing(), side=side)
     cone, half, pitch = model.cone_angle, model.roller.length / 2, model.pitch_diameter / 2
-    radius, read = model.roller.diameter / 2 / np.cos(model.taper), np.zeros((19, 4, 5))
-    middle = radius * np.sin(cone), -radius * np.cos(cone)
+    radius = model.roller.diameter / 2 / np.cos(model.taper)
+    read, middle = (
+        np.zeros((model.all_rollers, shapes + 1, 5)),
+        radius * np.array([np.sin(cone), -np.cos(cone)]),
+    )
     for j, azimuth in enumerate(model.azimuths):
-        s, c = np.sin(azimuth), np.cos(azimuth)
+        row, s, c = j // model.rollers, np.sin(azimuth), np.cos(azimuth)
+        side, place = model.sides[row], model.rows[row].axial
         turn = side * np.array([0, 0, 0, c, -s])
         along = -side * np.array([1, 0, 0, pitch * c, -pitch * s]) - turn * middle[1]
-        out = np.array([0, s, c, 0, 0]) + turn * middle[0]
+        out = np.array([0, s, c, -place * c, place * s]) + turn * middle[0]
         read[j, 0], read[j, 1] = np.sin(cone) * along - np.cos(cone) * out, -half * turn
-        read[j, 3] = np.cos(cone) * along + np.sin(cone) * out
+        read[j, -1] = np.cos(cone) * along + np.sin(cone) * out
+    return read
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_rigid_ring_on_springs_is_one_that_moved(side):
+    """Inner raceway and rib as one rigid body on springs: loads are those at the place where it goes."""
+    model = replace(bearing(), side=side)
+    read = readings(model, 3)
     springs = np.array([2e-9, 1e-9, 1e-9, 2e-6, 2e-6])  # [m/N, rad/(N m)]
     compliance = np.einsum("jma,a,knb,ab->jmkn", read, springs, read, np.eye(5))
     asked = operation(side * 10e3, held=(None, None, None, 1e-4, 0.0), speed=FAST)

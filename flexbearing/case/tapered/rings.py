@@ -63,8 +63,11 @@ class TaperedOuter(Section):
         from fem.parts.room import SLENDEREST_SLOT, places_on_cones
 
         width, thickness = require(self, ("width", "thickness"), self.kind)
-        apart = bearing.pair.distance if self.common else 0.0
-        band = apart + bearing.roller.length * cos(bearing.cup_angle)
+        apart = bearing.row_distance("outer") if self.common else 0.0
+        band = bearing.roller.length * cos(bearing.cup_angle)
+        if self.common and apart < band + SLENDEREST_SLOT:
+            raise impossible("common", "false, or bearing.pair.distance larger: rows touch each other")
+        band += apart
         if width < band:
             raise impossible("width", f"at least {in_mm(band)}, what the rollers touch of it")
         if width < band + 2 * abs(self.raceway_offset):
@@ -119,8 +122,12 @@ class TaperedInner(Section):
         from fem.parts.room import SLENDEREST_SLOT, places_on_cones
 
         bore, width = require(self, ("bore", "width"), self.kind)
-        cone, apart = bearing.angles[1], bearing.pair.distance if bearing.pair else 0.0
-        if width < (band := apart + bearing.roller.length * cos(cone)):
+        cone, apart = bearing.angles[1], bearing.row_distance("inner")
+        band = bearing.roller.length * cos(cone)
+        if apart and apart < band + SLENDEREST_SLOT:
+            raise impossible("kind", '"rigid", or bearing.pair.distance larger: rows touch each other')
+        band += apart
+        if width < band:
             raise impossible("width", f"at least {in_mm(band)}, what the rollers touch of it")
         last = places_on_cones(width, apart)[1]
         most = 2 * (bearing.raceway_middle("inner") - last * tan(cone) - SLENDEREST_SLOT)

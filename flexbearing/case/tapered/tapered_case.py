@@ -1,6 +1,6 @@
 """A tapered roller bearing between rigid or elastic rings, as a case."""
 
-from math import asin, cos, hypot, pi
+from math import asin, cos, hypot, pi, sin
 from typing import Literal, Self
 
 from pydantic import model_validator
@@ -121,6 +121,18 @@ class TaperedBearing(Section):
         if race == "outer":
             return self.pitch_diameter / 2 + reach * cos(self.cup_angle)
         return self.pitch_diameter / 2 - reach * cos(cone)
+
+    def row_distance(self, race: Literal["inner", "outer"]) -> float:
+        """Axial distance of the contacts of both rows on a raceway, in their middles [m]; 0 of one row.
+
+        Contacts are off the plane of the roller centres, on the cone towards the large ends.
+        """
+        if self.pair is None:
+            return 0.0
+        axis, cone = self.angles
+        reach = self.roller.diameter / 2 / cos(self.cup_angle - axis)
+        towards = reach * sin(cone) if race == "inner" else -reach * sin(self.cup_angle)
+        return self.pair.distance + 2 * towards * (1 if self.pair.arrangement == "back_to_back" else -1)
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
