@@ -94,18 +94,21 @@ def test_nearly_rigid_rings_are_rigid(settings):
 
 
 @pytest.mark.parametrize("arrangement", [None, "back_to_back", "face_to_face"])
-def test_a_nearly_rigid_cone_on_a_soft_shaft_moves_as_a_whole(arrangement):
-    """Raceways and what is along them, for the rib, read the motions of one rigid ring."""
-    pair = [] if arrangement is None else [*ONE_SHAFT, f"bearing.pair.arrangement={arrangement}"]
-    pair = [each for each in pair if not each.startswith("materials.")]
-    stiff = [f"materials.{part}.{each}" for part, modulus in (("inner_ring", "210e6 GPa"), ("shaft", "1 GPa"))
-             for each in (f"youngs_modulus={modulus}", "poisson_ratio=0.3")]  # fmt: skip
-    case = read([*CONE[:-1], *pair, *stiff, "materials.inner_ring.density=7810 kg/m^3"])
-    inner, _ = compliances(case)
-    motions = readings(bearing(case), case.accuracy.axial_shapes).reshape(-1, 5)
-    whole = inner.reshape(len(motions), -1)
-    left = whole - motions @ np.linalg.lstsq(motions, whole, rcond=None)[0]
-    assert np.abs(left).max() < 1e-4 * np.abs(whole).max()
+def test_nearly_rigid_rings_on_soft_supports_move_as_a_whole(arrangement):
+    """Raceways, and what is along the inner one for the rib, read the motions of rigid rings."""
+    pair = [] if arrangement is None else [*ONE_CUP, *ONE_SHAFT, f"bearing.pair.arrangement={arrangement}"]
+    steel = "youngs_modulus=210e6 GPa", "poisson_ratio=0.3", "density=7810 kg/m^3"
+    stiff = [f"materials.{part}.{each}" for part in ("inner_ring", "outer_ring") for each in steel]
+    shaft = [f"materials.shaft.{each}" for each in ("youngs_modulus=1 GPa", "poisson_ratio=0.3")]
+    plain = [each for each in (*BOTH, *pair) if not each.startswith("materials.")]
+    case = read([*plain, *stiff, *shaft])
+    shapes = case.accuracy.axial_shapes
+    for race, compliance in zip(("inner", "outer"), compliances(case), strict=True):
+        along = race == "inner"
+        motions = readings(bearing(case), shapes, race)[:, : shapes + along].reshape(-1, 5)
+        whole = compliance.reshape(len(motions), -1)
+        left = whole - motions @ np.linalg.lstsq(motions, whole, rcond=None)[0]
+        assert np.abs(left).max() < 1e-4 * np.abs(whole).max()
 
 
 def test_angles_that_vanish_leave_the_ring_of_cylindrical_rollers():

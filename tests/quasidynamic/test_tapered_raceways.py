@@ -80,25 +80,23 @@ def test_one_page_of_balances_is_met(side, held):
         assert np.array(misfit) == approx(0.0, abs=1e-6 * np.abs(found.solution.shape).max())
 
 
-def readings(model, shapes):
-    """What inner raceways read (Z, M + 1, 5) of a motion of their ring: x, y, z, turns about y and z.
+def readings(model, shapes, race="inner"):
+    """What raceways read (Z, M + 1, 5) of a motion of their ring: x, y, z, turns about y and z.
 
     Of displacements (x', r) of mid-contact, x' to the rib, that along the normal, its turn, that along.
     """
-    cone, half, pitch = model.cone_angle, model.roller.length / 2, model.pitch_diameter / 2
-    radius = model.roller.diameter / 2 / np.cos(model.taper)
-    read, middle = (
-        np.zeros((model.all_rollers, shapes + 1, 5)),
-        radius * np.array([np.sin(cone), -np.cos(cone)]),
-    )
+    angle, sign = (model.cone_angle, -1) if race == "inner" else (model.cup_angle, 1)
+    normal = sign * np.array([-np.sin(angle), np.cos(angle)])
+    middle, half = model.roller.diameter / 2 / np.cos(model.taper) * normal, model.roller.length / 2
+    read, pitch = np.zeros((model.all_rollers, shapes + 1, 5)), model.pitch_diameter / 2
     for j, azimuth in enumerate(model.azimuths):
         row, s, c = j // model.rollers, np.sin(azimuth), np.cos(azimuth)
         side, place = model.sides[row], model.rows[row].axial
         turn = side * np.array([0, 0, 0, c, -s])
         along = -side * np.array([1, 0, 0, pitch * c, -pitch * s]) - turn * middle[1]
         out = np.array([0, s, c, -place * c, place * s]) + turn * middle[0]
-        read[j, 0], read[j, 1] = np.sin(cone) * along - np.cos(cone) * out, -half * turn
-        read[j, -1] = np.cos(cone) * along + np.sin(cone) * out
+        read[j, 0], read[j, 1] = normal[0] * along + normal[1] * out, sign * half * turn
+        read[j, -1] = np.cos(angle) * along + np.sin(angle) * out
     return read
 
 
