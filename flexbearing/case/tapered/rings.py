@@ -81,7 +81,7 @@ class TaperedOuter(Section):
             raise impossible("width", "less: the raceway reaches the axis")
 
 
-class TaperedInner(Section):
+class TaperedInner(held_ring.OnShaft):
     """What carries the inner raceway."""
 
     kind: Literal["rigid", "ring_on_shaft"] = key(
@@ -102,12 +102,6 @@ class TaperedInner(Section):
     )
     shaft_thickness: Length | None = held_ring.shaft_thickness()
     shaft_length: Length | None = held_ring.shaft_length()
-
-    @property
-    def shaft_bore(self) -> float:
-        """Bore of the shaft [m]; zero is a solid shaft."""
-        bore, thickness = self.bore or 0.0, self.shaft_thickness
-        return 0.0 if thickness is None else max(bore - 2 * thickness, 0.0)
 
     @model_validator(mode="after")
     def _complete(self) -> Self:

@@ -23,7 +23,7 @@ from flexbearing.case.quantity import (
     located,
     needed,
 )
-from flexbearing.case.ratings import TaperedLife
+from flexbearing.case.ratings import TaperedLife, require_ratable
 from flexbearing.case.roller.bearing import Roller, Roughness
 from flexbearing.case.roller.lubricant import FilmName
 from flexbearing.case.roller.profile import Generatrix
@@ -293,9 +293,7 @@ class TaperedCase(Head):
         pair = self.bearing.pair
         if pair is None:
             return self
-        if pair.distance < self.bearing.roller.length:
-            least = f"at least the length of the rollers, {in_mm(self.bearing.roller.length)}"
-            raise impossible("bearing.pair.distance", least)
+        pair.require_apart(self.bearing.roller.length, "the length of the rollers")
         if not pair.opposed and (self.inner.kind != "rigid" or self.outer.common):
             raise impossible("bearing.pair.arrangement", "another one of two rows in one elastic ring")
         return self
@@ -328,12 +326,5 @@ class TaperedCase(Head):
 
     @model_validator(mode="after")
     def _life_can_be_rated(self) -> Self:
-        turning = self.operation.inner_speed != self.operation.outer_speed
-        if self.life.lubrication and self.lubricant is None:
-            raise needed(["lubricant"], 'life.lubrication = "a_ISO"')
-        if not turning and (self.life.required is not None or not self.life.is_basic):
-            raise impossible("operation.inner_speed", "another one than operation.outer_speed for a life")
-        if self.life.loads == "rating":
-            for name in self.operation.held:
-                raise impossible(f"operation.{name}", 'left out for life.loads = "rating"; give a force')
+        require_ratable(self.life, self.operation, self.lubricant)
         return self
