@@ -282,14 +282,14 @@ def _require_thrust(bearing: TaperedRollerBearing, operation: RingOperation, cen
 def _start(
     bearing: TaperedRollerBearing, operation: RingOperation, model: InclinedRollers, load: NDArray
 ) -> NDArray:
-    """First place of the ring (5) [m], pressed into the rollers further than it will be."""
+    """First place of the ring (5) [m], pressed into the rollers as far as it will be, or further."""
     places = np.array([place or 0.0 for place in operation.displacement])
     places[3:] *= bearing.pitch_diameter / 2
     held = np.array([place is not None for place in operation.displacement])
     steep = max(np.sin(bearing.cup_angle), 0.02)
     even = max(abs(load[0]) / steep, 5 * float(np.hypot(load[1], load[2])), 2 * np.abs(load[3:]).max())
     line_load = np.asarray(even / bearing.rollers / bearing.roller.length)
-    approach = PRESSED * (float(np.max(model.law.approach(line_load))) + float(np.max(model.drops)))
+    approach = PRESSED * (float(np.max(model.law.approach(line_load))) + float(np.mean(model.drops)))
     pressed = bearing.side * places[0]
     if bearing.opposed:
         pressed = bearing.rows[0].closer  # by each other, or apart by a play that the thrust takes up
