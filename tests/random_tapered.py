@@ -88,7 +88,7 @@ def drawn_pair(seed: int, bearing: TaperedRollerBearing) -> TaperedRollerBearing
 def drawn_rings(seed: int, bearing: TaperedRollerBearing) -> list[fem.OuterRing | fem.RingOnShaft | None]:
     """Inner and outer ring, one or both elastic: a cup that is held in any way, a cone on a shaft.
 
-    Opposed rows are in one ring; those in tandem are between rigid ones.
+    Opposed rows are in one ring, loaded in the planes of the roller centres; tandem in rigid ones.
     """
     if len(bearing.sides) > 1 and not bearing.opposed:
         return [None, None]

@@ -121,8 +121,8 @@ class InclinedRollers:
     def rib_readings(self, modes: int) -> NDArray:
         r"""Displacement of the rib along its normal by those of an elastic inner raceway (M + 1) [-].
 
-        .. math:: u = w_0 N_i + (t + w_1 D/l) T_i,\quad \vartheta = -2 w_1/l,\quad
-                  w_f = N_f \cdot u + h \vartheta
+        .. math:: u = w_0 N_i + \Big( t + \frac{w_1 D}{l \cos\varepsilon} \Big) T_i,\quad
+                  \vartheta = -2 w_1/l,\quad w_f = N_f \cdot u + h \vartheta
 
         for the modes w along its normal N_i, into the ring, and the mean displacement t along the raceway T_i
         towards the rib; by virtual work they also say what a load on the rib is for the raceway.
