@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from fem.parts.bolted_ring import BoltedRing
 from fem.parts.boundary_conditions import ClampedFace, Foundation, LineSupports, PlanetGear, RigidSeat
 from fem.parts.groove import Groove
-from fem.parts.material import ImpossiblePart
+from fem.parts.material import ImpossiblePart, in_mm
 from fem.parts.reduced_body import ReducedBody
 from fem.parts.resolution import Discretisation, Resolution, Shape
 from fem.parts.rings import OuterRing, Part, RingOnShaft, require_on_track
@@ -149,8 +149,7 @@ def condense_in_process(
     Raises `ImpossiblePart` and `NotSolved` as it does.
     """
     stage, seconds = stages(report)
-    if getattr(part, "taper", 0.0) and discretisation is not HARMONICS:
-        raise ImpossiblePart(f"a cone is impossible as {discretisation.name}, only as {HARMONICS.name}")
+    _require_cones(part, discretisation, resolution)
     match part, discretisation:
         case _, Discretisation.SOLID:
             from fem.solid.condensation import condense_solid
@@ -183,6 +182,17 @@ def condense_in_process(
             raise ImpossiblePart(f"{type(part).__name__} is impossible as {discretisation.name}")
     _log.info("%s: %d unknowns, %.1f s", type(part).__name__, condensed.unknowns, sum(seconds.values()))
     return condensed
+
+
+def _require_cones(part: Any, discretisation: Discretisation, resolution: Resolution) -> None:
+    """Refuse conical raceways that are not discretised by their section, or not where the rows are."""
+    if not getattr(part, "taper", 0.0):
+        return
+    if discretisation is not HARMONICS:
+        raise ImpossiblePart(f"a cone is impossible as {discretisation.name}, only as {HARMONICS.name}")
+    cones, rows = part.row_distance, resolution.row_distance
+    if cones != rows:
+        raise ImpossiblePart(f"cones {in_mm(cones)} apart are impossible under rows {in_mm(rows)} apart")
 
 
 def _require_known(part: Part | BoltedRing, discretisation: Discretisation) -> None:

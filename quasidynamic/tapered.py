@@ -47,7 +47,7 @@ class TaperedLoads:
         shape = self.solution.shape
         if shape is None:
             return None, None
-        at_slices = shape @ self.slices.with_axial_modes(shape.shape[-1]).modes.T
+        at_slices = shape[..., :-1] @ self.slices.with_axial_modes(shape.shape[-1] - 1).modes.T
         inner, outer = (each if shape[race].any() else None for race, each in enumerate(at_slices))
         return inner, outer
 
@@ -188,10 +188,11 @@ def tapered_loads(
         load or displacement in each direction, and speeds; the axial force acts towards its `side`
     slices : int
         number of slices of each roller
-    raceways : sequence of arrays (Z, M, Z, M)
+    raceways : sequence of arrays (Z, M + 1, Z, M + 1) and (Z, M, Z, M)
         compliance of the inner and the outer raceway [m/N]: displacement along the normal into the ring by
         forces along it, both in Legendre modes of the place towards the large end, without that of a
-        half-space under the own line; None of a rigid one
+        half-space under the own line; last of the inner one the mean along the raceway, towards the rib; None
+        of a rigid one
 
     Raises
     ------
@@ -204,7 +205,7 @@ def tapered_loads(
 
     Valid
     -----
-    Rigid or linear rings, the rib in the frame of the inner one; raceways and rib without friction; no film
+    Rigid or linear rings, the rib on the section of the inner one; raceways and rib without friction; no film
     between roller and raceway, no cage. Contact begins smoothly over `gap_rounding`.
     """
     speeds = tapered_speeds(bearing, operation.inner_speed, operation.outer_speed)
@@ -281,14 +282,14 @@ def _require_thrust(bearing: TaperedRollerBearing, operation: RingOperation, cen
 def _start(
     bearing: TaperedRollerBearing, operation: RingOperation, model: InclinedRollers, load: NDArray
 ) -> NDArray:
-    """First place of the ring (5) [m], pressed into the rollers further than it will be."""
+    """First place of the ring (5) [m], pressed into the rollers as far as it will be, or further."""
     places = np.array([place or 0.0 for place in operation.displacement])
     places[3:] *= bearing.pitch_diameter / 2
     held = np.array([place is not None for place in operation.displacement])
     steep = max(np.sin(bearing.cup_angle), 0.02)
     even = max(abs(load[0]) / steep, 5 * float(np.hypot(load[1], load[2])), 2 * np.abs(load[3:]).max())
     line_load = np.asarray(even / bearing.rollers / bearing.roller.length)
-    approach = PRESSED * (float(np.max(model.law.approach(line_load))) + float(np.max(model.drops)))
+    approach = PRESSED * (float(np.max(model.law.approach(line_load))) + float(np.mean(model.drops)))
     pressed = bearing.side * places[0]
     if bearing.opposed:
         pressed = bearing.rows[0].closer  # by each other, or apart by a play that the thrust takes up

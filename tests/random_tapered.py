@@ -86,22 +86,31 @@ def drawn_pair(seed: int, bearing: TaperedRollerBearing) -> TaperedRollerBearing
 
 
 def drawn_rings(seed: int, bearing: TaperedRollerBearing) -> list[fem.OuterRing | fem.RingOnShaft | None]:
-    """Inner and outer ring, one or both elastic: a cup that is held in any way, a cone on a shaft."""
+    """Inner and outer ring, one or both elastic: a cup that is held in any way, a cone on a shaft.
+
+    Opposed rows are in one ring, loaded in the planes of the roller centres; tandem in rigid ones.
+    """
+    if len(bearing.sides) > 1 and not bearing.opposed:
+        return [None, None]
     random = np.random.default_rng([seed, 1])
     roller, cone = bearing.roller, bearing.cone_angle
     elastic = fem.Elastic(youngs_modulus=206e9, poisson_ratio=0.3)
     length, which = roller.length, random.random()
     width = length * random.uniform(1.05, 1.4)
+    places = [row.axial for row in bearing.rows]
+    beyond, apart = width / 2, max(places) - min(places)
+    width, sign = width + apart, -max(bearing.sides[:1]) if apart else -1
     outer = fem.OuterRing(
         raceway_diameter=2 * raceway_middle(bearing, "outer"),
-        thickness=width / 2 * np.tan(bearing.cup_angle) + roller.diameter * random.uniform(0.15, 1.0),
+        thickness=beyond * np.tan(bearing.cup_angle) + roller.diameter * random.uniform(0.15, 1.0),
         width=width,
         elastic=elastic,
         support=_support(random, bearing, width),
-        taper=-bearing.cup_angle,
+        taper=sign * bearing.cup_angle,
+        row_distance=apart,
     )
     middle = raceway_middle(bearing, "inner")
-    below = middle - width / 2 * np.tan(cone)
+    below = middle - beyond * np.tan(cone)
     bore = 2 * (below - min(roller.diameter * random.uniform(0.2, 1.0), 0.6 * below))
     inner = fem.RingOnShaft(
         raceway_diameter=2 * middle,
@@ -113,7 +122,8 @@ def drawn_rings(seed: int, bearing: TaperedRollerBearing) -> list[fem.OuterRing 
         shaft_length=width * random.uniform(1.1, 4.0),
         ring=elastic,
         shaft=elastic,
-        taper=-cone,
+        taper=sign * cone,
+        row_distance=apart,
     )
     return [inner if which > 0.6 else None, outer if which < 0.85 else None]
 
@@ -147,5 +157,15 @@ def compliance(
     length = bearing.roller.length
     mesh = fem.MeshSize(order=5, size=1.2 * length, raceway_size=0.25 * length)
     band = length * np.cos(ring.taper)
-    condensed = condense(ring, HARMONICS, fem.Resolution(length=band, axial_modes=shapes, mesh_size=mesh))
-    return towards_large_end(condensed.at(bearing.azimuths).absolute)
+    resolution = fem.Resolution(
+        length=band,
+        axial_modes=shapes,
+        mesh_size=mesh,
+        row_distance=ring.row_distance,
+        along=isinstance(ring, fem.RingOnShaft),
+    )
+    first = int(np.sign(ring.taper))
+    large_end = np.repeat([first, -first][: len(bearing.rows)], bearing.rollers)
+    return towards_large_end(
+        condense(ring, HARMONICS, resolution).at(bearing.azimuths).absolute, large_end, resolution.along
+    )

@@ -51,7 +51,7 @@ def sections(part, length: float, rows: Sequence[float] = MIDDLE) -> list[AxialS
 def _(part: OuterRing, length, rows=MIDDLE):
     inner, (left, right) = part.raceway_diameter / 2, part.sides
     outer, half = inner + part.thickness, half_band(part.groove, inner, 1, length)
-    bore = _on_cone([(left, inner, None), *_bands(rows, half, inner), (right, inner, None)], part.taper)
+    bore = _on_cone([(left, inner, None), *_bands(rows, half, inner), (right, inner, None)], part)
     bends = {} if part.groove is None else {2: start_of_arc(part.groove.end(inner, 1), 1)}
     if not isinstance(part.support, Housing):
         face, outside = edge_names(part.support)
@@ -81,7 +81,7 @@ def _(part: RingOnShaft, length, rows=MIDDLE):
     bends = {} if part.groove is None else {4 + len(right): start_of_arc(part.groove.end(raceway, -1), -1)}
     surface = [(track, raceway, None), *_bands(rows, -half, raceway), (-track, raceway, None)]
     ring = AxialSection("ring", (
-        (-side, bore, None), (side, bore, "seat"), *right, *_on_cone(surface, part.taper), *left,
+        (-side, bore, None), (side, bore, "seat"), *right, *_on_cone(surface, part), *left,
     ), bends)  # fmt: skip
     shaft = AxialSection("shaft", (
         (-end, hollow, None), (end, hollow, None), (end, bore, "clamped"), (side, bore, None),
@@ -106,10 +106,11 @@ def _(part: BoltedRing, length, rows=MIDDLE):
 
 
 def _on_cone(
-    corners: Sequence[tuple[float, float, str | None]], taper: float
+    corners: Sequence[tuple[float, float, str | None]], part: OuterRing | RingOnShaft
 ) -> list[tuple[float, float, str | None]]:
-    """Corners of a cylinder on a cone of the same radius at x = 0, which widens by an angle [rad]."""
-    return [(x, radius + x * tan(taper), name) for x, radius, name in corners]
+    """Corners of a cylinder on a cone of the same radius at x = 0; on two of that radius in their middles."""
+    slope, apart = tan(part.taper), part.row_distance
+    return [(x, r + slope * (apart / 2 - abs(x) if apart else x), name) for x, r, name in corners]
 
 
 def _bands(rows: Sequence[float], half: float, radius: float) -> list[tuple[float, float, str | None]]:

@@ -57,6 +57,7 @@ class Resolution:
     stations: Stations | None = None  # on the arcs of a groove, in place of a band and its axial modes
     nodes_of: Shape | None = None  # of the same kind: its mesh is taken, with its nodes moved; None: no other
     row_distance: float = 0.0  # [m] between the middles of the bands of two rows of rollers; 0: one row
+    along: bool = False  # whether a uniform force along the raceway is a shape, after the axial modes
     first_order: bool = False  # for derivatives: of a cage in space right to first order of what moves alone
 
     def __post_init__(self):

@@ -24,7 +24,7 @@ from fem.parts.material import (
     require,
     require_positive,
 )
-from fem.parts.room import ROUNDING, SLENDEREST_SLOT, require_inside, require_room
+from fem.parts.room import ROUNDING, SLENDEREST_SLOT, places_on_cones, require_inside, require_room
 from fem.parts.squirrel_cage import SquirrelCage
 
 MIDDLE = (0.0,)  # [m] axial place of the only row of rollers
@@ -42,6 +42,7 @@ class OuterRing:
     offset: float = 0.0  # [m] axial, of the raceway's middle from the ring's, towards the clamped face
     groove: Groove | None = None  # for balls, cut into the inner surface; None: a raceway for rollers
     taper: float = 0.0  # [rad] angle of the raceway from the axis, > 0 where it widens towards +x
+    row_distance: float = 0.0  # [m] of two conical raceways, the other one its mirror image; 0: one, or none
 
     def __post_init__(self):
         require_positive(self, "raceway_diameter", "thickness", "width")
@@ -63,7 +64,10 @@ class OuterRing:
 
     def _require_cone(self) -> None:
         """Refuse a cone without a wall, or in a support that does not hold it along its axis."""
-        walls = [self.thickness - x * tan(self.taper) for x in self.sides]
+        walls = [
+            self.thickness - x * tan(self.taper)
+            for x in places_on_cones(self.width, self.row_distance, self.offset)
+        ]
         require_conical(self, min(walls), self.raceway_diameter / 2 + self.thickness - max(walls))
         if self.free_motions.axial or getattr(self.support, "pushing", False):
             raise ImpossiblePart(
@@ -113,6 +117,7 @@ class RingOnShaft:
     shaft: Elastic
     groove: Groove | None = None  # for balls, cut into the outer surface; None: a raceway for rollers
     taper: float = 0.0  # [rad] angle of the raceway of a ring without ribs, > 0 where it widens towards +x
+    row_distance: float = 0.0  # [m] of two conical raceways, the other one its mirror image; 0: one, or none
 
     def __post_init__(self):
         if self.groove is not None:
@@ -133,7 +138,9 @@ class RingOnShaft:
             require(value <= limit + ROUNDING, inside, in_mm(value), allowed)
         if self.taper:
             require(not ribs, "rib_diameter", self.rib_diameter, "None: a cone is known without ribs")
-            thinnest = self.raceway_diameter / 2 - self.width / 2 * tan(abs(self.taper))
+            thinnest = self.raceway_diameter / 2 - max(places_on_cones(self.width, self.row_distance)) * tan(
+                abs(self.taper)
+            )
             require_conical(self, thinnest - self.bore / 2, thinnest)
 
     @property

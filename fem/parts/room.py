@@ -13,6 +13,14 @@ def narrowest_ring(groove: Groove, land: float, outward: int, offset: float) -> 
     return groove.width(land, outward) + 2 * SLENDEREST_SLOT + 2 * abs(offset) - ROUNDING
 
 
+def places_on_cones(width: float, row_distance: float, offset: float = 0.0) -> tuple[float, float]:
+    """Ends of a ring along x from the middle of its conical raceway, or of both mirror images [m]."""
+    if not row_distance:
+        return -width / 2 - offset, width / 2 - offset
+    beyond = (width - row_distance) / 2 + abs(offset)
+    return -beyond, beyond
+
+
 def require_room(groove: Groove, land: float, far: float, outward: int, width: float, offset: float) -> None:
     """Refuse a groove without a wall below its bottom, or without lands at its sides [m]."""
     wall, least = outward * (far - groove.bottom(outward)), narrowest_ring(groove, land, outward, offset)

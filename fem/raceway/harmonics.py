@@ -16,6 +16,7 @@ from typing import NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg import block_diag
 
 from fem.errors import NotSolved, TooFewHarmonics
 from fem.half_space.line_load import cubic_tail, curvature_tail, indentation, indentation_harmonics
@@ -125,7 +126,8 @@ class Responses(NamedTuple):
     bar_response: BarResponse | None = None  # of a squirrel cage
     short_waves: NDArray | None = None  # (S, M, M) what N + 1 .. N + S answer to themselves [m/N]
     rows: int = 1  # of rollers, whose shapes stand one row after the other
-    taper: float = 0.0  # [rad] angle of the raceway from the axis
+    taper: float = 0.0  # [rad] angle of the raceway from the axis, of two of that at -x
+    along: bool = False  # whether the last shape of a row is a uniform force along the raceway
 
 
 def with_short_waves(responses: Responses, resolved: int, waves: NDArray) -> Responses:
@@ -176,6 +178,7 @@ def harmonic_compliance(
         elastic=elastic,
         bars=bars,
         taper=responses.taper,
+        along=responses.along,
         unknowns=responses.unknowns,
         elements=responses.elements,
         seconds=seconds,
@@ -207,7 +210,8 @@ class HarmonicCompliance:
     bar_response: BarResponse | None = None  # of a squirrel cage
     short_waves: NDArray | None = None  # (S, M, M) [m/N] what N + 1 .. N + S answer to themselves, if known
     rows: int = 1  # of rollers, on loaded bands of their own
-    taper: float = 0.0  # [rad] angle of the raceway from the axis, > 0 where it widens towards +x
+    taper: float = 0.0  # [rad] of the raceway from the axis, of two of that at -x; > 0: it widens towards +x
+    along: bool = False  # whether the last shape of a row is a uniform force along the raceway, towards +x
 
     def __post_init__(self):
         K, M = self.response.shape[:2]
@@ -306,7 +310,8 @@ class HarmonicCompliance:
         """
         line = np.zeros(1)
         own_terms = np.abs(self._remainder.sum(axis=0) + self._tail(line)[0]) + self._half_space.sum(axis=0)
-        square = np.tile(2 * np.arange(own_terms.shape[0] // self.rows) + 1, self.rows)
+        square = np.append(2 * np.arange(self._normal_shapes) + 1, [1] * self.along)
+        square = np.tile(square, self.rows)
         return float(
             np.max(np.abs(self._extrapolated(line)[0]) / np.sqrt(np.outer(square, square)))
             / np.max(np.diag(own_terms) / square)
@@ -317,7 +322,7 @@ class HarmonicCompliance:
         """Harmonics of the half-space (K, M, M) [m/N]."""
         return self._in_each_row(
             indentation_harmonics(
-                self.harmonics, self.radius, self._contact_length, self._shapes, self.elastic
+                self.harmonics, self.radius, self._contact_length, self._normal_shapes, self.elastic
             )
         )
 
@@ -338,23 +343,46 @@ class HarmonicCompliance:
         ------
         Logarithm of the displacement beside a line load; derived here.
         """
-        places, weights = np.polynomial.legendre.leggauss(self._shapes + 8)
-        shapes = np.polynomial.legendre.legvander(places, self._shapes - 1)
-        shapes *= 2 * np.arange(self._shapes) + 1
+        order = np.arange(self._normal_shapes)
+        places, weights = np.polynomial.legendre.leggauss(len(order) + 8)
+        shapes = np.polynomial.legendre.legvander(places, len(order) - 1) * (2 * order + 1)
         ratio = np.log1p(self.length / 2 * tan(self.taper) * places / self.radius)
         unit = 2 * (1 - self.elastic.poisson_ratio**2) / (np.pi * self.elastic.youngs_modulus)
-        return unit / (2 * self._contact_length) * (shapes.T * (weights * ratio)) @ shapes
+        own = unit / (2 * self._contact_length) * (shapes.T * (weights * ratio)) @ shapes
+        of_rows = own, own * np.outer((-1.0) ** order, (-1.0) ** order)  # mirror images
+        return np.asarray(block_diag(*map(self._with_force_along, of_rows[: self.rows])))
 
     @property
     def _shapes(self) -> int:
         """Number of shapes of a row."""
         return self.response.shape[1] // self.rows
 
+    @property
+    def _normal_shapes(self) -> int:
+        """Number of those that press on the raceway."""
+        return self._shapes - self.along
+
     def _in_each_row(self, of_row: NDArray) -> NDArray:
         """Of answers (..., m, m) of a row to itself those of all rows (..., M, M), zero between rows."""
+        of_row = self._with_force_along(of_row)
         if self.rows == 1:
             return of_row
         return np.kron(np.eye(self.rows), of_row)
+
+    def _with_force_along(self, of_normal: NDArray) -> NDArray:
+        r"""Answers of a half-space to lines that press on it, and to a force along a line.
+
+        A force along a long line moves it by 1/(1 - nu) of what a normal one does; neither moves the other.
+
+        Source
+        ------
+        Antiplane shear, -q ln(d)/(pi G), against plane strain, -2 (1 - nu^2) q ln(d)/(pi E).
+        """
+        if not self.along:
+            return of_normal
+        widened = np.pad(of_normal, [(0, 0)] * (of_normal.ndim - 2) + [(0, 1)] * 2)
+        widened[..., -1, -1] = of_normal[..., 0, 0] / (1 - self.elastic.poisson_ratio)
+        return widened
 
     @cached_property
     def _remainder(self) -> NDArray:
@@ -383,7 +411,7 @@ class HarmonicCompliance:
         if self.short_waves is None:
             return np.empty((0, M, M))
         n = self.harmonics[-1] + 1 + np.arange(len(self.short_waves))
-        waves = indentation_harmonics(n, self.radius, self._contact_length, self._shapes, self.elastic)
+        waves = indentation_harmonics(n, self.radius, self._contact_length, self._normal_shapes, self.elastic)
         return self.short_waves - self._in_each_row(waves)
 
     def _series(self, phi: NDArray) -> NDArray:
@@ -413,7 +441,7 @@ class HarmonicCompliance:
             raise ImpossiblePart(f"azimuths = {phi.tolist()!r} are impossible; all must be different")
         H = np.zeros((Z, M, Z, M))
         apart, place = _distinct(phi[i] - phi[j])
-        own = indentation(apart, self.radius, self._contact_length, self._shapes, self.elastic)
+        own = indentation(apart, self.radius, self._contact_length, self._normal_shapes, self.elastic)
         H[i, :, j] = self._in_each_row(own)[place]
         return H
 

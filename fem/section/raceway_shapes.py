@@ -1,5 +1,7 @@
 """Shapes in which elements press a raceway: polynomials along a cylinder, patches on arcs of a groove."""
 
+from collections.abc import Iterator
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -22,17 +24,24 @@ Raceway = HarmonicCompliance | GrooveCompliance
 
 
 def raceway_modes(body: Body, part: Part | BoltedRing, resolution: Resolution) -> NDArray:
-    """Load vectors (unknowns, M) of the shapes in which a raceway is pressed, which also read it.
+    """Load vectors (unknowns, M) of the shapes in which a raceway is loaded, which also read it.
 
     They are `edge_modes` of axial modes or `station_modes` of a groove.
     Raises `ImpossiblePart` if a groove has no stations, or stations no place on its arcs.
     """
     if part.groove is None:
-        if resolution.rows == MIDDLE:
-            return edge_modes(body, "raceway", resolution.axial_modes, taper=taper(part))
-        bands = [(place, resolution.length) for place in resolution.rows]
-        return np.hstack([edge_modes(body, "raceway", resolution.axial_modes, band=band) for band in bands])
+        return np.hstack(list(_of_rows(body, part, resolution)))
     return station_modes(body, part.groove, outward(part), _stations(part, part.groove, resolution))
+
+
+def _of_rows(body: Body, part: Part, resolution: Resolution) -> Iterator[NDArray]:
+    """Yield axial modes of each row, each followed by a force along its raceway where that is a shape."""
+    one = resolution.rows == MIDDLE
+    for place, angle in zip(resolution.rows, (taper(part), -taper(part)), strict=False):
+        of_row = {"band": None if one else (place, resolution.length), "taper": angle}
+        yield edge_modes(body, "raceway", resolution.axial_modes, **of_row)
+        if resolution.along:
+            yield edge_modes(body, "raceway", 1, direction=0, **of_row)
 
 
 def body_of_revolution(part: Part | BoltedRing, resolution: Resolution) -> Body:
@@ -48,7 +57,7 @@ def raceway_compliance(
     """Compliance of a raceway for elements anywhere, from the answers (N + 1, M, M) of its shapes."""
     if part.groove is None:
         return harmonic_compliance(
-            answers._replace(rows=len(resolution.rows), taper=taper(part)),
+            answers._replace(rows=len(resolution.rows), taper=taper(part), along=resolution.along),
             radius=part.raceway_diameter / 2, length=resolution.length, elastic=part.materials["ring"],
             bars=None, seconds=seconds,
         )  # fmt: skip
@@ -140,7 +149,7 @@ def _stations(part: Part | BoltedRing, groove: Groove, resolution: Resolution) -
 
 
 def taper(part: Part | BoltedRing) -> float:
-    """Angle of a raceway from the axis [rad]; zero of a cylinder."""
+    """Angle of a raceway from the axis [rad], of two of that at -x; zero of a cylinder."""
     return part.taper if isinstance(part, OuterRing | RingOnShaft) else 0.0
 
 

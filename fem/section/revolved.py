@@ -48,8 +48,9 @@ def section_responses(
         error = _support_error(part, resolution, W) if estimated else None
     rows = len(resolution.rows)
     return Responses(
-        W, body.stiffness.unknowns, body.space.mesh.ne, support_error=error, rows=rows, taper=taper(part)
-    )
+        W, body.stiffness.unknowns, body.space.mesh.ne, support_error=error, rows=rows, taper=taper(part),
+        along=resolution.along,
+    )  # fmt: skip
 
 
 def _support_error(part: OuterRing | RingOnShaft, resolution: Resolution, response: NDArray) -> float:

@@ -77,7 +77,7 @@ def edge_modes(
 
     An array (unknowns, M) [-]; g_0 reads the mean displacement. The edge of length l has its middle at s = 0,
     s towards +x; d is 0 along x, 1 outward, 2 towards growing azimuth; on a cone with a `taper` [rad] from
-    the axis outward is normal to it. Of a cylinder in several parts a `band` has x_0 and l [m] of one.
+    the axis 0 is along it, 1 normal to it. Of several parts a `band` has x_0 and axial length [m] of one.
     Raises `ImpossiblePart` if no edge has this name, or if it is not one cylinder or cone.
 
     Source
@@ -86,22 +86,27 @@ def edge_modes(
     """
     where = _edge(body.space.mesh, edge)
 
-    def integral(f):
-        return ngs.Integrate(f, body.space.mesh, ngs.BND, definedon=where)
+    inside = ngs.CF(1)
+    if band is not None:
+        middle, axial = (MILLIMETRES * each for each in band)
+        inside = ngs.IfPos(axial / 2 - ngs.sqrt((ngs.x - middle) ** 2), 1.0, 0.0)
 
-    length, middle, radius = integral(ngs.CF(1)), integral(ngs.x), integral(ngs.y)
-    place, inside = middle / length, 1
+    def integral(f):
+        return ngs.Integrate(inside * f, body.space.mesh, ngs.BND, definedon=where)
+
+    length, radius = integral(1), integral(ngs.y)
+    place = integral(ngs.x) / length
     if integral((ngs.y - radius / length - tan(taper) * (ngs.x - place)) ** 2) > FLAT * radius**2 / length:
         raise ImpossiblePart(f"the edge {edge!r} is not one cylinder or cone: its radius varies otherwise")
-    if band is not None:
-        place, length = (MILLIMETRES * each for each in band)
-        inside = ngs.IfPos(length / 2 - ngs.sqrt((ngs.x - place) ** 2), 1.0, 0.0)
     xi = 2 * (ngs.x - place) / (length * cos(taper))
     v = body.space.TestFunction()
-    along = cos(taper) * v[1] - sin(taper) * v[0] if direction == 1 and taper else v[direction]
+    along, across = (v[0], v[1]) if not taper else (
+        cos(taper) * v[0] + sin(taper) * v[1], cos(taper) * v[1] - sin(taper) * v[0]
+    )  # fmt: skip
     shapes = enumerate(legendre_polynomials(xi, axial_modes))
     patterns = (inside * (2 * m + 1) / length * L for m, L in shapes)
-    return np.stack([body.load(forms.edge_pressure(along, where, a)) for a in patterns], axis=1)
+    towards = (along, across, v[2])[direction]
+    return np.stack([body.load(forms.edge_pressure(towards, where, a)) for a in patterns], axis=1)
 
 
 def station_modes(body: Body, groove: Groove, outward: int, stations: Stations) -> NDArray:

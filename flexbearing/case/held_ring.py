@@ -1,8 +1,8 @@
 """Keys of a plain outer ring and of what holds it, the same in every family of bearings."""
 
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
-from flexbearing.case.quantity import at_least, at_most, impossible, in_mm, key, require
+from flexbearing.case.quantity import Section, at_least, at_most, impossible, in_mm, key, require
 
 RING = {"kind": ("ring",)}
 CAGE = {"kind": ("squirrel_cage",)}
@@ -11,6 +11,20 @@ ON_SHAFT = {"kind": ("ring_on_shaft",)}
 MOST = 360  # lines or teeth around a ring, clamped faces of a drawing
 Direction = Literal["x", "y", "z", "-x", "-y", "-z"]
 BARS = ("bars", "bar_width", "bar_thickness", "bar_length", "flange_length")
+
+
+class OnShaft(Section):
+    """What an inner ring is on."""
+
+    if TYPE_CHECKING:  # keys in the order of each family
+        bore: float | None
+        shaft_thickness: float | None
+
+    @property
+    def shaft_bore(self) -> float:
+        """Bore of the shaft under the ring [m]; zero is a solid shaft."""
+        bore, thickness = self.bore or 0.0, self.shaft_thickness
+        return 0.0 if thickness is None else max(bore - 2 * thickness, 0.0)
 
 
 def _held(support: str) -> dict[str, tuple[str, ...]]:

@@ -1,10 +1,10 @@
 """What lives of any bearing are rated with: ratings of a catalogue, reliability, cleanliness of the oil."""
 
-from typing import Literal, Self
+from typing import Any, Literal, Self
 
 from pydantic import model_validator
 
-from flexbearing.case.quantity import Force, Section, Time, impossible, key, require
+from flexbearing.case.quantity import Force, Section, Time, impossible, key, needed, require
 
 CleanlinessName = Literal[
     "oil, in-line filter, -/13/10",
@@ -150,3 +150,17 @@ class TaperedLife(Ratings):
         "rollers",
     )
     modification: Literal["bearing", "slices"] = key(OF_PARTS.format("slice"), "slices", only=BY_OIL)
+
+
+def require_ratable(life: Any, operation: Any, lubricant: Section | None) -> None:
+    """Raise unless oil, speeds and forces are known that a life of balls or tapered rollers needs."""
+    if life.lubrication and lubricant is None:
+        raise needed(["lubricant"], 'life.lubrication = "a_ISO"')
+    timed = life.required is not None or not life.is_basic
+    if timed and operation.inner_speed == operation.outer_speed:
+        raise impossible("operation.inner_speed", "another one than operation.outer_speed for a life")
+    if life.loads == "rating":
+        for name in operation.held:
+            raise impossible(f"operation.{name}", 'left out for life.loads = "rating"; give a force')
+        if not any(operation.forces):
+            raise impossible("operation.load", 'some force for life.loads = "rating"')

@@ -33,7 +33,7 @@ Raceways = tuple[NDArray | None, NDArray | None]
 def raceways(case: TaperedCase, azimuths: NDArray, report: Report) -> Raceways:
     """Compliance of both raceways under rollers at azimuths (Z) [rad], as `tapered_loads` takes it.
 
-    Each row of a pair has an outer ring of its own, the mirror image of the other.
+    Rows of a pair are in one ring, or each has an outer ring of its own, the mirror image of the other.
 
     Raises `BadCase` when a part cannot exist; `NotSolved` when the finite elements find none.
     """
@@ -47,18 +47,33 @@ def _raceway(case: TaperedCase, race: "Race", azimuths: NDArray, report: Report)
         return None
     name = f"{race} ring"
     report.stage(name, None)
-    of_row = azimuths[: case.bearing.rollers]
-    with _named(case, race):
-        own = towards_large_end(condensed_part(name, arguments, report).at(of_row).absolute)
+    of_row, pair = azimuths[: case.bearing.rollers], case.bearing.pair
     rows = len(azimuths) // len(of_row)
+    along = race == "inner"  # for the load on its rib
+    with _named(case, race):
+        ring = condensed_part(name, arguments, report)
+        if pair and _in_one_ring(case, race):
+            large_end = np.repeat([-1, 1] if pair.arrangement == "back_to_back" else [1, -1], len(of_row))
+            return towards_large_end(ring.at(azimuths).absolute, large_end, along)
+        own = towards_large_end(ring.at(of_row).absolute, np.full(len(of_row), -1), along)
     whole = np.einsum("ab,jmkn->ajmbkn", np.eye(rows), own)
     return whole.reshape((len(azimuths), own.shape[1]) * 2)
 
 
-def towards_large_end(compliance: NDArray) -> NDArray:
-    """A compliance (Z, M, Z, M) in shapes along x in those along the rollers, whose large ends are at -x."""
-    sign = (-1.0) ** np.arange(compliance.shape[1])
-    return compliance * sign[:, None, None] * sign
+def towards_large_end(compliance: NDArray, large_end: NDArray, along: bool) -> NDArray:
+    """A compliance (Z, M, Z, M) in shapes along x in those towards the large ends, at a sign of x (Z).
+
+    The last shape may be one along the raceway of an inner ring, into which normals point that are outward.
+    """
+    sign = large_end[:, None] ** np.arange(compliance.shape[1])
+    if along:
+        sign[:, -1] = -large_end
+    return compliance * sign[..., None, None] * sign
+
+
+def _in_one_ring(case: TaperedCase, race: "Race") -> bool:
+    """Whether both rows of a pair are in one elastic ring."""
+    return case.bearing.pair is not None and (race == "inner" or case.outer.common)
 
 
 def parts(case: TaperedCase) -> tuple[Arguments | None, Arguments | None]:
@@ -71,7 +86,9 @@ def parts(case: TaperedCase) -> tuple[Arguments | None, Arguments | None]:
         if arguments:
             part, _, resolution = arguments
             try:
-                require_affordable_section(sections(part, resolution.length), resolution.mesh)
+                require_affordable_section(
+                    sections(part, resolution.length, resolution.rows), resolution.mesh
+                )
             except RingNotSolved as problem:
                 raise BadCase(
                     f"{case.source.path}: [accuracy] mesh_size: {race} ring: {problem}"
@@ -98,6 +115,8 @@ def arguments_of(case: TaperedCase, race: "Race") -> Arguments | None:
                 size=accuracy.mesh_size or size,
                 raceway_size=accuracy.raceway_mesh_size or raceway_size,
             ),
+            row_distance=part.row_distance,
+            along=race == "inner",
         ),
     )
 
@@ -105,6 +124,7 @@ def arguments_of(case: TaperedCase, race: "Race") -> Arguments | None:
 def _outer(case: TaperedCase) -> fem.OuterRing:
     outer, housing = case.outer, case.materials.housing
     thickness, width = require(outer, ("thickness", "width"), 'outer.kind = "ring"')
+    taper, apart = _cones(case, "outer", case.bearing.cup_angle)
     return fem.OuterRing(
         raceway_diameter=2 * case.bearing.raceway_middle("outer"),
         thickness=thickness,
@@ -112,7 +132,8 @@ def _outer(case: TaperedCase) -> fem.OuterRing:
         elastic=_elastic(case.materials.outer_ring),
         support=held_ring.support(outer, housing and _elastic(housing)),
         offset=outer.raceway_offset,
-        taper=-case.bearing.cup_angle,
+        taper=taper,
+        row_distance=apart,
     )
 
 
@@ -120,6 +141,7 @@ def _inner(case: TaperedCase) -> fem.RingOnShaft:
     inner, shaft = case.inner, case.materials.shaft
     bore, width, length = require(inner, ("bore", "width", "shaft_length"), 'inner.kind = "ring_on_shaft"')
     assert shaft  # checked on reading
+    taper, apart = _cones(case, "inner", case.bearing.angles[1])
     return fem.RingOnShaft(
         raceway_diameter=2 * case.bearing.raceway_middle("inner"),
         track_width=width,
@@ -130,8 +152,17 @@ def _inner(case: TaperedCase) -> fem.RingOnShaft:
         shaft_length=length,
         ring=_elastic(case.materials.inner_ring),
         shaft=_elastic(shaft),
-        taper=-case.bearing.angles[1],
+        taper=taper,
+        row_distance=apart,
     )
+
+
+def _cones(case: TaperedCase, race: "Race", angle: float) -> tuple[float, float]:
+    """Angle of a raceway [rad], of two of that at -x, and their distance [m]; they widen to large ends."""
+    pair = case.bearing.pair
+    if pair is None or not _in_one_ring(case, race):
+        return -angle, 0.0
+    return -angle if pair.arrangement == "back_to_back" else angle, case.bearing.row_distance(race)
 
 
 def _elastic(material: Elastic) -> fem.Elastic:

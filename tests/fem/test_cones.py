@@ -15,6 +15,7 @@ BAND, WIDTH, RADIUS, THICKNESS = 14e-3, 16e-3, 31e-3, 5e-3
 STEEL = fem.Elastic(youngs_modulus=206e9, poisson_ratio=0.3)
 SPRINGS = 1e11, 2e11, 3e11  # axial, radial, tangential [N/m^3]
 TAPER = radians(14)
+SLIGHT = TAPER / 4
 AZIMUTHS = 2 * np.pi * np.arange(7) / 7
 SHAPES = 3
 
@@ -28,9 +29,12 @@ def cup(taper=TAPER, **changes):
     return fem.OuterRing(**{**parts, **changes})
 
 
-def condensed(part, shapes=SHAPES, harmonics=None, size=0.25 * BAND):
+def condensed(part, shapes=SHAPES, harmonics=None, size=0.25 * BAND, along=False):
     mesh = fem.MeshSize(order=5, size=1.2 * BAND, raceway_size=size)
-    resolution = fem.Resolution(length=BAND, axial_modes=shapes, mesh_size=mesh, harmonics=harmonics)
+    resolution = fem.Resolution(
+        length=BAND, axial_modes=shapes, mesh_size=mesh, harmonics=harmonics, row_distance=part.row_distance,
+        along=along,
+    )  # fmt: skip
     return condense(part, HARMONICS, resolution)
 
 
@@ -42,24 +46,45 @@ def motions(x, radius, azimuth):
     ])  # fmt: skip
 
 
-def test_nearly_rigid_cup_on_springs_is_a_closed_form():
-    outside, stiffness = RADIUS + THICKNESS, np.zeros((5, 5))
+@pytest.mark.parametrize("apart", [0.0, 20e-3], ids=["one row", "two rows"])
+@pytest.mark.parametrize("taper", [TAPER, -TAPER])
+def test_nearly_rigid_cup_on_springs_is_a_closed_form(apart, taper):
+    outside, width, stiffness = RADIUS + THICKNESS, WIDTH + apart, np.zeros((5, 5))
     points, weights = legendre.leggauss(6)
     for azimuth in 2 * np.pi * np.arange(12) / 12:
-        for x, weight in zip(points * WIDTH / 2, weights * WIDTH / 2, strict=True):
+        for x, weight in zip(points * width / 2, weights * width / 2, strict=True):
             moved = motions(x, outside, azimuth)
             area = weight * outside * 2 * np.pi / 12
             stiffness += area * np.einsum("i,ia,ib->ab", SPRINGS, moved, moved)
-    read = np.zeros((7, SHAPES, 5))
-    for j, azimuth in enumerate(AZIMUTHS):
+    rows = [(-apart / 2, taper), (apart / 2, -taper)][: 1 + bool(apart)]
+    places = [(*row, azimuth) for row in rows for azimuth in AZIMUTHS]
+    read = np.zeros((len(places), SHAPES + 1, 5))
+    for j, (middle, angle, azimuth) in enumerate(places):
         for x, weight in zip(points, weights, strict=True):
-            axial, radial, _ = motions(x * BAND / 2, RADIUS + x * BAND / 2 * tan(TAPER), azimuth)
+            axial, radial, _ = motions(middle + x * BAND / 2, RADIUS + x * BAND / 2 * tan(angle), azimuth)
             shapes = legendre.legvander(np.array([x]), SHAPES - 1)[0] * (2 * np.arange(SHAPES) + 1) / 2
-            read[j] += weight * np.outer(shapes, cos(TAPER) * radial - sin(TAPER) * axial)
+            read[j, :-1] += weight * np.outer(shapes, cos(angle) * radial - sin(angle) * axial)
+            read[j, -1] += weight / 2 * (cos(angle) * axial + sin(angle) * radial)
     expected = np.einsum("jma,ab,knb->jmkn", read, np.linalg.inv(stiffness), read)
-    stiff = cup(elastic=replace(STEEL, youngs_modulus=1e6 * STEEL.youngs_modulus))
-    found = condensed(stiff).at(AZIMUTHS).absolute
+    stiff = replace(STEEL, youngs_modulus=1e6 * STEEL.youngs_modulus)
+    part = cup(taper, elastic=stiff, width=width, row_distance=apart)
+    found = condensed(part, along=True).at(np.tile(AZIMUTHS, len(rows))).absolute
     assert found == approx(expected, rel=0, abs=5e-5 * np.abs(expected).max())
+
+
+def test_rows_far_apart_on_a_seat_have_rings_of_their_own():
+    """But for the wall between the rows, which is no cone: differences fall with the angle."""
+    parts = {"support": fem.RigidSeat(), "thickness": 8e-3, "width": 2 * WIDTH}
+    apart = 80e-3
+    one = condensed(cup(SLIGHT, **{**parts, "width": 2 * WIDTH + apart, "row_distance": apart})).at(
+        np.tile(AZIMUTHS, 2)
+    )
+    for row, taper in enumerate((SLIGHT, -SLIGHT)):
+        own, other = (slice(each * 7, each * 7 + 7) for each in (row, 1 - row))
+        alone = condensed(cup(taper, **parts)).at(AZIMUTHS).absolute
+        size = np.abs(alone).max()
+        assert one.absolute[own, :, own] == approx(alone, rel=0, abs=1e-2 * size)
+        assert np.abs(one.absolute[own, :, other]).max() < 1e-3 * size
 
 
 def test_the_cylinder_is_the_limit():
@@ -111,6 +136,11 @@ IMPOSSIBLE = {
         lambda: cup(support=fem.Foundation(axial=0.0, radial=1e11, tangential=0.0)),
         "along its axis",
     ),
+    "rows elsewhere": (
+        lambda: condense(cup(), HARMONICS, fem.Resolution(length=BAND, axial_modes=2, row_distance=20e-3)),
+        "0 mm apart are impossible under rows 20 mm apart",
+    ),
+    "wall of two rows": (lambda: cup(thickness=2.2e-3, width=36e-3, row_distance=16e-3), "leaves a wall"),
     "beam": (lambda: condense(cup(), BEAM, fem.Resolution(length=BAND)), "impossible as BEAM"),
 }
 

@@ -341,7 +341,7 @@ EFFECTS = (
     ("step", "outer.centre_z", "7.07 mm", "outer.centre.2"),
     ("cage", "inner.kind", "rigid",
      "inner inner.{bore,groove,is,raceway_diameter,rib_diameter,shaft_bore,shaft_length,taper,track_width} "
-     "inner.width "
+     "inner.{row_distance,width} "
      "inner.ring.{is,poisson_ratio,youngs_modulus} inner.shaft.{is,poisson_ratio,youngs_modulus}"),
     ("cage", "inner.bore", "60.196 mm", "inner.{bore,rib_diameter,shaft_bore}"),
     ("cage", "inner.thickness", "5.05 mm", "inner.rib_diameter"),
@@ -354,7 +354,7 @@ EFFECTS = (
      "inner_fit.fit.densities.{0,1} inner_fit.fit.thermal_strains.{0,1} inner_fit.{length,modes} "
      "inner_fit.mesh.{is,order,raceway_size,size} inner_fit.part.{is,shoulder_diameter} "
      "inner_fit.part.seat.{bore,groove,is,raceway_diameter,rib_diameter,shaft_bore,shaft_length,taper} "
-     "inner_fit.part.seat.{track_width,width} "
+     "inner_fit.part.seat.{row_distance,track_width,width} "
      "inner_fit.part.seat.ring.{is,poisson_ratio,youngs_modulus} "
      "inner_fit.part.seat.shaft.{is,poisson_ratio,youngs_modulus}"),
     ("shaft fit", "inner.fit_friction", 0.101, "inner_fit.fit.friction"),
@@ -767,13 +767,13 @@ EFFECTS += (
             ("outer", "ring", {
                 "outer.thickness": "5 mm", "outer.width": "30 mm", "bearing.outer.shoulder": "3 mm"},
              "elastic.is,elastic.poisson_ratio,elastic.youngs_modulus,is,offset,raceway_diameter,support.is,taper,"
-             "thickness,width"),
+             "row_distance,thickness,width"),
             ("inner", "ring_on_shaft", {
                 "inner.bore": "45 mm", "inner.width": "30 mm", "inner.shaft_length": "60 mm",
                 "bearing.inner.shoulder": "3 mm", "materials.shaft": {
                     "youngs_modulus": "206 GPa", "poisson_ratio": 0.3, "density": "7800 kg/m^3"}},
              "bore,is,raceway_diameter,rib_diameter,ring.is,ring.poisson_ratio,ring.youngs_modulus,shaft.is,"
-             "shaft.poisson_ratio,shaft.youngs_modulus,shaft_bore,shaft_length,taper,track_width,width"),
+             "row_distance,shaft.poisson_ratio,shaft.youngs_modulus,shaft_bore,shaft_length,taper,track_width,width"),
         )
     ),
     *((f"{family}, {context}", *row) for family in ("fast", "deep groove") for context, *row in IN_OIL),

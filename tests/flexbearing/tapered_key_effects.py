@@ -24,7 +24,7 @@ _SPRINGS = {f"outer.foundation_{direction}": "200 N/mm^3" for direction in ("rad
 _ELASTIC = {"youngs_modulus": "110 GPa", "poisson_ratio": 0.26}
 _CUP = {**_FILE, "outer.kind": "ring", "outer.thickness": "5 mm", "outer.width": "19 mm"}
 _FINENESS = (
-    "resolution resolution.{is,azimuths,axial_modes,first_order,harmonics,length,nodes_of,patch_width} "
+    "resolution resolution.{is,along,azimuths,axial_modes,first_order,harmonics,length,nodes_of,patch_width} "
     "resolution.{row_distance,stations,threads} resolution.mesh_size.{is,order,raceway_size,size}"
 )
 PROFILES = {"roller": "roller.profile", "inner_raceway": "inner_profile", "outer_raceway": "outer_profile"}
@@ -45,6 +45,9 @@ CONTEXTS = {
     **{f"tapered, {name}": ("32207", {**_FILE, "bearing.pair": {
         "arrangement": "back_to_back", "distance": "40 mm", **more}})
        for name, more in (("pair", {"preload": "2 kN"}), ("pair with offset", {"offset": "5 um"}))},
+    "tapered, pair of cups": ("32207", {
+        **_CUP, "outer.thickness": "12 mm", "outer.width": "60 mm", "bearing.pair": {
+            "arrangement": "back_to_back", "distance": "40 mm", "offset": "5 um"}}),
     "tapered, tandem": ("32207", {**_FILE, "bearing.pair": {"arrangement": "tandem", "distance": "40 mm"}}),
     "tapered, rated": ("32207", {**_OILED, "lubricant.oil": "ISO VG 32"}),
     "tapered, oil by its data": ("32207", {
@@ -110,18 +113,20 @@ EFFECTS = (
     ("tapered, pair", "bearing.pair.preload", "2.1 kN", "model.bearing.rows.{0.closer,1.closer}"),
     ("tapered, pair with offset", "bearing.pair.offset", "6 um", "model.bearing.rows.{0.closer,1.closer}"),
     ("tapered", "outer.kind", {"outer.kind": "ring", "outer.thickness": "5 mm", "outer.width": "19 mm"},
-     "outer.{groove,is,offset,raceway_diameter,support.is,taper,thickness,width} "
+     "outer.{groove,is,offset,raceway_diameter,row_distance,support.is,taper,thickness,width} "
      f"outer.elastic.{{is,poisson_ratio,youngs_modulus}} {_FINENESS}"),
     ("tapered", "inner.kind", {
         "inner.kind": "ring_on_shaft", "inner.bore": "35 mm", "inner.width": "17 mm",
         "inner.shaft_length": "40 mm", "materials.shaft": _ELASTIC},
-     "inner.{bore,groove,is,raceway_diameter,rib_diameter,shaft_bore,shaft_length,taper,track_width,width} "
+     "inner.{bore,groove,is,raceway_diameter,rib_diameter,row_distance,shaft_bore,shaft_length} "
+     "inner.{taper,track_width,width} "
      "inner.ring.{is,poisson_ratio,youngs_modulus} inner.shaft.{is,poisson_ratio,youngs_modulus} "
      f"{_FINENESS}"),
     ("tapered, cup", "outer.thickness", "5.1 mm", "outer.thickness"),
     ("tapered, cup", "outer.width", "19.1 mm", "outer.width"),
     ("tapered, cup", "outer.raceway_offset", "0.1 mm", "outer.offset"),
     ("tapered, cup", "outer.support", "seat", "outer.support.is"),
+    ("tapered, pair of cups", "outer.common", True, "outer.row_distance resolution.row_distance"),
     ("tapered, cup on springs", "outer.foundation_radial", "202 N/mm^3", "outer.support.radial"),
     ("tapered, cup on springs", "outer.foundation_axial", "202 N/mm^3", "outer.support.axial"),
     ("tapered, cup on springs", "outer.foundation_tangential", "202 N/mm^3", "outer.support.tangential"),

@@ -104,3 +104,20 @@ def test_equal_rows_share_a_radial_load(arrangement):
     row_load = solved(arrangement, 0, 20).row_load
     assert row_load[:, 2] == approx([1e4, 1e4], rel=1e-9)
     assert row_load[0, 0] == approx(-row_load[1, 0], rel=1e-9)
+
+
+def test_rollers_off_the_cone_rest_on_cup_and_rib_and_cost_no_search():
+    """Q_o N_o + Q_f N_f = (0, F_c) alone; two rows take less than twice the steps of one."""
+    asked = RingOperation(
+        load=(4e3, 0.0, 8e3, 0.0, 0.0), displacement=(None, None, None, 0.0, 0.0), inner_speed=200.0
+    )
+    alone = replace(tapered(), side=1)
+    found = tapered_loads(replace(alone, rows=rows("O", 5e-6)), asked)
+    off = found.loads[0] < 1e-9 * found.loads.max()
+    assert 5 < off.sum() < 38
+    ways = [[-np.sin(alone.cup_angle), np.cos(alone.rib.angle)],
+            [np.cos(alone.cup_angle), np.sin(alone.rib.angle)]]  # fmt: skip
+    on_cup, on_rib = np.linalg.solve(ways, [0.0, found.speeds.centrifugal_force])
+    assert found.loads[1, off] == approx(on_cup, rel=1e-6)
+    assert found.rib_loads[off] == approx(on_rib, rel=1e-6)
+    assert found.solution.evaluations < 2 * tapered_loads(alone, asked).solution.evaluations

@@ -24,7 +24,7 @@ class Contact(NamedTuple):
 
 def out_of_balance(bearing, ring, rollers, shapes, compliances, loads, inertia):
     """Unbalanced forces [N] on the inner ring (3) and on rollers (Z, 3: x', r, moment [N m]), and what shapes
-    (2 races, Z, M) [m] differ from those that forces make (2, Z, M).
+    (2 races, Z, M) [m] differ from those that forces make; the last is along the inner raceway.
 
     `ring` is (x, y, z, turn about y, about z), `rollers` (Z) of (x', r, turn); `compliances` are of the inner
     and outer raceway (Z, M, Z, M) [m/N]; `inertia` is (F_c, M_g) of a roller.
@@ -38,16 +38,18 @@ def out_of_balance(bearing, ring, rollers, shapes, compliances, loads, inertia):
         turn = about_y * c - about_z * s
         section = -bearing.side * (x + half * turn), y * s + z * c, bearing.side * turn
         against = [mine - its for mine, its in zip(roller, section, strict=True)]
-        inner = raceway(bearing, 0, against, shapes[0][number])
-        outer = raceway(bearing, 1, roller, shapes[1][number])
-        on_rib = rib(bearing, against)
+        inner = raceway(bearing, 0, against, shapes[0][number][:-1])
+        outer = raceway(bearing, 1, roller, shapes[1][number][:-1])
+        on_rib = rib(bearing, against, shapes[0][number])
         on_ring[0] -= bearing.side * (inner.along + on_rib.along)
         on_ring[1] += (inner.out + on_rib.out) * s
         on_ring[2] += (inner.out + on_rib.out) * c
         sums = [sum(parts) for parts in zip(inner[:3], outer[:3], on_rib[:3], strict=True)]
         on_rollers.append([-sums[0], inertia[0] - sums[1], inertia[1] - sums[2]])
-        forces[0].append(inner.modes)
+        on_section = [force + more for force, more in zip([*inner.modes, 0.0], on_rib.modes, strict=True)]
+        forces[0].append(on_section)
         forces[1].append(outer.modes)
+    shapes = shapes[0], shapes[1][:, :-1]
     return on_ring, on_rollers, [misfit(*each) for each in zip(shapes, compliances, forces, strict=True)]
 
 
@@ -68,12 +70,22 @@ def raceway(bearing, race, moved, shape):
     return Contact(total * normal[0], total * normal[1], moment, modes)
 
 
-def rib(bearing, moved):
-    """What the end of a roller presses with on the rib."""
+def rib(bearing, moved, shape):
+    """What the end of a roller presses with on the rib, which the section of the raceway carries along.
+
+    The section turns about mid-contact, a radius of the roller below its centre.
+    """
     part = cos(bearing.rib.angle), sin(bearing.rib.angle), bearing.rib.lever
-    approach = sum(each * way for each, way in zip(part, moved, strict=True))
+    s, c, half = sin(bearing.cone_angle), cos(bearing.cone_angle), bearing.roller.length / 2
+    radius = bearing.roller.diameter / 2 / cos((bearing.cup_angle - bearing.cone_angle) / 2)
+    turn = -shape[1] / half
+    along = shape[-1] - turn * radius
+    section = shape[0] * s + along * c, -shape[0] * c + along * s, turn
+    approach = sum(each * (way - its) for each, way, its in zip(part, moved, section, strict=True))
     load = bearing.rib.stiffness * max(approach, 0.0) ** 1.5
-    return Contact(*(load * each for each in part), [])
+    by_turn = part[0] * c * radius + part[1] * s * radius - part[2]
+    modes = [load * (part[0] * s - part[1] * c), load * by_turn / half, *[0.0] * (len(shape) - 3)]
+    return Contact(*(load * each for each in part), [*modes, load * (part[0] * c + part[1] * s)])
 
 
 def misfit(shape, compliance, forces):

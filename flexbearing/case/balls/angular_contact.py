@@ -54,7 +54,7 @@ from flexbearing.case.quantity import (
     require,
 )
 from flexbearing.case.raceway_waves import Waves
-from flexbearing.case.ratings import BallLife
+from flexbearing.case.ratings import BallLife, require_ratable
 
 PLANE = "about the point of the bearing axis in the plane of the inner groove centres"
 HIGHEST = 0.03  # of the pitch radius: cam whose largest load is still known to some 10 %, assumed
@@ -416,9 +416,7 @@ class FastCase(MountedCase):
         pair = self.bearing.second_row
         if pair is None:
             return self
-        if pair.distance < self.bearing.ball.diameter:
-            least = f"at least the ball diameter, {1e3 * self.bearing.ball.diameter:.4g} mm"
-            raise impossible("bearing.pair.distance", least)
+        pair.require_apart(self.bearing.ball.diameter, "the ball diameter")
         if not self.rigid:
             name = "outer" if self.outer.kind != "rigid" else "inner"
             raise impossible(f"{name}.kind", '"rigid" beside bearing.pair')
@@ -430,17 +428,7 @@ class FastCase(MountedCase):
 
     @model_validator(mode="after")
     def _life_can_be_rated(self) -> Self:
-        life, operation = self.life, self.operation
-        if life.lubrication and self.lubricant is None:
-            raise needed(["lubricant"], 'life.lubrication = "a_ISO"')
-        timed = life.required is not None or not life.is_basic
-        if timed and operation.inner_speed == operation.outer_speed:
-            raise impossible("operation.inner_speed", "another one than operation.outer_speed for a life")
-        if life.loads == "rating":
-            for name in operation.held:
-                raise impossible(f"operation.{name}", 'left out for life.loads = "rating"; give a force')
-            if not any(operation.forces):
-                raise impossible("operation.load", 'some force for life.loads = "rating"')
+        require_ratable(self.life, self.operation, self.lubricant)
         return self
 
     @model_validator(mode="after")

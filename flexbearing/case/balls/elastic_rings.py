@@ -113,7 +113,7 @@ class BallOuter(Section):
         return self
 
 
-class BallInner(Section):
+class BallInner(held_ring.OnShaft):
     """What carries the inner groove."""
 
     kind: Literal["rigid", "ring_on_shaft", "cam"] = key(
@@ -140,12 +140,6 @@ class BallInner(Section):
     cam_crest: Angle = key(
         "azimuth of the major axis, from z towards y, at the moment that is solved", "0 deg", only=ON_CAM
     )
-
-    @property
-    def shaft_bore(self) -> float:
-        """Bore of the shaft [m]; zero is a solid shaft."""
-        bore, thickness = self.bore or 0.0, self.shaft_thickness
-        return 0.0 if thickness is None else max(bore - 2 * thickness, 0.0)
 
     @model_validator(mode="after")
     def _complete(self) -> Self:

@@ -4,7 +4,7 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
-from flexbearing.case.quantity import Force, Length, Section, impossible, key, needed
+from flexbearing.case.quantity import Force, Length, Section, impossible, in_mm, key, needed
 
 PRELOADED = {"arrangement": ("back_to_back", "face_to_face")}
 
@@ -42,6 +42,11 @@ class Pair(Section):
     def opposed(self) -> bool:
         """Whether the rows press each other."""
         return self.arrangement != "tandem"
+
+    def require_apart(self, least: float, what: str) -> None:
+        """Raise unless rows are as far apart as the `least` size [m] of what they have."""
+        if self.distance < least:
+            raise impossible("bearing.pair.distance", f"at least {what}, {in_mm(least)}")
 
     @model_validator(mode="after")
     def _one_of_both(self) -> Self:

@@ -189,7 +189,7 @@ class Outer(Section):
         held_ring.require_teeth_outside(self, outside)
 
 
-class Inner(Section):
+class Inner(held_ring.OnShaft):
     """What carries the inner raceway."""
 
     kind: Literal["rigid", "ring_on_shaft"] = key("rigid; or a ring on a shaft with both ends clamped")
@@ -243,12 +243,6 @@ class Inner(Section):
     def ribbed(self) -> bool:
         """Whether the ring has ribs beside the track of its rollers."""
         return self.track_width != self.width
-
-    @property
-    def shaft_bore(self) -> float:
-        """Bore of the shaft under the ring [m]; zero is a solid shaft."""
-        bore, thickness = self.bore or 0.0, self.shaft_thickness
-        return 0.0 if thickness is None else max(bore - 2 * thickness, 0.0)
 
     @model_validator(mode="after")
     def _complete(self) -> Self:

@@ -7,7 +7,7 @@ from pydantic import model_validator
 
 from flexbearing.case import held_ring
 from flexbearing.case.held_ring import ON_SHAFT, RING
-from flexbearing.case.quantity import Foundation, Length, Section, impossible, in_mm, key, require
+from flexbearing.case.quantity import GIVEN, Foundation, Length, Section, impossible, in_mm, key, require
 
 ELASTIC = ({"outer.kind": ("ring",)}, {"inner.kind": ("ring_on_shaft",)})
 
@@ -33,6 +33,12 @@ class TaperedOuter(Section):
         "side",
         only=RING,
     )
+    common: bool = key(
+        "whether both rows of bearing.pair are in this one ring, a double-row cup, whose middle is between "
+        "them; without it each row has a ring of its own, held alike",
+        False,
+        only={**RING, "bearing.pair": GIVEN},
+    )
     foundation_radial: Foundation = held_ring.foundation_radial()
     foundation_axial: Foundation = held_ring.foundation("axial")
     foundation_tangential: Foundation = held_ring.foundation("tangential")
@@ -54,35 +60,41 @@ class TaperedOuter(Section):
         """Raise unless the contacts are on the ring, and the ring has a wall at its wide end."""
         if self.kind == "rigid":
             return
-        from fem.parts.room import SLENDEREST_SLOT
+        from fem.parts.room import SLENDEREST_SLOT, places_on_cones
 
         width, thickness = require(self, ("width", "thickness"), self.kind)
+        apart = bearing.row_distance("outer") if self.common else 0.0
         band = bearing.roller.length * cos(bearing.cup_angle)
+        if self.common and apart < band + SLENDEREST_SLOT:
+            raise impossible("common", "false, or bearing.pair.distance larger: rows touch each other")
+        band += apart
         if width < band:
             raise impossible("width", f"at least {in_mm(band)}, what the rollers touch of it")
         if width < band + 2 * abs(self.raceway_offset):
             most = (width - band) / 2
             raise impossible("raceway_offset", f"{in_mm(-most)} to {in_mm(most)}, or rollers leave the ring")
-        least = (width / 2 + self.raceway_offset) * tan(bearing.cup_angle) + SLENDEREST_SLOT
+        first, last = places_on_cones(width, apart, self.raceway_offset)
+        least = -first * tan(bearing.cup_angle) + SLENDEREST_SLOT
         if thickness <= least:
             raise impossible("thickness", f"above {in_mm(least)}, or the wide end of the raceway has no wall")
-        if bearing.raceway_middle("outer") <= (width / 2 - self.raceway_offset) * tan(bearing.cup_angle):
+        if bearing.raceway_middle("outer") <= last * tan(bearing.cup_angle):
             raise impossible("width", "less: the raceway reaches the axis")
 
 
-class TaperedInner(Section):
+class TaperedInner(held_ring.OnShaft):
     """What carries the inner raceway."""
 
     kind: Literal["rigid", "ring_on_shaft"] = key(
-        "rigid; or a ring bonded on a shaft with both ends clamped, which move with the ring. The ribs are "
-        "not part of it: that at the large ends stays where the clamped ends hold it",
+        "rigid; or a ring bonded on a shaft with both ends clamped, which move with the ring; both rows of "
+        "bearing.pair are on it. The rib at the large ends moves with the section under the raceway, "
+        "which carries its load",
         "rigid",
     )
     bore: Length | None = key(
         "bore of the ring, outside of the shaft", None, example="35 mm", gt=0, only=ON_SHAFT
     )
     width: Length | None = key(
-        "axial width of the ring between its ribs, its middle under that of the contacts",
+        "axial width of the ring between its ribs, its middle under that of the contacts of all rows",
         None,
         example="18 mm",
         gt=0,
@@ -90,12 +102,6 @@ class TaperedInner(Section):
     )
     shaft_thickness: Length | None = held_ring.shaft_thickness()
     shaft_length: Length | None = held_ring.shaft_length()
-
-    @property
-    def shaft_bore(self) -> float:
-        """Bore of the shaft [m]; zero is a solid shaft."""
-        bore, thickness = self.bore or 0.0, self.shaft_thickness
-        return 0.0 if thickness is None else max(bore - 2 * thickness, 0.0)
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
@@ -107,13 +113,18 @@ class TaperedInner(Section):
         """Raise unless the contacts are on the ring, and the ring has a wall at its narrow end."""
         if self.kind == "rigid":
             return
-        from fem.parts.room import SLENDEREST_SLOT
+        from fem.parts.room import SLENDEREST_SLOT, places_on_cones
 
         bore, width = require(self, ("bore", "width"), self.kind)
-        _, cone = bearing.angles
-        if width < (band := bearing.roller.length * cos(cone)):
+        cone, apart = bearing.angles[1], bearing.row_distance("inner")
+        band = bearing.roller.length * cos(cone)
+        if apart and apart < band + SLENDEREST_SLOT:
+            raise impossible("kind", '"rigid", or bearing.pair.distance larger: rows touch each other')
+        band += apart
+        if width < band:
             raise impossible("width", f"at least {in_mm(band)}, what the rollers touch of it")
-        most = 2 * (bearing.raceway_middle("inner") - width / 2 * tan(cone) - SLENDEREST_SLOT)
+        last = places_on_cones(width, apart)[1]
+        most = 2 * (bearing.raceway_middle("inner") - last * tan(cone) - SLENDEREST_SLOT)
         if bore >= most:
             raise impossible("bore", f"below {in_mm(most)}, or the narrow end of the raceway has no wall")
 

@@ -1,6 +1,6 @@
 """A tapered roller bearing between rigid or elastic rings, as a case."""
 
-from math import asin, cos, hypot, pi
+from math import asin, cos, hypot, pi, sin
 from typing import Literal, Self
 
 from pydantic import model_validator
@@ -23,7 +23,7 @@ from flexbearing.case.quantity import (
     located,
     needed,
 )
-from flexbearing.case.ratings import TaperedLife
+from flexbearing.case.ratings import TaperedLife, require_ratable
 from flexbearing.case.roller.bearing import Roller, Roughness
 from flexbearing.case.roller.lubricant import FilmName
 from flexbearing.case.roller.profile import Generatrix
@@ -89,7 +89,7 @@ class TaperedBearing(Section):
 
     pair: Pair | None = key(
         "a second row of the same rollers: a pair of bearings, or a double-row one. Elastic outer rings are "
-        "two, each with its support; ratings in [life] are those of both rows",
+        "two, or one (outer.common); ratings in [life] are those of both rows",
         None,
     )
 
@@ -121,6 +121,18 @@ class TaperedBearing(Section):
         if race == "outer":
             return self.pitch_diameter / 2 + reach * cos(self.cup_angle)
         return self.pitch_diameter / 2 - reach * cos(cone)
+
+    def row_distance(self, race: Literal["inner", "outer"]) -> float:
+        """Axial distance of the contacts of both rows on a raceway, in their middles [m]; 0 of one row.
+
+        Contacts are off the plane of the roller centres, on the cone towards the large ends.
+        """
+        if self.pair is None:
+            return 0.0
+        axis, cone = self.angles
+        reach = self.roller.diameter / 2 / cos(self.cup_angle - axis)
+        towards = reach * sin(cone) if race == "inner" else -reach * sin(self.cup_angle)
+        return self.pair.distance + 2 * towards * (1 if self.pair.arrangement == "back_to_back" else -1)
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
@@ -281,11 +293,9 @@ class TaperedCase(Head):
         pair = self.bearing.pair
         if pair is None:
             return self
-        if pair.distance < self.bearing.roller.length:
-            least = f"at least the length of the rollers, {in_mm(self.bearing.roller.length)}"
-            raise impossible("bearing.pair.distance", least)
-        if self.inner.kind != "rigid":
-            raise impossible("inner.kind", '"rigid" beside bearing.pair, whose rows have one shaft')
+        pair.require_apart(self.bearing.roller.length, "the length of the rollers")
+        if not pair.opposed and (self.inner.kind != "rigid" or self.outer.common):
+            raise impossible("bearing.pair.arrangement", "another one of two rows in one elastic ring")
         return self
 
     @model_validator(mode="after")
@@ -316,12 +326,5 @@ class TaperedCase(Head):
 
     @model_validator(mode="after")
     def _life_can_be_rated(self) -> Self:
-        turning = self.operation.inner_speed != self.operation.outer_speed
-        if self.life.lubrication and self.lubricant is None:
-            raise needed(["lubricant"], 'life.lubrication = "a_ISO"')
-        if not turning and (self.life.required is not None or not self.life.is_basic):
-            raise impossible("operation.inner_speed", "another one than operation.outer_speed for a life")
-        if self.life.loads == "rating":
-            for name in self.operation.held:
-                raise impossible(f"operation.{name}", 'left out for life.loads = "rating"; give a force')
+        require_ratable(self.life, self.operation, self.lubricant)
         return self

@@ -11,7 +11,7 @@ from quasidynamic.contact.line.load_law import LoadLaw, gap_rounding, raceway_co
 from quasidynamic.contact.line.slices import Slices
 from quasidynamic.parts.tapered_bearing import TaperedRollerBearing
 
-INNER, OUTER = 0, 1
+INNER, OUTER, RIB = 0, 1, 2
 HELD = 5  # displacements of a ring: x, y, z, and turns about y and z times the pitch radius
 SECTION = 3  # those of a section: along the axis, outwards, turn times half of the roller's length
 RIB_EXPONENT = 1.5
@@ -25,6 +25,7 @@ class InclinedState(NamedTuple):
     slice_load: NDArray  # (2, Z, K) [N/m] inner, outer
     slice_slope: NDArray  # (2, Z, K) [N/m2] of these by the approach
     rib_load: NDArray  # (Z) [N]
+    rib_slope: NDArray  # (Z) [N/m] of these by the approach
     excess: NDArray  # (Z, 3) [N] of forces on rollers: minus the gradient of the energy
     on_ring: NDArray  # (Z, 3) [N] of the rollers on a section of the inner ring
     stiffness: NDArray  # (Z, 3, 3) [N/m] of a roller against both rings
@@ -55,9 +56,11 @@ class InclinedRollers:
     normals: NDArray  # (3, 3) of inner and outer raceway and rib: unit displacements to their approaches [-]
     gap: float  # [m] at the inner raceway
     rib_stiffness: float  # [N/m^1.5]
+    radius: float  # [-] of the rollers, normal to their raceways, over half of their length
     sections: NDArray  # (Z, 3, 5) displacements of a section of the inner ring by those of the ring [-]
     shifts: NDArray  # (Z, 3) [m] of the sections where the ring is at zero: rows that are closer
     dead: NDArray  # (3) [N] on every roller: axial, outwards, moment over half the length
+    rib_drop: NDArray | float = 0.0  # (Z) [m] by which an elastic ring takes its rib away
 
     @classmethod
     def of(cls, bearing: TaperedRollerBearing, slices: Slices, dead: NDArray) -> "InclinedRollers":
@@ -79,6 +82,7 @@ class InclinedRollers:
             ),
             gap=bearing.clearance / 2 * np.cos(cone),
             rib_stiffness=rib.stiffness,
+            radius=bearing.roller.diameter / np.cos(bearing.taper) / bearing.roller.length,
             sections=np.concatenate([_sections(bearing, half, row) for row in range(len(bearing.rows))]),
             shifts=_shifts(bearing),
             dead=dead,
@@ -96,28 +100,74 @@ class InclinedRollers:
         turn = self.normals[:2] * [0.0, 0.0, 1.0]
         return np.stack([mean, turn], axis=1)
 
+    @cached_property
+    def _pairs(self) -> NDArray:
+        """Products of two of these (2, 4, 9) [-]."""
+        return np.einsum("rmd,rne->rmnde", self.levers, self.levers).reshape(2, 4, 9)
+
+    def section(self, ring: NDArray) -> NDArray:
+        """Displacement of the sections of the inner ring (Z, 3) [m]."""
+        return self.sections @ ring + self.shifts
+
+    def slid(self, ring: NDArray, rollers: NDArray) -> NDArray:
+        """Rollers (Z, 3) [m] slid on cup and rib from where they were with the ring at zero.
+
+        What cup and rib carry is the same: without the inner raceway they stay in balance.
+        """
+        cup, rib = self.normals[OUTER], self.normals[RIB]
+        along = np.array([cup[1], -cup[0], 0.0])
+        return rollers + np.outer((self.section(ring) @ rib + self.rib_drop) / (along @ rib), along)
+
+    def rib_readings(self, modes: int) -> NDArray:
+        r"""Displacement of the rib along its normal by those of an elastic inner raceway (M + 1) [-].
+
+        .. math:: u = w_0 N_i + \Big( t + \frac{w_1 D}{l \cos\varepsilon} \Big) T_i,\quad
+                  \vartheta = -2 w_1/l,\quad w_f = N_f \cdot u + h \vartheta
+
+        for the modes w along its normal N_i, into the ring, and the mean displacement t along the raceway T_i
+        towards the rib; by virtual work they also say what a load on the rib is for the raceway.
+
+        Source
+        ------
+        Rigid motion of a section that has these mean displacements and this turn; derived here.
+
+        Valid
+        -----
+        Ribs that move with the section under the raceway, not bent against it.
+        """
+        normal = self.normals[INNER] * [1.0, 1.0, 0.0]
+        along = np.array([-normal[1], normal[0], 0.0])
+        moved = np.zeros((SECTION, modes + 1))
+        moved[:, 0], moved[:, 1], moved[:, -1] = normal, self.radius * along, along
+        moved[2, 1] = -1.0
+        return self.normals[RIB] @ moved
+
+    def closed(self, ring: NDArray, rollers: NDArray) -> NDArray:
+        """Largest approach of each roller to the inner raceway (Z) [m], negative in a gap."""
+        mean_and_turn = (rollers - self.section(ring)) @ self.levers[INNER].T
+        return (mean_and_turn @ self._modes.T - self.drops[INNER]).max(1) - self.gap
+
     def at(self, ring: NDArray, rollers: NDArray) -> InclinedState:
         """Evaluate every slice and the rib."""
-        section = self.sections @ ring + self.shifts
-        moved = np.stack([rollers - section, rollers])  # against inner and outer ring
-        approach = np.einsum("rmd,rzd->rzm", self.levers, moved) @ self._modes.T - self.drops
+        moved = np.stack([rollers - self.section(ring), rollers])  # against inner and outer ring
+        approach = moved @ self.levers.swapaxes(1, 2) @ self._modes.T - self.drops
         approach[INNER] -= self.gap
         load, slope = self.law(approach)
-        force = load @ self.slices.weights  # (2, Z, 2)
-        stiff = (slope @ self.slices.products).reshape(2, len(rollers), 2, 2)
-        on = np.einsum("rmd,rzm->rzd", self.levers, force)
-        by = np.einsum("rmd,rzmn,rne->rzde", self.levers, stiff, self.levers)
-        closed, root = smooth_positive(moved[INNER] @ self.normals[2], self.law.rounding)
+        on = load @ self.slices.weights @ self.levers
+        by = (slope @ self.slices.products @ self._pairs).reshape(2, len(rollers), SECTION, SECTION)
+        closed, root = smooth_positive(moved[INNER] @ self.normals[RIB] - self.rib_drop, self.law.rounding)
         rib = self.rib_stiffness * closed**RIB_EXPONENT
-        towards = self.normals[2]
+        towards = self.normals[RIB]
         inner = on[INNER] + rib[:, None] * towards
-        inner_by = by[INNER] + (RIB_EXPONENT * rib / root)[:, None, None] * np.outer(towards, towards)
+        rib_slope = RIB_EXPONENT * rib / root
+        inner_by = by[INNER] + rib_slope[:, None, None] * np.outer(towards, towards)
         return InclinedState(
             ring=ring,
             rollers=rollers,
             slice_load=load,
             slice_slope=slope,
             rib_load=rib,
+            rib_slope=rib_slope,
             excess=self.dead - inner - on[OUTER],
             on_ring=inner,
             stiffness=inner_by + by[OUTER],

@@ -1,11 +1,12 @@
 """Newton's method for a ring on inclined rollers that find their own balance."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.rollers.inclined import HELD, SECTION, InclinedRollers, InclinedState
+from quasidynamic.balance.rollers.inclined import HELD, OUTER, RIB, SECTION, InclinedRollers, InclinedState
 from quasidynamic.errors import NotSolved
 from quasidynamic.solve.step_length import HALVINGS
 
@@ -13,6 +14,7 @@ TOLERANCE = 1e-11  # of the largest force: unbalanced force on the ring
 ROLLER_SHARE = 0.1  # of that: what a roller may be out of balance
 STEPS = 100  # of the ring, rarely more than twenty
 ROLLER_STEPS = 100  # of the rollers at one place of the ring, rarely more than ten
+FAR = 1.0  # [m] of an inner raceway that no roller meets
 LONGEST = 0.02  # of the roller's length: a step in a gap, where nothing resists
 FLOOR = 1e-9  # of the stiffness of a contact, which holds rollers and a ring that nothing touches
 STIFFENING = 1e-2  # of the whole stiffness over the relative imbalance, as in `static_equilibrium`
@@ -28,7 +30,9 @@ class InclinedSolution:
     imbalance: float  # [-] largest unbalanced force over the largest force
     evaluations: int  # of all contacts
     floor: float  # [N/m] that holds rollers which nothing touches
-    shape: NDArray | None = None  # (2, Z, M) [m] of elastic raceways: modes of what they give way by
+    shape: NDArray | None = (
+        None  # (2, Z, M + 1) [m] of elastic raceways: modes along normals, mean along them
+    )
 
 
 @dataclass
@@ -44,6 +48,40 @@ class _Search:
     def at(self, ring: NDArray, rollers: NDArray) -> InclinedState:
         self.evaluations += 1
         return self.model.at(ring, rollers)
+
+    def placed(self, ring: NDArray, rollers: NDArray) -> NDArray:
+        """Rollers (Z, 3) where they are sought, those that the cone does not touch in their balance."""
+        model = self.model
+        if (model.closed(ring, model.slid(ring, np.zeros_like(rollers))) > 0).all() or self.resting is None:
+            return rollers
+        resting = model.slid(ring, self.resting)
+        return np.where(model.closed(ring, resting)[:, None] > 0, rollers, resting)
+
+    @cached_property
+    def resting(self) -> NDArray | None:
+        """Rollers (1 or Z, 3) [m] on cup and rib alone, the ring at zero; None where one is not pressed."""
+        model = self.model
+        ways = model.normals[[OUTER, RIB], :2]
+        on_cup, on_rib = np.linalg.solve(ways.T, model.dead[:2])
+        if min(on_cup, on_rib) <= 0:
+            return None
+        count = model.drops.shape[1]
+        alone = replace(
+            model,
+            gap=FAR,
+            rib_drop=0.0,
+            sections=np.zeros((count, SECTION, HELD)),
+            shifts=np.zeros((count, SECTION)),
+        )
+        approach = float(np.max(model.law.approach(on_cup / model.slices.length)))
+        place = np.linalg.solve(
+            ways, [approach + float(np.max(model.drops[OUTER])), (on_rib / model.rib_stiffness) ** (2 / 3)]
+        )
+        search = _Search(alone, 0 * self.load, self.floor, self.longest)
+        start = search.at(np.zeros(HELD), np.tile([*place, 0.0], (count, 1)))
+        found = _rollers_at_rest(search, start)
+        self.evaluations += search.evaluations
+        return found.rollers
 
     def largest(self, state: InclinedState) -> float:
         loads = np.abs(state.on_ring).max(), np.abs(self.model.dead).max(), np.abs(self.load).max()
@@ -66,7 +104,7 @@ def inclined_equilibrium(
     search = _Search(model, load, FLOOR * usual, LONGEST * length)
     if rollers is None:
         rollers = np.full((len(model.sections), SECTION), 0.5) * (model.sections @ start + model.shifts)
-    state = _rollers_at_rest(search, search.at(start, rollers))
+    state = _rollers_at_rest(search, search.at(start, search.placed(start, rollers)))
     free = ~held
     for _ in range(STEPS):
         excess, largest = (load + _on(model, state))[free], search.largest(state)
@@ -123,7 +161,8 @@ def _before_the_minimum(
     moved = np.clip(follow @ step, -search.longest, search.longest)
     for halving in range(HALVINGS):
         part = 0.5**halving
-        trial = search.at(state.ring + part * step, state.rollers + part * moved)
+        ring = state.ring + part * step
+        trial = search.at(ring, search.placed(ring, state.rollers + part * moved))
         trial = _rollers_at_rest(search, trial)
         if float((search.load + _on(search.model, trial)) @ step) >= uphill:
             break

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.rollers.inclined import INNER, OUTER, SECTION, InclinedRollers, InclinedState
+from quasidynamic.balance.rollers.inclined import INNER, OUTER, RIB, SECTION, InclinedRollers, InclinedState
 from quasidynamic.contact.line.slices import Slices
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.solve.rollers.inclined_equilibrium import InclinedSolution, inclined_equilibrium
@@ -17,7 +17,7 @@ from quasidynamic.solve.step_length import HALVINGS
 MISFIT = 1e-10  # of the largest force: what forces differ from those that made the raceways' shape
 STEPS = 60  # of the forces, rarely more than ten
 
-Compliance = NDArray | None  # (Z, M, Z, M) [m/N] into a raceway, along its normal; None of a rigid one
+Compliance = NDArray | None  # [m/N] of a raceway, see `between_elastic_raceways`; None of a rigid one
 
 
 class _Slopes(NamedTuple):
@@ -31,10 +31,11 @@ class _Slopes(NamedTuple):
 class _Raceways:
     r"""Elastic raceways under the axial modes of all rollers.
 
-    .. math:: w = C F,\quad F_m = \int q\, L_m(2s/l)\, ds
+    .. math:: w = C F,\quad F_m = \int q\, L_m(2s/l)\, ds + \rho_m Q_f
 
     with the displacements w of the surfaces along their normals into the parts, in modes of the place s
-    towards the large end; the approach of a slice is less by w.
+    towards the large end, and last the mean one along the raceway; the approach of a slice is less by w, that
+    of the rib by rho w of the inner raceway, see `InclinedRollers.rib_readings`.
 
     Source
     ------
@@ -45,40 +46,48 @@ class _Raceways:
     races: tuple[int, ...]  # which are elastic
     compliance: NDArray  # (n, n) [m/N] race by race, roller by roller
     modes: Slices
+    rib: NDArray  # (2, M + 1) rho, zero of the outer raceway [-]
 
     @classmethod
     def of(cls, model: InclinedRollers, compliance: Sequence[Compliance]) -> "_Raceways":
         races = tuple(race for race in (INNER, OUTER) if compliance[race] is not None)
         shapes = [np.asarray(compliance[race]) for race in races]
-        rollers, count = len(model.sections), shapes[0].shape[1]
-        for each in shapes:
-            if each.shape != (rollers, count) * 2 or not np.isfinite(each).all() or count < 2:
+        rollers, count = len(model.sections), shapes[0].shape[1] - (races[0] == INNER)
+        whole = np.zeros((len(races), rollers, count + 1) * 2)
+        for number, (race, each) in enumerate(zip(races, shapes, strict=True)):
+            own = count + (race == INNER)
+            if each.shape != (rollers, own) * 2 or not np.isfinite(each).all() or count < 2:
                 raise ImpossiblePart(
-                    f"a compliance of shape {each.shape} does not fit {rollers} rollers with two modes"
+                    f"a compliance of shape {each.shape} does not fit {rollers} rollers with two modes, and "
+                    "of the inner raceway the displacement along it"
                 )
-        size = rollers * count
-        whole = np.zeros((len(races) * size,) * 2)
-        for number, each in enumerate(shapes):
-            own = slice(number * size, (number + 1) * size)
-            matrix = each.reshape(size, size)
-            whole[own, own] = (matrix + matrix.T) / 2
-        return cls(model, races, whole, model.slices.with_axial_modes(count))
+            whole[number, :, :own, number, :, :own] = (each + each.transpose(2, 3, 0, 1)) / 2
+        size = len(races) * rollers * (count + 1)
+        rib = np.stack([model.rib_readings(count), np.zeros(count + 1)])
+        return cls(model, races, whole.reshape(size, size), model.slices.with_axial_modes(count), rib)
 
     def forces(self, state: InclinedState) -> NDArray:
-        """F (n) [N] that slices press with."""
-        return (state.slice_load[list(self.races)] @ self.modes.weights).ravel()
+        """F (n) [N] that slices and ends press with."""
+        forces = _widened(state.slice_load @ self.modes.weights)
+        forces += state.rib_load[:, None] * self.rib[:, None]
+        return forces[list(self.races)].ravel()
 
     def shaped(self, forces: NDArray) -> tuple[InclinedRollers, NDArray]:
-        """Rollers between raceways of the shape that forces (n) [N] make, and that (2, Z, M) [m]."""
-        shape = np.zeros((2, len(self.model.sections), self.modes.axial_modes))
+        """Rollers between raceways of the shape that forces (n) [N] make, and that (2, Z, M + 1) [m]."""
+        shape = np.zeros((2, len(self.model.sections), self.modes.axial_modes + 1))
         shape[list(self.races)] = (self.compliance @ forces).reshape(len(self.races), *shape.shape[1:])
-        return replace(self.model, drops=self.model.drops + shape @ self.modes.modes.T), shape
+        drops = self.model.drops + shape[..., :-1] @ self.modes.modes.T
+        return replace(self.model, drops=drops, rib_drop=shape[INNER] @ self.rib[INNER]), shape
 
     def slopes(self, state: InclinedState, floor: float) -> _Slopes:
         """How forces change where rollers find their balance, held by a floor [N/m]."""
-        count, rollers = self.modes.axial_modes, len(self.model.sections)
-        stiff = (state.slice_slope @ self.modes.products).reshape(2, rollers, count, count)
-        on_rollers = np.einsum("rmd,rzmn->rzdn", self.model.levers, stiff[:, :, :2])  # (2, Z, 3, M)
+        modes, rollers, rib = self.modes.axial_modes, len(self.model.sections), self.rib
+        pressed = (state.slice_slope @ self.modes.products).reshape(2, rollers, modes, modes)
+        stiff = _widened(_widened(pressed).swapaxes(2, 3))
+        on_rollers = np.einsum("rmd,rzmn->rzdn", self.model.levers, stiff[:, :, :2])  # (2, Z, 3, M + 1)
+        stiff += np.einsum("z,rm,rn->rzmn", state.rib_slope, rib, rib)
+        on_rollers += np.einsum("z,d,rm->rzdm", state.rib_slope, self.model.normals[RIB], rib)
+        count = modes + 1
         held = state.stiffness + floor * np.eye(SECTION)
         follow = np.linalg.solve(held, state.by_ring @ self.model.sections)  # (Z, 3, 5)
         size = rollers * count
@@ -94,6 +103,11 @@ class _Raceways:
                 matrix[a, here, :, b, here] -= change
         total = len(self.races) * size
         return _Slopes(matrix.reshape(total, total), by_ring.reshape(total, 5))
+
+
+def _widened(values: NDArray) -> NDArray:
+    """Values (..., M) of modes with zero for the displacement along the raceway."""
+    return np.concatenate([values, np.zeros((*values.shape[:-1], 1))], axis=-1)
 
 
 @dataclass
@@ -117,7 +131,7 @@ class _Shaped:
     """Ring and rollers in balance between raceways of a shape."""
 
     forces: NDArray  # (n) [N] that made it
-    shape: NDArray  # (2, Z, M) [m]
+    shape: NDArray  # (2, Z, M + 1) [m]
     solution: InclinedSolution
     misfit: NDArray  # (n) [N] less those that rollers press with
 
@@ -137,7 +151,7 @@ def between_elastic_raceways(
 
     Newton's method for the forces F on the raceways, ring and rollers in balance between the raceways'
     shape in every step. The energy is convex where C is positive: steps are halved while they run far past
-    its lowest place on their way. `compliance` is that of the inner and of the outer raceway; other
+    its lowest place on their way. `compliance` is that of both raceways as `tapered_loads` takes it; other
     arguments are those of `inclined_equilibrium`.
 
     Raises `NotSolved` where no balance is found; `ImpossiblePart` for compliances that do not fit.
@@ -148,7 +162,7 @@ def between_elastic_raceways(
 
     Valid
     -----
-    Linear raceways. The rib keeps its place in the frame of the inner ring.
+    Linear raceways. The rib moves with the section of an elastic inner ring.
     """
     raceways = _Raceways.of(model, compliance)
     search = _Search(raceways, load, held)
