@@ -55,6 +55,7 @@ if TYPE_CHECKING:
         Cage as Cage,
         CylindricalRollerBearing as CylindricalRollerBearing,
         Operation as Operation,
+        Ribs as Ribs,
         Roller as Roller,
         RollerRow as RollerRow,
     )
@@ -104,7 +105,7 @@ EXPORTS = {
         "Straight",
         "TangentCrowned",
     ),
-    "parts.roller_bearing": ("Cage", "CylindricalRollerBearing", "Operation", "Roller", "RollerRow"),
+    "parts.roller_bearing": ("Cage", "CylindricalRollerBearing", "Operation", "Ribs", "Roller", "RollerRow"),
     "parts.tapered_bearing": ("Rib", "TaperedRollerBearing"),
     "roller": ("Equilibria", "Equilibrium", "RollerBearing", "solve_many"),
     "solve.balls.preloaded_place": ("preloaded_place", "unloading_force"),

@@ -16,7 +16,7 @@ from quasidynamic.contact.film import FilmLaw
 from quasidynamic.contact.line import LoadLaw, Slices, gap_rounding, raceway_coefficients, reduced_radius
 from quasidynamic.contact.lubrication import Lubrication
 from quasidynamic.contact.raceways import Raceways
-from quasidynamic.errors import NotSolved
+from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.outcome.equilibrium import Batch, Equilibria, Equilibrium
 from quasidynamic.parts.material import contact_modulus
@@ -47,6 +47,14 @@ class RollerBearing:
     slices: int = 20
     axial_modes: int = 2  # axial modes that raceways of any shape exchange with the rollers
     spin_inertia: bool = True
+
+    def __post_init__(self):
+        if not self.operation.on_ribs:
+            return
+        if self.bearing.ribs is None:
+            raise ImpossiblePart("axial_load: no ribs carry it")
+        if self.axial_modes < 2 or self.bearing.row_count > 1:
+            raise ImpossiblePart("axial_load: it needs two axial modes or more, and one row of rollers")
 
     def solve(self, start: Equilibrium | None = None, deviation: NDArray | None = None) -> Equilibrium:
         """Equilibrium between raceways of a given shape.
@@ -120,7 +128,10 @@ class RollerBearing:
 
     def _rollers(self, axial_modes: int) -> RollerBalance:
         return RollerBalance(
-            bearing=self.bearing, lubrication=self.lubrication, raceways=self._raceways(axial_modes)
+            bearing=self.bearing,
+            lubrication=self.lubrication,
+            raceways=self._raceways(axial_modes),
+            on_ribs=self.operation.on_ribs,
         )
 
     def _raceways(self, axial_modes: int) -> Raceways:
@@ -185,7 +196,7 @@ def side_by_side_batches(
         kind, own = kind_and_numbers(bearing)
         numbers.append(own)
         tilting = tilting_apart and (bearing.operation.tilts or not bearing.bearing.symmetric)
-        kinds.setdefault((kind, tilting), []).append(place)
+        kinds.setdefault((kind, tilting, bearing.operation.on_ribs), []).append(place)
     for places in kinds.values():
         places.sort(key=lambda place: _pressed(bearings[place].operation))
         for first in range(0, len(places), at_once):

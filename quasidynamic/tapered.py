@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.inclined import INNER, OUTER, InclinedRollers
 from quasidynamic.contact.line.load_law import peak_pressure
 from quasidynamic.contact.line.slices import Slices
+from quasidynamic.contact.rib import rib_pressure
 from quasidynamic.errors import NotSolved
 from quasidynamic.motion.tapered_speeds import TaperedSpeeds, tapered_speeds
 from quasidynamic.parts.angular_contact_bearing import RingOperation
@@ -137,15 +138,8 @@ class TaperedLoads:
 
     @cached_property
     def rib_pressures(self) -> NDArray:
-        r"""Peak pressure of the rib contacts (Z) [Pa].
-
-        .. math:: p_f = \frac{1}{\pi} \Big( \frac{6 Q_f E^{*2}}{R_s^2} \Big)^{1/3}
-
-        Source
-        ------
-        Johnson, Contact Mechanics (1985), sec. 4.2: a sphere on a flat face.
-        """
-        return np.cbrt(6 * self.rib_loads * (self._rib_modulus * self.bearing.rib.curvature) ** 2) / np.pi
+        """Peak pressure of the rib contacts (Z) [Pa]."""
+        return rib_pressure(self.rib_loads, self.bearing.rib.curvature, self._rib_modulus)
 
     @cached_property
     def _rib_modulus(self) -> float:

@@ -10,7 +10,9 @@ FORCES = (
     "inner_inlet_pressure", "outer_inlet_pressure", "roller_drag", "centrifugal_force", "roller_weight",
     "cage_force", "pocket_friction", "applied_load",
 )  # fmt: skip
-UNITS = {"radial": "N", "along the motion": "N", "axial": "N", "ring": "N", "cage, force": "N"}  # else N m
+UNITS = dict.fromkeys(
+    ("radial", "along the motion", "axial", "thrust", "ring", "cage, force"), "N"
+)  # else N m
 
 
 def balances(block: Mapping[str, Any], guidance: str) -> dict[str, np.ndarray]:
@@ -55,14 +57,34 @@ def balances(block: Mapping[str, Any], guidance: str) -> dict[str, np.ndarray]:
         - land * (guidance == "outer"),
         "whole": one["driving_torque"] + one["outer_torque"] + r_m * one["roller_drag"].sum(),
     }
+    if "rib_thrust" in one:
+        for name, added in _by_ribs(one).items():
+            left[name] = left.get(name, 0.0) + added
     if "land_force" in one:
         left["cage, force"] = pushed + one["land_force"] + one["cage_body_force"]
         if guidance == "inner":
-            left["ring"] = on_ring - one["land_force"]
+            left["ring"] = left["ring"] - one["land_force"]
     if "flange_force" in one:
         low, high = one["flange_force"]
         left["axial"] = one["roller_thrust"] + low - high
     return {name: np.atleast_1d(values) for name, values in left.items()}
+
+
+def _by_ribs(one: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """What thrust on ribs and their friction add to the balances."""
+    thrust, friction, radii = one["rib_thrust"], one["rib_friction"], one["rib_radii"]
+    outward = np.array([np.cos(one["roller_azimuth"]), np.sin(one["roller_azimuth"])])
+    turning = radii * friction.sum(axis=1)
+    return {
+        "thrust": one["axial_load"] - thrust.sum(),
+        "tilt": -(radii[1] - radii[0]) * thrust,
+        "along the motion": friction.sum(axis=0),
+        "spin": -(radii - one["balance_radii"][1]) @ friction,
+        "ring": -np.array([[1.0], [-1.0]]) * outward @ friction[0],
+        "ring, moment": radii[0] * outward @ thrust,
+        "inner torque": -turning[0],
+        "outer torque": -turning[1],
+    }
 
 
 def largest_imbalance(block: Mapping[str, Any], guidance: str) -> float:

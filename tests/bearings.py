@@ -11,6 +11,7 @@ from quasidynamic import (
     Material,
     Operation,
     Regression4109,
+    Ribs,
     Roller,
     RollerBearing,
     RollerRow,
@@ -29,6 +30,7 @@ CAGE = {
     "land_width": 3e-3,
     "land_clearance": 0.4e-3,
 }
+RIBS = Ribs(inner_height=0.8e-3, outer_height=0.6e-3, end_radius=0.5, friction=0.05)
 
 
 def paper_bearing(**changes) -> RollerBearing:
@@ -56,6 +58,8 @@ def paper_bearing(**changes) -> RollerBearing:
         "outer_profile": Straight(),
         "rows": (RollerRow(),),
         "tilt_direction": 0.0,
+        "axial_load": 0.0,
+        "ribs": None,
         **changes,
     }
     ring = Material(youngs_modulus=203e9, poisson_ratio=0.28, density=7850)
@@ -81,6 +85,7 @@ def paper_bearing(**changes) -> RollerBearing:
         inner_profile=value.pop("inner_profile"),
         outer_profile=value.pop("outer_profile"),
         rows=value.pop("rows"),
+        ribs=value.pop("ribs"),
     )
     operation = Operation(
         radial_load=value.pop("load"),
@@ -91,6 +96,7 @@ def paper_bearing(**changes) -> RollerBearing:
         moment=value.pop("moment"),
         misalignment=value.pop("misalignment"),
         tilt_direction=value.pop("tilt_direction"),
+        axial_load=value.pop("axial_load"),
         gravity=value.pop("gravity"),
     )
     oil = value.pop("oil", None) or oil_at("MIL-PRF-23699", 493.15)

@@ -57,6 +57,10 @@ VARIANTS: dict[str, tuple[str, tuple[str, ...]]] = {
         *RIGID, "bearing.cage.land_flow=vortices", "bearing.cage.pocket_clearance=0.1 mm",
     )),
     "skew": ("nu209", (*FLANGE, "operation.tilt=free", "operation.moment=20 N m")),
+    "thrust": ("nu209", (
+        "operation.axial_load=800 N", "operation.tilt=free", "bearing.ribs.inner_height=1.5 mm",
+        "bearing.ribs.outer_height=1.2 mm", "bearing.ribs.end_radius=500 mm", "bearing.ribs.friction=0.05",
+    )),
     "data sheet": ("nu209_fits", ("lubricant.oil=", *SHEET)),
     "traction curve": ("nu209", CURVE),
     "bair-winer": ("nu209", ("lubricant.traction=bair-winer", "lubricant.film_heating=true")),

@@ -12,7 +12,7 @@ from flexbearing.build.out_of_round import raceway_waves
 from flexbearing.case.roller import Case
 from quasidynamic import CylindricalRollerBearing
 from quasidynamic.parts.raceway_waves import RacewayWaves
-from quasidynamic.parts.roller_bearing import ONE_ROW, Flange, RollerRow
+from quasidynamic.parts.roller_bearing import ONE_ROW, Flange, Ribs, RollerRow
 
 
 def bearing(case: Case) -> "qd.RollerBearing":  # in quotes: checking a case loads no solver
@@ -44,6 +44,7 @@ def parts(case: Case) -> qd.CylindricalRollerBearing:
         inner_profile=profiles.of_raceway(case, "inner"),
         outer_profile=profiles.of_raceway(case, "outer"),
         rows=_rows(case),
+        ribs=_ribs(case),
     )
 
 
@@ -62,6 +63,19 @@ def _rows(case: Case) -> tuple[RollerRow, ...]:
     return RollerRow(axial=-second.distance / 2), further
 
 
+def _ribs(case: Case) -> Ribs | None:
+    """Hot ribs; the radius, of a contact of end and rib, as given."""
+    ribs = case.bearing.ribs
+    if ribs is None:
+        return None
+    return Ribs(
+        inner_height=ribs.inner_height * hot_over_cold(case, "inner_ring"),
+        outer_height=ribs.outer_height * hot_over_cold(case, "outer_ring"),
+        end_radius=ribs.end_radius,
+        friction=ribs.friction,
+    )
+
+
 def nominal(case: Case, bearing: qd.CylindricalRollerBearing) -> qd.CylindricalRollerBearing:
     """The bearing with the dimensions of its drawing, not of its temperatures: ratings are made for these."""
     if case.operation.temperatures is None:
@@ -78,6 +92,7 @@ def operation(case: Case) -> qd.Operation:
     """Load, speeds and tilt of the bearing."""
     return qd.Operation(
         radial_load=case.operation.radial_load,
+        axial_load=case.operation.axial_load,
         inner_speed=case.operation.inner_speed,
         outer_speed=case.operation.outer_speed,
         load_direction=case.operation.load_direction,

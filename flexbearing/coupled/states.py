@@ -39,8 +39,11 @@ def flat(states: BearingStates) -> NDArray:
     return np.concatenate([*border, *fields, deviation.reshape(len(deviation), -1)], axis=1)
 
 
-def unknowns(values: NDArray, rollers: int) -> Unknowns:
-    """The unknowns that `flat` (N) was made of, all deviations among those of elastic raceways."""
+def unknowns(values: NDArray, rollers: int, shift: float = 0.0) -> Unknowns:
+    """The unknowns that `flat` (N) was made of, all deviations among those of elastic raceways.
+
+    The axial shift [m] of a ring on ribs is a quantity of its own.
+    """
     border, fields, deviation = np.split(values, [BORDER, BORDER + FIELDS * rollers])
     approach, tilt, inner, outer, spin = fields.reshape(FIELDS, 1, rollers)
     return Unknowns(
@@ -51,6 +54,7 @@ def unknowns(values: NDArray, rollers: int) -> Unknowns:
         film=np.array([inner, outer]),
         spin_drift=spin,
         deviation=np.moveaxis(deviation.reshape(2, rollers, -1), -1, 1)[:, :, None],
+        shift=np.full((1, 1), shift),
     )
 
 
@@ -98,7 +102,7 @@ def neighbouring_state(result: Result, case: Case) -> InitialState | None:
 
 
 def _unknowns(block: Mapping[str, Any]) -> Unknowns:
-    return unknowns(block["unknowns"], block["roller_azimuth"].size)
+    return unknowns(block["unknowns"], block["roller_azimuth"].size, block.get("ring_shift", 0.0))
 
 
 def _of_case(case: Case) -> str:

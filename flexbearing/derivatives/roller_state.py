@@ -23,7 +23,8 @@ from quasidynamic.solve.step_length import SolverOutcome
 
 APART_FROM_RINGS = (  # keys and tables that no ring knows
     "lubricant.", "life.", "bearing.cage.", "bearing.roughness.", "bearing.roller.drop",
-    "bearing.form_error.", "operation.radial_load", "operation.load_direction", "operation.moment",
+    "bearing.form_error.", "bearing.ribs.", "operation.radial_load", "operation.axial_load",
+    "operation.load_direction", "operation.moment",
     "operation.misalignment", "operation.gravity",
 )  # fmt: skip
 

@@ -73,3 +73,33 @@ LIGHT_LOAD_OF_ROLLERS = Finding(
     action="preload the bearing, take a smaller one, or see that it carries load before it turns fast",
 )  # fmt: skip
 LIGHT_LOAD_OF_BALLS = replace(LIGHT_LOAD_OF_ROLLERS, at_least=0.01, source=f"0.01 C_r, {_SKF}")
+
+_SKF_RIBS = "SKF, web catalogue, single row cylindrical roller bearings"
+AXIAL_SHARE = Finding(
+    code="axial-load", label="axial load beside the radial load", quantity="axial_load", at_most=0.5,
+    times="radial_load", grade=DANGER, unit="N", shown="kN",
+    source=f"half of the radial load, rule of a maker: {_SKF_RIBS}",
+    meaning="too few rollers are pressed enough to hold the couple of their ribs; the others tilt and skew",
+    action="lower the axial load, or take a bearing with inclined raceways to locate the shaft",
+)  # fmt: skip
+RIB_STRENGTH = Finding(
+    code="rib-strength", label="axial load, strength of the ribs", quantity="axial_load", at_most=1.0,
+    times="rib_strength", grade=DANGER, unit="N", shown="kN",
+    source=f"0.0023 D^1.7 in kN and mm, rule of a maker: {_SKF_RIBS}",
+    meaning="a load that acts all the time may damage ribs",
+    action="take a larger bearing or a lower axial load",
+)  # fmt: skip
+RIB_STRENGTH_OF_SERIES_2 = replace(
+    RIB_STRENGTH,
+    times="rib_strength_of_series_2",
+    grade=USUAL,
+    source=f"0.0045 D^1.5 in kN and mm for series 2, rule of a maker: {_SKF_RIBS}",
+)
+RIB_HEAT = Finding(
+    code="rib-heat", label="axial load, heat of the ribs", quantity="axial_load", at_most=1.0,
+    times="warm_rib_load", grade=USUAL, unit="N", shown="kN",
+    source=f"k_1 C_0 10^4/(n (d + D)) - k_2 F_r with oil, rule of a maker: {_SKF_RIBS}",
+    meaning="friction of the ribs heats the bearing beyond 60 K above its surroundings unless oil cools it",
+    action="cool the bearing by circulating oil, or lower axial load or speed",
+)  # fmt: skip
+RIBS = (AXIAL_SHARE, RIB_STRENGTH, RIB_STRENGTH_OF_SERIES_2, RIB_HEAT)

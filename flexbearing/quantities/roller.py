@@ -65,6 +65,7 @@ from flexbearing.quantities.units import (
 _DEVIATION = "positive outward, without form error, local indentation and rigid translation"
 _DEVIATIONS = ("inner_deviation", "outer_deviation")
 _FLANGED = "absent without [bearing.flange]"
+_THRUST = "absent without operation.axial_load"
 _NOT_IN_SERIES = "absent where bearing and supports in series are not total_stiffness within 2 %"
 _NO_BARS = "absent without bars"
 _ONE_ROW = "absent of one row"
@@ -74,8 +75,9 @@ _PRESSURE = (
     'most loaded roller with bearing.contact = "half_space"'
 )
 _SLICED = 'absent without bearing.contact = "half_space"'
-LOSSES = ("sliding", "rolling", "drag", "pocket", "land", "churning", "transport")
+LOSSES = ("sliding", "rolling", "drag", "pocket", "land", "churning", "ribs", "transport")
 SKEW = "skew"  # section of the page
+RIBS = "ribs"  # section of the page
 CONTACT = "contact"  # section of the page
 _PRESSURES = ("inner_pressure", "outer_pressure")
 
@@ -218,8 +220,9 @@ QUANTITIES = (
             SummaryValue("stiffness_matrix_SI"),
         )),
     Quantity("compliance_matrix", "K^-1", "displacement force", "m/N, m/(N m), rad/N, rad/(N m)", "block",
-        "its inverse; infinite along x, where a bearing without flanges carries nothing", infinite=True,
-        source="end.with_supports.compliance", summary=(SummaryValue("compliance_matrix_SI"),)),
+        "its inverse; infinite along x, which it leaves out also of rings on ribs, see axial_stiffness",
+        infinite=True, source="end.with_supports.compliance",
+        summary=(SummaryValue("compliance_matrix_SI"),)),
     Quantity("load_direction", "", "", "rad", "block", "azimuth that the radial load points to", people=DEG),
     Quantity("ring_displacement", "delta", "transverse", "m", "state",
         "displacement (y, z) of the inner ring against the outer one at mid-roller, from the concentric "
@@ -463,6 +466,10 @@ QUANTITIES = (
     Quantity("loss_churning", "", "", "W", "block", "power lost by churning around the spinning rollers",
         source="losses.churning",
         summary=(SummaryValue("power_loss_W.churning", label="  churning", digits=",.2f"),)),
+    Quantity("loss_ribs", "", "", "W", "block",
+        "power lost by friction of the rollers' ends on ribs that thrust presses; skew between guide flanges "
+        "has its own, flange_power", source="losses.ribs",
+        summary=(SummaryValue("power_loss_W.ribs", label="  ribs", digits=",.2f"),)),
     Quantity("loss_transport", "", "", "W", "block",
         "discretisation residual, no loss: what the differences of the roller spins from azimuth to azimuth "
         "leave; may be negative", source="losses.transport",
@@ -475,6 +482,43 @@ QUANTITIES = (
     Quantity("driving_power", "", "", "W", "block",
         "power that the rings put in: the sum of all losses and of the discretisation residual",
         summary=(SummaryValue("driving_power_W", label="driving power", digits=",.2f"),)),
+
+    # thrust on ribs
+    Quantity("axial_load", "F_a", "", "N", "block", f"axial load on the inner ring, along x; {_THRUST}",
+        source="state.axial_load", optional=True),
+    Quantity("ring_shift", "x", "", "m", "block",
+        "displacement of the inner ring along x by which ribs and rollers give way, without the play of the "
+        f"rollers between the ribs; {_THRUST}", source="state.ring_shift", people=UM, optional=True,
+        summary=(SummaryValue("ribs.ring_shift_um", label="axial displacement of the ring", digits=".2f",
+                              section=RIBS),)),
+    Quantity("axial_stiffness", "k_x", "", "N/m", "block",
+        f"axial tangent stiffness of the ring on ribs and rollers; {_THRUST}", source="state.axial_stiffness",
+        people=KN_PER_MM, optional=True,
+        summary=(SummaryValue("ribs.axial_stiffness_N_per_m", label="axial stiffness", digits=",.1f",
+                              in_si=True, section=RIBS),)),
+    Quantity("rib_thrust", "P", "Z", "N", "block",
+        "force of the rib of the inner ring on the roller, positive along x; the same acts on the rib "
+        f"of the outer ring; {_THRUST}", source="state.rib_thrust", optional=True,
+        summary=(
+            SummaryValue("ribs.max_rib_load_N", largest_size, "largest rib load", ",.1f", section=RIBS),
+            SummaryValue("ribs.rib_thrusts_N"),
+        )),
+    Quantity("rib_pressure", "p_f", "race Z", "Pa", "block",
+        f"peak pressure of the roller's end on the rib of each ring; {_THRUST}", source="state.rib_pressure",
+        people=MPA, optional=True,
+        summary=(SummaryValue("ribs.rib_pressure_MPa", largest, "largest rib pressure", ",.0f", parts=RACES,
+                              section=RIBS),)),
+    Quantity("rib_sliding", "u_f", "race Z", "m/s", "block",
+        f"speed of the rib of each ring over the roller's end, positive to +azimuth; {_THRUST}",
+        source="state.rib_sliding", optional=True,
+        summary=(SummaryValue("ribs.rib_sliding_m_per_s", largest_size, "fastest sliding on a rib", ".3g",
+                              parts=RACES, section=RIBS),)),
+    Quantity("rib_friction", "F_f", "race Z", "N", "block",
+        f"friction of the rib of each ring on the roller's end, positive to +azimuth; {_THRUST}",
+        source="state.rib_friction", optional=True),
+    Quantity("rib_radii", "r_f", "race", "m", "block",
+        f"distance of the rib contact of each ring from the axis of the bearing; {_THRUST}",
+        source="state.rib_radii", people=MM, optional=True),
 
     # skew between guide flanges
     Quantity("roller_skew", "psi", "Z", "rad", "block",

@@ -8,7 +8,7 @@ from rich.text import Text
 
 from flexbearing.findings.words import of_note
 from flexbearing.quantities.attributes import GRADES
-from flexbearing.quantities.roller import CONTACT, SKEW
+from flexbearing.quantities.roller import CONTACT, RIBS, SKEW
 from flexbearing.report.catalogue_life import against_catalogue
 from flexbearing.report.html import lives, origin, others, rings, subjects
 from flexbearing.report.html.document import Number, Table
@@ -60,6 +60,7 @@ def _tables(reader: Reader) -> Iterator[tuple[str, Table | None]]:
     yield "lines that hold the outer ring", rings.lines(reader)
     yield "foundation of the outer ring", rings.foundation(reader)
     yield "radial forces on the outer ring", rings.carried(reader)
+    yield "thrust on the ribs", subjects.numbers(reader, RIBS)
     skewed = subjects.numbers(reader, SKEW)
     yield "roller skew between guide flanges; without effect on loads and speeds", skewed
     yield "operating clearance, diametral, step by step", rings.steps(reader)

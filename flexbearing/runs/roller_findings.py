@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from flexbearing.case.roller.consistency import bore_diameter, outside_diameter
 from flexbearing.findings import Record, declared, evaluate, records
 from flexbearing.findings.load_limits import BARS
 from flexbearing.findings.row import in_rows
@@ -15,6 +16,7 @@ from flexbearing.runs import judged
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic import Equilibrium, OutOfRange
 from quasidynamic.contact.film.roughness import MIXED_FROM
+from quasidynamic.outcome.axial_capacity import rib_strength, rib_strength_of_series_2, warm_rib_load
 from quasidynamic.outcome.neglected import tilting_share
 from quasidynamic.outcome.rating_life import ROLLERS
 
@@ -60,10 +62,36 @@ def values_of_dangers(rows: SolvedRows) -> dict[str, Any]:
         **judged.lives(
             np.array(lives) / MREV, rows.relative_speed, (case.life.required for case in rows.cases)
         ),
+        **_thrust(rows),
         "neglected": {"gyroscopic moment of the rollers": _gyroscopic(rows)},
         "rated_viscosity_ratio": np.array([each.rated_kappa for each in rows.rated], dtype=float),
         **rated_bearing.rating_changes([each.given for each in rows.rated]),
         **(_stress_of_bars(rows) if limited else {}),
+    }
+
+
+def _thrust(rows: SolvedRows) -> dict[str, Any]:
+    """Axial load on ribs, and what a maker permits of it [N]; not a number where the case lacks a size."""
+    states = rows.states
+    if states.axial_load is None:
+        return {}
+    radial = np.hypot(*states.applied_load.T)
+    sizes = [
+        (
+            bore_diameter(case.bearing, case.inner),
+            outside_diameter(case.bearing, case.outer),
+            own.static_or_none,
+        )
+        for case, own in zip(rows.cases, rows.rated, strict=True)
+    ]
+    bore, outside, static = np.array(sizes, dtype=float).T
+    width = [model.bearing.roller.length for model in rows.models]
+    return {
+        "axial_load": np.abs(states.axial_load),
+        "radial_load": radial,
+        "rib_strength": rib_strength(outside),
+        "rib_strength_of_series_2": rib_strength_of_series_2(outside),
+        "warm_rib_load": warm_rib_load(static, rows.relative_speed, bore, outside, width, radial),
     }
 
 

@@ -41,7 +41,7 @@ class GridPoints:
         Raises `OutOfRange` where not the same equations hold at all points.
         """
         kinds, numbers = kinds_and_numbers(bearings)
-        if len(kinds) > 1:
+        if len(kinds) > 1 or len({each.operation.on_ribs for each in bearings}) > 1:
             raise OutOfRange("not the same equations hold at all points: more than numbers differs")
         rigid = deviation is None and compliance[0] is compliance[1] is None
         tilts = any(bearing.operation.tilts for bearing in bearings)

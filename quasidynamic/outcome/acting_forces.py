@@ -105,6 +105,7 @@ class Losses:
     pocket: Any  # friction of the rollers in the pockets
     land: Any  # of the cage on its guide
     churning: Any  # of the mixture between the spinning rollers and the cage
+    ribs: Any  # of the ends of the rollers on ribs
     transport: Any  # of spin from azimuth to azimuth: not heat but discretisation residual
 
     @property

@@ -9,9 +9,10 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.floating_cage import FloatingCage
 from quasidynamic.balance.rollers.roller import RollerState
-from quasidynamic.balance.rollers.unknowns import CAGE, INNER, OUTER, TILT_Z, Unknowns
+from quasidynamic.balance.rollers.unknowns import CAGE, INNER, OUTER, SHIFT, TILT_Z, Unknowns
 from quasidynamic.contact.cage import displacement_in_pocket, land_torque
 from quasidynamic.contact.line import Slices, palmgren, peak_pressure
+from quasidynamic.contact.rib import rib_pressure
 from quasidynamic.contact.traction.film_strip import friction_intensity
 from quasidynamic.outcome.acting_forces import ActingForces, Losses
 from quasidynamic.outcome.life import basic_life, raceway_lives, turning_share
@@ -23,6 +24,7 @@ from quasidynamic.outcome.ring_stiffness import (
     free_to_tilt,
     raceway_forces_by_load,
 )
+from quasidynamic.solve.rollers import bordered_system
 
 LOADED = 3e-4  # of the largest load of a raceway: contacts above it carry load and have a film worth telling
 
@@ -184,6 +186,67 @@ class BearingStates:
         points = self.balance.points
         return np.arctan2(points.load_y, points.load_z)[:, 0]
 
+    # -- ribs ----------------------------------------------------------------------------------
+
+    @property
+    def ring_shift(self) -> NDArray | None:
+        """Displacement of the inner ring along x (C) [m], its play left out; None without thrust on ribs."""
+        return self.unknowns.shift[:, 0] if self.balance.layout.ribs else None
+
+    @property
+    def axial_stiffness(self) -> NDArray | None:
+        """Axial load per shift of the ring (C) [N/m], everything else following; None without thrust."""
+        if not self.balance.layout.ribs:
+            return None
+        load = np.zeros((*self.scaled.shape, 1))
+        load[:, SHIFT, 0] = -1.0 / self.balance.scales.residual[:, SHIFT]
+        change = bordered_system.solve(self.balance, self.system, load)[:, SHIFT, 0]
+        return 1.0 / (change * self.balance.scales.unknown[:, SHIFT])
+
+    @property
+    def axial_load(self) -> NDArray | None:
+        """Axial load on the inner ring (C) [N]; None without thrust on ribs."""
+        return self.balance.points.axial_load[:, 0] if self.balance.layout.ribs else None
+
+    @property
+    def rib_radii(self) -> NDArray | None:
+        """Radii (C, 2) of the contacts on the ribs [m]; None without thrust on ribs."""
+        if not self.balance.layout.ribs:
+            return None
+        bearing, cases = self.balance.roller.bearing, len(self.scaled)
+        each = (bearing.pitch_diameter / 2 + level for level in bearing.rib_levels)
+        return np.stack([np.broadcast_to(np.ravel(radius), cases) for radius in each], axis=1)
+
+    @property
+    def rib_thrust(self) -> NDArray | None:
+        """Force of the inner ring's rib on each roller along x (C, Z) [N], handed on to the outer ring's."""
+        return None if self.rollers.ribs is None else self.rollers.ribs.thrust
+
+    @property
+    def rib_sliding(self) -> NDArray | None:
+        """Ribs over the ends of the rollers (C, 2, Z) [m/s], along the motion."""
+        return None if self.rollers.ribs is None else self.rollers.ribs.sliding.swapaxes(0, 1)
+
+    @property
+    def rib_friction(self) -> NDArray | None:
+        """Friction of the ribs on the rollers (C, 2, Z) [N], along the motion."""
+        return None if self.rollers.ribs is None else self.rollers.ribs.friction.swapaxes(0, 1)
+
+    @property
+    def rib_heat(self) -> NDArray | None:
+        """Heat of the ends of the rollers on the ribs (C, 2, Z) [W]."""
+        ribs = self.rollers.ribs
+        return None if ribs is None else (ribs.friction * ribs.sliding).swapaxes(0, 1)
+
+    @property
+    def rib_pressure(self) -> NDArray | None:
+        """Peak pressure of the contacts on the ribs (C, 2, Z) [Pa]."""
+        roller, ribs = self.balance.roller, self.balance.roller.bearing.ribs
+        if self.rib_thrust is None or ribs is None:
+            return None
+        load = np.abs(self.rib_thrust)
+        return np.stack([rib_pressure(load, 1 / ribs.end_radius, each) for each in roller.rib_moduli], axis=1)
+
     # -- forces --------------------------------------------------------------------------------
 
     @property
@@ -228,14 +291,17 @@ class BearingStates:
         if self.balance.roller.axial_modes == 1:
             return np.zeros((len(self.scaled), 2))
         kinematics, inner = self.balance.kinematics, self.rollers.contact.force[INNER, :, None]
-        moments = kinematics.tilted(self._along_inner[None], inner)
-        return -np.stack([moment[0].sum(-1) for moment in moments], axis=-1)
+        moments = np.array(kinematics.tilted(self._along_inner[None], inner))[:, 0]
+        if self.rollers.ribs is not None and kinematics.ribs is not None:
+            moments = moments + kinematics.ribs.radius * kinematics.outwards[::-1] * self.rollers.ribs.thrust
+        return -moments.sum(-1).T
 
     @property
     def _along_inner(self) -> NDArray:
         """Force of the inner raceway on the rollers along their motion (C, Z) [N]."""
         pressure = 1 - 2 * self.balance.roller.bearing.diameter_ratio  # of the inlet, against its shear
-        return self.traction[:, INNER] + pressure * self.rolling_shear[:, INNER]
+        along = self.traction[:, INNER] + pressure * self.rolling_shear[:, INNER]
+        return along if self.rib_friction is None else along + self.rib_friction[:, INNER]
 
     @property
     def roller_row(self) -> NDArray | None:
@@ -324,7 +390,7 @@ class BearingStates:
         """Torque that turns the inner ring (C) [N m], with that of the land if it guides the cage."""
         bearing = self.balance.roller.bearing
         force = (self.traction + self.rolling_shear)[:, INNER]
-        torque = (bearing.inner_radius * force).sum(-1)
+        torque = (bearing.inner_radius * force).sum(-1) + self._rib_torque(INNER)
         return torque + self.land_torque if bearing.cage.guidance == "inner" else torque
 
     @property
@@ -332,8 +398,13 @@ class BearingStates:
         """Torque that turns or holds the outer ring (C) [N m], positive along the motion of the cage."""
         bearing = self.balance.roller.bearing
         force = (self.traction - self.rolling_shear)[:, OUTER]
-        torque = (bearing.outer_radius * force).sum(-1)
+        torque = (bearing.outer_radius * force).sum(-1) + self._rib_torque(OUTER)
         return torque + self.land_torque if bearing.cage.guidance == "outer" else torque
+
+    def _rib_torque(self, race: int) -> NDArray | float:
+        """What the rib of a ring adds to its torque (C) [N m]."""
+        radii, friction = self.rib_radii, self.rib_friction
+        return 0.0 if radii is None or friction is None else radii[:, race] * friction[:, race].sum(-1)
 
     @property
     def transport(self) -> NDArray:
@@ -354,6 +425,7 @@ class BearingStates:
             land=self.land_torque * self._land_speed[:, 0],
             churning=(rollers.churning * spin).sum(-1),
             transport=(self.transport * spin).sum(-1),
+            ribs=0.0 * self.cage_speed if self.rib_heat is None else self.rib_heat.sum((1, 2)),
         )
 
     @property

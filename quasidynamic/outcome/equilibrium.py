@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.roller import RollerState
-from quasidynamic.balance.rollers.unknowns import BORDER, TILT_Z, Unknowns, Y, Z
+from quasidynamic.balance.rollers.unknowns import CAGE, SHIFT, TILT_Z, Unknowns, Y, Z
 from quasidynamic.outcome.bearing_states import BearingStates
 from quasidynamic.solve.rollers.newton import bounded, step
 from quasidynamic.solve.step_length import SolverOutcome
@@ -61,10 +61,10 @@ class Equilibrium:
         """Largest force [N] and largest moment [N m] that are not balanced."""
         residual = np.abs(self.system.residual * self.balance.scales.residual)[0]
         first, spin = self.balance.layout.field(0), self.balance.layout.field(-1)
-        moments = [residual[TILT_Z:BORDER], residual[spin]]
+        moments = [residual[TILT_Z : CAGE + 1], residual[spin]]
         if self.balance.roller.axial_modes > 1:
             moments.append(residual[self.balance.layout.field(1)])
-        forces = [residual[[Y, Z]], residual[first]]
+        forces = [residual[[Y, Z]], residual[SHIFT : self.balance.layout.border], residual[first]]
         return float(np.concatenate(forces).max()), float(np.concatenate(moments).max())
 
     def failure(self) -> str:

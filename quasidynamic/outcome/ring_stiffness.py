@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
-from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, TILT_Z, Y, Z
+from quasidynamic.balance.rollers.unknowns import CAGE, TILT_Z, Y, Z
 from quasidynamic.solve.rollers import bordered_system
 
 RING = (Y, Z, TILT_Z, TILT_Z + 1)  # the ring's places among the unknowns
@@ -40,7 +40,7 @@ class Tangent:
     def compliance(self) -> NDArray:
         """Tangent compliance (..., 5, 5): x, y, z [m], tilts about y and z [rad] per N and N m.
 
-        Infinite along x, where a bearing without flanges carries nothing.
+        Infinite along x, which is left out: without thrust on ribs nothing resists there.
         """
         matrix = np.zeros((*self.held.shape, 5, 5))
         matrix[..., 0, 0] = np.inf
@@ -121,7 +121,7 @@ def raceway_forces_by_load(balance: BearingBalance, system: Linearisation, chang
     E elastic raceways, in their order.
     """
     layout, (cases, _, loads) = balance.layout, change.shape
-    first = layout.per_roller + BORDER  # row of the forces
+    first = layout.per_roller + layout.border  # row of the forces
     scaled = bordered_system.rows_by(balance, system, change / balance.scales.unknown[..., None])[first:]
     forces = scaled * balance.scales.row[first:, None, :, None]
     shape = (-1, layout.axial_modes, loads, cases, layout.rollers)

@@ -45,6 +45,22 @@ class Flange:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Ribs:
+    """A rib of each ring, at opposite ends of the rollers, and the ends that thrust presses on them."""
+
+    inner_height: float  # [m] of the contact on the rib of the inner ring, above its raceway
+    outer_height: float  # [m] the same of the outer ring
+    end_radius: float  # [m] of a sphere on a flat, curved as end and rib together
+    friction: float  # [-] Coulomb, of the ends on the ribs
+
+    def __post_init__(self):
+        for name in ("inner_height", "outer_height", "end_radius"):
+            require_positive(f"ribs.{name}", getattr(self, name))
+        if not 0.0 <= self.friction < float("inf"):
+            raise ImpossiblePart(f"ribs.friction = {self.friction!r} must be finite and >= 0")
+
+
+@dataclass(frozen=True, kw_only=True)
 class Cage:
     """A cage that spaces the rollers and is guided by the land of a ring or by the rollers."""
 
@@ -144,6 +160,7 @@ class CylindricalRollerBearing:
     inner_profile: Profile = STRAIGHT  # of the raceways along the rollers
     outer_profile: Profile = STRAIGHT
     rows: tuple[RollerRow, ...] = ONE_ROW
+    ribs: Ribs | None = None
 
     def __post_init__(self):
         require_positive("bearing.outer_raceway_diameter", self.outer_raceway_diameter)
@@ -153,6 +170,11 @@ class CylindricalRollerBearing:
             raise ImpossiblePart(f"{self.rollers} rollers do not fit on the pitch circle")
         self._require_rows_apart()
         self._require_like_rollers()
+        if self.ribs is not None and self.rib_distance <= 0:
+            raise ImpossiblePart(
+                f"ribs of {1e3 * self.ribs.inner_height:.4g} mm and {1e3 * self.ribs.outer_height:.4g} mm "
+                f"meet at a roller of {1e3 * self.roller.diameter:.4g} mm diameter"
+            )
         for race, radius in (("inner", self.inner_radius), ("outer", self.outer_radius)):
             waves = getattr(self, f"{race}_waves")
             if waves is not None:
@@ -198,6 +220,19 @@ class CylindricalRollerBearing:
     def outer_radius(self) -> float:
         """Outer raceway radius [m]."""
         return self.outer_raceway_diameter / 2
+
+    @property
+    def rib_levels(self) -> tuple[float, float]:
+        """Contacts on the ribs of inner and outer ring, outwards from the middle of the roller [m]."""
+        assert self.ribs is not None  # or nothing would be pressed on them
+        radius = self.roller.diameter / 2
+        return self.ribs.inner_height - radius, radius - self.ribs.outer_height
+
+    @property
+    def rib_distance(self) -> float:
+        """Radial distance h of both contacts of a roller on ribs, the lever of their couple [m]."""
+        inner, outer = self.rib_levels
+        return outer - inner
 
     @property
     def row_count(self) -> int:
@@ -299,6 +334,7 @@ class Operation:
     moment: float = 0.0  # [N m] on the inner ring, tilts it in the plane of `tilt_direction`
     misalignment: float = 0.0  # [rad] slope of a ring that may not tilt freely, in the same plane
     tilt_direction: float = 0.0  # [rad] from the load to the plane in which moment and misalignment tilt
+    axial_load: float = 0.0  # [N] on the inner ring, along x: its rib at the other end presses the rollers
     free_tilt: bool = False  # whether the inner ring may tilt against the outer one
     gravity: float = GRAVITY  # [m/s2] across the axis: 0 where the shaft stands upright
     gravity_direction: float = 0.0  # [rad] azimuth that weights point to
@@ -324,5 +360,10 @@ class Operation:
 
     @property
     def tilts(self) -> bool:
-        """Whether the rings stand at an angle to each other between raceways of no shape of their own."""
-        return bool(np.any(self.moment) or np.any(self.misalignment))
+        """Whether rings at an angle, or ribs, tilt the rollers between raceways of no shape of their own."""
+        return bool(np.any(self.moment) or np.any(self.misalignment)) or self.on_ribs
+
+    @property
+    def on_ribs(self) -> bool:
+        """Whether thrust presses the rollers on ribs."""
+        return bool(np.any(self.axial_load))

@@ -29,6 +29,7 @@ DIRECT = (  # tables and keys that are read where they are used, without a model
     "outputs.catalogue_life", "coupling.", "accuracy.target", "accuracy.structure",
     "accuracy.threads", "accuracy.harmonics", "rolling_lines.", "fields.", "friction.torque",
     "friction.model", "friction.cells", "operation.mode",
+    "bearing.ribs.outside_diameter", "bearing.ribs.bore",
     "operation.roller_positions", "operation.contact_loads", "operation.speed", "bearing.inner.shoulder",
     "bearing.outer.shoulder", "operation.oscillation",
 )  # fmt: skip

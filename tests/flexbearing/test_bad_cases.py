@@ -120,7 +120,7 @@ def test_good_case_is_good(tmp_path):
 
 
 MISPLACED = {  # a key that another table has
-    "[bearing] bore = ": "Did you mean [bearing.fits] bore or [inner] bore?",
+    "[bearing] bore = ": "Did you mean [bearing.fits] bore or [bearing.ribs] bore or [inner] bore?",
     "[bearing] diameter = ": "Did you mean [bearing.fits.housing] diameter or [bearing.roller] diameter?",
     "[operation] misalignmentt = ": "Did you mean misalignment?",
     "[outer] land_diameter = ": "Did you mean [bearing.cage] land_diameter?",

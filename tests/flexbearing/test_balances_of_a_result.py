@@ -20,8 +20,19 @@ FLANGED = (
     "bearing.flange.stiffness=100 N/um",
     "bearing.flange.friction=0.05",
 )
+RIBS = (
+    "bearing.ribs.inner_height=1.5 mm",
+    "bearing.ribs.outer_height=1.2 mm",
+    "bearing.ribs.end_radius=500 mm",
+    "bearing.ribs.friction=0.05",
+)
 CASES = {
     "ordinary": (NU209, ()),
+    "thrust": (NU209, (*RIBS, "operation.axial_load=1 kN", "operation.misalignment=1 arcmin")),
+    "thrust reversed, ring and cage free": (
+        NU209,
+        (*RIBS, "operation.axial_load=-1 kN", "operation.tilt=free", "operation.outer_speed=-500 rpm"),
+    ),
     "fast": (PAPER, RIGID),
     "misaligned": (NU209, ("operation.misalignment=2 arcmin",)),
     "moment": (NU209, ("operation.tilt=free", "operation.moment=20 N m")),
@@ -81,7 +92,7 @@ def test_power_put_in_by_the_rings_is_the_sum_of_the_losses(result):
     block, speeds = result.rigid, result.attributes["case_si"]["operation"]
     power = block["driving_torque"] * speeds["inner_speed"] + block["outer_torque"] * speeds["outer_speed"]
     assert power == approx(float(block["driving_power"]), rel=1e-12)
-    losses = ("sliding", "rolling", "drag", "pocket", "land", "churning", "transport")
+    losses = ("sliding", "rolling", "drag", "pocket", "land", "churning", "ribs", "transport")
     assert sum(float(block[f"loss_{cause}"]) for cause in losses) == approx(float(power), rel=1e-8)
 
 

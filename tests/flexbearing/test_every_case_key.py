@@ -193,6 +193,9 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
     "flange": ("nu209", {**_HEAT, "bearing.flange": {
         "ring": "outer", "clearance": "30 um", "height": "2 mm", "roller_chamfer": "0.4 mm",
         "stiffness": "100 N/um", "friction": 0.05}}),
+    "ribs": ("nu209", {**_HEAT, "operation.axial_load": "500 N", "bearing.ribs": {
+        "inner_height": "1.5 mm", "outer_height": "1.2 mm", "end_radius": "500 mm", "friction": 0.05,
+        "outside_diameter": "85 mm", "bore": "45 mm"}}),
     "rated": ("nu209", {"life.lubrication": "a_ISO", "life.cleanliness": "grease, high cleanliness",
                         "life.capacity": "iso281", "bearing.roughness": {
         "roller": "0.05 um", "inner_raceway": "0.1 um", "outer_raceway": "0.1 um"}}),

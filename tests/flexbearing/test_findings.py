@@ -41,6 +41,10 @@ STRESSED = (
 )  # fmt: skip
 RATED = ("catalogue/nj2210.toml", "bearing.roller.length=12 mm")
 RATED_BALLS = ("catalogue/6208.toml", "bearing.balls=8")
+THRUST = (
+    *ROLLERS, "operation.axial_load=-500 N", "bearing.ribs.inner_height=1.5 mm",
+    "bearing.ribs.outer_height=1.2 mm", "bearing.ribs.end_radius=500 mm", "bearing.ribs.friction=0.05",
+)  # fmt: skip
 OF_RATINGS = ("rating-above-formula", "rating-below-formula", "changed-rating")
 FLEXIBLE = ("yield-stress", "stiffness-not-in-series")  # which rigid rings do not have
 LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the number
@@ -50,6 +54,10 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
     ("yield-stress", DANGER, "yield_stress"): 1.0,
     ("heavy-load", OUTSIDE, "dynamic_rating"): 0.5,  # ISO 281
     ("heavy-load", OUTSIDE, "static_rating"): 1.0,  # ISO 281, of balls
+    ("axial-load", DANGER, "radial_load"): 0.5,  # SKF
+    ("rib-strength", DANGER, "rib_strength"): 1.0,
+    ("rib-strength", USUAL, "rib_strength_of_series_2"): 1.0,
+    ("rib-heat", USUAL, "warm_rib_load"): 1.0,
     ("short-life", DANGER, ""): 3600.0,
     ("rating-above-formula", USUAL, ""): 1.15,
     ("rating-below-formula", USUAL, ""): 1 / 1.15,
@@ -77,11 +85,13 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
 QJ = ("joshi2015_qj309.toml", "operation.speed=10000 rpm", "operation.load.axial=2 kN")
 BASES = {"static_pressure": rating_life.ROLLERS, "dynamic_rating": 7e4, "static_rating": 6e4,
          "yield_stress": 9e8, "friction": 0.1, "mixed_film_ratio": MIXED_FROM,
-         "required_life": 7.2e7, "limiting_speed": 900.0, "reference_speed": 800.0}  # fmt: skip
+         "required_life": 7.2e7, "radial_load": 4e3, "rib_strength": 5e3, "rib_strength_of_series_2": 4e3,
+         "warm_rib_load": 1e3, "limiting_speed": 900.0, "reference_speed": 800.0}  # fmt: skip
 OTHER_BALLS = {"preload": DEEP, "yield-stress": STRESSED}
 CASES = [
     *((number, "OF_ROLLERS",
-       BARS if each.code in FLEXIBLE else RATED if each.code in OF_RATINGS else ROLLERS)
+       BARS if each.code in FLEXIBLE else RATED if each.code in OF_RATINGS
+       else THRUST if each in declared.RIBS else ROLLERS)
       for number, each in enumerate(declared.OF_ROLLERS)),
     *((number, "OF_BALLS",
        OTHER_BALLS.get(each.code, RATED_BALLS if each.code in OF_RATINGS else BALLS))

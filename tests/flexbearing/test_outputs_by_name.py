@@ -28,7 +28,7 @@ LISTS = {  # what the summary holds one by one for rollers, balls or directions
         "roller_loads_N", "outer_loads_N", "roller_azimuths_deg", "stiffness_matrix_SI",
         "compliance_matrix_SI",
         "lambda_ratios", "skew.roller_skew_mrad", "skew.skew_moments_Nm", "skew.roller_thrusts_N",
-        "skew.flange_forces_N", *PROBES,
+        "skew.flange_forces_N", "ribs.rib_thrusts_N", *PROBES,
     },
     "four_point_ball": {
         "max_contact_loads_N", "contact_loads_N", "ball_azimuths_deg", "contact_angles_deg",

@@ -22,7 +22,16 @@ from flexbearing.results import Result
 ROLLERS, SLICES = 30, 4
 PITCH = 2 * np.pi / ROLLERS
 AZIMUTH = PITCH * np.arange(ROLLERS)
-LOSSES = {"sliding": 10, "rolling": 50, "drag": 9, "pocket": 3, "land": 2, "churning": 4, "transport": -1}
+LOSSES = {
+    "sliding": 10,
+    "rolling": 50,
+    "drag": 9,
+    "pocket": 3,
+    "land": 2,
+    "churning": 3,
+    "ribs": 1,
+    "transport": -1,
+}
 SLICE_POSITION = np.array([-1.5e-3, -0.5e-3, 0.5e-3, 1.5e-3])
 
 

@@ -10,7 +10,7 @@ from quasidynamic import RollerRow
 from quasidynamic.columns import side_by_side
 from quasidynamic.solve.rollers import bordered_system, elastic_system
 from quasidynamic.solve.start import static_start
-from tests.bearings import eyring, paper_bearing
+from tests.bearings import RIBS, eyring, paper_bearing
 
 RIGID = (False, False)
 ROWS = (RollerRow(axial=-5e-3), RollerRow(axial=4e-3, clearance=5e-6, azimuth=0.1))
@@ -37,6 +37,17 @@ CASES = {
     "starved": ({"inlet_length": 0.3}, RIGID),
     "unlike rows, tilt free": ({"rows": ROWS, "moment": 60.0, "tilt_direction": 1.0}, RIGID),
     "rows between elastic raceways": ({"rows": ROWS, "rollers": 9, "moment": 60.0}, (True, True)),
+    "on ribs": ({"axial_load": 3000.0, "ribs": RIBS}, RIGID),
+    "on ribs, tilt free, thrust reversed": (
+        {"axial_load": -3000.0, "ribs": RIBS, "moment": 20.0, "cage": {"free": True}},
+        RIGID,
+    ),
+    "on ribs, elastic": ({"axial_load": 3000.0, "ribs": RIBS, "axial_modes": 3}, (True, True)),
+    "on ribs, inner raceway elastic": (
+        {"axial_load": 3000.0, "ribs": RIBS, "moment": 20.0},
+        (True, False),
+    ),
+    "on ribs, outer raceway elastic": ({"axial_load": 3000.0, "ribs": RIBS}, (False, True)),
     "backwards, inner guided": (
         {"speed": -2000.0, "cage": {"guidance": "inner", "land_diameter": 65.4e-3}},
         RIGID,

@@ -12,7 +12,8 @@ from tests.bearings import RPM, paper_bearing
 def leaves(part, path=""):
     """Arrays of nested named tuples, with where they stand."""
     if not isinstance(part, tuple):
-        yield path, np.asarray(part)
+        if part is not None:
+            yield path, np.asarray(part)
         return
     for name, inside in zip(part._fields, part, strict=True):
         yield from leaves(inside, f"{path}.{name}")

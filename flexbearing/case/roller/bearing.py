@@ -48,6 +48,40 @@ class Flange(Section):
         return self
 
 
+class Ribs(Section):
+    """Ribs of both rings at opposite ends of the rollers, which carry operation.axial_load: NJ, NUP, NF."""
+
+    inner_height: Length = key(
+        "height above the inner raceway of the point where a roller's end touches the rib of the inner ring, "
+        "about the middle between its chamfer and the edge of the rib",
+        example="1.5 mm",
+        gt=0,
+    )
+    outer_height: Length = key(
+        "the same above the outer raceway, of the rib of the outer ring", example="1.5 mm", gt=0
+    )
+    end_radius: Length = key(
+        "radius of a sphere on a flat that is curved as roller end and rib are together where they touch",
+        example="500 mm",
+        ge=1e-4,
+        le=1e3,
+    )
+    friction: float = key("Coulomb friction of the ends on the ribs", example=0.05, ge=0, le=1)
+    outside_diameter: Length | None = key(
+        "outside diameter of the bearing, for the axial loads that a maker permits; left out where "
+        "[bearing.fits] or outer.thickness gives it",
+        None,
+        example="85 mm",
+        gt=0,
+    )
+    bore: Length | None = key(
+        "bore of the bearing, for the same; left out where [bearing.fits] or inner.bore gives it",
+        None,
+        example="45 mm",
+        gt=0,
+    )
+
+
 class FormError(Section):
     """Raceways that are not round, and rollers that are not alike."""
 
@@ -207,6 +241,7 @@ class Bearing(Section):
     cage: Cage = key("the cage")
     roughness: Roughness | None = key("roughness of rollers and raceways, for film ratios", None)
     flange: Flange | None = key("guide flanges of one ring, for the skew of the rollers", None)
+    ribs: Ribs | None = key("ribs that carry an axial load, one of each ring", None)
     form_error: FormError | None = key(
         "form errors: raceways that are not round, rollers that are not alike", None
     )
@@ -310,6 +345,11 @@ class Bearing(Section):
         if self.flange and self.flange.height >= self.roller.diameter / 2:
             most = in_mm(self.roller.diameter / 2)
             raise impossible("flange.height", f"below {most}, half of bearing.roller.diameter")
+        if self.ribs and self.ribs.inner_height + self.ribs.outer_height >= self.roller.diameter:
+            most = in_mm(self.roller.diameter - self.ribs.inner_height)
+            raise impossible(
+                "ribs.outer_height", f"below {most}: contacts on both ribs within bearing.roller.diameter"
+            )
         gap = pi * pitch / self.rollers - self.roller.diameter
         if self.cage.pocket_clearance is not None and 2 * self.cage.pocket_clearance >= gap:
             allowed = f"below {in_mm(gap / 2)}, or no bar is left between neighbouring pockets"

@@ -135,17 +135,42 @@ def _require_outside(bearing: Bearing, fits: Fits, outer: Outer) -> None:
         raise impossible("bearing.fits.housing.diameter", allowed)
 
 
+def require_sizes_once(bearing: Bearing, inner: Inner, outer: Outer) -> None:
+    """Raise where [bearing.ribs] repeats a diameter that rings or fits give, or one is no ring's."""
+    ribs, raceway = bearing.ribs, bearing.outer_raceway_diameter
+    if ribs is None:
+        return
+    for name, given, elsewhere in (
+        ("bore", ribs.bore, inner.kind != "rigid" or bool(bearing.fits and bearing.fits.bore)),
+        (
+            "outside_diameter",
+            ribs.outside_diameter,
+            outer.kind != "rigid" or bool(bearing.fits and bearing.fits.outer_diameter),
+        ),
+    ):
+        if given is not None and elsewhere:
+            raise impossible(f"bearing.ribs.{name}", "left out: rings or [bearing.fits] give it")
+    if ribs.outside_diameter is not None and ribs.outside_diameter <= raceway:
+        allowed = f"above {in_mm(raceway)}, bearing.outer_raceway_diameter"
+        raise impossible("bearing.ribs.outside_diameter", allowed)
+    if ribs.bore is not None and ribs.bore >= raceway - 2 * bearing.roller.diameter:
+        allowed = f"below {in_mm(raceway - 2 * bearing.roller.diameter)}, the inner raceway"
+        raise impossible("bearing.ribs.bore", allowed)
+
+
 def bore_diameter(bearing: Bearing, inner: Inner) -> float | None:
     """Nominal bore of the inner ring [m]; None where the case does not give it."""
     if inner.kind != "rigid":
         return inner.bore
-    return bearing.fits.bore if bearing.fits else None
+    of_ribs = bearing.ribs.bore if bearing.ribs else None
+    return bearing.fits.bore if bearing.fits and bearing.fits.bore else of_ribs
 
 
 def outside_diameter(bearing: Bearing, outer: Outer) -> float | None:
     """Nominal outside diameter of the outer ring [m]; None where the case does not give it."""
     if outer.kind == "rigid":
-        return bearing.fits.outer_diameter if bearing.fits else None
+        of_ribs = bearing.ribs.outside_diameter if bearing.ribs else None
+        return bearing.fits.outer_diameter if bearing.fits and bearing.fits.outer_diameter else of_ribs
     return bearing.outer_raceway_diameter + 2 * (outer.thickness or 0.0)
 
 

@@ -16,6 +16,7 @@ from flexbearing.case.roller.consistency import (
     require_known,
     require_mounting,
     require_rows,
+    require_sizes_once,
     require_solids,
 )
 from flexbearing.case.roller.lubricant import Lubricant
@@ -195,6 +196,25 @@ class Case(Head):
     def _rated_load(self) -> Self:
         if self.life.loads == "rating" and not self.operation.radial_load > 0:
             raise impossible("operation.radial_load", 'above 0 N for life.loads = "rating"')
+        return self
+
+    @model_validator(mode="after")
+    def _thrust_is_carried(self) -> Self:
+        require_sizes_once(self.bearing, self.inner, self.outer)
+        if not self.operation.axial_load:
+            return self
+        choice = "an operation.axial_load other than 0 N"
+        if self.bearing.ribs is None:
+            raise needed(["bearing.ribs"], choice)
+        if not self.operation.radial_load > 0:
+            raise impossible("operation.radial_load", f"above 0 N for {choice}: rollers on ribs need one")
+        if self.accuracy.axial_shapes < 2:
+            raise impossible("accuracy.axial_shapes", f"2 or more for {choice}, which tilts the rollers")
+        if self.bearing.contact == "half_space":
+            raise impossible("bearing.contact", f'"slices" for {choice}')
+        for name in ("second_row", "flange"):
+            if getattr(self.bearing, name) is not None:
+                raise impossible(f"bearing.{name}", f"left out for {choice}")
         return self
 
     @model_validator(mode="after")

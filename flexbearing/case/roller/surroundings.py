@@ -125,6 +125,11 @@ class Operation(Section):
     """Load and speed."""
 
     radial_load: Force = key("radial load on the inner ring", ge=0)
+    axial_load: Force = key(
+        "axial load on the inner ring, positive along x; other than 0 with [bearing.ribs] and a radial load",
+        "0 N",
+        example="500 N",
+    )
     load_direction: Angle = key("azimuth that the radial load points to, from z towards y", "0 deg")
     inner_speed: Speed = key("speed of the inner ring")
     outer_speed: Speed = key(

@@ -105,7 +105,7 @@ def rigid(reader: Reader) -> Iterator[Item]:
 
 _INPUTS = 2  # inputs that are named
 _OPERATION = {  # keys of [operation] to words
-    "radial_load": "radial load", "moment": "moment", "load.axial": "axial load",
+    "radial_load": "radial load", "axial_load": "axial load", "moment": "moment", "load.axial": "axial load",
     "load.radial_y": "radial load along y", "load.radial_z": "radial load along z",
     "load.moment_y": "moment about y", "load.moment_z": "moment about z",
     "displacement.axial": "axial displacement", "displacement.radial_y": "displacement along y",

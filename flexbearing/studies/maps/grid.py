@@ -27,7 +27,7 @@ from quasidynamic import ImpossiblePart, NotSolved, OutOfRange, RollerBearing
 from quasidynamic.maps.points import GridPoints
 
 # Keys that neither parts nor lubrication nor rings depend on.
-LOADS = ("operation.radial_load", "operation.moment", "operation.misalignment")
+LOADS = ("operation.radial_load", "operation.axial_load", "operation.moment", "operation.misalignment")
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.floating_cage import FloatingCage, floating_cage
-from quasidynamic.balance.rollers.kinematics import ApproachKinematics, SpinTransport, spin_transport
+from quasidynamic.balance.rollers.kinematics import (
+    ApproachKinematics,
+    RibLevers,
+    SpinTransport,
+    spin_transport,
+)
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.balance.rollers.roller import (
     POCKET_STANDSTILL,
@@ -21,10 +26,10 @@ from quasidynamic.balance.rollers.roller import (
 )
 from quasidynamic.balance.rollers.unknowns import (
     ANGLE,
-    BORDER,
     CAGE,
     OUTER,
     OUTWARD,
+    SHIFT,
     TILT_Y,
     TILT_Z,
     Scales,
@@ -34,6 +39,7 @@ from quasidynamic.balance.rollers.unknowns import (
     Z,
 )
 from quasidynamic.contact.cage import land_torque
+from quasidynamic.contact.rib import EXPONENT as RIB_EXPONENT
 
 
 class Linearisation(NamedTuple):
@@ -41,13 +47,13 @@ class Linearisation(NamedTuple):
 
     Columns of `table[row, column]` (.., C, Z) are the unknowns of a roller, the last of them its spin, then
     those of the border, which are ring and cage, and the deviations that act on it at this roller. Rows are
-    the balances of the roller, its part in the five balances of the border, and its forces on elastic
+    the balances of the roller, its part in the B balances of the border, and its forces on elastic
     raceways.
     """
 
     residual: NDArray  # (C, N)
     table: NDArray  # (rows, columns, C, Z)
-    border: NDArray  # (C, 5, 5) border balances by border unknowns, without any roller
+    border: NDArray  # (C, B, B) border balances by border unknowns, without any roller
     before: NDArray  # (C, 1) balance of spin by the spin of the roller before
     after: NDArray  # (C, 1) the same for the roller after
     loading: NDArray  # (C) largest roller load over the reference force, at least 1
@@ -97,6 +103,7 @@ class BearingBalance:
             axial_modes=self.roller.axial_modes,
             elastic_raceways=races,
             rows=self.roller.bearing.row_count,
+            ribs=self.roller.on_ribs,
         )
 
     @cached_property
@@ -113,7 +120,15 @@ class BearingBalance:
             azimuths=bearing.azimuths,
             half_length=self.roller.raceways.slices.length / 2,
             stations=bearing.stations,
+            ribs=self._rib_levers,
         )
+
+    @property
+    def _rib_levers(self) -> RibLevers | None:
+        bearing, ribs = self.roller.bearing, self.roller.bearing.ribs
+        if not self.layout.ribs or ribs is None:
+            return None
+        return RibLevers(radius=bearing.inner_radius + ribs.inner_height, distance=bearing.rib_distance)
 
     @cached_property
     def weight(self) -> NDArray:
@@ -161,11 +176,22 @@ class BearingBalance:
         reach = np.hypot(points.slope_y, points.slope_z) * from_middle
         return (idle & (2 * reach <= bearing.clearances)).all(axis=1)
 
+    @cached_property
+    def even_shift(self) -> NDArray:
+        """Shift of the ring (C, 1) [m] at which untilted rollers share the axial load evenly."""
+        thrust = self.points.axial_load
+        if not self.layout.ribs:
+            return np.zeros_like(thrust)
+        each = np.abs(thrust) / self.layout.rollers / self.roller.rib_stiffness
+        return np.sign(thrust) * each ** (1 / RIB_EXPONENT)
+
     # -- approaches and speeds -----------------------------------------------------------------
 
     def inputs(self, x: Unknowns) -> RollerInputs:
         """Inputs of the rollers."""
-        return RollerInputs(self.approach(x), x.film, self.motion(x.cage_drift, x.spin_drift), self.weight)
+        closing = self.kinematics.closing(x, self._deviation(x)) if self.layout.ribs else None
+        motion = self.motion(x.cage_drift, x.spin_drift)
+        return RollerInputs(self.approach(x), x.film, motion, self.weight, closing)
 
     def approach(self, x: Unknowns) -> NDArray:
         """Approaches of the rollers by axial modes (2, M, C, Z) at inner and outer raceway [m].
@@ -173,13 +199,17 @@ class BearingBalance:
         Outward deviations move the raceways towards (inner) or away from them.
         """
         approach = self.kinematics.approach(x, self.roller.bearing.clearances)
-        if self.layout.elastic_raceways or self.deviation is not None:
-            deviation = x.deviation
-            if self.deviation is not None:
-                given = self.deviation.reshape(-1, *self.deviation.shape[-3:])  # one, or one for each case
-                deviation = deviation + given.transpose(1, 3, 0, 2)
+        deviation = self._deviation(x)
+        if deviation is not None:
             self.kinematics.deviate(approach, deviation)
         return approach
+
+    def _deviation(self, x: Unknowns) -> NDArray | None:
+        """Outward deviations (2, M, C, Z) [m] of both raceways, given and by forces; None of even ones."""
+        if self.deviation is None:
+            return x.deviation if self.layout.elastic_raceways else None
+        given = self.deviation.reshape(-1, *self.deviation.shape[-3:])  # one, or one for each case
+        return x.deviation + given.transpose(1, 3, 0, 2)
 
     def speeds(self, x: Unknowns) -> tuple[NDArray, NDArray]:
         """Spins (C, Z) and cage speed (C, 1) [rad/s]."""
@@ -213,9 +243,9 @@ class BearingBalance:
         table[ring - 1, ring + CAGE] -= transport.by_cage
         cage_speed = self.rolling_cage + x.cage_drift
         border, border_by = self._border(x.ring[TILT_Z:CAGE, :, 0], cage_speed, floating)
-        border += values[ring : ring + BORDER].sum(-1)
+        border += values[ring : ring + self.layout.border].sum(-1)
         residual = [border.T, values[:ring].transpose(1, 0, 2).reshape(len(scaled), -1)]
-        residual += self._misfits(x, values[ring + BORDER :])
+        residual += self._misfits(x, values[ring + self.layout.border :])
         table *= scales.table
         return Linearisation(
             residual=np.concatenate(residual, axis=1) / scales.residual,
@@ -224,7 +254,7 @@ class BearingBalance:
             before=transport.by_before * scales.spin,
             after=transport.by_after * scales.spin,
             loading=np.maximum(1.0, response.state.contact.force[OUTER, 0].max(-1) / scales.force[:, 0]),
-            cage_speed=np.abs(cage_speed / scales.unknown[:, CAGE:BORDER])[:, 0],
+            cage_speed=np.abs(cage_speed / scales.unknown[:, [CAGE]])[:, 0],
             response=response,
         )
 
@@ -256,7 +286,7 @@ class BearingBalance:
     def _border(
         self, slopes: NDArray, cage_speed: NDArray, floating: FloatingCage | None
     ) -> tuple[NDArray, NDArray]:
-        """Loads from outside on ring and cage (5, C), their derivatives by the border (C, 5, 5).
+        """Loads from outside on ring and cage (B, C), their derivatives by the border (C, B, B).
 
         The ring has slopes (2, C), the cage its speed (C, 1).
         """
@@ -277,15 +307,16 @@ class BearingBalance:
 
     @cached_property
     def _outside(self) -> tuple[NDArray, NDArray]:
-        """Stiffness that holds the tilts (C, 5, 5), and the loads on the ring (5, C)."""
-        points, ring = self.points, self.layout.per_roller
-        load, stiffness = np.zeros((BORDER, len(points))), np.zeros((len(points), BORDER, BORDER))
+        """Stiffness that holds the tilts (C, B, B), and the loads on the ring (B, C)."""
+        points, ring, border = self.points, self.layout.per_roller, self.layout.border
+        load, stiffness = np.zeros((border, len(points))), np.zeros((len(points), border, border))
         # Any stiffness holds a tilt at its given value; this one has the size of the other rows.
         # Aligned rollers hold a ring straight that nothing tilts.
         free = points.free_tilt[:, 0] & (self.roller.axial_modes > 1)
         held = np.where(free, 0.0, self.scales.row[ring + TILT_Z] / ANGLE)
         stiffness[:, TILT_Z, TILT_Z] = stiffness[:, TILT_Y, TILT_Y] = held
         load[Y], load[Z] = points.load_y[:, 0], points.load_z[:, 0]
+        load[SHIFT:] = points.axial_load[:, 0]
         # A ring that tilts freely has no given slope, one that is held no moment.
         load[TILT_Z] = points.moment_z[:, 0] - held * points.slope_z[:, 0]
         load[TILT_Y] = points.moment_y[:, 0] - held * points.slope_y[:, 0]

@@ -2,19 +2,21 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.contact.line.load_law import LoadLaw, gap_rounding, raceway_coefficients, smooth_positive
 from quasidynamic.contact.line.slices import Slices
-from quasidynamic.parts.tapered_bearing import TaperedRollerBearing
+from quasidynamic.contact.rib import EXPONENT as RIB_EXPONENT
+
+if TYPE_CHECKING:
+    from quasidynamic.parts.tapered_bearing import TaperedRollerBearing
 
 INNER, OUTER, RIB = 0, 1, 2
 HELD = 5  # displacements of a ring: x, y, z, and turns about y and z times the pitch radius
 SECTION = 3  # those of a section: along the axis, outwards, turn times half of the roller's length
-RIB_EXPONENT = 1.5
 
 
 class InclinedState(NamedTuple):
@@ -54,16 +56,18 @@ class InclinedRollers:
     slices: Slices
     drops: NDArray  # (2, 1 or Z, K) [m] with the shape of elastic raceways
     normals: NDArray  # (3, 3) of inner and outer raceway and rib: unit displacements to their approaches [-]
-    gap: float  # [m] at the inner raceway
+    gap: float | NDArray  # [m] at the inner raceway, one or that of every roller (Z, 1)
     rib_stiffness: float  # [N/m^1.5]
     radius: float  # [-] of the rollers, normal to their raceways, over half of their length
     sections: NDArray  # (Z, 3, 5) displacements of a section of the inner ring by those of the ring [-]
     shifts: NDArray  # (Z, 3) [m] of the sections where the ring is at zero: rows that are closer
-    dead: NDArray  # (3) [N] on every roller: axial, outwards, moment over half the length
+    dead: NDArray  # (3) or (Z, 3) [N] on every roller: axial, outwards, moment over half the length
     rib_drop: NDArray | float = 0.0  # (Z) [m] by which an elastic ring takes its rib away
+    opposite: NDArray | None = None  # (3) of a rib of the outer ring at the other end, as of `normals` [-]
+    opposite_stiffness: float = 0.0  # [N/m^1.5] of that rib
 
     @classmethod
-    def of(cls, bearing: TaperedRollerBearing, slices: Slices, dead: NDArray) -> "InclinedRollers":
+    def of(cls, bearing: "TaperedRollerBearing", slices: Slices, dead: NDArray) -> "InclinedRollers":
         """Build from a bearing and the centrifugal force and gyroscopic moment on its rollers."""
         half = bearing.roller.length / 2
         cone, cup, rib = bearing.cone_angle, bearing.cup_angle, bearing.rib
@@ -83,7 +87,18 @@ class InclinedRollers:
             gap=bearing.clearance / 2 * np.cos(cone),
             rib_stiffness=rib.stiffness,
             radius=bearing.roller.diameter / np.cos(bearing.taper) / bearing.roller.length,
-            sections=np.concatenate([_sections(bearing, half, row) for row in range(len(bearing.rows))]),
+            sections=np.concatenate(
+                [
+                    sections_of_row(
+                        bearing.azimuths[: bearing.rollers],
+                        bearing.pitch_diameter / 2,
+                        half,
+                        -side,
+                        row.axial,
+                    )
+                    for side, row in zip(bearing.sides, bearing.rows, strict=True)
+                ]
+            ),
             shifts=_shifts(bearing),
             dead=dead,
         )
@@ -145,7 +160,7 @@ class InclinedRollers:
     def closed(self, ring: NDArray, rollers: NDArray) -> NDArray:
         """Largest approach of each roller to the inner raceway (Z) [m], negative in a gap."""
         mean_and_turn = (rollers - self.section(ring)) @ self.levers[INNER].T
-        return (mean_and_turn @ self._modes.T - self.drops[INNER]).max(1) - self.gap
+        return (mean_and_turn @ self._modes.T - self.drops[INNER]).max(1) - np.ravel(self.gap)
 
     def at(self, ring: NDArray, rollers: NDArray) -> InclinedState:
         """Evaluate every slice and the rib."""
@@ -155,12 +170,13 @@ class InclinedRollers:
         load, slope = self.law(approach)
         on = load @ self.slices.weights @ self.levers
         by = (slope @ self.slices.products @ self._pairs).reshape(2, len(rollers), SECTION, SECTION)
-        closed, root = smooth_positive(moved[INNER] @ self.normals[RIB] - self.rib_drop, self.law.rounding)
-        rib = self.rib_stiffness * closed**RIB_EXPONENT
-        towards = self.normals[RIB]
-        inner = on[INNER] + rib[:, None] * towards
-        rib_slope = RIB_EXPONENT * rib / root
-        inner_by = by[INNER] + rib_slope[:, None, None] * np.outer(towards, towards)
+        closed = moved[INNER] @ self.normals[RIB] - self.rib_drop
+        rib, rib_slope = self._rib(closed, self.rib_stiffness)
+        inner, inner_by = _with_rib(on[INNER], by[INNER], rib, rib_slope, self.normals[RIB])
+        outer, outer_by = on[OUTER], by[OUTER]
+        if self.opposite is not None:
+            other = self._rib(moved[OUTER] @ self.opposite, self.opposite_stiffness)
+            outer, outer_by = _with_rib(outer, outer_by, *other, self.opposite)
         return InclinedState(
             ring=ring,
             rollers=rollers,
@@ -168,28 +184,40 @@ class InclinedRollers:
             slice_slope=slope,
             rib_load=rib,
             rib_slope=rib_slope,
-            excess=self.dead - inner - on[OUTER],
+            excess=self.dead - inner - outer,
             on_ring=inner,
-            stiffness=inner_by + by[OUTER],
+            stiffness=inner_by + outer_by,
             by_ring=inner_by,
         )
 
+    def _rib(self, closed: NDArray, stiffness: float) -> tuple[NDArray, NDArray]:
+        """Load (Z) [N] of a rib and its slope [N/m] at an approach (Z) [m]."""
+        positive, root = smooth_positive(closed, self.law.rounding)
+        load = stiffness * positive**RIB_EXPONENT
+        return load, RIB_EXPONENT * load / root
 
-def _sections(bearing: TaperedRollerBearing, half: float, row: int) -> NDArray:
+
+def _with_rib(
+    on: NDArray, by: NDArray, load: NDArray, slope: NDArray, towards: NDArray
+) -> tuple[NDArray, NDArray]:
+    """Forces on a ring (Z, 3) and their slopes (Z, 3, 3) with those of its rib."""
+    return on + load[:, None] * towards, by + slope[:, None, None] * np.outer(towards, towards)
+
+
+def sections_of_row(azimuths: NDArray, pitch: float, half: float, rib: float, place: float = 0.0) -> NDArray:
     """Displacements of the sections of a row (Z, 3, 5) to the rib, outwards, turned times `half`, by a ring.
 
-    Those of the ring are x, y, z and the turns about y and z times the pitch radius.
+    Those of the ring are x, y, z and the turns about y and z times the pitch radius; `rib` is the side (+1 or
+    -1) of the inner ring's, `place` [m] that of the row along the axis.
     """
-    azimuths, pitch = bearing.azimuths[: bearing.rollers], bearing.pitch_diameter / 2
-    sin, cos, zero = np.sin(azimuths), np.cos(azimuths), np.zeros(bearing.rollers)
-    rib, place = -bearing.sides[row], bearing.rows[row].axial / pitch
+    sin, cos, zero, place = np.sin(azimuths), np.cos(azimuths), np.zeros(len(azimuths)), place / pitch
     along = rib * np.array([zero + 1, zero, zero, cos, -sin])
     outwards = np.array([zero, sin, cos, -place * cos, place * sin])
     turned = rib * half / pitch * np.array([zero, zero, zero, -cos, sin])
     return np.stack([along, outwards, turned]).transpose(2, 0, 1)
 
 
-def _shifts(bearing: TaperedRollerBearing) -> NDArray:
+def _shifts(bearing: "TaperedRollerBearing") -> NDArray:
     """Displacement of the sections of all rollers (Z, 3) [m] by which rows are closer, away from the rib."""
     closer = np.repeat([row.closer for row in bearing.rows], bearing.rollers)
     return np.stack([-closer, 0 * closer, 0 * closer], axis=1)

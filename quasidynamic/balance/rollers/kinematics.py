@@ -7,12 +7,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quasidynamic.balance.rollers.roller import CAGE_SPEED, FILM_I, SPIN, VALUE
+from quasidynamic.balance.rollers.roller import CAGE_SPEED, FILM_I, RIB, SPIN, VALUE
 from quasidynamic.balance.rollers.unknowns import (
-    BORDER,
     CAGE,
     INNER,
     OUTER,
+    SHIFT,
     TILT_Y,
     TILT_Z,
     UnknownLayout,
@@ -25,6 +25,14 @@ CREEP = 1e-4  # of the spin in pure rolling: cage speed below which it hardly mo
 
 
 @dataclass(frozen=True, kw_only=True)
+class RibLevers:
+    """Where thrust acts on rollers and rings [m]."""
+
+    radius: NDArray | float  # of the contact on the rib of the inner ring, from the axis of the bearing
+    distance: NDArray | float  # h, radially between both contacts of a roller
+
+
+@dataclass(frozen=True, kw_only=True)
 class ApproachKinematics:
     """Approaches by the displacements of ring and raceways, and its transpose: loads by contact forces."""
 
@@ -32,6 +40,7 @@ class ApproachKinematics:
     azimuths: NDArray  # (Z) or (C, Z) [rad] from axis z towards axis y
     half_length: NDArray | float  # (C, 1) [m] of the rollers
     stations: NDArray | None = None  # (Z) or (C, Z) [m] places of their middles along the axis; None: zero
+    ribs: RibLevers | None = None
 
     @cached_property
     def outwards(self) -> NDArray:
@@ -57,6 +66,29 @@ class ApproachKinematics:
             approach[OUTER, 1] = x.tilt
         return approach
 
+    def closing(self, x: Unknowns, deviation: NDArray | None) -> NDArray:
+        r"""How far both ribs close on the rollers (C, Z) [m], along x and without sign of the thrust.
+
+        .. math:: e_j = x - r_f \vartheta_j - h \theta_j
+
+        with the shift x of the inner ring, its slope at the roller, the radius r_f of the contact on its rib,
+        and the tilt of the roller between contacts that are h apart. Play at the ends is part of x;
+        `deviation` (2, M, C, Z) [m] is that of `deviate`, None of even raceways.
+
+        Source
+        ------
+        Geometry, small angles; the axial place of the roller, which both contacts share, is eliminated.
+
+        Valid
+        -----
+        Ribs stay where rigid rings would have them: elastic rings move raceways alone.
+        """
+        levers, (sin, cos), (slope_z, slope_y) = self.ribs, self.outwards, x.ring[TILT_Z:]
+        assert levers is not None  # or nothing would be pressed on ribs
+        tilt = x.tilt if deviation is None else x.tilt + deviation[OUTER, 1]
+        turned = levers.radius * (slope_z * cos + slope_y * sin)
+        return x.shift - turned - levers.distance / self.half_length * tilt
+
     @staticmethod
     def deviate(approach: NDArray, deviation: NDArray) -> None:
         """Add outward deviations of the raceways to the approaches, both (2, M, C, Z), in place.
@@ -80,14 +112,14 @@ class ApproachKinematics:
         combinations = np.eye(m * len(layout.elastic_raceways))
         if len(layout.elastic_raceways) < 2:
             return combinations
-        against = np.arange(min(m, 2))
+        against = np.arange(layout.relative_modes)
         combinations[against, m + against] = -1.0
         return np.delete(combinations, m + against, axis=0)
 
     def columns(self, gradient: NDArray) -> NDArray:
         """Derivatives by the unknowns (rows, columns, C, Z) from those by a roller's inputs."""
         m, ring = self.layout.axial_modes, self.layout.per_roller  # where ring and cage begin in the table
-        columns = ring + BORDER + self.layout.felt
+        columns = ring + self.layout.border + self.layout.felt
         table = np.zeros((len(gradient), columns, *gradient.shape[2:]))
         inner, outer = gradient[:, :m], gradient[:, m : 2 * m]
         spin, cage, film = gradient[:, SPIN], gradient[:, CAGE_SPEED], gradient[:, FILM_I:VALUE]
@@ -104,15 +136,29 @@ class ApproachKinematics:
             if self.stations is not None:
                 table[:, ring + TILT_Z] += self.stations * cos * inner[:, 0]
                 table[:, ring + TILT_Y] += self.stations * sin * inner[:, 0]
+        if self.ribs is not None:
+            closing, (sin, cos) = gradient[:, RIB], self.outwards
+            table[:, 1] -= self.ribs.distance / self.half_length * closing
+            table[:, ring + TILT_Z] -= self.ribs.radius * cos * closing
+            table[:, ring + TILT_Y] -= self.ribs.radius * sin * closing
+            table[:, ring + SHIFT] = closing
         if self.layout.elastic_raceways:
-            table[:, ring + BORDER :] = self._by_felt(inner, outer)
+            table[:, ring + self.layout.border :] = self._by_felt(inner, outer, gradient[:, RIB])
         return table
 
-    def _by_felt(self, inner: NDArray, outer: NDArray) -> NDArray:
-        """Derivatives (rows, felt, C, Z) by felt deviations from those by the approaches (rows, M, C, Z)."""
-        first = inner if INNER in self.layout.elastic_raceways else -inner[:, :2]
-        waviness = [-outer[:, 2:]] if OUTER in self.layout.elastic_raceways else []
-        return np.concatenate([first, *waviness], axis=1)
+    def _by_felt(self, inner: NDArray, outer: NDArray, closing: NDArray) -> NDArray:
+        """Derivatives (rows, felt, C, Z) by felt deviations.
+
+        From those by the approaches (rows, M, C, Z), and by how far ribs close (rows, C, Z) if there are any.
+        """
+        by_outer = np.concatenate([-inner[:, :2], -outer[:, 2:]], axis=1)
+        if self.ribs is not None:
+            by_outer[:, 1] -= self.ribs.distance / self.half_length * closing
+        if INNER not in self.layout.elastic_raceways:
+            return by_outer
+        if OUTER not in self.layout.elastic_raceways:
+            return inner
+        return np.concatenate([inner, by_outer[:, self.layout.relative_modes :]], axis=1)
 
     def rows(self, response: NDArray, free_tilt: NDArray) -> NDArray:
         """Rows of the table from those of a roller's response (rows, inputs + 1, C, Z).
@@ -123,16 +169,22 @@ class ApproachKinematics:
         cage, tangential = response[ring], response[ring + 1]
         first = len(response) - 2 * m  # row of the forces conjugate to the axial modes
         inner = response[first : first + m]
-        rows = np.zeros((ring + BORDER + m * len(self.layout.elastic_raceways), *response.shape[1:]))
+        border = self.layout.border
+        rows = np.zeros((ring + border + m * len(self.layout.elastic_raceways), *response.shape[1:]))
         rows[:ring] = response[:ring]
         rows[ring + Y : ring + Z + 1] = self.pushed(tangential, inner[0])
         if m > 1:
             moment_z, moment_y = self.tilted(tangential, inner)
+            if self.ribs is not None:
+                thrust, (sin, cos) = response[first - 1], self.outwards
+                moment_z = moment_z + self.ribs.radius * cos * thrust
+                moment_y = moment_y + self.ribs.radius * sin * thrust
+                rows[ring + SHIFT] = -thrust
             rows[ring + TILT_Z], rows[ring + TILT_Y] = free_tilt * moment_z, free_tilt * moment_y
         rows[ring + CAGE] = cage
         for place, race in enumerate(self.layout.elastic_raceways):
             start = first + race * m
-            rows[ring + BORDER + place * m : ring + BORDER + (place + 1) * m] = response[start : start + m]
+            rows[ring + border + place * m : ring + border + (place + 1) * m] = response[start : start + m]
         return rows
 
     def pushed(self, along: NDArray, outward: NDArray) -> NDArray:

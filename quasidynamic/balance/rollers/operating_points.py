@@ -21,6 +21,7 @@ class OperatingPoints:
     slope_z: NDArray  # [rad] dz/dx of a ring that may not tilt freely
     slope_y: NDArray  # [rad] dy/dx
     free_tilt: NDArray  # whether it may
+    axial_load: NDArray  # [N] on the inner ring, along x
     inner_speed: NDArray  # [rad/s]
     outer_speed: NDArray  # [rad/s]
     gravity_y: NDArray  # [m/s2]
@@ -45,6 +46,7 @@ class OperatingPoints:
             slope_z=column(operation.misalignment * tilt_cos),
             slope_y=column(operation.misalignment * tilt_sin),
             free_tilt=np.full((cases, 1), operation.free_tilt),
+            axial_load=column(operation.axial_load),
             inner_speed=column(operation.inner_speed),
             outer_speed=column(operation.outer_speed),
             gravity_y=column(gravity * np.sin(down)),

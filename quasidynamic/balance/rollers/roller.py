@@ -10,16 +10,21 @@ from numpy.typing import NDArray
 from quasidynamic.balance.rollers.operating_points import OperatingPoints
 from quasidynamic.columns import stacked, taken
 from quasidynamic.contact.drag import churning_torque, orbit_drag_force
+from quasidynamic.contact.line.load_law import smooth_positive
 from quasidynamic.contact.lubrication import Lubrication
 from quasidynamic.contact.raceways import Raceways, RacewayState
+from quasidynamic.contact.rib import EXPONENT, in_series, rib_stiffness
+from quasidynamic.parts.material import contact_modulus
 from quasidynamic.parts.roller_bearing import CylindricalRollerBearing
 
 POCKET_ROUNDING = 1e-3  # of the smallest load of a roller: width over which the pocket force changes side
 STANDSTILL = 1e-5  # of nominal speeds: below it surfaces are at rest
 POCKET_STANDSTILL = 1e-3  # of the spin in pure rolling: below it friction in the pocket has no full sense
 
+RIB_CREEP = 0.1  # of its sliding in pure rolling: below it friction of a rib has no full sense; assumed
+
 # Places among a roller's inputs and its value, and among its forces, counted from the end.
-SPIN, CAGE_SPEED, FILM_I, FILM_O, VALUE = range(-5, 0)
+RIB, SPIN, CAGE_SPEED, FILM_I, FILM_O, VALUE = range(-6, 0)  # the first one of rollers on ribs alone
 OUTWARD, BACKWARD, CHURNING, POCKET_UP, POCKET_BRAKE = range(-5, 0)
 
 
@@ -33,6 +38,14 @@ class Motion(NamedTuple):
     standstill_spin: NDArray  # (C, 1) below it a roller is at rest [rad/s]
 
 
+class RibState(NamedTuple):
+    """Ends of the rollers on ribs; those of the inner ring first."""
+
+    thrust: NDArray  # (C, Z) force of the inner ring's rib on the roller along x, through it on the other [N]
+    sliding: NDArray  # (2, C, Z) rib over the roller's end, along the motion [m/s]
+    friction: NDArray  # (2, C, Z) of the rib on the roller, along the motion [N]
+
+
 class RollerInputs(NamedTuple):
     """Approaches, films and motion of the rollers of C cases; M axial modes."""
 
@@ -40,6 +53,7 @@ class RollerInputs(NamedTuple):
     film: NDArray  # (2, C, Z) [m]
     motion: Motion
     weight: NDArray  # (2, C, Z) of the rollers, outwards and along the motion [N]
+    closing: NDArray | None = None  # (C, Z) of both ribs on the rollers [m]; None without
 
 
 class RollerState(NamedTuple):
@@ -56,20 +70,21 @@ class RollerState(NamedTuple):
     sense: NDArray  # (2, C, Z) sign of the mean surface speed, smooth through zero [-]
     pocket_brake: NDArray  # (C, Z) friction of the pocket against the spin, signed like it [N]
     pocket: NDArray  # (2, C, Z) force of the pocket on the roller along the motion and outwards [N]
+    ribs: RibState | None = None  # of rollers that thrust presses on ribs
 
 
 class Response(NamedTuple):
     """Rows of the roller's table: derivatives by its 2 M + 4 inputs, then the value itself.
 
-    The inputs are the M approaches at the inner and at the outer raceway, spin, cage speed, inner and
-    outer film. Keeping value and derivatives side by side lets every equation be written
+    The inputs are the M approaches at the inner and at the outer raceway, how far ribs close, spin, cage
+    speed, inner and outer film. Keeping value and derivatives side by side lets every equation be written
     once: what is a sum of forces is also the sum of their derivatives.
 
     Rows: radial force [N], tilt moment [N m] (with two axial modes or more), film at the inner and the
     outer raceway [m], spin [N m]: these must vanish. Then what acts on the rest of the bearing:
     torque on the cage [N m], tangential force of the inner ring [N], force of the pocket on the roller
-    along the motion and outwards [N] (with a free cage), the M forces conjugate to the axial modes at the
-    inner and at the outer raceway [N].
+    along the motion and outwards [N] (with a free cage), thrust [N] (on ribs), the M forces conjugate to the
+    axial modes at the inner and at the outer raceway [N].
     """
 
     table: NDArray  # (rows, inputs + 1, C, Z)
@@ -87,6 +102,7 @@ class RollerBalance:
     bearing: CylindricalRollerBearing
     raceways: Raceways
     lubrication: Lubrication
+    on_ribs: bool = False  # whether thrust presses the rollers on the ribs of the bearing
 
     def take(self, cases: NDArray) -> "RollerBalance":
         """Equations of some of the cases."""
@@ -109,6 +125,7 @@ class RollerBalance:
             [f"inner {m}" for m in range(self.axial_modes)]
             + [f"outer {m}" for m in range(self.axial_modes)]
             + ["T_i", "T_o", "R_i", "R_o", "film_i", "film_o"]
+            + (["thrust", "rib_i", "rib_o"] if self.on_ribs else [])
             + ["outward", "backward", "churning", "pocket up", "pocket brake"]
         )
 
@@ -116,7 +133,8 @@ class RollerBalance:
     def cage_force(self) -> NDArray:
         """Force of the pocket on the roller (forces) or (forces, C, 1) from the tangential balance [-]."""
         g = self.bearing.diameter_ratio
-        return self._row(backward=1, T_i=-1, T_o=-1, R_i=-(1 - 2 * g), R_o=1 + 2 * g)
+        ribs = dict.fromkeys(("rib_i", "rib_o"), -1) if self.on_ribs else {}
+        return self._row(backward=1, T_i=-1, T_o=-1, R_i=-(1 - 2 * g), R_o=1 + 2 * g, **ribs)
 
     @cached_property
     def levers(self) -> NDArray:
@@ -131,8 +149,15 @@ class RollerBalance:
         spin += self._row(churning=-1)
         cage = -r_m * self.cage_force + self._row(**{"pocket brake": -r_w, "churning": -1})
         tangential = self._row(T_i=1, R_i=1 - 2 * g)
+        thrust = []
+        if self.on_ribs:
+            inner, outer = self.bearing.rib_levels
+            thrust = [self._row(thrust=1)]
+            tilt[0] += self._row(thrust=inner - outer)
+            spin += self._row(rib_i=-inner, rib_o=-outer)
+            tangential += self._row(rib_i=1)
         pocket = [self.cage_force, self._row(**{"pocket up": 1})] if self.bearing.cage.free else []
-        return np.array([radial, *tilt, *films, spin, cage, tangential, *pocket, *contact_forces])
+        return np.array([radial, *tilt, *films, spin, cage, tangential, *pocket, *thrust, *contact_forces])
 
     def _row(self, **weights: NDArray | float) -> NDArray:
         row = np.zeros((len(self.forces), *self._lever_shape))
@@ -150,7 +175,8 @@ class RollerBalance:
         sliding, entrainment, sense = self.surfaces(inputs.motion, points)
         contact = self.raceways.state(inputs.approach, sliding, entrainment, inputs.film)
         forces, centrifugal, drag = self._forces(contact, inputs)
-        friction = forces[2 * self.axial_modes : OUTWARD].reshape(3, 2, *forces.shape[1:])
+        m, ribs = self.axial_modes, self._add_ribs(forces, inputs, points) if self.on_ribs else None
+        friction = forces[2 * m : 2 * m + 6].reshape(3, 2, *forces.shape[1:])
         self._fill_friction(friction, contact, entrainment, sense)
         films = friction[2]  # what the speeds require, less what was assumed
         films[0, FILM_I] = films[1, FILM_O] = -1.0
@@ -170,6 +196,7 @@ class RollerBalance:
                 sense=sense,
                 pocket_brake=forces[POCKET_BRAKE, VALUE],
                 pocket=np.array([cage_force, forces[POCKET_UP, VALUE]]),
+                ribs=ribs,
             ),
         )
 
@@ -211,7 +238,7 @@ class RollerBalance:
             [contact.traction_by_entrainment, sense * rolling.by_entrainment, film.by_entrainment]
         )
         by_rolling[1] += (1 - sense * sense) / entrainment * rolling.force  # the sense changes with the speed
-        by_speeds = friction[:, :, 2 * m : 2 * m + 2]
+        by_speeds = friction[:, :, SPIN:FILM_I]
         np.multiply(by_rolling[:, :, None], by_speed, out=by_speeds)
         sliders = by_speeds[::2]  # traction and film
         sliders += np.array([contact.traction_by_sliding, film.by_sliding])[:, :, None] * by_sliding
@@ -227,7 +254,7 @@ class RollerBalance:
         """
         motion = inputs.motion
         m, shape = self.axial_modes, motion.spin.shape
-        forces = np.zeros((len(self.forces), 2 * m + 5, *shape))
+        forces = np.zeros((len(self.forces), 2 * m + 5 + self.on_ribs, *shape))
         forces[: 2 * m, VALUE] = contact.force.reshape(2 * m, *shape)
         forces[:m, :m], forces[m : 2 * m, m : 2 * m] = contact.force_by_approach
         outward, along = inputs.weight
@@ -243,6 +270,52 @@ class RollerBalance:
                 gap=self.lubrication.churning_gap,
             )
         return forces, centrifugal, drag
+
+    def _add_ribs(self, forces: NDArray, inputs: RollerInputs, points: OperatingPoints) -> RibState:
+        """Fill in thrust and friction of the ends on the ribs of both rings, which it presses alike."""
+        ribs, side = self.bearing.ribs, np.sign(points.axial_load)
+        assert ribs is not None  # or nothing would be pressed on them
+        assert inputs.closing is not None
+        closed, root = smooth_positive(side * inputs.closing, self.raceways.law.rounding)
+        load = self.rib_stiffness * closed**EXPONENT
+        by_closing = EXPONENT * load / root
+        thrust, rib_i, rib_o = forces[2 * self.axial_modes + 6 : OUTWARD]
+        thrust[VALUE], thrust[RIB] = side * load, by_closing
+        motion, slidings, frictions = inputs.motion, [], []
+        for force, level, ring_speed in zip(
+            (rib_i, rib_o), self.bearing.rib_levels, points.ring_speeds, strict=True
+        ):
+            radius = self.bearing.pitch_diameter / 2 + level
+            drift = motion.spin_drift * level - motion.cage_drift * radius
+            sliding = (ring_speed - motion.cage_speed) * radius + motion.spin * level
+            creep = RIB_CREEP * (sliding - drift)
+            size = np.hypot(sliding, creep)
+            share = ribs.friction * sliding / size
+            by_sliding = ribs.friction * load * (creep / size) ** 2 / size
+            force[VALUE], force[RIB] = share * load, side * share * by_closing
+            force[SPIN], force[CAGE_SPEED] = level * by_sliding, -radius * by_sliding
+            slidings.append(sliding)
+            frictions.append(force[VALUE])
+        return RibState(thrust[VALUE], np.array(slidings), np.array(frictions))
+
+    @cached_property
+    def rib_moduli(self) -> tuple[float, float]:
+        """E* of the contacts on the ribs of inner and outer ring [Pa]."""
+        rings = (self.bearing.inner_ring, self.bearing.outer_ring)
+        inner, outer = (contact_modulus(self.bearing.roller.material, ring) / 2 for ring in rings)
+        return inner, outer
+
+    @cached_property
+    def rib_stiffnesses(self) -> tuple[float, float]:
+        """Of these contacts [N/m^1.5]."""
+        assert self.bearing.ribs is not None  # or nothing would be pressed on them
+        radius, (inner, outer) = self.bearing.ribs.end_radius, self.rib_moduli
+        return rib_stiffness(radius, inner), rib_stiffness(radius, outer)
+
+    @cached_property
+    def rib_stiffness(self) -> float:
+        """Of both in series [N/m^1.5]."""
+        return in_series(*self.rib_stiffnesses)
 
     def centrifugal(self, cage_speed: NDArray) -> tuple[NDArray, NDArray]:
         """Centrifugal force of a roller [N], its derivative by the cage speed [N s]."""

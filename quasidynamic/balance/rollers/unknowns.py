@@ -14,9 +14,9 @@ from quasidynamic.motion.roller_speeds import rolling_cage_speed, rolling_roller
 
 INNER, OUTER = 0, 1
 OUTWARD = (-1.0, 1.0)  # sense of the contact force on a raceway: rollers press the inner one inwards
-Y, Z, TILT_Z, TILT_Y, CAGE = range(5)
-BORDER = 5  # unknowns of ring and cage, before those of the rollers
-CASE_AXES = (1, 0, 0, 0, 1, 0, 2)  # of the fields of `Unknowns`
+Y, Z, TILT_Z, TILT_Y, CAGE, SHIFT = range(6)
+BORDER = 5  # unknowns of ring and cage, before those of the rollers; one more of a ring on ribs
+CASE_AXES = (1, 0, 0, 0, 1, 0, 2, 0)  # of the fields of `Unknowns`
 FRICTION = 1e-2  # usual size of friction over load
 LENGTH = 2e-4  # of the roller's diameter: size of approaches and displacements
 ANGLE = 1e-3  # [rad]
@@ -37,6 +37,7 @@ class Unknowns(NamedTuple):
     film: NDArray  # (2, C, Z) [m]
     spin_drift: NDArray  # (C, Z) spin less that of pure rolling [rad/s]
     deviation: NDArray  # (2, M, C, Z) outward, of elastic raceways [m]
+    shift: NDArray  # (C, 1) of the ring along the axis [m], zero where no rib is pressed
 
     def take(self, cases: NDArray) -> "Unknowns":
         """Unknowns of some of the cases."""
@@ -54,16 +55,22 @@ class Unknowns(NamedTuple):
 class UnknownLayout:
     """Order of the N unknowns of a case.
 
-    Ring displacement y, z; ring slopes dz/dx, dy/dx; cage drift; then field by field over the rollers
-    the approach at the outer raceway, the tilt approach there unless rollers are aligned, inner and
-    outer film and the spin drift; then the axial modes of every elastic raceway's deviation, roller by
-    roller.
+    Ring displacement y, z; ring slopes dz/dx, dy/dx; cage drift; on ribs the shift of the ring along the
+    axis; then field by field over the rollers the approach at the outer raceway, the tilt approach there
+    unless rollers are aligned, inner and outer film and the spin drift; then the axial modes of every elastic
+    raceway's deviation, roller by roller.
     """
 
     rollers: int  # Z, of all rows
     axial_modes: int  # M, axial modes
     elastic_raceways: tuple[int, ...] = ()  # by index
     rows: int = 1  # of rollers, one after the other
+    ribs: bool = False  # whether the rollers press ribs
+
+    @cached_property
+    def border(self) -> int:
+        """Number B of the unknowns of ring and cage, before those of the rollers."""
+        return BORDER + self.ribs
 
     @cached_property
     def per_roller(self) -> int:
@@ -73,7 +80,7 @@ class UnknownLayout:
     @cached_property
     def fields_end(self) -> int:
         """Number of unknowns before the deviations."""
-        return BORDER + self.rollers * self.per_roller
+        return self.border + self.rollers * self.per_roller
 
     @cached_property
     def size(self) -> int:
@@ -87,24 +94,32 @@ class UnknownLayout:
         Between two elastic raceways height and tilt of the one against the other, and the waviness of both.
         """
         both = len(self.elastic_raceways) > 1
-        return self.axial_modes * len(self.elastic_raceways) - both * min(self.axial_modes, 2)
+        return self.axial_modes * len(self.elastic_raceways) - both * self.relative_modes
+
+    @cached_property
+    def relative_modes(self) -> int:
+        """Number of modes in which raceways count against each other only; on ribs not the tilt."""
+        return 1 if self.ribs else min(self.axial_modes, 2)
 
     def field(self, which: int) -> slice:
         """Place of a roller's unknown (0 approach, ..., -1 spin) among the unknowns of a case."""
-        start = BORDER + which % self.per_roller * self.rollers
+        start = self.border + which % self.per_roller * self.rollers
         return slice(start, start + self.rollers)
 
     @cached_property
     def displacements(self) -> NDArray:
         """Places of the unknowns that are displacements of rings, rollers and raceways."""
-        rollers = np.arange(BORDER, BORDER + self.rollers * (self.per_roller - 3))
-        return np.concatenate([[Y, Z], rollers, np.arange(self.fields_end, self.size)])
+        rollers = self.border + np.arange(self.rollers * (self.per_roller - 3))
+        ring = [Y, Z, *range(SHIFT, self.border)]
+        return np.concatenate([ring, rollers, np.arange(self.fields_end, self.size)])
 
     def split(self, x: NDArray) -> Unknowns:
         """Unknowns by name from a row (C, N), in SI units."""
         cases, m = len(x), self.axial_modes
         fields = (
-            x[:, BORDER : self.fields_end].reshape(cases, self.per_roller, self.rollers).transpose(1, 0, 2)
+            x[:, self.border : self.fields_end]
+            .reshape(cases, self.per_roller, self.rollers)
+            .transpose(1, 0, 2)
         )
         deviation = np.zeros((2, m, cases, self.rollers))
         if self.elastic_raceways:
@@ -118,6 +133,7 @@ class UnknownLayout:
             film=fields[-3:-1],
             spin_drift=fields[-1],
             deviation=deviation,
+            shift=x[:, [SHIFT]] if self.ribs else np.zeros((cases, 1)),
         )
 
     def joined(self, unknowns: Unknowns) -> NDArray:
@@ -125,7 +141,8 @@ class UnknownLayout:
         m, cases = self.axial_modes, len(unknowns.cage_drift)
         tilt = [unknowns.tilt] if m > 1 else []
         fields = [unknowns.approach, *tilt, *unknowns.film, unknowns.spin_drift]
-        x = [unknowns.ring[..., 0].T, unknowns.cage_drift, *fields]
+        shift = [unknowns.shift] if self.ribs else []
+        x = [unknowns.ring[..., 0].T, unknowns.cage_drift, *shift, *fields]
         if self.elastic_raceways:
             modes = np.zeros((2, m, cases, self.rollers))
             common = min(m, unknowns.deviation.shape[1])
@@ -173,7 +190,8 @@ class Scales:
         own, _ = self.roller.centrifugal(orbit)
         own = own + bearing.roller.mass * np.hypot(points.gravity_y, points.gravity_z)
         tilting = points.moment / bearing.roller.length
-        return np.maximum(np.maximum(points.load, tilting), OWN_SHARE * own)
+        outside = np.maximum(np.maximum(points.load, tilting), np.abs(points.axial_load))
+        return np.maximum(outside, OWN_SHARE * own)
 
     @cached_property
     def unknown(self) -> NDArray:
@@ -190,8 +208,9 @@ class Scales:
         """Size of each residual (C, N)."""
         layout, ring = self.layout, self.layout.per_roller
         scale = np.full((len(self.points), layout.size), LARGE_DEVIATION * self.length)
-        scale[:, :BORDER] = self.row[ring : ring + BORDER].T
-        scale[:, BORDER : layout.fields_end] = self.row[:ring].T.repeat(layout.rollers, axis=1)
+        border = layout.border
+        scale[:, :border] = self.row[ring : ring + border].T
+        scale[:, border : layout.fields_end] = self.row[:ring].T.repeat(layout.rollers, axis=1)
         return scale
 
     @cached_property
@@ -204,10 +223,10 @@ class Scales:
         half, length = bearing.roller.length / 2, np.ravel(self.length)
         tilt = [half] if layout.axial_modes > 1 else []
         levers = [1.0, *tilt, 0.0, 0.0, FRICTION * bearing.roller.diameter / 2]
-        levers += [1.0, 1.0, half, half, FRICTION * bearing.pitch_diameter / 2]
-        rows = ring + BORDER + layout.axial_modes * len(layout.elastic_raceways)
+        levers += [1.0, 1.0, half, half, FRICTION * bearing.pitch_diameter / 2] + [1.0] * layout.ribs
+        rows = ring + layout.border + layout.axial_modes * len(layout.elastic_raceways)
         scale = np.full((rows, len(self.points)), LARGE_DEVIATION * length)
-        scale[: ring + BORDER] = stacked(*levers)[..., 0] * self.force[:, 0]
+        scale[: ring + layout.border] = stacked(*levers)[..., 0] * self.force[:, 0]
         scale[ring - 3 : ring - 1] = FILM_SCALE * length
         return scale
 
@@ -215,9 +234,9 @@ class Scales:
     def column(self) -> NDArray:
         """Size of the unknowns in the columns of the table (columns, C, 1)."""
         layout = self.layout
-        of_roller = self.unknown[:, BORDER : layout.fields_end : layout.rollers].T
+        of_roller = self.unknown[:, layout.border : layout.fields_end : layout.rollers].T
         deviations = np.full((layout.felt, len(self.points)), np.ravel(self.length))
-        return np.concatenate([of_roller, self.unknown[:, :BORDER].T, deviations])[..., None]
+        return np.concatenate([of_roller, self.unknown[:, : layout.border].T, deviations])[..., None]
 
     @cached_property
     def table(self) -> NDArray:
@@ -232,6 +251,6 @@ class Scales:
 
     @cached_property
     def border(self) -> NDArray:
-        """Unknowns of the border over its balances (C, 5, 5)."""
-        ring = self.layout.per_roller
-        return self.unknown[:, None, :BORDER] / self.row[ring : ring + BORDER].T[..., None]
+        """Unknowns of the border over its balances (C, B, B)."""
+        ring, border = self.layout.per_roller, self.layout.border
+        return self.unknown[:, None, :border] / self.row[ring : ring + border].T[..., None]

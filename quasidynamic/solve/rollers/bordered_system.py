@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
 from quasidynamic.balance.rollers.kinematics import next_in_row
-from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, LARGE_DEVIATION, TILT_Y, TILT_Z, Y, Z
+from quasidynamic.balance.rollers.unknowns import CAGE, LARGE_DEVIATION, TILT_Y, TILT_Z, Y, Z
 from quasidynamic.solve.rollers.elastic_system import (
     between_elastic_raceways,
     cyclic_tridiagonal,
@@ -42,7 +42,7 @@ def solve(balance: BearingBalance, system: Linearisation, right: NDArray, shift:
     table = np.zeros((rows, columns + count, cases, layout.rollers))
     table[:, :-count] = system.table
     table[:ring, -count:] = (
-        right[:, BORDER:fields_end].reshape(cases, ring, layout.rollers, count).transpose(1, 3, 0, 2)
+        right[:, layout.border : fields_end].reshape(cases, ring, layout.rollers, count).transpose(1, 3, 0, 2)
     )
     border = system.border
     if shift is not NO_SHIFT:
@@ -59,11 +59,11 @@ def solve(balance: BearingBalance, system: Linearisation, right: NDArray, shift:
         below = system, table[spin:, spin:], border, right
         if layout.elastic_raceways:
             solution = between_elastic_raceways(balance, *below)
-            of_border, spins, unknowns[ring + BORDER :], deviations = solution
+            of_border, spins, unknowns[ring + layout.border :], deviations = solution
         else:
-            of_border, spins = _with_rigid_raceways(layout.rows, *below)
+            of_border, spins = _with_rigid_raceways(layout, *below)
             deviations = np.empty((cases, 0, count))
-        unknowns[spin], unknowns[ring : ring + BORDER] = spins, of_border[..., None]
+        unknowns[spin], unknowns[ring : ring + layout.border] = spins, of_border[..., None]
         substitute(table, unknowns, spin)
     rollers = unknowns[:ring].transpose(2, 0, 3, 1).reshape(cases, -1, count)
     return np.concatenate([of_border.transpose(2, 0, 1), rollers, deviations], axis=1)
@@ -73,8 +73,8 @@ def rows_by(balance: BearingBalance, system: Linearisation, change: NDArray) -> 
     """What changes of the unknowns (C, N, R) add to the rows of the table (rows, R, C, Z), both scaled."""
     layout, (cases, _, count) = balance.layout, change.shape
     ring = layout.per_roller
-    rollers = change[:, BORDER : layout.fields_end].reshape(cases, ring, layout.rollers, count)
-    border = change[:, :BORDER].transpose(1, 2, 0)[..., None]
+    rollers = change[:, layout.border : layout.fields_end].reshape(cases, ring, layout.rollers, count)
+    border = change[:, : layout.border].transpose(1, 2, 0)[..., None]
     columns = [rollers.transpose(1, 3, 0, 2), np.broadcast_to(border, (*border.shape[:3], layout.rollers))]
     if layout.elastic_raceways:
         columns.append(felt_of(balance, change[:, layout.fields_end :]))
@@ -92,10 +92,13 @@ def product(balance: BearingBalance, system: Linearisation, change: NDArray) -> 
     """
     layout, (cases, _, count) = balance.layout, change.shape
     ring, rows = layout.per_roller, rows_by(balance, system, change)
-    border = rows[ring : ring + BORDER].sum(-1).transpose(2, 0, 1) + system.border @ change[:, :BORDER]
+    border = (
+        rows[ring : ring + layout.border].sum(-1).transpose(2, 0, 1)
+        + system.border @ change[:, : layout.border]
+    )
     parts = [border, rows[:ring].transpose(2, 0, 3, 1).reshape(cases, -1, count)]
     if layout.elastic_raceways:
-        deflected = deflections(balance, rows[ring + BORDER :])
+        deflected = deflections(balance, rows[ring + layout.border :])
         parts.append(change[:, layout.fields_end :] / LARGE_DEVIATION - deflected)
     return np.concatenate(parts, axis=1)
 
@@ -115,13 +118,15 @@ def substitute(table: NDArray, unknowns: NDArray, pivots: int) -> None:
         unknowns[i] = (table[i, -count:] - known) / table[i, i]
 
 
-def _with_rigid_raceways(rows, system, table, border, right) -> tuple[NDArray, NDArray]:
-    """Border (5, R, C) and spins (R, C, Z), with the spins of each row as a cyclic tridiagonal system."""
+def _with_rigid_raceways(layout, system, table, border, right) -> tuple[NDArray, NDArray]:
+    """Border (B, R, C) and spins (R, C, Z), with the spins of each row as a cyclic tridiagonal system."""
     # The spins are linear in the border unknowns and in the right-hand sides.
-    spins = cyclic_tridiagonal(table[0, 0], system.before, system.after, table[0, 1:], rows)
-    by_border, by_right = spins[:BORDER], spins[BORDER:]
+    spins = cyclic_tridiagonal(table[0, 0], system.before, system.after, table[0, 1:], layout.rows)
+    by_border, by_right = spins[: layout.border], spins[layout.border :]
     reduced = (table[1:, 1:] - table[1:, :1] * spins).sum(-1)
     reduced = reduced.transpose(2, 0, 1)
-    of_border = dense(border + reduced[..., :BORDER], right[:, :BORDER] + reduced[..., BORDER:])
+    of_border = dense(
+        border + reduced[..., : layout.border], right[:, : layout.border] + reduced[..., layout.border :]
+    )
     of_border = of_border.transpose(1, 2, 0)
     return of_border, by_right - np.einsum("brc,bcz->rcz", of_border, by_border)

@@ -6,12 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
-from quasidynamic.balance.rollers.unknowns import BORDER, LARGE_DEVIATION
+from quasidynamic.balance.rollers.unknowns import LARGE_DEVIATION
 
 CASES_AT_ONCE = 16  # whose matrices stay in the processor's cache
 MANY = 60  # rollers from which on LAPACK is worth loading
 OPEN = 1e-13  # of the steepest slope of a contact: what the rounded load law leaves of it in a gap
-FELT = 1 + BORDER  # first column of felt deviations, first row of contact forces; before them spin and border
 
 
 def cyclic_tridiagonal(
@@ -148,38 +147,42 @@ def _solved(
     """Solve a few cases, spins with those before and after (C, 1)."""
     count = right.shape[2]
     given = LARGE_DEVIATION * right[:, balance.layout.fields_end :]
-    chain, closed = _chain(around, table, count, balance.layout.rows), _closed(balance, table, count)
+    chain, closed = _chain(balance, around, table, count), _closed(balance, table, count)
     matrix, side = _reduced(table, chain, closed)
-    matrix[:, :BORDER, :BORDER] += border
-    side[:, :BORDER] += right[:, :BORDER]
-    side[:, BORDER:] += felt_of(balance, given)[closed.combination, :, :, closed.roller].transpose(2, 0, 1)
+    bordering = balance.layout.border
+    matrix[:, :bordering, :bordering] += border
+    side[:, :bordering] += right[:, :bordering]
+    side[:, bordering:] += felt_of(balance, given)[closed.combination, :, :, closed.roller].transpose(2, 0, 1)
     unknowns = dense(matrix, side).transpose(1, 2, 0)
-    felt = np.zeros((table.shape[1] - FELT - count, count, *table.shape[2:]))
-    felt[closed.combination, :, :, closed.roller] = unknowns[BORDER:]
-    spins = _spins(chain, unknowns[:BORDER], np.einsum("pcz,prcz->rcz", table[0, FELT:-count], felt))
-    forces = _forces(table, spins, unknowns[:BORDER], felt)
+    felt = np.zeros((table.shape[1] - 1 - bordering - count, count, *table.shape[2:]))
+    felt[closed.combination, :, :, closed.roller] = unknowns[bordering:]
+    spins = _spins(
+        chain, unknowns[:bordering], np.einsum("pcz,prcz->rcz", table[0, 1 + bordering : -count], felt)
+    )
+    forces = _forces(table, spins, unknowns[:bordering], felt)
     deviations = given + LARGE_DEVIATION * deflections(balance, forces)
-    return Solution(unknowns[:BORDER], spins, felt_of(balance, deviations), deviations)
+    return Solution(unknowns[:bordering], spins, felt_of(balance, deviations), deviations)
 
 
-def _chain(around: tuple[NDArray, NDArray], table: NDArray, count: int, rows: int) -> Chain:
+def _chain(balance: BearingBalance, around: tuple[NDArray, NDArray], table: NDArray, count: int) -> Chain:
     """Spins by border, right-hand sides and torques."""
-    cases, rollers = table.shape[2:]
+    layout, (cases, rollers) = balance.layout, table.shape[2:]
     torques = np.broadcast_to(np.eye(rollers)[:, None], (rollers, cases, rollers))
-    sides = np.concatenate([table[0, 1:FELT], table[0, -count:], torques])
-    spins = cyclic_tridiagonal(table[0, 0], *around, sides, rows)
-    border, right, spread = spins[:BORDER], spins[BORDER:-rollers], spins[-rollers:]
+    sides = np.concatenate([table[0, 1 : 1 + layout.border], table[0, -count:], torques])
+    spins = cyclic_tridiagonal(table[0, 0], *around, sides, layout.rows)
+    border, right, spread = spins[: layout.border], spins[layout.border : -rollers], spins[-rollers:]
     return Chain(border, right, np.ascontiguousarray(spread.transpose(1, 2, 0)))
 
 
 def _closed(balance: BearingBalance, table: NDArray, count: int) -> Closed:
     """Felt deviations with a slope."""
-    steepest = np.abs(table[:, FELT:-count]).max(axis=0)  # (P, C, Z)
+    felt = 1 + balance.layout.border  # first column of felt deviations, row of contact forces
+    steepest = np.abs(table[:, felt:-count]).max(axis=0)  # (P, C, Z)
     closed = ~(steepest <= OPEN * steepest.max((0, 2), keepdims=True)).all(axis=1)
     roller, combination = np.nonzero(closed.T)
     places = roller * len(closed) + combination
     deflections = LARGE_DEVIATION * balance.felt_deflections[places]
-    return Closed(roller, combination, table[:FELT, FELT + combination, :, roller], deflections)
+    return Closed(roller, combination, table[:felt, felt + combination, :, roller], deflections)
 
 
 def _reduced(table: NDArray, chain: Chain, closed: Closed) -> tuple[NDArray, NDArray]:
@@ -188,26 +191,27 @@ def _reduced(table: NDArray, chain: Chain, closed: Closed) -> tuple[NDArray, NDA
     The matrix stands column by column, as it is made and as LAPACK wants it.
     """
     cases, rollers = table.shape[2:]
-    size, count = BORDER + len(closed.roller), len(chain.right)
+    border, count = len(chain.border), len(chain.right)
+    felt, size = 1 + border, border + len(closed.roller)
     by_force = np.ascontiguousarray(closed.deflections.transpose(1, 2, 0))  # (Z, D, n)
     by_spin = np.empty((cases, rollers, size))
-    by_spin[:, :, :BORDER] = table[1:FELT, 0].transpose(1, 2, 0)
-    by_spin[:, :, BORDER:] = -(table[FELT:, 0].transpose(2, 1, 0) @ by_force).transpose(1, 0, 2)
+    by_spin[:, :, :border] = table[1:felt, 0].transpose(1, 2, 0)
+    by_spin[:, :, border:] = -(table[felt:, 0].transpose(2, 1, 0) @ by_force).transpose(1, 0, 2)
     through_spins = np.take(chain.spread.transpose(0, 2, 1) @ by_spin, closed.roller, axis=1)
     through_spins *= closed.slopes[:, 0].T[:, :, None]
-    forces = table[FELT:, FELT + closed.combination, :, closed.roller].transpose(0, 2, 1)  # (n, C, D) by v
+    forces = table[felt:, felt + closed.combination, :, closed.roller].transpose(0, 2, 1)  # (n, C, D) by v
     columns = np.empty((cases, size, size))
-    columns[:, BORDER:, :BORDER] = closed.slopes[:, 1:].transpose(2, 0, 1)
-    columns[:, BORDER:, BORDER:] = -(forces @ by_force[closed.roller]).transpose(1, 0, 2)
-    columns[:, BORDER:] -= through_spins
-    columns.reshape(cases, -1)[:, BORDER * (size + 1) :: size + 1] += 1.0  # on the diagonal
+    columns[:, border:, :border] = closed.slopes[:, 1:].transpose(2, 0, 1)
+    columns[:, border:, border:] = -(forces @ by_force[closed.roller]).transpose(1, 0, 2)
+    columns[:, border:] -= through_spins
+    columns.reshape(cases, -1)[:, border * (size + 1) :: size + 1] += 1.0  # on the diagonal
     spins = np.concatenate([chain.border, chain.right])
-    rest = np.concatenate([table[1:, 1:FELT], table[1:, -count:]], axis=1) - table[1:, :1] * spins
-    left = rest[BORDER:].transpose(3, 0, 1, 2).reshape(-1, len(spins) * cases)
-    lower = -(closed.deflections.reshape(size - BORDER, -1) @ left).reshape(-1, len(spins), cases)
-    of_rest = np.concatenate([rest[:BORDER].sum(-1), lower]).transpose(2, 1, 0)
-    columns[:, :BORDER] = of_rest[:, :BORDER]
-    return columns.transpose(0, 2, 1), of_rest[:, BORDER:].transpose(0, 2, 1)
+    rest = np.concatenate([table[1:, 1:felt], table[1:, -count:]], axis=1) - table[1:, :1] * spins
+    left = rest[border:].transpose(3, 0, 1, 2).reshape(-1, len(spins) * cases)
+    lower = -(closed.deflections.reshape(size - border, -1) @ left).reshape(-1, len(spins), cases)
+    of_rest = np.concatenate([rest[:border].sum(-1), lower]).transpose(2, 1, 0)
+    columns[:, :border] = of_rest[:, :border]
+    return columns.transpose(0, 2, 1), of_rest[:, border:].transpose(0, 2, 1)
 
 
 def _spins(chain: Chain, border: NDArray, torques: NDArray) -> NDArray:
@@ -220,8 +224,9 @@ def _forces(table: NDArray, spins: NDArray, border: NDArray, felt: NDArray) -> N
     """Contact forces (D, R, C, Z) on elastic raceways."""
     around = np.broadcast_to(border[..., None], (*border.shape, spins.shape[-1]))
     unknowns = np.concatenate([spins[None], around, felt])
-    moved = np.einsum("dkcz,krcz->drcz", table[FELT:, : len(unknowns)], unknowns)
-    return moved - table[FELT:, len(unknowns) :]
+    first = 1 + len(border)  # row of the forces
+    moved = np.einsum("dkcz,krcz->drcz", table[first:, : len(unknowns)], unknowns)
+    return moved - table[first:, len(unknowns) :]
 
 
 def deflections(balance: BearingBalance, forces: NDArray) -> NDArray:

@@ -59,8 +59,13 @@ class _Search:
 
     @cached_property
     def resting(self) -> NDArray | None:
-        """Rollers (1 or Z, 3) [m] on cup and rib alone, the ring at zero; None where one is not pressed."""
+        """Rollers (1 or Z, 3) [m] on cup and rib alone, the ring at zero; None where one is not pressed.
+
+        None between two ribs: there thrust of the ring presses rollers that its raceway does not touch.
+        """
         model = self.model
+        if model.opposite is not None:
+            return None
         ways = model.normals[[OUTER, RIB], :2]
         on_cup, on_rib = np.linalg.solve(ways.T, model.dead[:2])
         if min(on_cup, on_rib) <= 0:

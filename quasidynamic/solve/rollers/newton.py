@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
-from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, OUTER, TILT_Z, Y, Z
+from quasidynamic.balance.rollers.unknowns import CAGE, OUTER, SHIFT, TILT_Z, Y, Z
 from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.solve.rollers.static_equilibrium import (
     frictionless_loads,
@@ -62,7 +62,7 @@ def settled(balance: BearingBalance, before: NDArray, after: NDArray) -> NDArray
     In a slow bearing weights decide where unloaded rollers are, and they fall from one raceway on the other:
     through a gap without any force that leads a linearised step there.
     """
-    cage_speed = balance.rolling_cage + after[:, CAGE:BORDER] * balance.scales.unknown[:, CAGE:BORDER]
+    cage_speed = balance.rolling_cage + after[:, [CAGE]] * balance.scales.unknown[:, [CAGE]]
     slow = ~(np.abs(cage_speed) > balance.slow_cage)
     if not slow.any():
         return after
@@ -115,7 +115,7 @@ def shortened(balance: BearingBalance, unknowns: NDArray, change: NDArray) -> ND
     cases, rollers = len(change), change[:, moving].reshape(len(change), -1, layout.rollers)
     size = np.abs(unknowns[:, moving]).reshape(rollers.shape).max(1)
     films = np.abs(change[:, layout.field(-3).start : layout.field(-2).stop]).reshape(cases, 2, -1).max(1)
-    ring = np.abs(change[:, :CAGE]).max(1, keepdims=True)
+    ring = np.abs(change[:, [*range(CAGE), *range(SHIFT, layout.border)]]).max(1, keepdims=True)
     most, furthest = ALONE * size + ring + films, np.abs(rollers).max(1)
     shorter = np.where(furthest > FREE, np.minimum(1.0, most / furthest), 1.0)
     held = change.copy()

@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance
 from quasidynamic.balance.rollers.rigid_rings import Stations
-from quasidynamic.balance.rollers.unknowns import BORDER, TILT_Y, TILT_Z, Unknowns, Y, Z
+from quasidynamic.balance.rollers.unknowns import TILT_Y, TILT_Z, Unknowns, Y, Z
 from quasidynamic.solve.rollers.pressed_rollers import ContactWork, FilmOf, PressedRollers, PressedState
 
 RIGID_MODES = 2  # in which rollers approach rigid raceways: shift and tilt
@@ -63,7 +63,7 @@ def _pressed(
         normal=normal,
         film_of=film_of,
         thickest=film_of(np.zeros(force[:, 0].shape), np.arange(force.shape[-1]))[0],
-        outward=unbalanced[BORDER : BORDER + len(normal)] - force[0, 0] + force[1, 0],
+        outward=unbalanced[balance.layout.field(0)] - force[0, 0] + force[1, 0],
         gap=balance.roller.bearing.clearances / 2,
         load=load * free,
         length=float(balance.scales.length),

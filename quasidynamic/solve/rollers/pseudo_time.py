@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.rollers.bearing import BearingBalance, Linearisation
-from quasidynamic.balance.rollers.unknowns import BORDER, CAGE, TILT_Z
+from quasidynamic.balance.rollers.unknowns import CAGE, TILT_Z
 from quasidynamic.solve.rollers import bordered_system
 from quasidynamic.solve.rollers.newton import Iterate, bounded, norm, shortened, step
 from quasidynamic.solve.step_length import SolverOutcome
@@ -124,7 +124,7 @@ def scaled_inertia(balance: BearingBalance) -> NDArray:
     inertia = np.zeros((len(balance.points), balance.layout.size))
     inertia[:, spins] = bearing.roller.inertia
     orbiting = bearing.cage.mass + bearing.all_rollers * bearing.roller.mass
-    inertia[:, CAGE:BORDER] = orbiting * (bearing.pitch_diameter / 2) ** 2
+    inertia[:, CAGE : CAGE + 1] = orbiting * (bearing.pitch_diameter / 2) ** 2
     return inertia * balance.scales.unknown / balance.scales.residual
 
 

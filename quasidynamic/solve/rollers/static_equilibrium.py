@@ -113,7 +113,7 @@ def tilts_between_raceways(balance: BearingBalance, unknowns: Unknowns) -> Unkno
     Hardly any moment holds the tilt of a roller without load: a linearised step may tilt it by any amount,
     but it cannot rest where its moments at both raceways have one sense.
     """
-    if balance.roller.axial_modes == 1:
+    if balance.roller.axial_modes == 1 or balance.layout.ribs:  # whose couples tilt rollers beyond
         return unknowns
     approach = balance.approach(unknowns)
     whole = approach[0, 1] + approach[1, 1]
@@ -132,7 +132,7 @@ def lying_on_a_raceway(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
     """
     force = outward_force(balance, unknowns)
     slow = ~(force.min(axis=1, keepdims=True) > 0)
-    if balance.roller.axial_modes == 1 or not slow.any():
+    if balance.roller.axial_modes == 1 or balance.layout.ribs or not slow.any():
         return unknowns
     approach = balance.approach(unknowns)
     loose = room_between_raceways(balance, approach) < 0

@@ -40,6 +40,8 @@ def overlaid(under: Any, over: Sequence[tuple[NDArray, Any]]) -> Any:
     if isinstance(under, tuple):
         parts = ([(cases, above[place]) for cases, above in over] for place in range(len(under)))
         return type(under)(*map(overlaid, under, parts))
+    if under is None:
+        return None
     joined = under
     for cases, above in over:
         if above.shape == under.shape:
@@ -179,7 +181,7 @@ def _through_pseudo_time(
 
 def _through_settled_time(balance: BearingBalance, solved: SolvedCases, starts: Sequence[NDArray]) -> None:
     """Let cage and spins settle from each start (C, N), between rings and rollers that are at rest."""
-    if balance.layout.elastic_raceways or balance.deviation is not None:
+    if balance.layout.elastic_raceways or balance.layout.ribs or balance.deviation is not None:
         return
     for start in starts:
         for case in solved.unsolved():

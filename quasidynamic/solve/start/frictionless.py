@@ -37,6 +37,7 @@ def static_unknowns(balance: BearingBalance, cage_drift: NDArray) -> Unknowns:
         film=np.zeros((2, *shape)),
         spin_drift=nothing,
         deviation=np.zeros((2, m, *shape)),
+        shift=balance.even_shift,
     )
     force = outward_force(balance, unknowns)
     outward = np.abs(force)

@@ -21,6 +21,7 @@ from quasidynamic.solve.rollers.static_equilibrium import (
 from quasidynamic.solve.start.friction import balanced_drifts
 from quasidynamic.solve.start.frictionless import frictionless_ring, static_unknowns
 from quasidynamic.solve.start.lumped import LumpedRollers, held_back
+from quasidynamic.solve.start.on_ribs import pressed_on_ribs
 
 SMALL_SLIP = 0.1  # slip up to which the centrifugal force and the spins of unloaded rollers change little
 TRIAL_SLIPS = np.geomspace(1e-5, 0.98, 9)  # slips that are looked at for a start
@@ -85,11 +86,13 @@ def _sign_change(places: NDArray, values: NDArray) -> NDArray:
 
 
 def tilted_by_moments(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
-    """Put rings that a moment alone tilts, or mostly, where frictionless rollers carry it.
+    """Put rings that a moment alone tilts, or mostly, or on ribs, where frictionless rollers carry it.
 
     Newton's method would have to find out first which rollers touch, from where none does.
     """
     points, length = balance.points, balance.roller.bearing.roller.length
+    if balance.layout.ribs and not balance.layout.elastic_raceways and balance.deviation is None:
+        return pressed_on_ribs(balance, unknowns)
     by_moment = (points.free_tilt & (points.moment > MOSTLY * points.load * length))[:, 0]
     if not by_moment.any() or balance.layout.elastic_raceways or balance.deviation is not None:
         return unknowns
