@@ -22,7 +22,7 @@ from flexbearing.quantities.forms import (
     of_class,
 )
 
-FORMAT = 10
+FORMAT = 11
 OLDER = {  # what the files of an older format are
     4: "its axes are older: of balls z axial and x along the load, tilts in stiffness_matrix of rollers as "
     'slopes; see "Axes and signs" in the documents',
@@ -31,6 +31,7 @@ OLDER = {  # what the files of an older format are
     7: "its axes have no names that other programs read",
     8: "its contacts in full sliding have no pressure, and axes of contacts have other names",
     9: "it has no pressure along rollers, no shear stress below contacts and no static safety",
+    10: "it has no sliding power per area and no losses at ribs",
 }
 ENDS = ("converged", "iteration limit", "diverging", "stagnating", "not finite", "work limit", "not solved")
 STATUSES = (*ENDS, "unfinished")  # of a run that is at work, or was interrupted
