@@ -91,7 +91,7 @@ class Closed(NamedTuple):
     roller: NDArray  # (n)
     combination: NDArray  # (n) among the P of a roller
     slopes: NDArray  # (n, 1 + 5, C) of spin and border
-    deflections: NDArray  # (n, Z, D) by contact forces
+    deflections: NDArray  # (Z, D, n) by contact forces
 
 
 class Solution(NamedTuple):
@@ -165,7 +165,7 @@ def _solved(
 def _chain(around: tuple[NDArray, NDArray], table: NDArray, count: int, rows: int) -> Chain:
     """Spins by border, right-hand sides and torques."""
     cases, rollers = table.shape[2:]
-    torques = np.broadcast_to(np.eye(rollers)[:, None], (rollers, cases, rollers))
+    torques = np.eye(rollers)[:, None].repeat(cases, axis=1)
     sides = np.concatenate([table[0, 1:FELT], table[0, -count:], torques])
     spins = cyclic_tridiagonal(table[0, 0], *around, sides, rows)
     border, right, spread = spins[:BORDER], spins[BORDER:-rollers], spins[-rollers:]
@@ -178,7 +178,7 @@ def _closed(balance: BearingBalance, table: NDArray, count: int) -> Closed:
     closed = ~(steepest <= OPEN * steepest.max((0, 2), keepdims=True)).all(axis=1)
     roller, combination = np.nonzero(closed.T)
     places = roller * len(closed) + combination
-    deflections = LARGE_DEVIATION * balance.felt_deflections[places]
+    deflections = LARGE_DEVIATION * np.take(balance.felt_deflections, places, axis=2)
     return Closed(roller, combination, table[:FELT, FELT + combination, :, roller], deflections)
 
 
@@ -189,7 +189,7 @@ def _reduced(table: NDArray, chain: Chain, closed: Closed) -> tuple[NDArray, NDA
     """
     cases, rollers = table.shape[2:]
     size, count = BORDER + len(closed.roller), len(chain.right)
-    by_force = np.ascontiguousarray(closed.deflections.transpose(1, 2, 0))  # (Z, D, n)
+    by_force = closed.deflections
     by_spin = np.empty((cases, rollers, size))
     by_spin[:, :, :BORDER] = table[1:FELT, 0].transpose(1, 2, 0)
     by_spin[:, :, BORDER:] = -(table[FELT:, 0].transpose(2, 1, 0) @ by_force).transpose(1, 0, 2)
@@ -204,7 +204,7 @@ def _reduced(table: NDArray, chain: Chain, closed: Closed) -> tuple[NDArray, NDA
     spins = np.concatenate([chain.border, chain.right])
     rest = np.concatenate([table[1:, 1:FELT], table[1:, -count:]], axis=1) - table[1:, :1] * spins
     left = rest[BORDER:].transpose(3, 0, 1, 2).reshape(-1, len(spins) * cases)
-    lower = -(closed.deflections.reshape(size - BORDER, -1) @ left).reshape(-1, len(spins), cases)
+    lower = -(by_force.reshape(len(left), -1).T @ left).reshape(-1, len(spins), cases)
     of_rest = np.concatenate([rest[:BORDER].sum(-1), lower]).transpose(2, 1, 0)
     columns[:, :BORDER] = of_rest[:, :BORDER]
     return columns.transpose(0, 2, 1), of_rest[:, BORDER:].transpose(0, 2, 1)
@@ -218,7 +218,7 @@ def _spins(chain: Chain, border: NDArray, torques: NDArray) -> NDArray:
 
 def _forces(table: NDArray, spins: NDArray, border: NDArray, felt: NDArray) -> NDArray:
     """Contact forces (D, R, C, Z) on elastic raceways."""
-    around = np.broadcast_to(border[..., None], (*border.shape, spins.shape[-1]))
+    around = border[..., None].repeat(spins.shape[-1], axis=-1)
     unknowns = np.concatenate([spins[None], around, felt])
     moved = np.einsum("dkcz,krcz->drcz", table[FELT:, : len(unknowns)], unknowns)
     return moved - table[FELT:, len(unknowns) :]
