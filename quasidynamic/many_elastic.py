@@ -113,8 +113,10 @@ class _Group:
         doubtful = each_several_likely(states)
         if doubtful.any():
             many.confirm(cases[doubtful])
-            states = BearingStates(states.balance, many.solved.unknowns[cases], states.axial_modes)
-            doubtful = each_several_likely(states)
+            confirmed = many.solved.unknowns[cases]
+            if not np.array_equal(confirmed, states.scaled):
+                states = BearingStates(states.balance, confirmed, states.axial_modes)
+                doubtful = each_several_likely(states)
         outcomes, ways = (tuple(of[case] for case in cases) for of in (many.solved.outcomes, many.ways))
         return Batch(places[cases], states, outcomes, many.solved.evaluations[cases], ways, doubtful)
 

@@ -216,6 +216,6 @@ def _solved(
     with np.errstate(all="ignore"):
         solved = solve(balance, static_start(balance) if begin is None else begin, STARTS, budget)
     every, states = np.arange(len(balance.points)), BearingStates(balance, solved.unknowns, axial_modes)
-    if solved.system is not None:
-        states.know(solved.system)
+    if (system := solved.system) is not None:
+        states.know(system)
     return Batch(every, states, tuple(solved.outcomes), solved.evaluations)

@@ -184,8 +184,11 @@ class Checked:
 
 def plain(value: Any, depth: int = DEEPEST) -> Any:
     """Python's own numbers, lists and dicts; raises for what readers of JSON would stumble over."""
-    if type(value) in (float, int):
+    kind = type(value)
+    if kind is float or kind is int:
         return _finite(value)
+    if kind is dict or kind is list:  # most of all: nothing else is asked of them
+        return _nested(value, depth)
     if isinstance(value, str):
         value.encode()  # half a pair of UTF-16 is no text
         return str.__str__(value)

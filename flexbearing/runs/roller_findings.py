@@ -110,12 +110,11 @@ def _gyroscopic(rows: SolvedRows) -> NDArray:
 
 
 def of_rows(rows: SolvedRows) -> list[list[Record]]:
-    """Records of each case that its row may report, see `in_rows`; none where every limit is kept."""
+    """Records of each case that its row may report, see `in_rows`, of limits that are not kept."""
     found = evaluate(
         (each for each in declared.OF_ROLLERS if in_rows(each.code, each.grade)), values_of_dangers(rows)
     )
-    broken = np.any([each.broken for each in found], axis=0)
-    return [records(found, case) if broken[case] else [] for case in range(len(rows))]
+    return [records((each for each in found if each.broken[case]), case) for case in range(len(rows))]
 
 
 def _stress_of_bars(rows: SolvedRows) -> dict[str, Any]:

@@ -113,7 +113,6 @@ def _resolved(place: int, case: Case, levels: "Levels | None") -> _CaseAtLevel |
         model = roller_bearing.bearing(case)
         if chosen is not None:
             model = model_at(model, case, ladders(case), chosen)
-        roller_bearing.require_around(case, model.bearing)
     except (ImpossiblePart, OutOfRange) as problem:
         return LeftOut(place, str(problem))
     return _CaseAtLevel(place, case, chosen, model)

@@ -326,8 +326,8 @@ class BearingBalance:
         """Deviations of elastic raceways less their deflections (C, Z M) [m] under contact forces."""
         m, misfits = self.roller.axial_modes, []
         for place, race in enumerate(self.layout.elastic_raceways):
-            load = np.moveaxis(forces[place * m : (place + 1) * m], 0, -1).reshape(len(self.points), -1)
-            deviation = np.moveaxis(x.deviation[race], 0, -1).reshape(load.shape)
+            load = forces[place * m : (place + 1) * m].transpose(1, 2, 0).reshape(len(self.points), -1)
+            deviation = x.deviation[race].transpose(1, 2, 0).reshape(load.shape)
             misfits.append(deviation - self.deflection(race, load.T).T)
         return misfits
 
@@ -339,7 +339,7 @@ class BearingBalance:
 
     @cached_property
     def felt_deflections(self) -> NDArray:
-        """Deviations that act on rollers (Z felt, Z, D) [m] per contact force on elastic raceways [N]."""
+        """Deviations that act on rollers (Z, D, Z felt) [m] per contact force on elastic raceways [N]."""
         m, rollers, felt = self.layout.axial_modes, self.layout.rollers, self.kinematics.felt
         by_force = np.empty((rollers * len(felt), rollers, felt.shape[1]))
         for place, race in enumerate(self.layout.elastic_raceways):
@@ -347,4 +347,4 @@ class BearingBalance:
             assert compliance is not None  # or the raceway would not be elastic
             deflection = OUTWARD[race] * compliance.reshape(rollers, m, -1)
             by_force[..., own] = (felt[:, own] @ deflection).reshape(-1, rollers, m)
-        return by_force
+        return np.ascontiguousarray(by_force.transpose(1, 2, 0))

@@ -253,8 +253,11 @@ def spin_transport(
     half = inertia * spin_drift.shape[1] / rows / (4 * np.pi)
     size = np.sqrt(cage_speed**2 + (CREEP * rolling_spin) ** 2)
     before, after = half * (size + cage_speed), half * (size - cage_speed)
-    gained = before * (spin_drift - next_in_row(spin_drift, -1, rows))
-    lost = after * (next_in_row(spin_drift, 1, rows) - spin_drift)
+    of_rows = spin_drift.reshape(len(spin_drift), rows, -1)
+    around = np.concatenate([of_rows[..., -1:], of_rows, of_rows[..., :1]], axis=-1)
+    change = around[..., 1:] - around[..., :-1]  # from each one's neighbour before to that after the last
+    gained = before * change[..., :-1].reshape(spin_drift.shape)
+    lost = after * change[..., 1:].reshape(spin_drift.shape)
     return SpinTransport(
         torque=gained - lost,
         by_spin=2 * half * size,

@@ -113,6 +113,11 @@ class UnknownLayout:
         ring = [Y, Z, *range(SHIFT, self.border)]
         return np.concatenate([ring, rollers, np.arange(self.fields_end, self.size)])
 
+    @cached_property
+    def forces(self) -> NDArray:
+        """Places of the residuals that belong to displacements and to the tilts of the ring."""
+        return np.append([TILT_Z, TILT_Y], self.displacements)
+
     def split(self, x: NDArray) -> Unknowns:
         """Unknowns by name from a row (C, N), in SI units."""
         cases, m = len(x), self.axial_modes

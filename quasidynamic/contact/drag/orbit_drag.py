@@ -18,14 +18,18 @@ AIR_DENSITY = 1.2  # [kg/m3]
 _LOG_REYNOLDS = np.log10([0.1, 1, 10, 100, 1e3, 1e4, 1e5, 2e5, 3e5, 4e5, 5e5, 1e6])
 _CYLINDER_DRAG = np.array([60, 10, 3, 1.8, 1.0, 1.2, 1.2, 1.2, 0.9, 0.65, 0.3, 0.3])
 _SPHERE_DRAG = np.array([275, 30, 4.2, 1.2, 0.48, 0.40, 0.45, 0.40, 0.10, 0.09, 0.09, 0.09])
+# By ln(Re), zero before and after the points.
+_CYLINDER_SLOPES, _SPHERE_SLOPES = (
+    np.concatenate(([0.0], np.diff(points) / np.diff(_LOG_REYNOLDS) / np.log(10), [0.0]))
+    for points in (_CYLINDER_DRAG, _SPHERE_DRAG)
+)
 
 DragTable = Callable[[NDArray | float], tuple[NDArray, NDArray]]
 
 
-def _interpolated(reynolds: NDArray | float, points: NDArray) -> tuple[NDArray, NDArray]:
-    """Drag coefficient by its points, and its derivative by ln(Re), zero before and after them."""
+def _interpolated(reynolds: NDArray | float, points: NDArray, slopes: NDArray) -> tuple[NDArray, NDArray]:
+    """Drag coefficient by its points, and its derivative by ln(Re)."""
     position = np.log10(np.maximum(reynolds, 1e-300))
-    slopes = np.concatenate(([0.0], np.diff(points) / np.diff(_LOG_REYNOLDS) / np.log(10), [0.0]))
     return np.interp(position, _LOG_REYNOLDS, points), slopes[_LOG_REYNOLDS.searchsorted(position)]
 
 
@@ -50,7 +54,7 @@ def cylinder_drag(reynolds: NDArray | float) -> tuple[NDArray, NDArray]:
     -----
     Re from 0.1 to 1e6; one cylinder far from others and from walls.
     """
-    return _interpolated(reynolds, _CYLINDER_DRAG)
+    return _interpolated(reynolds, _CYLINDER_DRAG, _CYLINDER_SLOPES)
 
 
 def sphere_drag(reynolds: NDArray | float) -> tuple[NDArray, NDArray]:
@@ -74,7 +78,7 @@ def sphere_drag(reynolds: NDArray | float) -> tuple[NDArray, NDArray]:
     -----
     Re from 0.1 to 1e6; one sphere far from others and from walls.
     """
-    return _interpolated(reynolds, _SPHERE_DRAG)
+    return _interpolated(reynolds, _SPHERE_DRAG, _SPHERE_SLOPES)
 
 
 def drag_notes(reynolds: NDArray | float) -> tuple[Note, ...]:

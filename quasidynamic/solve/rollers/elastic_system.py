@@ -90,7 +90,7 @@ class Closed(NamedTuple):
     roller: NDArray  # (n)
     combination: NDArray  # (n) among the P of a roller
     slopes: NDArray  # (n, 1 + 5, C) of spin and border
-    deflections: NDArray  # (n, Z, D) by contact forces
+    deflections: NDArray  # (Z, D, n) by contact forces
 
 
 class Solution(NamedTuple):
@@ -167,7 +167,7 @@ def _solved(
 def _chain(balance: BearingBalance, around: tuple[NDArray, NDArray], table: NDArray, count: int) -> Chain:
     """Spins by border, right-hand sides and torques."""
     layout, (cases, rollers) = balance.layout, table.shape[2:]
-    torques = np.broadcast_to(np.eye(rollers)[:, None], (rollers, cases, rollers))
+    torques = np.eye(rollers)[:, None].repeat(cases, axis=1)
     sides = np.concatenate([table[0, 1 : 1 + layout.border], table[0, -count:], torques])
     spins = cyclic_tridiagonal(table[0, 0], *around, sides, layout.rows)
     border, right, spread = spins[: layout.border], spins[layout.border : -rollers], spins[-rollers:]
@@ -181,7 +181,7 @@ def _closed(balance: BearingBalance, table: NDArray, count: int) -> Closed:
     closed = ~(steepest <= OPEN * steepest.max((0, 2), keepdims=True)).all(axis=1)
     roller, combination = np.nonzero(closed.T)
     places = roller * len(closed) + combination
-    deflections = LARGE_DEVIATION * balance.felt_deflections[places]
+    deflections = LARGE_DEVIATION * np.take(balance.felt_deflections, places, axis=2)
     return Closed(roller, combination, table[:felt, felt + combination, :, roller], deflections)
 
 
@@ -192,8 +192,7 @@ def _reduced(table: NDArray, chain: Chain, closed: Closed) -> tuple[NDArray, NDA
     """
     cases, rollers = table.shape[2:]
     border, count = len(chain.border), len(chain.right)
-    felt, size = 1 + border, border + len(closed.roller)
-    by_force = np.ascontiguousarray(closed.deflections.transpose(1, 2, 0))  # (Z, D, n)
+    felt, size, by_force = 1 + border, border + len(closed.roller), closed.deflections
     by_spin = np.empty((cases, rollers, size))
     by_spin[:, :, :border] = table[1:felt, 0].transpose(1, 2, 0)
     by_spin[:, :, border:] = -(table[felt:, 0].transpose(2, 1, 0) @ by_force).transpose(1, 0, 2)
@@ -208,7 +207,7 @@ def _reduced(table: NDArray, chain: Chain, closed: Closed) -> tuple[NDArray, NDA
     spins = np.concatenate([chain.border, chain.right])
     rest = np.concatenate([table[1:, 1:felt], table[1:, -count:]], axis=1) - table[1:, :1] * spins
     left = rest[border:].transpose(3, 0, 1, 2).reshape(-1, len(spins) * cases)
-    lower = -(closed.deflections.reshape(size - border, -1) @ left).reshape(-1, len(spins), cases)
+    lower = -(by_force.reshape(len(left), -1).T @ left).reshape(-1, len(spins), cases)
     of_rest = np.concatenate([rest[:border].sum(-1), lower]).transpose(2, 1, 0)
     columns[:, :border] = of_rest[:, :border]
     return columns.transpose(0, 2, 1), of_rest[:, border:].transpose(0, 2, 1)
@@ -222,7 +221,7 @@ def _spins(chain: Chain, border: NDArray, torques: NDArray) -> NDArray:
 
 def _forces(table: NDArray, spins: NDArray, border: NDArray, felt: NDArray) -> NDArray:
     """Contact forces (D, R, C, Z) on elastic raceways."""
-    around = np.broadcast_to(border[..., None], (*border.shape, spins.shape[-1]))
+    around = border[..., None].repeat(spins.shape[-1], axis=-1)
     unknowns = np.concatenate([spins[None], around, felt])
     first = 1 + len(border)  # row of the forces
     moved = np.einsum("dkcz,krcz->drcz", table[first:, : len(unknowns)], unknowns)

@@ -82,14 +82,20 @@ class ManyCases:
     def confirm(self, cases: NDArray) -> None:
         """Make sure that some cases, which may have several equilibria, end where each ends alone.
 
-        What a fit and a search lead to alike is taken; anything else is solved alone.
+        What a fit and a search lead to alike is taken; anything else is solved alone. Unknowns that are found
+        again stay as they were, to the last digit.
         """
-        fitted = np.array([case for case in cases if self.ways[case] is Way.FITTED], int)
-        before = self.solved.unknowns[fitted]
-        self.search(fitted, Way.CONFIRMED)
-        apart = np.abs(self.solved.unknowns[fitted] - before).max(axis=1, initial=0.0)
-        doubtful = np.setdiff1d(cases, fitted[apart < ALIKE])
+        before = self.solved.unknowns[cases]
+        self.search(np.array([case for case in cases if self.ways[case] is Way.FITTED], int), Way.CONFIRMED)
+        confirmed = np.array([self.ways[case] is Way.CONFIRMED for case in cases])
+        doubtful = cases[~(confirmed & self._alike(cases, before))]
         self._solve_alone(np.array([case for case in doubtful if self.ways[case] is not Way.ALONE], int))
+        again = self._alike(cases, before)
+        self.solved.unknowns[cases[again]] = before[again]
+
+    def _alike(self, cases: NDArray, before: NDArray) -> NDArray:
+        """Which of some cases are as they were before."""
+        return np.abs(self.solved.unknowns[cases] - before).max(axis=1, initial=0.0) < ALIKE
 
     def _solve_alone(self, cases: NDArray) -> None:
         for case in cases:

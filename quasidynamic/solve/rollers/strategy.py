@@ -37,6 +37,8 @@ def overlaid(under: Any, over: Sequence[tuple[NDArray, Any]]) -> Any:
 
     Raises `NotAlike` where there is no such axis.
     """
+    if not over:
+        return under
     if isinstance(under, tuple):
         parts = ([(cases, above[place]) for cases, above in over] for place in range(len(under)))
         return type(under)(*map(overlaid, under, parts))

@@ -53,7 +53,8 @@ def guessed_drifts(balance: BearingBalance, static: Unknowns) -> tuple[NDArray, 
     """Drifts of cage (C, 1) and spins (C, Z) at a slip where tractions about drive the cage.
 
     Each roller shares the sliding between its raceways as if friction grew with load and sliding;
-    between the slips that are looked at, the torque on the cage is interpolated over their logarithm.
+    between the slips that are looked at, the torque on the cage is interpolated over their logarithm. A cage
+    that is driven at the least of them rolls: traction of a stiff oil reaches its limit far below.
     """
     cases, bearing = len(balance.points), balance.roller.bearing
     load = frictionless_loads(
@@ -68,8 +69,8 @@ def guessed_drifts(balance: BearingBalance, static: Unknowns) -> tuple[NDArray, 
     line_load = load[:, case] / lumped.balance.roller.bearing.roller.length
     forces = lumped.forces(line_load, cage_drift, cage_drift * spin_per_cage[case])
     torque = lumped.driving_torque(forces, cage_drift).reshape(len(TRIAL_SLIPS), cases)
-    slip = _sign_change(np.log(TRIAL_SLIPS), torque)
-    cage_drift = -np.exp(slip)[:, None] * balance.rolling_cage
+    slip = np.where(torque[0] > 0, 0.0, np.exp(_sign_change(np.log(TRIAL_SLIPS), torque)))
+    cage_drift = -slip[:, None] * balance.rolling_cage
     return cage_drift, cage_drift * spin_per_cage
 
 
