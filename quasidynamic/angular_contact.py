@@ -366,8 +366,8 @@ def _not_solved(
             outcome,
         )
     return NotSolved(
-        f"{where}: no balance of ring and balls in {evaluations} evaluations by Newton's method, along a "
-        f"path of growing inertia and from slower rings; {solution.imbalance[case]:.1e} of the largest force "
-        "is left by the first; a heavier load or an axial displacement as preload would press the balls",
+        f"{where}: no balance of ring and balls in {evaluations} evaluations by Newton's method and the "
+        f"searches that follow it; {solution.imbalance[case]:.1e} of the largest force is left by the first; "
+        "a heavier load or an axial displacement as preload would press the balls",
         outcome,
     )

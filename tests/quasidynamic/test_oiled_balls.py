@@ -234,8 +234,8 @@ def test_random_bearings_in_oil_are_in_balance(seed):
 
 
 def test_balls_that_friction_does_not_balance_are_named(monkeypatch):
-    def lost(balls, nearby=None, near=None):
-        found = free_ball_motion(balls, nearby, near)
+    def lost(balls, nearby=None, *starts):
+        found = free_ball_motion(balls, nearby, *starts)
         found.motion[3] = np.nan
         return found
 

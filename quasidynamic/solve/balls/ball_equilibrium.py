@@ -10,7 +10,8 @@ from quasidynamic.balance.balls.ball_position import Vectors
 
 TOLERANCE = 1e-12  # of the largest force: unbalanced force on a ball
 ROUNDING = 16 * float(np.finfo(float).eps)  # of lengths: a force below stiffness times this is noise
-LIMIT = 40  # evaluations of the balls at one place of the ring, rarely more than four
+LIMIT = 40  # evaluations of the balls at one place of the ring, rarely more than four ...
+DEAR = 100  # ... and fewer of those that cost more than this many closed forms
 STABLE = 0.1  # of the stiffness of a ball hanging in the outer groove: least one in a step
 FLOATING = 1e-15  # of its stiffness, given to every ball
 LEAST_STIFFNESS = 1e-9  # [N/m] the same where nothing touches: a long step, not an infinite one
@@ -112,8 +113,10 @@ def _damped(
     step, damping = _ball_step(balance, state.balls), np.ones(centres.shape)
     ahead, near = _along(state.balls.excess, step), state.balls.kinematics.near
     nears = near.copy()
-    while count < LIMIT:
-        running = np.logical_and(moving.any(axis=1), (damping >= SHORTEST).all(axis=1))
+    while count < LIMIT * DEAR // max(balance.control.cost, DEAR):
+        running = np.logical_and(
+            moving.any(axis=1), np.logical_and(damping >= SHORTEST, np.isfinite(step)).all(axis=1)
+        )
         if not running.any():
             break
         if 2 * running.sum() <= len(running):

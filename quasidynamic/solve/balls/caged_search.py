@@ -15,6 +15,7 @@ from quasidynamic.solve.balls.free_ball_search import (
     ONE_STEP_AWAY,
     FreeBallMotion,
     Nearby,
+    free_ball_motion,
     least_heat,
     motion_at,
     searched,
@@ -41,7 +42,11 @@ class _CageStep(NamedTuple):
 
 
 def caged_ball_motion(
-    balls: FreeBalls, cages: Cages, nearby: Nearby | None, near: NDArray | None = None
+    balls: FreeBalls,
+    cages: Cages,
+    nearby: Nearby | None,
+    near: NDArray | None = None,
+    held: float | None = None,
 ) -> FreeBallMotion:
     r"""Balance of balls and of their cages, see `Pockets`.
 
@@ -52,6 +57,7 @@ def caged_ball_motion(
     near it, though one that was lost at a speed is not sought as widely at the next; then all are balanced
     together. Unknowns and speeds of the cage that are `near` (N, 5) are tried
     first, see `free_ball_motion`. A ball that finds no balance does not push its cage.
+    At a speed of the cage that is `held` [-] balls are in balance one by one, and the cage need not be.
 
     Slopes are those at a speed of the cage that is given: what one ball does to the others by way of the
     cage is left out.
@@ -64,6 +70,11 @@ def caged_ball_motion(
     Balance of the moments on a cage as in `land_torque` and `Pockets`; balls eliminated one by one.
     """
     balls, base = on_base(balls, cages)
+    if held is not None:
+        speed = (held - base)[cages.of_ball]
+        balls = balls.in_cage(speed)
+        starts = [_with_cage(balls)] if near is None else [near[:, :4], _with_cage(balls)]
+        return free_ball_motion(balls, nearby, *starts)._replace(cage=speed)
     cages = replace(cages, base=base)
     count, anew = len(cages.ring_speed), np.full(len(cages.of_ball), True)
     speed, unknowns = np.zeros(count), np.zeros((len(anew), 4))
@@ -95,6 +106,17 @@ def caged_ball_motion(
     return solution
 
 
+def _with_cage(balls: FreeBalls) -> NDArray:
+    """Unknowns (N, 4) of balls that orbit with their cage, and slip on the race that presses them less."""
+    pockets = balls.oil and balls.oil.pockets
+    assert pockets is not None
+    start, by_slip = least_heat(balls), balls.unknowns[:, ORBIT]
+    one, light = np.arange(len(start)), balls.ellipse.traction.argmin(1)
+    lead = pockets.lead(balls.rolling[:, ORBIT], np.einsum("nj,nj->n", by_slip, start))
+    start[one, light] += lead / by_slip[one, light]
+    return start
+
+
 def on_base(balls: FreeBalls, cages: Cages) -> tuple[FreeBalls, NDArray]:
     """Balls with speeds of cages counted from a base, and the base (G) [-]: their mean by load in rolling."""
     load = balls.ellipse.traction.min(1)
@@ -109,7 +131,7 @@ def _searched(balls: FreeBalls, cages: Cages) -> tuple[NDArray, NDArray]:
     speed, unknowns, lost = _together(balls, cages, speed, unknowns)
     if lost.any():
         some = balls.in_cage(speed[cages.of_ball]).taken(lost)
-        unknowns[lost] = searched_again(some, unknowns[lost])
+        unknowns[lost] = searched_again(some, _with_cage(some))
         speed, unknowns, _ = _together(balls, cages, speed, unknowns)
     return speed, unknowns
 
@@ -124,7 +146,8 @@ def _coarse(balls: FreeBalls, cages: Cages) -> tuple[NDArray, NDArray]:
         unknowns, left = searched(some, unknowns, 1.0, (COARSE, COARSE_TOLERANCE))
         lost = found & ~(left <= COARSE_TOLERANCE)
         if lost.any():
-            unknowns[lost] = searched_again(some.taken(lost), unknowns[lost], (COARSE, COARSE_TOLERANCE))
+            again = some.taken(lost)
+            unknowns[lost] = searched_again(again, _with_cage(again), (COARSE, COARSE_TOLERANCE))
         state = some.balance(unknowns, some.friction(unknowns, COARSE))
         found = (np.abs(state.left) / some.scale).max(1) <= COARSE_TOLERANCE
         step = _step(some, state._replace(left=0.0 * state.left), cages, speed, unknowns)

@@ -103,6 +103,12 @@ class CoulombControl:
     stick: StickingContacts | None = None  # None: full sliding
     oil: LubricatedRaces | None = None  # whose tractions take the place of the coefficient; None: dry
     cage: BallCage | None = None  # of balls in oil
+    cage_speed: float | None = None  # [-] of the cage in space, held; None: by the balance of its moments
+
+    @property
+    def in_one_cage(self) -> bool:
+        """Whether all balls are in one cage."""
+        return self.cage is not None and len(self.bearing.rows) == 1
 
     @property
     def simpler(self) -> RaceControl:
@@ -115,6 +121,8 @@ class CoulombControl:
     @property
     def noise(self) -> float:
         """What the search for the motion of balls leaves of their friction."""
+        if self.cage_speed is not None:
+            return NOISE / 10
         return NOISE if self.stick is None else STICKING_NOISE
 
     @property
@@ -122,8 +130,8 @@ class CoulombControl:
         """A search for the motion of every ball, and less of all else."""
         if self.stick is not None:
             return 100
-        if self.cage is not None:
-            return 120
+        if self.cage is not None and self.cage_speed is None:
+            return 300
         return 20 if self.oil is None else 60
 
     @property
@@ -331,9 +339,9 @@ class CoulombControl:
             nearby = partial(self._nearby, oil, some, loads[:, block]) if slopes else None
             start = None if near is None else near[block]
             if cages is None:
-                found.append(free_ball_motion(some, nearby, None if start is None else start[:, :4]))
+                found.append(free_ball_motion(some, nearby, *([] if start is None else [start[:, :4]])))
             else:
-                found.append(caged_ball_motion(some, cages.taken(block), nearby, start))
+                found.append(caged_ball_motion(some, cages.taken(block), nearby, start, self.cage_speed))
         return FreeBallMotion(*(np.concatenate(arrays) for arrays in zip(*found, strict=True)))
 
     def _nearby(

@@ -54,20 +54,20 @@ class _Contact(NamedTuple):
     across: NDArray  # (N, 2) [N] derivative of the heat by the slip across
 
 
-def free_ball_motion(
-    balls: FreeBalls, nearby: Nearby | None = None, start: NDArray | None = None
-) -> FreeBallMotion:
+def free_ball_motion(balls: FreeBalls, nearby: Nearby | None = None, *starts: NDArray) -> FreeBallMotion:
     """Balance of balls with its slopes, by implicit differentiation; of balls in oil with those `nearby`.
 
     Of several motions that are balanced, as of a traction that falls with the slip, the one by Newton's
-    method from unknowns of a `start` (N, 4), where it finds one.
+    method from unknowns of one of the `starts` (N, 4) after the other, where it finds one.
     """
-    if start is None:
-        unknowns = nearly_balanced(balls)
+    unknowns, lost = np.zeros((len(balls.rolling), 4)), np.full(len(balls.rolling), True)
+    for start in starts:
+        unknowns[lost], left = searched(balls.taken(lost), start[lost], 1.0, (FINE, ONE_STEP_AWAY))
+        lost[lost] = ~(left <= ONE_STEP_AWAY)
+        if not lost.any():
+            break
     else:
-        unknowns, left = searched(balls, start, 1.0, (FINE, ONE_STEP_AWAY))
-        if (lost := ~(left <= ONE_STEP_AWAY)).any():
-            unknowns[lost] = nearly_balanced(balls.taken(lost))
+        unknowns[lost] = nearly_balanced(balls.taken(lost))
     solution, left, unknowns = motion_at(balls, unknowns, nearby)
     for search in (None, None, searched_again):
         lost = ~(left <= ONE_STEP_AWAY)

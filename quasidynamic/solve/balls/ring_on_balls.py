@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import brentq
 
 from quasidynamic.balance.balls.angular_contact import AngularBalance, BallBalance, RingBalance, moved
 from quasidynamic.balance.balls.ball_position import Vectors
@@ -14,8 +15,9 @@ from quasidynamic.solve.balls.ball_equilibrium import (
     balance_balls,
     resolved,
 )
+from quasidynamic.solve.balls.coulomb_control import CoulombControl
 from quasidynamic.solve.balls.frozen_solve import frozen_solve
-from quasidynamic.solve.balls.inertia_homotopy import inertia_homotopy
+from quasidynamic.solve.balls.inertia_homotopy import BudgetSpent, inertia_homotopy
 from quasidynamic.solve.balls.ring_on_springs import first_place, newton_step
 from quasidynamic.solve.step_length import SolverOutcome
 
@@ -28,6 +30,14 @@ SLOWER = (0.7, 0.3, 0.1, 0.01)  # parts of the speed from which Newton's method 
 LEAST_SPEED_STEP = 2e-3  # part of the speed by which rings become faster at least
 BUDGET = 12000  # evaluations of all balls in one search, of closed forms, rarely more than two thousand
 FIRST = 3  # parts of that: for the first search, as others are quicker where it does not succeed soon
+FIRST_CAGE_STEP = 0.01  # of the speed of the rings: first step of a cage from rolling, each next five times
+CAGE_STARTS = (1.0, 0.995, 0.95, 0.7)  # of the speed of rolling, of which the first with a balance is taken
+LEAST_CAGE_STEP = 1e-4  # the same of shorter ones, where balls have no balance
+SLOW_CAGE = 1e-3  # of the same: speed from which a cage may turn round
+CLOSE = 0.1  # of the speed of a cage: step by which its balls move as by closed forms
+SPEEDS = 6  # of a cage at least that twice the budget of other searches is enough for, mostly fewer than ten
+NEARLY = 1e-8  # of the torques around a cage: what is left where all may be in balance
+CAGE_SPEED_ERROR = 1e-13  # of the speed of the rings
 TINY = float(np.finfo(float).tiny)
 ANSWERED = (SolverOutcome.CONVERGED, SolverOutcome.UNDETERMINED)  # that no other path would change
 SINGULAR = 1e-12  # of the whole stiffness: a direction that nothing holds
@@ -72,7 +82,10 @@ class _RingState:
 
 
 def solve(balance: AngularBalance) -> RingSolution:
-    """Balance of all cases: in one go, else from rest, along a path of growing inertia, from slower rings."""
+    """Balance of all cases: in one go, else from rest, along a path of growing inertia, from slower rings.
+
+    Or, of balls in a cage, by the speed of the cage.
+    """
     with np.errstate(all="ignore"):  # places tried on the way may overflow: such a step is not taken
         return _solve(balance)
 
@@ -97,8 +110,11 @@ def _solve(balance: AngularBalance) -> RingSolution:
 
 def _sought_elsewhere(balance: AngularBalance) -> tuple[RingSolution | None, int]:
     """Balance of one case that Newton's method does not find, else None, and evaluations."""
+    control, (inner, outer) = balance.control, balance.speeds[:, 0, 0]
     searches = (along_path, from_slower_rings)
-    if balance.control.simpler is not None:
+    if isinstance(control, CoulombControl) and control.in_one_cage and inner != outer:
+        searches = (by_cage_speed,)  # no other one is known to succeed where it does not
+    elif control.simpler is not None:
         searches = (from_rest, *searches)
     evaluations = 0
     for search in searches:
@@ -185,6 +201,150 @@ def along_path(balance: AngularBalance) -> tuple[RingSolution | None, int]:
     ), count + 1
 
 
+def by_cage_speed(balance: AngularBalance) -> tuple[RingSolution | None, int]:
+    r"""Balance of one case by the speed of its only cage, else None, and evaluations.
+
+    .. math:: M(\omega_c) = \sum_j M_{pj} + M_{land} = 0
+
+    At a given speed of the cage balls have the centrifugal force of that speed and are in balance one by one:
+    from rolling down to rest the place of the ring is a smooth function of it, also where that place turns
+    back, as balls that become faster push the ring away. M drives a cage at rest and brakes one that rolls,
+    but where a land does more: with one sign on either side there is a balance between.
+
+    Source
+    ------
+    A fold passed by a parameter that it does not turn back in, as in Allgower and Georg, Introduction to
+    Numerical Continuation Methods (2003), ch. 6; the zero by Brent's method.
+    """
+    held = _HeldCage(balance)
+    try:
+        speed, torque = held.begin()
+        step = FIRST_CAGE_STEP
+        while step > LEAST_CAGE_STEP:
+            further = speed + np.sign(torque) * step
+            if further * speed < 0 and abs(speed) > SLOW_CAGE:
+                further = speed / 5
+            there = held.torque(further)
+            if there * torque < 0:
+                brentq(held.known_torque, speed, further, xtol=CAGE_SPEED_ERROR)
+                break
+            if np.isfinite(there):
+                speed, torque, step = further, there, 5 * step
+            else:
+                step = abs(further - speed) / 4
+    except _Balanced as balanced:
+        return balanced.solution, held.evaluations
+    except (_Lost, BudgetSpent):
+        pass
+    return None, held.evaluations
+
+
+class _Lost(Exception):
+    """Ring and balls have no known balance at a speed of the cage."""
+
+
+class _Balanced(Exception):
+    """A cage of the speed that was tried is in balance, too."""
+
+    def __init__(self, solution: RingSolution):
+        self.solution = solution
+
+
+class _HeldCage:
+    """One case at speeds of its cage that are given, over that of the inner against the outer ring."""
+
+    def __init__(self, balance: AngularBalance):
+        assert isinstance(balance.control, CoulombControl)
+        self.balance, self.control = balance, balance.control
+        self.evaluations = 0
+        self.ahead = (balance.speeds[0] - balance.speeds[1]).item()
+        self.known: dict[float, tuple[RingSolution, RingSolution]] = {}  # balances, the same of closed forms
+        self.torques: dict[float, float] = {}
+        self.simpler = replace(balance, control=self.control.simpler)
+        balls, _ = self._closed(1.0).forces(self.simpler)
+        load, orbit = balls.loads.min(0), balls.kinematics.orbit
+        self.rolling = float(np.average(orbit, weights=load if load.any() else None)) / self.ahead
+
+    def torque(self, speed: float) -> float:
+        """M over the sum of the torques on rings and pockets; not a number without a balance of the balls.
+
+        Raises `_Balanced` where M vanishes, `BudgetSpent`.
+        """
+        if speed not in self.torques:
+            self.torques[speed] = self._torque(speed)
+        return self.torques[speed]
+
+    def known_torque(self, speed: float) -> float:
+        """M as above; raises `_Lost` without a balance of the balls."""
+        if not np.isfinite(torque := self.torque(speed)):
+            raise _Lost
+        return torque
+
+    def begin(self) -> tuple[float, float]:
+        """A speed near that of rolling, and M; raises `_Lost` without a balance of the balls there."""
+        for part in CAGE_STARTS[:-1]:
+            if np.isfinite(torque := self.torque(part * self.rolling)):
+                return part * self.rolling, torque
+        return CAGE_STARTS[-1] * self.rolling, self.known_torque(CAGE_STARTS[-1] * self.rolling)
+
+    def _torque(self, speed: float) -> float:
+        control = replace(self.control, cage_speed=speed)
+        balance = replace(self.balance, control=control)
+        solution = self._solved(balance, speed)
+        if solution is None:
+            return np.nan
+        balls, _ = solution.forces(balance)
+        oil = control.oiled(balls.contacts, balance.speeds, balance.free_centrifugal, solution.near)
+        pitch = balance.bearing.pitch_diameter / 2
+        size = np.abs(oil.ring_torque).sum() + pitch * np.abs(oil.pocket_force).sum()
+        left = float((oil.land_torque - oil.pocket_torque).sum() / size)
+        if abs(left) <= NEARLY:
+            self._raise_if_balanced(solution)
+        return np.sign(self.ahead) * left
+
+    def _raise_if_balanced(self, solution: RingSolution) -> None:
+        balance, grooves = self.balance, self.balance.grooves(solution.ring)
+        state = _at(balance, solution.ring, at_places(balance, grooves, solution.centres, near=solution.near))
+        outcome = _outcome(balance, state, 0, 1.0, last=True)
+        self.evaluations += 1
+        if outcome in ANSWERED:
+            raise _Balanced(
+                replace(
+                    solution,
+                    outcomes=[outcome],
+                    imbalance=state.imbalance,
+                    evaluations=np.array([self.evaluations]),
+                    last_forces=None,
+                    near=state.near,
+                )
+            )
+
+    def _solved(self, balance: AngularBalance, speed: float) -> RingSolution | None:
+        """Balance at a speed, from that by closed forms for slower rings and from the nearest speed."""
+        closed = self._closed(abs(speed / self.rolling))
+        starts, motion = [(closed.ring, closed.centres)], None
+        if self.known:
+            nearest = min(self.known, key=lambda known: abs(known - speed))
+            near, like = self.known[nearest]
+            starts, motion = [*starts, (near.ring, near.centres)], near.near
+            if abs(nearest - speed) <= CLOSE * abs(speed):
+                moved = closed.ring - like.ring, closed.centres - like.centres
+                starts.insert(0, (near.ring + moved[0], near.centres + moved[1]))
+        for start in starts:
+            if self.evaluations >= (budget := 2 * BUDGET // balance.control.cost):
+                raise BudgetSpent
+            solution = newton(balance, *start, motion, budget=budget // SPEEDS)
+            self.evaluations += int(solution.evaluations[0])
+            if solution.outcomes[0] in ANSWERED:
+                self.known[speed] = solution, closed
+                return solution
+        return None
+
+    def _closed(self, part: float) -> RingSolution:
+        """Balance of rings at a part of their speed, of balls by closed forms."""
+        return _solve(replace(self.simpler, speeds=part * self.balance.speeds))
+
+
 @np.errstate(all="ignore")  # places tried on the way may overflow: such a step is not taken
 def newton(
     balance: AngularBalance,
@@ -206,12 +366,13 @@ def newton(
         np.full(size, np.inf),
         np.zeros(size, int),
     )
+    budget = budget or BUDGET // balance.control.cost
     cases, state = np.arange(size), _state(balance, ring, centres, BALL_SHARE, near)
     out_near = state.near.copy()
     evaluations += state.evaluations
     damping, number = np.ones(size), 0
     while True:
-        last = (number == LIMIT) | (evaluations[cases] > (budget or BUDGET // balance.control.cost))
+        last = (number == LIMIT) | (evaluations[cases] > budget)
         ended = [_outcome(balance, state, k, damping[k], last[k]) for k in range(len(cases))]
         for k, case in enumerate(cases):
             out_ring[case], out_centres[case], out_near[case] = state.ring[k], state.centres[k], state.near[k]
@@ -223,7 +384,7 @@ def newton(
         if not running.all():
             cases, balance, damping = cases[running], balance.take(running), damping[running]
             state = _taken(state, running)
-        state, damping, count = _moved(balance, state)
+        state, damping, count = _moved(balance, state, budget - evaluations[cases].max())
         evaluations[cases] += count
         number += 1
 
@@ -255,8 +416,11 @@ def _held(balance: AngularBalance, state: _RingState, case: int) -> bool:
     return bool(touching and scales.min() > SINGULAR * scales.max())
 
 
-def _moved(balance: AngularBalance, state: _RingState) -> tuple[_RingState, NDArray, int]:
-    """State after a Newton step; where it fails, balls are brought into balance and the step is halved."""
+def _moved(balance: AngularBalance, state: _RingState, budget: int) -> tuple[_RingState, NDArray, int]:
+    """State after a Newton step; where it fails, balls are brought into balance and the step is halved.
+
+    As long as it has not cost its `budget` of evaluations.
+    """
     step, damping = (
         newton_step(balance, state.balance.excess, state.balance.stiffness, state.imbalance),
         np.ones(len(state.ring)),
@@ -269,7 +433,7 @@ def _moved(balance: AngularBalance, state: _RingState) -> tuple[_RingState, NDAr
             newton_step(balance, state.balance.excess, state.balance.stiffness, state.imbalance),
             count + state.evaluations,
         )
-    while not good.all() and (damping[~good] >= SHORTEST).any():
+    while not good.all() and (damping[~good] >= SHORTEST).any() and count <= budget:
         trial, good = _tried(balance, state, step, damping, 0.0)
         count += trial.evaluations
         damping = np.where(good, damping, damping / 2)
