@@ -47,14 +47,14 @@ class Count:
 
 @dataclass(frozen=True)
 class Choice:
-    """One of some texts or numbers."""
+    """One of some texts, numbers or flags."""
 
-    allowed: tuple[str | int, ...]
+    allowed: tuple[str | int | bool, ...]
     optional: bool = False  # may be None
 
     def problem(self, value: Any, sizes: dict[str, int]) -> str:
         """What it is else."""
-        known = type(value) in (str, int) and value in self.allowed
+        known = any(type(value) is type(each) and value == each for each in self.allowed)
         return "" if known else f"{value!r} is none of {self.allowed}"
 
 
@@ -157,6 +157,7 @@ RECORDS = {
             "short_waves": Array(("S M M",), optional=True),
             "rows": Count(),
             "taper": Number(),
+            "along": Choice((False, True)),
         },
     ),
     "BarResponse": Record(

@@ -4,7 +4,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
 
 from quasidynamic.balance.balls.angular_contact import AngularBalance, BallBalance, RingBalance, moved
 from quasidynamic.balance.balls.ball_position import Vectors
@@ -216,6 +215,8 @@ def by_cage_speed(balance: AngularBalance) -> tuple[RingSolution | None, int]:
     A fold passed by a parameter that it does not turn back in, as in Allgower and Georg, Introduction to
     Numerical Continuation Methods (2003), ch. 6; the zero by Brent's method.
     """
+    from scipy.optimize import brentq  # takes long to load, for a search that few bearings need
+
     held = _HeldCage(balance)
     try:
         speed, torque = held.begin()
