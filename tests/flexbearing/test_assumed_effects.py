@@ -108,6 +108,7 @@ def test_the_range_of_a_modified_life_keeps_a_iso_within_its_limits(tmp_path):
     settings = {
         "assumed": ["lubricant.inlet_temperature", "life.cleanliness"],
         "outputs.assumed_effects": True,
+        "life.modification": "bearing",
     }
     api.run(CONFIGS / "catalogue" / "nu210.toml", settings, output=tmp_path / "oil.h5")
     reader = Reader(api.read(tmp_path / "oil.h5"), METRIC)

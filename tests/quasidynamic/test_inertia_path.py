@@ -171,7 +171,7 @@ def test_searches_that_end_with_their_budgets_are_told_with_what_they_cost(monke
     lever = np.array([1.0, 1.0, 1.0, *[BEARING.inner_groove_radius] * 2])
     force *= (SPEED / 1111.6) ** 2  # the load is counted in forces at the lower speed
     load = tuple(np.array([0.152, 0.061, 0.304, 0.001, -0.061]) * force * lever)
-    with pytest.raises(NotSolved, match=r"in \d+ evaluations by Newton's method, along a path") as refused:
+    with pytest.raises(NotSolved, match=r"in \d+ evaluations by Newton's method and the searches") as refused:
         model.solve(RingOperation(load=load, inner_speed=1111.6))
     assert refused.value.outcome is SolverOutcome.LIMIT
 
