@@ -16,7 +16,6 @@ from typing import NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import block_diag
 
 from fem.errors import NotSolved, TooFewHarmonics
 from fem.half_space.line_load import cubic_tail, curvature_tail, indentation, indentation_harmonics
@@ -350,7 +349,10 @@ class HarmonicCompliance:
         unit = 2 * (1 - self.elastic.poisson_ratio**2) / (np.pi * self.elastic.youngs_modulus)
         own = unit / (2 * self._contact_length) * (shapes.T * (weights * ratio)) @ shapes
         of_rows = own, own * np.outer((-1.0) ** order, (-1.0) ** order)  # mirror images
-        return np.asarray(block_diag(*map(self._with_force_along, of_rows[: self.rows])))
+        whole = np.zeros((self.rows, self._shapes, self.rows, self._shapes))
+        for row, of_row in enumerate(of_rows[: self.rows]):
+            whole[row, :, row] = self._with_force_along(of_row)
+        return whole.reshape(self.rows * self._shapes, -1)
 
     @property
     def _shapes(self) -> int:

@@ -21,7 +21,6 @@ from quasidynamic.solve.rollers.static_equilibrium import (
 from quasidynamic.solve.start.friction import balanced_drifts
 from quasidynamic.solve.start.frictionless import frictionless_ring, static_unknowns
 from quasidynamic.solve.start.lumped import LumpedRollers, held_back
-from quasidynamic.solve.start.on_ribs import pressed_on_ribs
 
 SMALL_SLIP = 0.1  # slip up to which the centrifugal force and the spins of unloaded rollers change little
 TRIAL_SLIPS = np.geomspace(1e-5, 0.98, 9)  # slips that are looked at for a start
@@ -93,6 +92,9 @@ def tilted_by_moments(balance: BearingBalance, unknowns: Unknowns) -> Unknowns:
     """
     points, length = balance.points, balance.roller.bearing.roller.length
     if balance.layout.ribs and not balance.layout.elastic_raceways and balance.deviation is None:
+        # tapered rollers are loaded for thrust alone
+        from quasidynamic.solve.start.on_ribs import pressed_on_ribs
+
         return pressed_on_ribs(balance, unknowns)
     by_moment = (points.free_tilt & (points.moment > MOSTLY * points.load * length))[:, 0]
     if not by_moment.any() or balance.layout.elastic_raceways or balance.deviation is not None:
