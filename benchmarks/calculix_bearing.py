@@ -1,7 +1,8 @@
 r"""A bearing in a clamped flexible ring, monolithic in CalculiX: `python -m benchmarks.calculix_bearing`.
 
 The 209 bearing of `configs/nu209.toml` (14 rollers, 10 slices each) in an outer ring of 12 x 4 mm with one
-side face clamped, on a rigid inner ring. Both programs start from the same case file.
+side face clamped, on a rigid inner ring; with `--rows 2` two rows of them 14 mm apart in a ring of 28 x 4 mm,
+where the row at the clamp carries more. Both programs start from the same case file.
 
 CalculiX takes the whole at once, as `benchmarks.calculix_springs` tells: a given displacement of the inner
 ring leads it to a solution, a given force does not, and flexbearing gets the force that this takes. Its three
@@ -13,6 +14,7 @@ cache, of CalculiX those of its process without making its input; on a busy mach
 Needs the program `ccx`, on Debian in the package `calculix-ccx`.
 """
 
+import argparse
 import os
 import shutil
 import statistics
@@ -38,9 +40,9 @@ from flexbearing.case.roller import Case
 
 CASE = "configs/nu209.toml"
 SETTINGS = [
-    "outer.kind=ring", "outer.width=12 mm", "outer.thickness=4 mm", f"accuracy.slices={SLICES}",
-    "operation.inner_speed=1 rpm",
+    "outer.kind=ring", "outer.thickness=4 mm", f"accuracy.slices={SLICES}", "operation.inner_speed=1 rpm",
 ]  # fmt: skip
+RINGS = {1: ["outer.width=12 mm"], 2: ["outer.width=28 mm", "bearing.second_row.distance=14 mm"]}
 VARIANTS = {
     "order 3": ["accuracy.element_order=3"],
     "as usual": [],
@@ -76,7 +78,7 @@ def medians(seconds: list[tuple[float, float]]) -> Seconds:
 
 def monolithic(program: str, springs: Springs, mesh: Hexahedra) -> tuple[list[NDArray], float, Seconds]:
     """Roller loads (Z) [N] of each run, force on the inner ring in the last one [N], and times."""
-    dead, loads, force, seconds = np.zeros((springs.bearing.rollers, SLICES)), [], 0.0, []
+    dead, loads, force, seconds = np.zeros((springs.bearing.all_rollers, SLICES)), [], 0.0, []
     for _ in range(RUNS):
         text = deck(springs, mesh, dead)
         began = time.perf_counter()
@@ -88,7 +90,7 @@ def monolithic(program: str, springs: Springs, mesh: Hexahedra) -> tuple[list[ND
     return loads, force, medians(seconds)
 
 
-def ours(load: float, further: list[str]) -> tuple[NDArray, float, Seconds]:
+def ours(load: float, settings: list[str]) -> tuple[NDArray, float, Seconds]:
     """Loads of the outer raceway (Z) [N] and way of the inner ring [m] under a radial load [N], and times.
 
     Nothing is taken from the cache.
@@ -97,8 +99,8 @@ def ours(load: float, further: list[str]) -> tuple[NDArray, float, Seconds]:
     for _ in range(RUNS):
         with tempfile.TemporaryDirectory() as folder:
             began, processor = time.perf_counter(), time.process_time()
-            settings = [*SETTINGS, f"operation.radial_load={load} N", *further]
-            result = run(CASE, settings, output=Path(folder) / "out.h5")
+            loaded = [*settings, f"operation.radial_load={load} N"]
+            result = run(CASE, loaded, output=Path(folder) / "out.h5")
             seconds.append((time.perf_counter() - began, time.process_time() - processor))
         if result.attributes["status"] != "converged":
             raise RuntimeError(f"flexbearing: {result.attributes['status']}")
@@ -108,21 +110,25 @@ def ours(load: float, further: list[str]) -> tuple[NDArray, float, Seconds]:
 
 
 def main() -> None:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--rows", type=int, choices=RINGS, default=1)
+    settings = SETTINGS + RINGS[parser.parse_args().rows]
     program = shutil.which("ccx")
     if program is None:
         print("CalculiX is not installed: there is no program `ccx`. On Debian: apt install calculix-ccx")
         return
     os.environ[VARIABLE] = "off"
     print(f"{describe()}, {release(program)}")
-    case = read_case(CASE, SETTINGS)
+    case = read_case(CASE, settings)
     assert isinstance(case, Case)
     bearing, ring = roller_bearing.bearing(case).bearing, ring_parts.outer_part(case)
     assert isinstance(ring, fem.OuterRing)
-    ours(LOADED, [])  # loads modules
+    ours(LOADED, settings)  # loads modules
     with threadpool_limits(limits=1, user_api="blas"):
         for *counts, width in MESHES:
             springs = Springs(bearing, ring, width)
-            beside(program, springs, meshed(springs, *counts), f"{counts}, patches of {width} mm")
+            print(f"{counts}, patches of {width} mm: ", end="")
+            beside(program, springs, meshed(springs, *counts), settings)
 
 
 def release(program: str) -> str:
@@ -131,15 +137,15 @@ def release(program: str) -> str:
     return f"CalculiX {said.split()[-1]}"
 
 
-def beside(program: str, springs: Springs, mesh: Hexahedra, name: str) -> None:
+def beside(program: str, springs: Springs, mesh: Hexahedra, settings: list[str]) -> None:
     """Print loads and times of both programs."""
     runs, force, other = monolithic(program, springs, mesh)
     loads = runs[-1]
-    print(f"{name}: {3 * mesh.number.max()} unknowns, inner ring moved by {1e3 * MOVED:g} um: {force:.1f} N")
+    print(f"{3 * mesh.number.max()} unknowns, inner ring moved by {1e3 * MOVED:g} um: {force:.1f} N")
     print(f"  ccx: {other}; largest load {', '.join(f'{load.max():.2f}' for load in runs)} N run by run")
-    print(f"    {listed(loads)}")
-    for label, settings in VARIANTS.items():
-        own, moved, seconds = ours(force, settings)
+    print(f"    {listed(springs, loads)}")
+    for label, further in VARIANTS.items():
+        own, moved, seconds = ours(force, settings + further)
         largest, any_load = own.max() / loads.max() - 1, np.abs(own - loads).max() / loads.max()
         print(
             f"  flexbearing, {label}: {seconds}; ccx takes {other.wall / seconds.wall:.1f} x (wall), "
@@ -147,12 +153,13 @@ def beside(program: str, springs: Springs, mesh: Hexahedra, name: str) -> None:
             f"{100 * largest:+.3f} %; no load further off than {100 * any_load:.3f} % of the largest; "
             f"inner ring moved by {1e6 * moved:.3f} um"
         )
-        print(f"    {listed(own)}", flush=True)
+        print(f"    {listed(springs, own)}", flush=True)
 
 
-def listed(loads: NDArray) -> str:
-    """Loads of the rollers from under the load to the far side; the others mirror them."""
-    return ", ".join(f"{load:.1f}" for load in loads[: loads.size // 2 + 1]) + " N"
+def listed(springs: Springs, loads: NDArray) -> str:
+    """Loads of each row from under the load to the far side; the other rollers mirror them."""
+    rows = loads.reshape(springs.bearing.row_count, -1)[:, : springs.bearing.rollers // 2 + 1]
+    return "; ".join(", ".join(f"{load:.1f}" for load in row) for row in rows) + " N"
 
 
 if __name__ == "__main__":

@@ -44,7 +44,7 @@ MM = 1e3
 
 @dataclass(frozen=True)
 class Springs:
-    """Slice springs of all rollers of a bearing in a ring; lengths in mm, Z rollers, K slices."""
+    """Slice springs of all rollers of a bearing in a ring; lengths in mm, Z rollers of all rows, K slices."""
 
     bearing: qd.CylindricalRollerBearing
     ring: fem.OuterRing
@@ -63,6 +63,12 @@ class Springs:
     def azimuths(self) -> NDArray:
         """Of all springs (Z K), roller by roller [rad]."""
         return np.repeat(self.bearing.azimuths, SLICES)
+
+    @cached_property
+    def centres(self) -> NDArray:
+        """Axial places of all springs (Z K)."""
+        of_rows = [MM * row.axial + self.slices.all_centres for row in self.bearing.rows]
+        return np.concatenate([np.tile(places, self.bearing.rollers) for places in of_rows])
 
     @property
     def normal(self) -> NDArray:
@@ -109,7 +115,9 @@ def meshed(springs: Springs, along: int, shoulder: int, radial: int, around: int
     """Elements whose ends are those of the rollers, smaller towards the corners of the clamp."""
     half, end = springs.slices.length / 2, MM * springs.ring.width / 2
     graded = 1 - (1 - np.arange(1, shoulder + 1) / shoulder) ** 2
-    axial = np.concatenate([[-end], np.linspace(-half, half, along + 1), half + (end - half) * graded])
+    below = [MM * row.axial + np.linspace(-half, half, along + 1) for row in springs.bearing.rows]
+    last = below[-1][-1]
+    axial = np.concatenate([[-end], *below, last + (end - last) * graded])
     deep = (1 - np.cos(np.pi * np.arange(radial + 1) / radial)) / 2
     return between(axial, springs.radius + MM * springs.ring.thickness * deep, around)
 
@@ -117,15 +125,15 @@ def meshed(springs: Springs, along: int, shoulder: int, radial: int, around: int
 def patches(springs: Springs, mesh: Hexahedra) -> sparse.csr_array:
     """Shares (Z K, nodes + 1) of the nodes in the load of a slice, and in the mean that it feels."""
     own, around = springs.slices, mesh.number.shape[2] // 2
-    x, dx = gauss(np.linspace(-own.length / 2, own.length / 2, 2 * SLICES + 1), 2)
+    ends = np.linspace(-own.length / 2, own.length / 2, 2 * SLICES + 1)
+    each = [gauss(MM * row.axial + ends, 2) for row in springs.bearing.rows]
+    x, dx = (np.concatenate(parts) for parts in zip(*each, strict=True))
     phi, dphi = gauss(2 * np.pi / around * np.arange(around + 1), 6)
     arc = springs.radius * np.angle(np.exp(1j * (phi - springs.azimuths[:, None])))
     along_arc = (
         np.where(abs(arc) < REACH * springs.width, np.exp(-((arc / springs.width) ** 2) / 2), 0.0) * dphi
     )
-    along_axis = np.where(
-        x // own.width + SLICES // 2 == np.tile(np.arange(SLICES), springs.bearing.rollers)[:, None], dx, 0.0
-    )
+    along_axis = np.where(abs(x - springs.centres[:, None]) < own.width / 2, dx, 0.0)
     share = np.einsum("sx,sp->sxp", along_axis, along_arc).reshape(springs.azimuths.size, -1)
     found = sparse.csr_array(share) @ raceway_shapes(mesh, x, phi)
     return sparse.csr_array(sparse.diags_array(1 / found.sum(axis=1)) @ found)
@@ -168,7 +176,7 @@ def deck(springs: Springs, mesh: Hexahedra, dead: NDArray) -> str:
     count, last = springs.azimuths.size, int(mesh.number.max())
     outer, inner = last + 1 + np.arange(count), last + 1 + count + np.arange(count)
     elements = len(mesh.elements)
-    x = np.tile(springs.slices.all_centres, springs.bearing.rollers)[:, None] * [1, 0, 0]
+    x = springs.centres[:, None] * [1, 0, 0]
     lines = [
         *clamped(mesh, steel.youngs_modulus / MM**2, steel.poisson_ratio),
         "*NODE, NSET=OUTER", *rows(outer, x + springs.radius * springs.normal),
