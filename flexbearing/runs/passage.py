@@ -65,7 +65,7 @@ def notes(case: Case, model: RollerBearing, rings: RacewayPair, end: Equilibrium
     threshold, largest = case.accuracy.target or NOTED, float(end.loads[0].max())
     if not largest > 0 or not _may_matter(case, end, WORTH_A_SOLVE * threshold):
         return ()
-    moved = None if _in_space(case, rings) else _half_a_pitch_further(case, model, rings, end)
+    moved = None if _in_space(case, rings) else _half_a_pitch_further(case, model, rings)
     if moved is None:
         words = "half a pitch of the rollers may change loads and life, and is not solved here"
     else:
@@ -110,16 +110,13 @@ def _in_space(case: Case, rings: RacewayPair) -> bool:
     return rings.solved_in_full or case.accuracy.structure == "solid" or case.outer.kind == "step"
 
 
-def _half_a_pitch_further(
-    case: Case, model: RollerBearing, rings: RacewayPair, end: Equilibrium
-) -> Equilibrium | None:
+def _half_a_pitch_further(case: Case, model: RollerBearing, rings: RacewayPair) -> Equilibrium | None:
+    """From a load distribution: sooner than from rollers half a pitch away."""
     alone = case.model_copy(update={"coupling": case.coupling.model_copy(update={"fallback": False})})
     azimuth = model.bearing.first_roller_azimuth + np.pi / model.bearing.rollers
     moved = replace(model, bearing=replace(model.bearing, first_roller_azimuth=azimuth))
     try:
-        if rings.rigid:  # sooner from a load distribution than from half a pitch away
-            return BearingPartner(moved).solve()
-        return solved_near(alone, moved, rings.under(moved.bearing.azimuths), end)
+        return solved(alone, moved, rings.under(moved.bearing.azimuths))
     except PartnerFailed:
         return None
 
@@ -198,26 +195,29 @@ def passage(
         moved = replace(model, bearing=replace(model.bearing, first_roller_azimuth=at))
         try:
             moved_rings = rings.under(moved.bearing.azimuths)
-            near = solved_near(case, moved, moved_rings, near)
+            near = solved(case, moved, moved_rings, near)
             positions.append(Position(at, _values(case, moved, near, moved_rings), "converged"))
         except PartnerFailed as failure:
             positions.append(Position(at, {}, failure.ending or "not solved", str(failure)))
     return Passage(tuple(positions), case.accuracy.target or TOLD)
 
 
-def solved_near(case: Case, model: RollerBearing, rings: RacewayPair, near: Equilibrium) -> Equilibrium:
-    """Solve the bearing with its rollers at another place.
+def solved(
+    case: Case, model: RollerBearing, rings: RacewayPair, near: Equilibrium | None = None
+) -> Equilibrium:
+    """Solve the bearing with its rollers at another place, from a state near it where one is given.
 
     Raises `PartnerFailed` when no method converges.
     """
-    partner = BearingPartner(model)
+    partner, start = BearingPartner(model), None
     if rings.rigid:
         try:
             return partner.solve(start=near)
         except PartnerFailed:
             return partner.solve()
-    warm = InitialState("the position before", unknowns(flat(near.cases)[0], model.bearing.all_rollers))
-    start = None if rings.solved_in_full else warm.state  # which has no tangent to begin with
+    if near is not None and not rings.solved_in_full:  # which has no tangent to begin with
+        state = unknowns(flat(near.cases)[0], model.bearing.all_rollers)
+        start = InitialState("the position before", state).state
     *_, last = CoupledBearing(case.coupling, partner, rings, partner.solve(), start).attempts()
     if last.status != "converged":
         raise PartnerFailed(last.message, last.status)

@@ -111,7 +111,7 @@ def test_position_that_is_not_solved_is_a_danger_and_the_rest_is_reported(tmp_pa
     from flexbearing.coupling import PartnerFailed
     from flexbearing.runs import passage
 
-    solved, calls = passage.solved_near, []
+    solved, calls = passage.solved, []
 
     def second_fails(*given):
         calls.append(given)
@@ -119,7 +119,7 @@ def test_position_that_is_not_solved_is_a_danger_and_the_rest_is_reported(tmp_pa
             raise PartnerFailed("no luck", "iteration limit")
         return solved(*given)
 
-    monkeypatch.setattr(passage, "solved_near", second_fails)
+    monkeypatch.setattr(passage, "solved", second_fails)
     result = run(tmp_path, *RIGID, "operation.roller_positions=4")
     passed = result.attributes["passage"]
     assert passed["status"] == ["converged", "converged", "iteration limit", "converged"]
