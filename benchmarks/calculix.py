@@ -68,12 +68,8 @@ class Hexahedra:
 
     @property
     def along_a_line(self) -> NDArray:
-        """Shares of the nodes in an even load, or in the mean of a displacement: Simpson's rule."""
-        weight = np.zeros(self.axial.size)
-        for first in range(0, weight.size - 2, 2):
-            part = (self.axial[first + 2] - self.axial[first]) / WIDTH
-            weight[first : first + 3] += part * np.array([1, 4, 1]) / 6
-        return weight
+        """Shares of the nodes in an even load, or in the mean of a displacement."""
+        return simpson(self.axial)
 
 
 def hexahedra(radial: int, axial: int, around: int, graded: bool) -> Hexahedra:
@@ -96,6 +92,15 @@ def between(axial: NDArray, radial: NDArray, around: int) -> Hexahedra:
     return Hexahedra(number, number[i, j, k % shape[2]], halved(axial), halved(radial))
 
 
+def simpson(places: NDArray) -> NDArray:
+    """Shares of ends and middles of elements in the mean over all."""
+    weight = np.zeros(places.size)
+    for first in range(0, weight.size - 2, 2):
+        part = (places[first + 2] - places[first]) / (places[-1] - places[0])
+        weight[first : first + 3] += part * np.array([1, 4, 1]) / 6
+    return weight
+
+
 def halved(ends: NDArray) -> NDArray:
     """Ends of elements with their middles."""
     return np.insert((ends[1:] + ends[:-1]) / 2, np.arange(ends.size), ends)[: 2 * ends.size - 1]
@@ -109,6 +114,15 @@ def rows(numbers, places) -> list[str]:
 
 def clamped(mesh: Hexahedra, youngs_modulus: float, poisson_ratio: float) -> list[str]:
     """Input of CalculiX for an elastic ring [MPa] whose side face at the end of x is clamped."""
+    return [
+        *elastic(mesh, youngs_modulus, poisson_ratio),
+        "*NSET, NSET=CLAMPED", *(f"{n}," for n in mesh.number[-1][mesh.number[-1] > 0]),
+        "*BOUNDARY", "CLAMPED, 1, 3",
+    ]  # fmt: skip
+
+
+def elastic(mesh: Hexahedra, youngs_modulus: float, poisson_ratio: float) -> list[str]:
+    """Input of CalculiX for an elastic ring [MPa]."""
 
     def elements():
         for number, nodes in enumerate(mesh.elements, 1):
@@ -118,9 +132,8 @@ def clamped(mesh: Hexahedra, youngs_modulus: float, poisson_ratio: float) -> lis
     return [
         "*NODE, NSET=ALL", *rows(np.arange(1, mesh.number.max() + 1), mesh.place),
         "*ELEMENT, TYPE=C3D20, ELSET=RING", *elements(),
-        "*NSET, NSET=CLAMPED", *(f"{n}," for n in mesh.number[-1][mesh.number[-1] > 0]),
         "*MATERIAL, NAME=STEEL", "*ELASTIC", f"{youngs_modulus}, {poisson_ratio}",
-        "*SOLID SECTION, ELSET=RING, MATERIAL=STEEL", "*BOUNDARY", "CLAMPED, 1, 3",
+        "*SOLID SECTION, ELSET=RING, MATERIAL=STEEL",
     ]  # fmt: skip
 
 

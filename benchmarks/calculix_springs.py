@@ -15,8 +15,8 @@ patches tell whether the split works: without it the loads would follow the widt
 
 CalculiX 2.20 knows nonlinear springs only in an iteration of Newton, which NLGEOM or a plastic material
 calls for. The ring is linear: a clamped cube of a plastic material lies beside it. From an open gap only a
-given displacement leads CalculiX to a solution, so the inner ring is moved by `MOVED`, and flexbearing gets
-the force that this takes. The springs are a metre long to keep their directions; the forces they print
+given displacement leads CalculiX to a solution, so the inner ring is moved, and flexbearing gets the force
+that this takes. The springs are a metre long to keep their directions; the forces they print
 must obey their law at the displacements printed, or the run is refused.
 """
 
@@ -29,16 +29,17 @@ from scipy import sparse
 
 import fem
 import quasidynamic as qd
-from benchmarks.calculix import Hexahedra, between, clamped, rows
+from benchmarks.calculix import Hexahedra, between, clamped, elastic, rows, simpson
 from quasidynamic.contact.line import EXPONENT, Slices, palmgren
 
 SLICES = 10
-MOVED = 0.045  # [mm] inner ring
+MOVED = 0.045  # [mm] inner ring, where a side of the outer one is clamped
 SPRING = 1000.0  # [mm] long against all displacements
 MOST = 2000.0  # [N] end of the table of a slice
 POINTS = 150  # of the table; CalculiX 2.20 goes wrong above 200, in silence
 REACH = 5.0  # standard deviations of a patch
 LAWFUL = 1e-3  # of the largest slice load
+SOFT, SOFTNESS = 100000, 10.0  # number of the first, and stiffness [N/mm] of springs that hold a loose rim
 MM = 1e3
 
 
@@ -49,6 +50,7 @@ class Springs:
     bearing: qd.CylindricalRollerBearing
     ring: fem.OuterRing
     width: float  # of the patches [mm]
+    moved: float = MOVED  # of the inner ring [mm]
 
     @cached_property
     def slices(self) -> Slices:
@@ -87,6 +89,12 @@ class Springs:
         modulus = steel.youngs_modulus / MM**2 / (1 - steel.poisson_ratio**2)
         return integral[abs(k[:, None] - k)] / (np.pi * modulus * self.slices.width**2)
 
+    @property
+    def gap(self) -> NDArray:
+        """What the rows have of clearance beyond that of the bearing, half of it, (Z, 1)."""
+        further = [MM * row.clearance / 2 for row in self.bearing.rows]
+        return np.repeat(further, self.bearing.rollers)[:, None]
+
     def approach(self, load: NDArray) -> NDArray:
         """Raceways' approach a (..., K) [mm] for loads of the slices (..., K) [N], contact closed."""
         roller, own = self.bearing.roller, self.slices
@@ -107,8 +115,8 @@ class Springs:
         return load, approach
 
     def uneven(self, load: NDArray) -> NDArray:
-        """Dead zones (Z, K) [mm] that turn h F into H F where slices do not carry the same (Z, K) [N]."""
-        return load * self.half_space.sum(axis=1) - load @ self.half_space
+        """Dead zones (Z, K) [mm] of rows, and that turn h F into H F under unlike loads (Z, K) [N]."""
+        return self.gap + load * self.half_space.sum(axis=1) - load @ self.half_space
 
 
 def meshed(springs: Springs, along: int, shoulder: int, radial: int, around: int) -> Hexahedra:
@@ -172,13 +180,14 @@ def serendipity(xi: NDArray, eta: NDArray, a: int, b: int) -> NDArray:
 
 def deck(springs: Springs, mesh: Hexahedra, dead: NDArray) -> str:
     """Input of CalculiX, with dead zones (Z, K) [mm] further than those of the law."""
+    held = between_teeth if isinstance(springs.ring.support, fem.PlanetGear) else clamped
     steel, load = springs.ring.materials["ring"], patches(springs, mesh)
     count, last = springs.azimuths.size, int(mesh.number.max())
     outer, inner = last + 1 + np.arange(count), last + 1 + count + np.arange(count)
     elements = len(mesh.elements)
     x = springs.centres[:, None] * [1, 0, 0]
     lines = [
-        *clamped(mesh, steel.youngs_modulus / MM**2, steel.poisson_ratio),
+        *held(mesh, steel.youngs_modulus / MM**2, steel.poisson_ratio),
         "*NODE, NSET=OUTER", *rows(outer, x + springs.radius * springs.normal),
         "*NODE, NSET=INNER", *rows(inner, x + (springs.radius - SPRING) * springs.normal),
         *plastic_cube(int(inner[-1]) + 1, elements + 1),
@@ -195,10 +204,34 @@ def deck(springs: Springs, mesh: Hexahedra, dead: NDArray) -> str:
         lines += [f"{-f:.11f}, {-a:.11f}" for f, a in pairs] + ["0., 1."]
     lines += [
         "*STEP, INC=100", "*STATIC", "1., 1.", "*CONTROLS, PARAMETERS=FIELD", "1e-5, 1e-4",
-        "*BOUNDARY", f"INNER, 2, 2, {MOVED}",
+        "*BOUNDARY", f"INNER, 2, 2, {springs.moved}",
         "*NODE PRINT, NSET=INNER", "RF", "*NODE PRINT, NSET=OUTER", "U", "*END STEP",
     ]  # fmt: skip
     return "\n".join(lines) + "\n"
+
+
+def between_teeth(mesh: Hexahedra, youngs_modulus: float, poisson_ratio: float) -> list[str]:
+    """Input of CalculiX for a rim that even tangential forces at 90 and 270 degrees hold.
+
+    The mean displacement of either line along the load is zero, so that rim and pin find the forces. Soft
+    springs, which take 1e-4 of these, hold the tilt of the rim until both rows are loaded.
+    """
+    quarter, middle = mesh.number.shape[2] // 4, mesh.number[:, :, [0, mesh.number.shape[2] // 2]]
+    teeth, share = mesh.number[:, -1, [quarter, 3 * quarter]], simpson(mesh.axial)
+    lines = [
+        *elastic(mesh, youngs_modulus, poisson_ratio),
+        "*NSET, NSET=MIRROR", *(f"{n}," for n in middle[middle > 0]), "*BOUNDARY", "MIRROR, 3, 3",
+        f"{mesh.number[0, 0, 0]}, 1, 1", "*ELEMENT, TYPE=SPRING1, ELSET=SOFT",
+        *(f"{len(mesh.elements) + SOFT + k}, {n}" for k, n in enumerate(teeth[[0, -1]].ravel())),
+        "*SPRING, ELSET=SOFT", "2", f"{SOFTNESS}",
+    ]  # fmt: skip
+    for tooth in teeth.T:
+        terms = [f"{n}, 2, {part:.12f}" for n, part in zip(tooth, share, strict=True)]
+        first = len(terms) // 2
+        terms = [terms[first], *terms[:first], *terms[first + 1 :]]
+        lines += ["*EQUATION", str(len(terms))]
+        lines += [", ".join(terms[each : each + 4]) for each in range(0, len(terms), 4)]
+    return lines
 
 
 def plastic_cube(node: int, element: int) -> list[str]:
@@ -232,7 +265,7 @@ def found(springs: Springs, dead: NDArray, text: str) -> tuple[NDArray, float]:
     numbers = [word[1:] for word in words if len(word) == 4 and word[0].isdigit()]
     forces, moved = np.array(numbers[-2 * springs.azimuths.size :], dtype=float).reshape(2, -1, 3)
     load = (forces * springs.normal).sum(axis=1).reshape(-1, SLICES)
-    shift = np.array([0.0, MOVED, 0.0]) - moved
+    shift = np.array([0.0, springs.moved, 0.0]) - moved
     closed = SPRING - np.linalg.norm(SPRING * springs.normal - shift, axis=1).reshape(-1, SLICES) - dead
     force, approach = springs.table
     lawful = [np.interp(closed[:, k], approach[:, k], force[:, 0]) for k in range(SLICES)]

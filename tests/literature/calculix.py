@@ -46,3 +46,13 @@ BALLS = {
 }
 # fmt: on
 PLACE = 0.110682  # [mm] along z, to which the inner ring was moved under the radial load
+# `python -m benchmarks.calculix_bearing --ring ...`: load on the inner ring [N], loads of the rollers of both
+# rows from below it on [N]; 55 692 and 38 052 unknowns
+TWO_ROWS = {
+    "two rows": (9338.4, (898.1, 804.0, 423.6, 0, 0, 0, 0, 0), (2404.0, 1872.6, 549.5, 0, 0, 0, 0, 0)),
+    "rim": (
+        38905.9,
+        (4651.1, 4670.8, 4687.4, 3522.6, 1086.5, 0, 0, 0),
+        (4350.7, 4373.9, 4406.1, 3275.3, 610.3, 0, 0, 0),
+    ),
+}

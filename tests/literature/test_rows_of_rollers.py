@@ -9,8 +9,10 @@ import numpy as np
 import pytest
 from pytest import approx
 
+from flexbearing import run
 from quasidynamic import Cage, CylindricalRollerBearing, Material, Roller, RollerRow, static_loads
 from quasidynamic.parts.profile import STRAIGHT, Crowned
+from tests.literature.calculix import TWO_ROWS
 
 PALMGREN = (2 * 0.91 / np.pi) * (3.81 / 3.84e-5) ** (1 / 0.9) * 1e6  # [Pa] E of 3.84e-5 Q^0.9 / l^0.8
 STEEL = Material(youngs_modulus=PALMGREN, poisson_ratio=0.3, density=7800)
@@ -113,3 +115,21 @@ def test_a_row_with_room_leaves_the_other_alone():
     held = static_loads(loose, FORCE, slices=40)
     assert held.loads[:14] == approx(one.loads, rel=1e-9, abs=1e-9)
     assert held.loads[14:] == approx(0.0, abs=1e-6)  # what rounds the contact law
+
+
+@pytest.mark.parametrize("ring", TWO_ROWS)
+def test_two_rows_in_one_elastic_ring_as_a_whole_in_calculix(ring, tmp_path):
+    """Of `python -m benchmarks.calculix_bearing`, whose settings these are; 0.5 % of the largest load."""
+    load, *rows = TWO_ROWS[ring]
+    settings = [
+        "outer.kind=ring", "outer.thickness=4 mm", "outer.width=28 mm", "bearing.second_row.distance=14 mm",
+        "accuracy.slices=10", "operation.inner_speed=1 rpm", f"operation.radial_load={load} N",
+    ]  # fmt: skip
+    if ring == "rim":
+        settings += [
+            "bearing.second_row.clearance=20 um", "operation.tilt=free", "operation.moment=0 N m",
+            "outer.support=planet", 'outer.tooth_azimuths=["90 deg", "270 deg"]',
+            f'outer.tooth_tangential=["{load / 2} N", "{-load / 2} N"]', 'outer.tooth_radial=["0 N", "0 N"]',
+        ]  # fmt: skip
+    found = run("configs/nu209.toml", settings, output=tmp_path / "out.h5").flexible["outer_load"]
+    assert np.abs(found.reshape(2, 14)[:, :8] - rows).max() < 5e-3 * np.max(rows)
