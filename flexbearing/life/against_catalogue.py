@@ -43,10 +43,10 @@ def require_known_forces(case: Any) -> None:
 
     Raises `BadCase` where one of them is missing.
     """
-    for name in case.operation.held:
-        raise BadCase(f"[operation] {name}: a catalogue knows lives under given forces only; give a force.")
     if case.operation.inner_speed == case.operation.outer_speed:
         raise BadCase("[operation] inner_speed: no ring turns against the other; there is no life.")
+    for name in case.operation.held:
+        raise BadCase(f"[operation] {name}: a catalogue knows lives under given forces only; give a force.")
 
 
 @dataclass(frozen=True)
