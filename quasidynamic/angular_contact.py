@@ -1,7 +1,7 @@
 """The angular-contact ball bearing at speed."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Literal, NamedTuple, cast
 
@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.angular_contact import AngularBalance, lubricated_races, race_contacts
+from quasidynamic.balance.balls.ending_races import EndingRaces
 from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves
 from quasidynamic.balance.balls.race_control import PrescribedControl, RaceControl
 from quasidynamic.balance.balls.rolling_ball import rolling_ball
@@ -32,6 +33,7 @@ from quasidynamic.solve.step_length import SolverOutcome
 
 DIRECTIONS = ("along x", "along y", "along z", "about y", "about z")
 CARRYING = 1e-3  # of the largest load, from which a contact counts in the angles of a message
+BORNE = 0.02  # of a load: within which the part is known that shoulders bear
 LEAST_SHARE = 1e-3  # of a motion without a force: component that is reported
 
 
@@ -107,9 +109,27 @@ class AngularContactBallBearing:
         """Balance at several operating points side by side; an error takes its place."""
         balance = self.equations(operations)
         if grooves is None:
-            return self.states(operations, balance, solve(balance))
-        solution = solve_elastic(balance, grooves)
-        return self.states(operations, balance, solution.rings, solution.moved)
+            states = self.states(operations, balance, solve(balance))
+        else:
+            solution = solve_elastic(balance, grooves)
+            states = self.states(operations, balance, solution.rings, solution.moved)
+        return [self._named(each, at, grooves) for each, at in zip(states, operations, strict=True)]
+
+    def _named(
+        self, state: AngularContactState | NotSolved, operation: RingOperation, grooves: ElasticGrooves | None
+    ) -> AngularContactState | NotSolved:
+        """A state; an end on shoulders with the part of the load that they bear."""
+        if isinstance(state, AngularContactState) or state.outcome is not SolverOutcome.OVER_SHOULDER:
+            return state
+        least, most = 0.0, 1.0
+        while any(operation.load) and most - least > BORNE:
+            part = (least + most) / 2
+            balance = self.equations([replace(operation, load=tuple(part * each for each in operation.load))])
+            rings = solve(balance) if grooves is None else solve_elastic(balance, grooves).rings
+            borne = rings.outcomes[0] is SolverOutcome.CONVERGED
+            least, most = (part, most) if borne else (least, part)
+        borne = f"; they bear {least:.0%} of this load, at most {most:.0%}" if any(operation.load) else ""
+        return NotSolved(f"{state}{borne}", state.outcome)
 
     def iterate(
         self, operation: RingOperation, grooves: ElasticGrooves
@@ -124,7 +144,7 @@ class AngularContactBallBearing:
             if not isinstance(state, NotSolved):  # a place on the way may have no friction that is known
                 yield state, last
             elif last:
-                raise state
+                raise cast(NotSolved, self._named(state, operation, grooves))
 
     def states(
         self,
@@ -138,6 +158,8 @@ class AngularContactBallBearing:
         Displacements of grooves (C, 2, Z, 2) [m] are None between rigid rings.
         """
         balls, ring = solution.forces(balance)
+        cut = None if balls.cut is None else (balls.cut.loads < balls.cut.whole).any((0, 2))
+        whole_ring = solution.ring if solution.whole_ring is None else solution.whole_ring
         kinematics, scale, control, heat = balls.kinematics, self._scale, self._race_control, None
         oiled = None
         if isinstance(control, CoulombControl) and control.oil is not None:
@@ -186,6 +208,9 @@ class AngularContactBallBearing:
                     oil=oiled and oiled.of_case(case),
                     sticking=self.sticking is not None,
                     imbalance=float(solution.imbalance[case]),
+                    whole_displacement=None if cut is None or not cut[case] else whole_ring[case] / scale,
+                    whole_loads=None if cut is None or not cut[case] else balls.cut.whole[:, case],
+                    shoulder_forces=None if cut is None or not cut[case] else balls.cut.aside[:, case],
                     groove_displacement=None if groove_displacements is None else groove_displacements[case],
                 )
             )
@@ -272,6 +297,7 @@ class AngularContactBallBearing:
             held=held,
             place=place * self._scale,
             speeds=speeds.T[..., None],
+            races=EndingRaces.of(self.bearing, self._contacts),
         )
 
 
@@ -351,6 +377,13 @@ def _not_solved(
             f"contact angles reach {np.degrees(steepest):.1f} deg: where that is beyond the shoulders, balls "
             "climb over them as the rings give way, and there is no balance; give a smaller axial load or "
             "tilt, or stiffer rings",
+            outcome,
+        )
+    if outcome is SolverOutcome.OVER_SHOULDER:
+        return NotSolved(
+            f"{where}: balls climb over the shoulders, which cut contacts off: whole ones would be in balance, "
+            f"at contact angles of up to {np.degrees(steepest):.1f} deg; no balance found as shoulders close in "
+            f"on them, in {evaluations} evaluations; give a smaller axial load or tilt, or higher shoulders",
             outcome,
         )
     if lost:

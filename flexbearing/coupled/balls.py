@@ -46,7 +46,7 @@ class BallState:
         """Balls in a state, stations at angles (2, K) [rad]."""
         at = state.contact_angles
         normal, tangent = np.stack([np.sin(at), np.cos(at)], -1), np.stack([np.cos(at), -np.sin(at)], -1)
-        pressed = state.loads[..., None] * normal + state.tractions[..., None] * tangent
+        pressed = state.loads[..., None] * normal + state.section_forces[..., None] * tangent
         by_vector = [StationShares.of(*race).by_vector for race in zip(angles, at, strict=True)]
         return cls(state, (np.array(by_vector) @ pressed[..., None])[..., 0], status)
 

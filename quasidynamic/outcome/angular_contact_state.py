@@ -13,7 +13,6 @@ from quasidynamic.balance.balls.light_ball import FULL_ANGLE, FULL_CAGED, FULL_G
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.point_contact import INNER, OUTER, PointContact
 from quasidynamic.contact.ellipse.rigid_slip import Spin
-from quasidynamic.contact.ellipse.truncated import carried_share
 from quasidynamic.motion.ball_slip import BallContacts, pressed_height
 from quasidynamic.motion.ball_speeds import Control, ball_attitude, spin_to_roll
 from quasidynamic.motion.rolling_lines import (
@@ -94,6 +93,9 @@ class AngularContactState:
     oil: OiledBalls | None = None  # what it does to the balls; None: dry contacts
     sticking: bool = False  # whether these contacts stick and slip as by FASTSIM
     imbalance: float = 0.0  # [-] largest unbalanced force over the largest force
+    whole_displacement: NDArray | None = None  # (5) as of the inner ring with whole contacts; None as below
+    whole_loads: NDArray | None = None  # (2, Z) [N] of whole contacts, same approach; None: none is cut off
+    shoulder_forces: NDArray | None = None  # (2, Z) [N] of cut contacts along the sections; None as above
     groove_displacement: NDArray | None = None  # (2, Z, 2) [m] axial, outward; None: rigid
 
     @cached_property
@@ -163,8 +165,26 @@ class AngularContactState:
 
     @property
     def semi_axes(self) -> tuple[NDArray, NDArray]:
-        """Semi-axes a across and b along the rolling direction (2, Z) [m], at the loaded contact angles."""
-        return self.contacts.semi_axes(self.loads)
+        """Semi-axes a across and b along the rolling direction (2, Z) [m], at the loaded contact angles.
+
+        Of whole ellipses: a contact that a shoulder cuts off has those of its approach.
+        """
+        return self.contacts.semi_axes(self._as_whole)
+
+    @property
+    def _as_whole(self) -> NDArray:
+        """Loads of whole contacts at the same approach (2, Z) [N]."""
+        return self.loads if self.whole_loads is None else self.whole_loads
+
+    @property
+    def carried_shares(self) -> NDArray:
+        """Load of contacts over that of whole ones, same approach (2, Z) [-]."""
+        return np.where(self._as_whole > 0, self.loads / np.where(self._as_whole > 0, self._as_whole, 1), 1.0)
+
+    @property
+    def section_forces(self) -> NDArray:
+        """Forces along the groove sections, of friction and of cut contacts (2, Z) [N]."""
+        return self.tractions if self.shoulder_forces is None else self.tractions + self.shoulder_forces
 
     @property
     def _surfaces(self) -> NDArray:
@@ -182,36 +202,17 @@ class AngularContactState:
     def needed_shoulders(self) -> NDArray:
         """Height of the races above the bottoms of their grooves up to which contacts reach (2, Z) [m].
 
-        Zero without a load. Grooves of the balance are unbounded: on a lower shoulder contacts are cut off,
-        and balls climb it. See `truncation`.
+        Zero without a load. On a lower shoulder contacts are cut off, see `EndingRaces`. See `truncation`.
         """
         diameter = self.bearing.ball.diameter
         radii = diameter * np.array([[self.bearing.inner.conformity], [self.bearing.outer.conformity]])
         edge = edge_angle(np.abs(self.contact_angles), self.semi_axes[0], diameter / 2, "chord")
         return np.where(self.loads > 0, height_above_bottom(edge, radii), 0.0)
 
-    def carried_shares(self, race: int, shoulder: float) -> NDArray:
-        """Load of contacts (Z) with a race, cut at a shoulder [m], over the whole one, same approach [-].
-
-        See `carried_share`.
-        """
-        groove = (self.bearing.inner, self.bearing.outer)[race]
-        diameter, across, angle = (
-            self.bearing.ball.diameter,
-            self.semi_axes[0],
-            np.abs(self.contact_angles[race]),
-        )
-        end = np.arccos(1 - shoulder / (groove.conformity * diameter))
-        half = edge_angle(angle, across[race], diameter / 2, "chord") - angle
-        loaded = self.loads[race] > 0
-        ratio = self.contacts.across[race] / self.contacts.along[race]
-        shares = carried_share((end - angle) / np.where(loaded, half, 1.0), ratio)
-        return np.where(loaded, shares, 1.0)
-
     @property
     def peak_pressures(self) -> NDArray:
-        """p0 (2, Z) [Pa]."""
-        return self.contacts.peak_pressure(self.loads)
+        """p0 (2, Z) [Pa]; of a cut contact that of the whole one, without the edge."""
+        return self.contacts.peak_pressure(self._as_whole)
 
     @property
     def needed_friction(self) -> NDArray:
@@ -285,7 +286,7 @@ class AngularContactState:
         bearing = self.bearing
         if len(bearing.rows) == 1:
             return None
-        forces = (self.loads[0] - 1j * self.tractions[0]) * 1j * np.exp(-1j * self.contact_angles[0])
+        forces = (self.loads[0] - 1j * self.section_forces[0]) * 1j * np.exp(-1j * self.contact_angles[0])
         axial = np.where(bearing.of_balls("mirrored"), -1.0, 1.0) * forces.real
         around = np.exp(1j * bearing.azimuths) * forces.imag  # z + i y
         return np.array([axial, around.imag, around.real]).T.reshape(len(bearing.rows), -1, 3).sum(1)

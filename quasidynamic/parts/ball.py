@@ -70,8 +70,12 @@ class Groove:
 
     conformity: float  # [-] groove radius over ball diameter, above 0.5
     material: Material
+    # [rad] contact angles at which it ends on the shoulder that the load presses, and on the other side
+    ends: tuple[float, float] = (np.inf, np.inf)
 
     def __post_init__(self):
+        if not min(self.ends) >= 0.0:
+            raise ImpossiblePart(f"groove.ends = {self.ends} rad must be contact angles, >= 0")
         if not 0.5 < self.conformity < float("inf"):
             raise ImpossiblePart(
                 f"groove.conformity = {self.conformity!r} must be above 0.5: the groove radius over the ball "

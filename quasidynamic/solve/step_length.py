@@ -55,3 +55,4 @@ class SolverOutcome(StrEnum):
     NOT_FINITE = "not finite"
     OUT_OF_RANGE = "out of range"  # a balance far outside the range of the model
     TOO_SOFT = "too soft"  # a balance between stiffer grooves has none as they become as soft as these
+    OVER_SHOULDER = "over the shoulder"  # a balance of whole contacts has none as shoulders cut these off

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.ball_position import BallPlaces, Vectors, groove_arm, turning
+from quasidynamic.balance.balls.ending_races import CutContacts, EndingRaces
 from quasidynamic.balance.balls.race_control import BallKinematics, LoadedContacts, RaceControl
 from quasidynamic.contact.ellipse.point_contact import (
     INNER,
@@ -36,6 +37,7 @@ class BallBalance(NamedTuple):
     by_groove: Vectors  # (2, 3, C, Z) [N/m] by the place of the inner groove
     contacts: LoadedContacts
     kinematics: BallKinematics
+    cut: CutContacts | None = None  # None: contacts are whole
 
     @property
     def excess(self) -> Vectors:
@@ -72,7 +74,8 @@ class AngularBalance:
     in complex numbers, axial + i radial, with n = sin(alpha) + i cos(alpha):
     (Q_i - i T_i) n_i - (Q_o - i T_o) n_o + i F_c = 0. The race control says what F_c, T_i and T_o are.
 
-    Grooves are half circles that go on as straight walls, see `groove_arm`.
+    Grooves are half circles that go on as straight walls, see `groove_arm`; where races end on shoulders,
+    S of `EndingRaces` is added to T in the forces, but not to its lever.
     The ring carries T_i with its lever to the groove centre.
 
     Source
@@ -88,6 +91,7 @@ class AngularBalance:
     held: NDArray  # (C, 5) bool, where the displacement is given
     place: NDArray  # (C, 5) [m] the given displacements, rotations times R_i
     speeds: NDArray  # (2, C, 1) [rad/s] inner, outer ring
+    races: EndingRaces | None = None  # whose shoulders cut contacts off; None: all are whole
 
     def take(self, cases: NDArray) -> "AngularBalance":
         """Return the same equations for some of the cases."""
@@ -167,17 +171,24 @@ class AngularBalance:
         arms = groove_arm(np.array([grooves - centres, centres]))
         lengths = np.abs(arms)
         normals = arms / lengths
-        contacts = LoadedContacts(np.arctan2(normals.real, normals.imag), *self.pressed(lengths))
+        angles, pressed = np.arctan2(normals.real, normals.imag), self.pressed(lengths)
+        cut = None if self.races is None else self.races.forces(pressed, self._approach(lengths), angles, lengths)
+        contacts = LoadedContacts(angles, *(pressed if cut is None else (cut.loads, cut.stiffness)))
         kinematics = self.control.kinematics(contacts, self.speeds, self.free_centrifugal, near)
+        if cut is not None:
+            kinematics = _by_all_angles(kinematics, contacts, cut)
         tractions, held = kinematics.tractions, kinematics.traction_slopes
         turns = -1j * normals  # along the groove sections
-        pushes = contacts.loads - 1j * tractions
+        pushes = contacts.loads - 1j * (tractions if cut is None else tractions + cut.aside)
         forces = np.empty((3, *grooves.shape), complex)
         on_inner, on_outer = pushes * normals
         forces[0] = on_inner - on_outer + 1j * kinematics.centrifugal
         forces[1], forces[2] = on_inner, tractions[0]
         slopes = np.empty((4, *forces.shape), complex)  # by L_i, alpha_i, L_o, alpha_o
         stiffer, turned = contacts.stiffness * normals, pushes * turns
+        if cut is not None:
+            stiffer += cut.aside_stiffness * turns
+            turned += cut.by_angle * normals + cut.aside_by_angle * turns
         inner, outer = held * turns[:, None]
         inner[0] += stiffer[0]
         inner[1] += turned[0]
@@ -186,7 +197,7 @@ class AngularBalance:
         slopes[:, 0] = inner - outer + 1j * kinematics.centrifugal_slopes
         slopes[:, 1], slopes[:, 2] = inner, held[0]
         by_inner, by_outer = _by_place(slopes.reshape(2, 2, *forces.shape), normals, turning(arms) / lengths)
-        return BallBalance(forces, by_outer - by_inner, by_inner, contacts, kinematics)
+        return BallBalance(forces, by_outer - by_inner, by_inner, contacts, kinematics, cut)
 
     def centrifugal_by_place(self, balls: BallBalance, grooves: Vectors, centres: Vectors) -> NDArray:
         """Derivatives of F_c by the places of the inner groove and of the ball (2, 2, C, Z) [N/m]."""
@@ -197,11 +208,29 @@ class AngularBalance:
         return np.array([by_inner, by_outer - by_inner])
 
     def pressed(self, lengths: NDArray) -> tuple[NDArray, NDArray]:
-        """Loads and stiffnesses (2, C, Z) of the contacts from the lengths between the centres."""
-        reach, coefficient = self._reach_and_coefficient
-        approach = np.maximum(lengths - reach, 0.0)
-        grown = coefficient * np.sqrt(approach)
+        """Loads and stiffnesses (2, C, Z) of whole contacts from the lengths between the centres."""
+        approach = self._approach(lengths)
+        grown = self._reach_and_coefficient[1] * np.sqrt(approach)
         return grown * approach, 1.5 * grown
+
+    def over_shoulders(self, balls: BallBalance) -> NDArray:
+        """Angle (C) [rad] by which whole contacts of balls reach over shoulders, none where <= 0."""
+        if self.races is None:
+            return np.full(len(self.load), -np.inf)
+        approach = (balls.loads / self._reach_and_coefficient[1]) ** (2 / 3)
+        return self.races.beyond(approach, balls.contacts.angles)
+
+    def withdrawn(self, angle: float) -> "AngularBalance":
+        """The same with races that end further out by an angle [rad]."""
+        return self if self.races is None else replace(self, races=self.races.withdrawn(angle))
+
+    @property
+    def of_whole_contacts(self) -> "AngularBalance":
+        """The same without shoulders."""
+        return self if self.races is None else replace(self, races=None)
+
+    def _approach(self, lengths: NDArray) -> NDArray:
+        return np.maximum(lengths - self._reach_and_coefficient[0], 0.0)
 
     @cached_property
     def _reach_and_coefficient(self) -> NDArray:
@@ -240,6 +269,22 @@ class AngularBalance:
         bearing = self.bearing
         lever = bearing.inner.conformity * bearing.ball.diameter / bearing.inner_groove_radius
         return lever * self.ring_to_groove.real * [0.0, 0.0, 0.0, 1.0, 1.0]
+
+
+def _by_all_angles(kinematics: BallKinematics, contacts: LoadedContacts, cut: CutContacts) -> BallKinematics:
+    """Slopes by contact angles with what comes through loads, which change with the angles of cut contacts."""
+    through = cut.by_angle / np.where(contacts.stiffness > 0, contacts.stiffness, np.inf)
+
+    def turned(slopes: NDArray) -> NDArray:
+        by_length, by_angle = slopes[..., ::2, :, :], slopes[..., 1::2, :, :]
+        changed = slopes.copy()
+        changed[..., 1::2, :, :] = by_angle + by_length * through
+        return changed
+
+    return kinematics._replace(
+        centrifugal_slopes=turned(kinematics.centrifugal_slopes),
+        traction_slopes=turned(kinematics.traction_slopes),
+    )
 
 
 def race_contacts(

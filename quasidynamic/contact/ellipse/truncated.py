@@ -1,33 +1,41 @@
-"""Load of an elliptic contact that the shoulder of a groove cuts off."""
+"""Elliptic contacts that the shoulder of a groove cuts off: what they carry, and how they push aside."""
+
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.special import ellipe, ellipkm1
 
-CUTS = np.linspace(-1.0, 1.0, 11)
-RATIOS = np.array([1.5, 2.5, 4.0, 7.0, 12.0, 20.0, 30.0])
-ERROR = 0.006  # of the table: 0.001 of its digits and of the grid, the rest by interpolation
-# By `contact_pressure` on 112 x 224 cells, where the cut is the border of the grid.
-SHARES = np.array(
-    [
-        [0.130, 0.251, 0.384, 0.516, 0.642, 0.753, 0.847, 0.919, 0.968, 0.994, 1.0],
-        [0.091, 0.206, 0.337, 0.473, 0.604, 0.724, 0.826, 0.907, 0.962, 0.992, 1.0],
-        [0.065, 0.171, 0.299, 0.437, 0.572, 0.698, 0.807, 0.895, 0.957, 0.991, 1.0],
-        [0.044, 0.139, 0.263, 0.400, 0.538, 0.670, 0.786, 0.881, 0.950, 0.989, 1.0],
-        [0.030, 0.117, 0.235, 0.370, 0.511, 0.646, 0.768, 0.869, 0.944, 0.987, 1.0],
-        [0.022, 0.101, 0.214, 0.348, 0.489, 0.627, 0.753, 0.859, 0.939, 0.986, 1.0],
-        [0.017, 0.091, 0.201, 0.333, 0.475, 0.614, 0.743, 0.852, 0.935, 0.985, 1.0],
-    ]
-)
+# Fitted to `contact_pressure` on 64 x 128 cells whose border is the cut: 18 cuts of 13 ellipses, k from 1.02 to
+# 60 (`python -m benchmarks.truncated_contacts`). Rows by powers of 1 - u, columns by those of ln k.
+FIT = np.array([[3.911, -0.924, -0.011], [-3.362, -0.456, 0.086]])
+ERROR = 0.004  # of the load of the whole contact, with that of the grid
+ROUNDEST = 1.02  # least k of the fit
 
 
-def carried_share(cut: ArrayLike, ratio: ArrayLike) -> NDArray:
-    r"""Load of a contact cut off across the rolling direction over that of the whole one, same approach.
+class EnergyShare(NamedTuple):
+    """Elastic energy of a cut contact over that of the whole one, same approach, and derivatives by c."""
 
-    .. math:: \varphi(c, k) = \frac{Q(\delta, c)}{K \delta^{3/2}},\quad c = \frac{s}{a(\delta)},\quad
-              k = \frac ab
+    value: NDArray
+    slope: NDArray
+    curvature: NDArray
 
-    More than the share of the pressure of Hertz on that side of the cut, 1/2 + 3 c/4 - c^3/4: what is left
-    sinks in less.
+    def load(self, cut: NDArray) -> NDArray:
+        """Load over that of the whole contact, phi = psi - c psi'/5 [-]."""
+        return self.value - cut * self.slope / 5
+
+
+def energy_share(cut: ArrayLike, ratio: ArrayLike) -> EnergyShare:
+    r"""Elastic energy of a contact cut off across the rolling direction over that of the whole one.
+
+    .. math:: \psi(c, k) = u^{5/2} \Big[1 + \tfrac52 v + \tfrac{35}{8} v^2 +
+              v^3 \sum_{ij} A_{ij} v^i \ln^j k\Big],\quad v = 1 - u = \frac{1 - c}{1 - c_0},\quad
+              c_0 = -\sqrt{\frac{m\,\mathcal K}{\mathcal K - \mathcal E}},\quad m = 1 - k^{-2}
+
+    From c_0, where undeformed surfaces no longer overlap on this side of the cut, to one, where nothing is cut
+    and two derivatives vanish. The energy at the approach delta is psi (2/5) K delta^(5/2); at a cut at the
+    distance s, c = s/a(delta), its derivative by delta is the load, see `EnergyShare.load`, and that by s the
+    moment of the pressure over the radius of relative curvature.
 
     Parameters
     ----------
@@ -39,27 +47,41 @@ def carried_share(cut: ArrayLike, ratio: ArrayLike) -> NDArray:
 
     Returns
     -------
-    array (...)
-        phi [-], one where nothing is cut; not a number outside the table, of c below -1, k not in 1.5 to 30
+    EnergyShare
+        psi and its derivatives by c [-]
 
     Source
     ------
-    Table by `contact_pressure` of half-spaces, one of which ends; linear in c and in ln k between.
+    A fitted to half-spaces one of which ends, by energy, load and moment together; c_0 by Hertz.
 
     Valid
     -----
-    Within `ERROR`. A shoulder as stiff as the middle; no contact of its edge.
+    k from 1.02 to 60: loads within `ERROR`, 0.012 at 200; rounder ones count as of 1.02. A shoulder as stiff as
+    the middle; no contact of its edge.
+    """
+    cut, ratio = np.broadcast_arrays(np.asarray(cut, float), np.maximum(ratio, ROUNDEST))
+    first, second, log = ellipkm1(ratio**-2.0), ellipe(1 - ratio**-2.0), np.log(ratio)
+    span = 1 + np.sqrt((1 - ratio**-2.0) * first / (first - second))
+    v = np.clip((1 - cut) / span, 0.0, 1.0)
+    u = 1 - v
+    cube, fourth = (sum(each * log**power for power, each in enumerate(row)) for row in FIT)
+    inside = (1.0, 2.5, 4.375, cube, fourth)
+    bracket = sum(each * v**power for power, each in enumerate(inside))
+    steep = sum(power * each * v ** (power - 1) for power, each in enumerate(inside) if power)
+    bent = sum(power * (power - 1) * each * v ** (power - 2) for power, each in enumerate(inside) if power > 1)
+    slope = u**1.5 * (2.5 * bracket - u * steep) / span
+    curvature = u**0.5 * (3.75 * bracket - 5 * u * steep + u**2 * bent) / span**2
+    whole = v == 0.0  # to the last digit
+    return EnergyShare(u**2.5 * bracket, np.where(whole, 0.0, slope), np.where(whole, 0.0, curvature))
 
-    >>> float(carried_share(0.0, 7.0))
+
+def carried_share(cut: ArrayLike, ratio: ArrayLike) -> NDArray:
+    """Load of a cut contact over that of the whole one, same approach [-]; arguments as of `energy_share`.
+
+    More than the share of the pressure of Hertz on that side of the cut, 1/2 + 3 c/4 - c^3/4: what is left
+    sinks in less.
+
+    >>> round(float(carried_share(0.0, 7.0)), 2)
     0.67
     """
-    cut, ratio = np.broadcast_arrays(np.asarray(cut, float), np.asarray(ratio, float))
-    at = np.interp(np.log(ratio), np.log(RATIOS), np.arange(len(RATIOS)))
-    low = np.minimum(at.astype(int), len(RATIOS) - 2)
-    column = np.interp(cut, CUTS, np.arange(len(CUTS)))
-    left = np.minimum(column.astype(int), len(CUTS) - 2)
-    part, along = at - low, column - left
-    rows = [SHARES[low + k, left] * (1 - along) + SHARES[low + k, left + 1] * along for k in (0, 1)]
-    share = (1 - part) * rows[0] + part * rows[1]
-    inside = (cut >= CUTS[0]) & (ratio >= RATIOS[0]) & (ratio <= RATIOS[-1])
-    return np.where(cut >= 1.0, 1.0, np.where(inside, share, np.nan))
+    return energy_share(cut, ratio).load(np.asarray(cut, float))

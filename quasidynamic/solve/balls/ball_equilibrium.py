@@ -96,7 +96,7 @@ def _newton_of_balls(
 ) -> BallsInBalance:
     """Damped Newton for each ball."""
     state = at_places(balance, grooves, centres, share, near=near)
-    far = (state.left > balance.free_centrifugal) & balance.pulled
+    far = (state.left > balance.free_centrifugal) & balance.pulled & _closed(balance)
     if far.any():  # where they were is no better than a closed form
         centres = np.where(far, balance.places.resting(grooves), centres)
         state = at_places(balance, grooves, centres, share, 2, state.balls.kinematics.near)
@@ -156,13 +156,18 @@ def _along(force: Vectors, step: Vectors) -> NDArray:
 
 def _start(balance: AngularBalance, grooves: Vectors, centres: Vectors) -> NDArray:
     """Balance of balls where it has a closed form, elsewhere where they were."""
-    if not balance.pulled.all():
+    if not balance.pulled.all() and _closed(balance):
         centres = np.where(balance.pulled, centres, balance.places.resting(grooves))
     free = balance.places.free(grooves)
     if not balance.control.rolling_alone:
         far = NEAR_BOTTOM * balance.bearing.outer_reach
         free &= np.abs(centres - balance.places.bottom) > far
     return np.where(free, balance.places.bottom, centres) if free.any() else centres
+
+
+def _closed(balance: AngularBalance) -> bool:
+    """Whether places have closed forms: those of whole contacts."""
+    return balance.races is None
 
 
 def _ball_step(balance: AngularBalance, balls: BallBalance) -> Vectors:

@@ -1,6 +1,8 @@
 """Newton's method for a ring on balls between elastic grooves."""
 
 from collections.abc import Callable, Generator, Iterator
+from dataclasses import replace
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -102,6 +104,7 @@ class State(NamedTuple):
     closing: NDArray  # (C, 2 Z) [m] moves that bring grooves to their balance, the ring held
     imbalance: NDArray  # (C)
     evaluations: NDArray  # (C) of all balls
+    whole_ring: NDArray  # (C, 5) as the first of all, with whole contacts
 
     def of(self, cases: NDArray) -> "State":
         """Some of the cases."""
@@ -171,7 +174,41 @@ def iterate_elastic(
 
 
 def _steps(balance: AngularBalance, grooves: ElasticGrooves) -> Steps:
-    """States from that between rigid and round grooves on."""
+    """States from that between rigid and round grooves on, shoulders last."""
+    whole = balance.of_whole_contacts
+    state, outcomes = yield from _whole_steps(whole, grooves)
+    if balance.races is None:
+        return state, outcomes
+    over = balance.over_shoulders(_balls(whole, state))
+    for case in np.flatnonzero(over > 0):
+        if outcomes[case] is not SolverOutcome.CONVERGED:
+            continue
+        one, begin, before = balance.take(np.array([case])), state.of(np.array([case])).places, float(over[case])
+        trial, ended = _last(_newton(one, grooves, begin))
+        closer = partial(_closer, one, grooves, before)
+        _by_parts(closer, begin, trial, ([SolverOutcome.CONVERGED], ended), softening=False)
+        trial.evaluations[:] += state.evaluations[case]
+        if ended[0] is SolverOutcome.CONVERGED:
+            state.put(np.array([case]), trial._replace(whole_ring=begin.ring))
+        else:
+            outcomes[case] = SolverOutcome.OVER_SHOULDER
+    return state, outcomes
+
+
+def _closer(
+    balance: AngularBalance, grooves: ElasticGrooves, over: float, part: float
+) -> tuple[AngularBalance, ElasticGrooves]:
+    """Equations with shoulders that cut off a part of what reaches over them [rad]."""
+    return balance.withdrawn((1.0 - part) * over), grooves
+
+
+def _balls(balance: AngularBalance, state: State) -> BallBalance:
+    """Balls of a state where they are."""
+    return balance.balls(balance.grooves(state.ring) + state.places.shape, state.centres)
+
+
+def _whole_steps(balance: AngularBalance, grooves: ElasticGrooves) -> Steps:
+    """States with whole contacts."""
     is_round = not balance.bearing.approaches
     first = balance if is_round else balance.out_of_round(0.0)
     rigid = solve(first)
@@ -239,9 +276,10 @@ def _by_parts(
 @np.errstate(all="ignore")  # a case that ended not finite has no forces
 def as_solution(balance: AngularBalance, state: State, outcomes: list[SolverOutcome]) -> ElasticSolution:
     """Forces and displacements of a state in balance."""
-    balls = balance.balls(balance.grooves(state.ring) + state.places.shape, state.centres)
+    balls = _balls(balance, state)
     forces = balls, RingBalance(state.excess_after, state.stiffness, state.carried)
     rings = RingSolution(state.ring, state.centres, outcomes, state.imbalance, state.evaluations, forces)
+    rings = replace(rings, whole_ring=state.whole_ring)
     return ElasticSolution(rings, state.grooves[..., None].view(float))
 
 
@@ -411,6 +449,7 @@ def _with_balls(
         closing=relative_moves[..., 5],
         imbalance=np.where(result.done, imbalance, np.inf),
         evaluations=np.full(len(at), result.evaluations),
+        whole_ring=places.ring,
     )
 
 

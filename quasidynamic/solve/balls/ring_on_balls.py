@@ -35,6 +35,7 @@ LEAST_CAGE_STEP = 1e-4  # the same of shorter ones, where balls have no balance
 SLOW_CAGE = 1e-3  # of the same: speed from which a cage may turn round
 CLOSE = 0.1  # of the speed of a cage: step by which its balls move as by closed forms
 SPEEDS = 6  # of a cage at least that twice the budget of other searches is enough for, mostly fewer than ten
+LEAST_PART = 2e-3  # of what shoulders cut off: by which they close in on contacts at least
 NEARLY = 1e-8  # of the torques around a cage: what is left where all may be in balance
 CAGE_SPEED_ERROR = 1e-13  # of the speed of the rings
 TINY = float(np.finfo(float).tiny)
@@ -53,6 +54,7 @@ class RingSolution:
     evaluations: NDArray  # (C) of all balls
     last_forces: tuple[BallBalance, RingBalance] | None = None  # forces there, where all cases ended together
     near: NDArray | None = None  # (C, Z, k) motion of the balls, see `BallKinematics`; None: not known
+    whole_ring: NDArray | None = None  # (C, 5) [m] with whole contacts, where shoulders cut some off
 
     def forces(self, balance: AngularBalance) -> tuple[BallBalance, RingBalance]:
         """Forces on balls and ring at these places."""
@@ -83,10 +85,52 @@ class _RingState:
 def solve(balance: AngularBalance) -> RingSolution:
     """Balance of all cases: in one go, else from rest, along a path of growing inertia, from slower rings.
 
-    Or, of balls in a cage, by the speed of the cage.
+    Or, of balls in a cage, by the speed of the cage. Where shoulders cut contacts off, from whole contacts.
     """
+    whole = balance.of_whole_contacts
     with np.errstate(all="ignore"):  # places tried on the way may overflow: such a step is not taken
-        return _solve(balance)
+        solution = _solve(whole)
+        return solution if balance.races is None else _on_shoulders(balance, whole, solution)
+
+
+def _on_shoulders(balance: AngularBalance, whole: AngularBalance, solution: RingSolution) -> RingSolution:
+    """Balance with the contacts cut off that reach over shoulders as whole ones."""
+    over = balance.over_shoulders(solution.forces(whole)[0])
+    reaching = np.array([outcome is SolverOutcome.CONVERGED for outcome in solution.outcomes]) & (over > 0)
+    if not reaching.any():
+        return solution
+    outcomes, pieces, whole_ring = list(solution.outcomes), {}, solution.ring.copy()
+    for case in np.flatnonzero(reaching):
+        piece, count = _as_shoulders_close(balance.take(np.array([case])), solution, case, float(over[case]))
+        solution.evaluations[case] += count
+        if piece is None:
+            outcomes[case] = SolverOutcome.OVER_SHOULDER
+        else:
+            pieces[case] = piece
+    return replace(_replaced(solution, pieces, outcomes), whole_ring=whole_ring)
+
+
+def _as_shoulders_close(
+    balance: AngularBalance, whole: RingSolution, case: int, over: float
+) -> tuple[RingSolution | None, int]:
+    """Balance of one case as shoulders close in on whole contacts, which reach over them [rad]; else None.
+
+    And evaluations.
+    """
+    near = None if whole.near is None else whole.near[case, None]
+    places, part, step, count = (whole.ring[case, None], whole.centres[case, None], near), 0.0, 1.0, 0
+    budget = BUDGET // FIRST // balance.control.cost
+    while step >= LEAST_PART:
+        further = min(1.0, part + step)
+        trial = newton(balance.withdrawn((1.0 - further) * over), *places, budget=budget)
+        count += int(trial.evaluations[0])
+        if trial.outcomes[0] is not SolverOutcome.CONVERGED:
+            step /= 4
+            continue
+        if further == 1.0:
+            return trial, count
+        places, part, step = (trial.ring, trial.centres, trial.near), further, 2 * step
+    return None, count
 
 
 def _solve(balance: AngularBalance) -> RingSolution:
@@ -101,6 +145,13 @@ def _solve(balance: AngularBalance) -> RingSolution:
         solution.evaluations[case] += count
         if piece is not None:
             pieces[case], outcomes[case] = piece, piece.outcomes[0]
+    return _replaced(solution, pieces, outcomes)
+
+
+def _replaced(
+    solution: RingSolution, pieces: dict[int, RingSolution], outcomes: list[SolverOutcome]
+) -> RingSolution:
+    """A solution with other ones of some of its cases."""
     for case, piece in pieces.items():
         for name in ("ring", "centres", "imbalance", "near"):
             getattr(solution, name)[case] = getattr(piece, name)[0]
