@@ -75,12 +75,12 @@ Block = Literal["rigid", "flexible"]  # the rings between which there is a solut
 
 def bearing(case: FastCase) -> qd.AngularContactBallBearing:
     """The bearing of a case; without the cam that only an elastic outer ring follows."""
-    parts, materials = case.bearing, case.materials
+    parts = case.bearing
     contact_angle, change = _angle_and_clearance(case)
     round_one = qd.AngularContactBearing(
-        ball=ball(parts, materials.ball),
-        inner=groove(parts, "inner", materials.ring("inner")),
-        outer=groove(parts, "outer", materials.ring("outer")),
+        ball=ball(parts, case.materials.ball),
+        inner=_groove(case, "inner"),
+        outer=_groove(case, "outer"),
         balls=parts.balls,
         pitch_diameter=parts.pitch_diameter,
         contact_angle=contact_angle,
@@ -98,6 +98,14 @@ def bearing(case: FastCase) -> qd.AngularContactBallBearing:
         lubrication=lubrication.ball_lubrication(case),
         cage=_cage(case),
     )
+
+
+def _groove(case: FastCase, race: "Race") -> qd.Groove:
+    """A groove that ends on its shoulders."""
+    without_end = groove(case.bearing, race, case.materials.ring(race))
+    radius, heights = without_end.conformity * case.bearing.ball.diameter, getattr(case.bearing, race).shoulders
+    high, low = (np.inf if height is None else float(np.arccos(1 - height / radius)) for height in heights)
+    return replace(without_end, ends=(high, low))
 
 
 def _cage(case: FastCase) -> BallCage | None:
@@ -570,11 +578,7 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
         lines += (
             information("idle-balls", f"{lifted} of {len(state.on_inner)} balls do not touch the inner race"),
         )
-    for race, name in enumerate(("inner", "outer")):
-        shoulder, height = getattr(case.bearing, name).shoulder, state.needed_shoulders[race]
-        carried = np.nan if shoulder is None else float(state.carried_shares(race, shoulder).min())
-        angles, diameter = state.contact_angles[race], case.bearing.ball.diameter
-        lines += shoulders.reached_over(name, height, angles, diameter, shoulder, carried)
+    lines += _on_shoulders(case, state)
     unguided = int((state.on_inner & ~state.guided).sum())
     if unguided:
         far = "" if case.operation.by_friction else " or too far round"
@@ -604,6 +608,30 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
         + subsurface.notes(case, solution.worst)
         + ball_lives.notes(case)
     )
+
+
+def _on_shoulders(case: FastCase, state: qd.AngularContactState) -> tuple[Note, ...]:
+    """Contacts that reach over shoulders, and what that changes."""
+    lines: tuple[Note, ...] = ()
+    for race, name in enumerate(("inner", "outer")):
+        angles, high_and_low = state.contact_angles[race], getattr(case.bearing, name).shoulders
+        for low, height in enumerate(dict.fromkeys(high_and_low)):  # one pass where both are alike
+            there = (angles < 0) == low if high_and_low[0] != high_and_low[1] else np.full(len(angles), True)
+            reached = np.where(there, state.needed_shoulders[race], 0.0)
+            shares = state.carried_shares[race] if there.any() else np.ones(1)
+            lines += shoulders.reached_over(
+                name, reached, angles, case.bearing.ball.diameter, height, float(shares[there].min(initial=1.0))
+            )
+    if state.whole_displacement is not None:
+        moved = 1e6 * (state.ring_displacement - state.whole_displacement)[:3]
+        lines += (
+            information(
+                "cut-contact-displacement",
+                "cut contacts: the inner ring is displaced by "
+                f"{moved[0]:+.3g}, {moved[1]:+.3g}, {moved[2]:+.3g} um along x, y, z against whole ones",
+            ),
+        )
+    return lines
 
 
 def _preload(case: FastCase, state: qd.AngularContactState) -> tuple[Note, ...]:

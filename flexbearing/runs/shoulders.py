@@ -11,6 +11,9 @@ from quasidynamic.note import Note, danger, information, outside
 from quasidynamic.outcome.truncation import USUAL_SHOULDER
 
 
+ON_EDGE = 0.5  # [-] share of its load below which the middle of any contact is cut off
+
+
 def unusual(materials: MountedMaterials) -> tuple[Note, ...]:
     """What balls that are not of steel mean for rings of no material, and for the ratings."""
     if materials.steel_balls:
@@ -39,9 +42,10 @@ def reached_over(
     shoulder: float | None,
     carried: float = np.nan,
 ) -> tuple[Note, ...]:
-    """What is left out of contacts above a shoulder, one of usual height unless given.
+    """What shoulders cut off contacts, ones of usual height unless given.
 
-    `carried` is the least share of a load that a cut contact carries, not a number where it is not known.
+    `carried` is the least share of a load that a cut contact carries, not a number where none is cut in the
+    balance.
     """
     over = heights > (USUAL_SHOULDER * ball_diameter if shoulder is None else shoulder)
     if not over.any():
@@ -55,11 +59,13 @@ def reached_over(
         return (outside("shoulder-not-given", text),)
     text = (
         f"{int(over.sum())} contacts are cut off on the shoulder of the {race} race, {1e3 * shoulder:.4g} mm "
-        f"high: they reach up to {1e3 * heights.max():.4g} mm, {at}; "
-        "that is neglected, as if the race continued"
+        f"high: whole they reach up to {1e3 * heights.max():.4g} mm, {at}; "
     )
     if np.isfinite(carried):
-        text += f"; at the same approach the most cut one would carry {carried:.0%} of its load"
+        text += f"the most cut one carries {carried:.0%} of the load of a whole one at the same approach"
+        text += "; it rides on the edge, whose pressure is higher than reported" if carried < ON_EDGE else ""
+    else:
+        text += "that is neglected, as if the race continued"
     return (danger("truncated-contact", text),)
 
 

@@ -92,6 +92,23 @@ class BallOil(FilmOil):
     )
 
 
+class AngularGroove(EndingGroove):
+    """A groove whose shoulders may differ."""
+
+    open_shoulder: Length | None = key(
+        "height of the low shoulder, over which reversed thrust presses the balls; that of the other one without "
+        "the key",
+        None,
+        example="1 mm",
+        ge=0,
+    )
+
+    @property
+    def shoulders(self) -> tuple[float | None, float | None]:
+        """Heights of the shoulder that thrust presses and of the other one [m]; None of a groove without."""
+        return self.shoulder, self.shoulder if self.open_shoulder is None else self.open_shoulder
+
+
 class FastBearing(MountedBearing):
     """Balls between one groove in each ring."""
 
@@ -142,14 +159,18 @@ class FastBearing(MountedBearing):
         diameter = self.ball.diameter
         for name, groove in (("inner", self.inner), ("outer", self.outer)):
             radius = groove.over(diameter) * diameter
-            if groove.shoulder is not None and groove.shoulder > radius:
-                raise impossible(f"{name}.shoulder", f"at most the groove radius, {1e3 * radius:.4g} mm")
+            for key_of_it, height in zip(("shoulder", "open_shoulder"), groove.shoulders, strict=True):
+                if height is not None and height > radius:
+                    most = f"at most the groove radius, {1e3 * radius:.4g} mm"
+                    raise impossible(f"{name}.{key_of_it}", most)
         return self
 
 
 class AngularBearing(FastBearing):
     """The bearing."""
 
+    inner: AngularGroove = key("groove of the inner ring")
+    outer: AngularGroove = key("groove of the outer ring")
     contact_angle: Angle = key(
         "contact angle without load, from the radial plane; before mounting where there are fits",
         example="15 deg",

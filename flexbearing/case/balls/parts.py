@@ -122,6 +122,11 @@ class EndingGroove(Groove):
         gt=0,
     )
 
+    @property
+    def shoulders(self) -> tuple[float | None, float | None]:
+        """Heights of the shoulder that thrust presses and of the other one [m]; None of a groove without."""
+        return self.shoulder, self.shoulder
+
 
 class RingLoad(Section):
     """Load on the inner ring."""
