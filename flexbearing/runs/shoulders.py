@@ -59,7 +59,7 @@ def reached_over(
         return (outside("shoulder-not-given", text),)
     text = (
         f"{int(over.sum())} contacts are cut off on the shoulder of the {race} race, {1e3 * shoulder:.4g} mm "
-        f"high: whole they reach up to {1e3 * heights.max():.4g} mm, {at}; "
+        f"high: whole ellipses reach up to {1e3 * heights.max():.4g} mm, {at}; "
     )
     if np.isfinite(carried):
         text += f"the most cut one carries {carried:.0%} of the load of a whole one at the same approach"

@@ -509,10 +509,16 @@ EFFECTS = (
      "model.bearing.ball.diameter model.bearing.inner.conformity model.bearing.outer.conformity"),
     ("fast, by conformity", "bearing.inner.conformity", 0.5252, "model.bearing.inner.conformity"),
     ("fast balls", "bearing.inner.radius", "11.7463 mm", "model.bearing.inner.conformity"),
-    ("fast balls", "bearing.inner.shoulder", "4.5 mm", "case.bearing.inner.shoulder"),
+    ("fast balls", "bearing.inner.shoulder", "4.5 mm",
+     "case.bearing.inner.shoulder model.bearing.inner.ends.{0,1}"),
+    ("fast balls", "bearing.inner.open_shoulder", "1 mm",
+     "model.bearing.inner.ends.1"),
     ("fast, by conformity", "bearing.outer.conformity", 0.5353, "model.bearing.outer.conformity"),
     ("fast balls", "bearing.outer.radius", "11.7463 mm", "model.bearing.outer.conformity"),
-    ("fast balls", "bearing.outer.shoulder", "4.5 mm", "case.bearing.outer.shoulder"),
+    ("fast balls", "bearing.outer.shoulder", "4.5 mm",
+     "case.bearing.outer.shoulder model.bearing.outer.ends.{0,1}"),
+    ("fast balls", "bearing.outer.open_shoulder", "1 mm",
+     "model.bearing.outer.ends.1"),
     ("fast balls", "bearing.balls", 17, "model.bearing.balls"),
     ("fast balls", "bearing.contact_angle", "40.4 deg", "model.bearing.contact_angle"),
     ("fast balls", "bearing.first_ball_azimuth", "12 deg", "model.bearing.first_ball_azimuth"),
@@ -676,7 +682,9 @@ EFFECTS = (
     *(
         (_DEEP_GROOVE[context], key, _ITS_VALUES.get(key, value), names)
         for context, key, value, names in EFFECTS
-        if context in _DEEP_GROOVE and key not in ("bearing.contact_angle", "operation.displacement.radial_z")
+        if context in _DEEP_GROOVE
+        and key not in ("bearing.contact_angle", "operation.displacement.radial_z")
+        and not key.endswith("open_shoulder")
     ),
     ("deep groove", "bearing.clearance", "20 um", "model.bearing.clearance"),
     ("deep groove, fitted", "bearing.fits.cold_clearance", "15 um", "model.bearing.clearance"),
@@ -762,12 +770,12 @@ EFFECTS += (
              "inner.mesh.{order,raceway_size} outer.mesh.{order,raceway_size}"),
             ("on side", "accuracy.mesh_size", "2 mm", "inner.mesh.size outer.mesh.size"),
             ("on side", "bearing.outer.shoulder", "2.6 mm",
-             "case.bearing.outer.shoulder outer.{last,length} outer.part.{raceway_diameter,thickness}"),
+             "case.bearing.outer.shoulder model.bearing.outer.ends.{0,1} outer.{last,length} outer.part.{raceway_diameter,thickness}"),
         )
     ),
     *(
         (context, f"{race}.kind", {f"{race}.kind": kind, **dict(sizes)}, f"case.bearing.{race}.shoulder "
-         f"{race}.{{last,length,stations,width}} {race}.mesh.{{is,order,raceway_size,size}} "
+         f"model.bearing.{race}.ends.{{0,1}} {race}.{{last,length,stations,width}} {race}.mesh.{{is,order,raceway_size,size}} "
          f"{race}.part.groove.{{aside,centre_radius,is,radius}} {race}.part.{{{fields}}}")
         for context in ("fast balls", "deep groove")
         for race, kind, sizes, fields in (
