@@ -618,9 +618,9 @@ def _on_shoulders(case: FastCase, state: qd.AngularContactState) -> tuple[Note, 
         for low, height in enumerate(dict.fromkeys(high_and_low)):  # one pass where both are alike
             there = (angles < 0) == low if high_and_low[0] != high_and_low[1] else np.full(len(angles), True)
             reached = np.where(there, state.needed_shoulders[race], 0.0)
-            shares = state.carried_shares[race] if there.any() else np.ones(1)
+            least = float(state.carried_shares[race].min(where=there, initial=1.0))
             lines += shoulders.reached_over(
-                name, reached, angles, case.bearing.ball.diameter, height, float(shares[there].min(initial=1.0))
+                name, reached, angles, case.bearing.ball.diameter, height, least
             )
     if state.whole_displacement is not None:
         moved = 1e6 * (state.ring_displacement - state.whole_displacement)[:3]

@@ -163,14 +163,14 @@ def iterate_elastic(
     balance: AngularBalance, grooves: ElasticGrooves
 ) -> Iterator[tuple[ElasticSolution, bool]]:
     """Newton iterates of one case, as if in balance, and whether they are what `solve_elastic` gives."""
-    steps, last = _steps(balance, grooves), False
+    steps, last, equations = _steps(balance, grooves), False, balance.of_whole_contacts
     while not last:
         with np.errstate(all="ignore"):
             try:
                 state, outcomes = next(steps), [SolverOutcome.CONVERGED]
             except StopIteration as end:
-                (state, outcomes), last = end.value, True
-        yield as_solution(balance, state, outcomes), last
+                (state, outcomes), last, equations = end.value, True, balance
+        yield as_solution(equations, state, outcomes), last
 
 
 def _steps(balance: AngularBalance, grooves: ElasticGrooves) -> Steps:
