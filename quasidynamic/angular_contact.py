@@ -33,7 +33,7 @@ from quasidynamic.solve.step_length import SolverOutcome
 
 DIRECTIONS = ("along x", "along y", "along z", "about y", "about z")
 CARRYING = 1e-3  # of the largest load, from which a contact counts in the angles of a message
-BORNE = 0.02  # of a load: within which the part is known that shoulders bear
+BORNE = 0.05  # of a load: within which the part is known that shoulders bear
 LEAST_SHARE = 1e-3  # of a motion without a force: component that is reported
 
 
@@ -128,7 +128,7 @@ class AngularContactBallBearing:
             rings = solve(balance) if grooves is None else solve_elastic(balance, grooves).rings
             borne = rings.outcomes[0] is SolverOutcome.CONVERGED
             least, most = (part, most) if borne else (least, part)
-        borne = f"; they bear {least:.0%} of this load, at most {most:.0%}" if any(operation.load) else ""
+        borne = f"; they bear {least:.0%} to {most:.0%} of this load" if any(operation.load) else ""
         return NotSolved(f"{state}{borne}", state.outcome)
 
     def iterate(
@@ -171,7 +171,8 @@ class AngularContactBallBearing:
         for case, operation in enumerate(operations):
             if solution.outcomes[case] is not SolverOutcome.CONVERGED:
                 loose = _loose(ring.stiffness[case], balance.held[case])
-                angle = _steepest(balls.contacts.angles[:, case], balls.contacts.loads[:, case])
+                pressed = balls.contacts.loads if balls.cut is None else balls.cut.whole
+                angle = _steepest(balls.contacts.angles[:, case], pressed[:, case])
                 moving = np.isfinite(kinematics.orbit[case])
                 lost = int((np.isfinite(balls.contacts.loads[:, case]).all(0) & ~moving).sum())
                 states.append(_not_solved(operation, solution, case, loose, angle, lost))

@@ -103,7 +103,10 @@ def bearing(case: FastCase) -> qd.AngularContactBallBearing:
 def _groove(case: FastCase, race: "Race") -> qd.Groove:
     """A groove that ends on its shoulders."""
     without_end = groove(case.bearing, race, case.materials.ring(race))
-    radius, heights = without_end.conformity * case.bearing.ball.diameter, getattr(case.bearing, race).shoulders
+    radius, heights = (
+        without_end.conformity * case.bearing.ball.diameter,
+        getattr(case.bearing, race).shoulders,
+    )
     high, low = (np.inf if height is None else float(np.arccos(1 - height / radius)) for height in heights)
     return replace(without_end, ends=(high, low))
 
@@ -619,16 +622,14 @@ def _on_shoulders(case: FastCase, state: qd.AngularContactState) -> tuple[Note, 
             there = (angles < 0) == low if high_and_low[0] != high_and_low[1] else np.full(len(angles), True)
             reached = np.where(there, state.needed_shoulders[race], 0.0)
             least = float(state.carried_shares[race].min(where=there, initial=1.0))
-            lines += shoulders.reached_over(
-                name, reached, angles, case.bearing.ball.diameter, height, least
-            )
+            lines += shoulders.reached_over(name, reached, angles, case.bearing.ball.diameter, height, least)
     if state.whole_displacement is not None:
-        moved = 1e6 * (state.ring_displacement - state.whole_displacement)[:3]
+        moved = 1e6 * (state.ring_displacement - state.whole_displacement)
         lines += (
             information(
                 "cut-contact-displacement",
-                "cut contacts: the inner ring is displaced by "
-                f"{moved[0]:+.3g}, {moved[1]:+.3g}, {moved[2]:+.3g} um along x, y, z against whole ones",
+                "cut contacts: against whole ones the inner ring is displaced by "
+                f"{moved[0]:+.2f}, {moved[1]:+.2f}, {moved[2]:+.2f} um along x, y, z",
             ),
         )
     return lines

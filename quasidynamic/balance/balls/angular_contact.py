@@ -172,7 +172,11 @@ class AngularBalance:
         lengths = np.abs(arms)
         normals = arms / lengths
         angles, pressed = np.arctan2(normals.real, normals.imag), self.pressed(lengths)
-        cut = None if self.races is None else self.races.forces(pressed, self._approach(lengths), angles, lengths)
+        cut = (
+            None
+            if self.races is None
+            else self.races.forces(pressed, self._approach(lengths), angles, lengths)
+        )
         contacts = LoadedContacts(angles, *(pressed if cut is None else (cut.loads, cut.stiffness)))
         kinematics = self.control.kinematics(contacts, self.speeds, self.free_centrifugal, near)
         if cut is not None:
@@ -212,6 +216,12 @@ class AngularBalance:
         approach = self._approach(lengths)
         grown = self._reach_and_coefficient[1] * np.sqrt(approach)
         return grown * approach, 1.5 * grown
+
+    def touching(self, grooves: Vectors, centres: Vectors) -> NDArray:
+        """Balls (C, Z) that both races press."""
+        return (
+            np.abs(groove_arm(np.array([grooves - centres, centres]))) > self._reach_and_coefficient[0]
+        ).all(0)
 
     def over_shoulders(self, balls: BallBalance) -> NDArray:
         """Angle (C) [rad] by which whole contacts of balls reach over shoulders, none where <= 0."""

@@ -67,7 +67,9 @@ class EndingRaces:
         radius = [groove.conformity * bearing.ball.diameter for groove in grooves]
         spread = [each.across * np.cbrt(each.coefficient) for each in contacts]
         ratio = [each.across / each.along for each in contacts]
-        return cls(np.minimum(ends, BEHIND), *(np.reshape(values, (2, 1, 1)) for values in (radius, spread, ratio)))
+        return cls(
+            np.minimum(ends, BEHIND), *(np.reshape(values, (2, 1, 1)) for values in (radius, spread, ratio))
+        )
 
     def cuts(self, approach: NDArray, angles: NDArray) -> NDArray:
         """c (2, 2, C, Z) of both sides; a contact without an approach has no semi-axis and no cut."""

@@ -68,7 +68,9 @@ def energy_share(cut: ArrayLike, ratio: ArrayLike) -> EnergyShare:
     inside = (1.0, 2.5, 4.375, cube, fourth)
     bracket = sum(each * v**power for power, each in enumerate(inside))
     steep = sum(power * each * v ** (power - 1) for power, each in enumerate(inside) if power)
-    bent = sum(power * (power - 1) * each * v ** (power - 2) for power, each in enumerate(inside) if power > 1)
+    bent = sum(
+        power * (power - 1) * each * v ** (power - 2) for power, each in enumerate(inside) if power > 1
+    )
     slope = u**1.5 * (2.5 * bracket - u * steep) / span
     curvature = u**0.5 * (3.75 * bracket - 5 * u * steep + u**2 * bent) / span**2
     whole = v == 0.0  # to the last digit

@@ -156,8 +156,9 @@ def _along(force: Vectors, step: Vectors) -> NDArray:
 
 def _start(balance: AngularBalance, grooves: Vectors, centres: Vectors) -> NDArray:
     """Balance of balls where it has a closed form, elsewhere where they were."""
-    if not balance.pulled.all() and _closed(balance):
-        centres = np.where(balance.pulled, centres, balance.places.resting(grooves))
+    if not balance.pulled.all():
+        near = balance.pulled if _closed(balance) else balance.pulled | balance.touching(grooves, centres)
+        centres = np.where(near, centres, balance.places.resting(grooves))
     free = balance.places.free(grooves)
     if not balance.control.rolling_alone:
         far = NEAR_BOTTOM * balance.bearing.outer_reach

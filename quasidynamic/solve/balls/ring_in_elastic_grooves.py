@@ -183,7 +183,11 @@ def _steps(balance: AngularBalance, grooves: ElasticGrooves) -> Steps:
     for case in np.flatnonzero(over > 0):
         if outcomes[case] is not SolverOutcome.CONVERGED:
             continue
-        one, begin, before = balance.take(np.array([case])), state.of(np.array([case])).places, float(over[case])
+        one, begin, before = (
+            balance.take(np.array([case])),
+            state.of(np.array([case])).places,
+            float(over[case]),
+        )
         trial, ended = _last(_newton(one, grooves, begin))
         closer = partial(_closer, one, grooves, before)
         _by_parts(closer, begin, trial, ([SolverOutcome.CONVERGED], ended), softening=False)
