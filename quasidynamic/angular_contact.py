@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.angular_contact import AngularBalance, lubricated_races, race_contacts
-from quasidynamic.balance.balls.ending_races import EndingRaces
 from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves
+from quasidynamic.balance.balls.ending_races import CutContacts, EndingRaces
 from quasidynamic.balance.balls.race_control import PrescribedControl, RaceControl
 from quasidynamic.balance.balls.rolling_ball import rolling_ball
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
@@ -158,8 +158,6 @@ class AngularContactBallBearing:
         Displacements of grooves (C, 2, Z, 2) [m] are None between rigid rings.
         """
         balls, ring = solution.forces(balance)
-        cut = None if balls.cut is None else (balls.cut.loads < balls.cut.whole).any((0, 2))
-        whole_ring = solution.ring if solution.whole_ring is None else solution.whole_ring
         kinematics, scale, control, heat = balls.kinematics, self._scale, self._race_control, None
         oiled = None
         if isinstance(control, CoulombControl) and control.oil is not None:
@@ -209,10 +207,8 @@ class AngularContactBallBearing:
                     oil=oiled and oiled.of_case(case),
                     sticking=self.sticking is not None,
                     imbalance=float(solution.imbalance[case]),
-                    whole_displacement=None if cut is None or not cut[case] else whole_ring[case] / scale,
-                    whole_loads=None if cut is None or not cut[case] else balls.cut.whole[:, case],
-                    shoulder_forces=None if cut is None or not cut[case] else balls.cut.aside[:, case],
                     groove_displacement=None if groove_displacements is None else groove_displacements[case],
+                    **_cut_off(balls.cut, solution.whole_ring, case, scale),
                 )
             )
         return states
@@ -346,6 +342,16 @@ def _loose(stiffness: NDArray, held: NDArray) -> list[str]:
     return [DIRECTIONS[free[place]] for place in np.flatnonzero(shares > LEAST_SHARE)]
 
 
+def _cut_off(
+    cut: CutContacts | None, whole_ring: NDArray | None, case: int, scale: NDArray
+) -> dict[str, NDArray]:
+    """What a state has beyond those of whole contacts; nothing where all are whole."""
+    if cut is None or (cut.loads[:, case] == cut.whole[:, case]).all():
+        return {}
+    fields = {"whole_loads": cut.whole[:, case], "shoulder_forces": cut.aside[:, case]}
+    return fields if whole_ring is None else fields | {"whole_displacement": whole_ring[case] / scale}
+
+
 def _steepest(angles: NDArray, loads: NDArray) -> float:
     """Largest contact angle [rad] of contacts that carry."""
     return float(np.abs(angles).max(where=loads > CARRYING * loads.max(), initial=0.0))
@@ -382,9 +388,10 @@ def _not_solved(
         )
     if outcome is SolverOutcome.OVER_SHOULDER:
         return NotSolved(
-            f"{where}: balls climb over the shoulders, which cut contacts off: whole ones would be in balance, "
-            f"at contact angles of up to {np.degrees(steepest):.1f} deg; no balance found as shoulders close in "
-            f"on them, in {evaluations} evaluations; give a smaller axial load or tilt, or higher shoulders",
+            f"{where}: balls climb over the shoulders, which cut contacts off: whole ones would be in "
+            f"balance, at contact angles of up to {np.degrees(steepest):.1f} deg; no balance found as shoulders "
+            f"close in on them, in {evaluations} evaluations; give a smaller axial load or tilt, or higher "
+            "shoulders",
             outcome,
         )
     if lost:

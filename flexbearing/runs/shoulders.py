@@ -10,7 +10,6 @@ from quasidynamic.contact.rolling.fastsim import TORQUE_EXCESS
 from quasidynamic.note import Note, danger, information, outside
 from quasidynamic.outcome.truncation import USUAL_SHOULDER
 
-
 ON_EDGE = 0.5  # [-] share of its load below which the middle of any contact is cut off
 
 

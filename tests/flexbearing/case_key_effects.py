@@ -770,12 +770,14 @@ EFFECTS += (
              "inner.mesh.{order,raceway_size} outer.mesh.{order,raceway_size}"),
             ("on side", "accuracy.mesh_size", "2 mm", "inner.mesh.size outer.mesh.size"),
             ("on side", "bearing.outer.shoulder", "2.6 mm",
-             "case.bearing.outer.shoulder model.bearing.outer.ends.{0,1} outer.{last,length} outer.part.{raceway_diameter,thickness}"),
+             "case.bearing.outer.shoulder model.bearing.outer.ends.{0,1} outer.{last,length} "
+             "outer.part.{raceway_diameter,thickness}"),
         )
     ),
     *(
         (context, f"{race}.kind", {f"{race}.kind": kind, **dict(sizes)}, f"case.bearing.{race}.shoulder "
-         f"model.bearing.{race}.ends.{{0,1}} {race}.{{last,length,stations,width}} {race}.mesh.{{is,order,raceway_size,size}} "
+         f"model.bearing.{race}.ends.{{0,1}} "
+         f"{race}.{{last,length,stations,width}} {race}.mesh.{{is,order,raceway_size,size}} "
          f"{race}.part.groove.{{aside,centre_radius,is,radius}} {race}.part.{{{fields}}}")
         for context in ("fast balls", "deep groove")
         for race, kind, sizes, fields in (

@@ -122,7 +122,7 @@ def test_reversed_thrust_rides_on_the_edge_of_open_shoulders():
 def test_balls_that_climb_over_an_open_shoulder_end_with_the_part_of_the_load_that_is_borne():
     tilting = RingOperation(load=(-1500.0, 0.0, 30.0, 100.0, 0.0))
     with pytest.raises(
-        NotSolved, match="climb over the shoulders.* they bear 0% to 3% of this load"
+        NotSolved, match=r"climb over the shoulders.* they bear 0% to 3% of this load"
     ) as ended:
         solved(((27.0, 12.0), (46.0, 17.0)), tilting)
     assert ended.value.outcome is SolverOutcome.OVER_SHOULDER

@@ -19,7 +19,7 @@ def hertz(curvature):
 
 
 def by_half_spaces(cut, ratio, cells=(48, 96)):
-    """Shares of load and energy, and moment as derivative of the latter, at a cut and at the same approach."""
+    """Shares of load and energy, and moment as derivative of the latter, at a cut, the approach given."""
 
     def off(curvature):
         contact = hertz(curvature)

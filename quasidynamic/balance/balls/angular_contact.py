@@ -282,7 +282,7 @@ class AngularBalance:
 
 
 def _by_all_angles(kinematics: BallKinematics, contacts: LoadedContacts, cut: CutContacts) -> BallKinematics:
-    """Slopes by contact angles with what comes through loads, which change with the angles of cut contacts."""
+    """Slopes by contact angles with what comes through loads, which follow the angles of cut contacts."""
     through = cut.by_angle / np.where(contacts.stiffness > 0, contacts.stiffness, np.inf)
 
     def turned(slopes: NDArray) -> NDArray:

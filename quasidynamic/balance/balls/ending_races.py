@@ -42,12 +42,12 @@ class EndingRaces:
 
     Source
     ------
-    Virtual work; psi of `energy_share`, whose derivative by the cut is the moment of the pressure of half-spaces.
+    Virtual work; psi of `energy_share`, whose derivative by the cut is the moment of the pressure.
 
     Valid
     -----
-    As `energy_share`; of both sides of one contact what each alone takes. Shoulders do not tilt with the ring,
-    and semi-axes are those of the unloaded contact angle.
+    As `energy_share`; of both sides of one contact what each alone takes, too little. Shoulders do not tilt
+    with the ring, and semi-axes are those of the unloaded contact angle.
     """
 
     ends: NDArray  # (2, 2, 1, 1) [rad] alpha_+, alpha_- of the inner and of the outer race
@@ -72,7 +72,7 @@ class EndingRaces:
         )
 
     def cuts(self, approach: NDArray, angles: NDArray) -> NDArray:
-        """c (2, 2, C, Z) of both sides; a contact without an approach has no semi-axis and no cut."""
+        """Cuts c (2, 2, C, Z) on both sides; hardly finite for contacts without an approach."""
         half = self.spread * np.sqrt(np.maximum(approach, NO_APPROACH))
         return self.radius * (self.ends - SIDES * angles) / half
 

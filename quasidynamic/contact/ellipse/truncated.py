@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ellipe, ellipkm1
 
-# Fitted to `contact_pressure` on 64 x 128 cells whose border is the cut: 18 cuts of 13 ellipses, k from 1.02 to
-# 60 (`python -m benchmarks.truncated_contacts`). Rows by powers of 1 - u, columns by those of ln k.
+# Fitted to `contact_pressure` on 64 x 128 cells whose border is the cut (`python -m
+# benchmarks.truncated_contacts`). Rows by powers of 1 - u, columns by those of ln k.
 FIT = np.array([[3.911, -0.924, -0.011], [-3.362, -0.456, 0.086]])
 ERROR = 0.004  # of the load of the whole contact, with that of the grid
 ROUNDEST = 1.02  # least k of the fit
@@ -32,8 +32,8 @@ def energy_share(cut: ArrayLike, ratio: ArrayLike) -> EnergyShare:
               v^3 \sum_{ij} A_{ij} v^i \ln^j k\Big],\quad v = 1 - u = \frac{1 - c}{1 - c_0},\quad
               c_0 = -\sqrt{\frac{m\,\mathcal K}{\mathcal K - \mathcal E}},\quad m = 1 - k^{-2}
 
-    From c_0, where undeformed surfaces no longer overlap on this side of the cut, to one, where nothing is cut
-    and two derivatives vanish. The energy at the approach delta is psi (2/5) K delta^(5/2); at a cut at the
+    From c_0, where undeformed surfaces no longer overlap on this side of the cut, to one, where nothing is
+    cut and two derivatives vanish. The energy at the approach delta is psi (2/5) K delta^(5/2); at a cut at the
     distance s, c = s/a(delta), its derivative by delta is the load, see `EnergyShare.load`, and that by s the
     moment of the pressure over the radius of relative curvature.
 
@@ -56,8 +56,8 @@ def energy_share(cut: ArrayLike, ratio: ArrayLike) -> EnergyShare:
 
     Valid
     -----
-    k from 1.02 to 60: loads within `ERROR`, 0.012 at 200; rounder ones count as of 1.02. A shoulder as stiff as
-    the middle; no contact of its edge.
+    k from 1.02 to 60: loads within `ERROR`, 0.012 at 200; rounder ones count as of 1.02. A shoulder as stiff
+    as the middle; no contact of its edge.
     """
     cut, ratio = np.broadcast_arrays(np.asarray(cut, float), np.maximum(ratio, ROUNDEST))
     first, second, log = ellipkm1(ratio**-2.0), ellipe(1 - ratio**-2.0), np.log(ratio)

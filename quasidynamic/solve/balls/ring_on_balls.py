@@ -111,7 +111,7 @@ def _on_shoulders(balance: AngularBalance, whole: AngularBalance, solution: Ring
 
 
 def _as_shoulders_close(
-    balance: AngularBalance, whole: RingSolution, case: int, over: float
+    balance: AngularBalance, whole: RingSolution, case: np.intp, over: float
 ) -> tuple[RingSolution | None, int]:
     """Balance of one case as shoulders close in on whole contacts, which reach over them [rad]; else None.
 
