@@ -1,7 +1,7 @@
 """Fit of the energy of elliptic contacts that a shoulder cuts off, and its errors.
 
-`python -m benchmarks.truncated_contacts [--cells 64]`: coefficients of `energy_share`, by half-spaces whose grid
-ends at the cut, and its largest errors there.
+`python -m benchmarks.truncated_contacts [--cells 64]`: coefficients of `energy_share`, by half-spaces whose
+grid ends at the cut, and its largest errors there.
 """
 
 import argparse
@@ -18,14 +18,7 @@ from quasidynamic.contact.pressure import NormalCompliance, RigidMotions, contac
 STEEL = ElasticPair(shear=1 / 80e9, poisson=0.3 / 80e9)
 FORCE, ALONG = 2000.0, 100.0  # [N] of whole contacts, [1/m] curvature along the rolling direction
 RATIOS = (1.02, 1.25, 1.6, 2.2, 3.2, 4.5, 6.5, 9.0, 13.0, 19.0, 28.0, 40.0, 60.0)
-PARTS = (
-    0.04,
-    0.08,
-    0.12,
-    0.17,
-    *np.arange(0.22, 0.95, 0.06),
-    0.98,
-)  # u, of the way from no contact to a whole one
+PARTS = (0.04, 0.08, 0.12, 0.17, *np.arange(0.22, 0.95, 0.06), 0.98)  # u, from no contact to a whole one
 
 
 def whole_contact(curvature: float) -> PointContact:

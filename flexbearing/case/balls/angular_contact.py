@@ -96,8 +96,8 @@ class AngularGroove(EndingGroove):
     """A groove whose shoulders may differ."""
 
     open_shoulder: Length | None = key(
-        "height of the low shoulder, over which reversed thrust presses the balls; without the key that of the "
-        "other one",
+        "height of the low shoulder, over which reversed thrust presses the balls; without the key that of "
+        "the other one",
         None,
         example="1 mm",
         ge=0,

@@ -33,9 +33,9 @@ def energy_share(cut: ArrayLike, ratio: ArrayLike) -> EnergyShare:
               c_0 = -\sqrt{\frac{m\,\mathcal K}{\mathcal K - \mathcal E}},\quad m = 1 - k^{-2}
 
     From c_0, where undeformed surfaces no longer overlap on this side of the cut, to one, where nothing is
-    cut and two derivatives vanish. The energy at the approach delta is psi (2/5) K delta^(5/2); at a cut at the
-    distance s, c = s/a(delta), its derivative by delta is the load, see `EnergyShare.load`, and that by s the
-    moment of the pressure over the radius of relative curvature.
+    cut and two derivatives vanish. The energy at the approach delta is psi (2/5) K delta^(5/2); at a cut at
+    the distance s, c = s/a(delta), its derivative by delta is the load, see `EnergyShare.load`, and that by s
+    minus the moment of the pressure over the radius of relative curvature.
 
     Parameters
     ----------
