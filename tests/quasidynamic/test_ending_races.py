@@ -9,10 +9,12 @@ from pytest import approx
 from quasidynamic import NotSolved, RingOperation
 from quasidynamic.angular_contact import AngularContactBallBearing
 from quasidynamic.balance.balls.angular_contact import race_contacts
+from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves, shape_of
 from quasidynamic.balance.balls.ending_races import EndingRaces
 from quasidynamic.contact.ellipse.truncated import ERROR
 from quasidynamic.solve.step_length import SolverOutcome
 from tests.quasidynamic.test_angular_balance import BEARING, balance, place
+from tests.quasidynamic.test_elastic_grooves import random_groove
 from tests.quasidynamic.test_truncated_contact import by_half_spaces
 
 THRUST = RingOperation(load=(20e3, 0.0, 0.0, 0.0, 0.0))
@@ -99,6 +101,21 @@ def test_cut_contacts_give_way_more_and_carry_the_load(model, speed):
     assert cut.whole_displacement == approx(whole.ring_displacement, abs=0)
     axial = cut.loads * np.sin(cut.contact_angles) + cut.section_forces * np.cos(cut.contact_angles)
     assert axial.sum(1) == approx([20e3, 20e3], rel=1e-8)
+
+
+def test_elastic_grooves_are_displaced_by_all_that_cut_contacts_push():
+    """Loads, and forces along the sections; the ring is displaced further than with whole contacts."""
+    grooves = [random_groove(seed, MANY.balls, 1e-3 * MANY.outer_reach / THRUST.load[0]) for seed in (1, 2)]
+    bearing = ending(MANY, (44.0, 44.0), (42.0, 42.0))
+    state = AngularContactBallBearing(bearing=bearing).solve(THRUST, ElasticGrooves(*grooves))
+    assert state.carried_shares.min() < 0.8
+    normals = np.exp(-1j * state.contact_angles)
+    force = (1j * state.loads + state.section_forces) * normals
+    for race, sign in enumerate((-1, 1)):
+        moved = shape_of(grooves[race], state.contact_angles[race], sign * force[race]).moved
+        assert state.groove_displacement[race] == approx(moved, abs=1e-6 * np.abs(moved).max())
+    assert force.real.sum(1) == approx([20e3, 20e3], rel=1e-8)
+    assert state.ring_displacement[0] > state.whole_displacement[0] + 1e-6
 
 
 def test_stiffness_is_the_derivative_of_the_load():

@@ -453,7 +453,7 @@ def _with_balls(
         closing=relative_moves[..., 5],
         imbalance=np.where(result.done, imbalance, np.inf),
         evaluations=np.full(len(at), result.evaluations),
-        whole_ring=places.ring,
+        whole_ring=places.ring.copy(),
     )
 
 
