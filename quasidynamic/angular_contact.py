@@ -390,8 +390,8 @@ def _not_solved(
         return NotSolved(
             f"{where}: balls climb over the shoulders, which cut contacts off: whole ones would be in "
             f"balance, at contact angles of up to {np.degrees(steepest):.1f} deg; no balance found as "
-            f"shoulders close in on them, in {evaluations} evaluations; give a smaller axial load or tilt, or "
-            "higher shoulders",
+            f"shoulders close in on them, in {evaluations} evaluations; give a smaller axial load or "
+            "tilt, or higher shoulders",
             outcome,
         )
     if lost:

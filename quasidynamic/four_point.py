@@ -103,7 +103,8 @@ class FourPointBallBearing:
         """
         distribution = self._distribution(load.vector(), grooves, near and near.distribution, speed, start)
         motion = None if near is None else near.balls.sliding.motion
-        return FourPointEquilibrium(distribution, self.slide(distribution.angles, distribution.loads, motion))
+        balls = self.slide(distribution.angles, distribution.loads, motion, distribution.whole)
+        return FourPointEquilibrium(distribution, balls)
 
     def _distribution(
         self,
@@ -122,11 +123,14 @@ class FourPointBallBearing:
         assert isinstance(near, ElasticBallLoads)  # as it is between elastic rings
         return elastic_ball_loads_near(self.bearing, load, grooves, near, speed)
 
-    def slide(self, angle: NDArray, load: NDArray, near: NDArray | None = None) -> SlidingBalls:
+    def slide(
+        self, angle: NDArray, load: NDArray, near: NDArray | None = None, whole: NDArray | None = None
+    ) -> SlidingBalls:
         """Motion and torque of N balls whose contact angles [rad] and loads [N] (N, G, 2) are known.
 
         They are those at the inner and the outer race of one or two diagonals; `near` (N, 3) is the motion of
-        balls that differ little, see `sliding_motion_near` [rad/s]. The motion is found when it is first
+        balls that differ little, see `sliding_motion_near` [rad/s]; `whole` are the loads of contacts that
+        shoulders cut off if they were whole. The motion is found when it is first
         needed, with `NotSolved` when a ball finds no balance.
         Raises `ImpossiblePart` when an angle or a load cannot be, `OutOfRange` when a contact is no longer
         small.
@@ -134,8 +138,9 @@ class FourPointBallBearing:
         angle, load = np.asarray(angle, dtype=float), np.asarray(load, dtype=float)
         _check(angle, load)
         contact = self._contact(angle)
-        across, along = contact.semi_axes(load)
-        pressure = contact.peak_pressure(load)
+        whole = load if whole is None else whole
+        across, along = contact.semi_axes(whole)
+        pressure = contact.peak_pressure(whole)
         coefficient = self.friction.at(pressure)
         radius = self.bearing.ball.diameter / 2
         ellipse = Ellipse(across, along, self._surface(angle), coefficient * load, self.spin)
@@ -152,6 +157,7 @@ class FourPointBallBearing:
         )
         return SlidingBalls(
             load=load,
+            whole=whole,
             contacts=contacts,
             ellipse=ellipse,
             peak_pressure=pressure,

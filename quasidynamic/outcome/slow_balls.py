@@ -42,6 +42,7 @@ class SlidingBalls:
     """
 
     load: NDArray  # (N, G, 2) [N]
+    whole: NDArray  # (N, G, 2) [N] of contacts that no shoulder cuts off, same approach, as the ellipses are
     contacts: BallContacts
     ellipse: Ellipse
     peak_pressure: NDArray  # (N, G, 2) [Pa]

@@ -228,7 +228,7 @@ class AngularBalance:
         if self.races is None:
             return np.full(len(self.load), -np.inf)
         approach = (balls.loads / self._reach_and_coefficient[1]) ** (2 / 3)
-        return self.races.beyond(approach, balls.contacts.angles)
+        return self.races.beyond(approach, balls.contacts.angles).max((0, 2))
 
     def withdrawn(self, angle: float) -> "AngularBalance":
         """The same with races that end further out by an angle [rad]."""

@@ -66,6 +66,15 @@ class RigidRings:
         excess = self.load - self.contacts.carried(balls.after(moves))
         return RigidRingState(place, centres, balls, moves, excess, tangent)
 
+    @property
+    def of_whole_contacts(self) -> "RigidRings":
+        """The same without shoulders."""
+        return replace(self, contacts=self.contacts.of_whole_contacts)
+
+    def withdrawn(self, angle: float) -> "RigidRings":
+        """The same with arches that end further out by an angle [rad]."""
+        return replace(self, contacts=self.contacts.withdrawn(angle))
+
     def at_speed(self, speed: float) -> "RigidRings":
         """The same at another speed of the inner ring [rad/s]."""
         return replace(self, contacts=replace(self.contacts, speed=speed))

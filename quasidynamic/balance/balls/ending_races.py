@@ -77,10 +77,9 @@ class EndingRaces:
         return self.radius * (self.ends - SIDES * angles) / half
 
     def beyond(self, approach: NDArray, angles: NDArray) -> NDArray:
-        """Angle (C) [rad] by which contacts that are pressed reach over shoulders, none where <= 0."""
-        half = self.spread * np.sqrt(approach) / self.radius
-        over = np.where(approach > 0, half + SIDES * angles - self.ends, -np.inf)
-        return over.max((0, 1, 3))
+        """Angles (2, C, Z) [rad] by which contacts that are pressed reach over shoulders, none where <= 0."""
+        half = self.spread * np.sqrt(np.maximum(approach, 0.0)) / self.radius
+        return np.where(approach > 0, half + SIDES * angles - self.ends, -np.inf).max(0)
 
     def withdrawn(self, angle: float) -> "EndingRaces":
         """Races that end further out by an angle [rad]."""

@@ -1,6 +1,6 @@
 """Balance of balls between two grooves of one or two arches each, with inertia."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasidynamic.balance.balls.arch_motion import arch_motion
+from quasidynamic.balance.balls.ending_races import BEHIND, EndingRaces
 from quasidynamic.balance.balls.light_ball import held_traction
 from quasidynamic.contact.ellipse.point_contact import point_contact, race_curvatures
 from quasidynamic.motion.ball_slip import OUTER, SIDE
@@ -25,10 +26,21 @@ class ContactForces(NamedTuple):
 
     approach: NDArray  # (Z, 2, 2) [m] of ball and race, negative in a gap
     loads: NDArray  # (Z, 2, 2) [N] normal, >= 0
+    whole: NDArray  # (Z, 2, 2) [N] the same of contacts that no shoulder cuts off
     on_races: NDArray  # (Z, 2, 2, 2) [N] force of the ball on each race
     orbit: NDArray  # (Z) [rad/s]
     centrifugal: NDArray  # (Z) [N]
     gyroscopic: NDArray  # (Z) [N m]
+
+
+class _Pressed(NamedTuple):
+    """Contacts without friction, with slopes by their own arms."""
+
+    whole: NDArray  # (Z, 2, 2) [N] loads of contacts that no shoulder cuts off
+    loads: NDArray  # (Z, 2, 2) [N]
+    pushes: NDArray  # (Z, 2, 2, 2) [N] forces along the arms
+    stiffness: NDArray  # (Z, 2, 2, 2) [N/m] of the loads
+    springs: NDArray  # (Z, 2, 2, 2, 2) [N/m] of the pushes
 
 
 class BallsOnArches(NamedTuple):
@@ -100,6 +112,7 @@ class FourContacts:
     in complex numbers, axial + i radial, with the normals n_k from the ball to its contacts, the distance L_k
     of ball and groove centre and rho = r - D/2. Tractions hold the gyroscopic moment on the outer race alone,
     as with outer race control, shared by its contacts as they are loaded; up to what `held_traction` allows.
+    Where arches end on shoulders Q is that of `EndingRaces`, whose S is added to P.
     Orbit and spin are those of `arch_motion`. Moments and tilts of the ring are taken over the pitch radius.
 
     Source
@@ -114,6 +127,7 @@ class FourContacts:
     reach: NDArray  # (2) [m] from the centre of a groove to that of a ball that just touches
     start: NDArray  # (2, 2, 2) [m] arms of balls in the middle, rings concentric
     moves: NDArray  # (Z, 2, 5) [-] displacement of the inner ring at each ball by its place, axial and radial
+    races: EndingRaces | None = None  # whose shoulders cut contacts off; None: all are whole
 
     @classmethod
     def of(cls, bearing: FourPointBearing, speed: float = 0.0) -> "FourContacts":
@@ -128,10 +142,16 @@ class FourContacts:
         curvatures = race_curvatures(
             bearing.ball.diameter, bearing.groove_radii, bearing.pitch_diameter, bearing.contact_angle, SIDE
         )
+        contacts, races = point_contact(curvatures, bearing.moduli), None
+        if np.isfinite(bearing.groove_ends).any():
+            ends = np.minimum([bearing.groove_ends, (BEHIND, BEHIND)], BEHIND)
+            spread = contacts.across * np.cbrt(contacts.coefficient)
+            ratio = contacts.across / contacts.along
+            races = EndingRaces(ends.reshape(2, 1, 1, 2), bearing.groove_radii, spread, ratio)
         return cls(
             bearing=bearing,
             speed=speed,
-            coefficient=point_contact(curvatures, bearing.moduli).coefficient,
+            coefficient=contacts.coefficient,
             reach=reach,
             start=np.stack([both - outer, outer]) + np.zeros((2, 1, 1)),
             moves=np.stack(
@@ -141,7 +161,23 @@ class FourContacts:
                 ],
                 1,
             ),
+            races=races,
         )
+
+    @property
+    def of_whole_contacts(self) -> "FourContacts":
+        """The same without shoulders."""
+        return self if self.races is None else replace(self, races=None)
+
+    def withdrawn(self, angle: float) -> "FourContacts":
+        """The same with arches that end further out by an angle [rad]."""
+        return self if self.races is None else replace(self, races=self.races.withdrawn(angle))
+
+    def over_shoulders(self, balls: BallsOnArches) -> float:
+        """Angle [rad] by which whole contacts of balls reach over shoulders, none where <= 0."""
+        if self.races is None:
+            return -np.inf
+        return float(self.races.beyond(balls.forces.approach, balls.angles).max())
 
     @cached_property
     def free_centrifugal(self) -> float:
@@ -171,14 +207,12 @@ class FourContacts:
         walled = np.stack([arms[..., 0], np.maximum(arms[..., 1], 0.0)], -1)
         length = np.hypot(walled[..., 0], walled[..., 1])
         approach = self._on_arch(length - self.reach, arms[..., 0])
-        grown = self.coefficient * np.sqrt(np.maximum(approach, 0.0))
-        loads, normals = grown * np.maximum(approach, 0.0), walled / length[..., None]  # these along the arms
+        normals = walled / length[..., None]  # along the arms
         turned = np.stack([normals[..., 1], -normals[..., 0]], -1)  # change of the normals by the angle
         turn = np.where(arms[..., 1:] > 0.0, turned / length[..., None], 0.0)  # of the angle by the arm
-        stiffness = 1.5 * grown[..., None] * normals
-        springs = normals[..., :, None] * stiffness[..., None, :]
-        springs += loads[..., None, None] * turned[..., :, None] * turn[..., None, :]
-        on_races, slopes = SIDE[:, None] * loads[..., None] * normals, np.zeros((len(arms), 4, 2, 4, 2))
+        pressed = self._pressed(approach, length, (normals, turned, turn))
+        loads, stiffness, springs = pressed.loads, pressed.stiffness, pressed.springs
+        on_races, slopes = SIDE[:, None] * pressed.pushes, np.zeros((len(arms), 4, 2, 4, 2))
         each = np.arange(4)
         slopes[:, each, :, each] = (SIDE[:, None, None] * springs).reshape(-1, 4, 2, 2).swapaxes(0, 1)
         slopes = slopes.reshape(-1, 8, 8)
@@ -196,8 +230,31 @@ class FourContacts:
         excess[:, 1] += inertia[1]
         by_arms = -ARMS_OWN.T @ slopes
         by_arms[:, 1] += inertia_slopes
-        forces = ContactForces(approach, loads, on_races, *inertia)
+        forces = ContactForces(approach, loads, pressed.whole, on_races, *inertia)
         return BallsOnArches(walled, forces, turn, slopes, excess, by_arms)
+
+    def _pressed(
+        self, approach: NDArray, length: NDArray, along: tuple[NDArray, NDArray, NDArray]
+    ) -> "_Pressed":
+        """Contacts without friction; `along` are normals, their turn, and that of angles by arms."""
+        normals, turned, turn = along
+        closer = np.maximum(approach, 0.0)
+        grown = self.coefficient * np.sqrt(closer)
+        loads, stiff = grown * closer, 1.5 * grown
+        if self.races is None:
+            pushes, slopes = loads[..., None] * normals, stiff[..., None] * normals
+            springs = normals[..., :, None] * slopes[..., None, :]
+            springs += loads[..., None, None] * turned[..., :, None] * turn[..., None, :]
+            return _Pressed(loads, loads, pushes, slopes, springs)
+        angles = np.arctan2(normals[..., 0], normals[..., 1])
+        cut = self.races.forces((loads, stiff), closer, angles, length)
+        pushes = cut.loads[..., None] * normals + cut.aside[..., None] * turned
+        slopes = cut.stiffness[..., None] * normals + cut.by_angle[..., None] * turn
+        aside = cut.aside_stiffness[..., None] * normals + cut.aside_by_angle[..., None] * turn
+        turning = cut.loads[..., None] * turned - cut.aside[..., None] * normals
+        springs = normals[..., :, None] * slopes[..., None, :] + turned[..., :, None] * aside[..., None, :]
+        springs += turning[..., :, None] * turn[..., None, :]
+        return _Pressed(cut.whole, cut.loads, pushes, slopes, springs)
 
     def _inertia(
         self, loads: NDArray, normals: NDArray, turned: NDArray, stiffness: NDArray, turn: NDArray

@@ -1,6 +1,7 @@
 """Load distribution of a four-point contact ball bearing with elastic rings."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -24,6 +25,7 @@ from quasidynamic.solve.balls.load_distribution import (
     STIFFENING,
     TOLERANCE,
     BallLoads,
+    as_shoulders_close,
     balanced,
     require_held,
     resisted,
@@ -80,7 +82,8 @@ def elastic_ball_loads(
     -----
     As `ball_loads`; small displacement of the rings. The balance is stable, though there may be others.
     """
-    rigid_rings = RigidRings.of(bearing, load, speed)
+    ending = RigidRings.of(bearing, load, speed)
+    rigid_rings = ending.of_whole_contacts
     _require_fit(bearing, grooves)
     rigid, count = balanced(rigid_rings)
     stiffness = rigid_rings.usual_stiffness(rigid.balls.forces.loads.max())
@@ -98,7 +101,20 @@ def elastic_ball_loads(
             continue
         begin, part = Begin(state.place, state.shape, state.centres, state.balls), part + step
         step, count = min(2 * step, 1.0 - part), count + more
+    over = ending.contacts.over_shoulders(state.balls)
+    if over > 0:
+        softer = replace(softer, rigid=ending)
+        state, more = as_shoulders_close(ending, over, state, partial(_balanced_from, softer))
+        count += more
     return _shared(bearing, softer, state, count)
+
+
+def _balanced_from(
+    rings: ElasticRings, rigid: RigidRings, begin: ElasticRingState
+) -> tuple[ElasticRingState, int]:
+    """State between elastic rings with other shoulders, from another state."""
+    closer = replace(rings, rigid=rigid)
+    return _balanced(closer, _at(closer, begin.place, begin.shape, begin.centres))
 
 
 class Begin(NamedTuple):

@@ -1,7 +1,9 @@
 """Load distribution of a four-point contact ball bearing with rigid rings."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,14 +18,17 @@ from quasidynamic.errors import NotSolved
 from quasidynamic.motion.ball_slip import INNER
 from quasidynamic.parts.ball import FourPointBearing
 from quasidynamic.solve.balls.balls_on_arches import ball_step, balls_in_balance
-from quasidynamic.solve.step_length import before_the_minimum
+from quasidynamic.solve.step_length import SolverOutcome, before_the_minimum
 
 TOLERANCE = 1e-11  # of the largest force: unbalanced force on the ring, moments over the pitch radius
 ROUNDED = 1e-9  # the same, where rounding keeps a step from lowering it any more
+LEAST_PART = 1e-2  # of what shoulders cut off: by which they close in on contacts at least
 STEPS = 200  # rarely more than twenty: the energy is convex
 BALL_SHARE = 0.1  # of the imbalance before a step: what the balls may leave to the next one
 MOST_SPEEDS = 20  # that are tried on the way from balls without inertia, rarely more than three
 STIFFENING = 1e-2  # of the whole stiffness over the relative imbalance, where no ball resists a direction
+
+S = TypeVar("S")
 
 
 @dataclass(frozen=True)
@@ -32,6 +37,7 @@ class BallLoads:
 
     approach: NDArray  # (Z, 2, 2) [m] of ball and race; negative in a gap
     loads: NDArray  # (Z, 2, 2) [N]
+    whole: NDArray  # (Z, 2, 2) [N] of contacts that no shoulder cuts off, same approach
     angles: NDArray  # (Z, 2, 2) [rad] contact angle from the radial plane, loaded
     centres: NDArray  # (Z, 2) [m] axial and radial, from balls that touch the outer groove in its middle
     orbit: NDArray  # (Z) [rad/s] by which the centrifugal force is computed, see `arch_motion`
@@ -81,17 +87,60 @@ def ball_loads(
     Valid
     -----
     Rigid and round rings; both diagonals with one contact angle and one clearance; the stiffness K is that
-    of the unloaded contact angle; moments act on the pitch circle. No truncation at the groove edge.
+    of the unloaded contact angle; moments act on the pitch circle. Shoulders as in `EndingRaces`.
     """
     rings = RigidRings.of(bearing, load, speed)
+    state, count = _from_start(rings.of_whole_contacts, start)
+    over = rings.contacts.over_shoulders(state.balls)
+    if over > 0:
+        state, more = as_shoulders_close(rings, over, state, _newton_from)
+        count += more
+    return _shared(bearing, rings, state, count)
+
+
+def _from_start(rings: RigidRings, start: BallLoads | None) -> tuple[RigidRingState, int]:
+    """State in which the balls carry the load, from that under another one if given, and evaluations."""
     if start is not None:
         try:
-            state, evaluations = _newton(rings, start.displacement * ring_levers(bearing), start.centres)
+            levers = ring_levers(rings.contacts.bearing)
+            state, evaluations = _newton(rings, start.displacement * levers, start.centres)
             require_held(state)
-            return _shared(bearing, rings, state, evaluations)
+            return state, evaluations
         except NotSolved:
             pass  # a usual start is tried
-    return _shared(bearing, rings, *balanced(rings))
+    return balanced(rings)
+
+
+def as_shoulders_close(
+    rings: RigidRings, over: float, begin: S, solve: Callable[[RigidRings, S], tuple[S, int]]
+) -> tuple[S, int]:
+    """State as shoulders close in on whole contacts, which reach over them by an angle [rad].
+
+    And evaluations. Raises `NotSolved` where balls climb over.
+    """
+    part, step, count = 0.0, 1.0, 0
+    while part < 1.0:
+        further = min(1.0, part + step)
+        try:
+            begin, more = solve(rings.withdrawn((1.0 - further) * over), begin)
+        except NotSolved as problem:
+            step /= 4
+            if step < LEAST_PART:
+                raise NotSolved(
+                    "balls climb over the shoulders, which cut contacts off: whole ones would be in balance, "
+                    f"but reach over them by {np.degrees(over):.1f} deg; give a smaller load, or higher "
+                    "shoulders",
+                    SolverOutcome.OVER_SHOULDER,
+                ) from problem
+            continue
+        part, step, count = further, 2 * step, count + more
+    return begin, count
+
+
+def _newton_from(rings: RigidRings, begin: RigidRingState) -> tuple[RigidRingState, int]:
+    state, evaluations = _newton(rings, begin.place, begin.centres)
+    require_held(state)
+    return state, evaluations
 
 
 def ball_loads_near(
@@ -141,6 +190,7 @@ def what_balls_share(
     return {
         "approach": forces.approach,
         "loads": forces.loads,
+        "whole": forces.whole,
         "angles": state.balls.angles,
         "centres": state.centres,
         "orbit": forces.orbit,
