@@ -454,18 +454,19 @@ def _on_shoulders(case: FourPointCase, balls: qd.SlidingBalls) -> tuple[Note, ..
         if case.friction.contact_pressure != "hertz" and np.isfinite(_groove_end(case, name)):
             continue  # the pressure ends there, see `_computed`
         ring, arches, diameter = getattr(case.rings, name), case.arches(name), case.bearing.ball.diameter
+        least = float(balls.carried_shares[..., race].min())
         if ring.kind == "rigid":
             heights = balls.needed_shoulders(race, arches.radius, arches.aside)
             angles, shoulder = balls.contacts.angle[..., race], getattr(case.bearing, name).shoulder
-            lines += shoulders.reached_over(name, heights, angles, diameter, shoulder)
+            lines += shoulders.reached_over(name, heights, angles, diameter, shoulder, least)
             continue
         over = int(balls.truncated(race, arches.radius, ring.groove_end).sum())
         if over:
             lines += (
                 danger(
                     "truncated-contact",
-                    f"{over} contacts of the {name} ring reach over its shoulders at "
-                    f"{np.degrees(ring.groove_end):.1f} deg; they are computed as if the arches went on",
+                    f"{over} contacts of the {name} ring are cut off on its shoulders at "
+                    f"{np.degrees(ring.groove_end):.1f} deg; {shoulders.carrying(least)}",
                 ),
             )
     return lines

@@ -39,12 +39,11 @@ def reached_over(
     angles: NDArray,
     ball_diameter: float,
     shoulder: float | None,
-    carried: float = np.nan,
+    carried: float,
 ) -> tuple[Note, ...]:
     """What shoulders cut off contacts, ones of usual height unless given.
 
-    `carried` is the least share of a load that a cut contact carries, not a number where none is cut in the
-    balance.
+    `carried` is the least share of a load that a cut contact carries.
     """
     over = heights > (USUAL_SHOULDER * ball_diameter if shoulder is None else shoulder)
     if not over.any():
@@ -59,13 +58,15 @@ def reached_over(
     text = (
         f"{int(over.sum())} contacts are cut off on the shoulder of the {race} race, {1e3 * shoulder:.4g} mm "
         f"high: whole ellipses reach up to {1e3 * heights.max():.4g} mm, {at}; "
+        f"{carrying(carried)}"
     )
-    if np.isfinite(carried):
-        text += f"the most cut one carries {carried:.0%} of the load of a whole one at the same approach"
-        text += "; it rides on the edge, whose pressure is higher than reported" if carried < ON_EDGE else ""
-    else:
-        text += "that is neglected, as if the race continued"
     return (danger("truncated-contact", text),)
+
+
+def carrying(share: float) -> str:
+    """How much the most cut contact carries of the load of a whole one [-]."""
+    edge = "; it rides on the edge, whose pressure is higher than reported" if share < ON_EDGE else ""
+    return f"the most cut one carries {share:.0%} of the load of a whole one at the same approach{edge}"
 
 
 def unrolled(why: str) -> tuple[Note, ...]:

@@ -59,6 +59,11 @@ class SlidingBalls:
             return sliding_motion(self.contacts, self.ellipse)
         return sliding_motion_near(self.contacts, self.ellipse, self.near)
 
+    @property
+    def carried_shares(self) -> NDArray:
+        """Load of contacts over that of whole ones, same approach (N, G, 2) [-]."""
+        return np.where(self.whole > 0, self.load / np.where(self.whole > 0, self.whole, 1.0), 1.0)
+
     @cached_property
     def torques(self) -> RaceTorques:
         """Of the balls on both rings."""
@@ -117,8 +122,8 @@ class SlidingBalls:
     def needed_shoulders(self, race: int, groove_radius: float, aside: float) -> NDArray:
         """Height of a race above the bottom of its groove up to which contacts reach (N, G) [m].
 
-        The centres of its arches lie a distance [m] aside of the middle; zero without a load. The arches of
-        the model are unbounded: on a lower shoulder contacts are cut off.
+        The centres of its arches lie a distance [m] aside of the middle; zero without a load. On a
+        lower shoulder contacts are cut off.
         """
         angle, across = (values[..., race] for values in (self.contacts.angle, self.reach))
         edge = edge_angle(np.abs(angle), across, groove_radius, "arc")

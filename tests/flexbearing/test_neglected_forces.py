@@ -129,10 +129,10 @@ def test_contacts_where_no_race_is_are_a_danger():
 
 def test_contacts_above_a_shoulder_are_counted_with_their_largest_angle():
     heights, angles = np.array([1e-3, 5e-3, 6e-3]), np.radians([80.0, -50.0, 40.0])
-    (note,) = reached_over("inner", heights, angles, 20e-3, 4e-3)
+    (note,) = reached_over("inner", heights, angles, 20e-3, 4e-3, 0.8)
     assert note.text.startswith("2 contacts")
     assert "up to 6 mm, at contact angles of up to 50.0 deg" in note.text
-    assert reached_over("inner", heights, angles, 20e-3, 7e-3) == ()
+    assert reached_over("inner", heights, angles, 20e-3, 7e-3, 1.0) == ()
 
 
 def test_friction_torque_of_fast_balls_is_that_of_dry_contacts():

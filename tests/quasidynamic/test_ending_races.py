@@ -12,9 +12,13 @@ from quasidynamic.balance.balls.angular_contact import race_contacts
 from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves, shape_of
 from quasidynamic.balance.balls.ending_races import EndingRaces
 from quasidynamic.contact.ellipse.truncated import ERROR
+from quasidynamic.solve.balls.elastic_load_distribution import elastic_ball_loads
+from quasidynamic.solve.balls.load_distribution import ball_loads
 from quasidynamic.solve.step_length import SolverOutcome
 from tests.quasidynamic.test_angular_balance import BEARING, balance, place
 from tests.quasidynamic.test_elastic_grooves import random_groove
+from tests.quasidynamic.test_four_point import TIGHT
+from tests.quasidynamic.test_four_point_elastic import soft
 from tests.quasidynamic.test_truncated_contact import by_half_spaces
 
 THRUST = RingOperation(load=(20e3, 0.0, 0.0, 0.0, 0.0))
@@ -143,3 +147,39 @@ def test_balls_that_climb_over_an_open_shoulder_end_with_the_part_of_the_load_th
     ) as ended:
         solved(((27.0, 12.0), (46.0, 17.0)), tilting)
     assert ended.value.outcome is SolverOutcome.OVER_SHOULDER
+
+
+# -- four-point balls ----------------------------------------------------------------------------------
+
+SLOW_LOAD = np.array([20e3, 50e3, 0.0, 2e3, 0.0])
+
+
+def test_four_point_balls_on_shoulders_beyond_their_contacts_are_as_without():
+    far, without = (ball_loads(bearing, SLOW_LOAD) for bearing in (slow(60.0), TIGHT.bearing))
+    assert np.array_equal(far.loads, without.loads)
+    assert np.array_equal(far.displacement, without.displacement)
+    assert far.iterations == without.iterations
+
+
+def test_four_point_balls_on_shoulders_carry_the_load_and_give_way_more():
+    cut, whole = ball_loads(slow(47.0), SLOW_LOAD), ball_loads(TIGHT.bearing, SLOW_LOAD)
+    assert (cut.loads < 0.6 * cut.whole).any()
+    assert (np.abs(cut.displacement) > 1.05 * np.abs(whole.displacement)).all()
+    assert cut.stiffness == approx(cut.stiffness.T, rel=1e-6, abs=1e-6 * np.abs(cut.stiffness).max())
+    step = 1.0 * np.eye(5)[0]
+    more, less = (ball_loads(slow(47.0), SLOW_LOAD + sign * step).displacement for sign in (1, -1))
+    assert cut.stiffness @ (more - less) / 2 == approx(step, abs=1e-5)
+
+
+def test_four_point_balls_between_nearly_rigid_rings_are_cut_as_between_rigid_ones():
+    rigid = ball_loads(slow(47.0), SLOW_LOAD)
+    elastic = elastic_ball_loads(slow(47.0), SLOW_LOAD, soft(24, 1e-16))
+    assert elastic.loads == approx(rigid.loads, abs=1e-4 * rigid.loads.max())
+    softer = elastic_ball_loads(slow(47.0), SLOW_LOAD, soft(24, 1e-13))
+    assert softer.imbalance < 1e-9
+    assert np.abs(softer.displacement[0]) > np.abs(rigid.displacement[0])
+
+
+def slow(end):
+    """The bearing with arches that end at an angle [deg] on both rings."""
+    return replace(TIGHT.bearing, groove_ends=(np.radians(end),) * 2)

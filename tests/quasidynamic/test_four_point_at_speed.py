@@ -108,7 +108,11 @@ def test_forces_and_moments_on_each_ball_and_ring_balance(speed):
 
 
 @pytest.mark.parametrize("speed", [0.0, FAST, 5 * FAST])
-@pytest.mark.parametrize("bearing", [QJ309.bearing, split_inner()], ids=["gothic", "one arc"])
+@pytest.mark.parametrize(
+    "bearing",
+    [QJ309.bearing, split_inner(), replace(QJ309.bearing, groove_ends=(0.5, 0.6))],
+    ids=["gothic", "one arc", "on shoulders"],
+)
 def test_slopes_are_those_of_differences(bearing, speed):
     contacts, draw = FourContacts.of(bearing, speed), np.random.default_rng(1)
     approach = (

@@ -116,7 +116,7 @@ class EndingGroove(Groove):
 
     shoulder: Length | None = key(
         "height of the shoulder above the bottom of the groove, where arches meet if there are two; of both "
-        "shoulders where there are two; contacts that reach over it are reported",
+        "shoulders where there are two; contacts that reach over it are cut off there",
         None,
         example="4.5 mm",
         gt=0,
