@@ -1,7 +1,7 @@
 """Limiting static loads of a four-point bearing: axial load against moment, a curve for each radial load."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -72,9 +72,10 @@ class LimitedBearing:
         return limit_shares(self.bearing, balls.loads, balls.angles, self.limits)
 
     def _balls(self, load: NDArray) -> BallLoads:
+        whole = replace(self.bearing, groove_ends=(np.inf, np.inf))  # cut contacts are beyond a limit
         if self.rings is None:
-            return ball_loads(self.bearing, load)
-        return elastic_ball_loads(self.bearing, load, self.rings)
+            return ball_loads(whole, load)
+        return elastic_ball_loads(whole, load, self.rings)
 
     def point(
         self, radial: float, direction: tuple[float, float], first: float = 1.0

@@ -17,7 +17,7 @@ from quasidynamic.solve.balls.load_distribution import ball_loads
 from quasidynamic.solve.step_length import SolverOutcome
 from tests.quasidynamic.test_angular_balance import BEARING, balance, place
 from tests.quasidynamic.test_elastic_grooves import random_groove
-from tests.quasidynamic.test_four_point import TIGHT
+from tests.quasidynamic.test_four_point import LOOSE, TIGHT
 from tests.quasidynamic.test_four_point_elastic import soft
 from tests.quasidynamic.test_truncated_contact import by_half_spaces
 
@@ -183,3 +183,11 @@ def test_four_point_balls_between_nearly_rigid_rings_are_cut_as_between_rigid_on
 def slow(end):
     """The bearing with arches that end at an angle [deg] on both rings."""
     return replace(TIGHT.bearing, groove_ends=(np.radians(end),) * 2)
+
+
+def test_four_point_balls_that_climb_over_shoulders_end_so():
+    """Contacts of 45 deg, shoulders at 29 and 30 deg."""
+    bearing = replace(LOOSE.bearing, groove_ends=(0.512, 0.5306))
+    with pytest.raises(NotSolved, match="climb over the shoulders") as ended:
+        ball_loads(bearing, np.array([-426.3, -110.1, 79.5, 26.6, 10.6]))
+    assert ended.value.outcome is SolverOutcome.OVER_SHOULDER
