@@ -425,7 +425,7 @@ def _computed(pressure: str, balls: qd.RollingBalls) -> tuple[Note, ...]:
             "cut-contact",
             f"shoulders cut {inner} contacts of the inner and {outer} of the outer ring: their pressure, of "
             f"up to {peak:,.0f} MPa on the cells, is computed with that end, "
-            "as if the edge were as stiff as the middle; the load is that of whole contacts",
+            "as if the edge were as stiff as the middle",
         ),
     )
 
@@ -454,7 +454,8 @@ def _on_shoulders(case: FourPointCase, balls: qd.SlidingBalls) -> tuple[Note, ..
         if case.friction.contact_pressure != "hertz" and np.isfinite(_groove_end(case, name)):
             continue  # the pressure ends there, see `_computed`
         ring, arches, diameter = getattr(case.rings, name), case.arches(name), case.bearing.ball.diameter
-        least = float(balls.carried_shares[..., race].min())
+        known = case.operation.contact_loads is None  # given loads follow from no approach
+        least = float(balls.carried_shares[..., race].min()) if known else np.nan
         if ring.kind == "rigid":
             heights = balls.needed_shoulders(race, arches.radius, arches.aside)
             angles, shoulder = balls.contacts.angle[..., race], getattr(case.bearing, name).shoulder

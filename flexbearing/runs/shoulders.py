@@ -64,7 +64,9 @@ def reached_over(
 
 
 def carrying(share: float) -> str:
-    """How much the most cut contact carries of the load of a whole one [-]."""
+    """How much the most cut contact carries of the load of a whole one [-]; not a number: not known."""
+    if np.isnan(share):
+        return "that is neglected, as if the race continued"
     edge = "; it rides on the edge, whose pressure is higher than reported" if share < ON_EDGE else ""
     return f"the most cut one carries {share:.0%} of the load of a whole one at the same approach{edge}"
 

@@ -116,7 +116,9 @@ def as_shoulders_close(
 ) -> tuple[S, int]:
     """State as shoulders close in on whole contacts, which reach over them by an angle [rad].
 
-    And evaluations. Raises `NotSolved` where balls climb over.
+    And evaluations.
+
+    Raises `NotSolved` where balls climb over.
     """
     part, step, count = 0.0, 1.0, 0
     while part < 1.0:
