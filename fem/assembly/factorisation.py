@@ -86,13 +86,18 @@ def factorised(space, energy) -> Factorisation:
     return Factorisation(form=form, inverse=inverse, free=np.array(list(space.FreeDofs())))
 
 
-def cholesky(matrix, free):
+def cholesky(matrix, free, former=None):
     """Sparse factorisation of a symmetric, positive definite matrix; `free` is unset where it is clamped.
 
+    A `former` one of the same matrix, whose numbers were others, is overwritten: its order of elimination
+    stays.
     Raises `NotSolved` if the solver refuses the matrix.
     """
     try:
-        return matrix.Inverse(free, inverse="sparsecholesky")
+        if former is None:
+            return matrix.Inverse(free, inverse="sparsecholesky")
+        former.Update()
+        return former
     except NgException as refusal:
         raise NotSolved(f"the stiffness could not be factored: {refusal}") from refusal
 

@@ -6,7 +6,9 @@ square of the residual.
 """
 
 import logging
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import pairwise
 from typing import Any
 
@@ -44,8 +46,12 @@ class HarmonicStiffness:
         Raises `NotSolved` if the matrix cannot be factored, or if the residual stays above
         `fem.assembly.factorisation.RESIDUAL`.
         """
-        matrix, pattern = self.matrix.CreateMatrix(), self.parts[0]
-        matrix.AsVector().FV().NumPy()[:] = values = _at(harmonic, [part.data for part in self.parts])
+        return next(self.solved([harmonic], loads))
+
+    def solved(self, harmonics: Iterable[int], loads: NDArray) -> Iterator[NDArray]:
+        """Yield what `solve` returns for each of some harmonics, all factored in the order of the first."""
+        matrix, pattern, inverse = self.matrix.CreateMatrix(), self.parts[0], None
+        values, free = matrix.AsVector().FV().NumPy(), ngs.BitArray((~self.clamped).tolist())
         K = sparse.csr_array((values, pattern.indices, pattern.indptr), shape=pattern.shape)
 
         def residual(u: NDArray, f: NDArray) -> NDArray:
@@ -55,11 +61,13 @@ class HarmonicStiffness:
             # A thin free ring is far softer than its elements: K u in doubles loses what refinement restores.
             return self.on_free(f - K.astype(np.longdouble) @ u).astype(float)
 
-        try:
-            inverse = cholesky(matrix, ngs.BitArray((~self.clamped).tolist()))
-            return refined(lambda f: _product(inverse, f), residual, self.on_free(loads))
-        except NotSolved as problem:
-            raise NotSolved(f"harmonic {harmonic}: {problem}") from problem
+        for harmonic in harmonics:
+            values[:] = _at(harmonic, [part.data for part in self.parts])
+            try:
+                inverse = cholesky(matrix, free, inverse)
+                yield refined(partial(_product, inverse), residual, self.on_free(loads))
+            except NotSolved as problem:
+                raise NotSolved(f"harmonic {harmonic}: {problem}") from problem
 
     def beginning_at(self, first: int) -> "HarmonicStiffness":
         """The same stiffness, its harmonics counted from another one, n = first at 0."""
@@ -120,7 +128,7 @@ def answers(stiffness: HarmonicStiffness, loads: NDArray, last: int) -> Harmonic
     first = np.geomspace(1, last, int(np.ceil(np.log(last) / np.log(FIRST_STEP))) + 1)
     unsolved = sorted({0, *np.rint(first).astype(int).tolist()})  # 0, 1, 2, 3, 5, 7, ... and the last
     while unsolved:
-        solved |= {n: stiffness.solve(n, G) for n in unsolved}
+        solved |= zip(unsolved, stiffness.solved(unsolved, G), strict=True)
         basis = stiffness.orthonormal(np.hstack([u / np.linalg.norm(u, axis=0) for u in solved.values()]))
         forces = [stiffness.on_free(part @ basis) for part in stiffness.parts]
         small, g = [basis.T @ part for part in forces], basis.T @ G

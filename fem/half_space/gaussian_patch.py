@@ -6,7 +6,6 @@ raceway.
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import ive
 
 from fem.parts.material import Elastic
 
@@ -43,4 +42,6 @@ def patch_answers(distance: NDArray, width: float, elastic: Elastic) -> NDArray:
     """
     q = np.square(distance) / (8 * width**2)
     unit = (1 - elastic.poisson_ratio**2) / (np.pi * elastic.youngs_modulus)
+    from scipy.special import ive  # sections under rollers are condensed without
+
     return unit * np.sqrt(np.pi) / (2 * width) * ive(0, q)
