@@ -89,13 +89,14 @@ def attribute(data: bytes, name: str) -> Any:
 def require_held(data: bytes, content: Content) -> None:
     """Raise unless the arrays in a file's bytes are those of a content.
 
-    What a writer asks of its own bytes: names, units and axes of the content are not read again.
+    What a writer asks of its own bytes: names, units, axes and forms of storage are not examined again.
 
     Raises `BadContent` where the library made something else of it.
     """
     with _opened(data) as root:
         for path, array in content.arrays.items():
-            if _array(h5d.open(root, path.encode()), path, len(data)).tobytes() != array.tobytes():
+            dataset = h5d.open(root, path.encode())
+            if dataset.shape != array.shape or _numbers(dataset).tobytes() != array.tobytes():
                 raise BadContent(f"{path} is not what was to be written")
 
 
@@ -267,10 +268,15 @@ def _array(dataset: Any, path: str, room: int) -> NDArray:
     needed = 8 * int(np.prod([int(length) for length in shape], dtype=object))
     if needed > min(room, dataset.get_storage_size()):
         raise BadContent(f"{path} claims {needed} bytes; the file does not hold them")
-    array = np.empty(shape)
+    array = _numbers(dataset)
+    array.flags.writeable = False
+    return array
+
+
+def _numbers(dataset: Any) -> NDArray:
+    array = np.empty(dataset.shape)
     if array.size:
         dataset.read(h5s.ALL, h5s.ALL, array)
-    array.flags.writeable = False
     return array
 
 

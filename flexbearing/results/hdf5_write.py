@@ -5,6 +5,7 @@ takes few of them: made, written, its unit, its scales.
 """
 
 import os
+from functools import lru_cache
 from typing import Any
 
 import h5py
@@ -73,16 +74,21 @@ def _list_of_scales(file: Any, axes: tuple[str, ...]) -> NDArray:
 
 
 def _written(file: Any, path: str, array: NDArray, unit: str) -> Any:
-    plan = h5p.create(h5p.DATASET_CREATE)
-    if array.ndim and array.size:  # a checksum needs a chunk; the digest is enough for the others
-        plan.set_chunk(array.shape)
-        plan.set_fletcher32()
-    space = h5s.create_simple(array.shape) if array.ndim else _SCALAR
-    dataset = h5d.create(file, path.encode(), h5t.IEEE_F64LE, space, plan)
+    dataset = h5d.create(file, path.encode(), h5t.IEEE_F64LE, *_form(array.shape))
     dataset.write(h5s.ALL, h5s.ALL, np.ascontiguousarray(array, dtype="<f8"))
     if unit:
         _write_attribute(dataset, UNITS, unit)
     return dataset
+
+
+@lru_cache(maxsize=64)  # most arrays have the shape of others
+def _form(shape: tuple[int, ...]) -> tuple[Any, Any]:
+    """Space and plan of the arrays of a shape."""
+    plan = h5p.create(h5p.DATASET_CREATE)
+    if 0 not in shape and shape:  # a checksum needs a chunk; the digest is enough for the others
+        plan.set_chunk(shape)
+        plan.set_fletcher32()
+    return h5s.create_simple(shape) if shape else _SCALAR, plan
 
 
 def _write_attribute(owner: Any, name: bytes, value: Any) -> None:
