@@ -52,7 +52,7 @@ class HarmonicStiffness:
         """Yield what `solve` returns for each of some harmonics, all factored in the order of the first."""
         matrix, pattern, inverse = self.matrix.CreateMatrix(), self.parts[0], None
         values, free = matrix.AsVector().FV().NumPy(), ngs.BitArray((~self.clamped).tolist())
-        K = sparse.csr_array((values, pattern.indices, pattern.indptr), shape=pattern.shape)
+        K = sparse.csr_array((values, pattern.indices, pattern.indptr), shape=pattern.shape)  # same memory
 
         def residual(u: NDArray, f: NDArray) -> NDArray:
             left = self.on_free(f - K @ u)
