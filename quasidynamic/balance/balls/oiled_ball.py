@@ -16,7 +16,7 @@ from quasidynamic.contact.lubricated_ellipse import LubricatedRaces
 from quasidynamic.contact.traction import RollingShear
 from quasidynamic.motion.ball_slip import AXIAL, ORBIT, BallContacts
 
-INLET_SHARE, INLET_SHARPNESS = 0.01, 10  # of the load: most shear of an inlet, assumed; of its bend
+INLET_SHARE, INLET_SHARPNESS = 0.01, 10  # of the load: most shear of an inlet in a cage, assumed; of its bend
 STANDSTILL = 1e-5  # of the pitch radius: mean surface speed over that of the rings below which it is rounded
 
 
@@ -82,8 +82,12 @@ class OiledContacts:
         entrainment = np.sqrt(mean**2 + (STANDSTILL * contacts.pitch_radius[:, None]) ** 2)
         speed = self.speed[:, None] * entrainment
         sliding, film = self.races.traction(slip, ellipse, self.speed, speed, points)
-        rolling = _limited(self.races.rolling(ellipse.traction, ellipse.width, speed), ellipse.traction)
-        part = self.hold if self.pockets else self.hold.prod(1, keepdims=True)
+        rolling = self.races.rolling(ellipse.traction, ellipse.width, speed)
+        part = self.hold
+        if self.pockets is None:
+            part = part.prod(1, keepdims=True)
+        else:
+            rolling = _limited(rolling, ellipse.traction)
         rolling = RollingShear(*(part * each for each in rolling))
         return OiledFriction(sliding, film, rolling, entrainment, mean / entrainment)
 

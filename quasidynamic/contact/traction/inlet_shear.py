@@ -187,7 +187,8 @@ def ellipse_shear(load: NDArray, entrainment: NDArray, geometry: Geometry, oil: 
               M = \beta^{1/4} \frac{\kappa Q}{E' R^2} U_2^{-3/4}
 
     U2 as of `biboulet_houpert`. Heavy contacts have 1.8/1.47 times the shear of a line contact as long: oil
-    is sheared beside the ellipse too.
+    is sheared beside the ellipse too. Light ones are blended with the rigid line contact as long, as in
+    `dowson_higginson`, below the source, whose shear exceeds what the traction of light balls overcomes.
 
     Parameters
     ----------
@@ -201,31 +202,27 @@ def ellipse_shear(load: NDArray, entrainment: NDArray, geometry: Geometry, oil: 
     oil : Lubricant
         eta0 at the inlet
 
-    Returns
-    -------
-    RollingShear
-        its derivative by load is that at a given length
-
     Source
     ------
     Biboulet and Houpert, Proc. IMechE J 224 (2010), Part 2, Eqs (30) to (32).
 
     Valid
     -----
-    kappa below 1, M up to 800, flooded, isothermal. 2 a far below the diameter of the ball, which cuts off
+    kappa below 1, Q/(2 a E' R sqrt(U2)) from 4 on and M up to 800, flooded, isothermal. 2 a far below the diameter of the ball, which cuts off
     some percent of the shear at 0.4 times it (Eq. 35 of the source).
     """
-    radius, modulus, length, ratio, beta = geometry
-    speed = 2 * oil.viscosity / (modulus * radius) * entrainment
-    regime = beta**0.25 * ratio / (modulus * radius**2 * speed**0.75)  # M / Q
-    light = BLUNT[0] * beta ** (-1 / 3) * ratio**0.12 * speed ** (-1 / 12)
+    radius, _, length, ratio, beta = geometry
+    groups = _groups(load, entrainment, geometry, oil)
+    shifted = (
+        beta**0.25 * ratio * length / radius * groups.speed**-0.25 * (groups.regime + LOAD_ROUNDING)
+    )  # M
+    light = BLUNT[0] * beta ** (-1 / 3) * ratio**0.12 * groups.speed ** (-1 / 12)
     heavy = BLUNT[1] * beta**-0.25
-    share = 1 / (1 + regime * load / HALF_WAY)
-    unit = length * modulus * radius * speed**0.75
-    force = unit * (light * share + heavy * (1 - share))
-    by_load = unit * (heavy - light) * share**2 * regime / HALF_WAY
-    rise = 0.75 * force - unit * light * share / 12 - 0.75 * load * by_load  # by ln U2, of M ~ U2^-0.75
-    return RollingShear(force, by_load, rise / entrainment)
+    share = 1 / (1 + shifted / HALF_WAY)
+    value = heavy + (light - heavy) * share
+    by_regime = (heavy - light) * share * (1 - share) / value
+    ceiling = _Ceiling(value, -(light * share / value) / 12 - by_regime / 4, by_regime)
+    return _below_rigid_limit(groups, ceiling, load, entrainment)
 
 
 ROLLING_LAWS: dict[str, RollingLaw] = {
