@@ -1,14 +1,13 @@
-"""Friction torque of balls in oil by cause, beside SKF's and Palmgren's: `python -m benchmarks.ball_friction`.
+"""Friction torque of balls in oil by cause, beside two formulas: `python -m benchmarks.ball_friction`.
 
-The constants of both formulas are recalled, but for those of SKF for series 62. SKF's part of a bath is left out.
+Constants of SKF and Palmgren are recalled, but for SKF's of series 62. SKF's drag in a bath is left out.
 """
 
 from dataclasses import dataclass
 from math import exp, pi, sqrt
 
-
-from flexbearing.runs.angular_contact import build
 from flexbearing.api import read_case
+from flexbearing.runs.angular_contact import build
 from quasidynamic import oil_at
 
 OILED: dict[str, object] = {
@@ -20,7 +19,6 @@ OILED: dict[str, object] = {
     "lubricant.film_heating": True,
 }
 OILS = ("ISO VG 32", "ISO VG 68")
-CAUSES = ("sliding", "rolling", "drag")
 FRICTION = 0.05  # [-] of films of mineral oil, SKF
 BOUNDARY = 0.12  # [-] SKF
 STARVING = 3e-8  # SKF, low oil bath and jet
@@ -50,7 +48,8 @@ class Shown:
 SHOWN = (
     Shown("7008, 500 N, 15 000 rpm", "configs/rivera2021_7008.toml", 40, 68, 15e3, (1.7, 3.3, 6.6), 12e3,
           thrust=500, thrust_factor=0.46, effective_thrust=3.36),
-    Shown("6208, 3 kN radial, 3000 rpm", "configs/catalogue/6208.toml", 40, 80, 3e3, (1, 2, 4), 19e3, radial=3000),
+    Shown("6208, 3 kN radial, 3000 rpm", "configs/catalogue/6208.toml", 40, 80, 3e3, (1, 2, 4), 19e3,
+          radial=3000),
     Shown("218, 17.8 kN, 10 000 rpm", "configs/harris218.toml", 90, 160, 10e3, (1.7, 3.3, 6.6), 93e3,
           thrust=17800, thrust_factor=0.26, effective_thrust=1.07),
 )  # fmt: skip
@@ -95,9 +94,8 @@ def palmgren(shown: Shown, viscosity: float) -> tuple[float, tuple[float, ...]]:
 
 
 def main() -> None:
-    print(
-        "torque [N m]|ours: sliding + rolling + drag|rolling that heats itself|SKF: sliding + rolling|Palmgren: load + mist, bath, jet"
-    )
+    print("torque [N m]|ours: sliding + rolling + drag|rolling that heats itself", end="|")
+    print("SKF: sliding + rolling|Palmgren: load + mist, bath, jet")
     for shown in SHOWN:
         for name in OILS:
             oil = oil_at(name, 343.15)

@@ -1,7 +1,7 @@
 """Biboulet and Houpert, Proc. IMechE J 224 (2010), 791, Part 2: rolling shear of flooded elliptic contacts.
 
-Printed: Eqs (30) and (31), each limit once over p_h b^3 and once over E' R^3; section 3.4, the elastic limit as a
-number; section 3.2, 22 percent above a line contact as long.
+Printed: Eqs (30) and (31), each limit once over p_h b^3 and once over E' R^3; section 3.4, the elastic limit
+as a number; section 3.2, 22 percent above a line contact as long.
 """
 
 from dataclasses import replace

@@ -110,7 +110,7 @@ def test_strips_of_an_ellipse_are_line_contacts():
 
 
 def test_an_oil_at_its_limiting_stress_spins_as_coulomb_friction_does():
-    """3/8 Lambda Q a E(1 - b^2/a^2), the spinning torque of a Hertz ellipse; no force, as films have no elasticity."""
+    """3/8 Lambda Q a E(1 - b^2/a^2), the spinning torque of a Hertz ellipse, and no force."""
     stiff = partial(Eyring, limiting_ratio=0.05, eyring_stress=1e12)
     races = lubricated_races(
         BEARING, CONTACTS, replace(OILED, oil=replace(OIL, viscosity=1e3), traction=stiff)

@@ -1,4 +1,4 @@
-"""Inlet shear: what its four laws of line contacts share, and the numbers of each; slopes of that of ellipses."""
+"""Inlet shear: what its four laws of line contacts share, their numbers, and slopes of that of ellipses."""
 
 from dataclasses import replace
 

@@ -208,14 +208,13 @@ def ellipse_shear(load: NDArray, entrainment: NDArray, geometry: Geometry, oil: 
 
     Valid
     -----
-    kappa below 1, Q/(2 a E' R sqrt(U2)) from 4 on and M up to 800, flooded, isothermal. 2 a far below the diameter of the ball, which cuts off
-    some percent of the shear at 0.4 times it (Eq. 35 of the source).
+    kappa below 1, Q/(2 a E' R sqrt(U2)) from 4 on and M up to 800, flooded, isothermal. 2 a far below the
+    diameter of the ball, which cuts off some percent of the shear at 0.4 times it (Eq. 35 of the source).
     """
     radius, _, length, ratio, beta = geometry
     groups = _groups(load, entrainment, geometry, oil)
-    shifted = (
-        beta**0.25 * ratio * length / radius * groups.speed**-0.25 * (groups.regime + LOAD_ROUNDING)
-    )  # M
+    per_regime = beta**0.25 * ratio * length / radius * groups.speed**-0.25
+    shifted = per_regime * (groups.regime + LOAD_ROUNDING)  # M
     light = BLUNT[0] * beta ** (-1 / 3) * ratio**0.12 * groups.speed ** (-1 / 12)
     heavy = BLUNT[1] * beta**-0.25
     share = 1 / (1 + shifted / HALF_WAY)
