@@ -60,6 +60,7 @@ def ours(shown: Shown, oil: str, rolling: str) -> tuple[float, ...]:
     case = read_case(shown.file, OILED | {"lubricant.oil": oil, "lubricant.rolling": rolling})
     model, operation = build(case)
     found = model.solve(operation).oil
+    assert found  # of balls in oil
     heat = (found.sliding_heat, found.rolling_heat, found.drag_heat)
     return tuple(each.sum() / (shown.speed * pi / 30) for each in heat)
 

@@ -31,7 +31,7 @@ def ball_lubrication(case: "FastCase") -> BallLubrication | None:
     if case.operation.control != "oil":
         return None
     assert case.lubricant  # checked on reading
-    laws = _laws(case) | {"rolling": BALL_ROLLING_LAWS[case.lubricant.rolling]}
+    laws: dict[str, Any] = _laws(case) | {"rolling": BALL_ROLLING_LAWS[case.lubricant.rolling]}
     return BallLubrication(film=ELLIPTIC_FORMULAS[case.lubricant.film], **laws)
 
 
