@@ -21,11 +21,12 @@ MISSING = (
 )
 AGAIN = (
     "Registered more than once: the first band, -0.34, 1.9 and 15.5 %, was of longer inlets, which changed nothing, "
-    "and of pockets whose friction did not drive the cage. "
+    "and of pockets whose friction did not drive the cage; the second, -0.33, 1.7 and 15.5 %, had the rolling friction "
+    "of line contacts. "
 )
 AGAIN_OVER_SPEED = (
     "Registered more than once: the first band, 0.16, 0.79 and 8.9 %, of fewer points and three speeds, lay above zero "
-    "and would have met the statement. "
+    "and would have met the statement; the second, -0.09, 0.89 and 8.8 %, had the rolling friction of line contacts. "
 )
 SPEEDS = (12000, 25000)  # [rpm]
 CAGE_SLIP = "cage_slip [%]"

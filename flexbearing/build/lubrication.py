@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 import quasidynamic as qd
 from quasidynamic.contact.film import ELLIPTIC_FORMULAS, composite_roughness
 from quasidynamic.contact.lubrication import BallLubrication
-from quasidynamic.contact.traction import ROLLING_LAWS, TractionLaw, in_any_contact
+from quasidynamic.contact.traction import BALL_ROLLING_LAWS, ROLLING_LAWS, TractionLaw, in_any_contact
 from quasidynamic.parts.oil_properties import two_point_oil
 
 if TYPE_CHECKING:  # checking rollers loads no balls, and the other way round
@@ -31,7 +31,8 @@ def ball_lubrication(case: "FastCase") -> BallLubrication | None:
     if case.operation.control != "oil":
         return None
     assert case.lubricant  # checked on reading
-    return BallLubrication(film=ELLIPTIC_FORMULAS[case.lubricant.film], **_laws(case))
+    laws: dict[str, Any] = _laws(case) | {"rolling": BALL_ROLLING_LAWS[case.lubricant.rolling]}
+    return BallLubrication(film=ELLIPTIC_FORMULAS[case.lubricant.film], **laws)
 
 
 def _laws(case: "Lubricated") -> dict[str, Any]:

@@ -45,7 +45,8 @@ class LubricatedRaces:
     coefficient of friction at the slip of each point, of the pressure there. Film and entrainment speed are
     those of the middle.
 
-    The shear of the inlet is that of a line contact of length 2 a and radius R along the rolling direction.
+    The shear of the inlet is that of the ellipse, or by a law of lines that of a line contact of length 2 a
+    and radius R along the rolling direction.
 
     Source
     ------
@@ -72,10 +73,14 @@ class LubricatedRaces:
         return np.pi / 6 * self.modulus * across * along**2
 
     @cached_property
+    def axis_ratio(self) -> NDArray:
+        """a/b of inner and outer contact (2) [-]."""
+        return np.array([float(contact.across / contact.along) for contact in self.contacts])
+
+    @cached_property
     def _film_law(self) -> FilmLaw:
-        ratio = np.array([float(contact.across / contact.along) for contact in self.contacts])
         return FilmLaw(
-            formula=self.lubrication.film.of_axes(ratio),
+            formula=self.lubrication.film.of_axes(self.axis_ratio),
             radius=self.radius,
             modulus=self.modulus,
             oil=self.lubrication.oil,
@@ -92,7 +97,8 @@ class LubricatedRaces:
 
     def rolling(self, load: NDArray, across: NDArray, entrainment: NDArray) -> RollingShear:
         """Shear of the inlets at loads (N, 2) [N], semi-axes across (N, 2) [m] and speeds (N, 2) [m/s]."""
-        geometry = (self.radius, self.modulus, 2 * across)
+        beta = 4 / np.pi * self.strip_radius / self.radius
+        geometry = (self.radius, self.modulus, 2 * across, 1 / self.axis_ratio, beta)
         return self.lubrication.rolling(load, entrainment, geometry, self.lubrication.oil)
 
     def traction(

@@ -4,7 +4,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from quasidynamic.contact.film import ELLIPTIC_FORMULAS, FORMULAS, EllipticFormula, FilmFormula
-from quasidynamic.contact.traction import Regression4109, RollingShear, TractionLaw, biboulet_houpert
+from quasidynamic.contact.traction import (
+    Regression4109,
+    RollingShear,
+    TractionLaw,
+    biboulet_houpert,
+    ellipse_shear,
+)
 from quasidynamic.errors import ImpossiblePart, require_positive
 from quasidynamic.parts.oil_properties import Lubricant
 
@@ -41,4 +47,5 @@ class Lubrication(LubricantLaws):
 class BallLubrication(LubricantLaws):
     """An oil between balls and raceways."""
 
+    rolling: Callable[..., RollingShear] = ellipse_shear
     film: EllipticFormula = ELLIPTIC_FORMULAS["hamrock_dowson"]

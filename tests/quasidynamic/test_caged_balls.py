@@ -184,7 +184,7 @@ def test_digits_of_the_lead_are_not_those_of_the_speeds():
 
 @pytest.mark.slow
 def test_thrust_falls_with_the_cage():
-    """At 40 000 rpm: 23.2 N at -20 um, 0.54 N at -21 um; a held ring has three motions at places between."""
+    """At 40 000 rpm: 27.2 N at -18.7 um, 6.27 N at -19.2 um; a held ring has three motions between."""
 
     def pressed(place):
         held = RingOperation(
@@ -193,14 +193,14 @@ def test_thrust_falls_with_the_cage():
         state = caged(held)
         return state.ring_load[0], state.orbital_speed[0] / held.inner_speed
 
-    (much, fast), (little, slow) = pressed(-20e-6), pressed(-21e-6)
-    assert (much, fast) == approx((23.2, 0.327), rel=0.01)
-    assert (little, slow) == approx((0.54, 0.0388), rel=0.02)
+    (much, fast), (little, slow) = pressed(-18.7e-6), pressed(-19.2e-6)
+    assert (much, fast) == approx((27.2, 0.314), rel=0.01)
+    assert (little, slow) == approx((6.27, 0.1332), rel=0.02)
 
 
 @pytest.mark.slow
 def test_a_given_load_has_a_motion_also_where_the_place_turns_back():
-    """Faster balls push the ring back: its place has a least value between 20 N and 3 N."""
+    """Faster balls push the ring back: its place has a least value near 20 N and a largest near 12 N."""
 
     def under(load):
         operation = replace(thrust(load, 40e3), displacement=(None, 0.0, 0.0, 0.0, 0.0))
@@ -211,9 +211,9 @@ def test_a_given_load_has_a_motion_also_where_the_place_turns_back():
         assert unbalanced(state) < 2e-9
         return state.ring_displacement[0] * 1e6, state.oil.cage_speed[0] / operation.inner_speed
 
-    places, cages = np.transpose([under(load) for load in (20.0, 7.0, 3.0)])
-    assert places == approx([-20.356, -20.748, -20.504], abs=0.002)
-    assert cages == approx([0.3010, 0.1607, 0.0950], rel=1e-3)
+    places, cages = np.transpose([under(load) for load in (20.0, 12.0, 7.0)])
+    assert places == approx([-18.914, -18.792, -19.104], abs=0.002)
+    assert cages == approx([0.2587, 0.1899, 0.1412], rel=1e-3)
 
 
 def test_torque_on_a_held_cage_turns_round_at_the_speed_of_its_balance():

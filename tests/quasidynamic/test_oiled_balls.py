@@ -6,12 +6,14 @@ from functools import partial
 import numpy as np
 import pytest
 from pytest import approx
+from scipy.special import ellipe
 
 from quasidynamic import Eyring, Regression4109, oil_at
 from quasidynamic.angular_contact import AngularContactBallBearing
 from quasidynamic.balance.balls.angular_contact import lubricated_races, race_contacts
 from quasidynamic.contact.drag import ball_churning, ball_drag_force
 from quasidynamic.contact.ellipse.full_sliding import Ellipse
+from quasidynamic.contact.ellipse.rigid_slip import ACROSS, CENTRE, SPIN
 from quasidynamic.contact.film import ELLIPTIC_FORMULAS, Film
 from quasidynamic.contact.line import half_width
 from quasidynamic.contact.lubrication import BallLubrication
@@ -105,6 +107,22 @@ def test_strips_of_an_ellipse_are_line_contacts():
         assert half_width(middle, races.strip_radius[race], races.modulus[race]) == approx(b, rel=1e-12)
         mean = middle / (2 * b)
         assert mean == approx(np.pi / 4 * contact.peak_pressure(80.0), rel=1e-12)
+
+
+def test_an_oil_at_its_limiting_stress_spins_as_coulomb_friction_does():
+    """3/8 Lambda Q a E(1 - b^2/a^2), the spinning torque of a Hertz ellipse, and no force."""
+    stiff = partial(Eyring, limiting_ratio=0.05, eyring_stress=1e12)
+    races = lubricated_races(
+        BEARING, CONTACTS, replace(OILED, oil=replace(OIL, viscosity=1e3), traction=stiff)
+    )
+    load = np.array([[80.0, 100.0]])
+    a, b = (np.array([[c.semi_axes(q)[i] for c, q in zip(CONTACTS, load[0], strict=True)]]) for i in (0, 1))
+    slip = np.zeros((1, 2, 5))
+    slip[..., SPIN] = 0.3
+    ellipse = Ellipse(a, b, np.full_like(a, 4.05e-3), load, "centre")
+    found = races.traction(slip, ellipse, np.array([1500.0]), np.array([[20.0, 21.0]])).sliding.by_slip
+    assert found[..., SPIN] == approx(3 / 8 * 0.05 * load * a * ellipe(1 - (b / a) ** 2), rel=1e-6)
+    assert found[..., [CENTRE, ACROSS]] == approx(0.0, abs=1e-9)
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""Inlet shear of line contacts: what its four laws share, and the numbers of each."""
+"""Inlet shear: what its four laws of line contacts share, their numbers, and slopes of that of ellipses."""
 
 from dataclasses import replace
 
@@ -12,6 +12,7 @@ from quasidynamic.contact.traction.inlet_shear import (
     RIGID,
     ROLLING_LAWS,
     dowson_higginson,
+    ellipse_shear,
     goksem_hargreaves,
 )
 from quasidynamic.parts.oil_properties import Lubricant
@@ -23,11 +24,14 @@ OIL = Lubricant(
 )  # fmt: skip
 ISOTHERMAL = replace(OIL, temperature_viscosity=0.0)
 RADII = np.array([[2.3213e-3], [2.6786e-3]])
-PAIR = (2.3213e-3, 2.2487e11, 5e-3)
+PAIR = (2.3213e-3, 2.2487e11, 5e-3, 0.12, 1.25)
 UNIT = 2.3213e-3 * 2.2487e11 * 5e-3
 SPEED = 69.26
 
 every_law = pytest.mark.parametrize("law", ROLLING_LAWS.values(), ids=ROLLING_LAWS)
+and_of_ellipses = pytest.mark.parametrize(
+    "law", [*ROLLING_LAWS.values(), ellipse_shear], ids=[*ROLLING_LAWS, "ellipse"]
+)
 loads = st.floats(-3, 5).map(lambda power: 10.0**power)  # [N]
 speeds = st.floats(-3, 2.5).map(lambda power: 10.0**power)  # [m/s]
 
@@ -115,7 +119,7 @@ def test_limits_of_the_source():
     assert force(ROLLING_LAWS["biboulet-houpert"], load) == approx(UNIT * speed**0.75 * blend, rel=1e-3)
 
 
-@every_law
+@and_of_ellipses
 @given(load=loads, speed=speeds)
 def test_derivatives_of_the_shear(law, load, speed):
     load, speed, step = np.array(load), np.array(speed), 1e-5

@@ -55,10 +55,14 @@ def contact(p, race, angle, load, ball, ring):  # noqa: PLR0915
     F, M = force.sum((0, 1)), np.cross(arm, force).sum((0, 1))
 
     # inlet: shear on the ball at the contact, pressure at its centre
-    U2, length = 2 * U, 2 * a
-    m = load / (length * MODULUS * Rx * sqrt(U2)) + 1e-300
-    rigid = 1.4 * m / sqrt(m + 1e-3)
-    shear = length * MODULUS * Rx * U2**0.75 / 0.985 * rigid / (1 + (rigid / 1.45) ** 10) ** 0.1
+    U2, beta = 2 * U, 2 * a * b * b * MODULUS / (3 * load * Rx)
+    heavy, light = 1.8 * beta**-0.25, 0.77 * beta ** (-1 / 3) * (b / a) ** 0.12 * U2 ** (-1 / 12)
+    m = beta**0.25 * b / a * load / (MODULUS * Rx**2) * U2**-0.75
+    ellipse, line = (
+        heavy + (light - heavy) / (1 + m / 6.6),
+        1.42 * sqrt(load / (2 * a * MODULUS * Rx * sqrt(U2))),
+    )
+    shear = 2 * a * MODULUS * Rx * U2**0.75 * (ellipse**-10 + line**-10) ** -0.1
     shear *= mean / abs(mean)
     return F + (2 * (Rc + n[1] * h0) / Rc - 1) * shear * t, M + np.cross(h0 * n, -shear * t)
 
