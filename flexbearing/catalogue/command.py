@@ -36,6 +36,7 @@ def new(  # noqa: PLR0913  # an argument for each option
     width: Annotated[str | None, _option("width")] = None,
     inner_raceway: Annotated[str | None, _option("inner_raceway")] = None,
     outer_raceway: Annotated[str | None, _option("outer_raceway")] = None,
+    pitch_diameter: Annotated[str | None, _option("pitch")] = None,
     elements: Annotated[str | None, _option("elements")] = None,
     diameter: Annotated[str | None, _option("diameter")] = None,
     length: Annotated[str | None, _option("length")] = None,
@@ -115,7 +116,7 @@ def _designated(
     from flexbearing.catalogue.designations import designated, plain, unknown
 
     folder, designation = file.parent, file.name
-    settings = Path(typer.get_app_dir("flexbearing"))
+    settings = _settings()
     found = designated(designation, folder, settings)
     if found is None and not folder.exists():  # a slash of the designation itself, 6208-2RS1/C3
         folder, designation = folder.parent, f"{folder.name}/{designation}"
@@ -135,6 +136,11 @@ def _designated(
     }
     name = designation.replace(" ", "").replace("/", "-").lower()
     return folder / f"{name}.toml", found.get("like", like), taken | options, about
+
+
+def _settings() -> Path:
+    """The folder of a user's own tables."""
+    return Path(typer.get_app_dir("flexbearing"))
 
 
 def _of_page(
@@ -162,7 +168,7 @@ def _of_model(
     if model is None:
         file, model = case_file(file), file
     require_outputs([file, *([usual_output(file)] if run else [])], [model])
-    yield from cases(file, Order(model, number, **about), tell)
+    yield from cases(file, Order(model, number, settings=_settings(), **about), tell)
 
 
 def go_on(context: typer.Context, name: str, file: Path) -> None:

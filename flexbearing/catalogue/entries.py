@@ -36,6 +36,9 @@ ENTRIES = {
     "outer_raceway": Entry(
         "--outer-raceway", "diameter of the outer raceway", "-E", "Length", example="81.5 mm"
     ),
+    "pitch": Entry(
+        "--pitch-diameter", "diameter of the circle of tapered rollers", "--Dpw", "Length", example="53.5 mm"
+    ),
     "angle": Entry(
         "--contact-angle", "nominal contact angle, of a cup by tan = e/1.5", "", "Angle", example="40 deg"
     ),
@@ -140,7 +143,7 @@ LIKES = {
         "tapered_roller",
         (*_SIZE, "angle", "axial", "speed"),
         (),
-        (*_RATINGS, "elements", "diameter", "length", "material", *_OIL, "load", "outer_speed"),
+        (*_RATINGS, "pitch", "elements", "diameter", "length", "material", *_OIL, "load", "outer_speed"),
     ),
     "four_point_ball": Like(  # there are no load ratings of two contacts on a ring
         "four_point_ball",

@@ -25,7 +25,8 @@ def tapered_set(page: Page) -> RollerSet:
 
     Raises `BadCase` where they do not fit in, or none that is plausible has the static rating.
     """
-    pitch, half = (page["bore"].si + page["outside"].si) / 2, (page["outside"].si - page["bore"].si) / 2
+    bore, outside = page["bore"].si, page["outside"].si
+    pitch, half = page["pitch"].si if "pitch" in page else (bore + outside) / 2, (outside - bore) / 2
     diameter = page["diameter"].si if "diameter" in page else DIAMETER * half
     return fitting(
         page, pitch, diameter, partial(_ratings, pitch, page["angle"].si, diameter), TAPERED_SPACING, SHARE

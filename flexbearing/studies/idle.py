@@ -75,6 +75,11 @@ def _is_unloaded(case: Any, own: dict[str, Any]) -> bool:
         return False
     if case.life.loads == "rating":
         return True
+    pair = getattr(case.bearing, "pair", None)
+    if pair is not None and (pair.preload or (pair.offset or 0.0) > 0):
+        return False
+    if case.kind == "tapered_roller":
+        return True  # nothing presses a free cone into its cup
     try:
         tilted = (
             abs(operation.misalignment) * case.bearing.roller.length

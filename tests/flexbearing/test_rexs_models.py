@@ -305,6 +305,78 @@ def test_rings_turn_as_in_the_model(reversing, written, tmp_path):
     assert command(["study", "m_cycle.toml", "--check"]) == 0
 
 
+CONE = {
+    "inner_diameter": ("35", "mm"), "outer_diameter": ("72", "mm"), "width": ("23", "mm"),
+    "static_load_rating": ("78", "kN"), "catalogue_value_e": ("0.37", "none"),
+}  # fmt: skip
+
+
+def cones(tmp_path, axial=(None, None), radial=("8", "1"), **attributes):
+    """A tapered bearing under two load cases."""
+    root = spectrum_of()
+    components = root.find("components")
+    components.remove(components.find("component[@id='3']"))
+    add(components, "3", CATALOGUE, bearing_type=("radial_tapered_roller_bearing", "none"), **attributes)
+    for case, *forces in zip(root.iter("load_case"), axial, radial, strict=True):
+        given = zip(("axial_force", "radial_force_in_v"), forces, strict=True)
+        case.remove(case.find("component[@id='3']"))
+        add(case, "3", CATALOGUE, **{name: (force, "kN") for name, force in given if force})
+    (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(root))
+
+
+def test_a_tapered_bearing_has_the_angle_of_its_e_and_is_pressed_by_its_largest_thrust(written, tmp_path):
+    cones(tmp_path, ("-4", "0"), ("8", None), **CONE)
+    code, cases, messages = written("m.rexs")
+    case = cases["m.toml"]
+    assert (code, case["kind"], case["operation"]["inner_speed"]) == (0, "tapered_roller", "1000 rpm")
+    assert case["operation"]["load"] == {"axial": "4000 N", "radial_z": "8000 N"}
+    assert float(case["bearing"]["cup_angle"].removesuffix(" deg")) == pytest.approx(13.8564, abs=1e-4)
+    assert "positive along -u, assumed to press the cone into the cup, as that of load case 1" in messages
+    assert {"bearing.rollers", "bearing.pitch_diameter", "bearing.rib.angle"} <= {*case["assumed"]}
+    assert "bearing.cup_angle" not in case["assumed"]
+    assert command(["study", "m_cycle.toml", "--check"]) == 0  # nothing presses it in the second load case
+
+
+def test_a_tapered_bearing_without_thrust_has_that_of_its_radial_load(written, tmp_path):
+    """F_r/(2 Y) = 1.25 tan(alpha) F_r, assumed as the angle is."""
+    cones(tmp_path, **(CONE | {"catalogue_value_e": ("0", "none")}))
+    _, cases, messages = written("m.rexs")
+    assert cases["m.toml"]["bearing"]["cup_angle"] == "14 deg"
+    assert cases["m.toml"]["operation"]["load"]["axial"] == "2493 N"
+    assert {"operation.load.axial", "bearing.cup_angle"} <= {*cases["m.toml"]["assumed"]}
+    assert "assumed: angle, axial" in messages
+    assert "no duty cycle of its 2 load cases: not all loads press the cone into the cup" in messages
+
+
+def test_pitch_circle_and_angle_of_a_detailed_tapered_bearing_are_its_own(written, tmp_path):
+    root = ElementTree.parse(HERE / "surroundings_1.4.rexs").getroot()
+    (kind,) = root.iterfind("components/component[@id='3']/attribute[@id='bearing_type']")
+    kind.text = "radial_tapered_roller_bearing"
+    (row,) = root.iterfind("components/component[@id='12']")
+    row.append(of_name("reference_diameter", "61", "mm"))
+    (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(root))
+    model = read(tmp_path / "m.rexs")
+    found = bearing_of(model, model.parts["3"])
+    assert (found.options["pitch"], found.options["angle"]) == ("61 mm", "40 deg")
+    _, cases, _ = written("m.rexs", "--contact-angle", "14 deg")
+    case = cases["m-3.toml"]
+    assert (case["bearing"]["pitch_diameter"], case["bearing"]["cup_angle"]) == ("61 mm", "14 deg")
+    assert "bearing.pitch_diameter" not in case["assumed"]
+
+
+def test_sizes_that_a_model_lacks_are_those_of_its_designation(written, tmp_path):
+    """As in the public model of an industrial gearbox, which has designations of its bearings alone."""
+    table = "designation,like,bore,outside,width\n33014,{},70 mm,110 mm,31 mm\n"
+    (tmp_path / "designations.csv").write_text(table.format("tapered_roller"))
+    cones(tmp_path, catalogue_designation=("33014", "none"), width=("25", "mm"))
+    code, cases, messages = written("m.rexs")
+    assert (code, cases["m.toml"]["bearing"]["pitch_diameter"]) == (0, "90 mm")
+    assert "from designations.csv: bore, outside; assumed: angle, axial" in messages
+    assert '--width "25 mm"' in (tmp_path / "m.toml").read_text()
+    (tmp_path / "designations.csv").write_text(table.format("cylindrical_roller"))
+    assert "has no bore, outside diameter" in written("m.rexs", "--force")[2]
+
+
 def test_axial_force_of_a_cylindrical_roller_bearing_is_reported(tmp_path):
     force = {"force_acting_on_inner_component_u": ("300", "N")}
     found = of_attributes(tmp_path, "radial_roller_bearing", **force)
@@ -465,14 +537,14 @@ def test_a_study_takes_the_duty_cycle(written, tmp_path):
 def test_bearings_without_a_case_are_named_beside_those_that_have_one(written, tmp_path):
     root = spectrum_of()
     components = root.find("components")
-    add(components, "7", CATALOGUE, bearing_type=("radial_tapered_roller_bearing", ""))
+    add(components, "7", CATALOGUE, bearing_type=("axial_tapered_roller_bearing", ""))
     add(components, "8", "slide_bearing")
     rows = {"bearing_type": ("radial_roller_bearing", ""), "number_of_bearing_rows": ("2", "")}
     add(components, "9", DETAILED, **rows)
     (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(root))
     code, cases, messages = written("m.rexs")
     assert (code, {*cases}) == (0, {"m-3.toml", "m-3_cycle.toml"})
-    assert "no case for radial_tapered_roller_bearing: 7" in messages
+    assert "no case for axial_tapered_roller_bearing: 7" in messages
     assert "no case for slide_bearing: 8" in messages
     assert "no case for 9: has 2 rows" in messages
 

@@ -294,6 +294,22 @@ def test_a_preloaded_bearing_without_load_is_computed(tmp_path):
     assert [variant.idle for variant in prepare_source(file).plan.variants] == [None, None]
 
 
+@pytest.mark.parametrize(("case", "pair", "pressed"), [
+    ("32207.toml", {}, False),
+    ("32207.toml", {"arrangement": "back_to_back", "offset": "-5 um"}, False),
+    ("32207.toml", {"arrangement": "back_to_back", "offset": "5 um"}, True),
+    ("catalogue/7208.toml", {"arrangement": "back_to_back", "preload": "100 N"}, True),
+])  # fmt: skip
+def test_rows_that_press_each_other_are_computed_without_load(case, pair, pressed, tmp_path):
+    file, keys = tmp_path / "cycle.toml", {"distance": "40 mm", **pair} if pair else {}
+    text = [f'case = "{CASE.parent / case}"', "[duty]", "time = [1, 1]"]
+    text += [f'"operation.load.{name}" = ["3 kN", "0 N"]' for name in ("axial", "radial_z")]
+    file.write_text("\n".join([*text, *(f'"bearing.pair.{key}" = "{value}"' for key, value in keys.items())]))
+    loaded, unloaded = prepare_source(file).plan.variants
+    assert loaded.idle is None
+    assert (unloaded.idle is None) is pressed
+
+
 def test_a_row_at_rest_has_no_share_of_the_revolutions(tmp_path):
     file = duty_of(tmp_path, (8000, 8000), (3000, 0), measure="revolutions")
     with pytest.raises(BadCase, match=r"\[duty\] row 2 is at standstill"):

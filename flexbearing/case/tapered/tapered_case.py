@@ -235,6 +235,11 @@ class TaperedOperation(Section):
         return tuple(f"displacement.{name}" for name in names if getattr(self.displacement, name) is not None)
 
     @property
+    def is_pressed(self) -> bool:
+        """Whether something beside loads presses the rollers."""
+        return bool(self.held) or (self.tilt == "fixed" and any(self.places[3:]))
+
+    @property
     def forces(self) -> tuple[float, float]:
         """Radial and axial force [N], >= 0, of a ring that is not `held`."""
         return hypot(self.load.radial_y, self.load.radial_z), abs(self.load.axial)

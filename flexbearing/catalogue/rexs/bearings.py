@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from math import atan, degrees
 
 from flexbearing.case import BadCase
 from flexbearing.catalogue.entries import ENTRIES, LIKES
@@ -23,6 +24,7 @@ LIKE = {  # kinds of bearing that a case can be written for
     "radial_grooved_ball_bearing": "deep_groove_ball",
     "angular_contact_ball_bearing": "angular_contact_ball",
     "four_point_contact_ball_bearing": "four_point_ball",
+    "radial_tapered_roller_bearing": "tapered_roller",
 }
 CLASSES = {"C0": "CN"}  # that have another name in cases
 # entry to unit in REXS, that of a case, and attributes: of the schemas from 1.1 on, of other programs, of 1.0
@@ -45,6 +47,7 @@ OF_ELEMENT = {
 OF_ROW = {
     "elements": ("none", "", ("number_of_rolling_elements",)),
     "angle": ("deg", "deg", ("pressure_angle",)),
+    "pitch": ("mm", "mm", ("reference_diameter",)),
 }
 NAMED = {  # entry to attributes with a name of a list of the case
     "clearance_class": ("radial_clearance_class", "clearance_class"),
@@ -102,7 +105,7 @@ def bearing(model: Model, part: Part) -> Bearing:
     element = model.one_of("ordered_assembly", row, "assembly", "part", ELEMENT)
     known, side = oriented(points(model, part), like)
     point = heaviest(known)
-    entries = [*_entries(model.loaded(part, point), row, element), *_names(like, part)]
+    entries = [*_entries(like, model.loaded(part, point), row, element), *_names(like, part)]
     ratings = {name: text for name, text, *_ in entries if name in RATINGS}
     entries = [each for each in (*entries, *_application(known[point], like)) if each[0] in LIKES[like].taken]
     if any(name in LIKES[like].instead for name, *_ in entries):  # a class counts more than a clearance
@@ -142,8 +145,10 @@ def _designation(part: Part) -> str:
     return part.text_of("catalogue_designation") or part.text_of("name") or part.name
 
 
-def _entries(part: Part, row: Part | None, element: Part | None) -> Iterator[Entry]:
+def _entries(like: str, part: Part, row: Part | None, element: Part | None) -> Iterator[Entry]:
     """Entries with numbers; the last of a name counts."""
+    if like == "tapered_roller" and (e := part.number_of("catalogue_value_e", "none")):
+        yield "angle", f"{degrees(atan(e / 1.5)):.12g} deg", part.number, "catalogue_value_e"
     yield from _numbers(part, OF_BEARING)
     if element:
         yield from _numbers(element, OF_ELEMENT)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from flexbearing.case import BadCase
 from flexbearing.case.read import LONGEST_NAME
+from flexbearing.catalogue.designations import TABLE, designated
 from flexbearing.catalogue.entries import ENTRIES, LIKES, MODELS
 from flexbearing.catalogue.new import new
 from flexbearing.catalogue.rexs import duty
@@ -28,6 +29,7 @@ from flexbearing.catalogue.rexs.unused import around, kinds_not_read, unused_aro
 from flexbearing.files import BadOutput, require_outputs
 from flexbearing.printable import enumerated, excerpt
 
+SIZES = "bore", "outside", "width"
 MOST = 100  # bearings of a model whose cases are written at once
 MOST_KINDS = 20  # of components that are named
 LONGEST = 4000  # characters of the names of what is not used
@@ -46,6 +48,7 @@ class Order:
     title: str
     source: str
     force: bool
+    settings: Path  # folder of the user's own table of designations
 
 
 def cases(file: Path, order: Order, tell: Tell) -> Iterator[tuple[Path, str]]:
@@ -130,8 +133,11 @@ def _written(found: Bearing, file: Path, order: Order, version: str, tell: Tell)
     """Write the case of a bearing with its duty cycle; its ratings."""
     if not order.force and (there := [each for each in duty.places(file) if each.exists()]):
         raise BadOutput(f"{there[0]}: is there already; --force replaces it.")
-    options, assumed = filled(found.like, _combined(found, order.given), found.ratings)
-    if lacking := [ENTRIES[name] for name in ("bore", "outside", "width") if name not in options]:
+    tabled = _tabled(found, file.parent, order.settings)
+    known = _combined(found.like, tabled, found.options)
+    options, assumed = filled(found.like, _combined(found.like, known, order.given), found.ratings)
+    of_table = [name for name, text in tabled.items() if options.get(name) == text != found.options.get(name)]
+    if lacking := [ENTRIES[name] for name in SIZES if name not in options]:
         raise BadCase(
             f"has no {', '.join(each.meaning for each in lacking)}; give "
             f"{', '.join(each.option for each in lacking)} with --rexs-bearing."
@@ -148,7 +154,10 @@ def _written(found: Bearing, file: Path, order: Order, version: str, tell: Tell)
         if len(found.points) > 1
         else ""
     )
-    words = [alone, cycle, found.side, *_listed("assumed", assumed), *_listed("not used", found.not_used)]
+    words = [
+        alone, cycle, found.side, *_listed(f"from {TABLE}", of_table),
+        *_listed("assumed", assumed), *_listed("not used", found.not_used),
+    ]  # fmt: skip
     tell(f"{found.name}: {'; '.join(filter(None, words))}")
     for line in _not_used(found.not_used_below):
         tell(f"  {line}")
@@ -172,11 +181,21 @@ def _not_used(by_kind: Mapping[str, Iterable[str]]) -> Iterator[str]:
         yield f"not used: {len(by_kind) - MOST_KINDS} further kinds of components"
 
 
-def _combined(found: Bearing, given: Mapping[str, str]) -> dict[str, str]:
-    """Entries of the model under those of the user, of which a clearance stands for classes and fits."""
-    instead = LIKES[found.like].instead
+def _tabled(found: Bearing, *folders: Path) -> dict[str, str]:
+    """Entries of the designation in a table, for a bearing without its sizes; none where no table has it."""
+    if {*SIZES} <= {*found.options}:
+        return {}
+    row = designated(excerpt(found.designation), *folders) or {}
+    if row.get("like") != found.like:
+        return {}
+    return {name: row[name] for name in LIKES[found.like].taken if name in row}
+
+
+def _combined(like: str, options: Mapping[str, str], given: Mapping[str, str]) -> dict[str, str]:
+    """Entries under those given, of which a clearance stands for classes and fits."""
+    instead = LIKES[like].instead
     crossed = {"clearance"} if {*instead} & {*given} else {*instead} if "clearance" in given else set[str]()
-    return {name: text for name, text in found.options.items() if name not in crossed} | dict(given)
+    return {name: text for name, text in options.items() if name not in crossed} | dict(given)
 
 
 def _listed(words: str, names: Iterable[str]) -> Iterator[str]:

@@ -78,9 +78,16 @@ def _lacking(bearing: Bearing, columns: Mapping[str, list[float | None]]) -> str
         return "not all have a share of the time (load_duration_fraction, operating_time_fraction)"
     if min(each[measure] for each in shares) < 0 or not any(each[measure] for each in shares):
         return "their shares of the time are below zero, or none is above it"
-    for name, words in (("load", "force on the bearing"), ("axial", "axial force"), ("speed", "speed")):
+    for name, words in (
+        ("load", "a force on the bearing"),
+        ("axial", "an axial force"),
+        ("speed", "a speed"),
+    ):
         if None in columns.get(name, ()):
-            return f"not all have a {words}"
+            return f"not all have {words}"
+    thrust_changes = bearing.like == "tapered_roller" and "axial" in columns
+    if thrust_changes and any(point.radial and (point.axial or 0.0) <= 0 for point in bearing.points):
+        return "not all loads press the cone into the cup"
     return "" if columns else "options give all that changes"
 
 

@@ -19,6 +19,10 @@ FORCES = (  # newtons on the inner ring, unit and attributes along u, the shaft,
     (-1.0, "N", tuple(f"force_acting_on_outer_component_{axis}" for axis in "uvw")),
     (1e3, "kN", ("axial_force", "radial_force_in_v", "radial_force_in_w")),
 )
+PRESSED = {  # kinds that carry axial loads in one direction
+    "angular_contact_ball": "the balls on their shoulders",
+    "tapered_roller": "the cone into the cup",
+}
 VECTOR = "reaction_force"  # of some programs: an array along u, v, w
 
 
@@ -68,18 +72,18 @@ def heaviest(found: list[Point]) -> int:
 def oriented(found: list[Point], like: str) -> tuple[list[Point], str]:
     """Operation with axial forces as the case has them, and in words along what they are positive.
 
-    Balls of an angular contact bearing have shoulders on one side, and no attribute says on which.
+    Bearings of one direction have shoulders or ribs on one side, and no attribute says on which.
     """
     forces = [point.axial or 0.0 for point in found]
     if "axial" not in LIKES[like].taken or not any(forces):
         return found, ""
-    if like != "angular_contact_ball":
+    if like not in PRESSED:
         return found, "axial force: on the inner ring, positive along u"
     largest = max(range(len(forces)), key=lambda place: abs(forces[place]))
     sign = copysign(1.0, forces[largest])
     case = f" of load case {largest + 1}" if len(forces) > 1 else ""
     along = "u" if sign > 0 else "-u"
-    words = f"axial force: positive along {along}, assumed to press the balls on their shoulders"
+    words = f"axial force: positive along {along}, assumed to press {PRESSED[like]}"
     turned = [
         point if point.axial is None else replace(point, axial=sign * point.axial or 0.0) for point in found
     ]

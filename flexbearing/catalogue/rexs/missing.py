@@ -9,6 +9,10 @@ Given = Mapping[str, float]  # entries in SI units
 Guess = tuple[str, str, str]  # name, text and reason of an entry
 
 USUAL_LOAD = 0.1  # of C: a bearing of usual life
+USUAL_ANGLE = {
+    "angular_contact_ball": ("40 deg", "usual of angular contact bearings"),
+    "tapered_roller": ("14 deg", "usual of tapered roller bearings; e = 0.37"),
+}
 
 
 def filled(
@@ -20,7 +24,7 @@ def filled(
 
     Raises `BadCase` for a given entry that cannot be read.
     """
-    numbers = (*LIKES[like].needed, "dynamic_rating", "static_rating", "axial")
+    numbers = (*LIKES[like].needed, "dynamic_rating", "static_rating", "axial", "load")
     texts = {**ratings, **options}
     given = {name: value(name, texts[name], like).si for name in numbers if name in texts}
     found, why = dict(options), dict[str, str]()
@@ -33,7 +37,15 @@ def filled(
 
 def _angle(like: str, given: Given) -> Iterator[Guess]:
     if LIKES[like].must_be_given("angle", given):
-        yield "angle", "40 deg", "usual of angular contact bearings"
+        yield "angle", *USUAL_ANGLE[like]
+
+
+def _induced(like: str, given: Given) -> Iterator[Guess]:
+    if like == "tapered_roller" and given.get("load") and LIKES[like].must_be_given("axial", given):
+        from quasidynamic.outcome.tapered_life import induced_thrust
+
+        words = "the model has none; F_r/(2 Y) is what the radial load induces"
+        yield "axial", f"{induced_thrust(given['load'], given['angle']):.4g} N", words
 
 
 def _loads(like: str, given: Given) -> Iterator[Guess]:
@@ -50,4 +62,4 @@ def _speed(like: str, given: Given) -> Iterator[Guess]:
         yield "speed", "1000 rpm", "the model has none"
 
 
-_RULES: tuple[Callable[[str, Given], Iterator[Guess]], ...] = (_angle, _loads, _speed)
+_RULES: tuple[Callable[[str, Given], Iterator[Guess]], ...] = (_angle, _induced, _loads, _speed)
