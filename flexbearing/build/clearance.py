@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from quasidynamic.clearance import OperatingClearance
 
 ROLLERS = "cylindrical_roller"  # the kind of bearing whose fits may be those of finite elements
+OF_ROLLERS = {ROLLERS: "fits", "tapered_roller": "tapered_fits"}  # modules that compute them
 
 
 class Case(Protocol):
@@ -70,7 +71,7 @@ def computed(case: Case) -> "OperatingClearance | None":
     """Steps from the cold to the operating clearance; None when the case states the latter."""
     if case.bearing.mounting is None:
         return None
-    module = "fits" if case.kind == ROLLERS else "ball_fits"
+    module = OF_ROLLERS.get(case.kind, "ball_fits")
     return import_module(f"flexbearing.build.{module}").from_fits(case)
 
 

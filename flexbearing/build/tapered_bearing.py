@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import quasidynamic as qd
-from flexbearing.build import profiles
+from flexbearing.build import profiles, tapered_fits
 from flexbearing.case.balls.pair import Pair
 from flexbearing.case.tapered import TaperedCase
 from quasidynamic.parts.angular_contact_bearing import RowPlace
@@ -35,7 +35,9 @@ def bearing(case: TaperedCase) -> qd.TaperedRollerBearing:
         inner_profile=profiles.of_raceway(case, "inner"),
         outer_profile=profiles.of_raceway(case, "outer"),
     )
-    return one if own.pair is None else replace(one, rows=_rows(case, own.pair, one))
+    if own.pair is not None:
+        return replace(one, rows=_rows(case, own.pair, one))
+    return one if own.fits is None else replace(one, rows=(RowPlace(closer=tapered_fits.closer(case)),))
 
 
 def _rows(case: TaperedCase, pair: Pair, one: qd.TaperedRollerBearing) -> tuple[RowPlace, RowPlace]:
@@ -44,6 +46,7 @@ def _rows(case: TaperedCase, pair: Pair, one: qd.TaperedRollerBearing) -> tuple[
     if pair.preload is not None:
         straight = qd.RingOperation(load=(pair.preload, 0, 0, 0, 0), displacement=(None, 0, 0, 0, 0))
         closer = float(qd.tapered_loads(one, straight, case.accuracy.slices).displacement[0])
+    closer += 0.0 if case.bearing.fits is None else tapered_fits.closer(case)
     places = {"back_to_back": (False, True), "face_to_face": (True, False), "tandem": (False, False)}
     first, second = (
         RowPlace(axial=sign * pair.distance / 2, closer=closer, mirrored=mirrored)

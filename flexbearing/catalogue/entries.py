@@ -115,6 +115,7 @@ _SIZE = ("bore", "outside", "width")
 _ROLLERS = (
     *_RATINGS, "elements", "length", "clearance_class", "shaft", "clearance", "material", *_OIL,
 )  # fmt: skip
+_ROLLING = ("elements", "diameter", "length", "material")
 _MOUNTED = ("clearance_class", "shaft", "housing")
 _BALLS = (*_RATINGS, "elements", "diameter", "material", "balls")
 LIKES = {
@@ -143,7 +144,7 @@ LIKES = {
         "tapered_roller",
         (*_SIZE, "angle", "axial", "speed"),
         (),
-        (*_RATINGS, "pitch", "elements", "diameter", "length", "material", *_OIL, "load", "outer_speed"),
+        (*_RATINGS, "pitch", *_ROLLING, *_OIL, "shaft", "housing", "load", "outer_speed"),
     ),
     "four_point_ball": Like(  # there are no load ratings of two contacts on a ring
         "four_point_ball",

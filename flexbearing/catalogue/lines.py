@@ -13,6 +13,7 @@ WIDTH = 110  # characters of a line
 COLUMN = 40  # where short comments begin
 THUMB = "rule of thumb"
 RATED = "C_0 of the maker by ISO 76"
+WITHOUT_CLEARANCE = "angular_contact_ball", "tapered_roller"  # which have a contact angle instead
 CHOSEN = "chosen, no catalogue has it"  # load, speed, fits, oil
 
 
@@ -150,7 +151,7 @@ def mounting(page: Page) -> Iterator[Line]:
     """Clearance in operation, or before mounting with the fits that change it."""
     if "clearance" in page:
         yield Line("bearing.clearance", page["clearance"].text, "in operation")
-    elif page.like != "angular_contact_ball":  # which has a contact angle instead
+    elif page.like not in WITHOUT_CLEARANCE:
         yield _clearance_class(page)
     if not _fitted(page):
         return
@@ -178,7 +179,7 @@ def surroundings(page: Page) -> Iterator[Line]:
 
 def _fitted(page: Page) -> bool:
     """Whether the fits of the rings count."""
-    if page.like == "angular_contact_ball":
+    if page.like in WITHOUT_CLEARANCE:
         return "shaft" in page or "housing" in page
     return "clearance" not in page
 

@@ -12,9 +12,11 @@ from flexbearing.catalogue.lines import (
     life,
     materials,
     mm,
+    mounting,
     oil,
     rollers_of,
     speeds,
+    surroundings,
 )
 from flexbearing.catalogue.page import Page
 from flexbearing.catalogue.roller_set import RollerSet
@@ -32,6 +34,7 @@ def lines(page: Page, found: RollerSet) -> list[Line]:
         _bearing(page, found),
         _rib(page, found),
         materials(page),
+        surroundings(page),
         oil(page),
         _operation(page),
         life(page),
@@ -54,6 +57,7 @@ def _bearing(page: Page, found: RollerSet) -> Iterator[Line]:
         yield assumed("bearing.roller.diameter", mm(found.diameter), f"{THUMB}, {DIAMETER:g} (D - d)/2")
     yield length
     yield assumed("bearing.roller.profile", "iso16281", "taken by ISO/TS 16281")
+    yield from mounting(page)
 
 
 def _rib(page: Page, found: RollerSet) -> Iterator[Line]:

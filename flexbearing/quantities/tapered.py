@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexbearing.quantities.attributes import HEAD
+from flexbearing.quantities.ball_clearance import CLEARANCE_ATTRIBUTE
 from flexbearing.quantities.contact_stress import (
     OF_SLICES,
     SUBSURFACE_AXES,
@@ -309,6 +310,6 @@ azimuth from z towards y, left-handed about +x; rotations about y and z are righ
     ),
     blocks=("rigid",),
     further_blocks=("flexible",),
-    further_attributes=(LIFE_ATTRIBUTE, RULE_ATTRIBUTE, CATALOGUE_ATTRIBUTE),
+    further_attributes=(CLEARANCE_ATTRIBUTE, LIFE_ATTRIBUTE, RULE_ATTRIBUTE, CATALOGUE_ATTRIBUTE),
     head=("kind", *HEAD, "life", "life_rule", "catalogue_life"),
 )

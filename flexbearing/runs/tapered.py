@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from flexbearing.build import lubrication, tapered_bearing
+from flexbearing.build import lubrication, tapered_bearing, tapered_fits
 from flexbearing.case import BadCase
 from flexbearing.case.tapered import TaperedCase
 from flexbearing.findings import Judged, declared, evaluate, records
@@ -165,12 +165,14 @@ def solve(case: TaperedCase, record: Recorder, report: Report) -> dict[str, obje
     )
     life = solution.lives and solution.lives.of_state
     rule = {"life_rule": life_rules.of_elements(case)} if solution.lives else {}
+    fitted = tapered_fits.record(case)
     return {
         **_ending("converged", words, "converged"),
         "notes": [note.record() for note in graded(notes(solution, found))],
         "findings": [*map(vars, records(found))],
         "life": {name: life.record()} if life else {},
         **rule,
+        **({"clearance": fitted} if fitted else {}),
     }
 
 
@@ -248,7 +250,12 @@ def notes(solution: Solution, found: Sequence[Judged]) -> tuple[Note, ...]:
     left_out = information("rollers-in-pure-rolling", words)
     of_oil = () if solution.friction is None else solution.friction.lubrication.oil.notes
     rated = tapered_lives.rated(solution.case).notes
-    return (*judged.notes(found), left_out, *dict.fromkeys((*rated, *of_oil)))
+    return (
+        *judged.notes(found),
+        left_out,
+        *tapered_fits.notes(solution.case),
+        *dict.fromkeys((*rated, *of_oil)),
+    )
 
 
 # -- rows of a table -------------------------------------------------------------------------------

@@ -78,9 +78,11 @@ def _is_unloaded(case: Any, own: dict[str, Any]) -> bool:
     pair = getattr(case.bearing, "pair", None)
     if pair is not None and (pair.preload or (pair.offset or 0.0) > 0):
         return False
-    if case.kind == "tapered_roller":
-        return True  # nothing presses a free cone into its cup
     try:
+        if case.kind == "tapered_roller":  # nothing presses a free cone into its cup
+            from flexbearing.build.tapered_bearing import bearing
+
+            return not case.bearing.opposed or bearing(case).rows[0].closer <= 0
         tilted = (
             abs(operation.misalignment) * case.bearing.roller.length
             if case.kind == clearance.ROLLERS

@@ -23,6 +23,22 @@ _SHAPES = {
 _SPRINGS = {f"outer.foundation_{direction}": "200 N/mm^3" for direction in ("radial", "axial", "tangential")}
 _ELASTIC = {"youngs_modulus": "110 GPa", "poisson_ratio": 0.26}
 _CUP = {**_FILE, "outer.kind": "ring", "outer.thickness": "5 mm", "outer.width": "19 mm"}
+_WARM = {**_STEEL, "expansion": "12e-6 1/K"}
+_SEATS = {f"bearing.fits.{name}": value for name, value in {
+    "bore": "35 mm", "outer_diameter": "72 mm", "shaft_bore": "10 mm"}.items()}  # fmt: skip
+_PARTS = "shaft", "inner_ring", "roller", "outer_ring"
+_WITHOUT_HOUSING = {
+    **_FILE, **_SEATS, "bearing.fits.shaft_interference": "15 um", "materials.shaft": _WARM,
+    **{f"materials.{part}": _WARM for part in ("roller", "inner_ring", "outer_ring")},
+    **{f"operation.temperatures.{part}": "40 degC" for part in _PARTS},
+    "operation.temperatures.reference": "20 degC",
+}  # fmt: skip
+_FITTED = {
+    **_WITHOUT_HOUSING, "materials.housing": _WARM, "operation.temperatures.housing": "40 degC",
+    "bearing.fits.housing": {"diameter": "100 mm", "interference": "10 um"},
+    "operation.outer_speed": "3000 rpm",
+}  # fmt: skip
+_CLOSER = "model.bearing.rows.0.closer"
 _FINENESS = (
     "resolution resolution.{is,along,azimuths,axial_modes,first_order,harmonics,length,nodes_of,patch_width} "
     "resolution.{row_distance,stations,threads} resolution.mesh_size.{is,order,raceway_size,size}"
@@ -34,6 +50,11 @@ CONTEXTS = {
     "tapered, held": ("32207", {
         **_FILE, "operation.load.axial": "0 N", "operation.load.radial_z": "0 N",
         "operation.displacement": {"axial": "20 um", "radial_y": "1 um", "radial_z": "2 um"}}),
+    "tapered, fitted": ("32207", _FITTED),
+    "tapered, without housing": ("32207", _WITHOUT_HOUSING),
+    "tapered, classes": ("32207", {
+        **_FILE, **_SEATS, "bearing.fits.shaft": "k5", "materials.shaft": _STEEL, "materials.housing": _STEEL,
+        "bearing.fits.housing": {"diameter": "100 mm", "tolerance_class": "N7"}}),
     "tapered, cup": ("32207", _CUP),
     "tapered, cup on springs": ("32207", {**_CUP, "outer.support": "foundation", **_SPRINGS}),
     "tapered, cup in a housing": ("32207", {
@@ -112,6 +133,17 @@ EFFECTS = (
     ("tapered, pair", "bearing.pair.distance", "41 mm", "model.bearing.rows.{0.axial,1.axial}"),
     ("tapered, pair", "bearing.pair.preload", "2.1 kN", "model.bearing.rows.{0.closer,1.closer}"),
     ("tapered, pair with offset", "bearing.pair.offset", "6 um", "model.bearing.rows.{0.closer,1.closer}"),
+    *(("tapered, fitted", f"bearing.fits.{name}", value, _CLOSER) for name, value in (
+        ("bore", "36 mm"), ("outer_diameter", "73 mm"), ("shaft_bore", "11 mm"),
+        ("shaft_interference", "16 um"), ("housing.diameter", "101 mm"), ("housing.interference", "11 um"))),
+    *(("tapered, classes", f"bearing.fits.{name}", value, _CLOSER) for name, value in (
+        ("shaft", "m5"), ("housing.tolerance_class", "P7"), ("at", "tightest"))),
+    *(("tapered, fitted", f"operation.temperatures.{part}", "45 degC", _CLOSER)
+      for part in (*_PARTS, "housing", "reference")),
+    *(("tapered, fitted", f"materials.{part}.expansion", "13e-6 1/K", _CLOSER)
+      for part in (*_PARTS, "housing")),
+    *(("tapered, fitted", f"materials.{part}.density", "7900 kg/m^3", _CLOSER)
+      for part in ("shaft", "housing")),
     ("tapered", "outer.kind", {"outer.kind": "ring", "outer.thickness": "5 mm", "outer.width": "19 mm"},
      "outer.{groove,is,offset,raceway_diameter,row_distance,support.is,taper,thickness,width} "
      f"outer.elastic.{{is,poisson_ratio,youngs_modulus}} {_FINENESS}"),

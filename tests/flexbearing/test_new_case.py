@@ -637,6 +637,14 @@ def test_tapered_rollers_have_the_static_rating_and_fill_the_pitch_circle(tmp_pa
     assert reach == approx(0.7, rel=1e-3)
 
 
+def test_fits_bring_a_cone_closer(balls):
+    assert "fits" not in balls("tapered_roller", CONE)["bearing"]
+    case = balls("tapered_roller", CONE, shaft="m6", housing="N7")
+    assert (case["bearing"]["fits"]["shaft"], case["bearing"]["fits"]["bore"]) == ("m6", "35 mm")
+    assert case["bearing"]["fits"]["housing"] == {"tolerance_class": "N7", "diameter": "108 mm"}
+    assert {"materials.shaft", "materials.housing"} <= {*case["assumed"]}
+
+
 def test_a_tapered_bearing_needs_its_angle_and_an_axial_load(tmp_path):
     for name in ("angle", "axial"):
         with pytest.raises(BadCase, match=f"{pages.ENTRIES[name].option} .* is missing"):

@@ -339,11 +339,13 @@ def test_a_tapered_bearing_has_the_angle_of_its_e_and_is_pressed_by_its_largest_
 
 def test_a_tapered_bearing_without_thrust_has_that_of_its_radial_load(written, tmp_path):
     """F_r/(2 Y) = 1.25 tan(alpha) F_r, assumed as the angle is."""
-    cones(tmp_path, **(CONE | {"catalogue_value_e": ("0", "none")}))
+    given = {"catalogue_value_e": ("0", "none"), "shaft_tolerance_class": ("m5", "none")}
+    cones(tmp_path, **(CONE | given))
     _, cases, messages = written("m.rexs")
     assert cases["m.toml"]["bearing"]["cup_angle"] == "14 deg"
     assert cases["m.toml"]["operation"]["load"]["axial"] == "2493 N"
     assert {"operation.load.axial", "bearing.cup_angle"} <= {*cases["m.toml"]["assumed"]}
+    assert cases["m.toml"]["bearing"]["fits"]["shaft"] == "m5"
     assert "assumed: angle, axial" in messages
     assert "no duty cycle of its 2 load cases: not all loads press the cone into the cup" in messages
 

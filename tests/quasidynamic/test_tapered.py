@@ -26,6 +26,7 @@ from quasidynamic import (
 from quasidynamic.balance.rollers.inclined import InclinedRollers
 from quasidynamic.contact.line.slices import Slices
 from quasidynamic.motion.tapered_speeds import tapered_speeds
+from quasidynamic.parts.angular_contact_bearing import RowPlace
 from quasidynamic.parts.profile import STRAIGHT
 from quasidynamic.parts.tapered_bearing import apex_angles, spherical_rib
 from quasidynamic.tapered import least_thrust
@@ -240,6 +241,22 @@ def test_forces_are_the_derivatives_of_each_other():
         assert state.stiffness[:, :, column] == approx(change, rel=1e-5, abs=1e3)
         by_ring = (ahead.on_ring - behind.on_ring) / (2 * step)
         assert state.by_ring[:, :, column] == approx(by_ring, rel=1e-5, abs=1e3)
+
+
+def test_a_cone_that_grows_with_its_rib_is_as_one_that_is_closer():
+    """By u/tan(alpha_o), with the rollers u higher on the cup: what fits do to end play and preload."""
+    grown, bearing = 8e-6, tapered()
+    along = grown / np.tan(bearing.cup_angle)
+    slices, dead = Slices(40, bearing.roller.length), np.array([0.0, 70.0, 7.0])
+    ring = np.array([-38e-6, 1e-6, 7e-6, 2e-6, -1e-6])
+    cold = InclinedRollers.of(bearing, slices, dead)
+    rollers = 0.4 * (cold.sections @ ring) - [along / 2, 0.0, 0.0]
+    closer = InclinedRollers.of(replace(bearing, rows=(RowPlace(closer=along),)), slices, dead)
+    warm = replace(cold, shifts=np.tile([0.0, grown, 0.0], (bearing.rollers, 1)))
+    same, found = closer.at(ring, rollers), warm.at(ring, rollers + np.array([along, grown, 0.0]))
+    assert np.abs(same.on_ring).max() > 1e3
+    assert found.on_ring == approx(same.on_ring, rel=1e-9, abs=1e-6)
+    assert found.excess == approx(same.excess, rel=1e-9, abs=1e-6)
 
 
 def test_stiffness_is_that_of_differences():

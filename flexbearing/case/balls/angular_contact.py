@@ -13,7 +13,6 @@ from flexbearing.case.balls.mounting import (
     MountedBearing,
     MountedCase,
     Temperatures,
-    require_growing,
 )
 from flexbearing.case.balls.pair import Pair
 from flexbearing.case.balls.parts import (
@@ -39,6 +38,7 @@ from flexbearing.case.balls.ring_room import Race, elastic_groove, require_room
 from flexbearing.case.coupling import MethodsOfCoupling
 from flexbearing.case.film_oil import FilmOil
 from flexbearing.case.head import KIND
+from flexbearing.case.mounted import require_growing
 from flexbearing.case.outputs import RingOutputs
 from flexbearing.case.quantity import (
     Angle,
@@ -455,7 +455,7 @@ class FastCase(MountedCase):
     @model_validator(mode="after")
     def _warm_parts_are_known(self) -> Self:
         if self.bearing.fits:
-            require_growing(self.bearing.fits, self.materials, self.operation.temperatures)
+            require_growing(self.bearing.fits, self.materials, self.operation.temperatures, "ball")
         return self
 
 

@@ -13,7 +13,7 @@ from flexbearing.case.tolerances import CLEARANCE, Band, ClearanceClass, Place, 
 
 
 class DeepGrooveFits(Fits):
-    """How the rings are mounted; they count as plain rings up to the bottoms of their grooves."""
+    """How the rings are mounted; they count as plain rings up to their raceways."""
 
     cold_clearance: Length | None = key(
         "radial internal clearance before mounting, as a change of diameter; or by bearing.clearance_class",

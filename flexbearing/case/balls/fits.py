@@ -57,7 +57,7 @@ class Housing(Section):
 
 
 class Fits(Section):
-    """How the rings are mounted; they count as plain rings up to the bottoms of their grooves."""
+    """How the rings are mounted; they count as plain rings up to their raceways."""
 
     bore: Length = key("bore of the inner ring", example="40 mm", gt=0)
     outer_diameter: Length = key("outside diameter of the outer ring", example="80 mm", gt=0)

@@ -1,33 +1,13 @@
 """Ball bearings on a shaft and in a housing, as cases: clearance, materials and temperatures."""
 
 from functools import cache
-from typing import Literal, Self
-
-from pydantic import model_validator
+from typing import Literal
 
 from flexbearing.case.balls.fits import FITTED, HOUSED, Fits
 from flexbearing.case.balls.parts import BallBearing
-from flexbearing.case.head import Head
-from flexbearing.case.materials import EXPANSION, Elastic, HeavyElastic, yield_stress
-from flexbearing.case.quantity import (
-    Density,
-    PerTemperature,
-    Pressure,
-    Section,
-    Temperature,
-    impossible,
-    key,
-    needed,
-)
-from flexbearing.case.tolerances import Band, Place
-
-STEEL = "11.9e-6 1/K"
-
-
-class WarmMaterial(HeavyElastic):
-    """A material of a part that may be warm."""
-
-    expansion: PerTemperature | None = key(EXPANSION, None, example=STEEL, ge=-1e-3, le=1e-3)
+from flexbearing.case.materials import Elastic, yield_stress
+from flexbearing.case.mounted import FittedBearing, FittedCase, GrowingElastic, WarmMaterial
+from flexbearing.case.quantity import Pressure, Section, Temperature, impossible, key
 
 
 class SeatMaterial(WarmMaterial):
@@ -36,11 +16,9 @@ class SeatMaterial(WarmMaterial):
     yield_stress: Pressure | None = yield_stress()
 
 
-class RingElastic(Elastic):
+class RingElastic(GrowingElastic):
     """A material of a ring, which fits and heat may widen."""
 
-    density: Density | None = key("density; needed with [bearing.fits]", None, gt=0)
-    expansion: PerTemperature | None = key(EXPANSION, None, example=STEEL, ge=-1e-3, le=1e-3)
     yield_stress: Pressure | None = yield_stress()
 
 
@@ -57,27 +35,8 @@ class Temperatures(Section):
     reference: Temperature = key("at which the dimensions are given", gt=0)
 
 
-class MountedBearing(BallBearing):
+class MountedBearing(FittedBearing, BallBearing):
     """A ball bearing that may sit on a shaft and in a housing."""
-
-    fits: Fits | None = key(
-        "how the rings are mounted, which changes the clearance and with it the contact angle", None
-    )
-
-    @property
-    def bands(self) -> dict[str, Band]:
-        """Key of each class that is given, to what it allows [m]."""
-        return {} if self.fits is None else self.fits.bands
-
-    @property
-    def mounting(self) -> Fits | None:
-        """The fits from which the operating clearance follows; None where there are none."""
-        return self.fits
-
-    @property
-    def stated_clearance(self) -> float:
-        """Radial clearance before mounting, or in operation where no fits are given [m]."""
-        raise NotImplementedError  # each kind has its own
 
     @property
     def centre_distance(self) -> float:
@@ -169,67 +128,8 @@ class FastMaterials(MountedMaterials):
     )
 
 
-class MountedCase(Head):
+class MountedCase(FittedCase):
     """A ball bearing whose operating clearance may follow from its fits."""
 
     bearing: MountedBearing = key("the bearing")
     materials: MountedMaterials = key("the materials")
-
-    @property
-    def bands(self) -> dict[str, Band]:
-        """Key of each class of clearance and fits that the case names, to what it allows [m]."""
-        return self.bearing.bands
-
-    @property
-    def place(self) -> Place:
-        """Where the classes are taken within their tolerances."""
-        return self.bearing.fits.at if self.bearing.fits else "mean"
-
-    @property
-    def stated_clearance(self) -> float:
-        """Radial clearance before mounting, or in operation where no fits are given [m]."""
-        return self.bearing.stated_clearance
-
-    @property
-    def shaft_interference(self) -> float:
-        """Diametral interference of shaft and inner ring, cold [m]."""
-        assert self.bearing.fits  # or nobody asks
-        return self.bearing.fits.interferences[0]
-
-    @property
-    def housing_interference(self) -> float | None:
-        """Diametral interference of outer ring and housing, cold [m]; None without a housing."""
-        return self.bearing.fits.interferences[1] if self.bearing.fits else None
-
-    def within_tolerances(self, place: Place) -> Self:
-        """The same case with its classes taken at another place within their tolerances."""
-        fits = self.bearing.fits and self.bearing.fits.model_copy(update={"at": place})
-        return self.model_copy(update={"bearing": self.bearing.model_copy(update={"fits": fits})})
-
-    @model_validator(mode="after")
-    def _mounting_is_complete(self) -> Self:
-        _ = self.bands  # which are all tabulated
-        fits, materials = self.bearing.fits, self.materials
-        if fits is None:
-            return self
-        if materials.shaft is None:
-            raise needed(["materials.shaft"], "[bearing.fits]")
-        if fits.housing and materials.housing is None:
-            raise needed(["materials.housing"], "[bearing.fits.housing]")
-        self.bearing.require_walls(fits)
-        return self
-
-
-def require_growing(fits: Fits, materials: FastMaterials, temperatures: Temperatures | None) -> None:
-    """Raise unless what makes parts grow by speed and heat is given."""
-    parts = ("inner_ring", "outer_ring", "shaft", "housing")
-    given = {name: each for name in parts if (each := getattr(materials, name)) is not None}
-    if lacking := [f"materials.{name}.density" for name, each in given.items() if each.density is None]:
-        raise needed(lacking, "[bearing.fits]")
-    if temperatures is None:
-        return
-    if fits.housing and temperatures.housing is None:
-        raise needed(["operation.temperatures.housing"], "[bearing.fits.housing]")
-    given = {"ball": materials.ball, **given}
-    if lacking := [f"materials.{name}.expansion" for name, each in given.items() if each.expansion is None]:
-        raise needed(lacking, "[operation.temperatures]")

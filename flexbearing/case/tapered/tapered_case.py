@@ -5,10 +5,11 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
+from flexbearing.case.balls.fits import FITTED, HOUSED, Fits
 from flexbearing.case.balls.pair import Pair
 from flexbearing.case.film_oil import FilmOil
-from flexbearing.case.head import KIND, Head
-from flexbearing.case.materials import Elastic, HeavyElastic
+from flexbearing.case.head import KIND
+from flexbearing.case.mounted import FittedBearing, FittedCase, GrowingElastic, WarmMaterial, require_growing
 from flexbearing.case.outputs import LifeOutputs
 from flexbearing.case.quantity import (
     Angle,
@@ -17,6 +18,7 @@ from flexbearing.case.quantity import (
     Moment,
     Section,
     Speed,
+    Temperature,
     impossible,
     in_mm,
     key,
@@ -54,7 +56,7 @@ class Rib(Section):
     friction: float = key("Coulomb friction of the ends on the rib, for its heat", example=0.05, ge=0, le=1)
 
 
-class TaperedBearing(Section):
+class TaperedBearing(FittedBearing):
     """The bearing."""
 
     rollers: int = key("number of rollers", example=19, ge=3, le=1000)
@@ -92,6 +94,30 @@ class TaperedBearing(Section):
         "two, or one (outer.common); ratings in [life] are those of both rows",
         None,
     )
+
+    fits: Fits | None = key(
+        "how the rings are mounted, which brings cone and cup closer; bearing.pair and "
+        "operation.displacement then count from before mounting",
+        None,
+    )
+
+    @property
+    def stated_clearance(self) -> float:
+        """Clearance before mounting, where rollers and raceways just touch [m]."""
+        return 0.0
+
+    def require_walls(self, fits: Fits) -> None:
+        """Raise unless both rings have a wall at the ends of their raceways."""
+        half, (_, cone) = self.roller.length / 2, self.angles
+        inside = 2 * (self.raceway_middle("inner") - half * sin(cone))
+        outside = 2 * (self.raceway_middle("outer") + half * sin(self.cup_angle))
+        if fits.bore >= inside:
+            raise impossible(
+                "bearing.fits.bore", f"below the narrow end of the inner raceway, {in_mm(inside)}"
+            )
+        if fits.outer_diameter <= outside:
+            allowed = f"above the wide end of the outer raceway, {in_mm(outside)}"
+            raise impossible("bearing.fits.outer_diameter", allowed)
 
     @property
     def opposed(self) -> bool:
@@ -158,16 +184,18 @@ class TaperedBearing(Section):
 class TaperedMaterials(Section):
     """Materials of the parts."""
 
-    roller: HeavyElastic = key("of the rollers")
-    inner_ring: HeavyElastic = key("of the inner ring")
-    outer_ring: HeavyElastic = key("of the outer ring")
-    shaft: Elastic | None = key(
-        "of the shaft; needed for an elastic inner ring", None, only={"inner.kind": ("ring_on_shaft",)}
-    )
-    housing: Elastic | None = key(
-        "of the housing; needed for an elastic housing",
+    roller: WarmMaterial = key("of the rollers")
+    inner_ring: WarmMaterial = key("of the inner ring")
+    outer_ring: WarmMaterial = key("of the outer ring")
+    shaft: GrowingElastic | None = key(
+        "of the shaft; needed for [bearing.fits] and for an elastic inner ring",
         None,
-        only={"outer.kind": ("ring",), "outer.support": ("housing",)},
+        only=(FITTED, {"inner.kind": ("ring_on_shaft",)}),
+    )
+    housing: GrowingElastic | None = key(
+        "of the housing; needed for [bearing.fits.housing] and for an elastic housing",
+        None,
+        only=(HOUSED, {"outer.kind": ("ring",), "outer.support": ("housing",)}),
     )
 
 
@@ -216,6 +244,19 @@ class TaperedDisplacement(Section):
     tilt_z: Angle = key(f"turn about z by the right hand, {PLANE}", "0 deg", only=HELD)
 
 
+class TaperedTemperatures(Section):
+    """Temperatures of the parts; dimensions are given at the reference and grow with the rest."""
+
+    shaft: Temperature = key("of the shaft", gt=0)
+    inner_ring: Temperature = key("of the inner ring", gt=0)
+    roller: Temperature = key("of the rollers", gt=0)
+    outer_ring: Temperature = key("of the outer ring", gt=0)
+    housing: Temperature | None = key(
+        "of the housing; needed for [bearing.fits.housing]", None, gt=0, only=HOUSED
+    )
+    reference: Temperature = key("at which the dimensions are given", gt=0)
+
+
 class TaperedOperation(Section):
     """Load and speed."""
 
@@ -227,6 +268,11 @@ class TaperedOperation(Section):
     )
     load: TaperedLoad = key("load on the inner ring", {})
     displacement: TaperedDisplacement = key("where the inner ring is held instead of loaded", {})
+    temperatures: TaperedTemperatures | None = key(
+        "temperatures of the parts, for the fits; without them all have the dimensions given",
+        None,
+        only=FITTED,
+    )
 
     @property
     def held(self) -> tuple[str, ...]:
@@ -260,7 +306,7 @@ class TaperedOperation(Section):
         return self
 
 
-class TaperedCase(Head):
+class TaperedCase(FittedCase):
     """A tapered roller bearing: loads with inertia, rigid or elastic rings, raceways without friction."""
 
     file_keys = (
@@ -312,6 +358,12 @@ class TaperedCase(Head):
             raise needed(["materials.shaft"], 'inner.kind = "ring_on_shaft"')
         located("outer", lambda: outer.require_room(self.bearing))
         located("inner", lambda: inner.require_room(self.bearing))
+        return self
+
+    @model_validator(mode="after")
+    def _warm_parts_are_known(self) -> Self:
+        if self.bearing.fits:
+            require_growing(self.bearing.fits, self.materials, self.operation.temperatures, "roller")
         return self
 
     @model_validator(mode="after")
