@@ -97,7 +97,7 @@ def operation(case: Case) -> qd.Operation:
         outer_speed=case.operation.outer_speed,
         load_direction=case.operation.load_direction,
         moment=case.operation.moment,
-        misalignment=case.operation.misalignment,
+        misalignment=case.operation.slope,
         tilt_direction=case.operation.tilt_direction,
         free_tilt=case.operation.free_tilt,
         gravity=case.operation.gravity,

@@ -25,7 +25,7 @@ APART_FROM_RINGS = (  # keys and tables that no ring knows
     "lubricant.", "life.", "bearing.cage.", "bearing.roughness.", "bearing.roller.drop",
     "bearing.form_error.", "bearing.ribs.", "operation.radial_load", "operation.axial_load",
     "operation.load_direction", "operation.moment",
-    "operation.misalignment", "operation.gravity",
+    "operation.misalignment", "operation.carrier.", "operation.gravity",
 )  # fmt: skip
 
 

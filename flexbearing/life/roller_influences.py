@@ -39,7 +39,10 @@ CLEARANCE = Influence(
     "Clearance leaves fewer rollers to carry the load; a light preload spreads it over more, a strong one "
     "adds to it.",
 )
-HELD = {"operation.misalignment": "0 deg", "operation.moment": "0 N m", "operation.tilt": "fixed"}
+HELD = {
+    "operation.misalignment": "0 deg", "operation.carrier": "", "operation.moment": "0 N m",
+    "operation.tilt": "fixed",
+}  # fmt: skip
 TILT = Influence(
     "tilt of the inner ring between rigid rings",
     HELD,

@@ -75,7 +75,7 @@ def _choices(case: Any) -> Iterator[Plausible]:
     if any(ring.kind != "rigid" for ring in (case.outer, case.inner)):
         tilt = "fixed" if operation.free_tilt else "free"
         without = tuple(
-            f"operation.{name}=" for name in ("misalignment", "moment") if getattr(operation, name)
+            f"operation.{name}=" for name in ("misalignment", "carrier", "moment") if getattr(operation, name)
         )
         yield Plausible(
             "operation.tilt", (Other(tilt, (f"operation.tilt={tilt}", *without)),), CHOICES, CHOICE

@@ -84,7 +84,7 @@ def _is_unloaded(case: Any, own: dict[str, Any]) -> bool:
 
             return not case.bearing.opposed or bearing(case).rows[0].closer <= 0
         tilted = (
-            abs(operation.misalignment) * case.bearing.roller.length
+            abs(operation.model_copy(update={"radial_load": 0.0}).slope) * case.bearing.roller.length
             if case.kind == clearance.ROLLERS
             else 0.0
         )

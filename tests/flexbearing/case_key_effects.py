@@ -257,6 +257,9 @@ EFFECTS = (
     ("plain ring", "operation.outer_speed", "100 rpm", "model.operation.outer_speed"),
     ("cage", "operation.moment", "20 N m", "model.operation.moment"),
     ("held ring", "operation.misalignment", "2 arcmin", "model.operation.misalignment"),
+    *(("pin in a carrier", f"operation.carrier.{name}", value, "model.operation.misalignment")
+      for name, value in (
+          ("twist", "0.3 mrad"), ("load", "2 kN"), ("radius", "90 mm"), ("pin_length", "41 mm"))),
     ("held ring", "operation.tilt_direction", "90 deg", "model.operation.tilt_direction"),
     ("two rows", "bearing.second_row.distance", "26 mm", "model.bearing.rows.{0.axial,1.axial}"),
     ("two rows", "bearing.second_row.clearance", "3 um", "model.bearing.rows.1.clearance"),

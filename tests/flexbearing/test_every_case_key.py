@@ -224,6 +224,8 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
     "relaxed": ("mao2016", {"coupling.method": "relaxed"}),
     "land on the pitch circle": ("mao2016", {"bearing.cage.land_diameter": "70 mm"}),
     "held ring": ("mao2016", {"operation.tilt": "fixed"}),
+    "pin in a carrier": ("mao2016", {"operation.tilt": "fixed", "operation.carrier": {
+        "twist": "0.2 mrad", "load": "1 kN", "radius": "80 mm", "pin_length": "40 mm"}}),
     "balls in bolted rings": ("slewing_bolted", {
         "rings.outer.face_stiffness": "500 N/mm^3", "rings.outer.face_shear_stiffness": "200 N/mm^3",
         "rings.inner.face_stiffness": "400 N/mm^3", "rings.inner.face_shear_stiffness": "150 N/mm^3"}),

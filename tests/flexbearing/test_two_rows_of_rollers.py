@@ -224,6 +224,31 @@ def test_a_planet_with_helical_teeth():
     assert "unbalanced-teeth" not in {note["code"] for note in result.attributes["notes"]}
 
 
+GUIDED = {"operation.tilt": "fixed", "operation.moment": "0 N m", "operation.tilt_direction": "0 deg"}
+CARRIER = GUIDED | {f"operation.carrier.{name}": value for name, value in {
+    "twist": "0.2 mrad", "radius": "302.6 mm", "pin_length": "242.08 mm"}.items()}  # fmt: skip
+
+
+@pytest.mark.parametrize(("settings", "slope"), [
+    ({}, 0.25), ({"operation.carrier.load": "717.2 kN"}, 0.125),
+    ({"operation.carrier.load": "358.6 kN", "operation.misalignment": "-0.05 mrad"}, 0.2),
+])  # fmt: skip
+def test_torsion_of_the_carrier_tilts_the_pin(settings, slope):
+    """Ends of the pin part by twist times radius, under half of the stated load by half as much."""
+    turned = run(PLANET, written(CARRIER | settings))
+    tilted = run(PLANET, written(GUIDED | {"operation.misalignment": f"{slope} mrad"}))
+    for block in ("rigid", "flexible"):
+        rows, same = (np.asarray(getattr(each, block)["row_load"]) for each in (turned, tilted))
+        assert rows == approx(same, rel=1e-9, abs=1e-3)
+    assert turned.flexible["row_load_factor"] > 1.1
+
+
+def test_a_carrier_tilts_no_planet_that_is_free_and_none_across_its_load():
+    for change in ({"operation.tilt": "free"}, {"operation.tilt_direction": "90 deg"}):
+        with pytest.raises(BadCase, match="carrier"):
+            read_case(PLANET, written(CARRIER | change))
+
+
 @pytest.mark.slow
 def test_rows_of_another_distance_press_another_rim():
     """Side by side they shared the rim of the first one: the largest load was 3 % off."""

@@ -121,6 +121,30 @@ class Temperatures(Section):
         return self
 
 
+class Carrier(Section):
+    """The planet carrier, whose sides turn against each other and so tilt the pin."""
+
+    twist: Angle = key(
+        "angle by which the side at +x is ahead of the other one, in the direction of the load",
+        example="0.2 mrad",
+        ge=-STEEPEST,
+        le=STEEPEST,
+    )
+    load: Force | None = key(
+        "radial load under which it twists so, in proportion; without it the twist is the same at any load",
+        None,
+        example="360 kN",
+        gt=0,
+    )
+    radius: Length = key("distance of the pin from the axis of the carrier", example="300 mm", gt=0)
+    pin_length: Length = key("length of the pin between the sides", example="260 mm", gt=0)
+
+    def slope(self, load: float) -> float:
+        """Slope of the pin under a radial load [N]: its ends part by the twist times the radius."""
+        share = 1.0 if self.load is None else load / self.load
+        return share * self.twist * self.radius / self.pin_length
+
+
 class Operation(Section):
     """Load and speed."""
 
@@ -148,6 +172,11 @@ class Operation(Section):
         example="2 arcmin",
         ge=-STEEPEST,
         le=STEEPEST,
+    )
+    carrier: Carrier | None = key(
+        "the planet carrier, whose torsion adds to the slope of the inner ring in the plane of the load",
+        None,
+        only={"operation.tilt": ("fixed",)},
     )
     tilt: Literal["fixed", "free"] = key(
         "how the shaft holds the inner ring: fixed, it keeps its slope (operation.misalignment); free, it "
@@ -180,6 +209,11 @@ class Operation(Section):
     )
 
     @property
+    def slope(self) -> float:
+        """Slope of an inner ring that is held [rad], in the plane of tilt_direction."""
+        return self.misalignment + (self.carrier.slope(self.radial_load) if self.carrier else 0.0)
+
+    @property
     def free_tilt(self) -> bool:
         """Whether the inner ring may tilt."""
         return self.tilt == "free"
@@ -192,6 +226,10 @@ class Operation(Section):
             raise impossible(
                 "moment",
                 '"0 N m" for operation.tilt = "fixed"; a moment tilts a ring with operation.tilt = "free"',
+            )
+        if self.carrier and self.tilt_direction:
+            raise impossible(
+                "tilt_direction", '"0 deg" beside [operation.carrier], which tilts along the load'
             )
         if self.misalignment != 0.0 and self.free_tilt:
             raise impossible(
