@@ -36,7 +36,7 @@ def new(  # noqa: PLR0913  # an argument for each option
     width: Annotated[str | None, _option("width")] = None,
     inner_raceway: Annotated[str | None, _option("inner_raceway")] = None,
     outer_raceway: Annotated[str | None, _option("outer_raceway")] = None,
-    pitch_diameter: Annotated[str | None, _option("pitch")] = None,
+    pitch_diameter: Annotated[str | None, _option("pitch_diameter")] = None,
     elements: Annotated[str | None, _option("elements")] = None,
     diameter: Annotated[str | None, _option("diameter")] = None,
     length: Annotated[str | None, _option("length")] = None,

@@ -36,7 +36,7 @@ ENTRIES = {
     "outer_raceway": Entry(
         "--outer-raceway", "diameter of the outer raceway", "-E", "Length", example="81.5 mm"
     ),
-    "pitch": Entry(
+    "pitch_diameter": Entry(
         "--pitch-diameter", "diameter of the circle of tapered rollers", "--Dpw", "Length", example="53.5 mm"
     ),
     "angle": Entry(
@@ -144,7 +144,7 @@ LIKES = {
         "tapered_roller",
         (*_SIZE, "angle", "axial", "speed"),
         (),
-        (*_RATINGS, "pitch", *_ROLLING, *_OIL, "shaft", "housing", "load", "outer_speed"),
+        (*_RATINGS, "pitch_diameter", *_ROLLING, *_OIL, "shaft", "housing", "load", "outer_speed"),
     ),
     "four_point_ball": Like(  # there are no load ratings of two contacts on a ring
         "four_point_ball",

@@ -107,6 +107,8 @@ def _raceway_and_diameter(page: Page) -> tuple[float, float]:
 def _require_room(page: Page, pitch: float, diameter: float) -> None:
     """Raise unless the rollers go round the pitch circle and into the width."""
     unit = page["bore"].with_unit_of_this
+    if diameter >= pitch / 2:
+        raise BadCase(f"rollers of {unit(diameter)} do not fit round the circle of {unit(pitch)}.")
     most = floor(pi / asin(diameter / pitch))
     if "elements" in page and not 3 <= page["elements"].si <= most:
         raise BadCase(

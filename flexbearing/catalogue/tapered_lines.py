@@ -45,8 +45,8 @@ def lines(page: Page, found: RollerSet) -> list[Line]:
 def _bearing(page: Page, found: RollerSet) -> Iterator[Line]:
     number, length = rollers_of(page, found, "filling the pitch circle", "0.5 to 0.8 B")
     yield number
-    if "pitch" in page:
-        yield entry(page, "pitch", "bearing.pitch_diameter")
+    if "pitch_diameter" in page:
+        yield entry(page, "pitch_diameter", "bearing.pitch_diameter")
     else:
         yield assumed("bearing.pitch_diameter", mm(found.pitch), "(d + D)/2")
     yield entry(page, "angle", "bearing.cup_angle", "tan = e/1.5 of the catalogue")

@@ -9,6 +9,7 @@ from math import cos
 from typing import Any
 
 import quasidynamic as qd
+from flexbearing.case import BadCase
 from flexbearing.catalogue.element_set import Ratings
 from flexbearing.catalogue.page import Page
 from flexbearing.catalogue.roller_set import RollerSet, fitting
@@ -26,7 +27,11 @@ def tapered_set(page: Page) -> RollerSet:
     Raises `BadCase` where they do not fit in, or none that is plausible has the static rating.
     """
     bore, outside = page["bore"].si, page["outside"].si
-    pitch, half = page["pitch"].si if "pitch" in page else (bore + outside) / 2, (outside - bore) / 2
+    half, pitch = (outside - bore) / 2, (outside + bore) / 2
+    if "pitch_diameter" in page:
+        pitch = page["pitch_diameter"].si
+        if not bore < pitch < outside:
+            raise BadCase(f"{page.option('pitch_diameter')}: it must be between bore and outside diameter.")
     diameter = page["diameter"].si if "diameter" in page else DIAMETER * half
     return fitting(
         page, pitch, diameter, partial(_ratings, pitch, page["angle"].si, diameter), TAPERED_SPACING, SHARE

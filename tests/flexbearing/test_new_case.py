@@ -645,6 +645,15 @@ def test_fits_bring_a_cone_closer(balls):
     assert {"materials.shaft", "materials.housing"} <= {*case["assumed"]}
 
 
+def test_rollers_go_round_between_bore_and_outside(tmp_path):
+    for name, message in (
+        ("pitch_diameter", "--pitch-diameter 60 cm: it must be between bore and outside diameter"),
+        ("diameter", "rollers of 600 mm do not fit round the circle of 53.5 mm"),
+    ):
+        with pytest.raises(BadCase, match=message):
+            new(tmp_path / "cone.toml", "tapered_roller", CONE | {name: "60 cm"})
+
+
 def test_a_tapered_bearing_needs_its_angle_and_an_axial_load(tmp_path):
     for name in ("angle", "axial"):
         with pytest.raises(BadCase, match=f"{pages.ENTRIES[name].option} .* is missing"):

@@ -359,7 +359,7 @@ def test_pitch_circle_and_angle_of_a_detailed_tapered_bearing_are_its_own(writte
     (tmp_path / "m.rexs").write_bytes(ElementTree.tostring(root))
     model = read(tmp_path / "m.rexs")
     found = bearing_of(model, model.parts["3"])
-    assert (found.options["pitch"], found.options["angle"]) == ("61 mm", "40 deg")
+    assert (found.options["pitch_diameter"], found.options["angle"]) == ("61 mm", "40 deg")
     _, cases, _ = written("m.rexs", "--contact-angle", "14 deg")
     case = cases["m-3.toml"]
     assert (case["bearing"]["pitch_diameter"], case["bearing"]["cup_angle"]) == ("61 mm", "14 deg")

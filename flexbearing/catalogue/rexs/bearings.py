@@ -47,7 +47,7 @@ OF_ELEMENT = {
 OF_ROW = {
     "elements": ("none", "", ("number_of_rolling_elements",)),
     "angle": ("deg", "deg", ("pressure_angle",)),
-    "pitch": ("mm", "mm", ("reference_diameter",)),
+    "pitch_diameter": ("mm", "mm", ("reference_diameter",)),
 }
 NAMED = {  # entry to attributes with a name of a list of the case
     "clearance_class": ("radial_clearance_class", "clearance_class"),

@@ -1,5 +1,6 @@
 """Values of keys row by row: numbers side by side in memory, words made of them where a row is read."""
 
+from abc import abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import repeat
@@ -35,8 +36,8 @@ class Written(Sequence[Any]):
 class MadeRows(Sequence[Row]):
     """Rows that are made where they are read."""
 
-    def _row(self, number: int) -> Row:
-        raise NotImplementedError
+    @abstractmethod
+    def _row(self, number: int) -> Row: ...
 
     @overload
     def __getitem__(self, place: int) -> Row: ...
