@@ -1,12 +1,13 @@
 """What fits, heat and speed do to a tapered roller bearing: cone and cup come closer or part."""
 
-from math import cos, tan
+from math import cos
 from typing import Any
 
 from flexbearing.build import clearance, plain_rings
 from flexbearing.case.tapered import TaperedCase
 from quasidynamic.clearance import OperatingClearance
 from quasidynamic.note import Note, information
+from quasidynamic.parts.tapered_bearing import axial_approach
 
 
 def from_fits(case: TaperedCase) -> OperatingClearance:
@@ -29,15 +30,8 @@ def from_fits(case: TaperedCase) -> OperatingClearance:
 
 
 def closer(case: TaperedCase) -> float:
-    r"""Axial distance by which cone and cup are closer than before mounting [m].
-
-    .. math:: \Delta a = -\frac{\Delta G}{2 \tan\alpha_o}
-
-    Source
-    ------
-    Geometry: where a cone grows evenly with its rib, it and the rollers move along the cup, out of it.
-    """
-    return -clearance.operating(case) / (2 * tan(case.bearing.cup_angle))
+    """Axial distance by which cone and cup are closer than before mounting [m]."""
+    return axial_approach(clearance.operating(case), case.bearing.cup_angle)
 
 
 def record(case: TaperedCase) -> dict[str, Any]:

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import asin, cos, pi, sin, sqrt
+from math import asin, cos, pi, sin, sqrt, tan
 from typing import Literal
 
 import numpy as np
@@ -86,6 +86,35 @@ def spherical_rib(roller: Roller, axis_angle: float, angle: float, radius: float
         depth=depth,
         curvature=1 / radius,
     )
+
+
+def axial_approach(clearance_change: float, cup_angle: float) -> float:
+    r"""Axial distance by which cone and cup come closer where rings and rollers grow.
+
+    .. math:: \Delta a = -\frac{\Delta G}{2 \tan\alpha_o}
+
+    Parameters
+    ----------
+    clearance_change : float
+        Delta G [m], change of the clearance on the diameter in the plane of the roller centres; negative
+        where the raceways come closer
+    cup_angle : float
+        alpha_o [rad] of the outer raceway from the axis
+
+    Returns
+    -------
+    float
+        Delta a [m]
+
+    Source
+    ------
+    Geometry, derived here: a cone that grows with its rib moves with the rollers along the cup, out of it.
+
+    Valid
+    -----
+    Growth that is even along the raceways, small against their radii.
+    """
+    return -clearance_change / (2 * tan(cup_angle))
 
 
 def apex_angles(cup_angle: float, ratio: float) -> tuple[float, float]:
