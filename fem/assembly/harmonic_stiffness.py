@@ -49,7 +49,10 @@ class HarmonicStiffness:
         return next(self.solved([harmonic], loads))
 
     def solved(self, harmonics: Iterable[int], loads: NDArray) -> Iterator[NDArray]:
-        """Yield what `solve` returns for each of some harmonics, all factored in the order of the first."""
+        """Yield what `solve` returns for each of some harmonics, all factored in the order of the first.
+
+        Raises `NotSolved` as it does.
+        """
         matrix, pattern, inverse = self.matrix.CreateMatrix(), self.parts[0], None
         values, free = matrix.AsVector().FV().NumPy(), ngs.BitArray((~self.clamped).tolist())
         K = sparse.csr_array((values, pattern.indices, pattern.indptr), shape=pattern.shape)  # same memory
