@@ -28,7 +28,8 @@ from quasidynamic.parts.ball_cage import BallCage
 from quasidynamic.solve.balls.coulomb_control import CoulombControl, StickingContacts
 from quasidynamic.solve.balls.refined_rolling import RefinedRolling, RollingModel, refined_kept_motion
 from quasidynamic.solve.balls.ring_in_elastic_grooves import iterate_elastic, solve_elastic
-from quasidynamic.solve.balls.ring_on_balls import SINGULAR, RingSolution, solve
+from quasidynamic.solve.balls.ring_newton import SINGULAR, RingSolution
+from quasidynamic.solve.balls.ring_on_balls import solve
 from quasidynamic.solve.step_length import SolverOutcome
 
 DIRECTIONS = ("along x", "along y", "along z", "about y", "about z")

@@ -258,7 +258,7 @@ class FreeBalls:
     def balance(
         self, unknowns: NDArray, friction: GeneralSliding | OiledFriction, part: NDArray | float = 1.0
     ) -> FreeBallBalance:
-        """Balance at unknowns (N, 4), of sliding and films of pockets with a part (N) of all other moments."""
+        """Balance at unknowns (N, 4), of sliding and pocket films with a part (N) of all other moments."""
         motion, sliding = self.motion(unknowns), sliding_of(friction)
         by_motion, by_motions = gyroscopic(motion, self.gyration, self.outer_speed)
         above = np.einsum("ngij,ngi->nj", self.by_unknown**2, sliding.majorant)
