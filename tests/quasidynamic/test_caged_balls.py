@@ -204,6 +204,21 @@ def test_thrust_falls_with_the_cage():
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize(("place", "count"), [(-10e-6, 0), (-20.4e-6, 1), (-21e-6, 0)])
+def test_stable_motions_of_a_held_ring(place, count):
+    """Where the thrust falls with the cage a fast one and a slow one are stable; a given load finds each."""
+    held = RingOperation(load=(0.0,) * 5, displacement=(place, 0.0, 0.0, 0.0, 0.0), inner_speed=40e3 * RPM)
+    model = AngularContactBallBearing(bearing=BEARING, control="oil", lubrication=OILED, cage=CAGE)
+    others = model.other_motions(model.solve(held))
+    assert len(others) == count
+    for other in others:
+        operation = replace(thrust(other.ring_load[0], 40e3), displacement=(None, 0.0, 0.0, 0.0, 0.0))
+        loaded = caged(operation)
+        assert loaded.ring_displacement[0] == approx(place, abs=1e-10)
+        assert loaded.oil.cage_speed[0] == approx(other.oil.cage_speed[0], rel=1e-4)
+
+
+@pytest.mark.slow
 def test_a_given_load_has_a_motion_also_where_the_place_turns_back():
     """Faster balls push the ring back: its place has a least value near 20 N and a largest near 12 N."""
 

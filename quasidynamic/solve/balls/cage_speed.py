@@ -22,6 +22,11 @@ FURTHEST = 1.5  # of that distance: how far beyond
 SPEEDS = 18  # of a cage at least that three times the budget of other searches is enough for
 NEARLY = 1e-8  # of the torques around a cage: what is left where all may be in balance
 SPEED_ERROR = 1e-13  # of the speed of the rings
+TRIED = (
+    0.02,
+    1.1,
+    16,
+)  # of the speed of rolling: first, last and number of speeds that several motions show at
 
 Solve = Callable[[AngularBalance], RingSolution]
 Places = tuple[NDArray, Vectors]  # of ring (1, 5) and balls (1, Z)
@@ -54,8 +59,7 @@ def by_cage_speed(balance: AngularBalance, solve: Solve) -> tuple[RingSolution |
                 further = speed / 5
             there = held.torque(further)
             if there * torque < 0:
-                held.find_zero()
-                break
+                return held.balanced_between(*sorted((speed, further))), held.evaluations
             if np.isfinite(there):
                 speed, torque, step = further, there, 5 * step
             else:
@@ -65,6 +69,30 @@ def by_cage_speed(balance: AngularBalance, solve: Solve) -> tuple[RingSolution |
     except (_Lost, BudgetSpent):
         pass
     return None, held.evaluations
+
+
+def motions_by_cage_speed(balance: AngularBalance, solve: Solve) -> list[RingSolution]:
+    """Stable balances of one case at speeds of its only cage, the slowest first.
+
+    They are those where M, see `by_cage_speed`, drives a slower cage and brakes a faster one; two that are
+    closer than the speeds that are tried are missed.
+    """
+    held = HeldCage(balance, solve)
+    found, slower = list[RingSolution](), (0.0, np.nan)
+    try:
+        for speed in np.sort(held.rolling * np.linspace(*TRIED)):
+            try:
+                torque = held.torque(float(speed))
+            except _Balanced as balanced:
+                found.append(balanced.solution)
+                continue
+            if torque < 0 < slower[1]:
+                solution = held.balanced_between(slower[0], speed)
+                found += [] if solution is None else [solution]
+            slower = speed, torque
+    except BudgetSpent:
+        pass
+    return found
 
 
 class _Lost(Exception):
@@ -108,28 +136,35 @@ class HeldCage:
             self.torques[speed] = self._left(solution, speed)
         return self.torques[speed]
 
-    def find_zero(self) -> None:
-        """Raise `_Balanced` between known speeds of opposite M, `_Lost` where balls have no balance there.
+    def balanced_between(self, low: float, high: float) -> RingSolution | None:
+        """Balance between two speeds of opposite M; None where ring and balls have none on the way.
 
         A balance that is not found is approached from the nearest one, which may bring the zero closer, too.
         """
         from scipy.optimize import brentq  # takes long to load, for a search that few bearings need
 
         while True:
-            speeds = sorted(self.torques)
+            speeds = [speed for speed in sorted(self.torques) if low <= speed <= high]
             turns = np.flatnonzero(np.diff(np.sign([self.torques[speed] for speed in speeds])))
             first = int(turns[0])
             try:
                 brentq(self._known_torque, speeds[first], speeds[first + 1], xtol=SPEED_ERROR)
+                return None  # what is left there is no balance of all
+            except _Balanced as balanced:
+                return balanced.solution
             except _Lost as lost:
-                at = self._nearest(lost.speed)[0]
-                step = (lost.speed - at) / 4
-                while not np.isfinite(self.torque(at + step)):
-                    step /= 4
-                    if abs(step) < LEAST_STEP:
-                        raise
-            else:
-                return
+                if not self._approached(lost.speed):
+                    return None
+
+    def _approached(self, speed: float) -> bool:
+        """Whether there is a balance nearer to a speed than those that are known."""
+        at = self._nearest(speed)[0]
+        step = (speed - at) / 4
+        while not np.isfinite(self.torque(at + step)):
+            step /= 4
+            if abs(step) < LEAST_STEP:
+                return False
+        return True
 
     def _known_torque(self, speed: float) -> float:
         if not np.isfinite(torque := self.torque(speed)):
