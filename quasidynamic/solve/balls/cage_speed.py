@@ -54,7 +54,8 @@ def by_cage_speed(balance: AngularBalance, solve: Solve) -> tuple[RingSolution |
         speed, torque = held.begin()
         step = FIRST_STEP
         while step > LEAST_STEP:
-            further = speed + np.sign(torque) * step
+            upward = max(CLOSE * abs(speed), FIRST_STEP)  # where a cage that rolls is not far
+            further = speed + (min(step, upward) if torque > 0 else -step)
             if further * speed < 0 and abs(speed) > SLOW:
                 further = speed / 5
             there = held.torque(further)
