@@ -12,14 +12,16 @@ from quasidynamic.solve.balls.coulomb_control import CoulombControl
 from quasidynamic.solve.balls.inertia_homotopy import BudgetSpent
 from quasidynamic.solve.balls.ring_newton import ANSWERED, BUDGET, RingSolution, newton, solution_at
 
-FIRST_STEP = 0.01  # of the speed of the rings: first step of a cage from rolling, each next five times
+FIRST_STEP = 0.01  # of the speed of the rings: first step of a cage from rolling; the next are longer
 STARTS = (1.0, 0.995, 0.95, 0.7)  # of the speed of rolling, of which the first with a balance is taken
 LEAST_STEP = 1e-4  # the same of shorter ones, where balls have no balance
 SLOW = 1e-3  # of the same: speed from which a cage may turn round
 CLOSE = 0.1  # of the speed of a cage: step by which its balls move as by closed forms
 STRAIGHT = 0.3  # of the same: how far two balances may be from each other that a third is extrapolated from
 FURTHEST = 1.5  # of that distance: how far beyond
-SPEEDS = 18  # of a cage at least that three times the budget of other searches is enough for
+SPEEDS = (
+    18  # of a cage at least that three times the budget of other searches is enough for; the first takes two
+)
 NEARLY = 1e-8  # of the torques around a cage: what is left where all may be in balance
 SPEED_ERROR = 1e-13  # of the speed of the rings
 TRIED = (
@@ -52,7 +54,7 @@ def by_cage_speed(balance: AngularBalance, solve: Solve) -> tuple[RingSolution |
     held = HeldCage(balance, solve)
     try:
         speed, torque = held.begin()
-        step = FIRST_STEP
+        step, growth = FIRST_STEP, 5.0
         while step > LEAST_STEP:
             upward = max(CLOSE * abs(speed), FIRST_STEP)  # where a cage that rolls is not far
             further = speed + (min(step, upward) if torque > 0 else -step)
@@ -62,9 +64,9 @@ def by_cage_speed(balance: AngularBalance, solve: Solve) -> tuple[RingSolution |
             if there * torque < 0:
                 return held.balanced_between(*sorted((speed, further))), held.evaluations
             if np.isfinite(there):
-                speed, torque, step = further, there, 5 * step
+                speed, torque, step = further, there, growth * step
             else:
-                step = abs(further - speed) / 4
+                step, growth = abs(further - speed) / 4, 2.0
     except _Balanced as balanced:
         return balanced.solution, held.evaluations
     except (_Lost, BudgetSpent):
@@ -205,7 +207,8 @@ class HeldCage:
         for start in self._starts(speed, closed):
             if self.evaluations >= (budget := 3 * BUDGET // balance.control.cost):
                 raise BudgetSpent
-            solution = newton(balance, *start, near, budget=budget // SPEEDS)
+            share = SPEEDS if self.known else SPEEDS // 2
+            solution = newton(balance, *start, near, budget=budget // share)
             self.evaluations += int(solution.evaluations[0])
             if solution.outcomes[0] in ANSWERED:
                 self.known[speed] = solution, closed
