@@ -160,7 +160,7 @@ class HeldCage:
                     return None
 
     def _approached(self, speed: float) -> bool:
-        """Whether there is a balance nearer to a speed than those that are known."""
+        """Whether another balance is found on the way to a speed."""
         at = self._nearest(speed)[0]
         step = (speed - at) / 4
         while not np.isfinite(self.torque(at + step)):
