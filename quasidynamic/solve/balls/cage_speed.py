@@ -19,16 +19,10 @@ SLOW = 1e-3  # of the same: speed from which a cage may turn round
 CLOSE = 0.1  # of the speed of a cage: step by which its balls move as by closed forms
 STRAIGHT = 0.3  # of the same: how far two balances may be from each other that a third is extrapolated from
 FURTHEST = 1.5  # of that distance: how far beyond
-SPEEDS = (
-    18  # of a cage at least that three times the budget of other searches is enough for; the first takes two
-)
+SPEEDS = 24  # of a cage at least that four times the budget of other searches is for; the first takes two
 NEARLY = 1e-8  # of the torques around a cage: what is left where all may be in balance
 SPEED_ERROR = 1e-13  # of the speed of the rings
-TRIED = (
-    0.02,
-    1.1,
-    16,
-)  # of the speed of rolling: first, last and number of speeds that several motions show at
+TRIED = (0.02, 1.1, 16)  # of the speed of rolling: first, last and number of those tried for several motions
 
 Solve = Callable[[AngularBalance], RingSolution]
 Places = tuple[NDArray, Vectors]  # of ring (1, 5) and balls (1, Z)
@@ -160,13 +154,17 @@ class HeldCage:
                     return None
 
     def _approached(self, speed: float) -> bool:
-        """Whether another balance is found on the way to a speed."""
+        """Whether another balance is found on the way to a speed; equal steps go on up to a zero of M."""
         at = self._nearest(speed)[0]
-        step = (speed - at) / 4
-        while not np.isfinite(self.torque(at + step)):
+        step, before = (speed - at) / 4, self.torques[at]
+        while not np.isfinite(torque := self.torque(at + step)):
             step /= 4
             if abs(step) < LEAST_STEP:
                 return False
+        at += step
+        while torque * before > 0 and abs(speed - at) > abs(step):
+            at += step
+            torque = self.torque(at)
         return True
 
     def _known_torque(self, speed: float) -> float:
@@ -205,7 +203,7 @@ class HeldCage:
         if self.known:
             near = self.known[self._nearest(speed)[0]][0].near
         for start in self._starts(speed, closed):
-            if self.evaluations >= (budget := 3 * BUDGET // balance.control.cost):
+            if self.evaluations >= (budget := 4 * BUDGET // balance.control.cost):
                 raise BudgetSpent
             share = SPEEDS if self.known else SPEEDS // 2
             solution = newton(balance, *start, near, budget=budget // share)
