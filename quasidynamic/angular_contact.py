@@ -25,15 +25,18 @@ from quasidynamic.outcome.angular_contact_state import AngularContactState
 from quasidynamic.outcome.fast_balls import FastRollingBalls
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.parts.ball_cage import BallCage
+from quasidynamic.solve.balls.cage_speed import motions_by_cage_speed
 from quasidynamic.solve.balls.coulomb_control import CoulombControl, StickingContacts
 from quasidynamic.solve.balls.refined_rolling import RefinedRolling, RollingModel, refined_kept_motion
 from quasidynamic.solve.balls.ring_in_elastic_grooves import iterate_elastic, solve_elastic
-from quasidynamic.solve.balls.ring_on_balls import SINGULAR, RingSolution, solve
+from quasidynamic.solve.balls.ring_newton import SINGULAR, RingSolution
+from quasidynamic.solve.balls.ring_on_balls import solve
 from quasidynamic.solve.step_length import SolverOutcome
 
 DIRECTIONS = ("along x", "along y", "along z", "about y", "about z")
 CARRYING = 1e-3  # of the largest load, from which a contact counts in the angles of a message
 BORNE = 0.05  # of a load: within which the part is known that shoulders bear
+DIFFERENT = 1e-3  # of the speed of the rings: difference of the speeds of a cage in two motions
 LEAST_SHARE = 1e-3  # of a motion without a force: component that is reported
 
 
@@ -130,6 +133,26 @@ class AngularContactBallBearing:
             least, most = (part, most) if borne else (least, part)
         borne = f"; they bear {least:.0%} to {most:.0%} of this load" if any(operation.load) else ""
         return NotSolved(f"{state}{borne}", state.outcome)
+
+    def other_motions(self, state: AngularContactState) -> tuple[AngularContactState, ...]:
+        """Stable steady motions of the same operation with other speeds of the cage, between rigid rings.
+
+        A ring that is held under balls in a cage may have several, see `motions_by_cage_speed`; any other
+        bearing has none here.
+        """
+        operation, control, oil = state.operation, self._race_control, state.oil
+        caged = isinstance(control, CoulombControl) and control.in_one_cage
+        if not caged or oil is None or operation.inner_speed == operation.outer_speed:
+            return ()
+        balance, others = self.equations([operation]), list[AngularContactState]()
+        for solution in motions_by_cage_speed(balance, solve):
+            (other,) = self.states([operation], balance, solution)
+            if isinstance(other, NotSolved) or other.oil is None:
+                continue
+            apart = abs(other.oil.cage_speed[0] - oil.cage_speed[0])
+            if apart > DIFFERENT * abs(operation.inner_speed - operation.outer_speed):
+                others.append(other)
+        return tuple(others)
 
     def iterate(
         self, operation: RingOperation, grooves: ElasticGrooves

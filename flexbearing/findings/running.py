@@ -75,6 +75,13 @@ GYROSCOPIC_SLIP = replace(
     action="raise the load or lower the speed",
     keys=(),
 )
+SEVERAL_MOTIONS = Finding(
+    code="several-equilibria", label="difference of the axial forces of the stable motions at this place",
+    quantity="force_of_motions", at_most=0.01, grade=DANGER, source="assumed", unit="1", shown="%",
+    meaning="balls and cage of a held ring run fast or slow, by what was before; the computed motion is one",
+    action="give the axial load in place of the displacement, or a larger preload",
+    of_model=True,
+)  # fmt: skip
 STIFFNESS_IN_SERIES = Finding(
     code="stiffness-not-in-series", label="bearing and supports in series, off the stiffness with supports",
     quantity="series_error", at_most=0.02, grade=OUTSIDE, source="limit of this program", shown="%",

@@ -520,6 +520,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
         **_places(case, state),
         "static_safety": ball_lives.safety(case, state),
         "viscosity_ratio": own.known_kappa,
+        "force_of_motions": _force_of_motions(case, state),
         "least_stiffness": judged.least_stiffness(state.stiffness[None, 1:3, 1:3]),
         "rated_viscosity_ratio": own.rated_kappa,
         "clearance": judged.clearances(clearance.record(case)) if radial else None,
@@ -541,6 +542,16 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
             **judged.lives(life / MREV, speed, [case.life.required]),
         }
     return evaluate(declared.OF_BALLS, values)
+
+
+def _force_of_motions(case: FastCase, state: qd.AngularContactState) -> float | None:
+    """Range of the axial forces of all stable motions over the largest; of a held ring with a cage alone."""
+    held = state.operation.displacement[0] is not None
+    if case.bearing.cage is None or not held or state.groove_displacement is not None:
+        return None
+    motions = (state, *bearing(case).other_motions(state))
+    forces = np.array([motion.ring_load[0] for motion in motions])
+    return float(np.ptp(forces) / np.abs(forces).max()) if forces.any() else None
 
 
 def _radial(case: FastCase) -> complex:

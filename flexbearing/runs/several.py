@@ -7,13 +7,14 @@ from typing import Any
 import numpy as np
 
 from flexbearing.coupling import LinearPair
+from flexbearing.findings.running import SEVERAL_MOTIONS
 from flexbearing.quantities.reductions import loaded_rollers
 from quasidynamic import Equilibrium, NotSolved, RollerBearing
 from quasidynamic.note import Note, danger, information
 from quasidynamic.several.indicator import cage_balances_often
 
-CODE = "several-equilibria"
-MATERIAL = 0.01  # of the largest load, life or torque, by which states differ enough to mislead (assumed)
+CODE = SEVERAL_MOTIONS.code
+MATERIAL = SEVERAL_MOTIONS.limit  # of the largest load, life or torque, as of balls
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 import re
 from dataclasses import replace
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -76,6 +77,7 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
     ("contact-height", DANGER, ""): 0.45,
     ("gyroscopic-moment", OUTSIDE, "friction"): 1.0,
     ("gyroscopic-slip", OUTSIDE, "friction"): 1.0,
+    ("several-equilibria", DANGER, ""): 0.01,
     ("preload", USUAL, ""): 0.0,
     ("raceway-slope", USUAL, ""): np.radians(4 / 60),
     ("pressed-end", OUTSIDE, ""): 0.095,
@@ -87,7 +89,8 @@ BASES = {"static_pressure": rating_life.ROLLERS, "dynamic_rating": 7e4, "static_
          "yield_stress": 9e8, "friction": 0.1, "mixed_film_ratio": MIXED_FROM,
          "required_life": 7.2e7, "radial_load": 4e3, "rib_strength": 5e3, "rib_strength_of_series_2": 4e3,
          "warm_rib_load": 1e3, "limiting_speed": 900.0, "reference_speed": 800.0}  # fmt: skip
-OTHER_BALLS = {"preload": DEEP, "yield-stress": STRESSED}
+HELD = (str(Path(__file__).with_name("held_in_a_cage.toml")),)
+OTHER_BALLS = {"preload": DEEP, "yield-stress": STRESSED, "several-equilibria": HELD}
 CASES = [
     *((number, "OF_ROLLERS",
        BARS if each.code in FLEXIBLE else RATED if each.code in OF_RATINGS

@@ -18,7 +18,8 @@ from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
 from quasidynamic.solve.balls.ball_equilibrium import balance_balls
 from quasidynamic.solve.balls.coulomb_control import NOISE, CoulombControl
-from quasidynamic.solve.balls.ring_on_balls import _at, start
+from quasidynamic.solve.balls.ring_newton import _at
+from quasidynamic.solve.balls.ring_on_balls import start
 from quasidynamic.solve.balls.sliding_motion import sliding_motion
 from tests.random_balls import drawn_sliding, unbalanced
 

@@ -14,7 +14,8 @@ from quasidynamic.solve.balls.ring_in_elastic_grooves import (
     as_solution,
     solve_elastic,
 )
-from quasidynamic.solve.balls.ring_on_balls import newton, solve
+from quasidynamic.solve.balls.ring_newton import newton
+from quasidynamic.solve.balls.ring_on_balls import solve
 from quasidynamic.solve.step_length import SolverOutcome
 from tests.quasidynamic.test_elastic_grooves import random_groove
 from tests.random_balls import drawn, drawn_deep_groove

@@ -14,11 +14,12 @@ from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, Ri
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
 from quasidynamic.solve.arclength import LinearisedEquations, follow
-from quasidynamic.solve.balls import ring_on_balls
+from quasidynamic.solve.balls import ring_newton, ring_on_balls
 from quasidynamic.solve.balls.ball_equilibrium import balanced, force_scales, resolved
 from quasidynamic.solve.balls.frozen_solve import BorderedMatrix, frozen_solve
 from quasidynamic.solve.balls.inertia_homotopy import InertiaFamily, inertia_homotopy
-from quasidynamic.solve.balls.ring_on_balls import BUDGET, RingSolution, newton, solve, start
+from quasidynamic.solve.balls.ring_newton import BUDGET, RingSolution, newton
+from quasidynamic.solve.balls.ring_on_balls import solve, start
 from quasidynamic.solve.balls.ring_on_springs import LONGEST, newton_step
 from quasidynamic.solve.corners import followed_through
 from quasidynamic.solve.step_length import SolverOutcome
@@ -104,7 +105,7 @@ def test_derivatives_of_the_path():
 
 
 def test_cases_beside_each_other_end_on_their_own_paths(monkeypatch):
-    monkeypatch.setattr(ring_on_balls, "LIMIT", 1)  # of Newton's method, so that each needs a path
+    monkeypatch.setattr(ring_newton, "LIMIT", 1)  # of Newton's method, so that each needs a path
     cases = (LOADS["heavier"], 400.0, 0.0), (PRESSED, SPEED, 2e-6)
     held = np.arange(5)[None] > 2  # against tilting, at a tilt of its own
     each = [
@@ -165,7 +166,8 @@ def test_search_along_a_path_ends_with_its_budget():
 
 @pytest.mark.slow
 def test_searches_that_end_with_their_budgets_are_told_with_what_they_cost(monkeypatch):
-    monkeypatch.setattr(ring_on_balls, "BUDGET", 0)
+    for module in (ring_newton, ring_on_balls):
+        monkeypatch.setattr(module, "BUDGET", 0)
     model = AngularContactBallBearing(bearing=BEARING, control="inner")
     force = float(balance(LOADS["heavier"], "inner", 1111.6).free_centrifugal[0, 0])
     lever = np.array([1.0, 1.0, 1.0, *[BEARING.inner_groove_radius] * 2])

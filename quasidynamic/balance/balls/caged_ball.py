@@ -100,8 +100,8 @@ class Pockets:
         """
         return (self.outer_speed - rolling - self.base) - change - self.speed
 
-    def forces(self, motion: NDArray, lead: NDArray) -> PocketForces:
-        """Forces at motions (N, 4), of the orbit by its lead over the cage (N) [-]."""
+    def forces(self, motion: NDArray, lead: NDArray, part: NDArray | float = 1.0) -> PocketForces:
+        """Forces at motions (N, 4), of the orbit by its lead (N) [-], with a part (N) of the friction."""
         displacement = self.advance * lead
         force, stiffness = ball_on_pocket_force(displacement, self.cage.pocket_clearance, self.stop)
         by_speed = self.advance * stiffness
@@ -110,7 +110,7 @@ class Pockets:
         sense = spin / turning[:, None]
         rounded = np.sqrt(force**2 + (ROUNDING * BALL_FILM_LOAD) ** 2)
         share = force / rounded
-        arm = self.cage.pocket_friction * self.ball_radius
+        arm = part * self.cage.pocket_friction * self.ball_radius
         brake = arm * force * share
         along = sense @ IN_CAGE  # (N, 4)
         left = brake[:, None] * along

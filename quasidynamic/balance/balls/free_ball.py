@@ -246,32 +246,34 @@ class FreeBalls:
         assert oil.pockets is not None
         return replace(self, oil=replace(oil, pockets=replace(oil.pockets, base=base)))
 
-    def pocket(self, unknowns: NDArray) -> PocketForces | None:
-        """Forces of pockets at unknowns (N, 4); None without a cage."""
+    def pocket(self, unknowns: NDArray, part: NDArray | float = 1.0) -> PocketForces | None:
+        """Forces of pockets at unknowns (N, 4), with a part (N) of their friction; None without a cage."""
         pockets = self.oil and self.oil.pockets
         if pockets is None:
             return None
         change = np.einsum("nj,nj->n", self.unknowns[:, ORBIT], unknowns)
-        return pockets.forces(self.motion(unknowns), pockets.lead(self.rolling[:, ORBIT], change))
+        lead = pockets.lead(self.rolling[:, ORBIT], change)
+        return pockets.forces(self.motion(unknowns), lead, part)
 
     def balance(
-        self, unknowns: NDArray, friction: GeneralSliding | OiledFriction, part: float = 1.0
+        self, unknowns: NDArray, friction: GeneralSliding | OiledFriction, part: NDArray | float = 1.0
     ) -> FreeBallBalance:
-        """Balance at unknowns (N, 4), of the friction there with a part of the gyroscopic moments."""
+        """Balance at unknowns (N, 4), of sliding and pocket films with a part (N) of all other moments."""
         motion, sliding = self.motion(unknowns), sliding_of(friction)
-        by_motion, by_motions = gyroscopic(motion, part * self.gyration, self.outer_speed)
+        by_motion, by_motions = gyroscopic(motion, self.gyration, self.outer_speed)
         above = np.einsum("ngij,ngi->nj", self.by_unknown**2, sliding.majorant)
         turned, back = np.swapaxes(self.by_unknown, -1, -2), np.swapaxes(self.unknowns, -1, -2)
-        slopes = (turned @ self.force_slopes(friction)).sum(1)
+        slopes, share = (turned @ self.force_slopes(friction)).sum(1), np.reshape(part, (-1, 1))
         if self.oil is not None and isinstance(friction, OiledFriction):
             mixture = self.oil.mixture(motion, self.contacts, self.outer_speed)
             by_motion = by_motion - mixture.left - self.oil.rolling_by_motion(friction).sum(1)
             by_motions = by_motions - mixture.slopes
             rolling, most = self.oil.rolling_slopes(friction, self._mean_by_unknown)
-            slopes, above = slopes + rolling, above + most
-            if (pocket := self.pocket(unknowns)) is not None:
-                by_motion, by_motions = by_motion - pocket.left, by_motions - pocket.slopes
-                above = above + pocket.slopes[:, [ORBIT], ORBIT] * self.unknowns[:, ORBIT] ** 2
+            slopes, above = slopes + share[..., None] * rolling, above + share * most
+        by_motion, by_motions = share * by_motion, share[..., None] * by_motions
+        if (pocket := self.pocket(unknowns, part)) is not None:
+            by_motion, by_motions = by_motion - pocket.left, by_motions - pocket.slopes
+            above = above + pocket.slopes[:, [ORBIT], ORBIT] * self.unknowns[:, ORBIT] ** 2
         return FreeBallBalance(
             left=np.einsum("ngij,ngi->nj", self.by_unknown, sliding.by_slip)
             - (back @ by_motion[..., None])[..., 0],

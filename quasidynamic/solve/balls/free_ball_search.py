@@ -22,7 +22,8 @@ LOAD, ANGLE = 0, 1  # what a contact is given by
 ONE_STEP_AWAY = 1e-7  # of the largest friction: moments left from which one more Newton step ends in rounding
 COARSE_TOLERANCE = 1e-4  # the same for the search with few points
 LIMIT = 60  # evaluations in one search, rarely more than six
-PARTS = (0.0, 0.5, 1.0)  # of the gyroscopic moments, where one search with all of them fails
+FIRST_PART, LEAST_PART = 1e-2, 1e-4  # of the moments, see `FreeBalls.balance`: first and least step of a path
+GROWTH = 10.0  # of a step, once one has succeeded
 CAUTION = np.array([0.0, 0.0, 1e-3, 1e-2, 0.1, 1.0, 10.0])  # share of the majorant in one try after the other
 GAIN = 0.5  # of the work on a step or of the size of what is left: enough gained by a step
 NEUTRAL = 0.347**2  # of the fall of the surface to the edge of a contact: lines of rolling without spin
@@ -187,17 +188,32 @@ def searched_again(
     unknowns, left = searched(balls, start, 1.0, resolution)
     lost = ~(left <= resolution[1])
     if lost.any():
-        some = balls.taken(lost)
-        path, left_there = least_heat(some), left[lost]
-        for part in PARTS:
-            path, left_there = searched(some, path, part, resolution)
-        unknowns[lost], left[lost] = path, left_there
+        unknowns[lost], left[lost] = _along_moments(balls.taken(lost), resolution)
     for begin in _starts(balls):
         lost = ~(left <= resolution[1])
         if not lost.any():
             break
         unknowns[lost], left[lost] = searched(balls.taken(lost), begin[lost], 1.0, resolution)
     return unknowns
+
+
+def _along_moments(balls: FreeBalls, resolution: tuple[EllipsePoints, float]) -> tuple[NDArray, NDArray]:
+    """Unknowns (N, 4) at the end of a path to all moments, see `FreeBalls.balance`, and what is left (N).
+
+    It begins at the minimum of a convex function: heat, with work of the pocket films; each ball has steps of
+    its own.
+    """
+    path, left = searched(balls, least_heat(balls), 0.0, resolution)
+    part, step = np.zeros(len(path)), np.where(left <= resolution[1], FIRST_PART, 0.0)
+    left = np.full(len(path), np.inf)
+    while (going := np.flatnonzero((part < 1.0) & (step >= LEAST_PART))).size:
+        further = np.minimum(part[going] + step[going], 1.0)
+        trial, size = searched(balls.taken(going), path[going], further, resolution)
+        found = size <= resolution[1]
+        path[going[found]], part[going[found]] = trial[found], further[found]
+        step[going] *= np.where(found, GROWTH, 0.25)
+        left[going[further == 1.0]] = size[further == 1.0]
+    return path, left
 
 
 def least_heat(balls: FreeBalls) -> NDArray:
@@ -231,22 +247,23 @@ def _starts(balls: FreeBalls) -> NDArray:
 
 
 def searched(
-    balls: FreeBalls, start: NDArray, part: float, resolution: tuple[EllipsePoints, float]
+    balls: FreeBalls, start: NDArray, part: NDArray | float, resolution: tuple[EllipsePoints, float]
 ) -> tuple[NDArray, NDArray]:
-    """Unknowns (N, 4) and what is left (N) with a part of the gyroscopic moments.
+    """Unknowns (N, 4) and what is left (N) with a part (N) of the moments, see `FreeBalls.balance`.
 
     Newton steps, shortened where they go too far; where that does not help, steps that a share of the
     majorant of the heat holds back.
     """
     points, tolerance = resolution
 
-    def at(some: FreeBalls, unknowns: NDArray) -> tuple[FreeBallBalance, NDArray]:
+    def at(some: FreeBalls, unknowns: NDArray, part: NDArray) -> tuple[FreeBallBalance, NDArray]:
         moments = some.balance(unknowns, some.friction(unknowns, points), part)
         return moments, np.abs(moments.left) / some.scale
 
     solution, left, running = start.copy(), np.full(len(start), np.inf), np.arange(len(start))
     tries, shorter, evaluations = np.zeros(len(start), int), np.ones(len(start)), 1
-    state, size = at(balls, start)
+    part = np.broadcast_to(part, len(start))
+    state, size = at(balls, start, part)
     while True:
         left[running] = size.max(1)
         going = (left[running] > tolerance) & (tries < len(CAUTION))
@@ -254,10 +271,10 @@ def searched(
             return solution, left
         if not going.all():
             running, balls, state, size = running[going], balls.taken(going), state.taken(going), size[going]
-            tries, shorter = tries[going], shorter[going]
+            tries, shorter, part = tries[going], shorter[going], part[going]
         step = shorter[:, None] * _step(balls, state, CAUTION[tries])
         trial = solution[running] + step
-        (trial_state, trial_size), evaluations = at(balls, trial), evaluations + 1
+        (trial_state, trial_size), evaluations = at(balls, trial, part), evaluations + 1
         ahead, past = (state.left * step).sum(1), (trial_state.left * step).sum(1)
         most, before = trial_size.max(1), size.max(1)
         closer = (

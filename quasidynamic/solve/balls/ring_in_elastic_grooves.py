@@ -16,16 +16,15 @@ from quasidynamic.solve.balls.ball_equilibrium import (
     along_arc,
     at_places,
     balance_balls,
-    resolved,
 )
-from quasidynamic.solve.balls.ring_on_balls import (
+from quasidynamic.solve.balls.ring_newton import (
     ANSWERED,
     BALL_SHARE,
-    TINY,
     RingSolution,
-    solve,
-    tolerance_of,
+    forces_left,
+    moves_left,
 )
+from quasidynamic.solve.balls.ring_on_balls import solve
 from quasidynamic.solve.balls.ring_on_springs import stiffened_step
 from quasidynamic.solve.step_length import SolverOutcome
 
@@ -408,15 +407,13 @@ def _with_balls(
     Newton's method needs light balls that stay and contact angles that wait for the balls: slopes do not
     reach far there.
     """
-    at, balls, scales = balance.grooves(places.ring) + places.shape, result.balls, result.scales
-    moves = -resolved(balls, np.concatenate([balls.excess[None], balls.by_groove[:, 0]]))
+    at, balls = balance.grooves(places.ring) + places.shape, result.balls
+    ball_moves, follow = moves_left(result)
     if not exact:
-        moves[0, result.left <= scales.allowed()] = 0.0
-    turns = _turns(at, result.centres, moves)
+        ball_moves[result.left <= result.scales.allowed()] = 0.0
+    turns = _turns(at, result.centres, np.concatenate([ball_moves[None], follow]))
     if not exact:
         turns[..., 0] = 0.0
-    ball_moves, follow = moves[0], moves[1:]
-    _, force, traction = moved(balls.by_ball, ball_moves)
     forces, by_moves = _on_races(balance, result, at, ball_moves, follow)
     displaced, deflection_by_moves = _displaced(grooves, balls, forces, by_moves, turns)
     misfit = places.grooves.view(float).reshape(displaced.shape) - displaced
@@ -430,13 +427,9 @@ def _with_balls(
     by_traction = balls.by_groove[:, 2] + moved(balls.by_ball[:, 2, None], follow[:, None])[:, 0]
     changes = _on_ring(balance, -by_moves[:, 0], by_traction, relative_moves)
     ring = balance.ring(balls, follow)
-    excess = np.where(balance.held, 0.0, ring.excess - balance.on_ring(force, traction))
-    tolerance, left = tolerance_of(balance), result.left.max(1)
-    near = left[:, None] <= scales.allowed(tolerance)
-    counted = np.abs(np.where(near, ring.excess, excess)).max(1)  # no balance by what balls would do
+    left = forces_left(balance, result, ring, ball_moves)
     misfit_force = np.abs(by_moves).max((1, 2, 3, 4)) * np.abs(closing).max(1)
-    largest = np.maximum(np.maximum(scales.largest, scales.noise / tolerance), TINY)
-    imbalance = np.maximum.reduce([counted, misfit_force, left]) / largest
+    imbalance = np.maximum(misfit_force, left.force) / left.largest
     return State(
         *places._replace(centres=result.centres),
         ball_moves=ball_moves,
@@ -445,8 +438,8 @@ def _with_balls(
         by_moves=by_moves,
         misfit=misfit,
         deflection_by_moves=deflection_by_moves,
-        excess=excess,
-        excess_after=np.where(balance.held, 0.0, excess - changes[..., 5]),
+        excess=left.excess,
+        excess_after=np.where(balance.held, 0.0, left.excess - changes[..., 5]),
         stiffness=changes[..., :5],
         carried=ring.carried,
         by_ring=relative_moves[..., :5],
