@@ -7,6 +7,7 @@ from typing import Literal
 import quasidynamic as qd
 from flexbearing.build import clearance, held_ring, profiles, ring_parts
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
+from flexbearing.build.guided_cage import guided_cage
 from flexbearing.build.lubrication import lubrication
 from flexbearing.build.out_of_round import raceway_waves
 from flexbearing.case.roller import Case
@@ -141,18 +142,13 @@ def _waves(case: Case, race: Literal["inner", "outer"]) -> RacewayWaves | None:
 
 def _cage(case: Case) -> qd.Cage:
     cage = case.bearing.cage
-    land = ("land_diameter", "land_width", "land_clearance")
-    return qd.Cage(
-        guidance=cage.guidance,
-        pocket_friction=cage.pocket_friction,
-        thickness=cage.thickness,
+    return replace(
+        guided_cage(cage),
         mass=cage.mass or 0.0,
-        land_flow=cage.land_flow,
         free=cage.centre == "free",
         unbalance=cage.unbalance,
         unbalance_azimuth=cage.unbalance_azimuth,
         pocket_clearance=cage.pocket_clearance,
-        **{name: getattr(cage, name) for name in land if getattr(cage, name) is not None},
     )
 
 

@@ -4,9 +4,11 @@ from dataclasses import replace
 
 import quasidynamic as qd
 from flexbearing.build import profiles, tapered_fits
+from flexbearing.build.guided_cage import guided_cage
 from flexbearing.case.balls.pair import Pair
 from flexbearing.case.tapered import TaperedCase
 from quasidynamic.parts.angular_contact_bearing import RowPlace
+from quasidynamic.parts.roller_bearing import FREE_POCKETS
 from quasidynamic.parts.tapered_bearing import spherical_rib
 
 
@@ -38,6 +40,12 @@ def bearing(case: TaperedCase) -> qd.TaperedRollerBearing:
     if own.pair is not None:
         return replace(one, rows=_rows(case, own.pair, one))
     return one if own.fits is None else replace(one, rows=(RowPlace(closer=tapered_fits.closer(case)),))
+
+
+def cage(case: TaperedCase) -> qd.Cage:
+    """Cage of every row; one that the rollers guide in pockets without friction where the case has none."""
+    own = case.bearing.cage
+    return FREE_POCKETS if own is None else guided_cage(own)
 
 
 def _rows(case: TaperedCase, pair: Pair, one: qd.TaperedRollerBearing) -> tuple[RowPlace, RowPlace]:

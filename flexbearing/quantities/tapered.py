@@ -25,6 +25,7 @@ from flexbearing.quantities.reductions import (
     displacements,
     largest,
     largest_of_all,
+    largest_size,
     loaded_arc_in_degrees,
     loaded_rollers,
     place_of_largest,
@@ -33,7 +34,7 @@ from flexbearing.quantities.reductions import (
     total,
 )
 from flexbearing.quantities.stiffness import RADIAL_STIFFNESSES
-from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, MREV, RPM, UM
+from flexbearing.quantities.units import COUNT, DEG, MM, MPA, MRAD, MREV, PERCENT, RPM, UM
 
 RING, CONTACT = "ring", "contact"  # sections of the page
 _ORDER = "x, y, z, about y, about z; these about the point of the axis in the plane of the roller centres"
@@ -45,8 +46,11 @@ LOSSES = (  # causes, words, sources
     ("sliding", "sliding of the raceways on the rollers", "friction.sliding_heat.sum"),
     ("rolling", "rolling friction of the oil film", "friction.rolling_heat.sum"),
     ("rib", "friction of the rib", "friction.rib_heat.sum"),
-    ("drag", "drag of the mixture on the orbiting rollers", "friction.drag_heat"),
-    ("churning", "churning around the spinning rollers", "friction.churning_heat"),
+    ("drag", "drag of the mixture on the orbiting rollers", "friction.drag_heat.sum"),
+    ("pocket", "friction of the rollers in the pockets", "friction.pocket_heat.sum"),
+    ("land", "the guiding land of the cage", "friction.land_heat.sum"),
+    ("churning", "churning around the spinning rollers", "friction.churning_heat.sum"),
+    ("transport", "discretisation: what differences of the spins leave, no loss", "friction.transport.sum"),
 )
 _SLICES = "from the small end of the rollers to the large one"
 
@@ -154,15 +158,23 @@ QUANTITIES = (
         f"{_NO_FRICTION}, or bearing.roughness", source="solution.film_ratio", optional=True, summary=(
             SummaryValue("minimum_lambda", _least_ratios,
                  "smallest film ratio", ".2f", parts=RACES),)),
-    Quantity("rolling_traction", "T_i, T_o", "race Z", "N", "block",
-        "force of the raceways (inner, outer) on the roller in the middle of the contacts, along its motion, "
-        f"that keeps it rolling; {_NO_FRICTION}", source="friction.rolling_traction", optional=True),
-    Quantity("traction_share", "", "race Z", "1", "block",
-        "that force and the tractions of sliding slices over the load of the contact (inner, outer): what "
-        f"the films must transmit, 0 without load; {_NO_FRICTION}", source="friction.traction_share",
-        optional=True, summary=(
-            SummaryValue("max_traction_share", lambda share: share.max((-2, -1)),
-                "largest traction over load", ".4f"),)),
+    Quantity("cage_slip", "s", "", "1", "block",
+        "1 - cage speed / cage_speed, positive: the cage lags behind; of two rows the larger one; "
+        f"{_NO_FRICTION}, and where cage_speed is zero", source="friction.cage_slip", people=PERCENT,
+        optional=True, summary=(SummaryValue("cage_slip_percent", label="cage slip", digits=".3f"),)),
+    Quantity("cage_force", "F_c", "Z", "N", "block",
+        f"force of the cage on the roller, positive to +azimuth; {_NO_FRICTION}",
+        source="friction.state.pocket_force", optional=True, summary=(
+            SummaryValue("max_pocket_force_N", largest_size, "largest pocket force", ",.2f"),)),
+    Quantity("roller_slip", "", "Z", "1", "block",
+        "1 - spin of the roller / spin in pure rolling, positive: it lags behind, 1: it does not spin; "
+        f"{_NO_FRICTION}", source="friction.roller_slip", people=PERCENT, optional=True),
+    Quantity("inner_traction", "T_i", "Z", "N", "block",
+        f"traction of the inner raceway on the roller, positive to +azimuth; {_NO_FRICTION}",
+        source="friction.traction.0", optional=True),
+    Quantity("outer_traction", "T_o", "Z", "N", "block",
+        f"traction of the outer raceway on the roller, positive to +azimuth; {_NO_FRICTION}",
+        source="friction.traction.1", optional=True),
     friction_intensity("friction.friction_intensity", OF_SLICES, _NO_FRICTION),
     *(
         Quantity(f"loss_{cause}", "", "", "W", "block", f"power lost by {words}; {_NO_FRICTION}",
@@ -243,7 +255,7 @@ QUANTITIES = (
 
     # motion
     Quantity("cage_speed", "omega_c", "", "rad/s", "block",
-        "speed of the rollers about the bearing axis in pure rolling, positive to +azimuth",
+        "speed of the rollers about the bearing axis in pure rolling, positive to +azimuth; see cage_slip",
         source="loads.speeds.orbit", people=RPM,
         summary=(SummaryValue("cage_speed_rpm", label="cage speed", digits=",.0f"),)),
     Quantity("roller_speed", "omega_r", "", "rad/s", "block",

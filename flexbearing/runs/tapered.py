@@ -56,7 +56,8 @@ class Solution:
         if not self.case.outputs.friction:
             return None
         laws = lubrication.lubrication(self.case)
-        return TaperedFriction(self.loads, laws, self.case.bearing.rib.friction)
+        cage = tapered_bearing.cage(self.case)
+        return TaperedFriction(self.loads, laws, self.case.bearing.rib.friction, cage)
 
     @property
     def film_ratio(self) -> NDArray | None:
@@ -81,8 +82,10 @@ class Solution:
 
         Source
         ------
-        Coulomb friction at the speed of pure rolling.
+        Coulomb friction at the speed of pure rolling; with friction in the speeds that of `TaperedFriction`.
         """
+        if self.friction is not None:
+            return self.friction.rib_heat
         sliding = abs(self.loads.speeds.rib_sliding)
         return self.case.bearing.rib.friction * self.loads.rib_loads * sliding
 
@@ -229,7 +232,7 @@ def _neglected(solution: Solution) -> dict[str, float]:
         return {}
     rib, friction = solution.case.bearing.rib.friction * float(loads.rib_loads.max()), solution.friction
     raceways = {} if friction is None else {
-        "friction of the raceways": float(np.abs(friction.rolling_traction).max() / largest)
+        "friction of the raceways": float(np.abs(friction.traction).max() / largest)
     }  # fmt: skip
     return {
         "weight of the rollers": float(weight_share(loads.bearing.roller.mass, largest)),
@@ -240,13 +243,12 @@ def _neglected(solution: Solution) -> dict[str, float]:
 
 def notes(solution: Solution, found: Sequence[Judged]) -> tuple[Note, ...]:
     """What a user must know of the solution, judged by findings before."""
-    words = (
-        "rollers roll without slip at mid-contact: friction of the raceways, oil film and cage are left out "
-        "of loads and speeds; centrifugal forces and gyroscopic moments are in them"
-    )
-    if solution.friction is not None:
-        share = float(solution.friction.traction_share.max())
-        words += f". For that the raceways must pull the rollers with up to {share:.2g} times their load"
+    without = "friction of the raceways, oil film and cage are left out of loads"
+    inertia = "centrifugal forces and gyroscopic moments of pure rolling are in them"
+    if solution.friction is None:
+        words = f"rollers roll without slip at mid-contact: {without} and speeds; {inertia}"
+    else:
+        words = f"{without}, which have no part of the slip; {inertia}"
     left_out = information("rollers-in-pure-rolling", words)
     of_oil = () if solution.friction is None else solution.friction.lubrication.oil.notes
     rated = tapered_lives.rated(solution.case).notes

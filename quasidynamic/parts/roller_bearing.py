@@ -93,6 +93,9 @@ class Cage:
                 require_positive(f"cage.{name}", getattr(self, name))
 
 
+FREE_POCKETS = Cage(guidance="rollers", pocket_friction=0.0, thickness=0.0)
+
+
 @dataclass(frozen=True, kw_only=True)
 class Roller:
     """A cylindrical roller."""

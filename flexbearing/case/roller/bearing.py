@@ -114,8 +114,8 @@ class Roller(Generatrix, Cylinder):  # the keys of the last one stand first
         return self
 
 
-class Cage(Section):
-    """The cage."""
+class GuidedCage(Section):
+    """What guides a cage, and its pockets."""
 
     guidance: Literal["outer", "inner", "rollers"] = key(
         "what the cage runs on: a ring's land or the rollers"
@@ -123,12 +123,6 @@ class Cage(Section):
     pocket_friction: float = key("Coulomb friction between roller and pocket", example=0.05, ge=0, le=1)
     thickness: Length = key(
         "radial thickness; the cage shields that part of each roller from the mixture", ge=0
-    )
-    mass: Mass | None = key(
-        "mass: the weight of a free cage and its unbalance; elsewhere it only slows the cage where a start "
-        "from rest is followed in time, and that of the rollers will do",
-        None,
-        gt=0,
     )
     land_diameter: Length | None = key(
         "diameter of the guiding land, between the pitch circle and the raceway of the ring that guides",
@@ -145,6 +139,23 @@ class Cage(Section):
         "flow of the oil in the land: laminar, or with Taylor vortices and turbulence", "laminar", only=_LAND
     )
 
+    @model_validator(mode="after")
+    def _land(self) -> Self:
+        if self.guidance != "rollers":
+            names = ("land_diameter", "land_width", "land_clearance")
+            require(self, names, f'guidance = "{self.guidance}"')
+        return self
+
+
+class Cage(GuidedCage):
+    """The cage."""
+
+    mass: Mass | None = key(
+        "mass: the weight of a free cage and its unbalance; elsewhere it only slows the cage where a start "
+        "from rest is followed in time, and that of the rollers will do",
+        None,
+        gt=0,
+    )
     centre: Literal["held", "free"] = key(
         "held: the cage stays concentric with its land; free: it floats where the oil film of the land "
         "carries the push of its pockets",
@@ -164,11 +175,8 @@ class Cage(Section):
     )
 
     @model_validator(mode="after")
-    def _land(self) -> Self:
-        if self.guidance != "rollers":
-            names = ("land_diameter", "land_width", "land_clearance")
-            require(self, names, f'guidance = "{self.guidance}"')
-        elif self.centre == "free":
+    def _centre(self) -> Self:
+        if self.guidance == "rollers" and self.centre == "free":
             raise impossible("centre", '"held" where rollers guide the cage: only a land carries a free one')
         if self.centre == "free":
             require(self, ("mass",), 'centre = "free"')

@@ -26,7 +26,7 @@ from flexbearing.case.quantity import (
     needed,
 )
 from flexbearing.case.ratings import TaperedLife, require_ratable
-from flexbearing.case.roller.bearing import Roller, Roughness
+from flexbearing.case.roller.bearing import GuidedCage, Roller, Roughness
 from flexbearing.case.roller.lubricant import FilmName
 from flexbearing.case.roller.profile import Generatrix
 from flexbearing.case.tapered.rings import TaperedAccuracy, TaperedInner, TaperedOuter
@@ -53,7 +53,7 @@ class Rib(Section):
         example="150 mm",
         gt=0,
     )
-    friction: float = key("Coulomb friction of the ends on the rib, for its heat", example=0.05, ge=0, le=1)
+    friction: float = key("Coulomb friction of the ends on the rib", example=0.05, ge=0, le=1)
 
 
 class TaperedBearing(FittedBearing):
@@ -87,6 +87,11 @@ class TaperedBearing(FittedBearing):
     rib: Rib = key("the rib of the inner ring, which holds the large ends of the rollers")
     roughness: Roughness | None = key(
         "roughness of rollers and raceways, for film ratios", None, only=FRICTION
+    )
+    cage: GuidedCage | None = key(
+        "the cage, of every row; without it the rollers guide one with pockets without friction",
+        None,
+        only=FRICTION,
     )
 
     pair: Pair | None = key(
@@ -168,9 +173,21 @@ class TaperedBearing(FittedBearing):
         most = int(pi / asin(self.roller.diameter / self.pitch_diameter) * (1 - 1e-12))
         if self.rollers > most:
             raise impossible("rollers", f"at most {most}, or they touch on the pitch circle")
+        if self.cage is not None:
+            self._require_cage_between_raceways(self.cage)
         if self.cone_angle is not None and self.cone_angle >= self.cup_angle:
             raise impossible("cone_angle", "below bearing.cup_angle: rollers taper towards the apex")
         return self
+
+    def _require_cage_between_raceways(self, cage: GuidedCage) -> None:
+        if cage.thickness >= self.roller.diameter:
+            raise impossible(
+                "cage.thickness", f"below {in_mm(self.roller.diameter)}, bearing.roller.diameter"
+            )
+        reach = self.roller.diameter + self.roller.length * sin(self.cup_angle)  # of the rollers' outlines
+        low, high = self.pitch_diameter - reach, self.pitch_diameter + reach
+        if cage.land_diameter is not None and not low <= cage.land_diameter <= high:
+            raise impossible("cage.land_diameter", f"{in_mm(low)} to {in_mm(high)}, beside the rollers")
 
     @model_validator(mode="after")
     def _profiles_fit(self) -> Self:
@@ -209,8 +226,8 @@ class TaperedOutputs(LifeOutputs):
     """What is computed beside the solution."""
 
     friction: bool = key(
-        "whether films, tractions, torque and heat of rollers that roll without slip are computed, by the "
-        "laws of [lubricant]",
+        "whether films, tractions, torque, heat, slip of rollers and cage are computed, by the laws of "
+        "[lubricant]",
         False,
     )
 
@@ -307,7 +324,7 @@ class TaperedOperation(Section):
 
 
 class TaperedCase(FittedCase):
-    """A tapered roller bearing: loads with inertia, rigid or elastic rings, raceways without friction."""
+    """A tapered roller bearing: loads with inertia, rigid or elastic rings, friction in speeds alone."""
 
     file_keys = (
         "bearing.roller.points_file", "bearing.inner_raceway.points_file", "bearing.outer_raceway.points_file"
