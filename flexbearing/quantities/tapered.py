@@ -50,7 +50,6 @@ LOSSES = (  # causes, words, sources
     ("pocket", "friction of the rollers in the pockets", "friction.pocket_heat.sum"),
     ("land", "the guiding land of the cage", "friction.land_heat.sum"),
     ("churning", "churning around the spinning rollers", "friction.churning_heat.sum"),
-    ("transport", "discretisation: what differences of the spins leave, no loss", "friction.transport.sum"),
 )
 _SLICES = "from the small end of the rollers to the large one"
 
@@ -182,11 +181,16 @@ QUANTITIES = (
             summary=(SummaryValue(f"power_loss_W.{cause}", label=f"power lost by {words}", digits=",.2f"),))
         for cause, words, source in LOSSES
     ),
+    Quantity("loss_transport", "", "", "W", "block",
+        "discretisation residual, no loss: what the differences of the roller spins from azimuth to azimuth "
+        f"leave; may be negative; {_NO_FRICTION}", source="friction.transport.sum", optional=True, summary=(
+            SummaryValue("power_loss_W.transport", label="discretisation residual", digits=",.2f",
+                         compared=False),)),
     Quantity("driving_power", "", "", "W", "block",
-        f"power that the rings put in: the sum of all losses; {_NO_FRICTION}", source="friction.power",
-        optional=True, summary=(
+        f"power that the rings put in: the sum of all losses and of that residual; {_NO_FRICTION}",
+        source="friction.power", optional=True, summary=(
             SummaryValue("power_loss_W.total", total, "power lost, all of it", ",.2f",
-                of=tuple(f"loss_{cause}" for cause, *_ in LOSSES)),
+                of=(*(f"loss_{cause}" for cause, *_ in LOSSES), "loss_transport")),
             SummaryValue("driving_power_W", label="driving power", digits=",.2f"))),
     Quantity("ring_torque", "M_i, M_o", "race", "N m", "block",
         "torque that keeps each ring (inner, outer) turning or holds it, positive along the motion of the "

@@ -133,7 +133,7 @@ def _tapered(case):
     return {
         "model": {"bearing": model, "lubrication": oiled}, "operation": operation, "viscosity": viscosity,
         "law": oiled and oiled.traction(**CONTACT), "roughness": roughness(case),
-        "resolution": fineness, **elastic,
+        "cage": tapered_bearing.cage(case), "resolution": fineness, **elastic,
     }  # fmt: skip
 
 

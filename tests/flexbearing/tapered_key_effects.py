@@ -70,6 +70,13 @@ CONTEXTS = {
         **_CUP, "outer.thickness": "12 mm", "outer.width": "60 mm", "bearing.pair": {
             "arrangement": "back_to_back", "distance": "40 mm", "offset": "5 um"}}),
     "tapered, tandem": ("32207", {**_FILE, "bearing.pair": {"arrangement": "tandem", "distance": "40 mm"}}),
+    **{f"tapered, cage on {guide}": ("32207", {
+        **_FILE, "outputs.friction": True, "lubricant.oil": "ISO VG 32", "lubricant.oil_fraction": 0.02,
+        "lubricant.inlet_temperature": "60 degC", **{f"bearing.cage.{name}": value for name, value in {
+            "guidance": "rollers", "pocket_friction": 0.05, "thickness": "2 mm", **more}.items()}})
+       for guide, more in (("rollers", {}), ("a land", {
+           "guidance": "outer", "land_diameter": "60 mm", "land_width": "3 mm",
+           "land_clearance": "0.4 mm"}))},
     "tapered, rated": ("32207", {**_OILED, "lubricant.oil": "ISO VG 32"}),
     "tapered, oil by its data": ("32207", {
         **_OILED, "lubricant.viscosity": "10 mPa s", "lubricant.density": "870 kg/m^3"}),
@@ -102,6 +109,13 @@ EFFECTS = (
      "model.bearing.rib.curvature model.bearing.rib.depth "
      "model.bearing.rib.lever model.bearing.rib.stiffness"),
     ("tapered", "bearing.rib.friction", 0.06, "case.bearing.rib.friction"),
+    ("tapered, cage on a land", "bearing.cage.guidance", "inner", "cage.guidance"),
+    ("tapered, cage on a land", "bearing.cage.pocket_friction", 0.06, "cage.pocket_friction"),
+    ("tapered, cage on a land", "bearing.cage.thickness", "2.1 mm", "cage.thickness"),
+    ("tapered, cage on a land", "bearing.cage.land_diameter", "60.1 mm", "cage.land_diameter"),
+    ("tapered, cage on a land", "bearing.cage.land_width", "3.1 mm", "cage.land_width"),
+    ("tapered, cage on a land", "bearing.cage.land_clearance", "0.41 mm", "cage.land_clearance"),
+    ("tapered, cage on a land", "bearing.cage.land_flow", "vortices", "cage.land_flow"),
     ("tapered", "materials.roller.youngs_modulus", "208 GPa",
      "model.bearing.rib.stiffness model.bearing.roller.material.youngs_modulus"),
     ("tapered", "materials.roller.poisson_ratio", 0.303,

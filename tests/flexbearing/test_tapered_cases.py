@@ -153,15 +153,20 @@ def test_what_is_left_out_is_noted(result):
 
 OILED = ["outputs.friction=true", "lubricant.oil=ISO VG 100", "lubricant.inlet_temperature=60 degC",
          "lubricant.oil_fraction=0.05"]  # fmt: skip
+_CAGE = {"guidance": "outer", "pocket_friction": 0.05, "thickness": "2 mm",
+         "land_diameter": "60 mm", "land_width": "3 mm", "land_clearance": "0.4 mm"}  # fmt: skip
+CAGE = [f"bearing.cage.{name}={value}" for name, value in _CAGE.items()]
 ROUGH = [f"bearing.roughness.{name}=0.2 um" for name in ("roller", "inner_raceway", "outer_raceway")]
 
 
 def test_losses_of_all_causes_are_the_power_of_the_rings():
-    found = api.run(CASE, [*OILED, *ROUGH])
+    found = api.run(CASE, [*OILED, *ROUGH, *CAGE])
     values, case = found.rigid, read()
-    causes = [float(values[f"loss_{cause}"]) for cause in ("sliding", "rolling", "rib", "drag", "churning")]
-    assert min(causes[:4]) > 0
-    assert causes[4] == 0.0  # without lubricant.churning_gap
+    names = ("sliding", "rolling", "rib", "drag", "pocket", "land", "churning", "transport")
+    causes = [float(values[f"loss_{cause}"]) for cause in names]
+    assert min(causes[:6]) > 0
+    assert causes[6] == 0.0  # without lubricant.churning_gap
+    assert abs(causes[7]) < 1e-6 * sum(causes)
     assert float(found["driving_power"]) == approx(sum(causes), rel=1e-9)
     assert causes[2] == approx(values["rib_heat"].sum(), rel=1e-12)
     assert values["ring_torque"][0] * case.operation.inner_speed == approx(sum(causes), rel=1e-9)
@@ -169,10 +174,24 @@ def test_losses_of_all_causes_are_the_power_of_the_rings():
     least = film[film > 0].min() / (0.2e-6 * np.sqrt(2))
     assert values["film_ratio"][1].min() == approx(least, rel=1e-12)
     (answer,) = FAMILIES["tapered_roller"].rows()(
-        [read([*OILED, *ROUGH])], ["power_loss.total", "minimum_film.inner"]
+        [read([*OILED, *ROUGH, *CAGE])], ["power_loss.total", "minimum_film.inner"]
     )
     assert answer.numbers["power_loss.total"] == approx(sum(causes), rel=1e-12)
     assert "driving_power" not in api.run(CASE).rigid
+
+
+def test_slip_of_rollers_and_cage_is_that_of_their_balance():
+    free, guided = (api.run(CASE, [*OILED, *cage]) for cage in ([], CAGE))
+    slip = float(free["cage_slip"].to("%"))
+    assert -1.0 < slip < 0.0  # the rib drives the rollers ahead
+    assert float(guided["cage_slip"].to("%")) > slip  # a land at rest brakes them
+    assert np.abs(free.rigid["roller_slip"]).max() < 0.02
+    pockets = free.rigid["cage_force"]
+    assert float(free["max_pocket_force"].to("N")) == approx(np.abs(pockets).max(), rel=1e-12)
+    assert pockets.min() < 0 < pockets.max()  # some rollers push the cage, it pushes the others
+    page = html(of_result(free))
+    assert "have no part of the slip" in page
+    assert "cage slip" in page
 
 
 PAIR = ["bearing.pair.arrangement=back_to_back", "bearing.pair.distance=40 mm"]
@@ -228,6 +247,9 @@ REFUSED = {
     "oil beyond its data": ([*OILED, "lubricant.inlet_temperature=338 degC"], "outside 0 to 200 degC"),
     "oil without a fraction": (OILED[:3], "oil_fraction"),
     "friction of rings at rest": ([*OILED, "operation.inner_speed=0 rpm"], "another one than"),
+    "cage without friction": (["bearing.cage.guidance=rollers", *CAGE[1:3]], "outputs.friction = true"),
+    "cage as thick as rollers": ([*OILED, *CAGE, "bearing.cage.thickness=9 mm"], "below 8.8 mm"),
+    "land beyond the rollers": ([*OILED, *CAGE, "bearing.cage.land_diameter=80 mm"], "beside the rollers"),
     "asperities without roughness": ([*OILED, "lubricant.mixed.boundary_friction=0.1"], "roughness"),
     "cone that leaves its cup": (["operation.load.axial=0 N"], "the cone leaves the cup"),
     "moment on a held ring": (["operation.load.moment_y=1 N m"], 'it belongs to operation.tilt = "free"'),
