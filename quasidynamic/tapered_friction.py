@@ -19,7 +19,7 @@ from quasidynamic.tapered import TaperedLoads
 class TaperedFriction:
     """What rollers, rib and cage resist motion with, and where it becomes heat. Z rollers; inner first.
 
-    Raises `NotSolved` where no speeds are in balance.
+    Its results raise `NotSolved` where no speeds are in balance.
 
     Source
     ------

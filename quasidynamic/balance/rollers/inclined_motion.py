@@ -147,7 +147,7 @@ class InclinedMotion:
     def state(self, spin_drift: NDArray, cage_drift: NDArray) -> MotionState:
         """Friction and balance of rollers whose spins (Z) and cages (R) differ from pure rolling [rad/s].
 
-        Forces stand in arrays (3, ...) with their slopes by spin and by cage speed.
+        Forces are arrays (3, ...): values, slopes by spin, slopes by cage speed.
         """
         bearing, (raceways, rollers) = self.bearing, self.radii
         drift = np.repeat(cage_drift, bearing.rollers)

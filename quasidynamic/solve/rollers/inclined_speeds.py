@@ -41,7 +41,21 @@ At = Callable[[NDArray], _Trial]
 
 
 def balanced_motion(motion: InclinedMotion) -> MotionState:
-    """Motion in balance, from pure rolling on; raises `NotSolved` without one."""
+    """Motion in balance, found from pure rolling.
+
+    Raises
+    ------
+    NotSolved
+        when no search reaches a balance
+
+    Source
+    ------
+    `InclinedMotion`.
+
+    Valid
+    -----
+    As the laws; of several balances under a traction that falls with sliding the one that is reached first.
+    """
     rollers, rows = motion.bearing.all_rollers, len(motion.bearing.rows)
     loads = np.maximum(motion.slice_loads, motion.smallest_load) @ motion.slices.widths
     levers = motion.bearing.roller.diameter / 2, motion.bearing.rollers * motion.bearing.pitch_diameter / 2
