@@ -1,7 +1,7 @@
 """How many random tapered roller bearings are solved: `python -m benchmarks.random_tapered [--number N]`.
 
 Between rigid rings, or between elastic ones with `--elastic`; `--pairs` are two rows, also in one body.
-Rollers and rings are summed up again.
+Rollers and rings are summed up again. With `--friction` those at speed move in balance with it.
 """
 
 import argparse
@@ -14,7 +14,8 @@ from threadpoolctl import threadpool_limits
 from benchmarks.machine import describe
 from quasidynamic import NotSolved, TaperedLoads, tapered_loads
 from quasidynamic.balance.rollers.inclined import InclinedRollers
-from tests.random_tapered import compliance, drawn, drawn_pair, drawn_rings
+from quasidynamic.tapered_friction import TaperedFriction
+from tests.random_tapered import compliance, drawn, drawn_friction, drawn_pair, drawn_rings
 
 SHAPES = 4
 
@@ -52,35 +53,51 @@ def shape_again(found: TaperedLoads, raceways: list[np.ndarray | None]) -> float
     return worst
 
 
-def main() -> None:
+def power_again(friction: TaperedFriction) -> float:
+    """Difference of the power that rings put in from the heat of all causes, over it [-]."""
+    causes = ("sliding", "rolling", "rib", "drag", "churning", "pocket", "land")
+    heat = sum(getattr(friction, f"{cause}_heat").sum() for cause in causes)
+    return float(abs(friction.power - friction.transport.sum() - heat) / heat)
+
+
+def options() -> argparse.Namespace:
+    """What the command line asks for."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--number", type=int, default=500)
-    parser.add_argument("--elastic", action="store_true")
-    parser.add_argument("--pairs", action="store_true")
-    options = parser.parse_args()
-    outcomes, named, times, left, shapes = Counter[str](), [], [], [0.0], [0.0]
+    for name in ("--elastic", "--pairs", "--friction"):
+        parser.add_argument(name, action="store_true")
+    return parser.parse_args()
+
+
+def main() -> None:
+    asked_for = options()
+    outcomes, named, times, checks = Counter[str](), [], [], [[0.0, 0.0, 0.0]]
     with threadpool_limits(1):
-        for seed in range(options.number):
+        for seed in range(asked_for.number):
             bearing, asked = drawn(seed)
-            bearing = drawn_pair(seed, bearing) if options.pairs else bearing
-            rings = drawn_rings(seed, bearing) if options.elastic else [None, None]
+            bearing = drawn_pair(seed, bearing) if asked_for.pairs else bearing
+            rings = drawn_rings(seed, bearing) if asked_for.elastic else [None, None]
             raceways = [ring and compliance(bearing, ring, SHAPES) for ring in rings]
             began = time.process_time()
             try:
                 found = tapered_loads(bearing, asked, raceways=raceways)
-                left.append(summed_again(found))
-                shapes.append(shape_again(found, raceways))
+                moving = asked_for.friction and asked.relative_speed
+                power = power_again(drawn_friction(seed, found)) if moving else 0.0
+                checks.append([summed_again(found), shape_again(found, raceways), power])
                 outcomes["converged"] += 1
             except NotSolved as failure:
                 outcomes[failure.outcome] += 1
                 named.append(f"{seed}: {failure}")
             times.append(time.process_time() - began)
+    left, shapes, powers = map(max, zip(*checks, strict=True))
     print(describe())
-    print(f"{options.number} bearings: {dict(outcomes)}")
+    print(f"{asked_for.number} bearings: {dict(outcomes)}")
     print(f"processor time: median {1e3 * np.median(times):.0f} ms, largest {1e3 * max(times):.0f} ms")
-    print(f"unbalanced force of rollers and ring over the largest one: at most {max(left):.1e}")
-    if options.elastic:
-        print(f"raceways against the shape that their loads make: at most {max(shapes):.1e}")
+    print(f"unbalanced force of rollers and ring over the largest one: at most {left:.1e}")
+    if asked_for.elastic:
+        print(f"raceways against the shape that their loads make: at most {shapes:.1e}")
+    if asked_for.friction:
+        print(f"power of the rings against heat of all causes: at most {powers:.1e}")
     print(*named, sep="\n")
 
 

@@ -9,6 +9,7 @@ import fem
 from fem.condense import HARMONICS, condense
 from fem.parts.boundary_conditions import Support
 from flexbearing.rings.cones import towards_large_end
+from quasidynamic import Cage, Lubrication, TaperedLoads, oil_at
 from quasidynamic.motion.tapered_speeds import tapered_speeds
 from quasidynamic.parts.angular_contact_bearing import RingOperation, RowPlace
 from quasidynamic.parts.material import Material
@@ -16,6 +17,8 @@ from quasidynamic.parts.profile import STRAIGHT, Logarithmic
 from quasidynamic.parts.roller_bearing import Roller
 from quasidynamic.parts.tapered_bearing import TaperedRollerBearing, apex_angles, spherical_rib
 from quasidynamic.tapered import least_thrust
+from quasidynamic.tapered_friction import TaperedFriction
+from tests.bearings import TRACTION
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7850)
 
@@ -83,6 +86,20 @@ def drawn_pair(seed: int, bearing: TaperedRollerBearing) -> TaperedRollerBearing
             for sign, mirrored in rows
         ),
     )
+
+
+def drawn_friction(seed: int, loads: TaperedLoads) -> TaperedFriction:
+    """Friction in oils from thick to thin, with ribs and pockets from smooth to rough."""
+    random = np.random.default_rng([seed, 3])
+    oil = oil_at(str(random.choice(["ISO VG 32", "ISO VG 68", "ISO VG 100"])), random.uniform(293, 373))
+    laws = Lubrication(
+        oil=oil,
+        oil_fraction=random.uniform(0, 0.3),
+        churning_gap=1e-3 if random.random() < 0.5 else None,
+        traction=TRACTION[str(random.choice(list(TRACTION)))](oil),
+    )
+    cage = Cage(guidance="rollers", pocket_friction=random.uniform(0, 0.2), thickness=0.0)
+    return TaperedFriction(loads, laws, random.uniform(0, 0.15), cage)
 
 
 def drawn_rings(seed: int, bearing: TaperedRollerBearing) -> list[fem.OuterRing | fem.RingOnShaft | None]:

@@ -35,11 +35,8 @@ from tests.quasidynamic.test_tapered import RPM, STRAIGHTENED, tapered
 OIL = oil_at("ISO VG 100", 333.15)
 LAWS = Lubrication(oil=OIL, oil_fraction=0.05, churning_gap=1e-3)
 POCKETS = Cage(guidance="rollers", pocket_friction=0.05, thickness=1e-3)
-LAND = {"land_diameter": 76e-3, "land_width": 4e-3, "land_clearance": 0.3e-3}
-LANDS = {
-    guidance: Cage(guidance=guidance, pocket_friction=0.05, thickness=1e-3, **LAND)
-    for guidance in ("inner", "outer")
-}
+LAND = replace(POCKETS, guidance="outer", land_diameter=76e-3, land_width=4e-3, land_clearance=0.3e-3)
+LANDS = {"inner": replace(LAND, guidance="inner"), "outer": LAND}
 SPEEDS = {"inner": (2000, 0), "both": (-3000, 500), "outer": (0, 1500), "same way": (300, 4000)}
 ONE_ROW = (RowPlace(),)
 ANGLES = {"one apex": radians(11.6462), "no apex": radians(9)}
@@ -66,6 +63,11 @@ def friction(
 def heat(found):
     causes = ("sliding", "rolling", "rib", "drag", "churning", "pocket", "land")
     return [getattr(found, f"{cause}_heat").sum() for cause in causes]
+
+
+def cage_slip(found):
+    assert found.cage_slip is not None
+    return found.cage_slip
 
 
 @pytest.mark.parametrize("cage", [POCKETS, *LANDS.values()], ids=lambda cage: cage.guidance)
@@ -210,13 +212,13 @@ def test_rib_friction_is_that_of_coulomb_and_drives_the_cage_ahead():
     coulomb = np.abs(state.rib_sliding) * 0.05 * with_rib.loads.rib_loads
     assert with_rib.rib_heat == approx(coulomb, rel=6e-3)
     assert (without.rib_heat == 0.0).all()
-    assert with_rib.cage_slip < 0.0
-    assert without.cage_slip > with_rib.cage_slip
+    assert cage_slip(with_rib) < 0.0
+    assert cage_slip(without) > cage_slip(with_rib)
 
 
 def test_land_brakes_or_drives_the_cage():
-    slips = {name: friction(cage=cage).cage_slip for name, cage in LANDS.items()}
-    assert slips["inner"] < friction().cage_slip < slips["outer"]
+    slips = {name: cage_slip(friction(cage=cage)) for name, cage in LANDS.items()}
+    assert slips["inner"] < cage_slip(friction()) < slips["outer"]
 
 
 def test_more_friction_in_pockets_costs_more():

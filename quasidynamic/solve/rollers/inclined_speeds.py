@@ -12,7 +12,7 @@ from quasidynamic.errors import NotSolved
 from quasidynamic.solve.step_length import SolverOutcome, before_the_minimum
 
 TOLERANCE = 1e-14  # of the largest load on the lever of each balance
-ROUNDING_TOLERANCE = 1e-12  # the same, where steps lower the imbalance no more
+ROUNDING_TOLERANCE = 1e-10  # the same, where steps lower the imbalance no more
 NEWTON_STEPS, SHORT_STEPS = 60, 300
 GROWTH = 1.2  # of the imbalance in a short step; else the next is shorter
 EASING = 0.8  # of what makes a step short, from step to step
