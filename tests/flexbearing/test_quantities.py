@@ -100,7 +100,9 @@ def test_a_quantity_for_people_has_their_unit():
 
 def test_name_and_key_of_the_cage_slip_stand_in_their_declarations_alone():
     texts = {path: path.read_text() for path in PACKAGE.rglob("*.py")}
-    declarations = {PACKAGE / "quantities" / name for name in ("roller.py", "angular_contact.py")}
+    declarations = {
+        PACKAGE / "quantities" / name for name in ("roller.py", "angular_contact.py", "tapered.py")
+    }
     assert {path for path, text in texts.items() if "cage_slip_percent" in text} == declarations
     assert {path for path, text in texts.items() if '"cage_slip"' in text} == declarations
 

@@ -33,12 +33,12 @@ def test_it_is_the_largest_of_the_slices_of_a_tapered_roller():
     found = friction(ANGLES["no apex"], axial=6.5e3, radial=20e3)
     loads, slices = found.loads, found.loads.slices
     largest = np.zeros_like(found.sliding_heat)
-    for race, roller, k in np.ndindex(found.traction.shape):
+    for race, roller, k in np.ndindex(found.state.traction.shape):
         line_load = loads.slice_loads[race, roller, k]
         if line_load:
             stiffness = np.pi * loads.moduli[race] / (8 * loads.reduced_radius(race)[k])
             area = 2 * np.sqrt(line_load / stiffness) * slices.widths[k]
-            heat = found.traction[race, roller, k] * found.sliding[race, 0, k]
+            heat = found.state.traction[race, roller, k] * found.state.sliding[race, roller, k]
             largest[race, roller] = max(largest[race, roller], heat / area)
     assert largest.max() > 1e6
     assert found.friction_intensity == approx(largest, rel=1e-9)

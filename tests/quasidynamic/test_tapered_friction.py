@@ -236,6 +236,25 @@ def test_rows_under_one_load_each_move_as_one_row_does():
     assert both.cage_slip == approx(alone.cage_slip, rel=1e-6)
 
 
+def test_each_row_of_a_pair_moves_with_a_cage_of_its_own():
+    rows = tuple(RowPlace(axial=15e-3 * side, closer=10e-6, mirrored=side > 0) for side in (-1, 1))
+    found = friction(axial=10e3, radial=3e3, rows=rows)
+    pressed, other = found.cage_speed
+    assert abs(pressed - other) > 1e-5 * abs(pressed)
+    count, motion = found.loads.bearing.rollers, found.motion
+    for number, speed in enumerate(found.cage_speed):
+        of_row = slice(number * count, (number + 1) * count)
+        alone = replace(
+            motion,
+            bearing=replace(motion.bearing, rows=ONE_ROW),
+            slice_loads=motion.slice_loads[:, of_row],
+            rib_loads=motion.rib_loads[of_row],
+        )
+        state = balanced_motion(alone)
+        assert state.orbit == approx(np.full(count, speed), rel=1e-10)
+        assert state.spin == approx(found.state.spin[of_row], rel=1e-10)
+
+
 def test_turning_back_turns_every_force():
     one, other = friction(speeds=(2000, -300), radial=0.0), friction(speeds=(-2000, 300), radial=0.0)
     assert other.torque == approx(-one.torque, rel=1e-9)
