@@ -406,7 +406,7 @@ def _not_solved(
     if outcome is SolverOutcome.OVER_SHOULDER:
         return NotSolved(
             f"{where}: balls climb over the shoulders, which cut contacts off: whole ones would be in "
-            f"balance, at contact angles of up to {np.degrees(steepest):.1f} deg; no balance found as "
+            f"balance, at contact angles of up to {np.degrees(angle):.1f} deg; no balance found as "
             f"shoulders close in on them, in {evaluations} evaluations; give a smaller axial load or "
             "tilt, or higher shoulders",
             outcome,

@@ -509,12 +509,11 @@ def _displaced(
     for race, groove in enumerate(grooves):
         if groove is None:
             continue
-        for case in range(cases):
-            shape = shape_of(groove, balls.contacts.angles[race, case], forces[case, race])
-            pressed = np.concatenate([np.zeros((count, 2, 1)), by_moves[case, race]], axis=2)
-            change = shape.after(np.concatenate([pressed, turns[race, case, :, None]], axis=1))
-            displaced[case, race] = (shape.moved + change[:, 0].sum(0)).ravel()
-            deflection_by_moves[case, race] = change[:, 1:].reshape(2 * count, 2 * count).T
+        shape = shape_of(groove, balls.contacts.angles[race], forces[:, race])
+        pressed = np.concatenate([np.zeros((cases, count, 2, 1)), by_moves[:, race]], axis=3)
+        change = shape.after(np.concatenate([pressed, turns[race][:, :, None]], axis=2))
+        displaced[:, race] = (shape.moved + change[:, :, 0].sum(1)).reshape(cases, -1)
+        deflection_by_moves[:, race] = change[:, :, 1:].reshape(cases, 2 * count, -1).swapaxes(1, 2)
     return displaced, deflection_by_moves
 
 
