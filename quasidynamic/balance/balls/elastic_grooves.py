@@ -154,7 +154,7 @@ class GrooveShape(NamedTuple):
     by_reading: NDArray  # (..., Z, 2) [m/rad] by the angle of the same contact, as another place is displaced
 
     def after(self, changes: NDArray) -> NDArray:
-        """Displacements (..., Z, m, Z, 2) [m] by changes (..., Z, 3, m) [N, rad] of force and angle of each."""
+        """Displacements (..., Z, m, Z, 2) [m] by changes (..., Z, 3, m) [N, rad] of force and angle."""
         *cases, count, _, each = changes.shape
         moved, own = np.zeros((*cases, count, each, count, 2)), np.arange(count)
         by_contact = self.by_contact.reshape(*cases, len(self.loaded), 3, 2 * count)

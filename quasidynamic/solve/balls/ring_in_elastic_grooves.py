@@ -300,7 +300,7 @@ def _continuation(equations: Equations, places: Places, *, softening: bool) -> t
 
     Source
     ------
-    Limit points of a continuation: Seydel, Practical Bifurcation and Stability Analysis (2010), ch. 2.
+    Taylor series about a quadratic turning point; derived here.
     """
     balance, grooves = equations(0.0)
     reached, part, step, count = _at(balance, grooves, places), 0.0, 0.25, 0
@@ -330,7 +330,7 @@ def _size_of_tangent(balance: AngularBalance, state: State) -> float:
 
 
 def _turns_back(sizes: list[tuple[float, float]]) -> bool:
-    """Whether the square of the determinant of two parts comes to zero in a straight line just beyond them."""
+    """Whether the square of the determinant of two parts falls in a line to zero just beyond them."""
     (before, first), (part, last) = sizes[0], sizes[-1]
     left = np.exp(min(2 * (last - first), 0.0))
     return bool(left < 1.0 and (part - before) * left / (1 - left) <= NEAR_LIMIT)
