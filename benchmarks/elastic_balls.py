@@ -37,7 +37,8 @@ STEEL = ("youngs_modulus=206 GPa", "poisson_ratio=0.3", "density=7800 kg/m^3")
 SUMMED = 1e-6  # of the largest load: forces added up again from what is stored
 SAME = 1e-6  # of the largest load: loads by both methods
 FIXED_POINT = "iqn-ils"
-NO_BALANCE = "no balance"  # beyond a limit point of balances between softer and softer rings
+NO_BALANCE = "no balance"
+ENDS = ("too soft", "over the shoulder")  # beyond a limit point of softer and softer rings, of cut contacts
 
 
 class Row(NamedTuple):
@@ -184,7 +185,7 @@ def ended(seed: int, number: int) -> Row:
             return row("internal error", f"{type(problem).__name__}: {problem}")
         status, message = result.attributes["status"], result.attributes["message"]
         if status != "converged":
-            return row(NO_BALANCE if result.attributes["ending"] == "too soft" else status, message)
+            return row(NO_BALANCE if result.attributes["ending"] in ENDS else status, message)
         fast = result.flexible["contact_load"].ndim == 2
         return row(status, message, summed(result), by_fixed_point(case, given, result) if fast else np.nan)
 

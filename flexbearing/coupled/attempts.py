@@ -111,8 +111,9 @@ class CoupledBearing(Generic[S]):
             attempt = self._attempt(method, on_iteration, done)
             yield attempt
             done = attempt.iterations
-            if attempt.status == "converged" or attempt.ending == SolverOutcome.TOO_SOFT:
-                return  # no other method has a balance that there is not
+            no_balance = method == "newton" and attempt.ending == SolverOutcome.TOO_SOFT
+            if attempt.status == "converged" or no_balance:  # which no other method has either
+                return
 
     def _methods(self) -> tuple[str, ...]:
         """Methods in the order in which they are tried."""
