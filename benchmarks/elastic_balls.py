@@ -208,7 +208,8 @@ def summed(result: Result) -> float:
         force = ((load * 1j * across)[..., 0] * [1, 1]).T  # diagonal by diagonal, to their own side
         force = (force.real * np.array([[1], [-1]]) + 1j * force.imag).sum(0)
     else:
-        force = load * 1j * across + block["traction"] * across  # axial + i radial
+        sideways = block["traction"] + block.get("shoulder_force", 0.0)
+        force = load * 1j * across + sideways * across  # axial + i radial
         left = np.abs(force[0] - force[1] + 1j * block["centrifugal_force"]).max()
         force = force[0]
     azimuth = block["ball_azimuth"]
