@@ -19,7 +19,7 @@ from quasidynamic.contact.ellipse.rigid_slip import Spin
 from quasidynamic.contact.half_space import ElasticPair, elastic_pair
 from quasidynamic.contact.lubrication import BallLubrication
 from quasidynamic.errors import ImpossiblePart, NotSolved, OutOfRange, require_positive
-from quasidynamic.motion.ball_slip import BallContacts
+from quasidynamic.motion.ball_slip import BallContacts, steepest
 from quasidynamic.motion.ball_speeds import Control
 from quasidynamic.outcome.angular_contact_state import AngularContactState
 from quasidynamic.outcome.fast_balls import FastRollingBalls
@@ -34,7 +34,6 @@ from quasidynamic.solve.balls.ring_on_balls import solve
 from quasidynamic.solve.step_length import SolverOutcome
 
 DIRECTIONS = ("along x", "along y", "along z", "about y", "about z")
-CARRYING = 1e-3  # of the largest load, from which a contact counts in the angles of a message
 BORNE = 0.05  # of a load: within which the part is known that shoulders bear
 DIFFERENT = 1e-3  # of the speed of the rings: difference of the speeds of a cage in two motions
 LEAST_SHARE = 1e-3  # of a motion without a force: component that is reported
@@ -193,7 +192,7 @@ class AngularContactBallBearing:
             if solution.outcomes[case] is not SolverOutcome.CONVERGED:
                 loose = _loose(ring.stiffness[case], balance.held[case])
                 pressed = balls.contacts.loads if balls.cut is None else balls.cut.whole
-                angle = _steepest(balls.contacts.angles[:, case], pressed[:, case])
+                angle = steepest(balls.contacts.angles[:, case], pressed[:, case])
                 moving = np.isfinite(kinematics.orbit[case])
                 lost = int((np.isfinite(balls.contacts.loads[:, case]).all(0) & ~moving).sum())
                 states.append(_not_solved(operation, solution, case, loose, angle, lost))
@@ -375,13 +374,8 @@ def _cut_off(
     return fields if whole_ring is None else fields | {"whole_displacement": whole_ring[case] / scale}
 
 
-def _steepest(angles: NDArray, loads: NDArray) -> float:
-    """Largest contact angle [rad] of contacts that carry."""
-    return float(np.abs(angles).max(where=loads > CARRYING * loads.max(), initial=0.0))
-
-
 def _not_solved(
-    operation: RingOperation, solution: RingSolution, case: int, loose: list[str], steepest: float, lost: int
+    operation: RingOperation, solution: RingSolution, case: int, loose: list[str], angle: float, lost: int
 ) -> NotSolved:
     outcome, evaluations = solution.outcomes[case], solution.evaluations[case]
     where = f"load {operation.load}, inner ring {operation.inner_speed * 30 / np.pi:.5g} rpm"
@@ -404,7 +398,7 @@ def _not_solved(
         return NotSolved(
             f"{where}: no balance of ring and balls between these elastic grooves in {evaluations} "
             "evaluations by Newton's method and from stiffer grooves; between the softest that have one, "
-            f"contact angles reach {np.degrees(steepest):.1f} deg: where that is beyond the shoulders, balls "
+            f"contact angles reach {np.degrees(angle):.1f} deg: where that is beyond the shoulders, balls "
             "climb over them as the rings give way, and there is no balance; give a smaller axial load or "
             "tilt, or stiffer rings",
             outcome,
@@ -412,7 +406,7 @@ def _not_solved(
     if outcome is SolverOutcome.OVER_SHOULDER:
         return NotSolved(
             f"{where}: balls climb over the shoulders, which cut contacts off: whole ones would be in "
-            f"balance, at contact angles of up to {np.degrees(steepest):.1f} deg; no balance found as "
+            f"balance, at contact angles of up to {np.degrees(angle):.1f} deg; no balance found as "
             f"shoulders close in on them, in {evaluations} evaluations; give a smaller axial load or "
             "tilt, or higher shoulders",
             outcome,

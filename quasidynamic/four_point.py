@@ -16,7 +16,7 @@ from quasidynamic.contact.ellipse.rigid_slip import Spin
 from quasidynamic.contact.half_space import ElasticPair, elastic_pair
 from quasidynamic.contact.pressure import BallInGroove, GroovePress, PressedGroove
 from quasidynamic.errors import ImpossiblePart, OutOfRange
-from quasidynamic.motion.ball_slip import SIDE, BallContacts, pressed_height, pressed_radius
+from quasidynamic.motion.ball_slip import SIDE, BallContacts, pressed_height, pressed_radius, steepest
 from quasidynamic.note import Note, outside
 from quasidynamic.outcome.slow_balls import RollingBalls, SlidingBalls, rolling_balls
 from quasidynamic.parts.ball import FourPointBearing, FrictionCurve
@@ -287,9 +287,9 @@ def _check(angle: NDArray, load: NDArray) -> None:
         )
     if not np.all((load >= 0.0) & np.isfinite(load)):
         raise ImpossiblePart("contact loads must be finite and >= 0")
-    steepest = np.abs(angle[load > 0.0]).max(initial=0.0)
-    if not steepest < STEEPEST:
+    largest = steepest(angle, load)
+    if not largest < STEEPEST:
         raise OutOfRange(
-            f"contact angles of up to {np.degrees(steepest):.1f} deg: balls leave their grooves, "
+            f"contact angles of up to {np.degrees(largest):.1f} deg: balls leave their grooves, "
             "the load is far too high"
         )

@@ -24,7 +24,7 @@ from flexbearing.coupling import (
 from flexbearing.coupling.partners import S
 from flexbearing.progress import Report
 from flexbearing.results import Recorder
-from quasidynamic import NotSolved
+from quasidynamic import NotSolved, SolverOutcome
 
 OnIteration = Callable[[int, Iteration, float], None]  # number and seconds of an iteration
 Values = Callable[[Iteration, float], Mapping[str, ArrayLike]]  # quantities of an iteration, by its seconds
@@ -111,7 +111,8 @@ class CoupledBearing(Generic[S]):
             attempt = self._attempt(method, on_iteration, done)
             yield attempt
             done = attempt.iterations
-            if attempt.status == "converged":
+            no_balance = method == "newton" and attempt.ending == SolverOutcome.TOO_SOFT
+            if attempt.status == "converged" or no_balance:  # which no other method has either
                 return
 
     def _methods(self) -> tuple[str, ...]:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 INNER, OUTER = 0, 1  # place of a race on the last axis
 SIDE = np.array([-1.0, 1.0])  # of the ball, towards the shaft and away from it
 DIAGONAL = np.array([1.0, -1.0])  # axial direction of the outer contact
+CARRYING = 1e-3  # of the largest load, from which a contact counts in the steepest angle
 ORBIT, AXIAL, RADIAL, TURN = 0, 1, 2, 3  # components of the motion of a ball
 
 
@@ -35,6 +36,11 @@ class BallContacts:
     def taken(self, keep: NDArray) -> "BallContacts":
         """Return the contacts of some of the balls."""
         return BallContacts(*(getattr(self, field.name)[keep] for field in fields(self)))
+
+
+def steepest(angles: NDArray, loads: NDArray) -> float:
+    """Largest contact angle [rad] of contacts that carry; not of balls that only their inertia presses."""
+    return float(np.abs(angles).max(where=loads > CARRYING * loads.max(), initial=0.0))
 
 
 def pressed_height(ball_radius: NDArray, surface_radius: NDArray, across: NDArray) -> NDArray:

@@ -117,8 +117,8 @@ def test_random_bearings_are_in_balance_between_random_grooves(seed):
         assert state.groove_displacement[race] == approx(moved, abs=1e-6 * largest)
 
 
-def test_grooves_too_soft_for_a_balance_are_named_with_the_contact_angles_before(monkeypatch):
-    """Newton's method that overflowed between soft rings was said to come from a wrong unit."""
+def test_a_search_that_ends_between_soft_grooves_does_not_show_that_there_is_no_balance(monkeypatch):
+    """Without a limit point; nor does an overflow between them come from a wrong unit."""
     model, operation = drawn(5)
     load, balls = np.abs(operation.load).max(), model.bearing.balls
     grooves = [random_groove(5 + k, balls, 0.02 * model.bearing.outer_reach / load) for k in (0, 100)]
@@ -130,9 +130,6 @@ def test_grooves_too_soft_for_a_balance_are_named_with_the_contact_angles_before
         return state, [SolverOutcome.NOT_FINITE] if too_soft else outcomes
 
     monkeypatch.setattr(ring_in_elastic_grooves, "_newton", stiff_only)
-    with pytest.raises(NotSolved, match="balls climb over") as caught:
+    with pytest.raises(NotSolved) as caught:
         model.solve(operation, ElasticGrooves(*grooves))
-    assert caught.value.outcome is SolverOutcome.TOO_SOFT
-    between = model.solve(operation, ElasticGrooves(*grooves).softened(0.4))
-    said = float(str(caught.value).split("angles reach ")[1].split(" deg")[0])
-    assert said == approx(np.degrees(np.abs(between.contact_angles).max()), abs=1.0)
+    assert caught.value.outcome is SolverOutcome.STALLED

@@ -148,33 +148,37 @@ def lagrange(nodes: NDArray, at: NDArray) -> tuple[NDArray, NDArray, NDArray]:
 class GrooveShape(NamedTuple):
     """What forces of Z contacts make of one groove; vectors are axial, radial."""
 
-    moved: NDArray  # (Z, 2) [m] displacement of the groove at the contacts
-    loaded: NDArray  # (n) contacts with a force
-    by_contact: NDArray  # (n, 3, Z, 2) [m/N, m/rad] its derivatives by their force and by their angle
-    by_reading: NDArray  # (Z, 2) [m/rad] by the angle of the same contact, as another place is displaced
+    moved: NDArray  # (..., Z, 2) [m] displacement of the groove at the contacts
+    loaded: NDArray  # (n) contacts with a force, in one case at least
+    by_contact: NDArray  # (..., n, 3, Z, 2) [m/N, m/rad] its derivatives by their force and by their angle
+    by_reading: NDArray  # (..., Z, 2) [m/rad] by the angle of the same contact, as another place is displaced
 
     def after(self, changes: NDArray) -> NDArray:
-        """Displacements (Z, m, Z, 2) [m] by changes (Z, 3, m) [N, rad] of force and angle of each contact."""
-        (count, _, each), loaded = changes.shape, self.loaded
-        moved = np.zeros((count, each, count, 2))
-        by_contact = self.by_contact.reshape(len(loaded), 3, 2 * count)
-        moved[loaded] = (changes[loaded].swapaxes(1, 2) @ by_contact).reshape(len(loaded), *moved.shape[1:])
-        own = np.arange(count)
-        moved[own, :, own] += changes[:, 2, :, None] * self.by_reading[:, None]
+        """Displacements (..., Z, m, Z, 2) [m] by changes (..., Z, 3, m) [N, rad] of force and angle."""
+        *cases, count, _, each = changes.shape
+        moved, own = np.zeros((*cases, count, each, count, 2)), np.arange(count)
+        by_contact = self.by_contact.reshape(*cases, len(self.loaded), 3, 2 * count)
+        by_loaded = changes[..., self.loaded, :, :].swapaxes(-1, -2) @ by_contact
+        moved[..., self.loaded, :, :, :] = by_loaded.reshape(*cases, len(self.loaded), each, count, 2)
+        read = changes[..., 2, :, None] * self.by_reading[..., None, :]
+        moved[..., own, :, own, :] += np.moveaxis(read, -3, 0)
         return moved
 
 
 def shape_of(groove: ElasticGroove, angles: NDArray, force: Vectors) -> GrooveShape:
-    """How a groove gives way to forces (Z) [N] on it at contact angles (Z) [rad]."""
-    shares, (count, stations) = groove.shares(angles), groove.initial.shape
-    vectors, loaded = np.stack([force.real, force.imag], axis=-1), np.flatnonzero(force)
+    """How a groove gives way to forces (..., Z) [N] on it at contact angles (..., Z) [rad]."""
+    shares, (count, stations), cases = groove.shares(angles), groove.initial.shape, force.shape[:-1]
     by_vector, by_turn, size = shares.by_vector, shares.by_turn, count * stations
-    pressed = (by_vector @ vectors[..., None]).ravel()
-    displaced = groove.initial + (groove.compliance.reshape(size, size) @ pressed).reshape(count, stations)
-    turned = by_turn[loaded] @ vectors[loaded, :, None]
-    each = np.concatenate([by_vector[loaded], turned], axis=-1).swapaxes(-1, -2)  # (n, 3, K)
+    vectors = np.stack([force.real, force.imag], axis=-1)
+    loaded = np.flatnonzero(force.any(axis=tuple(range(len(cases)))))
+    pressed = (by_vector @ vectors[..., None]).reshape(*cases, size)
+    bent = pressed @ groove.compliance.reshape(size, size).T
+    displaced = groove.initial + bent.reshape(*cases, count, stations)
+    turned = by_turn[..., loaded, :, :] @ vectors[..., loaded, :, None]
+    each = np.concatenate([by_vector[..., loaded, :, :], turned], axis=-1).swapaxes(-1, -2)  # (..., n, 3, K)
     answers = each @ groove.compliance[loaded].reshape(len(loaded), stations, size)  # which is symmetric
-    read = answers.reshape(3 * len(loaded), count, stations).swapaxes(0, 1) @ by_vector  # (Z, 3 n, 2)
-    by_contact = read.swapaxes(0, 1).reshape(len(loaded), 3, count, 2)
-    moved, by_reading = ((displaced[:, None] @ shares)[:, 0] for shares in (by_vector, by_turn))
+    by_place = answers.reshape(*cases, 3 * len(loaded), count, stations).swapaxes(-3, -2)
+    read = (by_place @ by_vector).swapaxes(-3, -2)  # (..., 3 n, Z, 2)
+    by_contact = read.reshape(*cases, len(loaded), 3, count, 2)
+    moved, by_reading = ((displaced[..., None, :] @ shares)[..., 0, :] for shares in (by_vector, by_turn))
     return GrooveShape(moved, loaded, by_contact, by_reading)

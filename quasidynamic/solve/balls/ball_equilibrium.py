@@ -1,5 +1,6 @@
 """Newton's method for balls that find their own balance, the ring held."""
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -17,6 +18,7 @@ FLOATING = 1e-15  # of its stiffness, given to every ball
 LEAST_STIFFNESS = 1e-9  # [N/m] the same where nothing touches: a long step, not an infinite one
 NEAR_BOTTOM = 0.02  # of the reach: from the bottom of the groove, within which a free ball stays where it was
 LONGEST = 0.3  # of the smaller reach: step of a ball
+AGAIN = 4  # searches that follow one without a balance, later ones with the speeds of balls at its end
 SHORTEST = 2.0**-12  # part of a Newton step
 
 
@@ -80,10 +82,15 @@ def balance_balls(
     Balls may stay out of balance by a `share` (C) of the largest force. For `near` see `RaceControl`.
     """
     result = _newton_of_balls(balance, grooves, _start(balance, grooves, centres), share, near)
-    if result.moving.any() and balance.pulled.any():  # again from the places without friction
-        centres = np.where(result.moving, balance.places.resting(grooves), result.centres)
-        again = _newton_of_balls(balance, grooves, centres, share, result.balls.kinematics.near)
-        return again._replace(evaluations=result.evaluations + again.evaluations)
+    places = balance.places
+    for _ in range(AGAIN):  # from the places without friction
+        if not (result.moving.any() and balance.pulled.any()):
+            break
+        near = result.balls.kinematics.near
+        centres = np.where(result.moving, places.resting(grooves), result.centres)
+        again = _newton_of_balls(balance, grooves, centres, share, near)
+        result = again._replace(evaluations=result.evaluations + again.evaluations)
+        places = replace(places, centrifugal=result.balls.kinematics.centrifugal)
     return result
 
 

@@ -33,7 +33,9 @@ LONGEST = 0.3  # of the smaller reach: step of a groove against a ball
 FLOATING = 1e-9  # of the whole stiffness: what resists every direction of the ring, soft supports or none
 SHORTEST = 2.0**-10  # part of a Newton step
 PATIENCE = 3  # steps without a smaller imbalance; grooves that soften step by step arrive sooner
+LIGHT = 1e-3  # of the largest force: left where light balls went to another balance, from which steps go on
 LEAST_STEP = 2e-3  # part of the compliance by which grooves become softer at least
+NEAR_LIMIT = 4 * LEAST_STEP  # part of the compliance beyond the last balance, within which a limit point is
 TOLERANCE = 1e-10  # of the largest force: unbalanced force
 ROUNDED = 1e-9  # the same, where a step no longer halves it: balls that only inertia presses go to and fro
 
@@ -265,12 +267,12 @@ def _by_parts(
             return balance.take(one), grooves
 
         places = Places(*(array[one] for array in begin))
-        reached, part = _continuation(of_case, places, softening=softening)
+        reached, part, turns_back = _continuation(of_case, places, softening=softening)
         evaluations = state.evaluations[case] + reached.evaluations[0]
         if part == 1.0:
             ended[case] = SolverOutcome.CONVERGED
         elif softening:
-            ended[case] = SolverOutcome.TOO_SOFT
+            ended[case] = SolverOutcome.TOO_SOFT if turns_back else SolverOutcome.STALLED
         if ended[case] in (SolverOutcome.CONVERGED, SolverOutcome.TOO_SOFT):
             state.put(one, reached)
         state.evaluations[case] = evaluations
@@ -286,12 +288,23 @@ def as_solution(balance: AngularBalance, state: State, outcomes: list[SolverOutc
     return ElasticSolution(rings, state.grooves[..., None].view(float))
 
 
-def _continuation(equations: Equations, places: Places, *, softening: bool) -> tuple[State, float]:
-    """Balance of one case at the largest part of its equations that is reached step by step, and this part.
+def _continuation(equations: Equations, places: Places, *, softening: bool) -> tuple[State, float, bool]:
+    r"""Balance of one case at the largest part of its equations that is reached step by step, and this part.
+
+    The last says whether the balances turn back there, at a limit point (fold), where the determinant of the
+    tangent stiffness is
+
+    .. math:: |J| \propto \sqrt{\lambda_c - \lambda}
 
     The evaluations of the state are those of all steps.
+
+    Source
+    ------
+    Taylor series about a quadratic turning point; derived here.
     """
-    reached, part, step, count = _at(*equations(0.0), places), 0.0, 0.25, 0
+    balance, grooves = equations(0.0)
+    reached, part, step, count = _at(balance, grooves, places), 0.0, 0.25, 0
+    sizes = [(part, _size_of_tangent(balance, reached))]
     while part < 1.0 and step >= LEAST_STEP:
         further = min(1.0, part + step)
         balance, grooves = equations(further)
@@ -301,10 +314,26 @@ def _continuation(equations: Equations, places: Places, *, softening: bool) -> t
         count += int(trial.evaluations[0])
         if outcome is SolverOutcome.CONVERGED:
             reached, part, step = trial, further, 2 * step
+            sizes.append((part, _size_of_tangent(balance, trial)))
         else:
             step /= 2
     reached.evaluations[:] = count
-    return reached, part
+    return reached, part, _turns_back(sizes[-2:])
+
+
+def _size_of_tangent(balance: AngularBalance, state: State) -> float:
+    """Logarithm of the determinant of ring and grooves of one case, without its sign."""
+    deflection, free = state.deflection_by_moves[0], ~balance.held[0]
+    grooves = np.eye(deflection.shape[-1]) + np.nan_to_num(deflection[1] - deflection[0])
+    ring = np.nan_to_num(state.stiffness[0][np.ix_(free, free)])
+    return float(np.linalg.slogdet(grooves).logabsdet + np.linalg.slogdet(ring).logabsdet)
+
+
+def _turns_back(sizes: list[tuple[float, float]]) -> bool:
+    """Whether the square of the determinant of two parts falls in a line to zero just beyond them."""
+    (before, first), (part, last) = sizes[0], sizes[-1]
+    left = np.exp(min(2 * (last - first), 0.0))
+    return bool(left < 1.0 and (part - before) * left / (1 - left) <= NEAR_LIMIT)
 
 
 def _newton(balance: AngularBalance, grooves: ElasticGrooves, start: Places) -> Steps:
@@ -316,7 +345,7 @@ def _newton(balance: AngularBalance, grooves: ElasticGrooves, start: Places) -> 
     for number in range(LIMIT + 1):
         without[cases] = np.where(state.imbalance < least[cases], 0, without[cases] + 1)
         least[cases] = np.fmin(least[cases], state.imbalance)
-        going = gained & (without[cases] < PATIENCE)
+        going = (gained | (state.imbalance <= LIGHT)) & (without[cases] < PATIENCE)
         for case, left, goes, better in zip(cases, state.imbalance, going, halved, strict=True):
             outcomes[case] = _outcome(balance, left, TOLERANCE if better else ROUNDED, goes, number == LIMIT)
         running = np.array([outcomes[case] is SolverOutcome.RUNNING for case in cases])
@@ -480,12 +509,11 @@ def _displaced(
     for race, groove in enumerate(grooves):
         if groove is None:
             continue
-        for case in range(cases):
-            shape = shape_of(groove, balls.contacts.angles[race, case], forces[case, race])
-            pressed = np.concatenate([np.zeros((count, 2, 1)), by_moves[case, race]], axis=2)
-            change = shape.after(np.concatenate([pressed, turns[race, case, :, None]], axis=1))
-            displaced[case, race] = (shape.moved + change[:, 0].sum(0)).ravel()
-            deflection_by_moves[case, race] = change[:, 1:].reshape(2 * count, 2 * count).T
+        shape = shape_of(groove, balls.contacts.angles[race], forces[:, race])
+        pressed = np.concatenate([np.zeros((cases, count, 2, 1)), by_moves[:, race]], axis=3)
+        change = shape.after(np.concatenate([pressed, turns[race][:, :, None]], axis=2))
+        displaced[:, race] = (shape.moved + change[:, :, 0].sum(1)).reshape(cases, -1)
+        deflection_by_moves[:, race] = change[:, :, 1:].reshape(cases, 2 * count, -1).swapaxes(1, 2)
     return displaced, deflection_by_moves
 
 
