@@ -182,7 +182,9 @@ class AngularContactBallBearing:
         balls, ring = solution.forces(balance)
         kinematics, scale, control, heat = balls.kinematics, self._scale, self._race_control, None
         oiled = None
-        if isinstance(control, CoulombControl) and control.oil is not None:
+        if SolverOutcome.CONVERGED not in solution.outcomes:
+            pass  # lost balls have no friction
+        elif isinstance(control, CoulombControl) and control.oil is not None:
             oiled = control.oiled(balls.contacts, balance.speeds, balance.free_centrifugal, kinematics.near)
             heat = oiled.heat
         elif isinstance(control, CoulombControl):

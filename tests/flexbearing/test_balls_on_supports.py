@@ -183,12 +183,12 @@ def test_balls_beyond_the_stations_press_supports_as_they_press_their_groove():
     """Their shares grew without end there."""
     stations, at = np.radians([-25.0, 0.0, 25.0]), np.radians([[60.0, 5.0], [-50.0, 20.0]])
     state = SimpleNamespace(
-        contact_angles=at, loads=np.full((2, 2), 1000.0), tractions=np.array([[3.0, -5.0], [7.0, 2.0]])
+        contact_angles=at, loads=np.full((2, 2), 1000.0), section_forces=np.array([[3.0, -5.0], [7.0, 2.0]])
     )
     forces = BallState.of(state, np.array([stations, stations])).forces
     groove = ElasticGroove(stations, np.zeros((2, 3, 2, 3)))
     for race in range(2):
-        vectors = (state.loads[race] - 1j * state.tractions[race]) * (
+        vectors = (state.loads[race] - 1j * state.section_forces[race]) * (
             np.sin(at[race]) + 1j * np.cos(at[race])
         )
         pairs = np.stack([vectors.real, vectors.imag], -1)

@@ -90,7 +90,8 @@ def balance_balls(
         centres = np.where(result.moving, places.resting(grooves), result.centres)
         again = _newton_of_balls(balance, grooves, centres, share, near)
         result = again._replace(evaluations=result.evaluations + again.evaluations)
-        places = replace(places, centrifugal=result.balls.kinematics.centrifugal)
+        driven = result.balls.kinematics.centrifugal
+        places = replace(places, centrifugal=np.where(np.isfinite(driven), driven, places.centrifugal))
     return result
 
 
