@@ -189,14 +189,15 @@ class AngularContactBallBearing:
             heat = oiled.heat
         elif isinstance(control, CoulombControl):
             heat = control.heat(balls.contacts, balance.speeds, balance.free_centrifugal)
+        known = np.isfinite(kinematics.orbit if heat is None else kinematics.orbit + heat)
+        solution = _of_known_motions(solution, known)
         states: list[AngularContactState | NotSolved] = []
         for case, operation in enumerate(operations):
             if solution.outcomes[case] is not SolverOutcome.CONVERGED:
                 loose = _loose(ring.stiffness[case], balance.held[case])
                 pressed = balls.contacts.loads if balls.cut is None else balls.cut.whole
                 angle = steepest(balls.contacts.angles[:, case], pressed[:, case])
-                moving = np.isfinite(kinematics.orbit[case])
-                lost = int((np.isfinite(balls.contacts.loads[:, case]).all(0) & ~moving).sum())
+                lost = int((np.isfinite(balls.contacts.loads[:, case]).all(0) & ~known[case]).sum())
                 states.append(_not_solved(operation, solution, case, loose, angle, lost))
                 continue
             if self._too_wide(balls.contacts.loads[:, case]):
@@ -374,6 +375,15 @@ def _cut_off(
         return {}
     fields = {"whole_loads": cut.whole[:, case], "shoulder_forces": cut.aside[:, case]}
     return fields if whole_ring is None else fields | {"whole_displacement": whole_ring[case] / scale}
+
+
+def _of_known_motions(solution: RingSolution, known: NDArray) -> RingSolution:
+    """The solution, of which a case (C) in balance counts where the motion of every ball (C, Z) is known."""
+    outcomes = [
+        SolverOutcome.NOT_FINITE if outcome is SolverOutcome.CONVERGED and not known[case].all() else outcome
+        for case, outcome in enumerate(solution.outcomes)
+    ]
+    return replace(solution, outcomes=outcomes)
 
 
 def _not_solved(

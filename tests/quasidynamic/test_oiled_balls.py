@@ -24,6 +24,7 @@ from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
+from quasidynamic.solve.balls.coulomb_control import CoulombControl
 from quasidynamic.solve.balls.free_ball_search import free_ball_motion
 from tests.random_balls import FILM, drawn_oiled, identities, unbalanced
 
@@ -261,6 +262,20 @@ def test_balls_that_friction_does_not_balance_are_named(monkeypatch):
     with pytest.raises(NotSolved, match=r"no motion of \d+ balls found") as caught:
         solved(thrust(300.0, 15000.0))
     assert "wrong unit" not in str(caught.value)
+
+
+def test_a_ball_whose_friction_is_not_found_again_is_no_solution(monkeypatch):
+    """Of 2000 random bearings in cages one was stored without its heat (`drawn_caged(1373)`)."""
+    whole = CoulombControl.oiled
+
+    def without_one(*given):
+        found = whole(*given)
+        found.drag_heat[..., 3] = np.nan
+        return found
+
+    monkeypatch.setattr(CoulombControl, "oiled", without_one)
+    with pytest.raises(NotSolved, match="no motion of 1 balls found"):
+        solved(thrust(500.0, 15000.0))
 
 
 @pytest.mark.parametrize("seed", [23, 38, 43])
