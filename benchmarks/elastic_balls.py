@@ -205,7 +205,7 @@ def summed(result: Result) -> float:
     load, across = block["contact_load"], np.exp(-1j * block["contact_angle"])
     left, slow = 0.0, load.ndim == 3
     if slow:
-        force = ((load * 1j * across)[..., 0] * [1, 1]).T  # diagonal by diagonal, to their own side
+        force = ((load * 1j + block["section_force"]) * across)[..., 0].T  # of diagonals, to their own side
         force = (force.real * np.array([[1], [-1]]) + 1j * force.imag).sum(0)
     else:
         sideways = block["traction"] + block.get("shoulder_force", 0.0)

@@ -76,6 +76,10 @@ QUANTITIES = (
                 "contact angle", ".2f", of=("contact_angle", "contact_load"), entries=EXTENT),
             SummaryValue("contact_angles_deg", at_inner_race),
         )),
+    Quantity("section_force", "S", "Z G race", "N", "block",
+        "force along the groove section by friction and by shoulders that cut contacts off, of the inner "
+        "race on the ball and of the ball on the outer one, towards growing contact angle; not of given loads",
+        source="ring.section_forces", optional=True),
     Quantity("peak_pressure", "p", "Z G race", "Pa", "block",
         "largest pressure, 0 without load; that of a cell where it is computed",
         source="balls.peak_pressure", people=MPA, summary=(

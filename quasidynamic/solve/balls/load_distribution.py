@@ -15,7 +15,7 @@ from quasidynamic.balance.balls.elastic_rings import (
     ring_levers,
 )
 from quasidynamic.errors import NotSolved
-from quasidynamic.motion.ball_slip import INNER
+from quasidynamic.motion.ball_slip import INNER, SIDE
 from quasidynamic.parts.ball import FourPointBearing
 from quasidynamic.solve.balls.balls_on_arches import ball_step, balls_in_balance
 from quasidynamic.solve.step_length import SolverOutcome, before_the_minimum
@@ -38,6 +38,7 @@ class BallLoads:
     approach: NDArray  # (Z, 2, 2) [m] of ball and race; negative in a gap
     loads: NDArray  # (Z, 2, 2) [N]
     whole: NDArray  # (Z, 2, 2) [N] of contacts that no shoulder cuts off, same approach
+    section_forces: NDArray  # (Z, 2, 2) [N] along the section: inner race on ball, ball on outer race
     angles: NDArray  # (Z, 2, 2) [rad] contact angle from the radial plane, loaded
     centres: NDArray  # (Z, 2) [m] axial and radial, from balls that touch the outer groove in its middle
     orbit: NDArray  # (Z) [rad/s] by which the centrifugal force is computed, see `arch_motion`
@@ -188,12 +189,14 @@ def what_balls_share(
     bearing: FourPointBearing, state: RigidRingState | ElasticRingState, stiffness: NDArray
 ) -> dict[str, NDArray]:
     """Fields of `BallLoads` by a state and a stiffness (5, 5) [N/m]."""
-    lever, forces = ring_levers(bearing), state.balls.forces
+    lever, forces, angles = ring_levers(bearing), state.balls.forces, state.balls.angles
+    along = np.stack([np.cos(angles), -np.sin(angles)], axis=-1)
     return {
         "approach": forces.approach,
         "loads": forces.loads,
         "whole": forces.whole,
-        "angles": state.balls.angles,
+        "section_forces": SIDE * np.vecdot(forces.on_races, along),
+        "angles": angles,
         "centres": state.centres,
         "orbit": forces.orbit,
         "centrifugal": forces.centrifugal,
