@@ -78,7 +78,7 @@ QUANTITIES = (
         )),
     Quantity("section_force", "S", "Z G race", "N", "block",
         "force along the groove section by friction and by shoulders that cut contacts off, of the inner "
-        "race on the ball and of the ball on the outer one, towards growing contact angle; not of given loads",
+        "race on the ball, of the ball on the outer one, towards growing contact angle; not of given loads",
         source="ring.section_forces", optional=True),
     Quantity("peak_pressure", "p", "Z G race", "Pa", "block",
         "largest pressure, 0 without load; that of a cell where it is computed",

@@ -195,7 +195,7 @@ def what_balls_share(
         "approach": forces.approach,
         "loads": forces.loads,
         "whole": forces.whole,
-        "section_forces": SIDE * np.vecdot(forces.on_races, along),
+        "section_forces": SIDE * (forces.on_races * along).sum(-1),
         "angles": angles,
         "centres": state.centres,
         "orbit": forces.orbit,
