@@ -320,6 +320,19 @@ def test_contacts_on_a_given_shoulder_are_counted(run):
     assert f"the most cut one carries {carried(cut.rigid).min():.0%} of the load of a whole one" in note
 
 
+def test_forces_of_cut_contacts_carry_the_ring(run):
+    """Added up from what is stored, at the inner race, along the axis; loads and angles alone do not."""
+    fast = run(HARRIS, "bearing.inner.shoulder=5 mm", "bearing.outer.shoulder=2 mm").rigid
+    load, angle, aside = (fast[name][0] for name in ("contact_load", "contact_angle", "shoulder_force"))
+    axial = load * np.sin(angle) + (fast["traction"][0] + aside) * np.cos(angle)
+    assert axial.sum() == approx(fast["ring_load"][0], rel=1e-9)
+    assert (load * np.sin(angle)).sum() != approx(fast["ring_load"][0], rel=1e-3)
+    slow = run("joshi2015_qj309", "bearing.inner.shoulder=2.2 mm", "bearing.outer.shoulder=2.2 mm").rigid
+    load, angle, aside = (slow[name][..., 0] for name in ("contact_load", "contact_angle", "section_force"))
+    to_own_side = load * np.sin(angle) + aside * np.cos(angle)
+    assert (to_own_side @ [1.0, -1.0]).sum() == approx(slow["ring_load"][0], rel=1e-9)
+
+
 def test_given_shoulder_counts_instead_of_the_usual_one(run):
     """Contacts reach 5.85 mm up the inner race, more than a quarter of the ball, 3.03 mm up the outer one."""
     assert "0.263 ball diameters up the inner race" in shoulder_notes(run(HARRIS))[0]
