@@ -157,7 +157,7 @@ def test_patches_hardly_matter(run, other):
 @pytest.mark.slow
 def test_contacts_that_reach_over_the_shoulders_are_told(run):
     cut = run("rings.outer.groove_end=58 deg")
-    assert any("outer ring reach over its shoulders" in note for note in texts(cut))
+    assert any("contacts of the outer ring are cut off on its shoulders" in note for note in texts(cut))
     assert not any("shoulders" in note for note in texts(run()))
 
 
