@@ -261,7 +261,7 @@ QUANTITIES = (
     Quantity("cage_speed", "omega_c", "", "rad/s", "block",
         "speed of the rollers about the bearing axis in pure rolling, positive to +azimuth; see cage_slip",
         source="loads.speeds.orbit", people=RPM,
-        summary=(SummaryValue("cage_speed_rpm", label="cage speed", digits=",.0f"),)),
+        summary=(SummaryValue("cage_speed_rpm", label="cage speed in pure rolling", digits=",.0f"),)),
     Quantity("roller_speed", "omega_r", "", "rad/s", "block",
         "spin of a roller against the cage in pure rolling, positive when it rolls forwards on the inner "
         "ring", source="loads.speeds.spin", people=RPM),
