@@ -181,14 +181,11 @@ class AngularContactBallBearing:
         """
         balls, ring = solution.forces(balance)
         kinematics, scale, control, heat = balls.kinematics, self._scale, self._race_control, None
-        oiled = None
-        if SolverOutcome.CONVERGED not in solution.outcomes:
-            pass  # lost balls have no friction
-        elif isinstance(control, CoulombControl) and control.oil is not None:
-            oiled = control.oiled(balls.contacts, balance.speeds, balance.free_centrifugal, kinematics.near)
-            heat = oiled.heat
-        elif isinstance(control, CoulombControl):
-            heat = control.heat(balls.contacts, balance.speeds, balance.free_centrifugal)
+        oiled, found = None, SolverOutcome.CONVERGED in solution.outcomes
+        if found and isinstance(control, CoulombControl):  # lost balls have no friction
+            given = balls.contacts, balance.speeds, balance.free_centrifugal
+            oiled = None if control.oil is None else control.oiled(*given, kinematics.near)
+            heat = control.heat(*given) if oiled is None else oiled.heat
         known = np.isfinite(kinematics.orbit if heat is None else kinematics.orbit + heat)
         solution = _of_known_motions(solution, known)
         states: list[AngularContactState | NotSolved] = []

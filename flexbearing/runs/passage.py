@@ -214,6 +214,8 @@ def solved(
         try:
             return partner.solve(start=near)
         except PartnerFailed:
+            if near is None:
+                raise
             return partner.solve()
     if near is not None and not rings.solved_in_full:  # which has no tangent to begin with
         state = unknowns(flat(near.cases)[0], model.bearing.all_rollers)
