@@ -9,7 +9,7 @@ from matplotlib.ticker import NullFormatter
 
 from benchmarks.calculix import OURS, REFERENCE, ours as of_clamped_ring
 from benchmarks.calculix_balls import under
-from evidence.case import Case, Findings, Number, estimate, number, numbers, over, trend
+from evidence.case import Case, Findings, Number, estimate, number, numbers, over, rounding, trend
 from evidence.drawing import legend_beside, one
 from fem import LineForce, MeshSize, PlanetGear
 from quasidynamic.clearance import operating_clearance, seat
@@ -191,12 +191,8 @@ def springs() -> Findings:
     forces = harmonics.on_thirty_springs()
     names = (f"spring at {12 * k} deg" for k in range(9))
     rows = numbers(names, harmonics.BEAM_ON_SPRINGS, forces[:9], "N", digit=7.0)
-    return Findings(
-        numbers=over(1e3, rows),
-        errors=(
-            estimate("asymmetry of the forces", float(np.abs(forces[:15:-1] - forces[1:15]).max()), "N"),
-        ),
-    )
+    asymmetry = float(np.abs(forces[:15:-1] - forces[1:15]).max())
+    return Findings(numbers=(*over(1e3, rows), rounding("asymmetry of the forces", asymmetry, 1e3, "N")))
 
 
 def out_of_plane() -> Findings:
