@@ -4,10 +4,13 @@ import numpy as np
 import pytest
 from pytest import approx
 
+from quasidynamic.angular_contact import AngularContactBallBearing
 from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGrooves, extrapolated, shape_of
 from quasidynamic.errors import ImpossiblePart, NotSolved
+from quasidynamic.parts.angular_contact_bearing import RingOperation
 from quasidynamic.solve.balls import ring_in_elastic_grooves
 from quasidynamic.solve.step_length import SolverOutcome
+from tests.deep_groove import deep_groove
 from tests.random_balls import drawn, unbalanced
 
 ANGLES = np.radians([-45.0, -30.0, -15.0, 0.0, 15.0, 30.0, 45.0])
@@ -133,3 +136,13 @@ def test_a_search_that_ends_between_soft_grooves_does_not_show_that_there_is_no_
     with pytest.raises(NotSolved) as caught:
         model.solve(operation, ElasticGrooves(*grooves))
     assert caught.value.outcome is SolverOutcome.STALLED
+
+
+def test_a_ring_that_nothing_holds_between_elastic_grooves_is_refused_by_name():
+    bearing = deep_groove(60e-6, azimuth=np.pi / 9)
+    grooves = [random_groove(k, bearing.balls, 1e-10) for k in (1, 2)]
+    with pytest.raises(NotSolved, match="nothing holds the inner ring along x, about y") as caught:
+        AngularContactBallBearing(bearing=bearing).solve(
+            RingOperation(load=(0.0, 0.0, 5.0, 0.0, 0.0)), ElasticGrooves(*grooves)
+        )
+    assert caught.value.outcome is SolverOutcome.UNDETERMINED

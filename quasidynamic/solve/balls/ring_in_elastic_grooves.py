@@ -22,9 +22,10 @@ from quasidynamic.solve.balls.ring_newton import (
     BALL_SHARE,
     RingSolution,
     forces_left,
+    holds,
     moves_left,
 )
-from quasidynamic.solve.balls.ring_on_balls import solve
+from quasidynamic.solve.balls.ring_on_balls import solve, start
 from quasidynamic.solve.balls.ring_on_springs import stiffened_step
 from quasidynamic.solve.step_length import SolverOutcome
 
@@ -144,7 +145,7 @@ class State(NamedTuple):
 
 
 def solve_elastic(balance: AngularBalance, grooves: ElasticGrooves) -> ElasticSolution:
-    r"""Balance of all cases between elastic grooves, from that between rigid and round ones.
+    r"""Balance of all cases between elastic grooves, from round ones.
 
     .. math:: v = v_0 + B a + s, \quad s = -C_i F_i(v) - C_o F_o(v), \quad P = B^T F_i(v)
 
@@ -177,7 +178,7 @@ def iterate_elastic(
 def _steps(balance: AngularBalance, grooves: ElasticGrooves) -> Steps:
     """States from that between rigid and round grooves on, shoulders last."""
     whole = balance.of_whole_contacts
-    state, outcomes = yield from _whole_steps(whole, grooves)
+    state, outcomes = yield from _whole_steps(balance, grooves)
     if balance.races is None:
         return state, outcomes
     over = balance.over_shoulders(_balls(whole, state))
@@ -213,25 +214,50 @@ def _balls(balance: AngularBalance, state: State) -> BallBalance:
 
 
 def _whole_steps(balance: AngularBalance, grooves: ElasticGrooves) -> Steps:
-    """States with whole contacts."""
-    is_round = not balance.bearing.approaches
-    first = balance if is_round else balance.out_of_round(0.0)
-    rigid = solve(first)
-    rest = np.zeros((len(rigid.ring), 2, rigid.centres.shape[1]), complex)
-    begin = Places(rigid.ring, rest, rest, rigid.centres)
-    state, outcomes = yield from _newton(first, grooves, begin)
-    ended = rigid.outcomes, outcomes
-    _by_parts(lambda part: (first, grooves.softened(part)), begin, state, ended, softening=True)
+    """States with whole contacts: from where balls of rigid rings start, else from their balance.
+
+    The latter also if contacts reach over shoulders: there may be another balance.
+    """
+    whole, is_round = balance.of_whole_contacts, not balance.bearing.approaches
+    first = whole if is_round else whole.out_of_round(0.0)
+    state, outcomes = yield from _newton(first, grooves, _in_round_grooves(*start(first)))
+    held = [
+        outcome is SolverOutcome.CONVERGED and holds(stiffness, ~fixed)
+        for outcome, stiffness, fixed in zip(outcomes, state.stiffness, balance.held, strict=True)
+    ]
+    failed = np.flatnonzero(~np.array(held) | (balance.over_shoulders(_balls(first, state)) > 0))
+    if len(failed):
+        other, ended = yield from _from_rigid_rings(first.take(failed), grooves)
+        other.evaluations[:] += state.evaluations[failed]
+        state.put(failed, other)
+        for case, outcome in zip(failed, ended, strict=True):
+            outcomes[case] = outcome
     if not is_round:
         known, begin = outcomes, state.places
         spent = state.evaluations
-        state, outcomes = yield from _newton(balance, grooves, begin)
+        state, outcomes = yield from _newton(whole, grooves, begin)
         ended = known, outcomes
-        _by_parts(lambda part: (balance.out_of_round(part), grooves), begin, state, ended, softening=False)
+        _by_parts(lambda part: (whole.out_of_round(part), grooves), begin, state, ended, softening=False)
         outcomes = _after(known, outcomes)
         state.evaluations[:] += spent
+    return state, outcomes
+
+
+def _from_rigid_rings(balance: AngularBalance, grooves: ElasticGrooves) -> Steps:
+    """States from the balance between rigid rings on, whose grooves become softer where they must."""
+    rigid = solve(balance)
+    begin = _in_round_grooves(rigid.ring, rigid.centres)
+    state, outcomes = yield from _newton(balance, grooves, begin)
+    ended = rigid.outcomes, outcomes
+    _by_parts(lambda part: (balance, grooves.softened(part)), begin, state, ended, softening=True)
     state.evaluations[:] += rigid.evaluations
     return state, _after(rigid.outcomes, outcomes)
+
+
+def _in_round_grooves(ring: NDArray, centres: Vectors) -> Places:
+    """Places of ring and balls, grooves as they are without load."""
+    rest = np.zeros((len(ring), 2, centres.shape[1]), complex)
+    return Places(ring, rest, rest, centres)
 
 
 def _last(steps: Steps) -> tuple[State, list[SolverOutcome]]:
@@ -336,10 +362,10 @@ def _turns_back(sizes: list[tuple[float, float]]) -> bool:
     return bool(left < 1.0 and (part - before) * left / (1 - left) <= NEAR_LIMIT)
 
 
-def _newton(balance: AngularBalance, grooves: ElasticGrooves, start: Places) -> Steps:
+def _newton(balance: AngularBalance, grooves: ElasticGrooves, begin: Places) -> Steps:
     """Damped Newton of ring and grooves, all cases side by side; a case leaves as soon as it ends."""
-    outcomes, cases = [SolverOutcome.RUNNING] * len(start.ring), np.arange(len(start.ring))
-    state, gained = _at(balance, grooves, start, BALL_SHARE), np.full(len(cases), True)
+    outcomes, cases = [SolverOutcome.RUNNING] * len(begin.ring), np.arange(len(begin.ring))
+    state, gained = _at(balance, grooves, begin, BALL_SHARE), np.full(len(cases), True)
     halved, least, without = gained, np.full(len(cases), np.inf), np.zeros(len(cases), int)
     whole = state.of(cases)  # arrays of its own
     for number in range(LIMIT + 1):

@@ -142,11 +142,14 @@ def tolerance_of(balance: AngularBalance) -> float:
 def _held(balance: AngularBalance, state: _RingState, case: int) -> bool:
     """Whether balls hold the ring in every direction in which it is free."""
     free = ~balance.held[case]
-    if not free.any():
-        return True
-    scales = np.linalg.svd(state.balance.stiffness[case][np.ix_(free, free)], compute_uv=False)
     touching = state.pressing[case] > TOUCHING * tolerance_of(balance)
-    return bool(touching and scales.min() > SINGULAR * scales.max())
+    return not free.any() or bool(touching and holds(state.balance.stiffness[case], free))
+
+
+def holds(stiffness: NDArray, free: NDArray) -> bool:
+    """Whether a stiffness (5, 5) [N/m] holds a ring in every free direction (5)."""
+    scales = np.linalg.svd(stiffness[np.ix_(free, free)], compute_uv=False)
+    return not scales.size or bool(scales.min() > SINGULAR * scales.max())
 
 
 def _moved(balance: AngularBalance, state: _RingState, budget: int) -> tuple[_RingState, NDArray, int]:
