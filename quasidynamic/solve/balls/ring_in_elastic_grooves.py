@@ -178,7 +178,7 @@ def iterate_elastic(
 def _steps(balance: AngularBalance, grooves: ElasticGrooves) -> Steps:
     """States from that between rigid and round grooves on, shoulders last."""
     whole = balance.of_whole_contacts
-    state, outcomes = yield from _whole_steps(balance, grooves)
+    state, outcomes = yield from _whole_steps(whole, grooves)
     if balance.races is None:
         return state, outcomes
     over = balance.over_shoulders(_balls(whole, state))
@@ -214,18 +214,15 @@ def _balls(balance: AngularBalance, state: State) -> BallBalance:
 
 
 def _whole_steps(balance: AngularBalance, grooves: ElasticGrooves) -> Steps:
-    """States with whole contacts: from where balls of rigid rings start, else from their balance.
-
-    The latter also if contacts reach over shoulders: there may be another balance.
-    """
-    whole, is_round = balance.of_whole_contacts, not balance.bearing.approaches
-    first = whole if is_round else whole.out_of_round(0.0)
+    """States with whole contacts: from where balls of rigid rings start, else from their balance."""
+    is_round = not balance.bearing.approaches
+    first = balance if is_round else balance.out_of_round(0.0)
     state, outcomes = yield from _newton(first, grooves, _in_round_grooves(*start(first)))
     held = [
         outcome is SolverOutcome.CONVERGED and holds(stiffness, ~fixed)
         for outcome, stiffness, fixed in zip(outcomes, state.stiffness, balance.held, strict=True)
     ]
-    failed = np.flatnonzero(~np.array(held) | (balance.over_shoulders(_balls(first, state)) > 0))
+    failed = np.flatnonzero(~np.array(held))
     if len(failed):
         other, ended = yield from _from_rigid_rings(first.take(failed), grooves)
         other.evaluations[:] += state.evaluations[failed]
@@ -235,9 +232,9 @@ def _whole_steps(balance: AngularBalance, grooves: ElasticGrooves) -> Steps:
     if not is_round:
         known, begin = outcomes, state.places
         spent = state.evaluations
-        state, outcomes = yield from _newton(whole, grooves, begin)
+        state, outcomes = yield from _newton(balance, grooves, begin)
         ended = known, outcomes
-        _by_parts(lambda part: (whole.out_of_round(part), grooves), begin, state, ended, softening=False)
+        _by_parts(lambda part: (balance.out_of_round(part), grooves), begin, state, ended, softening=False)
         outcomes = _after(known, outcomes)
         state.evaluations[:] += spent
     return state, outcomes
