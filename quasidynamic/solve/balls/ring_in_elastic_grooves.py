@@ -176,7 +176,7 @@ def iterate_elastic(
 
 
 def _steps(balance: AngularBalance, grooves: ElasticGrooves) -> Steps:
-    """States from that between rigid and round grooves on, shoulders last."""
+    """States from round grooves on, shoulders last."""
     whole = balance.of_whole_contacts
     state, outcomes = yield from _whole_steps(whole, grooves)
     if balance.races is None:
