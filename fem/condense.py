@@ -58,7 +58,7 @@ def condense(
 
     `at` of the result gives the compliance for rollers or balls at their azimuths; that of a solid holds for
     its azimuths alone. With supports that only push it depends on the forces: `under_rollers` of
-    RingOnFoundation and RingOnLines. A part with a groove has a GrooveCompliance.
+    RingOnFoundation and RingOnLines. A part with a groove has a GrooveCompliance, unless it is drawn.
 
     Raises `ImpossiblePart` if the band is longer than the track, the part can still move freely, or does not
     go with the discretisation; `NotSolved` if a solve fails, the mesh is too coarse for harmonics or patches,
@@ -150,6 +150,8 @@ def condense_in_process(
     """
     stage, seconds = stages(report)
     _require_cones(part, discretisation, resolution)
+    if part.groove is not None:
+        _require_known(part, discretisation)
     match part, discretisation:
         case _, Discretisation.SOLID:
             from fem.solid.condensation import condense_solid
@@ -171,7 +173,6 @@ def condense_in_process(
             | SquirrelCage(groove=Groove()),
             _,
         ):
-            _require_known(part, discretisation)
             from fem.section.raceway_shapes import groove_compliance
 
             condensed = groove_compliance(part, resolution, stage, seconds)
@@ -195,9 +196,9 @@ def _require_cones(part: Any, discretisation: Discretisation, resolution: Resolu
         raise ImpossiblePart(f"cones {in_mm(cones)} apart are impossible under rows {in_mm(rows)} apart")
 
 
-def _require_known(part: Part | BoltedRing, discretisation: Discretisation) -> None:
-    """Refuse a groove in a ring that is discretised in another way than by its section."""
-    known = SMEARED if isinstance(part, SquirrelCage) else HARMONICS
+def _require_known(part: Part | BoltedRing | StepSolid, discretisation: Discretisation) -> None:
+    """Refuse a groove in a ring that is discretised in another way than by its section, or as it is drawn."""
+    known = SMEARED if isinstance(part, SquirrelCage) else SOLID if isinstance(part, StepSolid) else HARMONICS
     if discretisation is not known:
         raise ImpossiblePart(f"a groove is impossible as {discretisation.name}, only as {known.name}")
 
@@ -278,7 +279,6 @@ def _with_enough_harmonics(
     if part.groove is not None:
         from fem.section.raceway_shapes import last_harmonic_of_patches
 
-        _require_known(part, discretisation)
         return condensed(resolution, last_harmonic_of_patches(part, resolution))
     from fem.raceway.harmonics import with_enough_harmonics
 

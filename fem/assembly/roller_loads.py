@@ -8,6 +8,7 @@ The same pattern reads displacements, so that w_m works on F_m.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 from math import ceil
 
 import ngsolve as ngs
@@ -19,6 +20,7 @@ from scipy import sparse
 
 from fem.errors import NotSolved
 from fem.mesh.solid import MILLIMETRES
+from fem.parts.groove import BallPatches
 from fem.parts.material import in_mm
 from fem.parts.rings import MeshSize, Patches
 
@@ -34,9 +36,15 @@ class Band:
     x: NDArray  # (points,) axial [m]
     azimuth: NDArray  # (points,) from z towards y [rad]
     area: NDArray  # (points,) quadrature weights [m^2]
-    radius: float  # mean over the band [m]
-    along_y: sparse.csr_array  # (points, unknowns) area times shape function of the y-displacement
+    radii: NDArray  # (points,) distance from the axis [m]
+    along_x: sparse.csr_array  # (points, unknowns) area times shape function of the x-displacement
+    along_y: sparse.csr_array  # (points, unknowns) likewise for y
     along_z: sparse.csr_array  # (points, unknowns) likewise for z
+
+    @cached_property
+    def radius(self) -> float:
+        """Mean distance from the axis [m]."""
+        return float(np.average(self.radii, weights=self.area))
 
     def forces(self, y, z):
         """Load vectors [N] of tractions [Pa] on the band along y and z, both (points, ...), dense or sparse.
@@ -70,13 +78,12 @@ def band(space, raceway: str, order: int) -> Band:
     inside = area > 0
     x, y, z = (moments(c)[inside] / area[inside] / MILLIMETRES for c in (ngs.x, ngs.y, ngs.z))
     return Band(
-        x=x, azimuth=np.arctan2(y, z), area=area[inside] / MILLIMETRES**2,
-        radius=float(np.average(np.hypot(y, z), weights=area[inside])),
-        along_y=shapes(1), along_z=shapes(2),
+        x=x, azimuth=np.arctan2(y, z), area=area[inside] / MILLIMETRES**2, radii=np.hypot(y, z),
+        along_x=shapes(0), along_y=shapes(1), along_z=shapes(2),
     )  # fmt: skip
 
 
-def quadrature_order(patches: Patches, mesh: MeshSize) -> int:
+def quadrature_order(patches: Patches | BallPatches, mesh: MeshSize) -> int:
     """Order that resolves a Gaussian on elements of the raceway, as far as `HIGHEST_ORDER` allows."""
     return min(2 * mesh.order + ceil(5 * mesh.raceway_size / patches.width), HIGHEST_ORDER)
 

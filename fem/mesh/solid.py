@@ -10,14 +10,17 @@ which the tolerances of the geometry kernel are made; `MILLIMETRES` is the one c
 from functools import singledispatch
 
 import ngsolve as ngs
+import numpy as np
 from netgen import occ
-from netgen.meshing import NgException
+from netgen.meshing import MeshingParameters, NgException
+from numpy.typing import NDArray
 
 from fem.errors import NotSolved
 from fem.mesh import step_import
 from fem.mesh.curved import FOLDED, curved
 from fem.mesh.expense import require_affordable
 from fem.parts.boundary_conditions import ClampedFace, Housing, RigidSeat, edge_names
+from fem.parts.groove import BallPatches, Groove
 from fem.parts.material import require
 from fem.parts.rings import ImpossiblePart, MeshSize, OuterRing, Part, RingOnShaft, require_on_track
 from fem.parts.squirrel_cage import SquirrelCage
@@ -26,15 +29,18 @@ from fem.parts.step_solid import StepSolid
 MILLIMETRES = 1e3  # per metre
 FLAT = 1e-6  # [mm] below it two places are one
 ARC = 0.6  # elements on the radius of a fillet; curved elements need no more
+BESIDE = 2.5  # widths of a patch around a ball where elements of a groove are as small as on a raceway
 
 _AXIS = occ.Axis(occ.Pnt(0, 0, 0), occ.X)
 
 
-def meshed(part: Part | StepSolid, length: float, mesh_size: MeshSize) -> ngs.Mesh:
+def meshed(
+    part: Part | StepSolid, length: float, mesh_size: MeshSize, balls: BallPatches | None = None
+) -> ngs.Mesh:
     """Curved tetrahedra that fill a part, with the loaded band as faces of their own.
 
     They are in millimetres, x along the axis. The band of `length` [m], at most the track of the part, is
-    centred on x = 0.
+    centred on x = 0; a groove has the small elements of a raceway at its `balls` only.
     Raises `ImpossiblePart` if the band is longer than the track, a drawing does not hold such a part, or
     elements are inside out or far too many; `NotSolved` if the mesh generator finds no mesh.
     """
@@ -44,16 +50,33 @@ def meshed(part: Part | StepSolid, length: float, mesh_size: MeshSize) -> ngs.Me
     finer = {"curvaturesafety": ARC} if rounded else {}
 
     def straight(sizes: MeshSize) -> ngs.Mesh:
-        size_raceway(body, sizes)
         # bodies meshed in parallel were seen to crash, at random, on a busy machine; and to take longer
-        return ngs.Mesh(
-            occ.OCCGeometry(body).GenerateMesh(maxh=sizes.size * MILLIMETRES, parallel_meshing=False, **finer)
-        )
+        wanted = MeshingParameters(maxh=sizes.size * MILLIMETRES, parallel_meshing=False, **finer)
+        if balls is None or part.groove is None:
+            size_raceway(body, sizes)
+        else:
+            size = sizes.raceway_size * MILLIMETRES
+            for x, y, z in _pressed(part.groove, balls, size):
+                wanted.RestrictH(x=x, y=y, z=z, h=size)
+        return ngs.Mesh(occ.OCCGeometry(body).GenerateMesh(mp=wanted))
 
     try:
         return curved(straight, mesh_size, FOLDED if rounded else 0.0)
     except NgException as refusal:
         raise NotSolved(f"the mesh generator gives up: {refusal}; take other element sizes") from refusal
+
+
+def _pressed(groove: Groove, patches: BallPatches, size: float) -> NDArray:
+    """Places (n, 3) [mm] of balls on the groove of an outer ring, a size [mm] apart."""
+    angles, beside = patches.stations.angles, BESIDE * patches.width
+    radius, centre = groove.radius * MILLIMETRES, groove.centre_radius * MILLIMETRES
+    first, last = min(angles) - beside / groove.radius, max(angles) + beside / groove.radius
+    alpha = np.arange(first, last + size / radius, size / radius)
+    across = np.arange(-beside * MILLIMETRES, beside * MILLIMETRES + size, size)
+    phi, alpha, across = np.meshgrid(patches.azimuths, alpha, across)
+    r = centre + radius * np.cos(alpha)
+    phi = phi + across / r
+    return np.stack([radius * np.sin(alpha), r * np.sin(phi), r * np.cos(phi)], axis=-1).reshape(-1, 3)
 
 
 def require_affordable_solid(body, mesh_size: MeshSize) -> None:

@@ -15,16 +15,19 @@ from netgen import occ
 from netgen.meshing import NgException
 from numpy.typing import NDArray
 
-from fem.parts.material import ImpossiblePart
+from fem.parts.groove import Groove
+from fem.parts.material import ImpossiblePart, in_mm
 from fem.parts.quoted import enumerated, shortened
 from fem.parts.step_solid import Coloured, Named, Near, Pick, StepSolid
 
 MILLIMETRES = 1e3  # per metre
 EXACT = 1e-3  # [mm] closer places are one; drawings are exact to about a tenth of it
 AGREEMENT = 2e-3  # allowed relative difference between the drawn raceway and the bearing's
+ARC = 1e-2  # of the groove's radius: allowed difference between the drawn arc and the bearing's
 CLOSE = 1.0  # [mm] a point further away from a face does not pick it
 NARROWEST_STRIP = 0.05  # [mm] beside the loaded band: narrower ones cannot be meshed well
 WHOLE = 1e-5  # allowed relative difference in area between the band and a full cylinder
+WHOLE_GROOVE = 1e-4  # the same of a groove, whose radius is a smaller number
 COLOUR = 1.5  # allowed difference of a colour, out of 255
 
 _NOTHING = ""
@@ -37,10 +40,10 @@ _NO_NUMBER = re.compile(  # the kernel would not end
 def solid(part: StepSolid, length: float):
     """The drawn solid in the bearing's frame [mm], x along the axis, faces "raceway" and "clamped" named.
 
-    "raceway" is exactly the loaded band of `length` [m].
+    "raceway" is exactly the loaded band of `length` [m], or the whole groove as it is drawn.
     Raises `ImpossiblePart` if the drawing cannot be read or is not one solid, if the kernel cannot work with
     it, if a pick finds no face or no clear one, if the raceway is no cylinder about the axis with the
-    diameter of the bearing, or if the band does not fit.
+    diameter of the bearing, or no groove with its arc, or if the band does not fit.
     """
     try:
         return _solid(part, length)
@@ -54,6 +57,11 @@ def _solid(part: StepSolid, length: float):
     body = _read(part)
     _mark(body, part)
     body = _placed(body, part)
+    if part.groove is not None:
+        body = body.solids[0]
+        _name_groove(body, part.groove, length * MILLIMETRES / 2)
+        body.mat("ring")
+        return body
     radius, left, right = _raceway(body, part)
     ends = _ends(left, right, length * MILLIMETRES / 2)
     circles = [occ.Circle(occ.Pnt(x, 0, 0), occ.X, radius) for x in ends]
@@ -235,6 +243,55 @@ def _name_band(body, radius: float, half: float) -> None:
             face.name = _NOTHING
     for face in band:
         face.name = "raceway"
+
+
+def _name_groove(body, groove: Groove, half: float) -> None:
+    """Name the faces of a groove "raceway", and make sure that it is whole and as wide as its lands leave."""
+    centre, radius = groove.centre_radius * MILLIMETRES, groove.radius * MILLIMETRES
+    rims = [(face, rim) for face in body.faces if (rim := _rim(face)).size]
+    arcs = [(face, rim, arc) for face, rim in rims if (arc := _arc(rim)) is not None and arc[2] < centre]
+    fitting = [each for each in arcs if np.abs(each[2] - (0.0, centre, radius)).max() < ARC * radius]
+    if not fitting:
+        drawn = enumerated({_words(arc) for *_, arc in arcs})
+        raise ImpossiblePart(
+            f"groove: allowed is one face or more with {_words(np.array([0.0, centre, radius]))}, about the "
+            f"axis of the bearing; the arcs of those that are drawn: {drawn}"
+        )
+    if any(face.name == "clamped" for face, *_ in fitting):
+        raise ImpossiblePart("clamps: the groove is clamped; draw an edge between groove and clamp")
+    x = np.concatenate([rim[:, 0] for _, rim, _ in fitting])
+    left, right = float(x.min()), float(x.max())
+    if left > EXACT - half or right < half - EXACT:
+        raise ImpossiblePart(
+            f"groove: its lands leave x = {-half:.6g} to {half:.6g} mm for balls; allowed is a drawing that "
+            f"reaches as far, but it reaches from x = {left:.6g} to {right:.6g} mm"
+        )
+    place, r, a = np.mean([arc for *_, arc in fitting], axis=0)
+    ends = np.arcsin(np.clip((np.array([left, right]) - place) / a, -1, 1))
+    area = 2 * np.pi * a * (r * np.ptp(ends) + a * np.ptp(np.sin(ends)))
+    missing = 1 - sum(face.mass for face, *_ in fitting) / area
+    if abs(missing) > WHOLE_GROOVE:
+        raise ImpossiblePart(
+            f"groove: {missing:.3%} of it are not on its arc; allowed is a groove without holes or notches"
+        )
+    for face, *_ in fitting:
+        face.name = "raceway"
+
+
+def _words(arc: NDArray) -> str:
+    """An arc as it is offered."""
+    x, centre, radius = (in_mm(length / MILLIMETRES) for length in arc)
+    return f"radius {radius} about a circle of radius {centre} at x = {x}"
+
+
+def _arc(rim: NDArray) -> NDArray | None:
+    """Centre x and r and radius of a face whose edges all lie on one arc turned about the axis."""
+    x, r = rim[:, 0], np.hypot(rim[:, 1], rim[:, 2])
+    equations = np.stack([2 * x, 2 * r, np.ones_like(x)], axis=1)
+    (place, centre, rest), _, rank, _ = np.linalg.lstsq(equations, x**2 + r**2)
+    radius = np.sqrt(max(rest + place**2 + centre**2, 0.0))
+    on_arc = np.abs(np.hypot(x - place, r - centre) - radius).max() < EXACT
+    return np.array([place, centre, radius]) if rank == len(equations.T) and on_arc else None
 
 
 def _within(rim: NDArray, radius: float, half: float) -> bool:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
-from fem.parts.groove import Stations
+from fem.parts.groove import BallPatches, Stations
 from fem.parts.material import ImpossiblePart, require, require_positive
 from fem.parts.rings import MIDDLE, MeshSize, Patches
 
@@ -26,7 +26,7 @@ class Discretisation(StrEnum):
     HARMONICS = "harmonics"  # azimuthal harmonics: on an axial section, or on half a pitch of a squirrel cage
     SMEARED = "smeared"  # the same of a squirrel cage, its bars spread evenly over an axial section
     BEAM = "beam"  # harmonics of a curved beam on springs, without a mesh
-    SOLID = "solid"  # the whole solid, for rollers at given azimuths
+    SOLID = "solid"  # the whole solid, for rollers or balls at given azimuths
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,7 +51,7 @@ class Resolution:
     axial_modes: int = 1  # M, Legendre polynomials along a band that carry forces and displacements
     mesh_size: MeshSize | None = None
     harmonics: int | None = None  # N, the highest; None: what part and band need, or the mesh resolves
-    azimuths: Sequence[float] | None = None  # (Z,) [rad] of the rollers
+    azimuths: Sequence[float] | None = None  # (Z,) [rad] of the rollers or balls on a solid
     patch_width: float | None = None  # [m] of a loaded patch, standard deviation along the arc
     threads: int = field(default=2, compare=False)  # of NGSolve, for a solid
     stations: Stations | None = None  # on the arcs of a groove, in place of a band and its axial modes
@@ -86,11 +86,13 @@ class Resolution:
         return self.mesh_size
 
     @property
-    def patches(self) -> Patches:
-        """Loaded patches on a solid.
+    def patches(self) -> Patches | BallPatches:
+        """Loaded patches on a solid; of balls where there are stations.
 
         Raises `ImpossiblePart` if the rollers have no azimuths, or the patches no width.
         """
+        if self.azimuths is not None and self.stations is not None:
+            return BallPatches(azimuths=self.azimuths, length=self.length, stations=self.stations)
         if self.azimuths is None or self.patch_width is None:
             raise ImpossiblePart(
                 f"azimuths = {self.azimuths}, patch_width = {self.patch_width} are impossible for a solid; "

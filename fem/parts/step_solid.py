@@ -9,6 +9,7 @@ from math import inf
 
 import numpy as np
 
+from fem.parts.groove import Groove
 from fem.parts.material import Elastic, ImpossiblePart, require, require_positive
 from fem.parts.quoted import shortened
 
@@ -66,11 +67,12 @@ Pick = Named | Coloured | Near
 class StepSolid:
     """One solid of a STEP file that carries a raceway and is clamped somewhere.
 
-    The raceway is a cylinder about the axis, on which the loaded band fits; it is cut out exactly.
+    The raceway is a cylinder about the axis, on which the loaded band fits; it is cut out exactly. Or it is a
+    groove of one arc around balls, drawn at least as far as its lands.
     """
 
     drawing: bytes = field(repr=False)  # content of the file; any length unit, it knows its own
-    raceway_diameter: float  # [m] of the bearing; the drawn one may differ a little and is used
+    raceway_diameter: float  # [m] of the bearing; the drawn one may differ a little and is used; of lands
     clamps: tuple[Pick, ...]  # faces that do not move
     elastic: Elastic
     raceway: Pick | None = None  # None: the one cylinder of this diameter about the axis
@@ -78,6 +80,7 @@ class StepSolid:
     axis: Vector = (1.0, 0.0, 0.0)  # direction of the bearing's x in the drawing
     zenith: Vector = (0.0, 0.0, 1.0)  # direction of azimuth 0 in the drawing, at right angles to the axis
     scale: float = 1.0  # [-] size over drawn size, for a hot part
+    groove: Groove | None = None  # for balls; None: a raceway for rollers
     source: str = field(default="STEP drawing", compare=False)  # how messages call it
 
     def __post_init__(self):

@@ -1,4 +1,4 @@
-"""The stiffness of a ring condensed to its raceway under rollers."""
+"""The stiffness of a ring condensed to its raceway under rollers or balls."""
 
 from collections.abc import Callable
 from math import ceil, pi
@@ -10,8 +10,10 @@ from numpy.typing import NDArray
 from fem.assembly import roller_loads
 from fem.assembly.bar_readings import bar_readings
 from fem.assembly.factorisation import threads
+from fem.half_space.gaussian_patch import patch_answers
 from fem.half_space.load_patch import half_space
 from fem.mesh.solid import meshed
+from fem.parts.groove import BallPatches
 from fem.parts.resolution import Resolution, neighbour
 from fem.parts.rings import Part
 from fem.parts.squirrel_cage import SquirrelCage
@@ -20,14 +22,14 @@ from fem.raceway import symmetry
 from fem.raceway.bar_response import BarResponse, is_mirrored
 from fem.raceway.compliance import RacewayCompliance
 from fem.raceway.harmonics import FINENESS
-from fem.solid.factored_solid import FactoredSolid, factored_on
+from fem.solid.factored_solid import FactoredSolid, balls_of, factored_on
 from fem.stages import Stage
 
 MOST_OF_BARS = 200  # harmonics that reach the bars: higher ones do not reach through the ring
 
 
 def condense_solid(part: Part | StepSolid, resolution: Resolution, stage: Stage) -> RacewayCompliance:
-    """Compliance of a raceway to its rollers, by as few solves as symmetry leaves.
+    """Compliance of a raceway to its rollers, by as few solves as symmetry leaves; or to balls at stations.
 
     Raises `ImpossiblePart` if the loaded band is longer than the track, or a drawing does not hold such a
     part; `NotSolved` if a residual is too large, or the mesh too coarse for the patches.
@@ -38,17 +40,46 @@ def condense_solid(part: Part | StepSolid, resolution: Resolution, stage: Stage)
     """
     patches = resolution.patches
     with stage("mesh"):
-        mesh = meshed(part, patches.length, resolution.mesh)
+        mesh = meshed(part, patches.length, resolution.mesh, balls_of(patches))
     with stage("factor"):
         solid = factored_on(mesh, part, patches, resolution.mesh, resolution.threads)
     with stage("condense") as progress:
-        return condensed(solid, progress)
+        return under_balls(solid, progress) if isinstance(patches, BallPatches) else condensed(solid, progress)
+
+
+def under_balls(solid: FactoredSolid, progress: Callable[[float], None]) -> RacewayCompliance:
+    """Compliance of a groove at the stations of its balls, from the ground; `progress` as in `condensed`.
+
+    Raises `NotSolved` if a residual is too large, or the mesh too coarse for the patches.
+    """
+    patches, groove = solid.patches, solid.part.groove
+    assert isinstance(patches, BallPatches)
+    assert groove
+    loads, angles = solid.loads, np.array(patches.stations.angles)
+    Z, K = len(patches.azimuths), len(angles)
+    absolute = np.empty((Z * K, Z * K))
+    with threads(solid.thread_number):
+        for k in range(Z * K):
+            absolute[:, k] = loads.T @ solid.stiffness.solve(loads[:, [k]].toarray()[:, 0])
+            progress((k + 1) / (Z * K))
+    absolute = ((absolute + absolute.T) / 2).reshape(Z, K, Z, K)
+    apart, ball = groove.radius * np.abs(angles[:, None] - angles), np.arange(Z)
+    absolute[ball, :, ball] -= patch_answers(apart, patches.width, solid.part.materials["ring"])
+    return RacewayCompliance(
+        azimuths=np.array(patches.azimuths),
+        absolute=absolute,
+        translation=np.zeros((2, Z, K)),
+        support_stiffness=np.inf,  # as `GrooveCompliance.at`: places count from the ground
+        unknowns=solid.stiffness.unknowns,
+        elements=solid.space.mesh.ne,
+        seconds={},
+    )
 
 
 def condensed(
     solid: FactoredSolid, progress: Callable[[float], None] = lambda fraction: None
 ) -> RacewayCompliance:
-    """Compliance of the raceway of a factored solid; `progress` gets the finished fraction of the solves.
+    """Compliance of the raceway of a factored solid under rollers; `progress` gets the finished fraction of the solves.
 
     Raises `NotSolved` if a residual is too large, or the mesh too coarse for the patches.
     """

@@ -8,6 +8,7 @@ from typing import Any
 import ngsolve as ngs
 from numpy.typing import NDArray
 
+from fem.parts.groove import BallPatches
 from fem.parts.rings import ImpossiblePart, Part, Patches
 from fem.parts.step_solid import StepSolid
 from fem.solid.stress import stress
@@ -16,11 +17,11 @@ from fem.solid.vtu import vtu
 
 @dataclass(frozen=True, kw_only=True)
 class LoadedSolid:
-    """A solid under roller forces."""
+    """A solid under forces of rollers or balls."""
 
     part: Part | StepSolid
-    patches: Patches
-    forces: NDArray  # (Z, M) [N] positive outward
+    patches: Patches | BallPatches
+    forces: NDArray  # (Z, M) [N] positive outward, of balls on stations
     displacement: Any  # ngsolve.GridFunction (3,) [m] on a mesh in millimetres
     radius: float  # [m] of the raceway
 

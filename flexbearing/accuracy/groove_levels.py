@@ -3,6 +3,7 @@
 from flexbearing.accuracy.case_levels import ABOVE, BELOW, WEIGHT, Cost, Ladder, counted, fixed, given
 from flexbearing.accuracy.ladder import Choice
 from flexbearing.case.balls.angular_contact import FastCase
+from flexbearing.case.balls.groove_accuracy import ORDER
 
 STATIONS = (5, 7, 9, 11, 13, 15)  # the last only measures
 ORDERS = (2, 3, 4, 5, 6, 7)  # of elements that grow with them on the grooves
@@ -24,7 +25,7 @@ def _stations(case: FastCase) -> Ladder:
 
 def _elements(case: FastCase) -> Ladder:
     """Orders of the elements; a mesh that the case gives is only measured, by the next order."""
-    fixed_by, order = given(case, *MESH_KEYS), case.accuracy.element_order
+    fixed_by, order = given(case, *MESH_KEYS), case.accuracy.element_order or ORDER
     orders = (order, order + 1) if fixed_by else ORDERS
     choice = Choice(
         name="elements",

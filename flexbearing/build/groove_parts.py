@@ -1,6 +1,7 @@
 """Elastic rings of a bearing with fast balls, with their grooves, as finite elements take them."""
 
 from math import cos, inf
+from typing import TYPE_CHECKING
 
 import fem
 from fem.parts.bolted_ring import BoltedRing
@@ -13,11 +14,14 @@ from flexbearing.case.held_ring import BARS, require_bars
 from flexbearing.case.materials import Elastic
 from flexbearing.case.quantity import require
 
-GroovePart = fem.OuterRing | fem.RingOnShaft | fem.SquirrelCage | BoltedRing
+if TYPE_CHECKING:
+    from fem.parts.step_solid import StepSolid
+
+    GroovePart = fem.OuterRing | fem.RingOnShaft | fem.SquirrelCage | StepSolid | BoltedRing
 BallCase = FastCase | FourPointCase
 
 
-def groove_part(case: BallCase, race: Race) -> GroovePart | None:
+def groove_part(case: BallCase, race: Race) -> "GroovePart | None":
     """Part that carries a groove; None where it is rigid, or on a cam.
 
     Raises `BadCase` when no such part can exist.
@@ -67,8 +71,11 @@ def _bolted(case: FourPointCase, race: Race) -> BoltedRing:
     )
 
 
-def _outer(case: FastCase) -> fem.OuterRing | fem.SquirrelCage:
+def _outer(case: FastCase) -> "fem.OuterRing | fem.SquirrelCage | StepSolid":
     outer, (groove, land) = case.outer, elastic_groove(case.bearing, "outer")
+    if outer.kind == "step":
+        elastic = _elastic(case.materials.ring("outer"))
+        return held_ring.drawn(case, raceway_diameter=2 * land, elastic=elastic, groove=groove)
     thickness, width = require(outer, ("thickness", "width"), f'outer.kind = "{outer.kind}"')
     ring = {
         "raceway_diameter": 2 * land,

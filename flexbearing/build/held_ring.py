@@ -1,10 +1,19 @@
 """What holds a plain outer ring, the same in every family of bearings."""
 
 import math
-from typing import Any
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import fem
 from fem.parts.boundary_conditions import Support
+from flexbearing import inputs
+from flexbearing.case.read import LONGEST_NAME
+from flexbearing.inputs.file import DRAWING
+from flexbearing.printable import excerpt
+
+if TYPE_CHECKING:
+    from fem.parts.step_solid import Coloured, Named, StepSolid
 
 PARALLEL = 1e-9  # [rad] between directions that are taken as one
 
@@ -67,3 +76,47 @@ def require_held_on_lines(outer: Any, load: complex) -> None:
         f"{math.degrees(direction):.4g} deg; allowed are lines on both sides of it, less than "
         "180 deg apart, or outer.bilateral = true where they can pull"
     )
+
+
+def drawn(case: Any, **ring: Any) -> "StepSolid":
+    """Solid from the STEP file that lies next to a case; keywords are fields that its family knows.
+
+    Raises `ImpossiblePart` where the file cannot be read.
+    """
+    from fem.parts.step_solid import StepSolid
+
+    outer, raceway = case.outer, getattr(case.outer, "raceway", None)  # of rollers
+    assert case.drawing  # or the ring would not be drawn
+    return StepSolid(
+        drawing=_content(case.drawing),
+        clamps=tuple(_pick(face) for face in outer.clamps),
+        raceway=None if raceway is None else _pick(raceway),
+        centre=(outer.centre_x, outer.centre_y, outer.centre_z),
+        axis=_direction(outer.axis),
+        zenith=_direction(outer.zenith),
+        source=excerpt(outer.file),
+        **ring,
+    )
+
+
+def _content(drawing: Path) -> bytes:
+    try:
+        return inputs.content(drawing, DRAWING)
+    except inputs.Unreadable as problem:
+        raise fem.ImpossiblePart(f"{excerpt(str(drawing), LONGEST_NAME)}: {problem}") from problem
+
+
+def _pick(face: str) -> "Named | Coloured":
+    """Choice of faces by a colour such as #e75959, or by a name."""
+    from fem.parts.step_solid import Coloured, Named
+
+    if re.fullmatch(r"#[0-9a-fA-F]{6}", face):
+        return Coloured(*bytes.fromhex(face[1:]))
+    return Named(face)
+
+
+def _direction(name: str) -> tuple[float, float, float]:
+    """Unit vector along an axis of the drawing."""
+    vector = [0.0, 0.0, 0.0]
+    vector["xyz".index(name[-1])] = -1.0 if name.startswith("-") else 1.0
+    return vector[0], vector[1], vector[2]

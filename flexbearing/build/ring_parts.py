@@ -1,23 +1,17 @@
 """From a case to what carries the raceways: outer and inner part at their temperatures."""
 
-import re
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import fem
-from flexbearing import inputs
 from flexbearing.build import held_ring
 from flexbearing.build.expansion import hot_over_cold, material, outer_raceway_diameter, roller_length
-from flexbearing.case.read import LONGEST_NAME
 from flexbearing.case.roller import Case
-from flexbearing.inputs.file import DRAWING
-from flexbearing.printable import excerpt
 from quasidynamic.note import Note, information
 
 if TYPE_CHECKING:
-    from fem.parts.step_solid import Coloured, Named, StepSolid
+    from fem.parts.step_solid import StepSolid
 
     Part = fem.SquirrelCage | fem.OuterRing | fem.RingOnShaft | StepSolid
 
@@ -48,7 +42,7 @@ def _outer_part(case: Case) -> "fem.SquirrelCage | fem.OuterRing | StepSolid | N
         "elastic": _elastic(case, "outer_ring"),
     }
     if outer.kind == "step":
-        return _drawn(case, **ring, scale=hot)
+        return held_ring.drawn(case, **ring, scale=hot)
     if outer.kind in ("ring", "matrix"):
         lengths = {name: getattr(outer, name) * hot for name in ("thickness", "width")}
         return fem.OuterRing(**ring, **lengths, support=_support(case), offset=outer.raceway_offset * hot)
@@ -97,47 +91,6 @@ def _support(case: Case) -> Any:
     housing = _elastic(case, "housing") if outer.support == "housing" else None
     pushing = outer.foundation_radial > 0 and not outer.bilateral
     return held_ring.support(outer, housing, hot=hot, pushing=pushing)
-
-
-def _drawn(case: Case, **ring: Any) -> "StepSolid":
-    """Solid from the STEP file that lies next to the case."""
-    from fem.parts.step_solid import StepSolid
-
-    outer: Any = case.outer
-    assert case.drawing  # or the ring would not be drawn
-    return StepSolid(
-        drawing=_content(case.drawing),
-        clamps=tuple(_pick(face) for face in outer.clamps),
-        raceway=None if outer.raceway is None else _pick(outer.raceway),
-        centre=(outer.centre_x, outer.centre_y, outer.centre_z),
-        axis=_direction(outer.axis),
-        zenith=_direction(outer.zenith),
-        source=excerpt(outer.file),
-        **ring,
-    )
-
-
-def _content(drawing: Path) -> bytes:
-    try:
-        return inputs.content(drawing, DRAWING)
-    except inputs.Unreadable as problem:
-        raise fem.ImpossiblePart(f"{excerpt(str(drawing), LONGEST_NAME)}: {problem}") from problem
-
-
-def _pick(face: str) -> "Named | Coloured":
-    """Choice of faces by a colour such as #e75959, or by a name."""
-    from fem.parts.step_solid import Coloured, Named
-
-    if re.fullmatch(r"#[0-9a-fA-F]{6}", face):
-        return Coloured(*bytes.fromhex(face[1:]))
-    return Named(face)
-
-
-def _direction(name: str) -> tuple[float, float, float]:
-    """Unit vector along an axis of the drawing."""
-    vector = [0.0, 0.0, 0.0]
-    vector["xyz".index(name[-1])] = -1.0 if name.startswith("-") else 1.0
-    return vector[0], vector[1], vector[2]
 
 
 def inner_part(case: Case) -> "fem.RingOnShaft | None":

@@ -1,5 +1,6 @@
 """Keys of a plain outer ring and of what holds it, the same in every family of bearings."""
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from flexbearing.case.quantity import Section, at_least, at_most, impossible, in_mm, key, require
@@ -7,6 +8,7 @@ from flexbearing.case.quantity import Section, at_least, at_most, impossible, in
 RING = {"kind": ("ring",)}
 CAGE = {"kind": ("squirrel_cage",)}
 MATRIX = {"kind": ("matrix",)}
+STEP = {"kind": ("step",)}
 ON_SHAFT = {"kind": ("ring_on_shaft",)}
 MOST = 360  # lines or teeth around a ring, clamped faces of a drawing
 Direction = Literal["x", "y", "z", "-x", "-y", "-z"]
@@ -99,6 +101,37 @@ def tooth_radius() -> Any:
         gt=0,
         only=_held("planet"),
     )
+
+
+def file() -> Any:
+    """Drawing of a ring."""
+    return key("STEP file, next to the case file", None, example="ring.step", only=STEP)
+
+
+def clamps() -> Any:
+    """What holds a drawn ring."""
+    return key(
+        'faces of the drawing that do not move: names, or colours such as "#e75959"',
+        (),
+        example=["foot"],
+        strict=False,
+        max_length=MOST,
+        only=STEP,
+    )
+
+
+def drawing(case: Any) -> Path | None:
+    """STEP file of the outer ring, next to the case file; None for a ring that is not drawn."""
+    outer = case.outer
+    return Path(case.source.path).parent / outer.file if outer.kind == "step" and outer.file else None
+
+
+def require_drawn(ring: Any) -> None:
+    """Raise unless a drawing, what holds it and how it lies are given."""
+    require(ring, ("file",), 'outer.kind = "step"')
+    if not ring.clamps:
+        raise impossible("clamps", "one face or more: a drawing without any can move freely")
+    require_directions(ring)
 
 
 def matrix() -> Any:

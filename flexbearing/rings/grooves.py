@@ -2,35 +2,41 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
-from typing import Any, NamedTuple
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 import fem
-from fem.condense import HARMONICS, SMEARED
+from fem.condense import HARMONICS, SMEARED, SOLID
 from fem.errors import NotSolved as RingNotSolved
 from fem.mesh.axial_section import require_affordable_section, sections, smeared_sections
+from fem.parts.step_solid import StepSolid
 from fem.raceway.stations import narrowest_patch
 from flexbearing.build import held_ring
-from flexbearing.build.groove_parts import BallCase, GroovePart, groove_part
+from flexbearing.build.groove_parts import BallCase, groove_part
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.bolted_rings import Rings
 from flexbearing.case.balls.elastic_rings import GrooveAccuracy
 from flexbearing.case.balls.four_point import FourPointCase
-from flexbearing.case.balls.groove_accuracy import patch
+from flexbearing.case.balls.groove_accuracy import ORDER, ORDER_IN_SPACE, patch
 from flexbearing.case.balls.ring_room import MARGIN, OUTWARD, Race
 from flexbearing.case.quantity import at_least, in_mm
 from flexbearing.coupling import LinearRaceway, Raceway, RacewayPair
+from flexbearing.program.threads import of_solids
 from flexbearing.progress import Report
 from flexbearing.rings.stored import Arguments, condensed_part
 from quasidynamic import ImpossiblePart, NotSolved
 from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGrooves
+from quasidynamic.parts.angular_contact_bearing import azimuths_of_row
+
+if TYPE_CHECKING:
+    from flexbearing.build.groove_parts import GroovePart
 
 MESH = 0.25  # largest element over the ball diameter
-FINER = 6.0  # order of the elements times width of a patch, over the elements on the groove
+FINER, FINER_IN_SPACE = 6.0, 3.0  # order of the elements times width of a patch, over those on the groove
 
 RACES: tuple[Race, Race] = ("inner", "outer")
 
@@ -40,7 +46,7 @@ class GrooveShape:
     """A part with the patches on its groove."""
 
     race: Race
-    part: GroovePart
+    part: "GroovePart"
     reach: tuple[float, float]  # [rad] contact angles of the outermost stations
     width: float  # [m] of a patch
 
@@ -78,6 +84,8 @@ def parts(case: BallCase) -> tuple[Arguments | None, Arguments | None]:
 
 def _require_affordable(case: BallCase, race: Race, arguments: Arguments) -> None:
     part, _, resolution = arguments
+    if isinstance(part, StepSolid):
+        return  # only the opened drawing can tell
     bodies = smeared_sections if isinstance(part, fem.SquirrelCage) else sections
     try:
         require_affordable_section(bodies(part, resolution.length), resolution.mesh)
@@ -98,7 +106,8 @@ def shape_of(case: BallCase, race: Race) -> GrooveShape | None:
     width, groove = patch(accuracy_of(case)[1], case.bearing.ball.diameter), part.groove
     end, margin = groove.end(part.raceway_diameter / 2, OUTWARD[race]), MARGIN * width / groove.radius
     first = groove.bottom_angle if groove.aside else -end
-    _require_harmonics(case, race, width, max(groove.bottom(OUTWARD[race]), groove.centre_radius))
+    if not isinstance(part, StepSolid):
+        _require_harmonics(case, race, width, max(groove.bottom(OUTWARD[race]), groove.centre_radius))
     return GrooveShape(race=race, part=part, reach=(first + margin, end - margin), width=width)
 
 
@@ -114,15 +123,21 @@ def _require_harmonics(case: BallCase, race: Race, width: float, radius: float) 
 def arguments_of(case: BallCase, shape: GrooveShape) -> Arguments:
     """What decides a groove of some shape, as finely resolved as a case has it."""
     accuracy, part = accuracy_of(case)[1], shape.part
+    usual, finer = (ORDER_IN_SPACE, FINER_IN_SPACE) if isinstance(part, StepSolid) else (ORDER, FINER)
+    order = accuracy.element_order or usual
     resolution = fem.Resolution(
         length=shape.length,
         mesh_size=fem.MeshSize(
-            order=accuracy.element_order,
+            order=order,
             size=accuracy.mesh_size or MESH * case.bearing.ball.diameter,
-            raceway_size=accuracy.element_order * shape.width / FINER,
+            raceway_size=order * shape.width / finer,
         ),
         stations=fem.Stations(angles=_spread(*shape.reach, accuracy.stations), width=shape.width),
     )
+    if isinstance(part, StepSolid):
+        assert isinstance(case, FastCase)  # no other one has a drawing
+        azimuths = azimuths_of_row(case.bearing.first_ball_azimuth, case.bearing.balls)
+        return part, SOLID, replace(resolution, azimuths=tuple(azimuths), threads=of_solids(None))
     return part, SMEARED if isinstance(part, fem.SquirrelCage) else HARMONICS, resolution
 
 

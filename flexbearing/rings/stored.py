@@ -82,7 +82,9 @@ def _in_memory(part: "Part", discretisation: fem.Discretisation, resolution: fem
 def _is_of(part: Any, discretisation: fem.Discretisation, resolution: fem.Resolution, kept: Any) -> bool:
     """Whether a compliance from the cache is that of a part, as far as it says so."""
     if discretisation is SOLID:
-        shape = len(resolution.azimuths or ()), resolution.axial_modes
+        stations = resolution.stations
+        shapes = len(stations.angles) if stations else resolution.axial_modes
+        shape = len(resolution.azimuths or ()), shapes
         return np.array_equal(kept.azimuths, resolution.azimuths or ()) and kept.absolute.shape[:2] == shape
     if isinstance(part, fem.OuterRing) and isinstance(part.support, fem.Foundation) and part.support.pushing:
         if kept.radial != part.support.radial:

@@ -6,11 +6,13 @@ from time import perf_counter
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 import fem
 from fem.errors import NotSolved
 from fem.parts.groove import BallPatches
 from fem.parts.probe import Probe
+from fem.parts.step_solid import StepSolid
 from fem.parts.surroundings import Surroundings
 from fem.section.loaded_section import LoadedSection, loaded_section
 from fem.solid import probes as solid
@@ -24,7 +26,7 @@ from flexbearing.coupled.balls import BallState
 from flexbearing.rings.grooves import RACES, GrooveShape, arguments_of, shape_of, stations_of
 from flexbearing.runs import probes
 from flexbearing.runs.fields import of_two_orders, surroundings
-from flexbearing.runs.part_fields import NAMES, NoFields, body_record, stress_record
+from flexbearing.runs.part_fields import NAMES, NoFields, PartFields, Sizes, body_record, stress_record
 from quasidynamic import AngularContactState
 
 
@@ -56,6 +58,8 @@ def _record(case: FastCase, state: AngularContactState, shape: GrooveShape) -> d
     """Largest values of a ring under the balls of a state; of a cage those of the ring alone."""
     began, on_bars = perf_counter(), isinstance(shape.part, fem.SquirrelCage)
     with _solving(shape.race):
+        if isinstance(shape.part, StepSolid):
+            return _record_of_solid(case, state, shape)
         section = _section(case, state, shape)
         clear = clearing(section.part, section.patches, section.forces, section.radius)
         names = ("ring",) if on_bars else tuple(section.part.materials)
@@ -65,6 +69,20 @@ def _record(case: FastCase, state: AngularContactState, shape: GrooveShape) -> d
     return stress_record(bodies, "balls", section.surroundings, left_out) | {
         "seconds": perf_counter() - began
     }
+
+
+def _record_of_solid(case: FastCase, state: AngularContactState, shape: GrooveShape) -> dict[str, Any]:
+    """Largest values of a drawn ring under the balls of a state."""
+    began, (part, _, resolution) = perf_counter(), arguments_of(case, shape)
+    sizes = of_two_orders(resolution.mesh)
+    fields = PartFields(
+        race=shape.race, state="flexible", part=part,
+        patches=_patches(case, state, shape), forces=_forces(case, state, shape),
+        sizes=Sizes(solid=sizes, stresses=sizes, coarseness=1.0, threads=resolution.threads),
+        surroundings=Surroundings(), left_out="",
+    )  # fmt: skip
+    bodies = {name: body_record(most) for name, most in fields.extremes.items()}
+    return stress_record(bodies, "balls", fields.surroundings, "") | {"seconds": perf_counter() - began}
 
 
 def readings_of_shape(
@@ -82,11 +100,21 @@ def readings_of_shape(
 def _section(case: FastCase, state: AngularContactState, shape: GrooveShape) -> LoadedSection:
     """A ring of some shape under the balls of a state."""
     part, _, resolution = arguments_of(case, shape)
-    stations, race = stations_of(case, shape), RACES.index(shape.race)
-    forces = BallState.of(state, np.array([stations.angles] * 2)).forces[race]
-    patches = BallPatches(azimuths=tuple(state.bearing.azimuths), length=resolution.length, stations=stations)
     around = Surroundings() if isinstance(part, fem.SquirrelCage) else surroundings(case, shape.race)
-    return loaded_section(part, patches, OUTWARD[shape.race] * forces, of_two_orders(resolution.mesh), around)
+    loads = _patches(case, state, shape), _forces(case, state, shape)
+    return loaded_section(part, *loads, of_two_orders(resolution.mesh), around)
+
+
+def _patches(case: FastCase, state: AngularContactState, shape: GrooveShape) -> BallPatches:
+    """Where the balls of a state load a ring."""
+    azimuths, stations = tuple(state.bearing.azimuths), stations_of(case, shape)
+    return BallPatches(azimuths=azimuths, length=shape.length, stations=stations)
+
+
+def _forces(case: FastCase, state: AngularContactState, shape: GrooveShape) -> NDArray:
+    """What they press on its stations (Z, K) [N], positive outward."""
+    both = BallState.of(state, np.array([stations_of(case, shape).angles] * 2)).forces
+    return OUTWARD[shape.race] * both[RACES.index(shape.race)]
 
 
 @contextmanager

@@ -19,6 +19,11 @@ class RowPlace:
     closer: float = 0.0  # [m] axial, of its grooves to each other: preload; negative is play
 
 
+def azimuths_of_row(first: float, balls: int) -> NDArray:
+    """Ball azimuths of a row from z towards y (Z) [rad], from the azimuth of the first ball [rad]."""
+    return first + 2 * np.pi * np.arange(balls) / balls
+
+
 @dataclass(frozen=True, kw_only=True)
 class AngularContactBearing:
     """Rows of balls between two rings, each with one groove for a row.
@@ -126,8 +131,7 @@ class AngularContactBearing:
     @cached_property
     def azimuths(self) -> NDArray:
         """Ball azimuths from z towards y (Z) [rad]."""
-        of_row = self.first_ball_azimuth + 2 * np.pi * np.arange(self.balls) / self.balls
-        return np.tile(of_row, len(self.rows))
+        return np.tile(azimuths_of_row(self.first_ball_azimuth, self.balls), len(self.rows))
 
     @cached_property
     def ball_rows(self) -> NDArray:

@@ -1,10 +1,12 @@
 """A fast angular-contact ball bearing, as a case; what it shares with that of a deep groove bearing."""
 
 from math import cos, hypot
+from pathlib import Path
 from typing import Literal, Self
 
 from pydantic import model_validator
 
+from flexbearing.case import held_ring
 from flexbearing.case.balls.cage import BallCage
 from flexbearing.case.balls.elastic_rings import BallInner, BallOuter, GrooveAccuracy, require_shoulder
 from flexbearing.case.balls.fits import FITTED
@@ -360,7 +362,7 @@ class FastCase(MountedCase):
 
     former = LOAD | DISPLACEMENT | ONE_FRICTION
     hints = NO_CLASSES | PLACES
-    file_keys = "outer.matrix", "outer.nodes"
+    file_keys = "outer.file", "outer.matrix", "outer.nodes"
 
     bearing: FastBearing = key("the bearing")
     materials: FastMaterials = key("the materials")
@@ -378,6 +380,11 @@ class FastCase(MountedCase):
     coupling: MethodsOfCoupling = key("how balls and elastic rings are solved together", {})
 
     @property
+    def drawing(self) -> Path | None:
+        """STEP file of the outer ring, next to the case file; None for a ring that is not drawn."""
+        return held_ring.drawing(self)
+
+    @property
     def seat(self) -> tuple[float, float]:
         """Radius of the outer surface of an elastic outer ring, and offset of its groove [m]."""
         groove, _ = elastic_groove(self.bearing, "outer")
@@ -392,6 +399,9 @@ class FastCase(MountedCase):
     def _elastic_rings_are_known(self) -> Self:
         if self.outer.kind != "rigid":
             require_shoulder("outer", self.bearing.outer)
+            if self.outer.kind == "step" and self.operation.outer_speed:
+                allowed = '"0 rpm" for outer.kind = "step": outer.clamps do not move'
+                raise impossible("operation.outer_speed", allowed)
             if self.outer.support == "housing" and self.materials.housing is None:
                 raise needed(["materials.housing"], 'outer.support = "housing"')
         if self.inner.kind == "ring_on_shaft":

@@ -117,7 +117,7 @@ class Rings(Section):
     )
     patch_width: Length | None = groove_accuracy.patch_width(_ANY_BOLTED)
     stations: groove_accuracy.Odd = groove_accuracy.stations(5, _ANY_BOLTED)
-    element_order: int = groove_accuracy.element_order(_ANY_BOLTED)
+    element_order: int | None = groove_accuracy.element_order(_ANY_BOLTED)
     mesh_size: Length | None = groove_accuracy.mesh_size(_ANY_BOLTED)
 
     def require_room(self, races: "Mapping[str, Groove]", contact_angle: float, ball_diameter: float) -> None:

@@ -7,7 +7,7 @@ from pydantic import model_validator
 from flexbearing.case import accuracy, held_ring
 from flexbearing.case.balls import groove_accuracy
 from flexbearing.case.balls.parts import EndingGroove
-from flexbearing.case.held_ring import CAGE, MATRIX, ON_SHAFT, RING, Direction
+from flexbearing.case.held_ring import CAGE, MATRIX, ON_SHAFT, RING, STEP, Direction
 from flexbearing.case.quantity import (
     Angle,
     Force,
@@ -20,7 +20,8 @@ from flexbearing.case.quantity import (
     require,
 )
 
-ELASTIC = ({"outer.kind": ("ring", "squirrel_cage", "matrix")}, {"inner.kind": ("ring_on_shaft",)})
+ELASTIC = ({"outer.kind": ("ring", "squirrel_cage", "step", "matrix")}, {"inner.kind": ("ring_on_shaft",)})
+SECTIONS = ({"outer.kind": ("ring", "squirrel_cage", "matrix")}, {"inner.kind": ("ring_on_shaft",)})
 ON_CAM = {"kind": ("cam",)}
 OF_RING = {"kind": ("ring", "squirrel_cage", "matrix")}
 HELD = {**RING, "support": ("side", "seat", "foundation", "housing")}  # along the axis, too
@@ -29,10 +30,10 @@ HELD = {**RING, "support": ("side", "seat", "foundation", "housing")}  # along t
 class BallOuter(Section):
     """What carries the outer groove."""
 
-    kind: Literal["rigid", "ring", "squirrel_cage", "matrix"] = key(
+    kind: Literal["rigid", "ring", "squirrel_cage", "step", "matrix"] = key(
         "rigid; a ring with its groove cut in; such a ring on bars, spread evenly around "
-        "it, whose flange is clamped; or bonded to a body whose stiffness another finite element program "
-        "wrote",
+        "it, whose flange is clamped; a solid drawn in a STEP file, with its groove; or a ring bonded to a "
+        "body whose stiffness another finite element program wrote",
         "rigid",
     )
     thickness: Length | None = key(
@@ -82,15 +83,19 @@ class BallOuter(Section):
     bar_length: Length | None = held_ring.of_cage("axial length of the bars")
     flange_length: Length | None = held_ring.of_cage("axial length of the flange behind the bars")
     bar_ends: Literal["one", "both"] = held_ring.bar_ends()
+    file: str | None = held_ring.file()
+    clamps: tuple[str, ...] = held_ring.clamps()
     matrix: str | None = held_ring.matrix()
     nodes: str | None = held_ring.nodes()
     length_unit: Length = held_ring.length_unit()
     force_unit: Force = held_ring.force_unit()
-    axis: Direction = held_ring.axis(MATRIX)
-    zenith: Direction = held_ring.zenith(MATRIX)
-    centre_x: Length = held_ring.centre("centre of the groove in the mesh, along its x", MATRIX)
-    centre_y: Length = held_ring.centre("the same along y", MATRIX)
-    centre_z: Length = held_ring.centre("the same along z", MATRIX)
+    axis: Direction = held_ring.axis((STEP, MATRIX))
+    zenith: Direction = held_ring.zenith((STEP, MATRIX))
+    centre_x: Length = held_ring.centre(
+        "centre of the groove in the drawing or mesh, along its x", (STEP, MATRIX)
+    )
+    centre_y: Length = held_ring.centre("the same along y", (STEP, MATRIX))
+    centre_z: Length = held_ring.centre("the same along z", (STEP, MATRIX))
 
     @property
     def lifts_off(self) -> bool:
@@ -101,6 +106,9 @@ class BallOuter(Section):
     @model_validator(mode="after")
     def _complete(self) -> Self:
         if self.kind == "rigid":
+            return self
+        if self.kind == "step":
+            held_ring.require_drawn(self)
             return self
         require(self, ("thickness", "width"), f'outer.kind = "{self.kind}"')
         if self.kind == "ring":
@@ -153,10 +161,10 @@ class BallInner(held_ring.OnShaft):
 class GrooveAccuracy(Section):
     """How finely elastic rings with grooves are resolved: as given, or as a target requires."""
 
-    target: Fraction | None = accuracy.target("ball", ELASTIC)
+    target: Fraction | None = accuracy.target("ball", SECTIONS)
     patch_width: Length | None = groove_accuracy.patch_width(ELASTIC)
     stations: groove_accuracy.Odd = groove_accuracy.stations(7, ELASTIC)
-    element_order: int = groove_accuracy.element_order(ELASTIC)
+    element_order: int | None = groove_accuracy.element_order(ELASTIC)
     mesh_size: Length | None = groove_accuracy.mesh_size(ELASTIC)
 
 

@@ -9,6 +9,7 @@ from pydantic_core import PydanticCustomError
 from flexbearing.case.quantity import at_most, impossible, in_mm, key
 
 PATCH = 0.06  # width over the ball diameter: a/sqrt(5) of steel balls at 2 to 2.5 GPa
+ORDER, ORDER_IN_SPACE = 5, 3  # of elements on a section, and in a drawn solid
 SHORTEST = 2.5  # widths of a patch in half an arc: on a shorter one, stations are too close to each other
 
 
@@ -46,7 +47,8 @@ def stations(usual: int, only: Any) -> Any:
 
 def element_order(only: Any) -> Any:
     """Order of the finite elements."""
-    return key("polynomial order of the finite elements", 5, ge=2, le=8, only=only)
+    words = f"polynomial order of the finite elements; by default {ORDER}, of a drawn solid {ORDER_IN_SPACE}"
+    return key(words, None, example=ORDER, ge=2, le=8, only=only)
 
 
 def mesh_size(only: Any) -> Any:

@@ -8,9 +8,9 @@ from flexbearing.case import held_ring
 from flexbearing.case.held_ring import (
     CAGE as _CAGE,
     MATRIX,
-    MOST,
     ON_SHAFT as _ON_SHAFT,
     RING as _RING,
+    STEP as _STEP,
     Direction,
 )
 from flexbearing.case.quantity import (
@@ -25,7 +25,6 @@ from flexbearing.case.quantity import (
     require,
 )
 
-_STEP = {"kind": ("step",)}
 _HELD = {**_RING, "support": ("side", "seat", "foundation", "housing")}
 
 
@@ -108,15 +107,8 @@ class Outer(Section):
         only=_CAGE,
     )
 
-    file: str | None = key("STEP file, next to the case file", None, example="ring.step", only=_STEP)
-    clamps: tuple[str, ...] = key(
-        'faces of the drawing that do not move: names, or colours such as "#e75959"',
-        (),
-        example=["foot"],
-        strict=False,
-        max_length=MOST,
-        only=_STEP,
-    )
+    file: str | None = held_ring.file()
+    clamps: tuple[str, ...] = held_ring.clamps()
     raceway: str | None = key(
         "name or colour of the raceway, where two cylinders of about its diameter are drawn",
         None,
@@ -140,10 +132,7 @@ class Outer(Section):
         if self.kind == "rigid":
             return self
         if self.kind == "step":
-            require(self, ("file",), 'outer.kind = "step"')
-            if not self.clamps:
-                raise impossible("clamps", "one face or more: a drawing without any can move freely")
-            held_ring.require_directions(self)
+            held_ring.require_drawn(self)
             return self
         require(self, ("thickness", "width"), f'outer.kind = "{self.kind}"')
         if self.kind == "matrix":

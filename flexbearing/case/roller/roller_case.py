@@ -5,6 +5,7 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
+from flexbearing.case import held_ring
 from flexbearing.case.head import KIND, Head
 from flexbearing.case.outputs import RingOutputs
 from flexbearing.case.quantity import impossible, in_mm, key, located, needed
@@ -55,9 +56,7 @@ class Case(Head):
     @property
     def drawing(self) -> Path | None:
         """STEP file of the outer ring, next to the case file; None for a ring that is not drawn."""
-        if self.outer.kind != "step" or self.outer.file is None:
-            return None
-        return Path(self.source.path).parent / self.outer.file
+        return held_ring.drawing(self)
 
     @property
     def seat(self) -> tuple[float, float]:

@@ -164,7 +164,7 @@ def _contours_of_balls(case: Any, pitch: float, size: float) -> Iterator[tuple[f
     outside = (rings.outer.outside_diameter if rings else fits and fits.outer_diameter) or 0.0
     bore = (rings.inner.bore if rings else fits and fits.bore) or 0.0
     lands, shaft, hollow = [0.0, 0.0], "white", 0.0
-    if not rings and case.outer.kind != "rigid":
+    if not rings and case.outer.kind not in ("rigid", "step"):
         outer, bottom = case.outer, bearing.groove_bottom("outer")
         outside, lands[0] = 2 * (bottom + outer.thickness), bottom - bearing.outer.shoulder
         if outer.kind == "ring" and outer.support == "housing":

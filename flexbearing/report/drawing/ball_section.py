@@ -95,9 +95,10 @@ def _outer(sheet: Sheet, case: Any, groove: NDArray) -> None:
     bearing, outer = case.bearing, case.outer
     groove, half = _shouldered(bearing, "outer", groove), WIDTH * bearing.ball.diameter
     outside = bearing.fits and bearing.fits.outer_diameter / 2
-    if outer.kind == "rigid":
+    if outer.kind in ("rigid", "step"):
         edge = outside or bearing.pitch_diameter / 2 + (0.5 + WALL) * bearing.ball.diameter
         _ring(sheet, "outer", groove, (-half, half), edge, fc=OUTER, **SCHEMATIC)
+        sheet.label("outer.file", (half, edge))
     else:
         centre = _bottom(groove)
         left, right = (centre - outer.groove_offset + side * outer.width / 2 for side in (-1, 1))
