@@ -1,4 +1,4 @@
-r"""Loads of balls on the groove of a solid: normal Gaussian patches at stations of its arc, which also read it.
+r"""Loads of balls on the groove of a solid: normal Gaussian patches at stations, which also read it.
 
 Ball j presses station k along the normals of the groove with a pressure
 

@@ -59,7 +59,7 @@ def _solid(part: StepSolid, length: float):
     body = _placed(body, part)
     if part.groove is not None:
         body = body.solids[0]
-        _name_groove(body, part.groove, length * MILLIMETRES / 2)
+        _name_groove(body, part.groove, part.arc(part.groove))
         body.mat("ring")
         return body
     radius, left, right = _raceway(body, part)
@@ -245,14 +245,14 @@ def _name_band(body, radius: float, half: float) -> None:
         face.name = "raceway"
 
 
-def _name_groove(body, groove: Groove, half: float) -> None:
-    """Name the faces of a groove "raceway", and make sure that it is whole and as wide as its lands leave."""
+def _name_groove(body, groove: Groove, arc: tuple[float, float]) -> None:
+    """Name the faces of a groove "raceway", and make sure that it is whole and has an arc [rad]."""
     centre, radius = groove.centre_radius * MILLIMETRES, groove.radius * MILLIMETRES
     rims = [(face, rim) for face in body.faces if (rim := _rim(face)).size]
-    arcs = [(face, rim, arc) for face, rim in rims if (arc := _arc(rim)) is not None and arc[2] < centre]
+    arcs = [(face, rim, one) for face, rim in rims if (one := _arc(rim)) is not None and one[2] < centre]
     fitting = [each for each in arcs if np.abs(each[2] - (0.0, centre, radius)).max() < ARC * radius]
     if not fitting:
-        drawn = enumerated({_words(arc) for *_, arc in arcs})
+        drawn = enumerated({_words(one) for *_, one in arcs})
         raise ImpossiblePart(
             f"groove: allowed is one face or more with {_words(np.array([0.0, centre, radius]))}, about the "
             f"axis of the bearing; the arcs of those that are drawn: {drawn}"
@@ -261,12 +261,13 @@ def _name_groove(body, groove: Groove, half: float) -> None:
         raise ImpossiblePart("clamps: the groove is clamped; draw an edge between groove and clamp")
     x = np.concatenate([rim[:, 0] for _, rim, _ in fitting])
     left, right = float(x.min()), float(x.max())
-    if left > EXACT - half or right < half - EXACT:
+    first, last = radius * np.sin(arc)
+    if left > first + EXACT or right < last - EXACT:
         raise ImpossiblePart(
-            f"groove: its lands leave x = {-half:.6g} to {half:.6g} mm for balls; allowed is a drawing that "
+            f"groove: its lands leave x = {first:.6g} to {last:.6g} mm for balls; allowed is a drawing that "
             f"reaches as far, but it reaches from x = {left:.6g} to {right:.6g} mm"
         )
-    place, r, a = np.mean([arc for *_, arc in fitting], axis=0)
+    place, r, a = np.mean([one for *_, one in fitting], axis=0)
     ends = np.arcsin(np.clip((np.array([left, right]) - place) / a, -1, 1))
     area = 2 * np.pi * a * (r * np.ptp(ends) + a * np.ptp(np.sin(ends)))
     missing = 1 - sum(face.mass for face, *_ in fitting) / area

@@ -81,6 +81,7 @@ class StepSolid:
     zenith: Vector = (0.0, 0.0, 1.0)  # direction of azimuth 0 in the drawing, at right angles to the axis
     scale: float = 1.0  # [-] size over drawn size, for a hot part
     groove: Groove | None = None  # for balls; None: a raceway for rollers
+    low_land: float | None = None  # [m] radius of the land at -x where it is another one
     source: str = field(default="STEP drawing", compare=False)  # how messages call it
 
     def __post_init__(self):
@@ -104,6 +105,11 @@ class StepSolid:
             self.zenith,
             f"at right angles to axis = {self.axis}",
         )
+
+    def arc(self, groove: Groove) -> tuple[float, float]:
+        """Contact angles [rad] between which the lands leave a groove."""
+        land = self.raceway_diameter / 2
+        return -groove.end(self.low_land or land, 1), groove.end(land, 1)
 
     @property
     def track(self) -> float:

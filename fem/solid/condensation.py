@@ -44,7 +44,9 @@ def condense_solid(part: Part | StepSolid, resolution: Resolution, stage: Stage)
     with stage("factor"):
         solid = factored_on(mesh, part, patches, resolution.mesh, resolution.threads)
     with stage("condense") as progress:
-        return under_balls(solid, progress) if isinstance(patches, BallPatches) else condensed(solid, progress)
+        return (
+            under_balls(solid, progress) if isinstance(patches, BallPatches) else condensed(solid, progress)
+        )
 
 
 def under_balls(solid: FactoredSolid, progress: Callable[[float], None]) -> RacewayCompliance:
@@ -79,7 +81,7 @@ def under_balls(solid: FactoredSolid, progress: Callable[[float], None]) -> Race
 def condensed(
     solid: FactoredSolid, progress: Callable[[float], None] = lambda fraction: None
 ) -> RacewayCompliance:
-    """Compliance of the raceway of a factored solid under rollers; `progress` gets the finished fraction of the solves.
+    """Compliance of a factored solid under rollers; `progress` gets the finished fraction of the solves.
 
     Raises `NotSolved` if a residual is too large, or the mesh too coarse for the patches.
     """

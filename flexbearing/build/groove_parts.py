@@ -9,7 +9,7 @@ from flexbearing.build import held_ring
 from flexbearing.case import BadCase
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.four_point import FourPointCase
-from flexbearing.case.balls.ring_room import OUTWARD, Race, elastic_groove
+from flexbearing.case.balls.ring_room import OUTWARD, Race, elastic_groove, low_land
 from flexbearing.case.held_ring import BARS, require_bars
 from flexbearing.case.materials import Elastic
 from flexbearing.case.quantity import require
@@ -75,7 +75,8 @@ def _outer(case: FastCase) -> "fem.OuterRing | fem.SquirrelCage | StepSolid":
     outer, (groove, land) = case.outer, elastic_groove(case.bearing, "outer")
     if outer.kind == "step":
         elastic = _elastic(case.materials.ring("outer"))
-        return held_ring.drawn(case, raceway_diameter=2 * land, elastic=elastic, groove=groove)
+        lands = {"raceway_diameter": 2 * land, "low_land": low_land(case.bearing)}
+        return held_ring.drawn(case, **lands, elastic=elastic, groove=groove)
     thickness, width = require(outer, ("thickness", "width"), f'outer.kind = "{outer.kind}"')
     ring = {
         "raceway_diameter": 2 * land,

@@ -12,13 +12,14 @@ from fem.solid.probes import Readings
 from flexbearing.build.probes import probes as probes_of
 from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.balls.ring_room import Race
-from flexbearing.derivatives.ring_slopes import RingSlopes
+from flexbearing.derivatives.ring_slopes import RingChanged, RingSlopes
 from flexbearing.progress import Silent
-from flexbearing.rings.grooves import RACES, groove_of_shape, shape_of
+from flexbearing.rings.grooves import RACES, elastic_grooves, groove_of_shape, shape_of
 from flexbearing.runs import probes
 from flexbearing.runs.groove_fields import readings_of_shape
 from quasidynamic import AngularContactState, NotSolved
 from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGrooves
+from quasidynamic.parts.angular_contact_bearing import azimuths_of_row
 
 # Of the dimension that changes most: grooves are meshed anew, as moved nodes would not follow their arcs.
 # Compliances of neighbouring meshes scatter by about 1e-6, slopes then by about 1e-4.
@@ -27,18 +28,23 @@ STEP = 5e-3
 
 @dataclass(frozen=True)
 class NearGrooves:
-    """Grooves of a case, and what other cases change of them; turned by their azimuths they are the same."""
+    """Grooves of a case, and what other cases change of them."""
 
     case: FastCase
     grooves: ElasticGrooves
     azimuths: NDArray  # (Z) of the balls [rad]
 
     def of(self, case: FastCase) -> ElasticGrooves:
-        """Grooves of another case, to first order.
+        """Grooves of another case, to first order; under balls at other azimuths as they are there.
 
-        Raises `RingChanged` where an elastic ring has other faces; `ImpossiblePart`, `BadCase`, `NotSolved`
-        where the dimensions of a ring have no room to change.
+        Raises `RingChanged` where an elastic ring has other faces, or a drawn one another mesh;
+        `ImpossiblePart`, `BadCase`, `NotSolved` where the dimensions of a ring have no room to change.
         """
+        azimuths = azimuths_of_row(case.bearing.first_ball_azimuth, case.bearing.balls)
+        if not np.array_equal(azimuths, self.azimuths):
+            if case.outer.kind == "step":
+                raise RingChanged("it meshes a drawn ring anew, for balls at other places")
+            return elastic_grooves(case, azimuths, Silent()) or self.grooves
         shapes = (shape_of(case, race) for race in RACES)
         return ElasticGrooves(
             *(slopes and slopes.near(shape) for slopes, shape in zip(self._slopes, shapes, strict=True))

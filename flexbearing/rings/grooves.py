@@ -104,9 +104,12 @@ def shape_of(case: BallCase, race: Race) -> GrooveShape | None:
     if part is None or part.groove is None:
         return None
     width, groove = patch(accuracy_of(case)[1], case.bearing.ball.diameter), part.groove
-    end, margin = groove.end(part.raceway_diameter / 2, OUTWARD[race]), MARGIN * width / groove.radius
-    first = groove.bottom_angle if groove.aside else -end
-    if not isinstance(part, StepSolid):
+    margin = MARGIN * width / groove.radius
+    if isinstance(part, StepSolid):
+        first, end = part.arc(groove)
+    else:
+        end = groove.end(part.raceway_diameter / 2, OUTWARD[race])
+        first = groove.bottom_angle if groove.aside else -end
         _require_harmonics(case, race, width, max(groove.bottom(OUTWARD[race]), groove.centre_radius))
     return GrooveShape(race=race, part=part, reach=(first + margin, end - margin), width=width)
 

@@ -13,6 +13,7 @@ from flexbearing.api import check, read_case
 from flexbearing.case import BadCase
 from flexbearing.case.read import written
 from flexbearing.coupled.balls import BallState, equilibrium
+from flexbearing.derivatives.balls import sensitivities
 from flexbearing.progress import Silent
 from flexbearing.report.output import text
 from flexbearing.rings.grooves import elastic_grooves, groove_pair, parts
@@ -120,6 +121,18 @@ def test_a_load_turned_with_its_lines_turns_the_answer():
     }  # fmt: skip
     here, there = (flexbearing.run(CASE, LINES | each).flexible["contact_load"] for each in ({}, turned))
     assert np.roll(here, 1, axis=1) == approx(there, rel=1e-6)
+
+
+def test_derivatives_by_the_azimuth_of_balls_know_where_the_lines_are():
+    """They were those of a ring that turns with its balls."""
+    lines = LINES | {"outer.bilateral": True}
+    key, output = "bearing.first_ball_azimuth", "contact_load_range.inner.largest"
+    table, *near = (
+        sensitivities(read_case(CASE, lines | {key: f"{azimuth} deg"}), [output], [key])
+        for azimuth in (10.0, 9.99, 10.01)
+    )
+    values = [each.outputs[0].value for each in near]
+    assert table.slopes[0, 0] == approx((values[1] - values[0]) / 0.02, rel=1e-4)
 
 
 def test_rims_of_planet_gears_load_more_balls_than_lines():

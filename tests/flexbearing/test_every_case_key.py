@@ -293,6 +293,10 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
            ("fast", "harris218", {
                "outer.thickness": "6.264 mm", "bearing.outer.shoulder": "0.9 mm", "bearing.balls": 6,
                "bearing.pitch_diameter": "50 mm"}))},
+    **{f"{name}, drawn": (file, {
+        "outer.kind": "step", "outer.file": "step_ring.step", "outer.clamps": ["foot"],
+        "bearing.outer.shoulder": "3 mm"})
+       for name, file in (("fast", "harris218"), ("deep groove", "6209"))},
     **{f"{name}, {context}": (file, settings)
        for name, file in (("fast", "harris218"), ("deep groove", "6209"))
        for context, settings in _LUBRICATED.items()},

@@ -402,6 +402,9 @@ class FastCase(MountedCase):
             if self.outer.kind == "step" and self.operation.outer_speed:
                 allowed = '"0 rpm" for outer.kind = "step": outer.clamps do not move'
                 raise impossible("operation.outer_speed", allowed)
+            if self.outer.kind == "step" and self.accuracy.target is not None:
+                allowed = 'left out for outer.kind = "step", whose elements have no levels'
+                raise impossible("accuracy.target", allowed)
             if self.outer.support == "housing" and self.materials.housing is None:
                 raise needed(["materials.housing"], 'outer.support = "housing"')
         if self.inner.kind == "ring_on_shaft":

@@ -21,7 +21,6 @@ from flexbearing.case.quantity import (
 )
 
 ELASTIC = ({"outer.kind": ("ring", "squirrel_cage", "step", "matrix")}, {"inner.kind": ("ring_on_shaft",)})
-SECTIONS = ({"outer.kind": ("ring", "squirrel_cage", "matrix")}, {"inner.kind": ("ring_on_shaft",)})
 ON_CAM = {"kind": ("cam",)}
 OF_RING = {"kind": ("ring", "squirrel_cage", "matrix")}
 HELD = {**RING, "support": ("side", "seat", "foundation", "housing")}  # along the axis, too
@@ -161,7 +160,7 @@ class BallInner(held_ring.OnShaft):
 class GrooveAccuracy(Section):
     """How finely elastic rings with grooves are resolved: as given, or as a target requires."""
 
-    target: Fraction | None = accuracy.target("ball", SECTIONS)
+    target: Fraction | None = accuracy.target("ball", ELASTIC)
     patch_width: Length | None = groove_accuracy.patch_width(ELASTIC)
     stations: groove_accuracy.Odd = groove_accuracy.stations(7, ELASTIC)
     element_order: int | None = groove_accuracy.element_order(ELASTIC)

@@ -25,6 +25,11 @@ def elastic_groove(bearing: Any, race: Race) -> "tuple[Groove, float]":
     return arc, bottom - outward * groove.shoulder
 
 
+def low_land(bearing: Any) -> float:
+    """Radius of the low shoulder of an outer groove [m], at -x; drawn rings alone have another one there."""
+    return bearing.groove_bottom("outer") - bearing.outer.shoulders[1]
+
+
 def require_room(case: Any) -> None:
     """Raise unless the elastic rings of fast balls can have their grooves; names are dotted keys."""
     races: tuple[Race, Race] = ("inner", "outer")
@@ -95,8 +100,12 @@ def _require_wide(race: Race, width: float, least: float) -> None:
 def _require_patches(case: Any, race: Race) -> None:
     """Raise unless patches fit between the bottom of a groove and its shoulder."""
     groove, land = elastic_groove(case.bearing, race)
+    drawn = race == "outer" and case.outer.kind == "step"
+    if drawn and case.bearing.outer.shoulders[1] == 0:
+        raise impossible("bearing.outer.open_shoulder", 'above 0 mm for outer.kind = "step"')
+    ends = [groove.end(each, OUTWARD[race]) for each in (land, low_land(case.bearing) if drawn else land)]
     require_patches(
-        case.accuracy, case.bearing.ball.diameter, groove.radius * groove.end(land, OUTWARD[race]),
+        case.accuracy, case.bearing.ball.diameter, groove.radius * sum(ends) / 2,
         ("accuracy", f"bearing.{race}.shoulder"),
         lambda half: at_least(groove.radius * (1 - cos(half / groove.radius))),
     )  # fmt: skip
