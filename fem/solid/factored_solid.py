@@ -2,6 +2,7 @@
 
 import logging
 from dataclasses import dataclass
+from typing import Any
 
 import ngsolve as ngs
 import numpy as np
@@ -25,7 +26,7 @@ class FactoredSolid:
     """A part as one factored stiffness."""
 
     part: Part | StepSolid
-    patches: Patches | BallPatches
+    patches: Any  # Patches of rollers, BallPatches of balls
     space: ngs.VectorH1  # of displacements [m], on a mesh in millimetres
     stiffness: Factorisation
     band: roller_loads.Band
@@ -60,7 +61,7 @@ class FactoredSolid:
         -----
         Small displacement, perfect bonds, rigid clamps; no load outside the band.
         """
-        loads = self.loads
+        loads: Any = self.loads
         shape = len(self.patches.azimuths), loads.shape[1] // len(self.patches.azimuths)
         if np.shape(forces) != shape or not np.isfinite(forces).all():
             raise ImpossiblePart(

@@ -39,13 +39,13 @@ class NoFields(RuntimeError):
 
 @dataclass(frozen=True, kw_only=True)
 class PartFields:
-    """A part under the rollers of one state; what is requested is solved then, and kept."""
+    """A part under the rollers or balls of one state; what is requested is solved then, and kept."""
 
     race: Race
     state: str  # "rigid", "flexible", "iteration 3"
     part: Part | StepSolid
-    patches: fem.Patches
-    forces: NDArray  # (Z, M) [N] positive outward
+    patches: Any  # fem.Patches of rollers, BallPatches of balls
+    forces: NDArray  # (Z, M) [N] positive outward, of balls on stations
     sizes: Sizes
     surroundings: Surroundings  # heat and rotation, which the largest stresses hold
     left_out: str  # what they do not hold; empty: nothing

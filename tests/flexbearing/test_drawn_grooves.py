@@ -85,7 +85,7 @@ def test_derivatives_by_what_meshes_the_ring_anew_are_left_out(case):
 
 
 def test_a_low_shoulder_is_drawn_at_the_open_side(tmp_path):
-    """As angular contact bearings have it; without its height the groove has to reach as far to both sides."""
+    """As angular contact bearings have it; without its height the groove reaches as far to both."""
     file = shutil.copy("configs/harris218.toml", tmp_path)
     heights = {"bearing.outer.shoulder": "5 mm", "bearing.outer.open_shoulder": "0.8 mm"}
     arc, land = elastic_groove(read_case(file, heights).bearing, "outer")
