@@ -7,6 +7,10 @@ Ball j presses station k along the normals of the groove with a pressure
 
 R being the distance from the axis, :math:`R_k` that of the station, r the radius of the groove. It is divided
 so that it reads a rigid motion along the normal at the station, as `fem.raceway.stations` on a section.
+
+Source
+------
+The patch of `fem.section.revolved_body.station_modes` and its Fourier series, summed; derived here.
 """
 
 import numpy as np
