@@ -130,7 +130,8 @@ def test_explain_says_to_which_choice_a_key_belongs():
 def test_explain_puts_choices_in_one_sentence():
     rings, kinds = explain("accuracy.patch_width"), explain("outer.thickness")
     outer = 'with outer.kind = "ring", "squirrel_cage" or "matrix"'
-    assert f'{outer}, or with inner.kind = "ring_on_shaft"\n' in rings
+    elastic = 'with outer.kind = "ring", "squirrel_cage", "step" or "matrix"'
+    assert f'{elastic}, or with inner.kind = "ring_on_shaft"\n' in rings
     assert f"{outer}\n" in kinds
 
 
