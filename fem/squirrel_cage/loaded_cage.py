@@ -220,7 +220,8 @@ def _load_vectors(
     repeats = 2 * bars
     whole = replace(
         band, x=np.tile(band.x, repeats), azimuth=around.ravel(), area=np.tile(band.area, repeats),
-        along_y=csr_array((0, 0)), along_z=csr_array((0, 0)),
+        radii=np.tile(band.radii, repeats),
+        along_x=csr_array((0, 0)), along_y=csr_array((0, 0)), along_z=csr_array((0, 0)),
     )  # fmt: skip
     y, z = (
         (traction @ forces.ravel()).reshape(around.shape)
