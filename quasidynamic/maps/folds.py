@@ -69,30 +69,37 @@ def solutions(points: GridPoints, requests: Sequence[Request]) -> list[Response]
     Derivatives by the place are one-sided differences: their error scales the slope of the place, which is
     zero at the same fold.
     """
-    numbers = [each.directions.shape[1] for each in requests]
-    beside = [each.places[:, None] + DIFFERENCE * each.directions.T for each in requests]
-    places = [*(each.places for each in requests), *(place.reshape(-1, 2) for place in beside)]
-    states = [each.states for each in requests]
-    states += [np.repeat(each.states, number, axis=0) for each, number in zip(requests, numbers, strict=True)]
+    states, places = [each.states for each in requests], [each.places for each in requests]
+    for _, state, place, directions, beside in requests:
+        first = slice(1 if beside else None)
+        moved = place[first, None] + DIFFERENCE * directions.T
+        states.append(np.repeat(state[first], moved.shape[1], axis=0))
+        places.append(moved.reshape(-1, 2))
     planes = [each.equations for each in requests] * 2
     whole = [plane.whole(each) for plane, each in zip(planes, places, strict=True)]
     balance = points.within(np.concatenate(whole))
     system = balance.evaluate(np.concatenate(states))
-    ends = np.cumsum([len(each) for each in places])[:-1]
-    residuals = np.split(system.residual, ends)
-    count = ends[len(requests) - 1]  # of systems that are solved
-    right = np.zeros((count, system.residual.shape[1], max(numbers) + 1))
-    parts = np.split(right, ends[: len(requests) - 1])
-    for number, here, there, part in zip(numbers, residuals, residuals[len(requests) :], parts, strict=False):
-        change = there.reshape(len(here), number, -1) - here[:, None]
-        part[..., :number], part[..., -1] = np.swapaxes(change, 1, 2) / DIFFERENCE, here[0]
-    solved = bordered_system.solve(balance.take(np.arange(count)), system.of(slice(count)), right)
-    first = np.array([0, *ends[: len(requests) - 1]])
+    count, ends = len(requests), np.cumsum([len(each) for each in states])
+    residuals = np.split(system.residual, ends[:-1])
+    each_right = [_right(*each) for each in zip(requests, residuals, residuals[count:], strict=False)]
+    first = np.array([0, *ends[: count - 1]])
+    solved = np.delete(np.arange(ends[count - 1]), first[[each.beside for each in requests]])
+    parts = bordered_system.solve(balance, system.of(solved), np.concatenate(each_right))
+    parts = np.split(parts, np.cumsum([len(each) for each in each_right])[:-1])
     balanced = np.abs(system.residual[first]).max(axis=1) <= RESIDUAL_TOLERANCE * system.loading[first]
     return [
-        Response(part[..., :number], part[..., -1], bool(enough))
-        for number, part, enough in zip(numbers, np.split(solved, first[1:]), balanced, strict=True)
+        Response(part[..., : each.directions.shape[1]], part[..., -1], bool(enough))
+        for each, part, enough in zip(requests, parts, balanced, strict=True)
     ]
+
+
+def _right(request: Request, here: NDArray, moved: NDArray) -> NDArray:
+    """Right sides (n, N, 3): residuals (., N) moved in the directions of the place, and those here."""
+    right, number = np.zeros((len(here) - request.beside, here.shape[1], 3)), request.directions.shape[1]
+    here = here[: 1 if request.beside else None]
+    change = moved.reshape(len(here), number, -1) - here[:, None]
+    right[..., :number], right[..., -1] = change.swapaxes(1, 2) / DIFFERENCE, here
+    return right
 
 
 @dataclass(frozen=True)

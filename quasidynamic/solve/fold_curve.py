@@ -52,19 +52,20 @@ class PlaneEquations(Protocol):
 
 
 class Request(NamedTuple):
-    """Where a search needs solved systems."""
+    """Where a search needs solved systems; those `beside` the first state are for its right sides alone."""
 
     equations: Any  # of the kind that the answers are for
     states: NDArray  # (n, N)
     places: NDArray  # (n, 2)
     directions: NDArray  # (2, m) unit vectors of the plane, by which to differentiate
+    beside: bool = False
 
 
 class Response(NamedTuple):
-    """Solutions of the linearised equations at n states and places, Jacobian J."""
+    """Solutions of the linearised equations at n states and places, or n - 1 beside the first; Jacobian J."""
 
     by_place: NDArray  # (n, N, m) 1/J times the derivative of F by the place in each direction
-    rest: NDArray  # (n, N) 1/J times F at the first of them
+    rest: NDArray  # (n, N) 1/J times F
     balanced: bool  # whether F at the first of them is small enough
 
 
@@ -111,34 +112,21 @@ def _together(searches: Iterable[Search[Found]], room: Callable[[], int]) -> Sea
             go_on(number, search, [next(responses) for _ in each])
 
 
-def _solved(
-    equations: "PlaneEquations", states: NDArray, places: NDArray, directions: NDArray
-) -> Search[Response]:
-    """The answer to a single request."""
-    (response,) = yield [Request(equations, states, places, directions)]
-    return response
-
-
 @dataclass(frozen=True)
 class Frame:
-    """Coordinates of the solutions around a fold: s along their null vector, t along a line of the plane."""
+    """Coordinates of the solutions around one: s along their change, t along a line of the plane."""
 
-    null: NDArray  # (N) of length one
+    null: NDArray  # (N) change of the state by s, of length one
     measure: NDArray  # (N) by which a change of state is measured: s = measure . (x - x0)
     across: NDArray  # (2) unit vector, in which the place gives way
     along: NDArray  # (2) unit vector, of t
+    slope: float = 0.0  # of the place across by s, at x0; at a fold zero
 
     @classmethod
-    def along_solutions(
-        cls, equations: PlaneEquations, state: NDArray, place: NDArray, across: NDArray
-    ) -> Search["Frame | None"]:
-        """Coordinates at a solution, the place moving across the fold with s; None at a singular one."""
-        response = yield from _solved(equations, state[None], place[None], across[:, None])
-        null = -response.by_place[0, :, 0]
-        null = null / _length(equations, null)
-        if not np.isfinite(null).all():
-            return None
-        return cls(null, equations.weight * null, across, np.array([-across[1], across[0]]))
+    def by(cls, equations: PlaneEquations, change: NDArray, slope: float, across: NDArray) -> "Frame":
+        """Coordinates with s along a change of the state (N), by which the place has a slope."""
+        length, along = _length(equations, change), np.array([-across[1], across[0]])
+        return cls(change / length, equations.weight * change / length, across, along, slope / length)
 
 
 @dataclass(frozen=True)
@@ -149,6 +137,7 @@ class Fold:
     place: NDArray  # (2)
     null: NDArray  # (N) null vector of the equations by the state, of length one
     tangent: NDArray  # (2) unit vector along which folds go on in the plane
+    along: NDArray  # (N) change of the state by the place along it, without null vector
     direction: NDArray  # (2) along the curve in (s, t)
     bend: float  # derivative of the slope by s; it passes through zero at a cusp
     error: float  # last correction, in units of state and place
@@ -176,17 +165,17 @@ def fold_near(
 
     Solutions are followed along their own length until the place moves back.
     """
-    frame = yield from Frame.along_solutions(equations, state, place, across)
+    (response,) = yield [Request(equations, state[None], place[None], across[:, None])]
+    frame = Frame.by(equations, -response.by_place[0, :, 0], 1.0, across)
     step, length = FIRST_STEP / 10, 0.0
-    while frame and length < LONGEST_WAY and step > SHORTEST_STEP / 20:
+    while np.isfinite(frame.slope) and length < LONGEST_WAY and step > SHORTEST_STEP / 20:
         following = yield from _solution(equations, state, place, frame, step)
         if following is None:
             step /= 2
             continue
-        if following[2] <= 0:
+        if following[2].slope <= 0:
             return (yield from _between(equations, (state, place), frame, step))
-        (state, place, _), length, step = following, length + step, 1.5 * step
-        frame = yield from Frame.along_solutions(equations, state, place, across)
+        (state, place, frame), length, step = following, length + step, 1.5 * step
     return None
 
 
@@ -194,17 +183,15 @@ def fold_at(
     equations: PlaneEquations, near: Fold, state: NDArray, place: NDArray, axis: int
 ) -> Search[Fold | None]:
     """The fold on a line along an axis of the plane through a place, from a guess beside a known fold."""
-    across = np.eye(2)[axis]
-    frame = Frame(near.null, equations.weight * near.null, across, np.array([-across[1], across[0]]))
+    frame = Frame.by(equations, near.null, 0.0, np.eye(2)[axis])
     return _corrected(equations, state, place, frame, np.array([0.0, 1.0]))
 
 
 def _solution(
     equations: PlaneEquations, state: NDArray, place: NDArray, frame: Frame, step: float
-) -> Search[tuple[NDArray, NDArray, float] | None]:
-    """The solution further along s, and its slope; None where Newton's method does not converge."""
-    surface = yield from _Surface.at(equations, state, place, frame)
-    change = surface.moved(np.array([step, 0.0]))
+) -> Search[tuple[NDArray, NDArray, Frame] | None]:
+    """The solution further along s, and coordinates there; None where Newton's method does not converge."""
+    change = step * frame.null, step * frame.slope * frame.across
     sizes: list[float] = []
     while len(sizes) < CORRECTIONS and not _stalled(sizes):
         state, place = state + change[0], place + change[1]
@@ -215,8 +202,8 @@ def _solution(
         if not size < LARGEST:  # nor a number
             return None
         if size < TOLERANCE and surface.balanced:
-            slope, _ = yield from _slope(equations, state, place, frame, surface.by_t)
-            return state, place, float(slope)
+            by_s, _ = surface.by_s
+            return state, place, Frame.by(equations, by_s, surface.slope, frame.across)
     return None
 
 
@@ -236,7 +223,7 @@ def _between(
             and _size(equations, found.state - following[0], found.place - following[1]) < outside - inside
         ):
             return found
-        inside, outside = (middle, outside) if following[2] > 0 else (inside, middle)
+        inside, outside = (middle, outside) if following[2].slope > 0 else (inside, middle)
     return None
 
 
@@ -297,17 +284,13 @@ def _stands(folds: Sequence[Fold]) -> bool:
 
 def _next(equations: PlaneEquations, fold: Fold, step: float) -> Search[Fold | None]:
     """The fold a step further; None where corrections do not converge."""
-    frame = Frame(fold.null, equations.weight * fold.null, _across(fold.tangent), fold.tangent)
-    surface = yield from _Surface.at(equations, fold.state, fold.place, frame)
-    state, place = surface.moved(step * fold.direction)
-    found = yield from _corrected(equations, fold.state + state, fold.place + place, frame, fold.direction)
+    frame = Frame.by(equations, fold.null, 0.0, np.array([fold.tangent[1], -fold.tangent[0]]))
+    by_s, by_t = step * fold.direction
+    state, place = fold.state + by_s * fold.null + by_t * fold.along, fold.place + by_t * fold.tangent
+    found = yield from _corrected(equations, state, place, frame, fold.direction)
     if found is None or found.direction @ fold.direction >= 0:
         return found
     return replace(found, direction=-found.direction)
-
-
-def _across(tangent: NDArray) -> NDArray:
-    return np.array([tangent[1], -tangent[0]])
 
 
 def _corrected(
@@ -319,7 +302,7 @@ def _corrected(
         surface = yield from _Surface.at(equations, state, place, frame)
         correction = surface.correction
         state, place = state + correction[0], place + correction[1]
-        slope, by = yield from _slope(equations, state, place, frame, surface.by_t)
+        slope, by = yield from _slope(equations, state, place, frame, surface)
         determinant = by[0] * kept[1] - by[1] * kept[0]
         change = surface.moved(-slope / determinant * np.array([kept[1], -kept[0]]))
         size = max(_size(equations, *correction), _size(equations, *change))
@@ -353,7 +336,8 @@ def _fold(
     curve = by[0] * by_t - by[1] * by_s  # along it the slope stays zero
     direction = np.array([null @ (equations.weight * curve), by[0] * speed])
     direction /= np.sqrt(_squared(direction))
-    return Fold(state, place, null, along / speed, direction, by[0] / length**2, *how)
+    by_place = (by_t - null * (null @ (equations.weight * by_t))) / speed
+    return Fold(state, place, null, along / speed, by_place, direction, by[0] / length**2, *how)
 
 
 def _length(equations: PlaneEquations, state: NDArray) -> float:
@@ -413,25 +397,21 @@ def _cusp(equations: PlaneEquations, fold: Fold, following: Fold, step: float) -
     return replace(found, cusp=True) if found else None
 
 
+def _slope(
+    equations: PlaneEquations, state: NDArray, place: NDArray, frame: Frame, near: "_Surface"
+) -> Search[tuple[float, NDArray]]:
+    """The slope at a solution, and its derivatives (2) by s and t."""
+    by_t, place_by_t = near.by_t
+    states = state + DIFFERENCE * np.array([frame.null, -frame.null, frame.null + by_t])
+    places = place + DIFFERENCE * np.outer([0.0, 0.0, 1.0], place_by_t)
+    (response,) = yield [Request(equations, states, places, frame.across[:, None])]
+    ahead, behind, moved = _slopes(response, frame)
+    return (ahead + behind) / 2, np.array([(ahead - behind) / 2, moved - ahead]) / DIFFERENCE
+
+
 def _slopes(response: Response, frame: Frame) -> NDArray:
     """Slopes (n) of the place across the curve by s; the first direction is across."""
     return -1.0 / (response.by_place[:, :, 0] @ frame.measure)
-
-
-def _slope(
-    equations: PlaneEquations, state: NDArray, place: NDArray, frame: Frame, by_t: tuple[NDArray, NDArray]
-) -> Search[tuple[float, NDArray]]:
-    """The slope at a solution, and its derivatives (2) by s and t."""
-    sides, further = (
-        DIFFERENCE * np.array([1.0, -1.0, 1.0, -1.0]),
-        DIFFERENCE * np.array([0.0, 0.0, 1.0, 1.0]),
-    )
-    states = state + np.outer(sides, frame.null) + np.outer(further, by_t[0])
-    places = place + np.outer(further, by_t[1])
-    response = yield from _solved(equations, states, places, frame.across[:, None])
-    slopes = _slopes(response, frame)
-    slope, moved = slopes[:2].mean(), slopes[2:].mean()
-    return slope, np.array([slopes[0] - slopes[1], 2 * (moved - slope)]) / (2 * DIFFERENCE)
 
 
 @dataclass(frozen=True)
@@ -439,6 +419,7 @@ class _Surface:
     """Linearised solutions near a state and a place, each of these a pair of changes of both."""
 
     balanced: bool
+    slope: float  # of the place across by s
     correction: tuple[NDArray, NDArray]  # towards the solutions, with neither s nor t
     by_s: tuple[NDArray, NDArray]
     by_t: tuple[NDArray, NDArray]
@@ -447,24 +428,24 @@ class _Surface:
     def at(
         cls, equations: PlaneEquations, state: NDArray, place: NDArray, frame: Frame
     ) -> Search["_Surface"]:
-        """From the equations there, and from their derivatives on both sides."""
+        """From the equations there, and the mean of those with their derivatives on both sides."""
         states = state + DIFFERENCE * np.outer([0.0, 1.0, -1.0], frame.null)
-        both = np.stack([frame.across, frame.along], axis=1)
-        response = yield from _solved(equations, states, np.broadcast_to(place, (3, 2)), both)
-        slope, rest = _slopes(response, frame), response.rest
-        across, along = response.by_place[..., 0], response.by_place[..., 1]
+        places, both = np.broadcast_to(place, (3, 2)), np.stack([frame.across, frame.along], axis=1)
+        (response,) = yield [Request(equations, states, places, both, beside=True)]
+        slope, (across, along) = _slopes(response, frame), np.moveaxis(response.by_place, 2, 0)
 
         def change(rest: NDArray, along: float) -> tuple[NDArray, NDArray]:
-            """Without s, where `rest` is left over; the mean of both sides."""
+            """Without s, where `rest` is left over."""
             gives_way = slope * (rest @ frame.measure)
             state = -rest - across * gives_way[:, None]
-            return state[1:].mean(axis=0), gives_way[1:].mean() * frame.across + along * frame.along
+            return state.mean(axis=0), gives_way.mean() * frame.across + along * frame.along
 
         by_s = -across * slope[:, None]
         return cls(
             balanced=response.balanced,
-            correction=change(rest, 0.0),
-            by_s=(by_s[1:].mean(axis=0), slope[1:].mean() * frame.across),
+            slope=slope.mean(),
+            correction=change(response.rest, 0.0),
+            by_s=(by_s.mean(axis=0), slope.mean() * frame.across),
             by_t=change(along, 1.0),
         )
 

@@ -7,7 +7,14 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from quasidynamic.solve.fold_curve import SAGITTA, CurveEnd, Response, fold_near, followed, search_together
+from quasidynamic.solve.fold_curve import (
+    SAGITTA,
+    CurveEnd,
+    Response,
+    fold_near,
+    followed,
+    search_together,
+)
 
 
 @dataclass(frozen=True)
@@ -23,14 +30,15 @@ class Toy:
     def weight(self):
         return np.ones(1)
 
-    def response(self, states, places, directions):
+    def response(self, states, places, directions, beside):
         x, (p, q) = states[:, 0], places.T
-        slope = self.by_state(x, p, q)[:, None]
         value = self.value(x, p, q)
-        by_place = np.stack(np.broadcast_arrays(*self.by_place(x, p, q), x), axis=1)[:, :2]
+        by_place = np.stack(np.broadcast_arrays(*self.by_place(x, p, q), x), axis=1)[:, :2] @ directions
+        solved, right = (slice(1, None), slice(1)) if beside else (slice(None), slice(None))
+        slope = self.by_state(x, p, q)[solved, None]
         return Response(
-            by_place=(by_place @ directions / slope)[:, None],
-            rest=value[0] / slope,
+            by_place=(by_place[right] / slope)[:, None],
+            rest=value[right, None] / slope,
             balanced=abs(value[0]) < 1e-12,
         )
 

@@ -60,7 +60,7 @@ class Linearisation(NamedTuple):
     cage_speed: NDArray  # (C) over its scale, without sign
     response: Response  # of the rollers, by their own inputs
 
-    def of(self, cases: slice) -> "Linearisation":
+    def of(self, cases: NDArray) -> "Linearisation":
         """Equations of some of the cases, for linear solves; the response of rollers stays that of all."""
         along = {"residual", "border", "before", "after", "loading", "cage_speed"}
         taken = {name: getattr(self, name)[cases] for name in along}
