@@ -31,7 +31,7 @@ DIFFERENCE = 1e-5  # steps of the grid, for derivatives by the place
 BESIDE = 2 * FINEST + SAGITTA  # steps of the grid between a curve and an end that may lie on it
 ALIKE = 0.5  # of states as they are weighted: a fold and the last state before it
 AT_ONCE = 48  # searches
-FIRST_AT_ONCE = 4  # so that few of them find the same curve
+FIRST_AT_ONCE = 16  # so that few of them find the same curve
 GOLDEN = (5**0.5 - 1) / 2
 
 
@@ -245,14 +245,12 @@ def _on_one_of(plane: MapPlaneEquations, curves: Sequence[FoldCurve], fold: Fold
 
 def _passes(equations: MapPlaneEquations, curve: FoldCurve, fold: Fold) -> bool:
     """Whether a curve passes through a fold."""
-    for one, other in zip(curve.folds, curve.folds[1:], strict=False):
-        chord = other.place - one.place
-        share = np.clip((fold.place - one.place) @ chord / max(chord @ chord, SAGITTA**2), 0, 1)
-        beside = fold.place - one.place - share * chord
-        between = one.state + share * (other.state - one.state)
-        if np.hypot(*beside) < 2 * SAGITTA and _distance(equations, between, fold.state) < ALIKE:
-            return True
-    return False
+    chord, from_one = np.diff(curve.places, axis=0), fold.place - curve.places[:-1]
+    share = np.vecdot(from_one, chord) / np.maximum(np.vecdot(chord, chord), SAGITTA**2)
+    share = np.clip(share, 0, 1)[:, None]
+    between = curve.states[:-1] + share * np.diff(curve.states, axis=0)
+    beside = np.hypot(*(from_one - share * chord).T) < 2 * SAGITTA
+    return bool((beside & (_distance(equations, between, fold.state) < ALIKE)).any())
 
 
 def _on_curve(equations: MapPlaneEquations, curve: FoldCurve, end: End) -> Search[Fold | None]:
@@ -260,11 +258,11 @@ def _on_curve(equations: MapPlaneEquations, curve: FoldCurve, end: End) -> Searc
     assert end.last is not None
     axis = equations.axes.index(end.axis)
     place = end.place[list(equations.axes)]
-    for one, other in zip(curve.folds, curve.folds[1:], strict=False):
-        before, after = (fold.place[1 - axis] - place[1 - axis] for fold in (one, other))
-        if before * after > 0 or before == after:
-            continue
-        share = before / (before - after)
+    sides = curve.places[:, 1 - axis] - place[1 - axis]
+    before, after = sides[:-1], sides[1:]
+    for piece in np.flatnonzero((before * after <= 0) & (before != after)):
+        one, other = curve.folds[piece : piece + 2]
+        share = before[piece] / (before[piece] - after[piece])
         crossing = one.place + share * (other.place - one.place)
         between = one.state + share * (other.state - one.state)
         if abs(crossing[axis] - place[axis]) > BESIDE or _distance(equations, between, end.last) > ALIKE:
@@ -276,8 +274,8 @@ def _on_curve(equations: MapPlaneEquations, curve: FoldCurve, end: End) -> Searc
     return None
 
 
-def _distance(equations: MapPlaneEquations, one: NDArray, other: NDArray) -> float:
-    return float(np.sqrt(equations.weight @ (one - other) ** 2))
+def _distance(equations: MapPlaneEquations, one: NDArray, other: NDArray) -> NDArray:
+    return np.sqrt((one - other) ** 2 @ equations.weight)
 
 
 def _plane_curve(equations: MapPlaneEquations, curve: FoldCurve) -> PlaneCurve:

@@ -7,6 +7,7 @@ side by side.
 from collections.abc import Callable, Generator, Iterable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from functools import cached_property
 from typing import Any, NamedTuple, Protocol, TypeVar
 
 import numpy as np
@@ -152,10 +153,15 @@ class FoldCurve:
     folds: tuple[Fold, ...]
     ends: tuple[CurveEnd, CurveEnd]
 
-    @property
+    @cached_property
     def places(self) -> NDArray:
         """Places (n, 2)."""
         return np.array([fold.place for fold in self.folds])
+
+    @cached_property
+    def states(self) -> NDArray:
+        """States (n, N)."""
+        return np.array([fold.state for fold in self.folds])
 
 
 def fold_near(
