@@ -21,9 +21,7 @@ POINTS = 48  # of a round
 PATTERNS, CROSSED, ZONES = 4, 3, 3  # of a point: around a state, between two states, zones at random
 SLOWING = 0.6  # spin over rolling that a roller loses in a radian behind the zone, at most
 SLIPS = 1e-4, 0.9  # of the cage
-SEARCHED_AT_ONCE = (
-    512  # starts of a call: few of them take long, and a call of these alone costs as much as of many
-)
+SEARCHED_AT_ONCE = 512  # starts of a call: few take long, and the fewer calls, the fewer end with these alone
 QUIET, QUIET_AMONG_SEVERAL = 2, 4  # rounds without another state, after which the search ends
 MOST_ROUNDS = 40
 

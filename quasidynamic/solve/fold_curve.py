@@ -53,13 +53,13 @@ class PlaneEquations(Protocol):
 
 
 class Request(NamedTuple):
-    """Where a search needs solved systems; those `beside` the first state are for its right sides alone."""
+    """Where a search needs solved systems."""
 
     equations: Any  # of the kind that the answers are for
     states: NDArray  # (n, N)
     places: NDArray  # (n, 2)
     directions: NDArray  # (2, m) unit vectors of the plane, by which to differentiate
-    beside: bool = False
+    beside: bool = False  # whether those of all other states are solved for the right sides of the first one
 
 
 class Response(NamedTuple):
@@ -124,7 +124,9 @@ class Frame:
     slope: float = 0.0  # of the place across by s, at x0; at a fold zero
 
     @classmethod
-    def by(cls, equations: PlaneEquations, change: NDArray, slope: float, across: NDArray) -> "Frame":
+    def along_change(
+        cls, equations: PlaneEquations, change: NDArray, slope: float, across: NDArray
+    ) -> "Frame":
         """Coordinates with s along a change of the state (N), by which the place has a slope."""
         length, along = _length(equations, change), np.array([-across[1], across[0]])
         return cls(change / length, equations.weight * change / length, across, along, slope / length)
@@ -172,7 +174,7 @@ def fold_near(
     Solutions are followed along their own length until the place moves back.
     """
     (response,) = yield [Request(equations, state[None], place[None], across[:, None])]
-    frame = Frame.by(equations, -response.by_place[0, :, 0], 1.0, across)
+    frame = Frame.along_change(equations, -response.by_place[0, :, 0], 1.0, across)
     step, length = FIRST_STEP / 10, 0.0
     while np.isfinite(frame.slope) and length < LONGEST_WAY and step > SHORTEST_STEP / 20:
         following = yield from _solution(equations, state, place, frame, step)
@@ -189,7 +191,7 @@ def fold_at(
     equations: PlaneEquations, near: Fold, state: NDArray, place: NDArray, axis: int
 ) -> Search[Fold | None]:
     """The fold on a line along an axis of the plane through a place, from a guess beside a known fold."""
-    frame = Frame.by(equations, near.null, 0.0, np.eye(2)[axis])
+    frame = Frame.along_change(equations, near.null, 0.0, np.eye(2)[axis])
     return _corrected(equations, state, place, frame, np.array([0.0, 1.0]))
 
 
@@ -209,7 +211,7 @@ def _solution(
             return None
         if size < TOLERANCE and surface.balanced:
             by_s, _ = surface.by_s
-            return state, place, Frame.by(equations, by_s, surface.slope, frame.across)
+            return state, place, Frame.along_change(equations, by_s, surface.slope, frame.across)
     return None
 
 
@@ -290,7 +292,7 @@ def _stands(folds: Sequence[Fold]) -> bool:
 
 def _next(equations: PlaneEquations, fold: Fold, step: float) -> Search[Fold | None]:
     """The fold a step further; None where corrections do not converge."""
-    frame = Frame.by(equations, fold.null, 0.0, np.array([fold.tangent[1], -fold.tangent[0]]))
+    frame = Frame.along_change(equations, fold.null, 0.0, np.array([fold.tangent[1], -fold.tangent[0]]))
     by_s, by_t = step * fold.direction
     state, place = fold.state + by_s * fold.null + by_t * fold.along, fold.place + by_t * fold.tangent
     found = yield from _corrected(equations, state, place, frame, fold.direction)
@@ -308,7 +310,7 @@ def _corrected(
         surface = yield from _Surface.at(equations, state, place, frame)
         correction = surface.correction
         state, place = state + correction[0], place + correction[1]
-        slope, by = yield from _slope(equations, state, place, frame, surface)
+        slope, by = yield from _slope(equations, state, place, frame, surface.by_t)
         determinant = by[0] * kept[1] - by[1] * kept[0]
         change = surface.moved(-slope / determinant * np.array([kept[1], -kept[0]]))
         size = max(_size(equations, *correction), _size(equations, *change))
@@ -404,12 +406,11 @@ def _cusp(equations: PlaneEquations, fold: Fold, following: Fold, step: float) -
 
 
 def _slope(
-    equations: PlaneEquations, state: NDArray, place: NDArray, frame: Frame, near: "_Surface"
+    equations: PlaneEquations, state: NDArray, place: NDArray, frame: Frame, by_t: tuple[NDArray, NDArray]
 ) -> Search[tuple[float, NDArray]]:
     """The slope at a solution, and its derivatives (2) by s and t."""
-    by_t, place_by_t = near.by_t
-    states = state + DIFFERENCE * np.array([frame.null, -frame.null, frame.null + by_t])
-    places = place + DIFFERENCE * np.outer([0.0, 0.0, 1.0], place_by_t)
+    states = state + DIFFERENCE * np.array([frame.null, -frame.null, frame.null + by_t[0]])
+    places = place + DIFFERENCE * np.outer([0.0, 0.0, 1.0], by_t[1])
     (response,) = yield [Request(equations, states, places, frame.across[:, None])]
     ahead, behind, moved = _slopes(response, frame)
     return (ahead + behind) / 2, np.array([(ahead - behind) / 2, moved - ahead]) / DIFFERENCE
