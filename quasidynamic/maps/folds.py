@@ -31,7 +31,7 @@ DIFFERENCE = 1e-5  # steps of the grid, for derivatives by the place
 BESIDE = 2 * FINEST + SAGITTA  # steps of the grid between a curve and an end that may lie on it
 ALIKE = 0.5  # of states as they are weighted: a fold and the last state before it
 AT_ONCE = 48  # searches
-FIRST_AT_ONCE = 8  # so that few of them find the same curve
+FIRST_AT_ONCE = 4  # so that few of them find the same curve
 GOLDEN = (5**0.5 - 1) / 2
 
 
