@@ -166,13 +166,13 @@ class FilmOil(Oil):
             raise needed(["bearing.roughness"], "[lubricant.mixed]")
 
     @property
-    def of_contacts(self) -> list[str]:
+    def _of_contacts(self) -> list[str]:
         """Keys that are given for contacts in oil alone."""
         sheet = self.data_sheet.model_fields_set - set(ViscositySheet.model_fields) if self.data_sheet else ()
         names = [name for name in self.model_fields_set if name not in Oil.model_fields]
         return sorted([*names, *(f"data_sheet.{name}" for name in sheet)])
 
-    def require_film(self, choice: str) -> None:
+    def _require_film(self, choice: str) -> None:
         """Raise where something is missing that contacts in oil need."""
         needs: dict[str, float | None] = {"oil_fraction": self.oil_fraction}
         if self.data_sheet is not None:
@@ -183,3 +183,15 @@ class FilmOil(Oil):
             needs |= {name: getattr(self, name) for name in names}
         if missing := [f"lubricant.{name}" for name, value in needs.items() if value is None]:
             raise needed(missing, choice)
+
+
+def require_contacts_in_oil(oil: FilmOil | None, wet: bool, choice: str, rough: bool) -> None:
+    """Raise unless contacts in oil have all that they need, and others no keys of them."""
+    if not wet:
+        if oil and (keys := oil._of_contacts):
+            raise impossible(f"lubricant.{keys[0]}", f"left out but with {choice}")
+        return
+    if oil is None:
+        raise needed(["lubricant"], choice)
+    oil._require_film(choice)
+    oil.require_rough_surfaces(rough)

@@ -5,7 +5,7 @@ from typing import Any, Self
 
 from pydantic import model_validator
 
-from flexbearing.case.balls.fits import Fits
+from flexbearing.case.fits import FITTED, HOUSED, Fits
 from flexbearing.case.head import Head
 from flexbearing.case.materials import EXPANSION, Elastic, HeavyElastic
 from flexbearing.case.quantity import Density, PerTemperature, Section, key, needed
@@ -17,6 +17,18 @@ STEEL = "11.9e-6 1/K"
 def _expansion() -> Any:
     """The key of a thermal expansion."""
     return key(EXPANSION, None, example=STEEL, ge=-1e-3, le=1e-3)
+
+
+def shaft_material() -> Any:
+    """The key of a shaft below an inner ring that may be elastic."""
+    needs = "of the shaft; needed for [bearing.fits] and for an elastic inner ring"
+    return key(needs, None, only=(FITTED, {"inner.kind": ("ring_on_shaft",)}))
+
+
+def housing_material() -> Any:
+    """The key of a housing around an outer ring that may be elastic."""
+    needs = "of the housing; needed for [bearing.fits.housing] and for an elastic housing"
+    return key(needs, None, only=(HOUSED, {"outer.kind": ("ring",), "outer.support": ("housing",)}))
 
 
 class WarmMaterial(HeavyElastic):
@@ -90,6 +102,14 @@ class FittedCase(Head):
     def housing_interference(self) -> float | None:
         """Diametral interference of outer ring and housing, cold [m]; None without a housing."""
         return self.bearing.fits.interferences[1] if self.bearing.fits else None
+
+    def require_ring_materials(self, housing: bool, shaft: bool) -> None:
+        """Raise unless the elastic housing and the elastic shaft of a case are of known materials."""
+        materials = dict(self.materials)
+        if housing and materials["housing"] is None:
+            raise needed(["materials.housing"], 'outer.support = "housing"')
+        if shaft and materials["shaft"] is None:
+            raise needed(["materials.shaft"], 'inner.kind = "ring_on_shaft"')
 
     def within_tolerances(self, place: Place) -> Self:
         """The same case with its classes taken at another place within their tolerances."""

@@ -234,6 +234,15 @@ def needed(names: list[str], choice: str) -> PydanticCustomError:
     return PydanticCustomError("needed", "{choice}", {"names": names, "choice": choice})
 
 
+def require_one(section: Section, first: str, second: str, choice: str) -> None:
+    """Raise unless just one of two keys is given; without a choice that needs one, both may be left out."""
+    given = [name for name in (first, second) if getattr(section, name) is not None]
+    if choice and not given:
+        raise needed([first], choice)
+    if len(given) > 1:
+        raise impossible(second, f"left out beside {first}; give one of the two")
+
+
 def require(section: Section, names: tuple[str, ...], choice: str) -> list[Any]:
     """Return the values of keys that a choice requires; raises when some are not given."""
     if missing := [name for name in names if getattr(section, name) is None]:

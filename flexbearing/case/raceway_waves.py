@@ -65,3 +65,10 @@ class Waves(Section):
         if len(self.further_crests) not in (0, count):
             raise impossible("further_crests", f"as many numbers as further_waves, {count}, or left out")
         return self
+
+
+class FormErrors(Section):
+    """Raceways that are not round."""
+
+    inner: Waves | None = key("form error of the inner raceway", None)
+    outer: Waves | None = key("form error of the outer raceway", None)

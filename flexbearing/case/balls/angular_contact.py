@@ -9,12 +9,11 @@ from pydantic import model_validator
 from flexbearing.case import held_ring
 from flexbearing.case.balls.cage import BallCage
 from flexbearing.case.balls.elastic_rings import BallInner, BallOuter, GrooveAccuracy, require_shoulder
-from flexbearing.case.balls.fits import FITTED
 from flexbearing.case.balls.mounting import (
+    BallTemperatures,
     FastMaterials,
     MountedBearing,
     MountedCase,
-    Temperatures,
 )
 from flexbearing.case.balls.pair import Pair
 from flexbearing.case.balls.parts import (
@@ -38,7 +37,8 @@ from flexbearing.case.balls.parts import (
 )
 from flexbearing.case.balls.ring_room import Race, elastic_groove, require_room
 from flexbearing.case.coupling import MethodsOfCoupling
-from flexbearing.case.film_oil import FilmOil
+from flexbearing.case.film_oil import FilmOil, require_contacts_in_oil
+from flexbearing.case.fits import FITTED
 from flexbearing.case.head import KIND
 from flexbearing.case.mounted import require_growing
 from flexbearing.case.outputs import RingOutputs
@@ -52,10 +52,10 @@ from flexbearing.case.quantity import (
     at_most,
     impossible,
     key,
-    needed,
     require,
+    require_one,
 )
-from flexbearing.case.raceway_waves import Waves
+from flexbearing.case.raceway_waves import FormErrors, Waves
 from flexbearing.case.ratings import BallLife, require_ratable
 
 PLANE = "about the point of the bearing axis in the plane of the inner groove centres"
@@ -69,13 +69,6 @@ DIRECTIONS = {  # name of a load, and of the displacement that may be held inste
     "moment_y": "tilt_y",
     "moment_z": "tilt_z",
 }
-
-
-class BallFormError(Section):
-    """Form errors of both raceways."""
-
-    inner: Waves | None = key("form error of the inner raceway", None)
-    outer: Waves | None = key("form error of the outer raceway", None)
 
 
 class BallRoughness(Section):
@@ -118,7 +111,7 @@ class FastBearing(MountedBearing):
     outer: EndingGroove = key("groove of the outer ring")
     balls: int = key("number of balls", example=18, ge=3, le=1000)
     first_ball_azimuth: Angle = key("azimuth of a ball, from z towards y", "0 deg")
-    form_error: BallFormError | None = key("form errors: raceways that are not round", None)
+    form_error: FormErrors | None = key("form errors: raceways that are not round", None)
     roughness: BallRoughness | None = key(
         "roughness of balls and raceways, for film ratios", None, only=OILED
     )
@@ -245,10 +238,7 @@ class Preload(Section):
 
     @model_validator(mode="after")
     def _one_of_both(self) -> Self:
-        if self.force is None and self.displacement is None:
-            raise needed(["force"], "a preload without displacement")
-        if self.force is not None and self.displacement is not None:
-            raise impossible("displacement", "left out beside force; give one of the two")
+        require_one(self, "force", "displacement", "a preload without displacement")
         return self
 
 
@@ -264,7 +254,7 @@ class FastOperation(Section):
     )
     load: FastLoad = key("load on the inner ring; axial pushes the balls against their shoulders", {})
     displacement: Displacement = key("where the inner ring is held instead of loaded", {})
-    temperatures: Temperatures | None = key(
+    temperatures: BallTemperatures | None = key(
         "temperatures of the parts, for the operating clearance; without them all have the dimensions given",
         None,
         only=FITTED,
@@ -405,27 +395,18 @@ class FastCase(MountedCase):
             if self.outer.kind == "step" and self.accuracy.target is not None:
                 allowed = 'left out for outer.kind = "step", whose elements have no levels'
                 raise impossible("accuracy.target", allowed)
-            if self.outer.support == "housing" and self.materials.housing is None:
-                raise needed(["materials.housing"], 'outer.support = "housing"')
         if self.inner.kind == "ring_on_shaft":
             require_shoulder("inner", self.bearing.inner)
-            if self.materials.shaft is None:
-                raise needed(["materials.shaft"], 'inner.kind = "ring_on_shaft"')
+        housed = self.outer.kind != "rigid" and self.outer.support == "housing"
+        self.require_ring_materials(housed, self.inner.kind == "ring_on_shaft")
         require_room(self)
         return self
 
     @model_validator(mode="after")
     def _oil_moves_the_balls(self) -> Self:
-        oil, choice = self.lubricant, 'operation.control = "oil"'
-        if self.operation.control != "oil":
-            if oil and oil.of_contacts:
-                raise impossible(f"lubricant.{oil.of_contacts[0]}", f"left out but with {choice}")
-            return self
-        if oil is None:
-            raise needed(["lubricant"], choice)
-        oil.require_film(choice)
-        oil.require_rough_surfaces(self.bearing.roughness is not None)
-        if self.friction.model != "full_sliding":
+        oiled, choice = self.operation.control == "oil", 'operation.control = "oil"'
+        require_contacts_in_oil(self.lubricant, oiled, choice, self.bearing.roughness is not None)
+        if oiled and self.friction.model != "full_sliding":
             raise impossible("friction.model", f'"full_sliding" with {choice}')
         return self
 

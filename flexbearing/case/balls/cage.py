@@ -1,16 +1,13 @@
 """The cage of fast balls in oil."""
 
 from math import pi
-from typing import Literal, Self
+from typing import Literal
 
-from pydantic import model_validator
-
-from flexbearing.case.quantity import Length, Section, impossible, key, require
-
-LAND = {"guidance": ("outer", "inner")}
+from flexbearing.case.cage_land import CageOnLand
+from flexbearing.case.quantity import Length, impossible, key
 
 
-class BallCage(Section):
+class BallCage(CageOnLand):
     """The cage: concentric, with round pockets."""
 
     guidance: Literal["outer", "inner", "balls"] = key("what the cage runs on: a ring's land or the balls")
@@ -20,27 +17,6 @@ class BallCage(Section):
         gt=0,
     )
     pocket_friction: float = key("Coulomb friction between ball and pocket", example=0.05, ge=0, le=1)
-    land_diameter: Length | None = key(
-        "diameter of the guiding land, between the pitch circle and the groove of the ring that guides",
-        None,
-        example="60 mm",
-        gt=0,
-        only=LAND,
-    )
-    land_width: Length | None = key("width of the guiding land, both sides together", None, gt=0, only=LAND)
-    land_clearance: Length | None = key(
-        "diametral clearance at the guiding land", None, example="0.4 mm", gt=0, only=LAND
-    )
-    land_flow: Literal["laminar", "vortices"] = key(
-        "flow of the oil in the land: laminar, or with Taylor vortices and turbulence", "laminar", only=LAND
-    )
-
-    @model_validator(mode="after")
-    def _land(self) -> Self:
-        if self.guidance != "balls":
-            names = ("land_diameter", "land_width", "land_clearance")
-            require(self, names, f'guidance = "{self.guidance}"')
-        return self
 
     def require_room(self, pitch: float, diameter: float, balls: int) -> None:
         """Raise where pockets are wider than the place between balls, or a land is not beside them [m]."""

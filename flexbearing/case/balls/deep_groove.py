@@ -5,8 +5,8 @@ from typing import Literal, Self
 from pydantic import model_validator
 
 from flexbearing.case.balls.angular_contact import FastBearing, FastCase
-from flexbearing.case.balls.fits import BY_CLASS, Fits
 from flexbearing.case.balls.parts import PLACES
+from flexbearing.case.fits import BY_CLASS, Fits
 from flexbearing.case.head import KIND
 from flexbearing.case.quantity import GIVEN, Length, impossible, key, needed
 from flexbearing.case.tolerances import CLEARANCE, Band, ClearanceClass, Place, initial_clearance, tabulated

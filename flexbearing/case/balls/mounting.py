@@ -3,10 +3,17 @@
 from functools import cache
 from typing import Literal
 
-from flexbearing.case.balls.fits import FITTED, HOUSED, Fits
 from flexbearing.case.balls.parts import BallBearing
+from flexbearing.case.fits import FITTED, HOUSED, Fits, PartTemperatures
 from flexbearing.case.materials import Elastic, yield_stress
-from flexbearing.case.mounted import FittedBearing, FittedCase, GrowingElastic, WarmMaterial
+from flexbearing.case.mounted import (
+    FittedBearing,
+    FittedCase,
+    GrowingElastic,
+    WarmMaterial,
+    housing_material,
+    shaft_material,
+)
 from flexbearing.case.quantity import Pressure, Section, Temperature, impossible, key
 
 
@@ -22,17 +29,10 @@ class RingElastic(GrowingElastic):
     yield_stress: Pressure | None = yield_stress()
 
 
-class Temperatures(Section):
-    """Temperatures of the parts; dimensions are given at the reference and grow with the rest."""
+class BallTemperatures(PartTemperatures):
+    """Temperatures of the parts."""
 
-    shaft: Temperature = key("of the shaft", gt=0)
-    inner_ring: Temperature = key("of the inner ring", gt=0)
     ball: Temperature = key("of the balls", gt=0)
-    outer_ring: Temperature = key("of the outer ring", gt=0)
-    housing: Temperature | None = key(
-        "of the housing; needed for [bearing.fits.housing]", None, gt=0, only=HOUSED
-    )
-    reference: Temperature = key("at which the dimensions are given", gt=0)
 
 
 class MountedBearing(FittedBearing, BallBearing):
@@ -116,16 +116,8 @@ class FastMaterials(MountedMaterials):
     ball: WarmMaterial = key("of the balls")
     inner_ring: RingElastic | None = key(f"of the inner ring; {AS_BALLS}", None)
     outer_ring: RingElastic | None = key(f"of the outer ring; {AS_BALLS}", None)
-    shaft: SeatMaterial | None = key(
-        "of the shaft; needed for [bearing.fits] and for an elastic inner ring",
-        None,
-        only=(FITTED, {"inner.kind": ("ring_on_shaft",)}),
-    )
-    housing: SeatMaterial | None = key(
-        "of the housing; needed for [bearing.fits.housing] and for an elastic housing",
-        None,
-        only=(HOUSED, {"outer.kind": ("ring",), "outer.support": ("housing",)}),
-    )
+    shaft: SeatMaterial | None = shaft_material()
+    housing: SeatMaterial | None = housing_material()
 
 
 class MountedCase(FittedCase):

@@ -13,7 +13,7 @@ from flexbearing.case.quantity import (
     impossible,
     in_mm,
     key,
-    needed,
+    require_one,
 )
 
 AXES_CHANGED = 'axes changed: x axial, z along the load, azimuth from z to y, see "Axes and signs"'
@@ -97,10 +97,7 @@ class Groove(Section):
 
     @model_validator(mode="after")
     def _one_of_both(self) -> Self:
-        if self.conformity is None and self.radius is None:
-            raise needed(["conformity"], "a groove without radius")
-        if self.conformity is not None and self.radius is not None:
-            raise impossible("radius", "left out beside conformity; give one of the two")
+        require_one(self, "conformity", "radius", "a groove without radius")
         return self
 
     def over(self, ball_diameter: float) -> float:

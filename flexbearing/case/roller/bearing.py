@@ -5,6 +5,7 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
+from flexbearing.case.cage_land import CageOnLand
 from flexbearing.case.quantity import (
     Angle,
     Length,
@@ -17,14 +18,13 @@ from flexbearing.case.quantity import (
     needed,
     require,
 )
-from flexbearing.case.raceway_waves import Waves
+from flexbearing.case.raceway_waves import FormErrors
 from flexbearing.case.roller.fits import Fits
 from flexbearing.case.roller.profile import Generatrix
 from flexbearing.case.tolerances import ClearanceClass
 
 ROUNDING = 1e-9  # of a diameter
 MOST_ROLLERS = 1000  # whose diameters a case may list
-_LAND = {"guidance": ("outer", "inner")}
 
 
 class Flange(Section):
@@ -82,11 +82,9 @@ class Ribs(Section):
     )
 
 
-class FormError(Section):
+class FormError(FormErrors):
     """Raceways that are not round, and rollers that are not alike."""
 
-    inner: Waves | None = key("form error of the inner raceway", None)
-    outer: Waves | None = key("form error of the outer raceway", None)
     roller_diameters: tuple[Length, ...] = key(
         "by how much the diameter of each roller is above bearing.roller.diameter, one after the other "
         "from bearing.first_roller_azimuth on; rollers are alike where left out",
@@ -114,7 +112,7 @@ class Roller(Generatrix, Cylinder):  # the keys of the last one stand first
         return self
 
 
-class GuidedCage(Section):
+class GuidedCage(CageOnLand):
     """What guides a cage, and its pockets."""
 
     guidance: Literal["outer", "inner", "rollers"] = key(
@@ -124,27 +122,6 @@ class GuidedCage(Section):
     thickness: Length = key(
         "radial thickness; the cage shields that part of each roller from the mixture", ge=0
     )
-    land_diameter: Length | None = key(
-        "diameter of the guiding land, between the pitch circle and the raceway of the ring that guides",
-        None,
-        example="74.6 mm",
-        gt=0,
-        only=_LAND,
-    )
-    land_width: Length | None = key("width of the guiding land, both sides together", None, gt=0, only=_LAND)
-    land_clearance: Length | None = key(
-        "diametral clearance at the guiding land", None, example="0.4 mm", gt=0, only=_LAND
-    )
-    land_flow: Literal["laminar", "vortices"] = key(
-        "flow of the oil in the land: laminar, or with Taylor vortices and turbulence", "laminar", only=_LAND
-    )
-
-    @model_validator(mode="after")
-    def _land(self) -> Self:
-        if self.guidance != "rollers":
-            names = ("land_diameter", "land_width", "land_clearance")
-            require(self, names, f'guidance = "{self.guidance}"')
-        return self
 
 
 class Cage(GuidedCage):

@@ -4,8 +4,9 @@ from typing import Any, Self
 
 from pydantic import model_validator
 
-from flexbearing.case.quantity import GIVEN, Length, Section, impossible, key, needed
-from flexbearing.case.tolerances import HousingClass, Place, ShaftClass
+from flexbearing.case.fits import HousingFit, shaft_class
+from flexbearing.case.quantity import GIVEN, Length, Section, key, require_one
+from flexbearing.case.tolerances import Place, ShaftClass
 
 MOUNTED: tuple[dict[str, Any], ...] = (  # the operating clearance follows from the fits
     {"bearing.fits.cold_clearance": GIVEN}, {"bearing.clearance_class": GIVEN}
@@ -17,7 +18,7 @@ LIFTING_OFF: tuple[dict[str, Any], ...] = (
 FITTED: dict[str, Any] = {"inner.kind": ("ring_on_shaft",), "inner.fit": ("frictionless", "friction")}
 
 
-class Housing(Section):
+class Housing(HousingFit):
     """The housing around the outer ring."""
 
     diameter: Length | None = key(
@@ -26,26 +27,6 @@ class Housing(Section):
         example="120 mm",
         gt=0,
     )
-    interference: Length | None = key(
-        "diametral interference of outer ring and housing, cold; negative is a loose fit; a flexible ring "
-        "touches its housing where it is pressed on it, without friction; or by tolerance_class",
-        None,
-        example="-10 um",
-    )
-    tolerance_class: HousingClass | None = key(
-        "tolerance class of the housing's bore by ISO 286, instead of its interference, which follows with a "
-        "bearing of the Normal tolerance class, over 6 mm up to 400 mm outside",
-        None,
-        example="H7",
-    )
-
-    @model_validator(mode="after")
-    def _one_interference(self) -> Self:
-        if self.interference is None and self.tolerance_class is None:
-            raise needed(["interference"], "[bearing.fits.housing] without tolerance_class")
-        if self.interference is not None and self.tolerance_class is not None:
-            raise impossible("tolerance_class", "left out beside interference; give one of the two")
-        return self
 
 
 class Fits(Section):
@@ -64,13 +45,7 @@ class Fits(Section):
         example="15 um",
         only=(*MOUNTED, FITTED),
     )
-    shaft: ShaftClass | None = key(
-        "tolerance class of the shaft by ISO 286, instead of shaft_interference, which follows with a "
-        "bearing of the Normal tolerance class; bores over 6 mm up to 250 mm, p7 over 50 mm, r7 over 80 mm",
-        None,
-        example="k5",
-        only=(*MOUNTED, FITTED),
-    )
+    shaft: ShaftClass | None = shaft_class((*MOUNTED, FITTED))
     at: Place = key(
         "where the classes of fits and clearance are taken: in the middle of their tolerances, or at the "
         "ends that leave most or least clearance",
@@ -103,13 +78,13 @@ class Fits(Section):
         only=MOUNTED,
     )
     housing: Housing | None = key(
-        "the housing; without it a rigid outer ring is free, and a flexible one bonded to its housing",
+        "the housing, which a flexible ring touches where it is pressed on it, without friction; without it "
+        "a rigid outer ring is free, and a flexible one bonded to its housing",
         None,
         only=(*MOUNTED, IN_HOUSING),
     )
 
     @model_validator(mode="after")
     def _one_interference(self) -> Self:
-        if self.shaft is not None and self.shaft_interference is not None:
-            raise impossible("shaft", "left out beside shaft_interference; give one of the two")
+        require_one(self, "shaft_interference", "shaft", "")
         return self

@@ -6,6 +6,7 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
+from flexbearing.case.fits import PartTemperatures
 from flexbearing.case.materials import Material, RingMaterial
 from flexbearing.case.quantity import (
     GIVEN,
@@ -80,11 +81,9 @@ class Along(Section):
         )
 
 
-class Temperatures(Section):
-    """Temperatures of the parts; dimensions are given at the reference and grow with the rest."""
+class Temperatures(PartTemperatures):
+    """Temperatures of the parts, which may vary along the axis."""
 
-    shaft: Temperature = key("of the shaft", gt=0)
-    inner_ring: Temperature = key("of the inner ring", gt=0)
     roller: Temperature = key("of the rollers", gt=0)
     outer_ring: Temperature = key("of the outer ring and its support", gt=0)
     housing: Temperature | None = key(
@@ -100,7 +99,6 @@ class Temperatures(Section):
         gt=0,
         only=ON_SEAT,
     )
-    reference: Temperature = key("at which the dimensions are given", gt=0)
     shaft_along: Along | None = key("how that of the shaft varies along the axis", None, only=FITTED)
     inner_ring_along: Along | None = key(
         "how that of the inner ring varies along the axis", None, only=FITTED

@@ -5,11 +5,20 @@ from typing import Literal, Self
 
 from pydantic import model_validator
 
-from flexbearing.case.balls.fits import FITTED, HOUSED, Fits
 from flexbearing.case.balls.pair import Pair
-from flexbearing.case.film_oil import FilmOil
+from flexbearing.case.balls.parts import RingLoad
+from flexbearing.case.film_oil import FilmOil, require_contacts_in_oil
+from flexbearing.case.fits import FITTED, Fits, PartTemperatures
 from flexbearing.case.head import KIND
-from flexbearing.case.mounted import FittedBearing, FittedCase, GrowingElastic, WarmMaterial, require_growing
+from flexbearing.case.mounted import (
+    FittedBearing,
+    FittedCase,
+    GrowingElastic,
+    WarmMaterial,
+    housing_material,
+    require_growing,
+    shaft_material,
+)
 from flexbearing.case.outputs import LifeOutputs
 from flexbearing.case.quantity import (
     Angle,
@@ -23,7 +32,6 @@ from flexbearing.case.quantity import (
     in_mm,
     key,
     located,
-    needed,
 )
 from flexbearing.case.ratings import TaperedLife, require_ratable
 from flexbearing.case.roller.bearing import GuidedCage, Roller, Roughness
@@ -204,16 +212,8 @@ class TaperedMaterials(Section):
     roller: WarmMaterial = key("of the rollers")
     inner_ring: WarmMaterial = key("of the inner ring")
     outer_ring: WarmMaterial = key("of the outer ring")
-    shaft: GrowingElastic | None = key(
-        "of the shaft; needed for [bearing.fits] and for an elastic inner ring",
-        None,
-        only=(FITTED, {"inner.kind": ("ring_on_shaft",)}),
-    )
-    housing: GrowingElastic | None = key(
-        "of the housing; needed for [bearing.fits.housing] and for an elastic housing",
-        None,
-        only=(HOUSED, {"outer.kind": ("ring",), "outer.support": ("housing",)}),
-    )
+    shaft: GrowingElastic | None = shaft_material()
+    housing: GrowingElastic | None = housing_material()
 
 
 class TaperedOil(FilmOil):
@@ -232,7 +232,7 @@ class TaperedOutputs(LifeOutputs):
     )
 
 
-class TaperedLoad(Section):
+class TaperedLoad(RingLoad):
     """Load on the inner ring."""
 
     axial: Force = key(
@@ -240,15 +240,8 @@ class TaperedLoad(Section):
         "against each other",
         "0 N",
     )
-    radial_y: Force = key("radial force along y", "0 N")
-    radial_z: Force = key("radial force along z, where azimuths begin", "0 N")
     moment_y: Moment = key(f"moment about y, by the right hand, {PLANE}", "0 N m", only=FREE)
     moment_z: Moment = key(f"moment about z, by the right hand, {PLANE}", "0 N m", only=FREE)
-
-    @property
-    def values(self) -> tuple[float, float, float, float, float]:
-        """Fx, Fy, Fz [N], My, Mz [N m]."""
-        return self.axial, self.radial_y, self.radial_z, self.moment_y, self.moment_z
 
 
 class TaperedDisplacement(Section):
@@ -261,17 +254,10 @@ class TaperedDisplacement(Section):
     tilt_z: Angle = key(f"turn about z by the right hand, {PLANE}", "0 deg", only=HELD)
 
 
-class TaperedTemperatures(Section):
-    """Temperatures of the parts; dimensions are given at the reference and grow with the rest."""
+class TaperedTemperatures(PartTemperatures):
+    """Temperatures of the parts."""
 
-    shaft: Temperature = key("of the shaft", gt=0)
-    inner_ring: Temperature = key("of the inner ring", gt=0)
     roller: Temperature = key("of the rollers", gt=0)
-    outer_ring: Temperature = key("of the outer ring", gt=0)
-    housing: Temperature | None = key(
-        "of the housing; needed for [bearing.fits.housing]", None, gt=0, only=HOUSED
-    )
-    reference: Temperature = key("at which the dimensions are given", gt=0)
 
 
 class TaperedOperation(Section):
@@ -369,10 +355,8 @@ class TaperedCase(FittedCase):
     @model_validator(mode="after")
     def _elastic_rings_are_known(self) -> Self:
         outer, inner = self.outer, self.inner
-        if outer.kind == "ring" and outer.support == "housing" and self.materials.housing is None:
-            raise needed(["materials.housing"], 'outer.support = "housing"')
-        if inner.kind == "ring_on_shaft" and self.materials.shaft is None:
-            raise needed(["materials.shaft"], 'inner.kind = "ring_on_shaft"')
+        housed = outer.kind == "ring" and outer.support == "housing"
+        self.require_ring_materials(housed, inner.kind == "ring_on_shaft")
         located("outer", lambda: outer.require_room(self.bearing))
         located("inner", lambda: inner.require_room(self.bearing))
         return self
@@ -385,16 +369,9 @@ class TaperedCase(FittedCase):
 
     @model_validator(mode="after")
     def _oil_has_films(self) -> Self:
-        oil, choice = self.lubricant, "outputs.friction = true"
-        if not self.outputs.friction:
-            if oil and oil.of_contacts:
-                raise impossible(f"lubricant.{oil.of_contacts[0]}", f"left out but with {choice}")
-            return self
-        if oil is None:
-            raise needed(["lubricant"], choice)
-        oil.require_film(choice)
-        oil.require_rough_surfaces(self.bearing.roughness is not None)
-        if self.operation.inner_speed == self.operation.outer_speed:
+        friction, choice = self.outputs.friction, "outputs.friction = true"
+        require_contacts_in_oil(self.lubricant, friction, choice, self.bearing.roughness is not None)
+        if friction and self.operation.inner_speed == self.operation.outer_speed:
             raise impossible("operation.inner_speed", f"another one than operation.outer_speed with {choice}")
         return self
 

@@ -1,4 +1,4 @@
-"""The section [bearing.fits] of ball bearings."""
+"""The section [bearing.fits], its parts that all families share, and how warm the parts are."""
 
 from typing import Any, Self
 
@@ -8,10 +8,11 @@ from flexbearing.case.quantity import (
     GIVEN,
     Length,
     Section,
+    Temperature,
     impossible,
     in_mm,
     key,
-    needed,
+    require_one,
 )
 from flexbearing.case.tolerances import (
     HOUSING,
@@ -30,10 +31,21 @@ HOUSED: dict[str, Any] = {"bearing.fits.housing": GIVEN}
 BY_CLASS: tuple[dict[str, Any], ...] = ({SHAFT: GIVEN}, {HOUSING: GIVEN})
 
 
-class Housing(Section):
-    """The housing around the outer ring."""
+class PartTemperatures(Section):
+    """Temperatures of the parts; dimensions are given at the reference and grow with the rest."""
 
-    diameter: Length = key("outside diameter of the housing", example="120 mm", gt=0)
+    shaft: Temperature = key("of the shaft", gt=0)
+    inner_ring: Temperature = key("of the inner ring", gt=0)
+    outer_ring: Temperature = key("of the outer ring", gt=0)
+    housing: Temperature | None = key(
+        "of the housing; needed for [bearing.fits.housing]", None, gt=0, only=HOUSED
+    )
+    reference: Temperature = key("at which the dimensions are given", gt=0)
+
+
+class HousingFit(Section):
+    """How tight the outer ring is in its housing."""
+
     interference: Length | None = key(
         "diametral interference of outer ring and housing, cold; negative is a loose fit; or by "
         "tolerance_class",
@@ -49,11 +61,25 @@ class Housing(Section):
 
     @model_validator(mode="after")
     def _one_interference(self) -> Self:
-        if self.interference is None and self.tolerance_class is None:
-            raise needed(["interference"], "[bearing.fits.housing] without tolerance_class")
-        if self.interference is not None and self.tolerance_class is not None:
-            raise impossible("tolerance_class", "left out beside interference; give one of the two")
+        require_one(self, "interference", "tolerance_class", "[bearing.fits.housing] without tolerance_class")
         return self
+
+
+def shaft_class(only: Any = ()) -> Any:
+    """The key of a class of the shaft."""
+    return key(
+        "tolerance class of the shaft by ISO 286, instead of shaft_interference, which follows with a "
+        "bearing of the Normal tolerance class; bores over 6 mm up to 250 mm, p7 over 50 mm, r7 over 80 mm",
+        None,
+        example="k5",
+        only=only,
+    )
+
+
+class Housing(HousingFit):
+    """The housing around the outer ring."""
+
+    diameter: Length = key("outside diameter of the housing", example="120 mm", gt=0)
 
 
 class Fits(Section):
@@ -69,12 +95,7 @@ class Fits(Section):
         None,
         example="15 um",
     )
-    shaft: ShaftClass | None = key(
-        "tolerance class of the shaft by ISO 286, instead of shaft_interference, which follows with a "
-        "bearing of the Normal tolerance class; bores over 6 mm up to 250 mm, p7 over 50 mm, r7 over 80 mm",
-        None,
-        example="k5",
-    )
+    shaft: ShaftClass | None = shaft_class()
     at: Place = key(
         "where the classes of fits are taken: in the middle of their tolerances, or at the ends that leave "
         "most or least clearance",
@@ -85,10 +106,7 @@ class Fits(Section):
 
     @model_validator(mode="after")
     def _one_interference(self) -> Self:
-        if self.shaft is None and self.shaft_interference is None:
-            raise needed(["shaft_interference"], "[bearing.fits] without shaft")
-        if self.shaft is not None and self.shaft_interference is not None:
-            raise impossible("shaft", "left out beside shaft_interference; give one of the two")
+        require_one(self, "shaft_interference", "shaft", "[bearing.fits] without shaft")
         return self
 
     @model_validator(mode="after")
