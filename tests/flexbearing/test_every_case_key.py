@@ -10,9 +10,9 @@ from flexbearing.case import BadCase, understood
 from flexbearing.case.declarations import declared
 from flexbearing.case.problems import shown
 from flexbearing.families import FAMILIES
-from tests.flexbearing import tapered_key_effects
+from tests.flexbearing import tapered_contexts
 from tests.flexbearing.built_models import built
-from tests.flexbearing.case_key_effects import EFFECTS
+from tests.flexbearing.case_key_effects import EFFECTS, spelt_out
 
 HERE = Path(__file__).parent
 CONFIGS = HERE.parents[1] / "configs"
@@ -337,21 +337,13 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
         "materials.inner_ring": {"youngs_modulus": "205 GPa", "poisson_ratio": 0.29},
         "materials.outer_ring": {"youngs_modulus": "206 GPa", "poisson_ratio": 0.28}}),
 }  # fmt: skip
-_SHAPES = {
-    "crowned": {"profile": "crowned", "straight_length": "4 mm", "crown_radius": "600 mm"},
-    "logarithmic": {"profile": "logarithmic", "drop": "1.75 um"},
-    "designed": {"profile": "fujiwara_kawase", "design_load": "4 kN", "load_factor": 1.5,
-                 "crowned_share": 0.6, "end_drop": "20 um"},
-    "points": {"profile": "points", "point_positions": ["0 mm", "2.5 mm", "4.8005 mm"],
-               "point_drops": ["0 um", "1 um", "12 um"]},
-}  # fmt: skip
 CONTEXTS |= {
     f"{part} {shape}": ("nu209", {f"bearing.{part}.{name}": value for name, value in keys.items()})
-    for part in ("roller", "inner_raceway", "outer_raceway")
-    for shape, keys in _SHAPES.items()
+    for part in tapered_contexts.PROFILED
+    for shape, keys in tapered_contexts.shapes("4.8005 mm").items()
 }
 
-CONTEXTS |= tapered_key_effects.CONTEXTS
+CONTEXTS |= tapered_contexts.CONTEXTS
 _OF_ROLLERS = {"roller": "0.02 um", "inner_raceway": "0.05 um", "outer_raceway": "0.05 um"}
 for _context, _settings in _LUBRICATED.items():
     if "bearing.cage" not in _settings:
@@ -410,13 +402,6 @@ def fields_in(context):
     return BASES[context]
 
 
-def spelt_out(names):
-    """Names of the table, "a.{b,c}" as "a.b" and "a.c"; `law.walls` and the like may hold spaces as "_"."""
-    for name in names.split():
-        start, brace, rest = name.partition("{")
-        yield from ([start] if not brace else (f"{start}{end}" for end in rest.rstrip("}").split(",")))
-
-
 def effects(context):
     """Key, value and what follows from it, of the rows with a context."""
     return [rest for name, *rest in EFFECTS if name == context]
@@ -433,7 +418,9 @@ def changed(context, key, value):
 def test_every_key_changes_the_intended_fields_and_no_others(context, monkeypatch):
     monkeypatch.setattr(ring_parts, "RACEWAY_GRID", 1e-12)  # a small change may stay within a step of it
     for key, value, names in effects(context):
-        assert changed(context, key, value) == set(spelt_out(names)), key
+        assert changed(context, key, value) == {
+            field for name in names.split() for field in spelt_out(name)
+        }, key
 
 
 @pytest.mark.parametrize("kind", FAMILIES)
