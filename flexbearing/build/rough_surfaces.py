@@ -40,11 +40,7 @@ def _rounded(given: Mixed) -> Callable[..., AsperityFriction]:
     return partial(in_any_contact, law)
 
 
-def _carter(given: Mixed) -> Callable[..., AsperityFriction]:
-    return partial(Carter, coefficient=given.boundary_friction)
-
-
 _ASPERITIES: dict[str, Callable[[Mixed], Callable[..., AsperityFriction]]] = {
     "rounded": _rounded,
-    "carter": _carter,
+    "carter": lambda given: partial(Carter, coefficient=given.boundary_friction),
 }

@@ -90,18 +90,13 @@ def tabled(
         raise BadCase(f"of {', '.join(each.name for each in of)}: the case has no such output")
     numbers = np.array(list(columns.values())).reshape(-1, 3, len(values)).transpose(1, 2, 0)
     slopes, below, above = numbers[:, there]
-    known = [
-        OutputValue(output.name, output.unit, float(value), _is_ratio(output, float(value)))
-        for output, value in zip(of, values, strict=True)
-        if np.isfinite(value)
-    ]
+    known = []
+    for output, value in zip(of, values.tolist(), strict=True):
+        if np.isfinite(value):
+            share = output.unit != "%" and not output.output.rounds_to_zero(value / output.conversion.factor)
+            known.append(OutputValue(output.name, output.unit, value, share))
     jumps = _jumps(known, list(columns), slopes)
     return Sensitivities(*heading, tuple(known), tuple(columns), slopes, below, above, (*left_out, *jumps))
-
-
-def _is_ratio(output: RequestedOutput, value: float) -> bool:
-    """Whether a share of the output says something."""
-    return output.unit != "%" and not output.output.rounds_to_zero(value / output.conversion.factor)
 
 
 def _jumps(outputs: Sequence[OutputValue], keys: Sequence[Key], slopes: NDArray) -> Iterator[tuple[str, str]]:

@@ -138,7 +138,9 @@ class Sensitivities:
     def by_output(self) -> dict[str, tuple[Slope | Chosen, ...]]:
         """What changes an output, the key whose realistic step changes it most first."""
         return {
-            output.name: tuple(sorted([*self._reaching(number), *self._chosen(output)], key=_strength))
+            output.name: tuple(
+                sorted([*self._reaching(number), *self._chosen(output)], key=lambda each: -abs(each.change))
+            )
             for number, output in enumerate(self.outputs)
         }
 
@@ -165,10 +167,6 @@ class Sensitivities:
     def _slope(self, output: int, key: int) -> Slope:
         numbers = (float(each[output, key]) for each in (self.slopes, self.below, self.above))
         return Slope(self.outputs[output], self.keys[key], *numbers)
-
-
-def _strength(change: Slope | Chosen) -> float:
-    return -abs(change.change)
 
 
 def _record_of_choice(chosen: Chosen) -> dict[str, Any]:

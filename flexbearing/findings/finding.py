@@ -91,10 +91,6 @@ class Judged:
         with np.errstate(divide="ignore", invalid="ignore"):
             return self.value / self.limit if self.finding.side == AT_MOST else self.limit / self.value
 
-    def _has_share(self, limit: float, share: float) -> bool:
-        """Whether there is a share of the limit: not of a limit of zero, nor of one of the model."""
-        return bool(limit and not self.finding.of_model and np.isfinite(share))
-
     def record(self, case: int = 0) -> Record:
         """The same of one case."""
         value, limit, share = (float(each[case]) for each in (self.value, self.limit, self.share))
@@ -108,7 +104,7 @@ class Judged:
             side=self.finding.side,
             limit=limit if known else None,
             source=self.finding.source,
-            share=share if self._has_share(limit, share) else None,
+            share=share if limit and not self.finding.of_model and np.isfinite(share) else None,
             verdict=verdict if known else NOT_CHECKED,
         )
 

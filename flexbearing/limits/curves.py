@@ -107,7 +107,8 @@ class LimitedBearing:
         or the other sense of the moment becomes the worse one.
         """
         thrust = self.bearing.balls * np.sin(self.bearing.contact_angle) * self._pressed_load
-        ends = self.point(radial, (thrust, 0.0)), self.point(radial, (0.0, thrust * self._quarter))
+        moment = thrust * self.bearing.pitch_diameter / 8  # loads balls about as the thrust does
+        ends = self.point(radial, (thrust, 0.0)), self.point(radial, (0.0, moment))
         axes = ends[0][1].axial, ends[1][1].moment
 
         def seen(angle: float, first: float) -> tuple[float, float, LimitPoint]:
@@ -122,11 +123,6 @@ class LimitedBearing:
                 yield from _between(seen, last, found, DEEPEST)
             yield found[2]
             last = found
-
-    @property
-    def _quarter(self) -> float:
-        """Lever of a moment that loads balls about as its thrust does [m]."""
-        return self.bearing.pitch_diameter / 8
 
     @property
     def _pressed_load(self) -> float:

@@ -22,6 +22,7 @@ def start(found: SearchResult, optimum: str = "") -> str:
 def page(optimum: Optimum, folder: Path) -> str:
     """The answer as text."""
     search, verification = optimum.seconds
+    of_surrogate = f" and {optimum.cheap} of the surrogate" if optimum.cheap else ""
     lines = [
         f"{optimum.name}: {optimum.ending}",
         *_design(optimum),
@@ -31,7 +32,7 @@ def page(optimum: Optimum, folder: Path) -> str:
         *(_limits(optimum) if optimum.usable else ()),
         *_starts(optimum),
         *_derivatives(optimum),
-        f"{optimum.designs} designs{_of_surrogate(optimum)}, {optimum.rows} rows computed now: "
+        f"{optimum.designs} designs{of_surrogate}, {optimum.rows} rows computed now: "
         f"searched in {search:.1f} s, "
         f"verified in {verification:.1f} s",
         f"all designs: {folder / (optimum.name + TABLE)}",
@@ -40,10 +41,6 @@ def page(optimum: Optimum, folder: Path) -> str:
         else "no case of the best is written",
     ]
     return "\n".join(lines)
-
-
-def _of_surrogate(optimum: Optimum) -> str:
-    return f" and {optimum.cheap} of the surrogate" if optimum.cheap else ""
 
 
 def _design(optimum: Optimum) -> Iterator[str]:

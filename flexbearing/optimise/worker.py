@@ -32,11 +32,6 @@ class SlopeRequest:
     keys: tuple[str, ...]  # of the case
 
 
-def with_keys(identity: str, keys: Sequence[str]) -> str:
-    """What a variant is called whose row holds slopes by some keys."""
-    return f"{identity}{BY}{' '.join(keys)}"
-
-
 def slope_name(text: str, key: str) -> str:
     """What the derivative of an output by a key is called among the numbers of a row: by the key in SI."""
     return f"{text} by {key}"
@@ -102,7 +97,7 @@ class Either:
 def for_slopes(prepared: PreparedStudy, groups: Sequence[Sequence[str]]) -> PreparedStudy:
     """The same variants under names of their own, once for each group of keys: a task with its slopes."""
     variants = tuple(
-        replace(each, identity=each.identity and with_keys(each.identity, keys))
+        replace(each, identity=each.identity and f"{each.identity}{BY}{' '.join(keys)}")
         for keys in groups
         for each in prepared.plan.variants
     )

@@ -59,11 +59,6 @@ def _least_films(*films: NDArray) -> NDArray:
     return smallest_above_zero(*(film.reshape(*film.shape[:-2], -1) for film in films))
 
 
-def _least_ratios(ratios: NDArray) -> NDArray:
-    """Least of ratios (..., 2, Z) of each contact, of loaded rollers."""
-    return smallest_above_zero(ratios[..., 0, :], ratios[..., 1, :])
-
-
 # declarations read best as a table:
 # fmt: off
 QUANTITIES = (
@@ -155,7 +150,7 @@ QUANTITIES = (
     Quantity("film_ratio", "Lambda", "race Z", "1", "block",
         "least film of each roller over the composite roughness (inner, outer), 0 without load; "
         f"{_NO_FRICTION}, or bearing.roughness", source="solution.film_ratio", optional=True, summary=(
-            SummaryValue("minimum_lambda", _least_ratios,
+            SummaryValue("minimum_lambda", lambda ratios: smallest_above_zero(*np.moveaxis(ratios, -2, 0)),
                  "smallest film ratio", ".2f", parts=RACES),)),
     Quantity("cage_slip", "s", "", "1", "block",
         "1 - cage speed / cage_speed, positive: the cage lags behind; of two rows the larger one; "

@@ -95,16 +95,13 @@ def result_pages(families: Families) -> dict[str, str]:
     common = _common(layouts)
     first = [_BEGINNING.format(kinds=links), *_attribute_table(COMMON)]
     first += ["## Datasets of every kind", "", "[Symbols](../theory/symbols.md).", ""]
-    first += [*_datasets(common, "In blocks"), *_toctree([*(name for _, name, _ in shown), "json"])]
+    pages = [f"result/{name}" for name in (*(name for _, name, _ in shown), "json")]
+    first += [*_datasets(common, "In blocks"), "```{toctree}", ":hidden:", "", *pages, "```", ""]
     return {
         "results.md": "\n".join(first),
         **{f"result/{name}.md": _page(family, title, common) for family, name, title in shown},
         "result/json.md": _forms(layouts),
     }
-
-
-def _toctree(names: Sequence[str]) -> list[str]:
-    return ["```{toctree}", ":hidden:", "", *(f"result/{name}" for name in names), "```", ""]
 
 
 def _common(layouts: Sequence[Layout]) -> list[Quantity]:

@@ -317,17 +317,13 @@ def _attribute(attribute: Any, room: int) -> Any:
         texts = np.empty(shape, dtype=STRING)
         if count:
             attribute.read(texts)
-        decoded = [_decoded(text) for text in texts.reshape(-1)]
+        decoded = [text.decode() if isinstance(text, bytes) else str(text) for text in texts.reshape(-1)]
         return decoded if shape else decoded[0]
     if shape == () and kind in (h5t.NATIVE_INT64, h5t.NATIVE_DOUBLE):
         number = np.empty((), dtype=kind.dtype)
         attribute.read(number)
         return number.item()
     raise BadContent(f"attribute {_shown(attribute.name)} is neither text nor number")
-
-
-def _decoded(text: Any) -> str:
-    return text.decode() if isinstance(text, bytes) else str(text)
 
 
 def _shown(name: bytes) -> str:

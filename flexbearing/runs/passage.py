@@ -65,7 +65,8 @@ def notes(case: Case, model: RollerBearing, rings: RacewayPair, end: Equilibrium
     threshold, largest = case.accuracy.target or NOTED, float(end.loads[0].max())
     if not largest > 0 or not _may_matter(case, end, WORTH_A_SOLVE * threshold):
         return ()
-    moved = None if _in_space(case, rings) else _half_a_pitch_further(case, model, rings)
+    in_space = rings.solved_in_full or case.accuracy.structure == "solid" or case.outer.kind == "step"
+    moved = None if in_space else _half_a_pitch_further(case, model, rings)
     if moved is None:
         words = "half a pitch of the rollers may change loads and life, and is not solved here"
     else:
@@ -103,11 +104,6 @@ def _may_matter(case: Case, end: Equilibrium, change: float) -> bool:
     azimuths, loads = end.balance.roller.bearing.azimuths, end.loads[0]
     foreseen = load_half_a_pitch_further(azimuths, loads, case.operation.load_direction)
     return abs(foreseen / loads.max() - 1) > change
-
-
-def _in_space(case: Case, rings: RacewayPair) -> bool:
-    """Whether other rollers need another condensation of a whole solid."""
-    return rings.solved_in_full or case.accuracy.structure == "solid" or case.outer.kind == "step"
 
 
 def _half_a_pitch_further(case: Case, model: RollerBearing, rings: RacewayPair) -> Equilibrium | None:

@@ -191,17 +191,14 @@ def _head(case: Head) -> dict[str, object]:
     return {
         "title": case.title,
         "case_text": case.source.text,
-        "case_file": _storable(str(Path(case.source.path).resolve())),
+        "case_file": str(Path(case.source.path).resolve())
+        .encode(errors="surrogateescape")
+        .decode(errors="backslashreplace"),
         "case_overrides": list(case.source.overrides),
         "case_si": case.to_json(),
         "assumed": list(case.assumed),
         "calibrated": dict(case.calibrated),
     }
-
-
-def _storable(name: str) -> str:
-    """The name of a file; bytes in it that are no text are written as their codes."""
-    return name.encode(errors="surrogateescape").decode(errors="backslashreplace")
 
 
 def answers(cases: Sequence[Any], texts: Sequence[str], family: Family) -> list[Answer]:

@@ -51,7 +51,8 @@ def ladder(case: Case, *, solid: bool) -> tuple[Level, ...]:
         levels += _structures(case)
     if solid and _solid_is_new(case):
         levels.append(Level("full solid", ("accuracy.structure=solid",)))
-    levels += _counts("slices", "slices", _coarser_slices(case), case.accuracy.slices)
+    fewer = [n for n in COARSER_SLICES if not case.life.edge_stress or n >= FEWEST_SLICES]
+    levels += _counts("slices", "slices", fewer, case.accuracy.slices)
     if _flexible(case):
         levels += _counts("axial shapes", "axial_shapes", FEWER_MODES, case.accuracy.axial_shapes)
     levels += _laws(case)
@@ -146,11 +147,6 @@ def _rigid(case: Case) -> tuple[str, ...]:
     names = (setting.partition("=")[0].strip() for setting in case.source.overrides)
     others = (name for name in names if name.startswith(("outer.", "inner.")) and not name.endswith(".kind"))
     return ("outer.kind=rigid", "inner.kind=rigid", *(f"{name}=" for name in others))
-
-
-def _coarser_slices(case: Case) -> tuple[int, ...]:
-    """Levels below the reference; the edge stress needs some slices."""
-    return tuple(n for n in COARSER_SLICES if not case.life.edge_stress or n >= FEWEST_SLICES)
 
 
 def _counts(name: str, key: str, counts: Sequence[int], of_case: int) -> list[Level]:

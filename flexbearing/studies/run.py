@@ -127,16 +127,11 @@ def compute_missing(
             stored = [row for row in end.rows if row.status != NOT_STORED]
             kept.add(stored)
             rows |= {row.identity: row for row in stored}
-            _require_stored(end.rows)
+            for row in end.rows:
+                if row.status == NOT_STORED:  # the next ones would find no place either
+                    raise NotStored(row.message)
             progress = progress.after(end, rows_of, perf_counter() - began)
             tell(progress)
     finally:
         started.close()
     return progress.complaints
-
-
-def _require_stored(rows: Iterable[Row]) -> None:
-    """End the study where a result file finds no place: the next ones would find none either."""
-    for row in rows:
-        if row.status == NOT_STORED:
-            raise NotStored(row.message)

@@ -78,7 +78,8 @@ def table(reader: Reader, elements: Elements) -> Table:
     head = ["number"]
     for name, index in columns:
         unit = reader.units.of(reader.layout[name].unit_for_people.name)
-        head.append(with_unit(" ".join([_words_of(name), *_words(reader, name, index)]), unit))
+        heading = _HEADINGS.get(name) or name.replace("_", " ")
+        head.append(with_unit(" ".join([heading, *_words(reader, name, index)]), unit))
     digits = {name: _digits(reader, name) for name, _ in columns}
     rows: list[tuple[Cell, ...]] = []
     for number in range(block[elements.azimuth].size):
@@ -89,10 +90,6 @@ def table(reader: Reader, elements: Elements) -> Table:
             cells.append(replace(cell, text=NOTHING) if unloaded else cell)
         rows.append((str(number + 1), *cells))
     return Table(tuple(head), tuple(rows), sortable=True)
-
-
-def _words_of(name: str) -> str:
-    return _HEADINGS.get(name) or name.replace("_", " ")
 
 
 def _digits(reader: Reader, name: str) -> str:

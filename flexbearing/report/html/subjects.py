@@ -32,7 +32,8 @@ def tables(reader: Reader) -> dict[str, Table]:
     for entry in (each for each in reader.layout.summary if each.label):
         alone = entry.key == "peak_pressure_MPa" and len(reader.blocks) == 1 and "contact_pressure" in judged
         if not (alone or entry.key in FIRST_PAGE or entry.key.startswith(ELSEWHERE)):
-            rows[_subject(entry)].extend(_rows(reader, entry))
+            subject = next((name for name, keys in SUBJECTS.items() if entry.key.startswith(keys)), "further")
+            rows[subject].extend(_rows(reader, entry))
     return {name: _table(reader, found) for name, found in rows.items()}
 
 
@@ -76,10 +77,6 @@ def _torque(reader: Reader, *place: str) -> Number:
 def _of_supports(entry: SummaryValue) -> bool:
     """Whether a row counts elastic rings and supports: between rigid rings it would repeat another."""
     return entry.of == ("total_stiffness",)
-
-
-def _subject(entry: SummaryValue) -> str:
-    return next((name for name, keys in SUBJECTS.items() if entry.key.startswith(keys)), "further")
 
 
 def _table(reader: Reader, rows: list[tuple[Cell, ...]]) -> Table:
