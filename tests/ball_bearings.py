@@ -1,11 +1,27 @@
-"""Slow ball bearings that several tests use."""
+"""Ball bearings that several tests use."""
 
 import numpy as np
 
 from quasidynamic.contact.ellipse.rigid_slip import Spin
 from quasidynamic.four_point import FourPointBallBearing
+from quasidynamic.parts.angular_contact_bearing import AngularContactBearing
 from quasidynamic.parts.ball import Ball, FourPointBearing, FrictionCurve, Groove, constant_friction
 from quasidynamic.parts.material import Material
+
+STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
+
+
+def fast_bearing(ball, pitch, balls, angle, conformity, outer_conformity=None, material=STEEL, **more):
+    """One groove in each ring; angle in radians, conformity r/D."""
+    return AngularContactBearing(
+        ball=Ball(diameter=ball, material=material),
+        inner=Groove(conformity=conformity, material=material),
+        outer=Groove(conformity=outer_conformity or conformity, material=material),
+        balls=balls,
+        pitch_diameter=pitch,
+        contact_angle=angle,
+        **more,
+    )
 
 
 def slow_bearing(

@@ -15,7 +15,7 @@ from flexbearing.findings.finding import AT_MOST
 from flexbearing.findings.row import RowFinding, in_rows, information, of_records, read, words, written
 from flexbearing.report.html import METRIC, checks as of_report
 from flexbearing.report.html.reader import Reader
-from flexbearing.runs import fields, judged
+from flexbearing.runs import angular_contact, fields, groove_fields, judged
 from flexbearing.units import unit
 from quasidynamic.contact.film.roughness import MIXED_FROM
 from quasidynamic.outcome import rating_life
@@ -102,6 +102,32 @@ CASES = [
     (declared.OF_SLOW_BALLS.index(declared.GYROSCOPIC_SLIP), "OF_SLOW_BALLS", QJ),
     (declared.OF_TAPERED.index(declared.RIB_CONTACT), "OF_TAPERED", ("32207.toml",)),
 ]  # fmt: skip
+
+
+@pytest.fixture(autouse=True, scope="module")
+def each_case_solved_once():
+    """Runs that differ in their limits alone share balance, motions and stresses, which take most of them."""
+    with pytest.MonkeyPatch.context() as patch:
+        for module, name in (
+            (angular_contact, "_balanced"),
+            (angular_contact, "_force_of_motions"),
+            (groove_fields, "stresses"),
+        ):
+            patch.setattr(module, name, remembered(getattr(module, name)))
+        yield
+
+
+def remembered(function):
+    """Its answers by the case, or the cases, and the number of the other arguments."""
+    known = {}
+
+    def answer(cases, *others):
+        key = str(cases), len(others)
+        if key not in known:
+            known[key] = function(cases, *others)
+        return known[key]
+
+    return answer
 
 
 @cache

@@ -15,19 +15,10 @@ import pytest
 from pytest import approx
 
 from quasidynamic import AngularContactBallBearing, preloaded_place, unloading_force
-from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation, RowPlace
-from quasidynamic.parts.ball import Ball, Groove
-from quasidynamic.parts.material import Material
+from quasidynamic.parts.angular_contact_bearing import RingOperation, RowPlace
+from tests.ball_bearings import fast_bearing
 
-STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
-ROW = AngularContactBearing(
-    ball=Ball(diameter=11.36e-3, material=STEEL),
-    inner=Groove(conformity=0.52, material=STEEL),
-    outer=Groove(conformity=0.53, material=STEEL),
-    balls=22,
-    pitch_diameter=90e-3,
-    contact_angle=np.radians(15.0),
-)
+ROW = fast_bearing(11.36e-3, 90e-3, 22, np.radians(15.0), 0.52, 0.53)
 PRELOAD = 610.0
 DB, DF, DT = (False, True), (True, False), (False, False)  # whether rows are mirrored
 

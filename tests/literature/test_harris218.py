@@ -10,21 +10,11 @@ import pytest
 from pytest import approx
 
 from quasidynamic.angular_contact import AngularContactBallBearing
-from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
-from quasidynamic.parts.ball import Ball, Groove
-from quasidynamic.parts.material import Material
+from quasidynamic.parts.angular_contact_bearing import RingOperation
+from tests.ball_bearings import fast_bearing
 
 RPM = np.pi / 30
-STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
-GROOVE = Groove(conformity=11.63 / 22.23, material=STEEL)
-HARRIS = AngularContactBearing(
-    ball=Ball(diameter=22.23e-3, material=STEEL),
-    inner=GROOVE,
-    outer=GROOVE,
-    balls=16,
-    pitch_diameter=(102.79e-3 + 147.73e-3) / 2,
-    contact_angle=np.radians(40.0),
-)
+HARRIS = fast_bearing(22.23e-3, (102.79e-3 + 147.73e-3) / 2, 16, np.radians(40.0), 11.63 / 22.23)
 # thrust [N], speed [rpm], contact angles [deg]
 ROWS = [
     (17800.0, 0.0, 41.50, 41.50),

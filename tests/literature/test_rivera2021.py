@@ -11,25 +11,15 @@ import pytest
 from pytest import approx
 
 from quasidynamic.angular_contact import AngularContactBallBearing
-from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
-from quasidynamic.parts.ball import Ball, Groove
-from quasidynamic.parts.material import Material
+from quasidynamic.parts.angular_contact_bearing import RingOperation
+from tests.ball_bearings import fast_bearing
 
 RPM = np.pi / 30
-STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
-GROOVE = Groove(conformity=0.52, material=STEEL)
 INNER, OUTER = 0, 1
 
 
 def solved(speeds, angle=15.0, radial=0.0, axial=500.0):
-    bearing = AngularContactBearing(
-        ball=Ball(diameter=7.938e-3, material=STEEL),
-        inner=GROOVE,
-        outer=GROOVE,
-        balls=18,
-        pitch_diameter=54e-3,
-        contact_angle=np.radians(angle),
-    )
+    bearing = fast_bearing(7.938e-3, 54e-3, 18, np.radians(angle), 0.52)
     operations = [
         RingOperation(
             load=(axial, 0.0, radial, 0.0, 0.0),

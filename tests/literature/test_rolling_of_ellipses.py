@@ -14,9 +14,7 @@ from quasidynamic import oil_at
 from quasidynamic.balance.balls.angular_contact import lubricated_races, race_contacts
 from quasidynamic.contact.lubrication import BallLubrication
 from quasidynamic.contact.traction.inlet_shear import biboulet_houpert, ellipse_shear
-from quasidynamic.parts.angular_contact_bearing import AngularContactBearing
-from quasidynamic.parts.ball import Ball, Groove
-from quasidynamic.parts.material import Material
+from tests.ball_bearings import fast_bearing
 
 RADIUS, MODULUS, ROLLING = 4e-3, 2.264e11, 20.0
 OIL = oil_at("ISO VG 32", 343.15)
@@ -63,15 +61,7 @@ def test_heavy_ellipses_shear_more_oil_than_lines_as_long():
 
 def test_balls_take_the_axes_of_their_contacts():
     """Beta of Eq. (13), 4/pi E(1 - kappa^2)/(1 + R_x/R_z), and kappa of both races."""
-    steel = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
-    bearing = AngularContactBearing(
-        ball=Ball(diameter=8e-3, material=steel),
-        inner=Groove(conformity=0.52, material=steel),
-        outer=Groove(conformity=0.54, material=steel),
-        balls=10,
-        pitch_diameter=54e-3,
-        contact_angle=0.3,
-    )
+    bearing = fast_bearing(8e-3, 54e-3, 10, 0.3, 0.52, 0.54)
     contacts = race_contacts(bearing)
     races = lubricated_races(bearing, contacts, BallLubrication(oil=OIL, oil_fraction=0.0))
     load, speed = np.array([[300.0, 350.0]]), np.array([[20.0, 20.0]])

@@ -19,19 +19,9 @@ from quasidynamic.balance.balls.light_ball import (
     limited_angle,
 )
 from quasidynamic.balance.balls.race_control import PrescribedControl
-from quasidynamic.parts.angular_contact_bearing import AngularContactBearing
-from quasidynamic.parts.ball import Ball, Groove
-from quasidynamic.parts.material import Material
+from tests.ball_bearings import fast_bearing
 
-STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
-BEARING = AngularContactBearing(
-    ball=Ball(diameter=20e-3, material=STEEL),
-    inner=Groove(conformity=0.52, material=STEEL),
-    outer=Groove(conformity=0.53, material=STEEL),
-    balls=4,
-    pitch_diameter=120e-3,
-    contact_angle=np.radians(40.0),
-)
+BEARING = fast_bearing(20e-3, 120e-3, 4, np.radians(40.0), 0.52, 0.53)
 CONTROLS = pytest.mark.parametrize("control", ["outer", "inner", "equal"])
 
 

@@ -11,21 +11,15 @@ from quasidynamic.angular_contact import AngularContactBallBearing
 from quasidynamic.balance.balls.angular_contact import race_contacts
 from quasidynamic.contact.ellipse.point_contact import in_series
 from quasidynamic.errors import ImpossiblePart, NotSolved
-from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
+from quasidynamic.parts.angular_contact_bearing import RingOperation
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
 from quasidynamic.solve.step_length import SolverOutcome
+from tests.ball_bearings import fast_bearing
 from tests.random_balls import drawn_pair, unbalanced
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
-BEARING = AngularContactBearing(
-    ball=Ball(diameter=22.23e-3, material=STEEL),
-    inner=Groove(conformity=0.5232, material=STEEL),
-    outer=Groove(conformity=0.5265, material=STEEL),
-    balls=16,
-    pitch_diameter=125.26e-3,
-    contact_angle=np.radians(40.0),
-)
+BEARING = fast_bearing(22.23e-3, 125.26e-3, 16, np.radians(40.0), 0.5232, 0.5265)
 
 LOAD = (9000.0, 1000.0, 3000.0, 100.0, -50.0)
 FREE = (None,) * 5

@@ -6,21 +6,11 @@ from pytest import approx
 
 from quasidynamic.angular_contact import AngularContactBallBearing
 from quasidynamic.four_point import RingLoad
-from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
-from quasidynamic.parts.ball import Ball, Groove
-from quasidynamic.parts.material import Material
-from tests.ball_bearings import slow_bearing
+from quasidynamic.parts.angular_contact_bearing import RingOperation
+from tests.ball_bearings import fast_bearing, slow_bearing
 from tests.bearings import paper_bearing
 
-STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
-FAST = AngularContactBearing(
-    ball=Ball(diameter=22.23e-3, material=STEEL),
-    inner=Groove(conformity=0.5232, material=STEEL),
-    outer=Groove(conformity=0.5265, material=STEEL),
-    balls=16,
-    pitch_diameter=125.26e-3,
-    contact_angle=np.radians(40.0),
-)
+FAST = fast_bearing(22.23e-3, 125.26e-3, 16, np.radians(40.0), 0.5232, 0.5265)
 SLOW = slow_bearing(clearance=10e-6, balls=24, ball=30e-3, pitch=0.5)
 MIRROR = np.array([1, -1, 1, 1, -1])  # y -> -y of forces along x, y, z and of moments about y, z
 

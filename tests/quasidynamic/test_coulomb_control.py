@@ -13,25 +13,19 @@ from quasidynamic.contact.ellipse.full_sliding import Ellipse
 from quasidynamic.contact.ellipse.rigid_slip import sagitta
 from quasidynamic.errors import ImpossiblePart, NotSolved
 from quasidynamic.motion.ball_slip import BallContacts, pressed_height, pressed_radius
-from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
-from quasidynamic.parts.ball import Ball, Groove
+from quasidynamic.parts.angular_contact_bearing import RingOperation
+from quasidynamic.parts.ball import Groove
 from quasidynamic.parts.material import Material
 from quasidynamic.solve.balls.ball_equilibrium import balance_balls
 from quasidynamic.solve.balls.coulomb_control import NOISE, CoulombControl
 from quasidynamic.solve.balls.ring_newton import _at
 from quasidynamic.solve.balls.ring_on_balls import start
 from quasidynamic.solve.balls.sliding_motion import sliding_motion
+from tests.ball_bearings import fast_bearing
 from tests.random_balls import drawn_sliding, unbalanced
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
-BEARING = AngularContactBearing(
-    ball=Ball(diameter=20e-3, material=STEEL),
-    inner=Groove(conformity=0.52, material=STEEL),
-    outer=Groove(conformity=0.53, material=STEEL),
-    balls=4,
-    pitch_diameter=120e-3,
-    contact_angle=np.radians(40.0),
-)
+BEARING = fast_bearing(20e-3, 120e-3, 4, np.radians(40.0), 0.52, 0.53)
 CONTACTS = race_contacts(BEARING)
 STRAIGHT = (None, None, None, 0.0, 0.0)
 
@@ -245,15 +239,7 @@ def test_a_bearing_at_rest_has_no_friction():
 
 def test_balls_pressed_outwards_lie_beside_outer_control():
     """The 218 bearing at 10 000 rpm: 49.95 and 31.33 deg by outer control; less so where friction is weak."""
-    groove = Groove(conformity=11.63 / 22.23, material=STEEL)
-    bearing = AngularContactBearing(
-        ball=Ball(diameter=22.23e-3, material=STEEL),
-        inner=groove,
-        outer=groove,
-        balls=16,
-        pitch_diameter=125.26e-3,
-        contact_angle=np.radians(40.0),
-    )
+    bearing = fast_bearing(22.23e-3, 125.26e-3, 16, np.radians(40.0), 11.63 / 22.23)
     operation = RingOperation(load=(17800.0, 0.0, 0.0, 0.0, 0.0), inner_speed=10000 * np.pi / 30)
     off = []
     for friction in (0.03, 0.06, 0.1):

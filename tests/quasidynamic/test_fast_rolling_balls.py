@@ -10,20 +10,10 @@ from quasidynamic.angular_contact import AngularContactBallBearing
 from quasidynamic.contact.rolling.full_sliding import full_sliding
 from quasidynamic.errors import OutOfRange
 from quasidynamic.motion.ball_slip import TURN
-from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
-from quasidynamic.parts.ball import Ball, Groove
-from quasidynamic.parts.material import Material
+from quasidynamic.parts.angular_contact_bearing import RingOperation
+from tests.ball_bearings import fast_bearing
 
-STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
-GROOVE = Groove(conformity=0.5232, material=STEEL)
-BEARING = AngularContactBearing(
-    ball=Ball(diameter=22.23e-3, material=STEEL),
-    inner=GROOVE,
-    outer=GROOVE,
-    balls=4,
-    pitch_diameter=125.26e-3,
-    contact_angle=np.radians(40.0),
-)
+BEARING = fast_bearing(22.23e-3, 125.26e-3, 4, np.radians(40.0), 0.5232)
 LOAD, UPRIGHT = (4450.0, 0.0, 1000.0, 0.0, 0.0), (None, None, None, 0.0, 0.0)
 FAST = 10000 * np.pi / 30
 CELLS = (16, 32)

@@ -10,7 +10,7 @@ from quasidynamic.angular_contact import AngularContactBallBearing
 from quasidynamic.balance.balls.angular_contact import AngularBalance, race_contacts
 from quasidynamic.balance.balls.race_control import PrescribedControl
 from quasidynamic.errors import NotSolved
-from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
+from quasidynamic.parts.angular_contact_bearing import RingOperation
 from quasidynamic.parts.ball import Ball, Groove
 from quasidynamic.parts.material import Material
 from quasidynamic.solve.arclength import LinearisedEquations, follow
@@ -23,17 +23,11 @@ from quasidynamic.solve.balls.ring_on_balls import solve, start
 from quasidynamic.solve.balls.ring_on_springs import LONGEST, newton_step
 from quasidynamic.solve.corners import followed_through
 from quasidynamic.solve.step_length import SolverOutcome
+from tests.ball_bearings import fast_bearing
 from tests.random_balls import unbalanced
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
-BEARING = AngularContactBearing(
-    ball=Ball(diameter=10e-3, material=STEEL),
-    inner=Groove(conformity=0.53, material=STEEL),
-    outer=Groove(conformity=0.545, material=STEEL),
-    balls=7,
-    pitch_diameter=50e-3,
-    contact_angle=np.radians(36.0),
-)
+BEARING = fast_bearing(10e-3, 50e-3, 7, np.radians(36.0), 0.53, 0.545)
 SPEED = 500.0  # [rad/s]
 LOADS = {  # over the centrifugal force of a ball, moments over the groove radius too
     "tilted": (0.1, -0.1, -0.5, -0.2, 0.1),

@@ -21,22 +21,13 @@ from quasidynamic.contact.traction.asperity_friction import RoundedCoulomb
 from quasidynamic.contact.traction.mixed import ZHOU_HOEPRICH, RoughContacts
 from quasidynamic.contact.traction.traction_law import in_any_contact
 from quasidynamic.errors import ImpossiblePart, NotSolved
-from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
-from quasidynamic.parts.ball import Ball, Groove
-from quasidynamic.parts.material import Material
+from quasidynamic.parts.angular_contact_bearing import RingOperation
 from quasidynamic.solve.balls.coulomb_control import CoulombControl
 from quasidynamic.solve.balls.free_ball_search import free_ball_motion
+from tests.ball_bearings import fast_bearing
 from tests.random_balls import FILM, drawn_oiled, identities, unbalanced
 
-STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
-BEARING = AngularContactBearing(
-    ball=Ball(diameter=7.938e-3, material=STEEL),
-    inner=Groove(conformity=0.52, material=STEEL),
-    outer=Groove(conformity=0.525, material=STEEL),
-    balls=6,
-    pitch_diameter=54e-3,
-    contact_angle=np.radians(15.0),
-)
+BEARING = fast_bearing(7.938e-3, 54e-3, 6, np.radians(15.0), 0.52, 0.525)
 CONTACTS = race_contacts(BEARING)
 OIL = oil_at("ISO VG 32", 343.15)
 OILED = BallLubrication(oil=OIL, oil_fraction=0.02, traction=FILM, churning_gap=1e-3)

@@ -5,9 +5,9 @@ import pytest
 from pytest import approx
 
 from quasidynamic.angular_contact import AngularContactBallBearing
-from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
-from quasidynamic.parts.ball import Ball, Groove
+from quasidynamic.parts.angular_contact_bearing import RingOperation
 from quasidynamic.parts.material import Material
+from tests.ball_bearings import fast_bearing
 from tests.reference import plain_angular_contact as plain
 from tests.reference.plain_coulomb_ball import semi_axes
 
@@ -16,14 +16,7 @@ PLAIN = {"D": 7.938e-3, "dm": 54e-3, "fi": 0.515, "fo": 0.525, "alpha": 0.35, "Z
 
 
 def production(thrust, radial, speed, control):
-    bearing = AngularContactBearing(
-        ball=Ball(diameter=PLAIN["D"], material=STEEL),
-        inner=Groove(conformity=PLAIN["fi"], material=STEEL),
-        outer=Groove(conformity=PLAIN["fo"], material=STEEL),
-        balls=PLAIN["Z"],
-        pitch_diameter=PLAIN["dm"],
-        contact_angle=PLAIN["alpha"],
-    )
+    bearing = fast_bearing(*(PLAIN[name] for name in ("D", "dm", "Z", "alpha", "fi", "fo")), STEEL)
     operation = RingOperation(
         load=(thrust, 0.0, radial, 0.0, 0.0), displacement=(None, None, None, 0.0, 0.0), inner_speed=speed
     )

@@ -5,9 +5,9 @@ import pytest
 from pytest import approx
 
 from quasidynamic.angular_contact import AngularContactBallBearing
-from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
-from quasidynamic.parts.ball import Ball, Groove
+from quasidynamic.parts.angular_contact_bearing import RingOperation
 from quasidynamic.parts.material import Material
+from tests.ball_bearings import fast_bearing
 from tests.reference import plain_coulomb_ball as plain
 
 STEEL = Material(youngs_modulus=plain.E, poisson_ratio=plain.NU, density=plain.DENSITY)
@@ -15,14 +15,7 @@ PLAIN = {"D": 7.938e-3, "dm": 54e-3, "fi": 0.52, "fo": 0.525, "alpha": 0.44, "Z"
 
 
 def production(friction, thrust):
-    bearing = AngularContactBearing(
-        ball=Ball(diameter=PLAIN["D"], material=STEEL),
-        inner=Groove(conformity=PLAIN["fi"], material=STEEL),
-        outer=Groove(conformity=PLAIN["fo"], material=STEEL),
-        balls=PLAIN["Z"],
-        pitch_diameter=PLAIN["dm"],
-        contact_angle=PLAIN["alpha"],
-    )
+    bearing = fast_bearing(*(PLAIN[name] for name in ("D", "dm", "Z", "alpha", "fi", "fo")), STEEL)
     operation = RingOperation(
         load=(thrust, 0.0, 0.0, 0.0, 0.0),
         displacement=(None, None, None, 0.0, 0.0),

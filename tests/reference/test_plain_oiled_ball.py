@@ -9,9 +9,9 @@ from pytest import approx
 from quasidynamic import Eyring, Lubricant
 from quasidynamic.angular_contact import AngularContactBallBearing
 from quasidynamic.contact.lubrication import BallLubrication
-from quasidynamic.parts.angular_contact_bearing import AngularContactBearing, RingOperation
-from quasidynamic.parts.ball import Ball, Groove
+from quasidynamic.parts.angular_contact_bearing import RingOperation
 from quasidynamic.parts.material import Material
+from tests.ball_bearings import fast_bearing
 from tests.reference import plain_coulomb_ball as dry, plain_oiled_ball as plain
 
 STEEL = Material(youngs_modulus=dry.E, poisson_ratio=dry.NU, density=dry.DENSITY)
@@ -20,14 +20,7 @@ OIL = {"eta": 0.01, "thick": 18e-9, "eyring": 5e6, "limit": 0.05, "rho": 30.0, "
 
 
 def production(thrust):
-    bearing = AngularContactBearing(
-        ball=Ball(diameter=BEARING["D"], material=STEEL),
-        inner=Groove(conformity=BEARING["fi"], material=STEEL),
-        outer=Groove(conformity=BEARING["fo"], material=STEEL),
-        balls=BEARING["Z"],
-        pitch_diameter=BEARING["dm"],
-        contact_angle=BEARING["alpha"],
-    )
+    bearing = fast_bearing(*(BEARING[name] for name in ("D", "dm", "Z", "alpha", "fi", "fo")), STEEL)
     oil = Lubricant(
         temperature=340.0, viscosity=OIL["eta"], pressure_viscosity=OIL["thick"], temperature_viscosity=0.03,
         conductivity=0.14, density=OIL["rho"],
