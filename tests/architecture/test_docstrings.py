@@ -5,9 +5,9 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
-from pathlib import Path
 
-ROOT = Path(__file__).parents[2]
+from tests.places import ROOT
+
 PHYSICS = ("quasidynamic.contact", "quasidynamic.clearance", "quasidynamic.motion", "quasidynamic.outcome")
 HELP_TEXTS = (
     "flexbearing.cli",

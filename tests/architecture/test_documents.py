@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 from pygments.lexers import get_lexer_by_name
 
-ROOT = Path(__file__).parents[2]
+from tests.places import ROOT
+
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 PACKAGES = ("quasidynamic", "fem", "flexbearing")
 FOLDERS = (*PACKAGES, "tests", "benchmarks", "evidence", "docs")

@@ -14,12 +14,13 @@ from fem.mesh.step_import import solid
 from fem.parts.step_solid import Coloured, Named, Near, StepSolid
 from tests.fem.condensed import as_solid
 from tests.fem.test_parts import STEEL
+from tests.places import CONFIGS
 
 R, THICKNESS, WIDTH = 37.5, 4.5, 10.0  # [mm] of a plain ring, drawn about x
 # the bearing's z along x of the drawing, its x along z, and so its y against y
 ELSEWHERE = occ.gp_Trsf.Transformation(occ.Axes(occ.Pnt(10, 20, 30), n=occ.X, h=occ.Z)).Inverted()
 FRAME = {"centre": (10e-3, 20e-3, 30e-3), "axis": (0, 0, 2.0), "zenith": (3.0, 0, 0)}
-EXAMPLE = Path(__file__).parents[2] / "configs" / "step_ring.step"
+EXAMPLE = CONFIGS / "step_ring.step"
 
 
 def step(shape):

@@ -1,9 +1,9 @@
 """Case files and settings that were made to break or to exhaust the reader, each refused."""
 
 from collections.abc import Callable
-from pathlib import Path
 
-CONFIGS = Path(__file__).parents[2] / "configs"
+from tests.places import CONFIGS
+
 GOOD = (CONFIGS / "mao2016.toml").read_text()
 MANY = 5000
 LONG = 60_000  # characters: just within what a case file may hold

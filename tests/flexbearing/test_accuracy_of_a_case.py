@@ -1,7 +1,6 @@
 """Accuracy on order, from the case file to the summary."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,8 +17,9 @@ from flexbearing.report.output import text
 from flexbearing.rings import condensed
 from flexbearing.rings.raceways import CondensedRaceway
 from tests.flexbearing.noted import keys, texts
+from tests.places import CONFIGS
 
-PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
+PLAIN = CONFIGS / "nu209.toml"
 RING = ["outer.kind=ring", "outer.thickness=5 mm", "outer.width=19 mm", "outer.support=seat"]
 FINE = ["accuracy.slices=320", "accuracy.axial_shapes=5", "accuracy.element_order=5"]
 

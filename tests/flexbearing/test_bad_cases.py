@@ -1,13 +1,11 @@
 """Every broken case gets a message that names file, key, value found and what is allowed."""
 
-from pathlib import Path
-
 import pytest
 
 from flexbearing.api import check, read_case
 from flexbearing.case import BadCase
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 GOOD = (CONFIGS / "mao2016.toml").read_text()
 
 # What is replaced in the good case, by what, and what the message must hold.

@@ -20,8 +20,8 @@ from flexbearing.report.output import text, write_figures
 from flexbearing.runs import angular_contact
 from quasidynamic import NotSolved
 from tests.flexbearing.noted import codes, keys, texts
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 BALLS = sorted(
     file.stem for stem in ("harris", "heras", "joshi", "rivera") for file in CONFIGS.glob(f"{stem}*.toml")
 )

@@ -1,7 +1,5 @@
 """Fits, classes of clearance and temperatures of ball bearings, and what they make of the clearance."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from pytest import approx
@@ -14,8 +12,8 @@ from flexbearing.case.read import written
 from flexbearing.report.output import text
 from flexbearing.runs import angular_contact, four_point
 from tests.flexbearing.noted import texts
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 DEEP, ANGULAR = CONFIGS / "6209.toml", CONFIGS / "rivera2021_7008.toml"
 STEEL = {"youngs_modulus": "206 GPa", "poisson_ratio": 0.3, "density": "7800 kg/m^3"}
 FITS = {

@@ -2,7 +2,6 @@
 
 from itertools import pairwise
 from math import prod
-from pathlib import Path
 
 import pytest
 from pytest import approx
@@ -15,8 +14,8 @@ from flexbearing.life import ball_lives
 from flexbearing.report.catalogue_life import sections
 from flexbearing.report.output import laid_out, text
 from tests.flexbearing.noted import texts
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 ANGULAR, STEEP, DEEP = (CONFIGS / f"{name}.toml" for name in ("rivera2021_7008", "harris218", "6209"))
 OIL = {
     "lubricant.oil": "ISO VG 68", "lubricant.inlet_temperature": "70 degC", "life.lubrication": "a_ISO",

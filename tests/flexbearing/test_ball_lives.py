@@ -1,7 +1,5 @@
 """Rating lives of ball bearings: what a run stores, what modifies them, what they need."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from pytest import approx
@@ -16,8 +14,8 @@ from quasidynamic.outcome.ball_capacity import ball_dynamic_rating, ball_fatigue
 from quasidynamic.outcome.ball_life import ball_reference_life
 from quasidynamic.outcome.life_factors import BALLS, CLEANLINESS, contamination_factor, modification_factor
 from tests.flexbearing.noted import texts
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 STEEP, DEEP = CONFIGS / "harris218.toml", CONFIGS / "6209.toml"
 CLEAN = "oil, in-line filter, -/15/12"
 ISO = {"life.lubrication": "a_ISO", "life.cleanliness": CLEAN, "lubricant.inlet_temperature": "70 degC"}

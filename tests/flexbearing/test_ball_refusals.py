@@ -2,7 +2,6 @@
 
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 from pytest import approx
@@ -17,8 +16,8 @@ from flexbearing.case.roller import Case
 from flexbearing.families import FAMILIES
 from flexbearing.progress import Logged
 from flexbearing.studies.maps.map import MapRequest, map_case
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 FOUR_POINT, ONE_BALL, ANGULAR, DEEP_GROOVE = (
     CONFIGS / f"{name}.toml" for name in ("joshi2015_fourpoint", "heras2017_a3", "rivera2021_7008", "6209")
 )

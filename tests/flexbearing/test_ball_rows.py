@@ -1,7 +1,5 @@
 """Rows of ball bearings are those of their runs; those of the same parts are balanced side by side."""
 
-from pathlib import Path
-
 import pytest
 from pytest import approx
 
@@ -11,8 +9,8 @@ from flexbearing.families import FAMILIES
 from flexbearing.life import ball_lives
 from flexbearing.outputs import outputs, requested
 from quasidynamic import AngularContactBallBearing, ImpossiblePart, OutOfRange
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 SPEEDS = [{"operation.inner_speed": f"{speed} rpm"} for speed in (3000, 6000, 9000)]
 HEAVY = {"operation.load.axial": "500 kN"}  # with dangers
 TABLES = {

@@ -1,7 +1,5 @@
 """Fast balls in oil as cases: what a result file has of them, and what a case must give."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from pytest import approx
@@ -9,8 +7,8 @@ from pytest import approx
 import flexbearing
 from flexbearing.api import check
 from flexbearing.case import BadCase
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 IN_OIL = {
     "operation.control": "oil", "lubricant.oil": "ISO VG 32", "lubricant.inlet_temperature": "70 degC",
     "lubricant.oil_fraction": 0.02, "lubricant.traction": "eyring", "lubricant.limiting_ratio": 0.05,

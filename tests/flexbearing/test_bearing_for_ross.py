@@ -13,8 +13,8 @@ from numpy.testing import assert_allclose
 import flexbearing
 from flexbearing.exports import ross
 from flexbearing.results import BadResult
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 HEADS = (
     "operation.inner_speed [rpm],total_stiffness_yy [kN/mm],total_stiffness_yz [N/m],"
     "total_stiffness_zy [N/m],total_stiffness_zz [N/m],status"

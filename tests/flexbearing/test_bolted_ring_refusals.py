@@ -1,14 +1,13 @@
 """What a case file may not say of bolted rings, and how it is told."""
 
-from pathlib import Path
-
 import pytest
 
 from flexbearing import explain
 from flexbearing.api import check, read_case
 from flexbearing.case import BadCase
+from tests.places import CONFIGS
 
-SLEWING = Path(__file__).parents[2] / "configs" / "slewing_bolted.toml"
+SLEWING = CONFIGS / "slewing_bolted.toml"
 
 
 def test_example_is_possible():

@@ -1,7 +1,6 @@
 """Four-point bearings between bolted rings, from case file to summary and pictures."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,8 +13,9 @@ from flexbearing.report.output import text
 from flexbearing.results import NotInLayout, ResultFile
 from flexbearing.rings import stored
 from tests.flexbearing.noted import texts
+from tests.places import CONFIGS
 
-SLEWING = Path(__file__).parents[2] / "configs" / "slewing_bolted.toml"
+SLEWING = CONFIGS / "slewing_bolted.toml"
 SMALL = (
     "bearing.balls=24", "bearing.pitch_diameter=300 mm", "bearing.ball.diameter=25 mm",
     "operation.load.axial=60 kN", "operation.load.radial_z=20 kN", "operation.load.radial_y=0 N",

@@ -1,7 +1,5 @@
 """A free cage, pocket clearance and several equilibria, from the case file to the summary."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from pytest import approx
@@ -11,8 +9,9 @@ from flexbearing.api import read_case
 from flexbearing.case import BadCase
 from tests.flexbearing.noted import texts
 from tests.flexbearing.test_followed_map import FALLING
+from tests.places import CONFIGS
 
-PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+PAPER = CONFIGS / "mao2016.toml"
 RIGID = ["outer.kind=rigid", "inner.kind=rigid"]
 FREE = [
     "bearing.cage.centre=free",

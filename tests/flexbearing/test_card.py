@@ -13,8 +13,8 @@ from flexbearing.findings.running import REQUIRED_LIFE
 from flexbearing.report.html import METRIC, checks, html, of_result
 from flexbearing.report.html.document import Number
 from flexbearing.report.html.reader import Reader
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 pytestmark = pytest.mark.usefixtures("each_case_drawn_once")
 APART = ("drawings", "case", "origin")  # parts of the report
 KINDS = ["catalogue/nu210", "mao2016", "planet", "catalogue/6208", "joshi2015_qj309"]

@@ -3,7 +3,6 @@
 import subprocess
 import sys
 from math import pi
-from pathlib import Path
 
 import pytest
 from hypothesis import given, strategies as st
@@ -16,8 +15,8 @@ from flexbearing.case import BadCase
 from flexbearing.case.declarations import declarations
 from flexbearing.case.quantity import Length, Speed, Temperature
 from flexbearing.families import FAMILIES
+from tests.places import ROOT
 
-ROOT = Path(__file__).parents[2]
 PAPER = ROOT / "configs" / "mao2016.toml"
 CASES = sorted((ROOT / "configs").glob("*.toml"))
 

@@ -2,7 +2,6 @@
 
 import re
 import tomllib
-from pathlib import Path
 
 import pytest
 from pydantic import BaseModel, TypeAdapter, ValidationError, create_model
@@ -14,8 +13,9 @@ from flexbearing.case import BadCase
 from flexbearing.case.declarations import declarations
 from flexbearing.case.quantity import Angle, Force, Length, Moment, PerTemperature, Speed, Temperature
 from flexbearing.families import FAMILIES
+from tests.places import CONFIGS
 
-PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+PAPER = CONFIGS / "mao2016.toml"
 
 
 def refusal(*settings):

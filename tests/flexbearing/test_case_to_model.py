@@ -1,6 +1,5 @@
 """Every key of a case reaches the model that it is about."""
 
-from pathlib import Path
 from typing import Any, get_args
 
 import numpy as np
@@ -24,8 +23,8 @@ from quasidynamic.contact.traction.asperity_friction import Carter, RoundedCoulo
 from quasidynamic.contact.traction.mixed import FILM_SHARE_1_8, ZHOU_HOEPRICH
 from quasidynamic.outcome.life_factors import CLEANLINESS
 from quasidynamic.parts.oil_properties import OILS
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 PLAIN, FITS, PAPER = (CONFIGS / f"{name}.toml" for name in ("nu209", "nu209_fits", "mao2016"))
 ROUGH = {
     "bearing.roughness.roller": "0.3 um",

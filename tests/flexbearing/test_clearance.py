@@ -1,7 +1,6 @@
 """The operating clearance: stated in the case, or computed from its fits."""
 
 import re
-from pathlib import Path
 from typing import Any, get_args
 
 import numpy as np
@@ -21,8 +20,8 @@ from flexbearing.report.output import text
 from flexbearing.rings.fits import inner_ring_in_fit, outer_ring_in_housing
 from flexbearing.runs import notes
 from quasidynamic.clearance import Annulus, FitConditions, PressFit, operating_clearance
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 PLAIN, FITS, PAPER = (CONFIGS / f"{name}.toml" for name in ("nu209", "nu209_fits", "mao2016"))
 PRELOAD = {"bearing.fits.shaft_interference": "80 um"}
 

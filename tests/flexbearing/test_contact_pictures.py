@@ -1,7 +1,5 @@
 """Pictures of contacts: what is drawn is what the files hold, of one result and of two side by side."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from matplotlib.collections import QuadMesh
@@ -12,8 +10,8 @@ from pytest import approx
 import flexbearing
 from flexbearing import __main__ as program, read
 from flexbearing.report.balls.side_by_side import compared, notes
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 B1, A3 = "heras2017_b1", "heras2017_a3"
 FEW = "fields.points=7"
 STICKING = ("friction.model=fastsim", "friction.cells=[16, 32]")

@@ -1,7 +1,6 @@
 """Contact pressure of a case: along its rollers, where it is largest, what it does below, how safe it is."""
 
 import itertools
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,8 +14,8 @@ from flexbearing.report.roller.figures import pictures
 from flexbearing.runs.rows import answers
 from quasidynamic.contact.line import reduced_radius
 from quasidynamic.outcome.life import edge_stress_factor
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 PLAIN = CONFIGS / "nu209.toml"
 TILTED = {"operation.misalignment": "3 arcmin"}
 BELOW = {"outputs.subsurface_stresses": True}

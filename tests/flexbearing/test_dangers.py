@@ -4,7 +4,6 @@ import json
 import re
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 
@@ -17,8 +16,8 @@ from flexbearing.runs import judged
 from flexbearing.runs.notes import of_case
 from quasidynamic.note import GRADES, Note, danger, graded, information, outside
 from tests.flexbearing.noted import codes, keys, texts
+from tests.places import ROOT
 
-ROOT = Path(__file__).parents[2]
 PAPER, PLAIN = ROOT / "configs" / "mao2016.toml", ROOT / "configs" / "nu209.toml"
 RIGID = ["outer.kind=rigid", "inner.kind=rigid"]
 HEAVY = ["operation.radial_load=100 kN"]

@@ -1,7 +1,5 @@
 """Deep groove ball bearings from case file to summary, pictures and studies."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from pytest import approx
@@ -14,8 +12,9 @@ from flexbearing.families import FAMILIES
 from flexbearing.report.output import text
 from tests.flexbearing.noted import texts
 from tests.literature.test_sjovall import radial_integral
+from tests.places import CONFIGS
 
-CONFIG = Path(__file__).parents[2] / "configs" / "6209.toml"
+CONFIG = CONFIGS / "6209.toml"
 STEEL = 11.7205e9  # [N/m^1.5] both contacts of the 209 bearing, 206 GPa
 
 

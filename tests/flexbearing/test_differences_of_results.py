@@ -2,7 +2,6 @@
 
 import json
 from dataclasses import replace
-from pathlib import Path
 from types import MappingProxyType
 
 import pytest
@@ -12,8 +11,8 @@ import flexbearing
 from flexbearing.__main__ import command
 from flexbearing.differences.compared import Differing, compared
 from flexbearing.results import BadResult
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 CASE = CONFIGS / "nu209.toml"
 
 

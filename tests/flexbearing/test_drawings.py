@@ -5,7 +5,6 @@ import sys
 import warnings
 from functools import cache
 from itertools import combinations
-from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
@@ -19,8 +18,8 @@ from flexbearing.families import FAMILIES
 from flexbearing.report.drawing import of_case
 from flexbearing.report.picture import picture_bytes
 from flexbearing.units import unit
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 SHIPPED = [*sorted(CONFIGS.glob("*.toml")), *sorted((CONFIGS / "catalogue").glob("*.toml"))]
 RING = [
     "outer.kind=ring", "outer.support=housing", "outer.housing_thickness=6 mm",

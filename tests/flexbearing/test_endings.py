@@ -1,7 +1,6 @@
 """Runs that find no equilibrium of bearing and rings: what their files hold and say."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,8 +15,9 @@ from quasidynamic.solve.rollers import settled_time, strategy
 from quasidynamic.solve.start import static_start
 from quasidynamic.solve.step_length import SolverOutcome
 from tests.bearings import paper_bearing
+from tests.places import CONFIGS
 
-PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+PAPER = CONFIGS / "mao2016.toml"
 BEAM = ["inner.kind=rigid", "accuracy.structure=beam", "accuracy.slices=10", "operation.tilt=fixed"]
 METHODS = ["newton", "iqn-ils", "aitken", "relaxed"]
 
@@ -111,7 +111,7 @@ def test_a_row_ends_at_its_budget_of_work_with_a_status_of_its_own(monkeypatch):
     for module in (roller, strategy):
         monkeypatch.setattr(module, "MOST_WORK", 40)
     hardly = ["operation.radial_load=1e-6 N", "bearing.clearance=3 mm"]
-    result = flexbearing.run(Path(__file__).parents[2] / "configs" / "nu209.toml", hardly)
+    result = flexbearing.run(CONFIGS / "nu209.toml", hardly)
     assert result.attributes["status"] == result.attributes["ending"] == "work limit"
     assert "work limit after" in result.attributes["message"]
 

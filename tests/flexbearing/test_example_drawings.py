@@ -1,15 +1,14 @@
 """The drawings of the documents are those that the program draws of the shipped cases."""
 
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from flexbearing.case import BadCase
 from flexbearing.example_drawings import EXAMPLES, drawn, main
+from tests.places import ROOT
 
-ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "docs" / "images" / "drawings"
 QUICK = {  # one of each sheet and part; the others are drawn by the same code
     "roller-bearing", "cage", "roller-profile", "squirrel-cage-bars", "ring-on-shaft", "housing",

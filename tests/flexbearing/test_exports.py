@@ -1,7 +1,6 @@
 """Results in the files of other programs."""
 
 import csv
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,8 +9,8 @@ from numpy.testing import assert_allclose
 import flexbearing
 from flexbearing.__main__ import command
 from tests.flexbearing.test_starting import among, loaded
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 BEAM = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam", "accuracy.slices=8"]
 CASES = {"rollers": ("mao2016", BEAM), "balls": ("harris218", []), "slow balls": ("joshi2015_fourpoint", [])}
 

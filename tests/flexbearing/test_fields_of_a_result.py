@@ -26,9 +26,10 @@ from flexbearing.results import BadResult
 from flexbearing.runs import fields, stored_fields
 from flexbearing.runs.part_fields import NoFields, PartFields
 from tests.fem.bars_of_a_solid import bars_of
+from tests.places import CONFIGS
 
 LENGTH_OF_BARS = 10.25e-3 * (1 + 11.2e-6 * 198)  # [m] hot
-PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+PAPER = CONFIGS / "mao2016.toml"
 COARSE = [
     "inner.kind=rigid", "outer.bars=8", "outer.bar_width=10 mm", "accuracy.element_order=2",
     "accuracy.mesh_size=8 mm", "accuracy.raceway_mesh_size=3.5 mm", "accuracy.patch_width=1.5 mm",

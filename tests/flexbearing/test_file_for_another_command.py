@@ -1,7 +1,5 @@
 """A file given to the command of another kind of file is named for what it is, in one line."""
 
-from pathlib import Path
-
 import pytest
 
 from flexbearing.api import read, read_case
@@ -10,8 +8,8 @@ from flexbearing.families import FAMILIES
 from flexbearing.optimise.file import read as optimisation_of
 from flexbearing.results import BadResult
 from flexbearing.studies.file.read import read as study_of
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 FILES = {
     "case": (CONFIGS / "mao2016.toml", "is a case file; flexbearing run computes it"),
     "study": (CONFIGS / "studies/mao2016_tolerances.toml", "is a study file; flexbearing study computes it"),

@@ -1,14 +1,12 @@
 """Result files as xarray reads them: named dimensions, places along them, units."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 import xarray
 
 import flexbearing
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 BEAM = {"inner.kind": "rigid", "outer.kind": "ring", "accuracy.structure": "beam"}  # nothing is meshed
 CASES = {"mao2016": BEAM, "joshi2015_fourpoint": {}, "rivera2021_7008": {}}
 

@@ -1,7 +1,6 @@
 """The command `map` along one load or speed: table, picture, words, and what it refuses."""
 
 import csv
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -16,8 +15,8 @@ from flexbearing.progress import Logged
 from flexbearing.report.studies.branch_figure import draw_branch
 from flexbearing.studies.maps.map import MapRequest, map_case
 from tests.flexbearing.toy_studies import deadly_branch
+from tests.places import ROOT
 
-ROOT = Path(__file__).parents[2]
 PAPER = ROOT / "configs" / "mao2016.toml"
 TEXTBOOK = ROOT / "configs" / "nu209.toml"
 FALLING = [

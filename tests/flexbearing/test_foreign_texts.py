@@ -7,7 +7,6 @@ import subprocess
 import sys
 import warnings
 from dataclasses import replace
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -22,9 +21,8 @@ from flexbearing.report.picture import picture_bytes, titled
 from flexbearing.report.roller.deformed import deformed
 from flexbearing.report.studies.branch_figure import draw_branch
 from flexbearing.report.studies.pareto_table import Measured, Study, draw_pareto
+from tests.places import CONFIGS, ROOT
 
-ROOT = Path(__file__).parents[2]
-CONFIGS = ROOT / "configs"
 CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u202e]")
 TITLE = "Ring \x1b]0;owned\x07 \x9b31m\x7f \u202etxt $x_{$ \\frac{ [red]a[/red] 保 \ue000 %s {}"
 IN_TOML = TITLE.translate({ord(c): f"\\u{ord(c):04x}" for c in "\x1b\x07\x9b\x7f\u202e"} | {92: "\\\\"})

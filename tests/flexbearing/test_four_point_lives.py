@@ -1,7 +1,5 @@
 """Lives of four-point bearings from case to result, turning, oscillating, and under a duty cycle."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from pytest import approx
@@ -12,8 +10,9 @@ from flexbearing.findings import records
 from flexbearing.life import four_point_lives
 from flexbearing.runs import four_point
 from quasidynamic.outcome.oscillation import critical_oscillation, guideline_factor
+from tests.places import CONFIGS
 
-JOSHI = Path(__file__).parents[2] / "configs" / "joshi2015_fourpoint.toml"
+JOSHI = CONFIGS / "joshi2015_fourpoint.toml"
 
 
 @pytest.fixture(scope="module")

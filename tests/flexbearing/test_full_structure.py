@@ -1,7 +1,5 @@
 """A full solve of the solids in every iteration, against the same solids condensed once."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from pytest import approx
@@ -16,8 +14,9 @@ from flexbearing.rings.full_solve import FullSolveRaceway
 from flexbearing.rings.raceways import CondensedRaceway, RigidRaceway
 from tests.bearings import paper_bearing
 from tests.fem.condensed import as_solid
+from tests.places import CONFIGS
 
-PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+PAPER = CONFIGS / "mao2016.toml"
 FULL = ["coupling.structure=full", "coupling.method=iqn-ils"]
 RING = ["inner.kind=rigid", "outer.kind=ring", "outer.thickness=3.6 mm"]
 COARSE = [

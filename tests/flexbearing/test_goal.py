@@ -1,7 +1,6 @@
 """Changes that reach a life."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,8 +11,9 @@ from flexbearing import __main__ as program
 from flexbearing.goal import search
 from flexbearing.goal.approach import Track, reach
 from flexbearing.goal.target import target
+from tests.places import CONFIGS
 
-TEXTBOOK = Path(__file__).parents[2] / "configs" / "nu209.toml"
+TEXTBOOK = CONFIGS / "nu209.toml"
 
 
 @pytest.fixture(scope="module")

@@ -1,7 +1,6 @@
 """bearing.contact = "half_space": from the case file to datasets, summary, notes and page."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,8 +17,9 @@ from flexbearing.runs import half_space, roller_findings
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic.errors import NotSolved
 from quasidynamic.outcome import whole_roller
+from tests.places import CONFIGS
 
-PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
+PLAIN = CONFIGS / "nu209.toml"
 WHOLE = ['bearing.contact="half_space"']
 TILTED = ["operation.misalignment=3 arcmin"]
 PROFILED = ["bearing.roller.profile=logarithmic", "bearing.roller.drop=3.5 um"]

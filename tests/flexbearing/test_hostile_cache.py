@@ -21,8 +21,9 @@ from flexbearing.cache.archive import DTYPES, Damaged, packed, unpacked
 from flexbearing.cache.forms import RECORDS, WrongForm
 from tests.flexbearing.test_bolted_rings import SLEWING, SMALL
 from tests.flexbearing.test_cache import PARTS, RACEWAY, Counted, harmonics, raceway, same
+from tests.places import CONFIGS
 
-PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+PAPER = CONFIGS / "mao2016.toml"
 RING = ("inner.kind=rigid", "outer.kind=ring", "outer.thickness=3.6 mm", "accuracy.slices=4")
 CAGE = ("inner.kind=rigid", "accuracy.slices=4", "accuracy.structure=smeared")
 SOLID = (

@@ -14,8 +14,8 @@ from flexbearing.__main__ import command
 from flexbearing.quantities.roller import LAYOUT
 from flexbearing.results import BadResult
 from tests.flexbearing.hostile_results import VALUES, corpus
+from tests.places import ROOT
 
-ROOT = Path(__file__).parents[2]
 PAPER = ROOT / "configs" / "mao2016.toml"
 ROLLERS, SLICES = 11, 6
 RING = [

@@ -12,10 +12,10 @@ import pytest
 from flexbearing.program import interpreter
 from flexbearing.program.interpreter import Died, Interpreter, NeverStarted
 from tests.fem.processes import Lost
+from tests.places import ROOT
 
 pytestmark = pytest.mark.usefixtures("two_cores")
 
-ROOT = Path(__file__).parents[2]
 CALLER = """
 import sys
 from flexbearing.program.interpreter import Interpreter

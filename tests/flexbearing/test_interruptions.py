@@ -8,13 +8,12 @@ import subprocess
 import sys
 import time
 from contextlib import suppress
-from pathlib import Path
 
 import pytest
 
 import flexbearing
+from tests.places import ROOT
 
-ROOT = Path(__file__).parents[2]
 PAPER = ROOT / "configs" / "mao2016.toml"
 PROGRAM = [sys.executable, "-m", "flexbearing"]
 CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129}

@@ -19,8 +19,8 @@ from flexbearing.results.attributes import checked, decoded
 from flexbearing.results.read import of_content
 from tests.flexbearing.resealed import resealed
 from tests.flexbearing.test_results import ENDING
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 ROUGH = [f"bearing.roughness.{name}=0.1 um" for name in ("roller", "inner_raceway", "outer_raceway")]
 RING = (
     "inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam", "accuracy.slices=8",

@@ -5,7 +5,6 @@ import subprocess
 import sys
 from itertools import pairwise
 from math import prod
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -19,8 +18,8 @@ from flexbearing.quantities.life_records import Ratings
 from flexbearing.report.catalogue_life import scaled
 from flexbearing.report.output import text
 from quasidynamic.outcome.capacity import STRESS_REDUCTION, dynamic_rating
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 PLAIN, FITS, CAGE = (CONFIGS / f"{name}.toml" for name in ("nu209", "nu209_fits", "mao2016"))
 OIL = "oil, in-line filter, -/15/12"
 CLEAN = {"life.lubrication": "a_ISO", "life.cleanliness": OIL, "life.capacity": "iso281"}

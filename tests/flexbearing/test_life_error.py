@@ -1,15 +1,14 @@
 """Every run says how far its resolution may put the life off."""
 
-from pathlib import Path
-
 import pytest
 from pytest import approx
 
 import flexbearing
 from flexbearing.report.output import text
 from tests.flexbearing.noted import codes
+from tests.places import CONFIGS
 
-PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
+PLAIN = CONFIGS / "nu209.toml"
 FINE = ["accuracy.slices=320", "accuracy.axial_shapes=6", "accuracy.raceway_mesh_size=2 mm"]
 STRAIGHT = ["bearing.roller.profile=straight"]
 LOGARITHMIC = ["bearing.roller.profile=logarithmic", "bearing.roller.drop=2.5 um"]

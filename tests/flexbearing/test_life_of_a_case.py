@@ -1,7 +1,6 @@
 """The section [life]: which factors it asks for, and what becomes of the basic life."""
 
 from math import prod
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -38,9 +37,9 @@ from quasidynamic.outcome.life_factors import (
     reliability_factor,
 )
 from quasidynamic.outcome.rating_life import ROLLER_EXPONENT
+from tests.places import CONFIGS
 from tests.reference.modified_slices import modification
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 PLAIN = CONFIGS / "nu209.toml"
 ROUGH = {
     "bearing.roughness.roller": "0.05 um",

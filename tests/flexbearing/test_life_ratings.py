@@ -18,8 +18,9 @@ from flexbearing.life import roller_lives
 from flexbearing.runs.solved_rows import SolvedRows
 from quasidynamic.outcome.capacity import dynamic_rating, raceway_capacity, reference_raceway_capacity
 from quasidynamic.outcome.life import reference_life
+from tests.places import CONFIGS
 
-PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
+PLAIN = CONFIGS / "nu209.toml"
 CATALOGUE = PLAIN.parent / "catalogue"
 NJ2210, NEAR = CATALOGUE / "nj2210.toml", ("13 mm", "11 mm")
 ISO = {"life.capacity": "iso281"}

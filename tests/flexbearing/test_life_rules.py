@@ -1,13 +1,11 @@
 """Which rules a result names for its lives."""
 
-from pathlib import Path
-
 import pytest
 
 from flexbearing.api import read_case
 from flexbearing.life import life_rules
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 LUNDBERG, REFERENCE = "Lundberg and Palmgren (1952)", "ISO/TS 16281:2008, C_r of ISO 281:2007"
 OF_SLICES = life_rules.A_ISO_OF_PARTS.format("slices")
 OILED = "life.lubrication=a_ISO", "life.cleanliness=grease, normal cleanliness"

@@ -1,13 +1,11 @@
 """Combinations of oil, laws and operation that a case may not ask for."""
 
-from pathlib import Path
-
 import pytest
 
 from flexbearing.api import read_case
 from flexbearing.case import BadCase
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 PLAIN, FITS = CONFIGS / "nu209.toml", CONFIGS / "nu209_fits.toml"
 SHEET = {
     "lubricant.data_sheet.cold_temperature": "40 degC",

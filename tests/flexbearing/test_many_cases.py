@@ -1,6 +1,5 @@
 """Outputs of many cases at once are those of single runs, and a row says the dangers of its run."""
 
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -18,8 +17,8 @@ from flexbearing.runs.run_case import answered
 from flexbearing.runs.side_by_side import _shapes
 from quasidynamic.outcome.ring_stiffness import Tangent
 from tests.cold_oil import PAPER, RIGID, cold_case, settings
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 EVERY = [output.name for output in outputs(LAYOUT)]
 FLANGE = {
     "bearing.flange.ring": "outer", "bearing.flange.clearance": "30 um", "bearing.flange.height": "2 mm",

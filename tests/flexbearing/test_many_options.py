@@ -3,7 +3,6 @@
 import json
 import subprocess
 import sys
-from pathlib import Path
 
 import h5py
 import numpy as np
@@ -12,8 +11,8 @@ from pytest import approx
 
 import flexbearing
 from flexbearing.report.output import text
+from tests.places import ROOT
 
-ROOT = Path(__file__).parents[2]
 FITS = ROOT / "configs" / "nu209_fits.toml"
 SETTINGS = [
     "operation.load_direction=30 deg",

@@ -1,7 +1,6 @@
 """The command `map` over one to three keys: tables, picture, page, and what it refuses."""
 
 import csv
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -22,8 +21,8 @@ from flexbearing.studies.maps.axes import axes
 from flexbearing.studies.maps.grid import grid
 from flexbearing.studies.maps.map import MapRequest, map_case
 from quasidynamic.columns import kind_and_numbers
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 PAPER, TEXTBOOK = CONFIGS / "mao2016.toml", CONFIGS / "nu209.toml"
 LOADS, SPEEDS = "operation.radial_load=log 4 kN..16 kN,3", "operation.inner_speed=1000 rpm..2000 rpm,2"
 FEW = ("accuracy.slices=5", "bearing.rollers=9")

@@ -1,6 +1,5 @@
 """Materials by name stand for the values that makers and handbooks print."""
 
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -13,8 +12,8 @@ from flexbearing.case.explain import explain
 from flexbearing.case.variants import Variants
 from flexbearing.families import FAMILIES
 from flexbearing.findings.load_limits import BARS
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 PAPER, FITS, FAST, SLOW = (
     CONFIGS / f"{name}.toml" for name in ("mao2016", "nu209_fits", "harris218", "slewing_bolted")
 )

@@ -11,8 +11,8 @@ from flexbearing.api import read_case
 from flexbearing.case import BadCase
 from flexbearing.case.declarations import by_path, toml
 from flexbearing.families import FAMILIES
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 CASES = [
     "nu209_fits.toml",
     "mao2016.toml",

@@ -5,7 +5,6 @@ import re
 import shlex
 import tomllib
 from math import cos, pi, sin
-from pathlib import Path
 
 import pytest
 from pytest import approx
@@ -22,8 +21,9 @@ from flexbearing.catalogue.new import new
 from flexbearing.catalogue.roller_set import SHARE, roller_set
 from flexbearing.runs import assumed_effects, effects_file, run_case
 from flexbearing.runs.roller_counts import plausible_numbers
+from tests.places import CONFIGS
 
-CATALOGUE = Path(__file__).parents[2] / "configs" / "catalogue"
+CATALOGUE = CONFIGS / "catalogue"
 SHIPPED = sorted(CATALOGUE.glob("*.toml"))
 NU210 = {
     "bore": "50 mm", "outside": "90 mm", "width": "20 mm", "inner_raceway": "59.5 mm",

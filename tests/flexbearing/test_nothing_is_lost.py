@@ -17,10 +17,11 @@ import flexbearing
 from flexbearing.api import compute, read_case
 from flexbearing.files import BadOutput
 from flexbearing.runs.run_case import default_output
+from tests.places import CONFIGS
 
 pytestmark = pytest.mark.usefixtures("two_cores")
 
-PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+PAPER = CONFIGS / "mao2016.toml"
 BALLS = PAPER.with_name("joshi2015_fag.toml")
 RIGID = ["outer.kind=rigid", "inner.kind=rigid"]
 RING = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam"]  # nothing is meshed

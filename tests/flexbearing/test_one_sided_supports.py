@@ -1,7 +1,6 @@
 """Lines and foundations of a case push only, unless it says that they pull; their forces are told."""
 
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,8 +15,9 @@ from flexbearing.report.html.reader import Reader
 from flexbearing.report.output import text
 from flexbearing.runs import judged
 from tests.flexbearing.noted import codes
+from tests.places import CONFIGS
 
-CASE = Path(__file__).parents[2] / "configs" / "nu209.toml"
+CASE = CONFIGS / "nu209.toml"
 RING = [
     "inner.kind=rigid", "outer.kind=ring", "outer.thickness=5 mm", "outer.width=19 mm",
     "accuracy.element_order=3", "accuracy.slices=8", "accuracy.axial_shapes=2", "operation.radial_load=2 kN",

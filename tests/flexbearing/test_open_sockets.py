@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from tests.flexbearing.toy_studies import CASE, COLLECT
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 STUDY = f'case = "{CASE}"\n[over]\n"operation.radial_load" = "2 kN .. 8 kN, 2000"\n{COLLECT}\n'
 LOOKS = 100  # at a command and its workers
 LISTENS, ACCEPTS = "0A", 0x10000  # a TCP socket in /proc/net/tcp, a Unix socket in /proc/net/unix

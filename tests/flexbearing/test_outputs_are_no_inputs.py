@@ -16,8 +16,8 @@ from flexbearing.studies.plan.task import file_name
 from flexbearing.studies.prepare import prepare_source
 from tests.flexbearing.test_bearing_for_ross import table
 from tests.flexbearing.test_contact_pictures import B1, FEW
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 BEAM = {"inner.kind": "rigid", "outer.kind": "ring", "accuracy.structure": "beam", "accuracy.slices": 8}
 TEXTS = {
     **dict.fromkeys(("p.csv", "q.csv"), "position [mm],drop [um]\n0,0\n1.5,0.3\n2.5,2\n"),

@@ -2,7 +2,6 @@
 
 import json
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,8 +11,8 @@ import flexbearing
 from flexbearing.families import FAMILIES
 from flexbearing.outputs import AbsentOutput, UnknownOutput, Value, WrongUnit, outputs, requested
 from flexbearing.units import unit
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 ROLLERS = FAMILIES["cylindrical_roller"].layout()
 BEAM = {"inner.kind": "rigid", "outer.kind": "ring", "accuracy.structure": "beam"}  # nothing is meshed
 PROBES = {

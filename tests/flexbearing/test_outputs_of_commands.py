@@ -17,8 +17,8 @@ from flexbearing.runs import fields, stored_fields
 from flexbearing.studies import pareto
 from flexbearing.studies.maps import branch
 from flexbearing.studies.pareto_levels import Level
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 PAPER, PLAIN = CONFIGS / "mao2016.toml", CONFIGS / "nu209.toml"
 BEAM = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam", "accuracy.slices=8"]
 RANGE = "operation.radial_load=5 kN..6 kN"

@@ -4,7 +4,6 @@ import csv
 import os
 from dataclasses import replace
 from math import inf
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -28,8 +27,8 @@ from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.pareto import Timed
 from flexbearing.studies.pareto_levels import Level, ladder, left_out, richest
 from tests.flexbearing.toy_studies import deadly_level
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 THIN = {"outer.kind": "ring", "outer.thickness": "1 mm", "outer.width": "10 mm"}
 points = st.lists(st.tuples(st.floats(0, 10), st.floats(0, 1)), min_size=1, max_size=12)
 

@@ -1,6 +1,5 @@
 """Probes of a case: one number each by name in runs, studies, maps, sensitivities and passages."""
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -18,8 +17,9 @@ from flexbearing.runs.part_fields import NoFields, PartFields
 from flexbearing.studies.maps.axes import axes
 from flexbearing.studies.maps.solution import solved_map
 from tests.flexbearing.noted import codes
+from tests.places import CONFIGS
 
-PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+PAPER = CONFIGS / "mao2016.toml"
 RING = {
     "inner.kind": "rigid", "outer.kind": "ring", "outer.support": "side", "outer.width": "12 mm",
     "outer.thickness": "5 mm", "accuracy.element_order": 3, "accuracy.mesh_size": "4 mm",

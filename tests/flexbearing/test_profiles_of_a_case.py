@@ -1,7 +1,6 @@
 """Profiles of rollers and raceways, from the keys of a case to the bearing."""
 
 from math import pi
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,8 +13,9 @@ from flexbearing.families import FAMILIES
 from flexbearing.runs.validate import require_possible
 from flexbearing.studies.plan.task import identity
 from quasidynamic import LogarithmicCrown, PointsProfile
+from tests.places import CONFIGS
 
-PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
+PLAIN = CONFIGS / "nu209.toml"
 DIAMETER, LENGTH = 10e-3, 9.601e-3
 MODULUS = 207e9 / (1 - 0.3**2)  # E' of steel on steel
 PARTS = ("roller", "inner_raceway", "outer_raceway")

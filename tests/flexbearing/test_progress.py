@@ -6,7 +6,6 @@ import pty
 import re
 import sys
 from io import StringIO
-from pathlib import Path
 from subprocess import DEVNULL, Popen
 from time import perf_counter, sleep
 from types import SimpleNamespace
@@ -17,8 +16,9 @@ from rich.console import Console
 
 from flexbearing import api, progress
 from flexbearing.progress import Lines, Logged, OnTerminal
+from tests.places import CONFIGS
 
-BALLS = Path(__file__).parents[2] / "configs" / "heras2017_b1.toml"
+BALLS = CONFIGS / "heras2017_b1.toml"
 SILENT = 20.0  # [s]
 FOUR = ["bearing.balls=4", "friction.model=fastsim", "friction.cells=[16, 16]"]
 

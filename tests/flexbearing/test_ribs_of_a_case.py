@@ -1,7 +1,5 @@
 """An axial load of a roller case: from [bearing.ribs] to summary, findings and refusals."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from pytest import approx
@@ -11,8 +9,9 @@ from flexbearing.api import read_case
 from flexbearing.case import BadCase
 from flexbearing.report.output import text
 from quasidynamic.outcome.axial_capacity import rib_strength, warm_rib_load
+from tests.places import CONFIGS
 
-NU209 = Path(__file__).parents[2] / "configs" / "nu209.toml"
+NU209 = CONFIGS / "nu209.toml"
 RIBS = {
     "bearing.ribs.inner_height": "1.5 mm",
     "bearing.ribs.outer_height": "1.2 mm",

@@ -1,7 +1,6 @@
 """What the inner ring of a case may do: tilt freely under a moment, and move with its supports."""
 
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,8 +14,9 @@ from flexbearing.case import BadCase
 from flexbearing.case.read import understood
 from flexbearing.families import FAMILIES
 from flexbearing.report.output import text
+from tests.places import CONFIGS
 
-PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+PAPER = CONFIGS / "mao2016.toml"
 RIGID = ["inner.kind=rigid", "outer.kind=rigid", "accuracy.slices=8", "accuracy.axial_shapes=2"]
 BEAM = ["inner.kind=rigid", "accuracy.structure=beam", "accuracy.slices=8", "accuracy.axial_shapes=2"]
 

@@ -1,15 +1,14 @@
 """Both rings of a bearing condensed at once: the outer one in a process that starts before anything else."""
 
-from pathlib import Path
-
 import pytest
 
 import flexbearing
 from fem import condense
 from flexbearing.coupling import PartnerFailed
 from flexbearing.runs import roller
+from tests.places import CONFIGS
 
-PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+PAPER = CONFIGS / "mao2016.toml"
 COARSE = {"accuracy.element_order": 2}
 CAGE = COARSE | {"inner.kind": "rigid"}
 

@@ -16,8 +16,9 @@ from flexbearing.report.output import text
 from flexbearing.runs import passage
 from flexbearing.runs.passage import load_half_a_pitch_further
 from tests.flexbearing.noted import codes
+from tests.places import CONFIGS
 
-CASE = Path(__file__).parents[2] / "configs" / "nu209.toml"
+CASE = CONFIGS / "nu209.toml"
 QUICK = ["accuracy.slices=8", "accuracy.axial_shapes=2"]
 RIGID = ["inner.kind=rigid", "outer.kind=rigid"]
 RING = [

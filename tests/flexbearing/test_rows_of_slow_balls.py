@@ -1,7 +1,5 @@
 """Rows of slow ball bearings: they compute what their outputs need, with the numbers of single runs."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from pytest import approx
@@ -15,8 +13,9 @@ from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.runs import four_point, neglect
 from flexbearing.runs.ball import four_point_answers
 from quasidynamic.outcome import slow_balls
+from tests.places import CONFIGS
 
-JOSHI = Path(__file__).parents[2] / "configs" / "joshi2015_fourpoint.toml"
+JOSHI = CONFIGS / "joshi2015_fourpoint.toml"
 LIFE, TORQUE, LOAD = "life_L10 [Mrev]", "torque.inner [N m]", "max_contact_load [N]"
 THRUSTS = ("0 N", "300 kN", "-200 kN")
 FEW = "bearing.balls=40"

@@ -3,7 +3,6 @@
 import json
 import logging
 from itertools import count
-from pathlib import Path
 from types import SimpleNamespace
 
 import h5py
@@ -15,8 +14,8 @@ import flexbearing
 from flexbearing.__main__ import command as in_this_process
 from flexbearing.progress import Logged, line
 from flexbearing.rings.raceways import CondensedRaceway
+from tests.places import ROOT
 
-ROOT = Path(__file__).parents[2]
 PAPER = ROOT / "configs" / "mao2016.toml"
 RIGID = ["outer.kind=rigid", "inner.kind=rigid"]
 CAGE_ONLY = "inner.kind=rigid"

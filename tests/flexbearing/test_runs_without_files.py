@@ -1,14 +1,12 @@
 """A run from Python that asks for no file: the same answer, nothing written."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 import flexbearing
 from flexbearing.results import hdf5_write
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 BEAM = {"inner.kind": "rigid", "outer.kind": "ring", "accuracy.structure": "beam"}  # nothing is meshed
 CASES = {"mao2016": BEAM, "joshi2015_fag": {}, "rivera2021_7008": {}}
 TIMES = ("created", "wall_time_s", "structure")

@@ -3,7 +3,6 @@
 import csv
 import json
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,8 +15,8 @@ from flexbearing.derivatives.rollers import BEYOND, REACH, sensitivities
 from flexbearing.families import FAMILIES
 from flexbearing.progress import Silent
 from flexbearing.sensitivity.page import draw_tornado
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 PAPER, TEXTBOOK = CONFIGS / "mao2016.toml", CONFIGS / "nu209.toml"
 RIGID = ["inner.kind=rigid", "outer.kind=rigid", "operation.tilt=fixed"]
 BEAM = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam"]  # nothing is meshed

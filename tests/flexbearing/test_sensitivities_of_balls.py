@@ -1,7 +1,5 @@
 """Derivatives of fast balls by keys: against cases that are solved again, identities, refusals."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from pytest import approx
@@ -11,8 +9,8 @@ from flexbearing import api
 from flexbearing.case import BadCase
 from flexbearing.derivatives import near_grooves
 from flexbearing.derivatives.balls import sensitivities
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 RADIAL, HARRIS, CAGE = (CONFIGS / f"{name}.toml" for name in ("6209", "harris218", "harris218_cage"))
 RING = [
     "outer.kind=ring", "outer.thickness=3.65 mm", "outer.width=19 mm", "bearing.outer.shoulder=2.2 mm",

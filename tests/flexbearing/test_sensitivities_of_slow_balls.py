@@ -1,7 +1,6 @@
 """Derivatives of slow balls by keys: against cases solved again, identities, both sides, refusals."""
 
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,8 +11,8 @@ from flexbearing import api
 from flexbearing.case import BadCase
 from flexbearing.derivatives.slow_balls import sensitivities
 from flexbearing.runs import four_point
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 LOADED, SLEWING, BOLTED = (
     CONFIGS / f"{name}.toml" for name in ("joshi2015_qj309", "joshi2015_fourpoint", "slewing_bolted")
 )

@@ -19,10 +19,11 @@ from tests.ball_bearings import slow_bearing
 from tests.flexbearing import process_calls
 from tests.flexbearing.process_calls import dead, dead_once, process_of, unsolved
 from tests.flexbearing.test_interruptions import ended, started, wait_for
+from tests.places import CONFIGS
 
 pytestmark = pytest.mark.usefixtures("two_cores")
 
-JOSHI = Path(__file__).parents[2] / "configs" / "joshi2015_fourpoint.toml"
+JOSHI = CONFIGS / "joshi2015_fourpoint.toml"
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
 NUMBERS = range(2 * FEWEST)
 

@@ -1,15 +1,14 @@
 """The shipped optimisation files: each finds an optimum that stands up to finer models."""
 
-from pathlib import Path
-
 import pytest
 
 from flexbearing.optimise.run import optimise
 from flexbearing.optimise.search import FEASIBLE
+from tests.places import CONFIGS
 
 pytestmark = pytest.mark.usefixtures("two_cores")
 
-STUDIES = Path(__file__).parents[2] / "configs" / "studies"
+STUDIES = CONFIGS / "studies"
 
 
 @pytest.mark.long

@@ -1,7 +1,6 @@
 """The table [bearing.flange]: from the case file to datasets, summary, notes and page."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,8 +12,9 @@ from flexbearing.build import roller_bearing
 from flexbearing.case import BadCase
 from flexbearing.report.output import text
 from flexbearing.runs import skew
+from tests.places import CONFIGS
 
-PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
+PLAIN = CONFIGS / "nu209.toml"
 FLANGE = {
     "bearing.flange.ring": "outer",
     "bearing.flange.clearance": "30 um",

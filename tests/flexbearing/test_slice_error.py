@@ -1,14 +1,12 @@
 """Errors by slices, beside the same case with many more slices."""
 
-from pathlib import Path
-
 import pytest
 
 import flexbearing
 from flexbearing.coupled.states import EndStates
 from flexbearing.runs import life_error
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 BEAM = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam"]  # nothing is meshed
 CASES = {"rigid": ("nu209", []), "flexible": ("mao2016", BEAM)}
 

@@ -1,7 +1,5 @@
 """What runs say of the peak pressure of slices: where it is that of the contact, and where not."""
 
-from pathlib import Path
-
 import pytest
 from pytest import approx
 
@@ -16,8 +14,9 @@ from quasidynamic.errors import NotSolved
 from quasidynamic.outcome import sliced_peak as check
 from quasidynamic.outcome.sliced_peak import corner_rise
 from tests.flexbearing.noted import keys
+from tests.places import CONFIGS
 
-PLAIN = Path(__file__).parents[2] / "configs" / "nu209.toml"
+PLAIN = CONFIGS / "nu209.toml"
 HEAVY = ["operation.radial_load=25 kN", "operation.misalignment=8 arcmin"]
 TILTED = ["operation.radial_load=4 kN", "operation.misalignment=12 arcmin"]
 STRAIGHT = ["bearing.roller.profile=straight"]

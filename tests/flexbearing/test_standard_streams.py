@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 import flexbearing
+from tests.places import ROOT
 
-ROOT = Path(__file__).parents[2]
 PAPER = ROOT / "configs" / "mao2016.toml"
 PROGRAM = shlex.join([sys.executable, "-m", "flexbearing"])
 RIGID = "--set outer.kind=rigid --set inner.kind=rigid"

@@ -2,7 +2,6 @@
 
 import csv
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
@@ -11,10 +10,10 @@ from flexbearing import __main__ as program
 from flexbearing.results import BadResult, store
 from quasidynamic import OutOfRange
 from tests.flexbearing.toy_studies import CASE
+from tests.places import ROOT
 
 pytestmark = pytest.mark.usefixtures("two_cores")
 
-ROOT = Path(__file__).parents[2]
 LOADS = (
     '[over]\n"operation.radial_load" = ["2 kN", "4 kN"]\n"operation.inner_speed" = ["3000 rpm", "5000 rpm"]\n'
 )

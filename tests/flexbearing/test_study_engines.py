@@ -23,10 +23,10 @@ from flexbearing.studies.prepare import prepare_source
 from flexbearing.studies.run import Work, run
 from tests.flexbearing import toy_studies
 from tests.flexbearing.toy_studies import cubes, no_ring, toy
+from tests.places import ROOT
 
 pytestmark = pytest.mark.usefixtures("two_cores")
 
-ROOT = Path(__file__).parents[2]
 FORTY = '"operation.radial_load" = "2 kN .. 41 kN, 40"'
 
 

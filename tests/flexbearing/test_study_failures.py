@@ -23,10 +23,10 @@ import flexbearing
 from flexbearing import __main__ as program
 from tests.fem.processes import aborting
 from tests.flexbearing.toy_studies import CASE
+from tests.places import ROOT
 
 pytestmark = pytest.mark.usefixtures("two_cores")
 
-ROOT = Path(__file__).parents[2]
 COMMAND = [sys.executable, "-m", "flexbearing", "study"]
 PROGRESS = re.compile(r"(check|study|elastic rings)(: \d+ of \d+ .*|, \d+ s)")
 LIMIT = 300  # [s] for anything to happen, however busy the machine is

@@ -1,7 +1,5 @@
 """Study files: which variants they make, and what is said of those that are wrong."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from pytest import approx
@@ -11,8 +9,9 @@ from flexbearing.case import BadCase
 from flexbearing.families import FAMILIES
 from flexbearing.studies.file import read, rows as tables
 from flexbearing.studies.file.values import BadValues
+from tests.places import CONFIGS
 
-CASE = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+CASE = CONFIGS / "mao2016.toml"
 
 
 @pytest.fixture

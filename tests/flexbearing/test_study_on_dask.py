@@ -19,10 +19,10 @@ from flexbearing.studies.engine.serial import Serial
 from flexbearing.studies.placement import Placement
 from flexbearing.studies.run import Work, run
 from tests.flexbearing.toy_studies import cubes, no_ring, toy
+from tests.places import ROOT
 
 pytestmark = pytest.mark.usefixtures("two_cores")
 
-ROOT = Path(__file__).parents[2]
 FORTY = '"operation.radial_load" = "2 kN .. 41 kN, 40"'
 
 

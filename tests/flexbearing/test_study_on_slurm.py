@@ -4,7 +4,6 @@ import os
 import signal
 import subprocess
 from functools import partial
-from pathlib import Path
 
 import pytest
 
@@ -18,8 +17,8 @@ from flexbearing.studies.run import Work, run
 from tests import one_machine_slurm
 from tests.flexbearing import toy_studies
 from tests.flexbearing.toy_studies import cubes, no_ring, toy
+from tests.places import ROOT
 
-ROOT = Path(__file__).parents[2]
 FORTY = '"operation.radial_load" = "2 kN .. 41 kN, 40"'
 PROFILE = 'jobs = 2\nmemory = "1 GB"\ninterface = "lo"\nqueue = "debug"\n'
 

@@ -17,10 +17,9 @@ from flexbearing.studies.plan.plan import MOST_PROBLEMS
 from flexbearing.studies.plan.task import Base, Variant, identity
 from flexbearing.studies.prepare import prepare_source
 from tests.flexbearing.toy_studies import CASE, toy
+from tests.places import CONFIGS
 
 pytestmark = pytest.mark.usefixtures("two_cores")
-
-CONFIGS = Path(__file__).parents[2] / "configs"
 
 
 def test_the_identity_is_the_digest_of_the_complete_case_and_the_format():

@@ -1,7 +1,6 @@
 """Studies with a target: levels chosen once between the same rings, a column with each estimated error."""
 
 from itertools import product
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,10 +11,10 @@ from flexbearing.studies import messages, worker
 from flexbearing.studies.plan.corners import extremes
 from flexbearing.studies.prepare import prepare_source
 from flexbearing.studies.table import journal
+from tests.places import CONFIGS
 
 pytestmark = pytest.mark.usefixtures("two_cores")
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 RING = """
 "outer.kind" = "ring"
 "outer.width" = "19 mm"

@@ -2,7 +2,6 @@
 
 import gc
 from functools import partial
-from pathlib import Path
 
 import pytest
 
@@ -21,10 +20,11 @@ from flexbearing.studies.run import Work, run
 from tests.cold_oil import RIGID, cold_case, settings
 from tests.flexbearing import toy_studies
 from tests.flexbearing.toy_studies import CASE
+from tests.places import CONFIGS
 
 pytestmark = pytest.mark.usefixtures("two_cores")
 
-PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+PAPER = CONFIGS / "mao2016.toml"
 CAGES = """
 [over]
 "outer.thickness" = ["4 mm", "5 mm"]

@@ -1,7 +1,6 @@
 """What holds the rings, from the case file to the loads."""
 
 import re
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -28,8 +27,9 @@ from flexbearing.rings.raceways import RigidRaceway
 from flexbearing.runs import stored_fields
 from flexbearing.runs.part_fields import NoFields
 from tests.flexbearing.noted import codes
+from tests.places import CONFIGS
 
-PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+PAPER = CONFIGS / "mao2016.toml"
 RING = [
     "inner.kind=rigid",
     "outer.kind=ring",

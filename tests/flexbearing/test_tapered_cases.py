@@ -1,7 +1,5 @@
 """Tapered roller bearings as cases: what a run, a study and a report of them have."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from pytest import approx
@@ -14,9 +12,10 @@ from flexbearing.report.html import html, of_result
 from flexbearing.runs.validate import require_possible
 from quasidynamic.outcome.life_factors import modification_factor
 from quasidynamic.outcome.tapered_life import InclinedRow, axial_factor, load_limit, tapered_dynamic_load
+from tests.places import CONFIGS
 from tests.reference.modified_slices import modification
 
-CASE = Path(__file__).parents[2] / "configs" / "32207.toml"
+CASE = CONFIGS / "32207.toml"
 CHECKED = {  # the bearing of the independent program of tests/quasidynamic/test_tapered.py
     "bearing.rollers": "19", "bearing.pitch_diameter": "71 mm", "bearing.cup_angle": "15.6422 deg",
     "bearing.cone_angle": "11.6462 deg", "bearing.roller.diameter": "10.5 mm",

@@ -1,7 +1,6 @@
 """Fits and temperatures of tapered roller bearings, which bring cone and cup closer."""
 
 from math import cos, radians, tan
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,8 +13,9 @@ from flexbearing.case import BadCase
 from flexbearing.case.read import written
 from flexbearing.report.output import text
 from tests.flexbearing.noted import texts
+from tests.places import CONFIGS
 
-CASE = Path(__file__).parents[2] / "configs" / "32207.toml"
+CASE = CONFIGS / "32207.toml"
 ANGLE, CONE = radians(14.036), 0.17616014552345755  # sin(ANGLE - CONE) = 2 D/d_m sin((ANGLE + CONE)/2)
 CHORD = 8.8e-3 / cos((ANGLE - CONE) / 2)
 LOOSE = {

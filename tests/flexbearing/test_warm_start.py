@@ -1,7 +1,6 @@
 """A case that starts from the end state of a neighbouring one."""
 
 import shutil
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -21,8 +20,9 @@ from quasidynamic import roller
 from quasidynamic.solve.rollers import strategy
 from tests.flexbearing.noted import texts
 from tests.flexbearing.resealed import resealed
+from tests.places import CONFIGS
 
-PAPER = Path(__file__).parents[2] / "configs" / "mao2016.toml"
+PAPER = CONFIGS / "mao2016.toml"
 BALLS = PAPER.with_name("joshi2015_fag.toml")
 PLANET = [
     "outer.support=planet", 'outer.tooth_azimuths=["90 deg", "270 deg"]', 'outer.tooth_radial=["0 N", "0 N"]',

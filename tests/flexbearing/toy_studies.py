@@ -3,7 +3,6 @@
 import os
 import signal
 import time
-from pathlib import Path
 
 import numpy as np
 
@@ -11,8 +10,9 @@ from flexbearing.findings import RowFinding
 from flexbearing.studies.pareto import NAMES, Timed
 from flexbearing.studies.plan import Row
 from flexbearing.studies.prepare import prepare_source
+from tests.places import CONFIGS
 
-CASE = Path(__file__).parents[2] / "configs" / "nu209.toml"
+CASE = CONFIGS / "nu209.toml"
 COLLECT = '[collect]\nlife = "life_L10 [Mrev]"\nslip = "cage_slip"'
 TEXTS = "life_L10 [Mrev]", "cage_slip [%]"
 

@@ -1,15 +1,14 @@
 """Mao, Wang and Zhang (2016): the studies of their figures, and what turns the life over the thickness."""
 
 from collections.abc import Sequence
-from pathlib import Path
 
 import pytest
 from pytest import approx
 
 import flexbearing
 from flexbearing import __main__ as program
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 STUDIES = sorted((CONFIGS / "studies").glob("mao2016_*.toml"))
 THIN, THICK = "2.9 mm", "5.1 mm"
 QUICK = {"accuracy.structure": "smeared", "inner.kind": "rigid"}

@@ -6,13 +6,12 @@ little load; preload ends it. Guo and Keller, Tribology International (2020), in
 """
 
 from itertools import pairwise
-from pathlib import Path
 
 import pytest
 
 import flexbearing
+from tests.places import CONFIGS
 
-CONFIGS = Path(__file__).parents[2] / "configs"
 FIELD_SLIP = 60.0  # [%] of cage and rollers in the loaded zone
 GEARBOX_OIL = {  # ISO VG 320 instead of the oil of the case, "__" for a dot
     **{f"lubricant__{key}": "" for key in (

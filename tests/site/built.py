@@ -6,7 +6,8 @@ from urllib.parse import unquote, urlsplit
 
 from lxml import html
 
-ROOT = Path(__file__).parents[2]
+from tests.places import ROOT
+
 SITE = ROOT / "docs" / "_build" / "html"
 LOADED = (("img", "src"), ("script", "src"), ("link", "href"), ("source", "src"), ("iframe", "src"))
 
