@@ -187,7 +187,9 @@ class FourPointBallBearing:
         ball, races = self.bearing.ball.material, (self.bearing.inner, self.bearing.outer)
         pairs = (elastic_pair(ball, races[0].material), elastic_pair(ball, races[1].material))
         rolled, driven = {}, list(map(int, np.flatnonzero(sliding.sliding.driven)))
-        grooves = _hertz if self.contact_pressure == "hertz" else partial(self._grooves, pairs, cells)
+        grooves = (
+            (lambda ball: ()) if self.contact_pressure == "hertz" else partial(self._grooves, pairs, cells)
+        )
         each = partial(_refined, pairs, self.interface_compliance, model, cells, grooves)
         refined = mapped(each, [_Ball.of(sliding, one) for one in driven])
         for number, one in zip(driven, refined, strict=True):
@@ -262,10 +264,6 @@ class _Ball(NamedTuple):
     def of(cls, sliding: SlidingBalls, number: int) -> "_Ball":
         one, motion = np.array([number]), np.append(sliding.sliding.motion[number], 0.0)
         return cls(sliding.contacts.taken(one), sliding.ellipse.taken(one), sliding.load[one], motion)
-
-
-def _hertz(ball: _Ball) -> tuple[PressedGroove, ...]:
-    return ()
 
 
 def _refined(

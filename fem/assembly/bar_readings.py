@@ -56,14 +56,10 @@ def _at_end(space, cage: SquirrelCage, half: bool, end: int) -> NDArray:
         twist * mean,
     )  # fmt: skip
     # forms are integrated over the length in millimetres of a section in square ones
-    scale = (2.0 if half else _first_pitch(cage.bars)) / (length * MILLIMETRES**2)
+    nearest = ngs.IfPos((pi / cage.bars) ** 2 - ngs.atan2(ngs.y, ngs.z) ** 2, 1.0, 0.0)  # bar at azimuth 0
+    scale = (2.0 if half else nearest) / (length * MILLIMETRES**2)
     if cage.two_sided:
         scale = scale * ngs.IfPos(end * ngs.x, 1.0, 0.0)
     where = ngs.dx(definedon=space.mesh.Materials("bars"))
     vectors = [ngs.LinearForm(scale * form * where).Assemble().vec.FV().NumPy().copy() for form in forms]
     return np.stack(vectors, axis=1)
-
-
-def _first_pitch(bars: int):
-    """1 where the bar at azimuth 0 is the nearest, else 0."""
-    return ngs.IfPos((pi / bars) ** 2 - ngs.atan2(ngs.y, ngs.z) ** 2, 1.0, 0.0)

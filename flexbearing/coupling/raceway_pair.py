@@ -36,12 +36,7 @@ def from_mean_place(azimuths: NDArray, absolute: NDArray, translation: NDArray) 
 def linear_answer(raceway: LinearRaceway, outward: NDArray) -> tuple[NDArray, NDArray]:
     """Outward deviations (Z, M) and mean translation (2) [m] under outward forces (Z, M) [N]."""
     deviation = raceway.initial_deviation + np.tensordot(raceway.absolute, outward, axes=2)
-    return deviation, mean_translation(raceway, outward)
-
-
-def mean_translation(raceway: LinearRaceway, outward: NDArray) -> NDArray:
-    """Mean translation (..., 2) [m] under outward forces (..., Z, M) [N]."""
-    return raceway.initial_translation + translation_by(raceway, outward)
+    return deviation, raceway.initial_translation + translation_by(raceway, outward)
 
 
 def translation_by(raceway: LinearRaceway, outward: NDArray) -> NDArray:

@@ -114,13 +114,8 @@ def _way(stages: Sequence[Stage]) -> Iterator[RenderableType]:
 def why(stages: Sequence[Stage]) -> Iterator[str]:
     """A sentence on each factor that differs from 1 by more than `TOLD`."""
     for stage in stages:
-        if is_stated(stage):
+        if stage.meaning and stage.factor is not None and abs(stage.factor - 1) > TOLD:
             yield f"{stage.name}: {stage.meaning}"
-
-
-def is_stated(stage: Stage) -> bool:
-    """Whether a stage changes the life by more than `TOLD`, and says why."""
-    return bool(stage.meaning) and stage.factor is not None and abs(stage.factor - 1) > TOLD
 
 
 def _options(settings: list[str]) -> str:

@@ -139,11 +139,6 @@ class Passage:
         """Positions that were solved; the first always is."""
         return tuple(position for position in self.positions if position.values)
 
-    @property
-    def mean_life(self) -> float:
-        """Life [10^6 revolutions] by equal damage of all solved positions, their harmonic mean."""
-        return float(1 / np.mean([1 / position.values["life_L10_Mrev"] for position in self.solved]))
-
     def record(self) -> dict[str, Any]:
         """What the result file says."""
         names = self.positions[0].values
@@ -153,7 +148,9 @@ class Passage:
             "values": {
                 name: [_finite(position.values.get(name)) for position in self.positions] for name in names
             },
-            "mean_life_Mrev": _finite(self.mean_life),
+            "mean_life_Mrev": _finite(
+                float(1 / np.mean([1 / each.values["life_L10_Mrev"] for each in self.solved]))
+            ),
         }
 
     def notes(self) -> Iterator[Note]:

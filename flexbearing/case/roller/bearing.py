@@ -301,14 +301,10 @@ class Bearing(Section):
             other = "[bearing.fits] cold_clearance" if given[1] != "clearance_class" else "clearance_class"
             raise impossible(given[0], f"left out where {other} is given; give one of the two")
         if self.clearance is None:
-            self._require_shaft_fit(given[0])
+            fits, shaft = self.fits, "shaft" if given[0] == "clearance_class" else "shaft_interference"
+            if fits is None or (fits.shaft is None and fits.shaft_interference is None):
+                raise needed([f"fits.{shaft}"], f"bearing.{given[0]}")
         return self
-
-    def _require_shaft_fit(self, way: str) -> None:
-        """Raise unless a clearance before mounting comes with the fit that takes it away."""
-        if self.fits is None or (self.fits.shaft is None and self.fits.shaft_interference is None):
-            name = "shaft" if way == "clearance_class" else "shaft_interference"
-            raise needed([f"fits.{name}"], f"bearing.{way}")
 
     @model_validator(mode="after")
     def _profiles_fit(self) -> Self:

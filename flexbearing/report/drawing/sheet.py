@@ -192,7 +192,7 @@ class Sheet:
         self._label_beside(page, page.at(high)[0])
         self._label_heights(page, left)
         for row, (text, start, end, y) in enumerate(sorted(self.axial, key=lambda item: item[2] - item[1])):
-            page.length(text, (start, end), y, base - above_rows(row), page.at(low)[0])
+            page.length(text, (start, end), y, base - (MARGIN + ROW * (row + 0.7)), page.at(low)[0])
         for text, point, style in self.placed:
             page.word(text, page.at(point), **style)
         for row, text in enumerate(reversed(notes)):
@@ -247,11 +247,6 @@ class Sheet:
             page.dim(*ends)
             page.leader([(track, middle), (column + 1, y)])
             page.word(text, (column, y), ha="right")
-
-
-def above_rows(row: int) -> float:
-    """From the part down to the line of a row of lengths [mm]."""
-    return MARGIN + ROW * (row + 0.7)
 
 
 def arc(radius: float, start: float, end: float, points: int = 181) -> NDArray:
