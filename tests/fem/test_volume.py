@@ -6,15 +6,11 @@ import ngsolve as ngs
 import pytest
 from pytest import approx
 
-from fem import ClampedFace, Elastic, MeshSize, OuterRing, SquirrelCage
+from fem import ClampedFace, MeshSize, OuterRing
 from fem.mesh.half_pitch import half_pitch
 from fem.parts.volume import volume
+from tests.fem.test_parts import CAGE, STEEL
 
-STEEL = Elastic(youngs_modulus=203e9, poisson_ratio=0.28)
-CAGE = SquirrelCage(
-    raceway_diameter=75e-3, thickness=3.6e-3, width=10e-3, bars=24, bar_width=4e-3, bar_thickness=2.6e-3,
-    bar_length=10.25e-3, flange_length=5e-3, elastic=STEEL,
-)  # fmt: skip
 CAGES = {
     "one side": CAGE,
     "both sides": replace(CAGE, two_sided=True),

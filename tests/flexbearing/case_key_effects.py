@@ -754,7 +754,7 @@ _OF_PROFILES = (  # context, key, value, its fields
 
 
 def spelt_out(names):
-    """Names that "a{b,c}d" stands for, "abd" and "acd"."""
+    """Names that "x{1,2}y" stands for, "x1y" and "x2y"."""
     start, brace, rest = names.partition("{")
     inside, _, end = rest.partition("}")
     return [f"{start}{each}{end}" for each in inside.split(",")] if brace else [names]

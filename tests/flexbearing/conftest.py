@@ -22,3 +22,10 @@ def each_case_drawn_once():
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(page, "drawn", drawn)
         yield
+
+
+@pytest.fixture
+def command(capsys):
+    """The program, called with words: its exit code, output and messages."""
+    program = import_module("flexbearing.__main__")
+    return lambda *words: (program.command([str(word) for word in words]), *capsys.readouterr())

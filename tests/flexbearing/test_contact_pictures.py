@@ -8,7 +8,7 @@ from matplotlib.quiver import Quiver
 from pytest import approx
 
 import flexbearing
-from flexbearing import __main__ as program, read
+from flexbearing import read
 from flexbearing.report.balls.side_by_side import compared, notes
 from tests.places import CONFIGS
 
@@ -38,14 +38,6 @@ def folder(tmp_path_factory):
 @pytest.fixture
 def result(folder):
     return lambda name: read(folder / f"{name}.h5")
-
-
-@pytest.fixture
-def command(capsys):
-    def run(*words):
-        return program.command([str(word) for word in words]), *capsys.readouterr()
-
-    return run
 
 
 def maps(axes):

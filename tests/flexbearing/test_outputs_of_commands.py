@@ -11,7 +11,6 @@ from types import SimpleNamespace
 import pytest
 
 import flexbearing
-from flexbearing import __main__ as program
 from flexbearing.files import NotStored, parts_of
 from flexbearing.runs import fields, stored_fields
 from flexbearing.studies import pareto
@@ -22,14 +21,6 @@ from tests.places import CONFIGS
 PAPER, PLAIN = CONFIGS / "mao2016.toml", CONFIGS / "nu209.toml"
 BEAM = ["inner.kind=rigid", "outer.kind=ring", "accuracy.structure=beam", "accuracy.slices=8"]
 RANGE = "operation.radial_load=5 kN..6 kN"
-
-
-@pytest.fixture
-def command(capsys):
-    def run(*words):
-        return program.command([str(word) for word in words]), *capsys.readouterr()
-
-    return run
 
 
 @pytest.fixture(scope="module")

@@ -15,13 +15,9 @@ from quasidynamic.contact.traction.inlet_shear import (
     ellipse_shear,
     goksem_hargreaves,
 )
-from quasidynamic.parts.oil_properties import Lubricant
+from tests.quasidynamic.test_drag import OIL
 
 # MIL-PRF-23699 at 220 degC and a 5 mm roller at 38 000 rpm, inner and outer raceway
-OIL = Lubricant(
-    temperature=493.15, viscosity=1.137e-3, pressure_viscosity=8.75e-9, temperature_viscosity=7.26e-3,
-    conductivity=0.1205, density=835,
-)  # fmt: skip
 ISOTHERMAL = replace(OIL, temperature_viscosity=0.0)
 RADII = np.array([[2.3213e-3], [2.6786e-3]])
 PAIR = (2.3213e-3, 2.2487e11, 5e-3, 0.12, 1.25)
