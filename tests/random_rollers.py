@@ -32,6 +32,34 @@ RPM = 2 * np.pi / 60
 SMALLEST = 0.1e-3  # [m] roller diameter, about
 
 
+def drawn_cage(rng: np.random.Generator, guidance: Any, pitch: float, diameter: float, length: float) -> Cage:
+    """Its friction, thickness and clearance; the land is beside the rollers."""
+    return Cage(
+        guidance=guidance,
+        pocket_friction=rng.uniform(0.0, 0.1),
+        thickness=diameter * rng.uniform(0.3, 0.7),
+        mass=1.2e3 * pitch * diameter * length,
+        land_diameter=pitch + (0.8 if guidance == "outer" else -0.8) * diameter,
+        land_width=length / 2,
+        land_clearance=rng.uniform(2e-3, 8e-3) * pitch,
+    )
+
+
+def drawn_bearing(rng, rollers, pitch, diameter, length, clearance, cage) -> CylindricalRollerBearing:
+    """Steel with logarithmic rollers, the first of them anywhere."""
+    profile = Logarithmic(amplitude=0.00035 * diameter)
+    return CylindricalRollerBearing(
+        rollers=rollers,
+        outer_raceway_diameter=pitch + diameter,
+        clearance=clearance,
+        roller=Roller(diameter=diameter, length=length, material=STEEL, profile=profile),
+        cage=cage,
+        inner_ring=STEEL,
+        outer_ring=STEEL,
+        first_roller_azimuth=rng.uniform(0, 2 * np.pi),
+    )
+
+
 def design(rng: np.random.Generator) -> tuple[RollerBearing, str]:
     """A random bearing, and the name of its traction law."""
     rollers = int(rng.integers(6, 60))
@@ -40,35 +68,12 @@ def design(rng: np.random.Generator) -> tuple[RollerBearing, str]:
     pitch = max(rollers * diameter / (np.pi * share), 2.5 * diameter)
     length = diameter * rng.uniform(0.8, 1.8)
     guidance: Any = str(rng.choice(["outer", "inner", "rollers"]))
-    land = pitch + (0.8 if guidance == "outer" else -0.8) * diameter
-    cage = Cage(
-        guidance=guidance,
-        pocket_friction=rng.uniform(0.0, 0.1),
-        thickness=diameter * rng.uniform(0.3, 0.7),
-        mass=1.2e3 * pitch * diameter * length,
-        land_diameter=land,
-        land_width=length / 2,
-        land_clearance=rng.uniform(2e-3, 8e-3) * pitch,
-    )
+    cage = drawn_cage(rng, guidance, pitch, diameter, length)
     oil = oil_at("MIL-PRF-23699", rng.uniform(313.15, 473.15))
     name, traction = law(str(rng.choice(["4109", "eyring", "bair-winer", "four points"])), oil, rng)
     tilted = rng.random() < 1 / 3
     load = log_uniform(rng, 10.0, 1e5)
-    bearing = CylindricalRollerBearing(
-        rollers=rollers,
-        outer_raceway_diameter=pitch + diameter,
-        clearance=rng.uniform(-50e-6, 300e-6),
-        roller=Roller(
-            diameter=diameter,
-            length=length,
-            material=STEEL,
-            profile=Logarithmic(amplitude=0.00035 * diameter),
-        ),
-        cage=cage,
-        inner_ring=STEEL,
-        outer_ring=STEEL,
-        first_roller_azimuth=rng.uniform(0, 2 * np.pi),
-    )
+    bearing = drawn_bearing(rng, rollers, pitch, diameter, length, rng.uniform(-50e-6, 300e-6), cage)
     operation = Operation(
         radial_load=load,
         load_direction=rng.uniform(0, 2 * np.pi),

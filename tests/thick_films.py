@@ -6,12 +6,8 @@ from functools import cache
 import numpy as np
 
 from quasidynamic import (
-    Cage,
-    CylindricalRollerBearing,
-    Logarithmic,
     Lubrication,
     Operation,
-    Roller,
     RollerBearing,
     SolverOutcome,
     oil_at,
@@ -23,7 +19,7 @@ from quasidynamic.solve.rollers.static_equilibrium import film_at, frictionless_
 from quasidynamic.solve.rollers.strategy import solve_each
 from quasidynamic.solve.start import static_unknowns
 from quasidynamic.solve.start.frictionless import frictionless_ring
-from tests.random_rollers import RPM, STEEL, law, log_uniform
+from tests.random_rollers import RPM, drawn_bearing, drawn_cage, law, log_uniform
 
 GRADES = {32: 5.4, 68: 8.7, 100: 11.1, 220: 18.7, 460: 30.5}  # ISO VG by nu at 100 degC [mm2/s], typical
 VISCOSITIES = 0.15, 2.5  # [Pa s]
@@ -37,32 +33,10 @@ def design(rng: np.random.Generator) -> RollerBearing:
     pitch = max(rollers * diameter / (np.pi * rng.uniform(0.55, 0.9)), 3.0 * diameter)
     length = diameter * rng.uniform(0.8, 1.8)
     guidance = str(rng.choice(["outer", "inner", "rollers"]))
-    cage = Cage(
-        guidance=guidance,
-        pocket_friction=rng.uniform(0, 0.1),
-        thickness=diameter * rng.uniform(0.3, 0.7),
-        mass=1.2e3 * pitch * diameter * length,
-        land_diameter=pitch + (0.8 if guidance == "outer" else -0.8) * diameter,
-        land_width=length / 2,
-        land_clearance=rng.uniform(2e-3, 8e-3) * pitch,
-    )
+    cage = drawn_cage(rng, guidance, pitch, diameter, length)
     oil = oil_of_viscosity(int(rng.choice(list(GRADES))), log_uniform(rng, *VISCOSITIES))
     _, traction = law(str(rng.choice(["4109", "eyring", "bair-winer", "four points"])), oil, rng)
-    bearing = CylindricalRollerBearing(
-        rollers=rollers,
-        outer_raceway_diameter=pitch + diameter,
-        clearance=rng.uniform(0, 1e-3) * pitch,
-        roller=Roller(
-            diameter=diameter,
-            length=length,
-            material=STEEL,
-            profile=Logarithmic(amplitude=0.00035 * diameter),
-        ),
-        cage=cage,
-        inner_ring=STEEL,
-        outer_ring=STEEL,
-        first_roller_azimuth=rng.uniform(0, 2 * np.pi),
-    )
+    bearing = drawn_bearing(rng, rollers, pitch, diameter, length, rng.uniform(0, 1e-3) * pitch, cage)
     load = static_rating(bearing) * log_uniform(rng, 1 / 500, 1 / 25)
     speed = min(log_uniform(rng, 200.0, 6000.0), 500.0 / pitch) * RPM
     tilted = rng.random() < 0.2
