@@ -16,7 +16,7 @@ from flexbearing.runs.validate import require_possible
 from quasidynamic import tapered_loads
 from quasidynamic.balance.rollers.inclined import InclinedRollers
 from quasidynamic.contact.line.slices import Slices
-from tests.flexbearing.test_tapered_cases import CASE, read
+from tests.flexbearing.test_tapered_cases import CASE, read, require_balance
 from tests.quasidynamic.test_tapered_raceways import readings
 
 CUP = ["outer.kind=ring", "outer.thickness=5 mm", "outer.width=19 mm"]
@@ -121,15 +121,7 @@ def test_angles_that_vanish_leave_the_ring_of_cylindrical_rollers():
 
 
 def test_balances_hold_for_the_stored_loads(both):
-    values, model = both.flexible, bearing(read())
-    cone, cup, rib = model.cone_angle, model.cup_angle, model.rib
-    inner, outer, axial = values["inner_load"], values["outer_load"], values["rib_load"]
-    size = 1e-9 * outer.max()
-    assert inner * np.sin(cone) + axial * np.cos(rib.angle) == approx(outer * np.sin(cup), abs=size)
-    across = outer * np.cos(cup) - inner * np.cos(cone) + axial * np.sin(rib.angle)
-    assert across - values["centrifugal_force"] == approx(0.0, abs=size)
-    assert (outer * np.sin(cup)).sum() == approx(4000.0, rel=1e-9)
-    assert outer * np.cos(cup) @ np.cos(values["roller_azimuth"]) == approx(8000.0, rel=1e-9)
+    require_balance(both.flexible, bearing(read()))
 
 
 def test_rings_have_the_shape_that_the_stored_loads_make(both):

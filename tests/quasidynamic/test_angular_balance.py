@@ -57,8 +57,11 @@ PLACES = {  # contact angles [rad], approaches [m]
 @CONTROLS
 @pytest.mark.parametrize("where", PLACES.values(), ids=PLACES.keys())
 def test_derivatives_by_the_places_of_ball_and_groove(control, where):
-    own = balance(control)
-    groove, centre = place(*where)
+    require_slopes(balance(control), *place(*where))
+
+
+def require_slopes(own, groove, centre):
+    """Derivatives by the places of ball and groove are the differences of the forces."""
     here, step = own.balls(groove, centre), 1e-10
     for k, way in enumerate((step, 1j * step)):
         for by, ahead, behind in (

@@ -22,6 +22,7 @@ from quasidynamic.solve.balls.ring_newton import _at
 from quasidynamic.solve.balls.ring_on_balls import start
 from quasidynamic.solve.balls.sliding_motion import sliding_motion
 from tests.ball_bearings import fast_bearing
+from tests.quasidynamic.test_angular_balance import require_slopes
 from tests.random_balls import drawn_sliding, unbalanced
 
 STEEL = Material(youngs_modulus=206e9, poisson_ratio=0.3, density=7800)
@@ -310,14 +311,7 @@ def test_derivatives_by_the_places_of_ball_and_groove(where):
     centre = (BEARING.outer_reach + outer_approach) * 1j * np.exp(-1j * outer)
     groove = centre + (BEARING.inner_reach + inner_approach) * 1j * np.exp(-1j * inner)
     groove, centre = np.full((1, 4), groove, complex), np.full((1, 4), centre, complex)
-    here, step = own.balls(groove, centre), 1e-10
-    for k, way in enumerate((step, 1j * step)):
-        for by, ahead, behind in (
-            (here.by_ball, own.balls(groove, centre + way), own.balls(groove, centre - way)),
-            (here.by_groove, own.balls(groove + way, centre), own.balls(groove - way, centre)),
-        ):
-            slope = (ahead.forces - behind.forces) / (2 * step)
-            assert np.abs(by[k] - slope).max() <= 2e-5 * np.abs(here.by_ball).max()
+    require_slopes(own, groove, centre)
 
 
 @pytest.mark.sampled(2)
