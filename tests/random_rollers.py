@@ -45,14 +45,16 @@ def drawn_cage(rng: np.random.Generator, guidance: Any, pitch: float, diameter: 
     )
 
 
-def drawn_bearing(rng, rollers, pitch, diameter, length, clearance, cage) -> CylindricalRollerBearing:
-    """Steel with logarithmic rollers, the first of them anywhere."""
+def drawn_bearing(
+    rng, rollers, pitch, diameter, length, clearance, cage, material=STEEL
+) -> CylindricalRollerBearing:
+    """Rings of steel with logarithmic rollers, the first of them anywhere."""
     profile = Logarithmic(amplitude=0.00035 * diameter)
     return CylindricalRollerBearing(
         rollers=rollers,
         outer_raceway_diameter=pitch + diameter,
         clearance=clearance,
-        roller=Roller(diameter=diameter, length=length, material=STEEL, profile=profile),
+        roller=Roller(diameter=diameter, length=length, material=material, profile=profile),
         cage=cage,
         inner_ring=STEEL,
         outer_ring=STEEL,
@@ -174,32 +176,11 @@ def _wide_bearing(rng) -> CylindricalRollerBearing:
     length = diameter * log_uniform(rng, 0.2, 10.0)
     guidance: Any = str(rng.choice(["outer", "inner", "rollers"]))
     free = guidance != "rollers" and rng.random() < 0.4
-    cage = Cage(
-        guidance=guidance,
-        pocket_friction=rng.uniform(0.0, 0.1),
-        thickness=diameter * rng.uniform(0.3, 0.7),
-        mass=1.2e3 * pitch * diameter * length,
-        land_diameter=pitch + (0.8 if guidance == "outer" else -0.8) * diameter,
-        land_width=length / 2,
-        land_clearance=rng.uniform(2e-3, 8e-3) * pitch,
-        free=free,
-        unbalance=rng.choice([0.0, 1e-4]) * pitch if free else 0.0,
-    )
-    return CylindricalRollerBearing(
-        rollers=rollers,
-        outer_raceway_diameter=pitch + diameter,
-        clearance=diameter * rng.uniform(-3e-3, 0.0 if rng.random() < 0.25 else 2e-2),
-        roller=Roller(
-            diameter=diameter,
-            length=length,
-            material=CERAMIC if rng.random() < 1 / 3 else STEEL,
-            profile=Logarithmic(amplitude=0.00035 * diameter),
-        ),
-        cage=cage,
-        inner_ring=STEEL,
-        outer_ring=STEEL,
-        first_roller_azimuth=rng.uniform(0, 2 * np.pi),
-    )
+    cage = drawn_cage(rng, guidance, pitch, diameter, length)
+    cage = replace(cage, free=free, unbalance=rng.choice([0.0, 1e-4]) * pitch if free else 0.0)
+    clearance = diameter * rng.uniform(-3e-3, 0.0 if rng.random() < 0.25 else 2e-2)
+    material = CERAMIC if rng.random() < 1 / 3 else STEEL
+    return drawn_bearing(rng, rollers, pitch, diameter, length, clearance, cage, material)
 
 
 def _wide_oil(rng):
