@@ -1,8 +1,5 @@
 """The way from the life of a catalogue to that of a ball bearing."""
 
-from itertools import pairwise
-from math import prod
-
 import pytest
 from pytest import approx
 
@@ -14,6 +11,7 @@ from flexbearing.life import ball_lives
 from flexbearing.report.catalogue_life import sections
 from flexbearing.report.output import laid_out, text
 from tests.flexbearing.noted import texts
+from tests.flexbearing.test_life_against_catalogue import require_last, require_names
 from tests.places import CONFIGS
 
 ANGULAR, STEEP, DEEP = (CONFIGS / f"{name}.toml" for name in ("rivera2021_7008", "harris218", "6209"))
@@ -81,20 +79,12 @@ def test_first_life_is_that_of_the_catalogue(compared):
 @pytest.mark.sampled(2)
 def test_last_life_is_that_of_the_case_and_nothing_is_left_over(compared):
     case, settings, found = compared
-    first, *others = found["stages"]
-    assert first["factor"] is None
-    assert others[-1]["settings"] == []
-    assert others[-1]["life_Mrev"] == approx(life(case, settings), rel=1e-12)
-    product = first["life_Mrev"] * prod(stage["factor"] for stage in others)
-    assert product == approx(others[-1]["life_Mrev"], rel=1e-12)
+    require_last(found, life(case, settings))
 
 
 def test_neighbours_differ_in_what_the_second_is_named_after(compared):
     _, _, found = compared
-    stages = found["stages"][1:]  # the one before is that of the rating
-    for before, after in pairwise(stages):
-        assert list(before["settings"]) == [*after["left_out_by"], *after["settings"]]
-        assert after["left_out_by"]
+    require_names(found["stages"][1:])  # the one before is that of the rating
 
 
 @pytest.mark.sampled(2)

@@ -22,17 +22,13 @@ TANDEM = {"bearing.pair.arrangement": "tandem", **DISTANCE}
 PRESSED = {"bearing.pair.arrangement": "back_to_back", "bearing.pair.preload": "200 N", **DISTANCE}
 
 
-def written(settings):
-    return [f"{key}={value}" for key, value in settings.items()]
-
-
 def case(**settings):
-    return read_case(CASE, written(settings))
+    return read_case(CASE, settings)
 
 
 @cache
 def result(*settings):
-    return run(CASE, written(dict(settings)))
+    return run(CASE, dict(settings))
 
 
 def solved(**settings):

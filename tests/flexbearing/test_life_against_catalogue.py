@@ -63,6 +63,23 @@ def compared(request):
     return case, settings, against_catalogue(case, settings)
 
 
+def require_last(found, life):
+    """The last stage is the case with its life, to which all factors lead."""
+    first, *others = found["stages"]
+    assert first["factor"] is None
+    assert others[-1]["settings"] == []
+    assert others[-1]["life_Mrev"] == approx(life, rel=1e-12)
+    product = first["life_Mrev"] * prod(stage["factor"] for stage in others)
+    assert product == approx(others[-1]["life_Mrev"], rel=1e-12)
+
+
+def require_names(stages):
+    """Each stage leaves out what the next one is named after."""
+    for before, after in pairwise(stages):
+        assert list(before["settings"]) == [*after["left_out_by"], *after["settings"]]
+        assert after["left_out_by"]
+
+
 @pytest.mark.slow
 def test_first_life_is_that_of_the_catalogue(compared):
     case, settings, found = compared
@@ -78,20 +95,12 @@ def test_first_life_is_that_of_the_catalogue(compared):
 
 def test_last_life_is_that_of_the_case_and_nothing_is_left_over(compared):
     case, settings, found = compared
-    first, *others = found["stages"]
-    assert first["factor"] is None
-    assert others[-1]["settings"] == []
-    assert others[-1]["life_Mrev"] == approx(life(case, settings), rel=1e-12)
-    product = first["life_Mrev"] * prod(stage["factor"] for stage in others)
-    assert product == approx(others[-1]["life_Mrev"], rel=1e-12)
+    require_last(found, life(case, settings))
 
 
 def test_neighbours_differ_in_what_the_second_is_named_after(compared):
     _, _, found = compared
-    stages = found["stages"][3:]  # those before are the three of the rating
-    for before, after in pairwise(stages):
-        assert list(before["settings"]) == [*after["left_out_by"], *after["settings"]]
-        assert after["left_out_by"]
+    require_names(found["stages"][3:])  # those before are the three of the rating
 
 
 def test_loads_of_the_rollers_are_nearly_those_of_the_standard(compared):
