@@ -135,8 +135,7 @@ def read_table(place: Path, families: Families, most: int | None = None) -> Stud
         head = next(lines)
         inputs.require_different(head)
         cells = _cells(islice(lines, most), len(head))
-        if not any(cells) or not set(ENDS) <= set(head):
-            raise ValueError(f"it has no rows with {', '.join(ENDS)}")
+        _require_rows(head, cells)
         ends = _packed_ends(place) if packed else [cells[head.index(name)] for name in ENDS[:3]]
         statuses, messages, findings = ends
         known = {cell: read_findings(cell) for cell in {*findings}}
@@ -148,6 +147,12 @@ def read_table(place: Path, families: Families, most: int | None = None) -> Stud
         text, cells = "", [column[:MOST_ROWS] for column in cells]
     columns = tuple(_columns(head, cells, families))
     return StudyTable(place, text, columns, statuses, messages, [known[cell] for cell in findings])
+
+
+def _require_rows(head: list[str], cells: list[list[str]]) -> None:
+    """Raises ValueError for a table without rows, or without the columns that every study has."""
+    if not any(cells) or not set(ENDS) <= set(head):
+        raise ValueError(f"it has no rows with {', '.join(ENDS)}")
 
 
 def _row_count(place: Path) -> int:
